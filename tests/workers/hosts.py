@@ -58,6 +58,17 @@ class Host(Machine):
         """A command line that runs `words` there, with the runtime directory of the host."""
         return self.inside("env", f"GLURAY_RUNTIME={self.runtime}", *words)
 
+    def running(self, path):
+        """The number of the process there that runs the program `path`; None: there is none."""
+        for folder in os.listdir("/proc"):
+            try:
+                words = pathlib.Path(f"/proc/{folder}/environ").read_bytes().split(b"\0")
+                if f"GLURAY_RUNTIME={self.runtime}".encode() in words and os.path.samefile(f"/proc/{folder}/exe", path):
+                    return int(folder)
+            except OSError:
+                continue
+        return None
+
 
 class Network:
     """Hosts host0, host1 ... and their switch. `folder`: for files of theirs."""

@@ -1,14 +1,15 @@
-"""Light across the ranks of pvbatch on hosts with networks of their own, each with a worker: hosts_light_test.py GLURAY WORKER, with an X server at
-hand. Exits with 77 where there can be no such hosts, or something is missing."""
+"""Light across the ranks of pvbatch on hosts with networks of their own, each with a worker, one of which is stopped meanwhile:
+hosts_light_test.py GLURAY WORKER, with an X server at hand. Exits with 77 where there can be no such hosts, or something is missing."""
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 
 import hosts
-from sort_last_test import Pictures, check_light
+from sort_last_test import Pictures, check_light, compare, pixels
 
 
 class HostsPictures(Pictures):
@@ -29,6 +30,26 @@ class HostsPictures(Pictures):
         return process, log
 
 
+def check_stopped_worker(pictures):
+    """The program goes on without its light and says so; when the worker goes on, the next picture has all light."""
+    expected = pixels(pictures.folder / "one.png")
+    job, log = pictures.job()
+    try:
+        worker = pictures.network.hosts[1].running(pictures.worker)
+        os.kill(worker, signal.SIGSTOP)
+        without, said = pictures.draw("stopped", 2, "--workers", "test")
+        os.kill(worker, signal.SIGCONT)
+        again, _ = pictures.draw("again", 2, "--workers", "test")
+    finally:
+        job.terminate()
+        job.wait()
+    assert "the worker does not answer; this process traces" in said, said
+    assert "rank 1 of the program draws nothing here" in log.read_text(), log.read_text()
+    without, again = (compare(expected, pixels(found)) for found in (without, again))
+    print(f"a worker is stopped: {without}, it goes on: {again}")
+    assert again[0] < 0.1 and again[1] < 0.01, log.read_text()
+
+
 def main(gluray, worker):
     why = hosts.why_not()
     if why or not all(map(shutil.which, ("pvbatch", "mpirun.openmpi", "convert"))):
@@ -37,7 +58,9 @@ def main(gluray, worker):
     with tempfile.TemporaryDirectory() as folder:
         network = hosts.Network(2, pathlib.Path(folder))
         try:
-            check_light(HostsPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network))
+            pictures = HostsPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
+            check_light(pictures)
+            check_stopped_worker(pictures)
         finally:
             network.end()
     return 0

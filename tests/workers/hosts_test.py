@@ -95,15 +95,9 @@ class OpenMpi(Jobs):
 
     def rank_at(self, host):
         """The rank's process."""
-        for folder in os.listdir("/proc"):
-            try:
-                with open(f"/proc/{folder}/environ", "rb") as file:
-                    words = file.read().split(b"\0")
-                if f"GLURAY_RUNTIME={self.network.hosts[host].runtime}".encode() in words and os.readlink(f"/proc/{folder}/exe") == os.path.realpath(self.worker):
-                    return int(folder)
-            except OSError:
-                continue
-        self.fail(f"host {host} has no rank")
+        process = self.network.hosts[host].running(self.worker)
+        self.assertIsNotNone(process, f"host {host} has no rank")
+        return process
 
     def check_takes_part(self, drawing, log, rank, lose, find):
         """A rank that takes part in pictures is missed when it is lost, and back when it is found."""
