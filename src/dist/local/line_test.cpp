@@ -7,9 +7,12 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -70,6 +73,27 @@ TEST(Line, SealedMemoryGoesWithMessages) {
   EXPECT_EQ(second->type, 2);
   EXPECT_LT(second->attached.get(), 0);
   EXPECT_LT(pwrite(memory.get(), "x", 1, 0), 0);  // sealed at this end, too
+}
+
+size_t mappings() {
+  std::ifstream file("/proc/self/maps");
+  return static_cast<size_t>(
+      std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n'));
+}
+
+TEST(Line, ManySmallArraysTakeFewMappings) {
+  const std::vector<std::byte> content = numbered(5000);
+  const Descriptor memory =
+      sealedMemory(content.size(), [&](std::byte* to) { std::memcpy(to, content.data(), content.size()); });
+  const size_t before = mappings();
+  std::vector<Array> arrays;
+  for (int i = 0; i < 1000; ++i) arrays.push_back(mapSealed(memory, content.size()));
+  EXPECT_LT(mappings(), before + 100);
+  for (const Array& array : arrays) {
+    EXPECT_EQ(array.bytes.size(), content.size());
+    EXPECT_EQ(std::memcmp(array.bytes.data(), content.data(), content.size()), 0);
+    EXPECT_EQ(array.bytes.data()[content.size() + kArrayPadding - 1], std::byte{0});
+  }
 }
 
 TEST(Line, MemoryThatMayChangeIsRefused) {

@@ -9,6 +9,7 @@
 
 #include <cerrno>
 #include <memory>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -16,6 +17,8 @@ namespace gluray::dist {
 namespace {
 
 constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
+// A process may have 65530 mappings (Linux's vm.max_map_count), and programs of many blocks have more arrays.
+constexpr size_t kMostCopied = size_t{1} << 16;  // bytes
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -64,7 +67,8 @@ Array mapSealed(const Descriptor& memory, size_t bytes) {
   const size_t size = bytes + kArrayPadding;
   checkSealed(memory, F_SEAL_SHRINK | F_SEAL_WRITE, size);
   const std::shared_ptr<std::byte> at = mapping(memory.get(), size, PROT_READ, MAP_SHARED);
-  return {at, {at.get(), bytes}};
+  const std::span<const std::byte> content(at.get(), bytes);
+  return bytes <= kMostCopied ? makeArray(content) : Array{at, content};
 }
 
 WrittenMemory writtenMemory(size_t bytes) {
