@@ -17,6 +17,10 @@ struct RankHello {
 struct AllAreAlike {
   static constexpr uint16_t kType = 10;
 };
+/// To a head: what it has broadcast so far is here.
+struct CaughtUp {
+  static constexpr uint16_t kType = 12;
+};
 /// From a worker's intake to the rank itself: the array has been compared with its name.
 struct ArrayChecked {
   static constexpr uint16_t kType = 11;
@@ -94,6 +98,7 @@ void fields(auto& archive, Like<RankHello> auto& value) {
   archive(order, version, host);
 }
 void fields(auto&, Like<AllAreAlike> auto&) {}
+void fields(auto&, Like<CaughtUp> auto&) {}
 void fields(auto& archive, Like<ArrayChecked> auto& value) {
   auto& [number, name, isRight] = value;
   archive(number, name, isRight);

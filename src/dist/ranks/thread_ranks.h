@@ -54,6 +54,7 @@ class ThreadRanks final : public Ranks {
     pending_.push_back({next_++, root, bytes, std::move(done)});
   }
   void progress() override {
+    if (isSlow) return;
     for (auto it = pending_.begin(); it != pending_.end();) {
       if (!isOver(*it)) {
         ++it;
@@ -67,6 +68,7 @@ class ThreadRanks final : public Ranks {
   bool busy() const override { return !pending_.empty(); }
 
   std::atomic<bool> isDeaf{false};  // receives nothing, as a stopped process
+  std::atomic<bool> isSlow{false};  // broadcasts do not come to their end
 
  private:
   struct Pending {

@@ -35,6 +35,7 @@ class Head {
   void take(int rank, const TracedTile& tile, double now);
   void take(int rank, const Finished& result, double now);
   void take(int rank, const Alive& alive, double now);
+  void takeCaughtUp(int rank, double now) { states_.heard(rank, now); }
   /// Notices ranks that say nothing, says to programs that work goes on. Call ten times a second or more.
   void tick(double now);
   /// Whether some picture is at work.

@@ -56,8 +56,12 @@ void Member::take(const Turn& turn) {
     return;
   }
   const ArrayRoom room = arrayRoom(turn.bytes);
-  ranks_.broadcast(turn.root, room.content(),
-                   [this, room, turn] { store_.put(turn.root, turn.name, room.array()); });
+  ++incoming_[turn.root];
+  ranks_.broadcast(turn.root, room.content(), [this, room, turn] {
+    store_.put(turn.root, turn.name, room.array());
+    // A head leaves ranks out that wait for geometry for long.
+    if (--incoming_[turn.root] == 0) ranks_.send(turn.root, forRanks(CaughtUp{}));
+  });
 }
 
 void Member::tick(double now) {

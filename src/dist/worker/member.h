@@ -43,6 +43,7 @@ class Member {
   const int threads_;
   TracingThread tracing_;
   std::map<Key, std::shared_ptr<TileQueue>> queues_;
+  std::map<int, int> incoming_;  // by head: broadcasts that have not come to their end
   double saidAlive_ = 0;
 };
 

@@ -13,11 +13,11 @@ class RankStates {
     for (State& state : states_) state.threads = threads;
   }
 
-  /// A result came from the rank.
+  /// A result came from the rank, or it has caught up with the broadcasts.
   void heard(int rank, double now) { at(rank).heard = now, at(rank).late = false; }
   /// The rank says that it is there.
   void isThere(int rank, double now) { at(rank).heard = now; }
-  /// The rank is left out until a result comes from it.
+  /// The rank is left out until it is heard.
   void setLate(int rank) { at(rank).late = true; }
   void setThreads(int rank, int threads) { at(rank).threads = threads; }
   /// Something was asked of the rank, from which nothing was awaited before.

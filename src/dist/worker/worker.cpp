@@ -85,6 +85,7 @@ void Worker::handle(const RankMessage& message, double now) {
       case MoreTiles::kType: return member_.take(from, as(MoreTiles{}));
       case EndOfPicture::kType: return member_.take(from, as(EndOfPicture{}));
       case TracedTile::kType: return head_.take(from, as(TracedTile{}), now);
+      case CaughtUp::kType: as(CaughtUp{}); return head_.takeCaughtUp(from, now);
       case Finished::kType: return head_.take(from, as(Finished{}), now);
       case Alive::kType: return head_.take(from, as(Alive{}), now);
       case FactsWanted::kType: return inquiry_.take(from, as(FactsWanted{}));

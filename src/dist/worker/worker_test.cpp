@@ -211,6 +211,32 @@ TEST_F(WorkerFaults, ARankThatIsStoppedIsLeftOutUntilItGoesOn) {
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
+/// Whether the rank traces: whoever does is missed when it stops.
+bool takesPart(WorkerJob& job, Program& program, int rank, const scene::Snapshot& s) {
+  const std::string missed = "rank " + std::to_string(rank) + " does not answer";
+  const size_t before = job.said().rfind(missed);
+  job.rank(rank).isDeaf = true;
+  program.picture(s);
+  job.rank(rank).isDeaf = false;
+  return job.said().rfind(missed) != before;
+}
+
+TEST_F(WorkerFaults, ARankThatGetsGeometryLateTakesPartAfterwards) {
+  WorkerJob job(directory_, 3);
+  Program program(directory_);
+  scene::Snapshot s = plainScene();
+  program.picture(s);
+  job.rank(2).isSlow = true;
+  s.instances[0].mesh = gluray::test::makeMesh(gluray::test::squareData(-0.5f));
+  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.picture(s), expectedPicture(s));
+  job.rank(2).isSlow = false;
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_TRUE(takesPart(job, program, 2, s)) << job.said();
+  EXPECT_EQ(program.tracedHere, 0) << program.said;
+}
+
 TEST_F(WorkerFaults, NothingPilesUpForARankThatIsStopped) {
   WorkerJob job(directory_, 3);
   Program program(directory_);
