@@ -15,9 +15,9 @@ using control::Descriptor;
 /// std::system_error where there is none.
 Descriptor sealedMemory(size_t bytes, const std::function<void(std::byte*)>& fill);
 
-/// Maps memory that another process has sealed, or copies it where it is small. Throws Malformed where it is not sealed, because its sender
-/// could change it while it is read, or cut it off, or where it does not hold `bytes` bytes;
-/// std::system_error.
+/// Maps memory that another process has sealed, or copies it where it is small. Throws Malformed where it is
+/// not sealed, because its sender could change it while it is read, or cut it off, or where it does not hold
+/// `bytes` bytes; std::system_error.
 Array mapSealed(const Descriptor& memory, size_t bytes);
 
 /// Memory of `bytes` bytes that one process writes and another reads; its size is sealed.
