@@ -16,7 +16,7 @@ from scale.simulation import Costs, Job, simulate  # noqa: E402
 from suites import scale  # noqa: E402
 
 BYTES = {"order": 1000, "more": 20, "more_per_tile": 4, "tile": 8192, "end": 10, "finished": 100, "alive": 6}
-FREE = Costs(before=[10.0] * 64, tiles=[10.0] * 64, begin=0.0, end=0.0, pack=0.0, take=0.0, give=0.0, sleep=1e-3, wake=0.0, bytes=BYTES)
+FREE = Costs(before=[10.0] * 64, tiles=[10.0] * 64, begin=0.0, end=0.0, pack=0.0, take=0.0, give=0.0, sleep=1e-3, look=0.0, wake=0.0, bytes=BYTES)
 NOTHING = Link("none", 0, 0, 0, 0, 0, "")
 
 
@@ -81,6 +81,11 @@ class Simulation(unittest.TestCase):
         self.assertAlmostEqual(done.head, 64 * 5 + 63 * 2, delta=1e-6)
         self.assertGreater(done.frame, done.head)
 
+    def test_each_look_of_the_head_takes_time(self):
+        done = simulate(dataclasses.replace(FREE, look=3.0), NOTHING, 1, 1)
+        self.assertAlmostEqual(done.head, 3.0 * done.looks, delta=1e-6)
+        self.assertGreater(done.looks, 64)
+
     def test_messages_wait_for_the_end_of_a_sleep(self):
         awake = simulate(FREE, NOTHING, 2, 1).frame
         asleep = simulate(dataclasses.replace(FREE, sleep=100.0), NOTHING, 2, 1).frame
@@ -100,7 +105,7 @@ class Chart(unittest.TestCase):
     def test_it_is_svg(self):
         simulated = [{"millions": 1.0, "look": look, "link": link, "threads": threads, "head": head, "ranks": ranks,
                       "frame_ms": 100 / ranks} for head in ("as built", "head looks at one rank") for look in figure.TITLES for link in figure.LINKS for threads in (1, 8) for ranks in (1, 2, 4)]
-        measured = [{"millions": 1.0, "look": "local", "ranks": 2, "busiest_rank_cpu_ms": 20.0}]
+        measured = [{"millions": 1.0, "look": "local", "ranks": 2, "tracing_cpu_ms_a_rank": 20.0}]
         text = figure.figure(measured, simulated)
         self.assertEqual(text, figure.figure(measured, simulated))
         self.assertTrue(xml.etree.ElementTree.fromstring(text).tag.endswith("svg"))

@@ -19,6 +19,11 @@ class Recorder final : public render::RemoteSurfaces, public render::TileSource 
   uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked, render::Passing) noexcept override {
     dist::QueryPacket packet{0, query.kind, {}, query.rays};
     for (int i = 0; i < accel::kLanes; ++i) packet.lanes |= static_cast<uint32_t>(query.valid[i] != 0) << i;
+    // Lengths of blocked rays are lost: as long as the others.
+    for (int i = 0; i < accel::kLanes; ++i)
+      if (packet.lanes & ~blocked & 1u << i) length_ = query.rays.tFar[i];
+    for (int i = 0; i < accel::kLanes; ++i)
+      if (packet.lanes & blocked & 1u << i) packet.rays.tFar[i] = length_;
     if (packet.lanes) writer_.add(packet), ++all.packets;
     return blocked;
   }
@@ -42,6 +47,7 @@ class Recorder final : public render::RemoteSurfaces, public render::TileSource 
  private:
   dist::QueryWriter writer_;
   accel::Bounds bounds_;
+  float length_ = 0;
   int count_ = 0, next_ = 0;
 };
 

@@ -50,7 +50,7 @@ def ticks(low, high, base):
 class _Axes:
     def __init__(self, panel, left, top):
         self.panel, self.left, self.top = panel, left + LEFT, top + TOP
-        self.width, self.height = WIDTH - LEFT - 12, HEIGHT - TOP - 46
+        self.width, self.height = WIDTH - LEFT - 24, HEIGHT - TOP - 46
 
     def x(self, value):
         low, high = self.panel.x_range
@@ -76,7 +76,7 @@ class _Axes:
 
     def draw(self, series):
         low, high = self.panel.y_range
-        places = [(self.x(x), self.y(min(max(y, low), high))) for x, y in series.points if low * 0.999 <= y <= high * 1.001]
+        places = [(self.x(x), self.y(y)) for x, y in series.points if low * 0.999 <= y <= high * 1.001]
         if series.line and places:
             dash = f' stroke-dasharray="{series.dash}"' if series.dash else ""
             path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
@@ -87,7 +87,7 @@ class _Axes:
 
 def _legend(series, left, top):
     for i, one in enumerate(series):
-        x, y = left + 370 * (i % 2), top + 18 * (i // 2)
+        x, y = left, top + 18 * i
         if one.line:
             dash = f' stroke-dasharray="{one.dash}"' if one.dash else ""
             yield f'<path d="M{x} {y}h28" stroke="{one.color}" stroke-width="1.8"{dash}/>'
@@ -99,7 +99,7 @@ def _legend(series, left, top):
 def svg(panels):
     """The panels side by side, and one legend of all their series below."""
     known = {one.title: one for panel in panels for one in panel.series}
-    width, height = WIDTH * len(panels), HEIGHT + 24 + 18 * math.ceil(len(known) / 2)
+    width, height = WIDTH * len(panels), HEIGHT + 24 + 18 * len(known)
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}">',
            f'<rect width="{width}" height="{height}" fill="#fff"/>']
     for i, panel in enumerate(panels):

@@ -5,6 +5,7 @@ from scale.links import PUBLISHED
 # Brownlee et al., GLuRay, Figure 10 (average render time; the text has these two) and its citation of Ize et al. 2011: (nodes, ms).
 PAPER = [(1, 210.0), (64, 37.0)]
 IZE = [(60, 10.0)]
+Y_RANGE = (0.5, 5000)  # ms
 TITLES = {"local": "local look", "occlusion": "ambient occlusion, 16 rays a pixel"}
 LINKS = {"hdr": ("#4477aa", ""), "qdr": ("#ee6677", "7 3"), "shm": ("#228833", "2 3")}
 NAMES = {"shm": "this machine's shared memory", **{key: link["name"] for key, link in PUBLISHED.items()}}
@@ -21,16 +22,17 @@ def _panel(look, millions, image_rows, simulated_rows):
         points = _points(simulated_rows, look=look, link=link, threads=8, head="as built")
         series.append(Series(f"simulated, 8 threads a rank, {NAMES[link]}", color, points, dash=dash))
     points = _points(simulated_rows, look=look, link="hdr", threads=8, head="head looks at one rank")
-    series.append(Series("simulated, the same with HDR, if the head looked at one rank a tile", "#4477aa", points, dash="2 3 7 3"))
+    series.append(Series("simulated, the same with HDR InfiniBand, as if the head looked at one rank a tile instead of at all (not built)", "#4477aa", points, dash="2 3 7 3"))
     first = series[0].points[0][1]
-    series.append(Series("ideal, from one rank of 8 threads", "#999999", [(1, first), (1024, first / 1024)], dash="1 4"))
+    most = min(first / Y_RANGE[0], 1024)
+    series.append(Series("ideal, from one rank of 8 threads", "#777777", [(1, first), (most, first / most)], dash="1 3"))
     one_thread = _points(simulated_rows, look=look, link="shm", threads=1)
     series.append(Series("simulated, 1 thread a rank, this machine's shared memory", "#aa3377", one_thread, dash="7 3 2 3"))
-    busy = sorted((row["ranks"], row["busiest_rank_cpu_ms"]) for row in image_rows if row["look"] == look and row["millions"] == millions)
-    series.append(Series("measured, 1 thread a rank: CPU time of the busiest rank", "#aa3377", busy, marker="circle", line=False))
+    busy = sorted((row["ranks"], row["tracing_cpu_ms_a_rank"]) for row in image_rows if row["look"] == look and row["millions"] == millions)
+    series.append(Series("measured, 1 thread a rank: tracing CPU time a rank", "#aa3377", busy, marker="circle", line=False))
     series.append(Series("paper, Figure 10 (RMO, 316 million triangles, 8 cores of 2009 a node)", "#333333", PAPER, marker="square", line=False))
-    series.append(Series("Ize et al. 2011, two megapixels, at best", "#bb9911", IZE, marker="diamond", line=False))
-    return Panel(f"Wavelet, {millions:g}M triangles, {TITLES[look]}", "ranks", "ms a frame", (1, 1024), (0.5, 5000), series)
+    series.append(Series("Ize et al. 2011, ray-parallel, two megapixels, at best (cited in the paper)", "#bb9911", IZE, marker="diamond", line=False))
+    return Panel(f"Wavelet, {millions:g}M triangles, {TITLES[look]}", "ranks", "ms a frame", (1, 1024), Y_RANGE, series)
 
 
 def figure(image_rows, simulated_rows):

@@ -116,6 +116,7 @@ void run(const Options& options) {
   for (int round = -kWarmUp; round < options.frames; ++round) {
     ++frame;
     for (Job& job : jobs) trace(job, frame, options.samples, round >= 0);
+    jobs.reverse();  // none is always the first
   }
   frame::Renderer renderer;
   scene::Snapshot snapshot = bench::waveletSnapshot(mesh);

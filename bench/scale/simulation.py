@@ -23,6 +23,7 @@ class Costs:
     take: float      # of a traced tile at the head
     give: float      # the head's look at all ranks after it
     sleep: float     # of a main thread that nothing wakes
+    look: float      # of a main thread each time that it looks, beside what it finds
     wake: float      # from the end of a tile until the main thread knows
     bytes: dict      # of messages
 
@@ -32,6 +33,7 @@ class Result:
     frame: float     # from the program's request until its picture is whole
     busy: list       # tracing time of each rank, all threads
     head: float      # time that the head's main thread worked
+    looks: int       # of the head's main thread, but for those that find nothing
     head_link: float  # time that messages took on the head's port, inwards
 
     @property
@@ -51,6 +53,7 @@ class _Rank:
         self.next_look = math.inf
         self.port_out = self.port_in = 0.0
         self.busy = self.work = self.received = 0.0
+        self.looks = 0
 
 
 class Job:
@@ -68,7 +71,7 @@ class Job:
             time, _, what, rank, content = heapq.heappop(self.events)
             getattr(self, "_at_" + what)(time, rank, content)
         head = self.ranks[0]
-        return Result(self.frame, [rank.busy for rank in self.ranks], head.work, head.received)
+        return Result(self.frame, [rank.busy for rank in self.ranks], head.work, head.looks, head.received)
 
     # Events.
 
@@ -80,7 +83,8 @@ class Job:
         if time != rank.next_look:
             return  # another look came before
         rank.next_look = math.inf
-        now = time
+        now = time + self.c.look
+        rank.looks += 1
         while True:
             for kind, size, content in rank.outbox:
                 now = self._send(now, number, 0, kind, size, content)
