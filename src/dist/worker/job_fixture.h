@@ -4,6 +4,7 @@
 #include "dist/program/remote_tracer.h"
 #include "dist/ranks/thread_ranks.h"
 #include "dist/worker/worker.h"
+#include "frame/lit_scene.h"
 #include "frame/renderer.h"
 
 #include <gtest/gtest.h>
@@ -121,6 +122,13 @@ struct Program {
   scene::TraceCost cost;
   RemoteTracer tracer;
 };
+
+/// Without light that falls on surfaces.
+inline scene::Snapshot plainScene(int size = 150) {
+  scene::Snapshot s = frame::test::litScene(frame::test::Hides::some, size);
+  s.settings.ao.enabled = false;
+  return s;
+}
 
 /// As this process traces it.
 inline Image expectedPicture(const scene::Snapshot& snapshot, uint32_t missColor = 0) {
