@@ -19,10 +19,8 @@ def _points(rows, **wanted):
 def _panel(look, millions, image_rows, simulated_rows):
     series = []
     for link, (color, dash) in LINKS.items():
-        points = _points(simulated_rows, look=look, link=link, threads=8, head="as built")
+        points = _points(simulated_rows, look=look, link=link, threads=8)
         series.append(Series(f"simulated, 8 threads a rank, {NAMES[link]}", color, points, dash=dash))
-    points = _points(simulated_rows, look=look, link="hdr", threads=8, head="head looks at one rank")
-    series.append(Series("simulated, the same with HDR InfiniBand, as if the head looked at one rank a tile instead of at all (not built)", "#4477aa", points, dash="2 3 7 3"))
     first = series[0].points[0][1]
     most = min(first / Y_RANGE[0], 1024)
     series.append(Series("ideal, from one rank of 8 threads", "#777777", [(1, first), (most, first / most)], dash="1 3"))

@@ -10,15 +10,13 @@
 namespace gluray::bench {
 namespace {
 
-/// As Head::giveTiles: what each rank gets goes into its queue.
-void give(dist::Picture& picture, std::vector<std::deque<int>>& queues) {
-  for (size_t rank = 0; rank < queues.size(); ++rank) {
-    if (!picture.takesPart(static_cast<int>(rank))) continue;
-    const std::vector<int> tiles = picture.more(static_cast<int>(rank));
-    if (tiles.empty()) continue;
-    dist::forRanks(dist::MoreTiles{picture.id(), tiles});
-    queues[rank].insert(queues[rank].end(), tiles.begin(), tiles.end());
-  }
+/// As Head::giveTiles: what the rank gets goes into its queue.
+void give(dist::Picture& picture, int rank, std::deque<int>& queue) {
+  if (!picture.takesPart(rank)) return;
+  const std::vector<int> tiles = picture.more(rank);
+  if (tiles.empty()) return;
+  dist::forRanks(dist::MoreTiles{picture.id(), tiles});
+  queue.insert(queue.end(), tiles.begin(), tiles.end());
 }
 
 /// The CPU time of one picture, all tiles together.
@@ -26,7 +24,7 @@ HeadCosts spentOn(dist::Picture& picture, const std::vector<std::vector<std::byt
                   dist::WrittenMemory& memory) {
   std::vector<std::deque<int>> queues(static_cast<size_t>(ranks));
   HeadCosts sum;
-  give(picture, queues);
+  for (size_t rank = 0; rank < queues.size(); ++rank) give(picture, static_cast<int>(rank), queues[rank]);
   while (!picture.isTraced())
     for (size_t rank = 0; rank < queues.size(); ++rank) {
       if (queues[rank].empty()) continue;
@@ -39,7 +37,7 @@ HeadCosts spentOn(dist::Picture& picture, const std::vector<std::vector<std::byt
       const auto tile = dist::decoded<dist::TracedTile>(in.take(in.left()));
       picture.take(static_cast<int>(rank), tile, memory, grew, 0);
       const double taken = threadCpuSeconds();
-      if (!picture.isTraced()) give(picture, queues);
+      if (!picture.isTraced()) give(picture, static_cast<int>(rank), queues[rank]);
       sum.take += taken - start, sum.give += threadCpuSeconds() - taken;
     }
   return sum;

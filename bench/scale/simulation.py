@@ -21,7 +21,7 @@ class Costs:
     end: float       # after its last one
     pack: float      # of a tile's pixels
     take: float      # of a traced tile at the head
-    give: float      # the head's look at all ranks after it
+    give: float      # of the head, for the next tiles of the rank that it came from
     sleep: float     # of a main thread that nothing wakes
     look: float      # of a main thread each time that it looks, beside what it finds
     wake: float      # from the end of a tile until the main thread knows

@@ -129,31 +129,28 @@ def result_file(options, part):
     return ROOT / "bench" / "results" / f"{options.name}_{part}.json"
 
 
-def costs_of(inputs, look, ranks, looks_at_one=False):
-    """`looks_at_one`: as if the head looked only at the rank that a tile came from, which it does not."""
+def costs_of(inputs, look, ranks):
     picture, link = inputs["pictures"][look], inputs["link"]
     head = next(row for row in picture["head"] if row["ranks"] == ranks)
-    head = {**head, "give_us": picture["head"][0]["give_us"]} if looks_at_one else head
     return simulation.Costs(before=picture["before_us"], tiles=picture["tiles_us"], begin=picture["begin_us"], end=picture["end_us"],
                             pack=picture["pack_us"], take=head["take_us"], give=head["give_us"], sleep=link["sleep_us"], look=inputs["look_us"],
                             wake=link["wake_us"], bytes=picture["bytes"])
 
 
-def simulated_row(inputs, millions, look, link, threads, ranks, looks_at_one):
-    done = simulation.simulate(costs_of(inputs, look, ranks, looks_at_one), links(inputs["link"])[link], ranks, threads)
-    head = "head looks at one rank" if looks_at_one else "as built"
-    return {"path": f"simulated {link}, {threads} threads, {head}", "millions": millions, "look": look, "link": link, "threads": threads, "head": head,
+def simulated_row(inputs, millions, look, link, threads, ranks):
+    done = simulation.simulate(costs_of(inputs, look, ranks), links(inputs["link"])[link], ranks, threads)
+    return {"path": f"simulated {link}, {threads} threads", "millions": millions, "look": look, "link": link, "threads": threads,
             "ranks": ranks, "frame_ms": round(done.frame / 1000, 4), "max_over_mean": round(done.balance, 4),
             "busiest_rank_ms": round(max(done.busy) / threads / 1000, 4), "head_works_ms": round(done.head / 1000, 4),
             "head_link_ms": round(done.head_link / 1000, 4)}
 
 
 def simulated_rows(inputs, millions):
-    curves = [(link, threads, False) for threads in (8, 1) for link in links(inputs["link"])] + [("hdr", 8, True)]
+    curves = [(link, threads) for threads in (8, 1) for link in links(inputs["link"])]
     for look in LOOKS:
-        for link, threads, looks_at_one in curves:
+        for link, threads in curves:
             for ranks in SIMULATED_RANKS:
-                yield simulated_row(inputs, millions, look, link, threads, ranks, looks_at_one)
+                yield simulated_row(inputs, millions, look, link, threads, ranks)
 
 
 def compact(inputs):

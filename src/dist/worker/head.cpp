@@ -184,12 +184,13 @@ void Head::start(ProgramSide& program, bool averages, double now) {
 
 void Head::giveTiles(ProgramSide& program) {
   if (program.peer) return;
-  Picture& picture = *program.picture;
-  for (int rank = 0; rank < ranks_.size(); ++rank) {
-    if (!picture.takesPart(rank)) continue;
-    const std::vector<int> tiles = picture.more(rank);
-    if (!tiles.empty()) ranks_.send(rank, forRanks(MoreTiles{picture.id(), tiles}));
-  }
+  for (int rank = 0; rank < ranks_.size(); ++rank) giveTiles(*program.picture, rank);
+}
+
+void Head::giveTiles(Picture& picture, int rank) {
+  if (!picture.takesPart(rank)) return;
+  const std::vector<int> tiles = picture.more(rank);
+  if (!tiles.empty()) ranks_.send(rank, forRanks(MoreTiles{picture.id(), tiles}));
 }
 
 void Head::take(int rank, const TracedTile& tile, double now) {
@@ -207,7 +208,8 @@ void Head::take(int rank, const TracedTile& tile, double now) {
     endPicture(*program);
     return start(*program, false, now);
   }
-  if (!picture.isTraced()) return giveTiles(*program);
+  // Others want no more than before: of ranks that are left out, tick() passes on the tiles.
+  if (!picture.isTraced()) return program->peer ? void() : giveTiles(picture, rank);
   if (!wasTraced) end(*program);
   finish(*program, now);
 }

@@ -57,6 +57,7 @@ class Head {
   void forget(ProgramSide& program, const std::vector<Hash128>& names);
   void start(ProgramSide& program, bool averages, double now);
   void giveTiles(ProgramSide& program);
+  void giveTiles(Picture& picture, int rank);
   void end(ProgramSide& program);
   void endPicture(ProgramSide& program);
   /// Gives the program its picture, if that is done.
