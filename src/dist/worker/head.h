@@ -5,7 +5,7 @@
 #include "dist/ranks/ranks.h"
 #include "dist/worker/array_intake.h"
 #include "dist/worker/array_store.h"
-#include "dist/worker/job_inquiry.h"
+#include "dist/worker/facts/job_inquiry.h"
 #include "dist/worker/program_side.h"
 #include "dist/worker/rank_states.h"
 

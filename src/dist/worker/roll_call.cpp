@@ -1,7 +1,7 @@
 #include "dist/worker/roll_call.h"
 
 #include "dist/messages/rank_messages.h"
-#include "dist/worker/rank_facts.h"
+#include "dist/worker/facts/rank_facts.h"
 
 #include <algorithm>
 #include <bit>

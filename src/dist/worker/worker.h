@@ -3,8 +3,8 @@
 #include "control/descriptor.h"
 #include "dist/ranks/ranks.h"
 #include "dist/worker/array_intake.h"
+#include "dist/worker/facts/job_inquiry.h"
 #include "dist/worker/head.h"
-#include "dist/worker/job_inquiry.h"
 #include "dist/worker/member.h"
 #include "dist/worker/roll_call.h"
 

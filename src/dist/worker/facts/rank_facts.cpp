@@ -1,4 +1,4 @@
-#include "dist/worker/rank_facts.h"
+#include "dist/worker/facts/rank_facts.h"
 
 #include "dist/messages/version.h"
 

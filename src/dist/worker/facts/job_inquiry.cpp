@@ -1,7 +1,7 @@
-#include "dist/worker/job_inquiry.h"
+#include "dist/worker/facts/job_inquiry.h"
 
 #include "dist/messages/version.h"
-#include "dist/worker/rank_facts.h"
+#include "dist/worker/facts/rank_facts.h"
 
 #include <algorithm>
 #include <utility>
