@@ -203,13 +203,19 @@ void Head::take(int rank, const TracedTile& tile, double now) {
     bool grew = false;
     picture.take(rank, tile, program->memory, grew, now);
     if (grew) program->send(PictureMemory{program->memory.bytes}, program->memory.memory.get());
-  } catch (const Malformed&) { picture.drop(rank); }
+  } catch (const Malformed&) {
+    picture.drop(rank);
+    giveTiles(*program);
+  }
   if (picture.isSeenThrough() && picture.averages()) {
     endPicture(*program);
     return start(*program, false, now);
   }
-  // Others want no more than before: of ranks that are left out, tick() passes on the tiles.
-  if (!picture.isTraced()) return program->peer ? void() : giveTiles(picture, rank);
+  if (!picture.isTraced()) {
+    // The other ranks have as much as before.
+    if (!program->peer) giveTiles(picture, rank);
+    return;
+  }
   if (!wasTraced) end(*program);
   finish(*program, now);
 }
@@ -219,6 +225,7 @@ void Head::take(int rank, const Finished& result, double now) {
   ProgramSide* const program = programOf(result.id);
   if (!program) return;
   program->picture->finished(rank, result);
+  if (!program->picture->isTraced()) giveTiles(*program);  // it may have failed, and others have its tiles
   finish(*program, now);
 }
 
@@ -252,13 +259,15 @@ void Head::tick(double now) {
   for (ProgramSide& program : programs_) {
     if (!program.picture) continue;
     Picture& picture = *program.picture;
+    bool passedOn = false;
     for (int rank = 0; rank < ranks_.size(); ++rank) {
       if (!picture.takesPart(rank) || !states_.isOverdue(rank, now)) continue;
       leaveOut(rank);
       picture.drop(rank);
+      passedOn = true;
     }
-    for (const int rank : picture.passOnSlow(now)) leaveOut(rank);
-    giveTiles(program);
+    for (const int rank : picture.passOnSlow(now)) leaveOut(rank), passedOn = true;
+    if (passedOn) giveTiles(program);
     if (now - program.saidAtWork > kAtWorkEvery) {
       program.saidAtWork = now;
       program.send(AtWork{program.request->id});
