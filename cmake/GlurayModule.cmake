@@ -1,11 +1,11 @@
 # gluray_module(NAME DEPS a b LIBS x y): the static library gluray_NAME from every src/NAME/**.cpp except *_test.cpp,
 # and, where tests are built, the program NAME_tests from the *_test.cpp files beside them.
 # THREAD_TESTS are those of the tests' files that the thread sanitizer needs: it builds no others.
-# UNITY_TESTS: with GLURAY_UNITY, sixteen tests compile as one, too. Their anonymous namespaces must not share names.
+# With GLURAY_UNITY, sources compile together, and so do tests: their anonymous namespaces must not share names.
 # TEST_HEADERS: a header that the tests begin with, in place of tests/headers/precompiled.h.
 # DEPS are other modules; tests/check_layers.py verifies that includes stay within them.
 function(gluray_module NAME)
-  cmake_parse_arguments(ARG "UNITY_TESTS" "TEST_HEADERS" "DEPS;LIBS;SOURCES;TEST_LIBS;THREAD_TESTS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TEST_HEADERS" "DEPS;LIBS;SOURCES;TEST_LIBS;THREAD_TESTS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   # A folder with a CMakeLists.txt of its own is another module.
   file(GLOB_RECURSE others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
@@ -36,9 +36,7 @@ function(gluray_module NAME)
   target_link_libraries(${target} ${scope} ${ARG_LIBS})
   if(GLURAY_TESTS AND tests)
     add_executable(${NAME}_tests ${tests})
-    if(ARG_UNITY_TESTS)
-      gluray_unity(${NAME}_tests ${tests})
-    endif()
+    gluray_unity(${NAME}_tests ${tests})
     target_link_libraries(${NAME}_tests PRIVATE ${target} gluray_test_main ${ARG_TEST_LIBS})
     target_compile_options(${NAME}_tests PRIVATE ${GLURAY_TEST_OPTIONS})
     gluray_use_test_headers(${NAME}_tests ${ARG_TEST_HEADERS})
@@ -46,19 +44,34 @@ function(gluray_module NAME)
   endif()
 endfunction()
 
-# gluray_unity(TARGET SOURCE...): with GLURAY_UNITY, sixteen of the target's sources compile as one. Those that Highway compiles once
-# for every instruction set stay alone.
+# gluray_unity(TARGET SOURCE...): with GLURAY_UNITY, many of the target's sources compile as one, in parts of equal size, so that
+# none takes much longer than the others. Those that Highway compiles once for every instruction set stay alone.
 function(gluray_unity TARGET)
   if(NOT GLURAY_UNITY OR NOT ARGN)
     return()
   endif()
+  set(together 0)
   foreach(file ${ARGN})
-    file(STRINGS ${file} many REGEX "^#include <hwy/foreach_target.h>" LIMIT_COUNT 1)
+    set(many "")
+    if(EXISTS ${file})  # not one that the build generates
+      file(STRINGS ${file} many REGEX "^#include <hwy/foreach_target.h>" LIMIT_COUNT 1)
+    endif()
     if(many)
       set_source_files_properties(${file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    else()
+      math(EXPR together "${together} + 1")
     endif()
   endforeach()
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+  set(most 40)
+  if("${TARGET}" MATCHES "_tests$")
+    set(most 16)  # which share a precompiled header, and have many names in common
+  endif()
+  math(EXPR parts "(${together} + ${most} - 1) / ${most}")
+  if(parts EQUAL 0)
+    return()
+  endif()
+  math(EXPR size "(${together} + ${parts} - 1) / ${parts}")
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
   # GCC takes the sources that are included for headers, and warns about their anonymous namespaces.
   target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()

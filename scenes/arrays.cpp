@@ -9,7 +9,7 @@
 namespace gluray::scenes {
 namespace {
 
-void lit(Gl gl, int width, int height) {
+void arrayStage(Gl gl, int width, int height) {
   begin(gl, width, height);
   camera(gl, width, height);
   keyLight(gl);
@@ -18,7 +18,7 @@ void lit(Gl gl, int width, int height) {
 
 /// Byte normals, double positions, ushort indices, ubyte colours.
 void oldTypes(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  arrayStage(gl, width, height);
   gl.Enable(GL_COLOR_MATERIAL);
   const Model m = torus(0.8f, 0.4f, 40, 20);
   std::vector<GLdouble> positions(m.positions.begin(), m.positions.end());
@@ -59,7 +59,7 @@ void arrayElements(Gl gl, int width, int height) {
 
 /// One client array, rewritten between the draws, all of them within one list.
 void rewrittenArray(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  arrayStage(gl, width, height);
   paint(gl, 0.9f, 0.8f, 0.3f);
   struct Vertex {
     float position[3], normal[3], unused[4];
@@ -106,7 +106,7 @@ void interleaved(Gl gl, int width, int height) {
 
 /// Pointers latch the buffer that is bound when they are set; buffers change after.
 void vertexBuffers(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  arrayStage(gl, width, height);
   paint(gl, 0.4f, 0.7f, 0.9f);
   const Model m = vase(40, 24);
   const auto bytes = static_cast<GLsizeiptr>(m.positions.size() * sizeof(float));
@@ -179,7 +179,7 @@ void multiDraws(Gl gl, int width, int height) {
 }
 
 void vertexArrayObjects(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  arrayStage(gl, width, height);
   const Model models[] = {sphere(20, 30), torus(0.7f, 0.3f, 30, 16)};
   GLuint arrays[2], buffers[6];
   gl.GenVertexArrays(2, arrays);
@@ -237,7 +237,7 @@ void drawArraysKinds(Gl gl, int width, int height) {
   gl.DrawArrays(GL_POLYGON, 4, 4);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kArrayScenes[] = {
     {"old-array-types", oldTypes},
     {"array-elements", arrayElements},
     {"rewritten-array", rewrittenArray},
@@ -250,6 +250,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> arrayScenes() { return kScenes; }
+std::span<const Scene> arrayScenes() { return kArrayScenes; }
 
 }  // namespace gluray::scenes

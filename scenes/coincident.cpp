@@ -77,7 +77,7 @@ void recolouredInOneList(Gl gl, int width, int height) {
   gl.DeleteLists(list, 1);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kCoincidentScenes[] = {
     {"highlighted-part-less", highlightedPartLess},
     {"highlighted-part-lequal", highlightedPartLequal},
     {"double-skin", doubleSkin},
@@ -86,6 +86,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> coincidentScenes() { return kScenes; }
+std::span<const Scene> coincidentScenes() { return kCoincidentScenes; }
 
 }  // namespace gluray::scenes

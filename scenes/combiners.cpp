@@ -9,7 +9,7 @@
 namespace gluray::scenes {
 namespace {
 
-void stage(Gl gl, int width, int height) {
+void combinerStage(Gl gl, int width, int height) {
   begin(gl, width, height);
   tiltedCamera(gl, width, height);
   gl.Enable(GL_TEXTURE_2D);
@@ -46,7 +46,7 @@ constexpr std::array<GLint, 3> kAlphas{GL_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_
 
 /// Functions down, base formats across; alpha is what the read-back compares.
 void functions(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  combinerStage(gl, width, height);
   env(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
   const float color[] = {0.9f, 0.3f, 0.6f, 0.7f};
   gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
@@ -66,7 +66,7 @@ void functions(Gl gl, int width, int height) {
 
 /// Every source and operand.
 void sources(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  combinerStage(gl, width, height);
   env(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
   const float color[] = {0.9f, 0.3f, 0.6f, 0.7f};
   gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
@@ -84,7 +84,7 @@ void sources(Gl gl, int width, int height) {
 
 /// Scales, and the scalar products.
 void scales(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  combinerStage(gl, width, height);
   sampling(gl, GL_TEXTURE_2D, GL_NEAREST, GL_REPEAT);  // scales would magnify eight-bit weights
   env(gl, GL_TEXTURE_ENV_MODE, GL_COMBINE);
   gl.Color4f(0.55f, 0.35f, 0.7f, 0.6f);
@@ -229,7 +229,7 @@ void unitsFromArrays(Gl gl, int width, int height) {
   place(0.85f, -0.4f), layeredQuad(gl, 0, 0, 0.35f, 1);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kCombinerScenes[] = {
     {"combine-functions", functions, true, kTexelEdges},
     {"combine-sources", sources, true, kTexelEdges},
     {"combine-scales", scales, true, kTexelEdges},
@@ -241,6 +241,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> combinerScenes() { return kScenes; }
+std::span<const Scene> combinerScenes() { return kCombinerScenes; }
 
 }  // namespace gluray::scenes

@@ -221,7 +221,7 @@ void fogSources(Gl gl, int width, int height) {
   gl.Fogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kFragmentScenes[] = {
     {"fog-linear", fogLinear},
     {"fog-exp", fogExp},
     {"fog-coordinates", fogCoordinates},
@@ -235,6 +235,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> fragmentScenes() { return kScenes; }
+std::span<const Scene> fragmentScenes() { return kFragmentScenes; }
 
 }  // namespace gluray::scenes

@@ -107,7 +107,7 @@ void multisampled(Gl gl, int width, int height) {
 
 constexpr Tolerance kSamples{2, 0.002, 1e-5f, "outlines fall on either side of a sample"};
 
-constexpr Scene kScenes[] = {
+constexpr Scene kFramebufferScenes[] = {
     {"front-buffer", frontBuffer},
     {"render-to-texture", renderToTexture},
     {"blit-framebuffer", blitFramebuffer},
@@ -117,6 +117,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> framebufferScenes() { return kScenes; }
+std::span<const Scene> framebufferScenes() { return kFramebufferScenes; }
 
 }  // namespace gluray::scenes

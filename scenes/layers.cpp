@@ -172,7 +172,7 @@ void colorMaskedClears(Gl gl, int width, int height) {
   sendAt(gl, sphere(20, 30), 0, -0.9f, 0, 0.4f);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kLayerScenes[] = {
     {"off-axis-frustum", offAxisFrustum},
     {"orthographic", orthographic},
     {"large-coordinates", farFromTheOrigin},
@@ -187,6 +187,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> layerScenes() { return kScenes; }
+std::span<const Scene> layerScenes() { return kLayerScenes; }
 
 }  // namespace gluray::scenes

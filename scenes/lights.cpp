@@ -153,7 +153,7 @@ void normalLengths(Gl gl, int width, int height) {
   sendAt(gl, ball, 0, -0.7f, 0, 0.6f);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kLightScenes[] = {
     {"directional-light", directionalLight},
     {"point-light", pointLight},
     {"spot-light", spotLight},
@@ -168,6 +168,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> lightScenes() { return kScenes; }
+std::span<const Scene> lightScenes() { return kLightScenes; }
 
 }  // namespace gluray::scenes

@@ -13,7 +13,7 @@ GLuint compile(Gl gl, const Model& model, GLenum mode = GL_COMPILE) {
   return list;
 }
 
-void lit(Gl gl, int width, int height, float distance = 5) {
+void listStage(Gl gl, int width, int height, float distance = 5) {
   begin(gl, width, height);
   camera(gl, width, height, distance);
   keyLight(gl);
@@ -22,7 +22,7 @@ void lit(Gl gl, int width, int height, float distance = 5) {
 
 /// A list that moves, paints and calls another one.
 void nestedLists(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  listStage(gl, width, height);
   const GLuint ball = compile(gl, sphere(16, 24));
   const GLuint row = gl.GenLists(1);
   gl.NewList(row, GL_COMPILE);
@@ -44,7 +44,7 @@ void nestedLists(Gl gl, int width, int height) {
 }
 
 void callListsWithBase(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  listStage(gl, width, height);
   const GLuint base = gl.GenLists(3);
   const Model models[] = {sphere(12, 16), torus(0.7f, 0.3f, 24, 12), vase(20, 14)};
   for (GLuint i = 0; i < 3; ++i) {
@@ -67,7 +67,7 @@ void callListsWithBase(Gl gl, int width, int height) {
 
 /// Some programs draw no other way.
 void compileAndExecute(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  listStage(gl, width, height);
   paint(gl, 0.9f, 0.7f, 0.3f);
   gl.Translatef(-0.9f, 0, 0);
   const GLuint list = compile(gl, torus(0.6f, 0.25f, 40, 20), GL_COMPILE_AND_EXECUTE);
@@ -78,7 +78,7 @@ void compileAndExecute(Gl gl, int width, int height) {
 
 /// One list, four hundred times, from the same two calls.
 void manyInstances(Gl gl, int width, int height) {
-  lit(gl, width, height, 6);
+  listStage(gl, width, height, 6);
   const GLuint ball = compile(gl, sphere(8, 12));
   for (int i = 0; i < 400; ++i) {
     const int x = i % 20, y = i / 20;
@@ -93,7 +93,7 @@ void manyInstances(Gl gl, int width, int height) {
 }
 
 void listInsidePushAttrib(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  listStage(gl, width, height);
   const GLuint ring = compile(gl, torus(0.6f, 0.25f, 30, 16));
   const GLuint state = gl.GenLists(1);
   gl.NewList(state, GL_COMPILE);
@@ -115,7 +115,7 @@ void listInsidePushAttrib(Gl gl, int width, int height) {
 
 /// A list compiled again under the same name, one deleted and made anew, one that is part of a glBegin.
 void changedLists(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  listStage(gl, width, height);
   paint(gl, 0.7f, 0.7f, 0.2f);
   const GLuint list = compile(gl, sphere(10, 14));
   gl.PushMatrix();
@@ -145,7 +145,7 @@ void changedLists(Gl gl, int width, int height) {
 
 /// Lines and filled surfaces in one list: part of it is traced, part is not, in order.
 void mixedList(Gl gl, int width, int height) {
-  lit(gl, width, height);
+  listStage(gl, width, height);
   const Model m = vase(24, 16);
   const GLuint list = gl.GenLists(1);
   gl.NewList(list, GL_COMPILE);
@@ -167,7 +167,7 @@ void mixedList(Gl gl, int width, int height) {
   gl.CallList(list);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kListScenes[] = {
     {"nested-lists", nestedLists},
     {"call-lists-base", callListsWithBase},
     {"compile-and-execute", compileAndExecute},
@@ -179,6 +179,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> listScenes() { return kScenes; }
+std::span<const Scene> listScenes() { return kListScenes; }
 
 }  // namespace gluray::scenes

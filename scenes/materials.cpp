@@ -96,7 +96,7 @@ void carriedColor(Gl gl, int width, int height) {
   gl.Rectf(0.1f, 0.6f, 1.2f, 0.8f);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kMaterialScenes[] = {
     {"color-material-modes", colorMaterialModes},
     {"color-material-two-sided", colorMaterialTwoSided},
     {"material-inside-begin", materialInsideBegin},
@@ -106,6 +106,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> materialScenes() { return kScenes; }
+std::span<const Scene> materialScenes() { return kMaterialScenes; }
 
 }  // namespace gluray::scenes

@@ -9,7 +9,7 @@ namespace {
 constexpr Tolerance kLevelEdges{2, 0.001, 1e-5f,
                                 "where the level changes, a quad of pixels may fall to either side"};
 
-void stage(Gl gl, int width, int height) {
+void mipmapStage(Gl gl, int width, int height) {
   begin(gl, width, height);
   camera(gl, width, height);
   gl.Enable(GL_TEXTURE_2D);
@@ -18,7 +18,7 @@ void stage(Gl gl, int width, int height) {
 
 /// A floor to the horizon, on it a ball: steps and slopes of every size.
 void filtered(Gl gl, int width, int height, GLint minFilter, GLint magFilter = GL_LINEAR) {
-  stage(gl, width, height);
+  mipmapStage(gl, width, height);
   tintedLevels(gl, 32);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, minFilter);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, magFilter);
@@ -78,7 +78,7 @@ void limits(Gl gl, int width, int height) {
 
 /// Levels that OpenGL makes: with every change of the image, and on demand.
 void generated(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mipmapStage(gl, width, height);
   const auto texels = pattern(64);
   gl.TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 64, 64, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
@@ -144,14 +144,14 @@ void incomplete(Gl gl, int width, int height) {
 
 /// Drawn by the real OpenGL.
 void anisotropic(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mipmapStage(gl, width, height);
   tintedLevels(gl, 32);
   gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, 4);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   ground(gl, 1);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kMipmapScenes[] = {
     {"mipmap-nearest-nearest", nearestNearest, true, kLevelEdges},
     {"mipmap-linear-nearest", linearNearest, true, kLevelEdges},
     {"mipmap-nearest-linear", nearestLinear, true, kLevelEdges},
@@ -169,6 +169,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> mipmapScenes() { return kScenes; }
+std::span<const Scene> mipmapScenes() { return kMipmapScenes; }
 
 }  // namespace gluray::scenes

@@ -93,7 +93,7 @@ void depthFirst(Gl gl, int width, int height) {
   gl.DeleteLists(list, 1);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kPassScenes[] = {
     {"equal-pass", equalPass, false},
     {"tinted-part", tintedPart, false},
     {"light-passes", lightPasses, false},
@@ -102,6 +102,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> passScenes() { return kScenes; }
+std::span<const Scene> passScenes() { return kPassScenes; }
 
 }  // namespace gluray::scenes

@@ -155,7 +155,7 @@ void attributeForms(Gl gl, int width, int height) {
 constexpr Tolerance kEdgesOnCentres{2, 0.004, 1e-5f,
                                     "edges run through the centres of whole rows and columns of pixels"};
 
-constexpr Scene kScenes[] = {
+constexpr Scene kPrimitiveScenes[] = {
     {"primitives", primitives, true, kEdgesOnCentres},
     {"primitives-flat", primitivesFlat, true, kEdgesOnCentres},
     {"lit-primitives", litPrimitives},
@@ -168,6 +168,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> primitiveScenes() { return kScenes; }
+std::span<const Scene> primitiveScenes() { return kPrimitiveScenes; }
 
 }  // namespace gluray::scenes

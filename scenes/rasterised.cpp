@@ -177,7 +177,7 @@ void depthOffInBetween(Gl gl, int width, int height) {
   sendAt(gl, ball, 0.8f, 0.3f, 0, 0.4f);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kRasterScenes[] = {
     {"translucent-sheets", translucentSheets},
     {"blending-kinds", blendingKinds},
     {"lines-and-points", linesAndPoints},
@@ -192,6 +192,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> rasterScenes() { return kScenes; }
+std::span<const Scene> rasterScenes() { return kRasterScenes; }
 
 }  // namespace gluray::scenes

@@ -155,13 +155,13 @@ void pixelCopies(Gl gl, int width, int height) {
   gl.CopyPixels(width / 2 - w / 2, height / 2, w, h, GL_COLOR);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kReadBackScenes[] = {
     {"selection", selection},      {"feedback", feedback},        {"depth-in-mid-frame", depthInMidFrame},
     {"copy-texture", copyTexture}, {"pixel-copies", pixelCopies},
 };
 
 }  // namespace
 
-std::span<const Scene> readBackScenes() { return kScenes; }
+std::span<const Scene> readBackScenes() { return kReadBackScenes; }
 
 }  // namespace gluray::scenes

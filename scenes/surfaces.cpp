@@ -177,7 +177,7 @@ void redrawnSurface(Gl gl, int width, int height) {
   }
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kSurfaceScenes[] = {
     {"culling", culling},
     {"mirrored", mirrored},
     {"clip-planes", clipPlanes},
@@ -191,6 +191,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> surfaceScenes() { return kScenes; }
+std::span<const Scene> surfaceScenes() { return kSurfaceScenes; }
 
 }  // namespace gluray::scenes

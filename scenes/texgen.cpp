@@ -9,7 +9,7 @@ namespace {
 constexpr Tolerance kSmooth{
     2, 0.001, 1e-5f, "edges of triangles, and texels' borders that move with the last bits of coordinates"};
 
-void stage(Gl gl, int width, int height) {
+void texGenStage(Gl gl, int width, int height) {
   begin(gl, width, height);
   camera(gl, width, height);
   gl.Enable(GL_TEXTURE_2D);
@@ -26,7 +26,7 @@ void plane(Gl gl, GLenum coordinate, GLenum name, Color value) {
 }
 
 void objectLinear(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  texGenStage(gl, width, height);
   keyLight(gl);
   paint(gl, 0.9f, 0.9f, 0.9f);
   generate(gl, GL_S, GL_OBJECT_LINEAR), generate(gl, GL_T, GL_OBJECT_LINEAR);
@@ -38,7 +38,7 @@ void objectLinear(Gl gl, int width, int height) {
 
 /// Planes are given in the eye space of the moment: the camera's, then the object's.
 void eyeLinear(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  texGenStage(gl, width, height);
   generate(gl, GL_S, GL_EYE_LINEAR), generate(gl, GL_T, GL_EYE_LINEAR);
   plane(gl, GL_S, GL_EYE_PLANE, {1, 0, 0, 0.5f});
   gl.Rotatef(50, 1, 2, 0);
@@ -49,7 +49,7 @@ void eyeLinear(Gl gl, int width, int height) {
 }
 
 void sphereMap(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  texGenStage(gl, width, height);
   generate(gl, GL_S, GL_SPHERE_MAP), generate(gl, GL_T, GL_SPHERE_MAP);
   gl.Enable(GL_NORMALIZE);
   sendAt(gl, sphere(40, 60), -0.9f, 0, 0, 0.75f);
@@ -80,7 +80,7 @@ void cubeDirections(Gl gl, int width, int height) {
 
 /// One coordinate generated, the other from the vertices; a projected light through q; the second unit alone.
 void mixed(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  texGenStage(gl, width, height);
   generate(gl, GL_S, GL_OBJECT_LINEAR);
   plane(gl, GL_S, GL_OBJECT_PLANE, {0, 0, 1.5f, 0});
   sendAt(gl, sphere(24, 36), -1, 0, 0, 0.6f, kNormals | kTexcoords);
@@ -99,7 +99,7 @@ void mixed(Gl gl, int width, int height) {
   sendAt(gl, sphere(24, 36), 1, 0, 0, 0.6f);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kTexGenScenes[] = {
     {"texgen-object-linear", objectLinear, true, kSmooth},
     {"texgen-eye-linear", eyeLinear, true, kSmooth},
     {"texgen-sphere-map", sphereMap, true, kSmooth},
@@ -109,6 +109,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> texGenScenes() { return kScenes; }
+std::span<const Scene> texGenScenes() { return kTexGenScenes; }
 
 }  // namespace gluray::scenes

@@ -258,7 +258,7 @@ void pixelTransfer(Gl gl, int width, int height) {
   gl.PixelTransferf(GL_RED_SCALE, 1), gl.PixelTransferf(GL_GREEN_BIAS, 0);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kTextureKindScenes[] = {
     {"texture-3d", volumes, true, kTexelEdges},
     {"texture-3d-levels", volumeLevels, true, kTexelEdges},
     {"texture-cube", cube, true, kTexelEdges},
@@ -275,6 +275,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> textureKindScenes() { return kScenes; }
+std::span<const Scene> textureKindScenes() { return kTextureKindScenes; }
 
 }  // namespace gluray::scenes

@@ -10,7 +10,7 @@ namespace {
 constexpr Tolerance kMixed{
     3, 0.004, 1e-5f, "borders of texels and edges of triangles that move with the last bits of coordinates"};
 
-void stage(Gl gl, int width, int height, GLint filter = GL_LINEAR) {
+void mixtureStage(Gl gl, int width, int height, GLint filter = GL_LINEAR) {
   begin(gl, width, height);
   camera(gl, width, height);
   keyLight(gl);
@@ -21,7 +21,7 @@ void stage(Gl gl, int width, int height, GLint filter = GL_LINEAR) {
 
 /// One list sets everything, draws, and puts it back; the next draw must find nothing of it.
 void listOfEverything(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   gl.Disable(GL_TEXTURE_2D);
   const Color fog{0.6f, 0.7f, 0.8f, 1};
   const double plane[] = {0.3, 1, 0.2, 0.1};
@@ -52,7 +52,7 @@ void listOfEverything(Gl gl, int width, int height) {
 
 /// The unit that arrays are set for and the one that textures are set for differ.
 void unitsApart(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   gl.ActiveTexture(GL_TEXTURE1);
   bindFresh(gl, GL_TEXTURE_2D);
   upload(gl, GL_LUMINANCE, 8, GL_NEAREST, GL_REPEAT);
@@ -91,7 +91,7 @@ void unitsApart(Gl gl, int width, int height) {
 
 /// One list called again and again while its texture gets other texels, another filter and another wrap.
 void changedBetweenCalls(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   const GLuint list = gl.GenLists(1);
   gl.NewList(list, GL_COMPILE);
   gl.Translatef(0.8f, 0, 0);
@@ -111,7 +111,7 @@ void changedBetweenCalls(Gl gl, int width, int height) {
 
 /// Generated coordinates under a texture matrix, while the object moves.
 void generatedAndMoved(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   gl.TexGeni(GL_S, GL_TEXTURE_GEN_MODE, GL_EYE_LINEAR);
   gl.TexGeni(GL_T, GL_TEXTURE_GEN_MODE, GL_OBJECT_LINEAR);
   gl.Enable(GL_TEXTURE_GEN_S), gl.Enable(GL_TEXTURE_GEN_T);
@@ -131,7 +131,7 @@ void generatedAndMoved(Gl gl, int width, int height) {
 
 /// The same triangles again, with holes: what lies in the holes is the first surface.
 void holesUponItself(Gl gl, int width, int height) {
-  stage(gl, width, height, GL_NEAREST);
+  mixtureStage(gl, width, height, GL_NEAREST);
   upload(gl, GL_RGBA, 16, GL_NEAREST, GL_REPEAT);
   const Model model = sphere(24, 36);
   for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
@@ -156,7 +156,7 @@ void holesUponItself(Gl gl, int width, int height) {
 
 /// A decal pulled towards the viewer by the offset, another pushed away.
 void offsetDecals(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   gl.Disable(GL_TEXTURE_2D);
   send(gl, torus(0.8f, 0.35f, 40, 24));
   gl.Enable(GL_TEXTURE_2D);
@@ -211,7 +211,7 @@ void cubeMapInNestedLists(Gl gl, int width, int height) {
 
 /// A texture goes while it is bound and drawn with, and its name comes back for another.
 void deletedWhileBound(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   GLuint name = bindFresh(gl, GL_TEXTURE_2D);
   upload(gl, GL_RGB, 4, GL_NEAREST, GL_REPEAT);
   sendAt(gl, sphere(20, 30), -1.2f, 0, 0, 0.5f, kNormals | kTexcoords);
@@ -224,7 +224,7 @@ void deletedWhileBound(Gl gl, int width, int height) {
 
 /// glPopAttrib brings back which texture was bound, its parameters and the unit's environment.
 void bindingsPopped(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   gl.PushAttrib(GL_TEXTURE_BIT);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   bindFresh(gl, GL_TEXTURE_2D);
@@ -264,7 +264,7 @@ void levelsReplaced(Gl gl, int width, int height) {
 
 /// What has been drawn so far becomes the texture of what comes next, twice.
 void copiedInMidFrame(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  mixtureStage(gl, width, height);
   sendAt(gl, torus(0.8f, 0.3f, 40, 24), -0.6f, 0.2f, 0, 0.8f, kNormals | kTexcoords);
   bindFresh(gl, GL_TEXTURE_2D);
   sampling(gl, GL_TEXTURE_2D, GL_NEAREST, GL_CLAMP_TO_EDGE);
@@ -274,7 +274,7 @@ void copiedInMidFrame(Gl gl, int width, int height) {
   sendAt(gl, sphere(20, 30), 0.9f, -0.4f, 0, 0.4f, kNormals | kTexcoords);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kTextureMixtureScenes[] = {
     {"texture-list-of-everything", listOfEverything, true, kMixed},
     {"texture-units-apart", unitsApart, true, kMixed},
     {"texture-changed-between-calls", changedBetweenCalls, true, kMixed},
@@ -290,6 +290,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> textureMixtureScenes() { return kScenes; }
+std::span<const Scene> textureMixtureScenes() { return kTextureMixtureScenes; }
 
 }  // namespace gluray::scenes

@@ -197,7 +197,7 @@ void textureWithoutImage(Gl gl, int width, int height) {
   send(gl, torus(0.9f, 0.4f, 60, 30), kNormals | kTexcoords);
 }
 
-constexpr Scene kScenes[] = {
+constexpr Scene kTextureScenes[] = {
     {"texture-nearest", textureNearest},
     {"texture-linear", textureLinear},
     {"color-map-1d", colorMap1d},
@@ -213,6 +213,6 @@ constexpr Scene kScenes[] = {
 
 }  // namespace
 
-std::span<const Scene> textureScenes() { return kScenes; }
+std::span<const Scene> textureScenes() { return kTextureScenes; }
 
 }  // namespace gluray::scenes

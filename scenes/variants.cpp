@@ -17,7 +17,7 @@ const Model& model() {
 }
 GLsizei count() { return static_cast<GLsizei>(model().indices.size()); }
 
-void stage(Gl gl, int width, int height) {
+void variantStage(Gl gl, int width, int height) {
   begin(gl, width, height);
   camera(gl, width, height);
   keyLight(gl);
@@ -69,11 +69,11 @@ Model soup() {
 }
 
 void immediate(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   send(gl, model(), kNormals | kColors);
 }
 void immediatePairs(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   const Model& m = model();
   for (size_t t = 0; t < m.indices.size(); t += 3) {
     gl.Begin(GL_TRIANGLES);
@@ -94,11 +94,11 @@ GLuint list(Gl gl, GLenum mode) {
   return name;
 }
 void displayList(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   gl.CallList(list(gl, GL_COMPILE));
 }
 void nestedList(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   const GLuint inner = list(gl, GL_COMPILE), outer = gl.GenLists(1);
   gl.NewList(outer, GL_COMPILE);
   gl.CallList(inner);
@@ -106,54 +106,54 @@ void nestedList(Gl gl, int width, int height) {
   gl.CallList(outer);
 }
 void compileExecute(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   list(gl, GL_COMPILE_AND_EXECUTE);
 }
 void clientArrays(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   const Model s = soup();
   pointers(gl, s.positions.data(), s.normals.data(), s.colors.data());
   gl.DrawArrays(GL_TRIANGLES, 0, count());
 }
 void clientElements32(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   clientPointers(gl);
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_INT, model().indices.data());
 }
 void clientElements16(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   clientPointers(gl);
   const std::vector<GLushort> indices(model().indices.begin(), model().indices.end());
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_SHORT, indices.data());
 }
 void clientElements8(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   clientPointers(gl);
   const std::vector<GLubyte> indices(model().indices.begin(), model().indices.end());
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_BYTE, indices.data());
 }
 void rangeElements(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   clientPointers(gl);
   gl.DrawRangeElements(GL_TRIANGLES, 0, model().vertexCount() - 1, count(), GL_UNSIGNED_INT,
                        model().indices.data());
 }
 void multiElements(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   clientPointers(gl);
   const GLsizei counts[] = {count() / 6 * 3, count() - count() / 6 * 3};
   const void* starts[] = {model().indices.data(), model().indices.data() + counts[0]};
   gl.MultiDrawElements(GL_TRIANGLES, counts, GL_UNSIGNED_INT, starts, 2);
 }
 void doublePositions(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   clientPointers(gl);
   const std::vector<GLdouble> positions(model().positions.begin(), model().positions.end());
   gl.VertexPointer(3, GL_DOUBLE, 0, positions.data());
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_INT, model().indices.data());
 }
 void strided(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   const Model& m = model();
   struct Vertex {
     float normal[3];
@@ -174,15 +174,15 @@ void strided(Gl gl, int width, int height) {
   gl.ColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), data[0].color);
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_INT, m.indices.data());
 }
-void arrayElements(Gl gl, int width, int height) {
-  stage(gl, width, height);
+void elementsOneByOne(Gl gl, int width, int height) {
+  variantStage(gl, width, height);
   clientPointers(gl);
   gl.Begin(GL_TRIANGLES);
   for (const uint32_t i : model().indices) gl.ArrayElement(static_cast<GLint>(i));
   gl.End();
 }
 void arraysInList(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   const GLuint name = gl.GenLists(1);
   {
     const Model copy = model();
@@ -195,19 +195,19 @@ void arraysInList(Gl gl, int width, int height) {
   gl.CallList(name);
 }
 void vbo(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   bufferPointers(gl);
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_INT, model().indices.data());
 }
 void vboWithIndices(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   bufferPointers(gl);
   buffer(gl, GL_ELEMENT_ARRAY_BUFFER, model().indices.data(), model().indices.size() * 4);
   gl.BindBuffer(GL_ARRAY_BUFFER, 0);
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_INT, nullptr);
 }
 void vertexArrayObject(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   GLuint name = 0;
   gl.GenVertexArrays(1, &name);
   gl.BindVertexArray(name);
@@ -219,7 +219,7 @@ void vertexArrayObject(Gl gl, int width, int height) {
   gl.DrawElements(GL_TRIANGLES, count(), GL_UNSIGNED_INT, nullptr);
 }
 void interleavedArrays(Gl gl, int width, int height) {
-  stage(gl, width, height);
+  variantStage(gl, width, height);
   const Model& m = model();
   std::vector<float> data;  // GL_C4F_N3F_V3F
   for (uint32_t i = 0; i < m.vertexCount(); ++i) {
@@ -245,7 +245,7 @@ constexpr Scene kVariants[] = {
     {"variant-multi-elements", multiElements},
     {"variant-double-positions", doublePositions},
     {"variant-strided", strided},
-    {"variant-array-elements", arrayElements},
+    {"variant-array-elements", elementsOneByOne},
     {"variant-arrays-in-list", arraysInList},
     {"variant-vbo", vbo},
     {"variant-vbo-with-indices", vboWithIndices},

@@ -10,12 +10,11 @@
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 namespace gluray::accel {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using test::kInfinity;
 
 /// Many triangles about the origin; others for each seed.
 scene::MeshPtr soup(uint32_t seed) {
@@ -79,7 +78,7 @@ OcclusionRays raysOf(uint32_t packet) {
   return rays;
 }
 
-RayPacket packetOf(const OcclusionRays& rays) {
+RayPacket bouncedPacket(const OcclusionRays& rays) {
   RayPacket p{};
   for (int i = 0; i < kLanes; ++i) {
     p.orgX[i] = rays.orgX[i], p.orgY[i] = rays.orgY[i], p.orgZ[i] = rays.orgZ[i];
@@ -109,7 +108,7 @@ TEST_P(Surrounded, LightMeetsWhatOneSnapshotOfAllWouldHold) {
     const uint32_t expected = whole.occluded(all_, one);
     ASSERT_EQ(split.occluded(all_, other), expected) << "packet " << n;
     blocked += std::popcount(expected);
-    RayPacket a = packetOf(raysOf(n)), b = packetOf(raysOf(n));
+    RayPacket a = bouncedPacket(raysOf(n)), b = bouncedPacket(raysOf(n));
     whole.intersectBounced(all_, a), split.intersectBounced(all_, b);
     for (int i = 0; i < kLanes; ++i) {
       ASSERT_EQ(a.tFar[i], b.tFar[i]);
@@ -135,7 +134,7 @@ TEST_F(Surrounded, TheViewersRaysMeetTheSnapshotAlone) {
   EXPECT_EQ(split.lower(), alone.lower());
   EXPECT_EQ(split.upper(), alone.upper());
   for (uint32_t n = 0; n < 50; ++n) {
-    RayPacket a = packetOf(raysOf(n)), b = packetOf(raysOf(n));
+    RayPacket a = bouncedPacket(raysOf(n)), b = bouncedPacket(raysOf(n));
     alone.intersect(all_, a), split.intersect(all_, b);
     for (int i = 0; i < kLanes; ++i) {
       ASSERT_EQ(a.tFar[i], b.tFar[i]);

@@ -19,7 +19,7 @@ namespace gluray::accel {
 namespace {
 
 using scene::Shape;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using test::kInfinity;
 
 /// The radical inverse of `i` to a prime base: spread evenly over [0, 1).
 float halton(uint32_t i, uint32_t base) {
@@ -30,7 +30,7 @@ float halton(uint32_t i, uint32_t base) {
   }
   return result;
 }
-glm::vec3 inCube(uint32_t i, uint32_t first = 0) {
+glm::vec3 haltonInCube(uint32_t i, uint32_t first = 0) {
   constexpr uint32_t kPrimes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23};
   const auto at = [&](uint32_t k) { return 2 * halton(i + 1, kPrimes[first + k]) - 1; };
   return {at(0), at(1), at(2)};
@@ -41,8 +41,8 @@ constexpr uint32_t kPrimitives = 300;
 std::shared_ptr<scene::Mesh> triangles() {
   test::MeshData data;
   for (uint32_t i = 0; i < kPrimitives; ++i) {
-    const glm::vec3 at = inCube(i);
-    for (uint32_t k = 0; k < 3; ++k) data.positions.push_back(at + 0.2f * inCube(3 * i + k, 3));
+    const glm::vec3 at = haltonInCube(i);
+    for (uint32_t k = 0; k < 3; ++k) data.positions.push_back(at + 0.2f * haltonInCube(3 * i + k, 3));
   }
   return test::makeMesh(data);
 }
@@ -68,8 +68,8 @@ std::shared_ptr<scene::Mesh> impostors(Shape shape) {
   std::vector<glm::vec3> centers, axes;
   std::vector<float> radii;
   for (uint32_t i = 0; i < kPrimitives * scene::cornersOf(shape); ++i) {
-    centers.push_back(inCube(i));
-    axes.push_back(0.4f * inCube(i, 3));
+    centers.push_back(haltonInCube(i));
+    axes.push_back(0.4f * haltonInCube(i, 3));
     radii.push_back(0.02f + 0.1f * halton(i + 1, 23));
   }
   auto mesh = std::make_shared<scene::Mesh>();
@@ -103,7 +103,7 @@ scene::Snapshot snapshotOf(const scene::MeshPtr& mesh, BvhQuality quality, const
 void aim(uint32_t number, const glm::dmat4& place, OcclusionRays& rays, int32_t* valid) {
   for (int i = 0; i < kLanes; ++i) {
     const uint32_t n = number * kLanes + static_cast<uint32_t>(i);
-    glm::vec3 from = 1.5f * inCube(n), to = 1.5f * inCube(n, 3);
+    glm::vec3 from = 1.5f * haltonInCube(n), to = 1.5f * haltonInCube(n, 3);
     if (n % 2) {
       from = glm::vec3(place * glm::dvec4(from, 1));
       to = glm::vec3(place * glm::dvec4(to, 1));

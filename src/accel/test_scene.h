@@ -2,10 +2,13 @@
 #pragma once
 #include "scene/snapshot.h"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
 namespace gluray::test {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// An attribute over a copy of `values`, padded by the readable bytes that positions and indices need.
 template <class T>
@@ -51,6 +54,11 @@ inline MeshData quadData(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
 
 /// The square [-1, 1]^2 at height z, facing +z.
 inline MeshData squareData(float z = 0) { return quadData({-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}); }
+
+/// A parallelogram about `center`.
+inline scene::MeshPtr parallelogram(const glm::vec3& center, const glm::vec3& a, const glm::vec3& b) {
+  return makeMesh(quadData(center - a - b, center + a - b, center + a + b, center - a + b));
+}
 
 /// An unlit snapshot of `size` x `size` pixels with an identity camera (clip = eye = object space) and one
 /// white instance per mesh.

@@ -15,7 +15,7 @@ GLint internalFormat(Player& p) {
 GLenum format(Player& p) {
   return p.pick({GL_RGB, GL_RGBA, GL_LUMINANCE, GL_BGRA, GL_ALPHA, GL_LUMINANCE_ALPHA, GL_RED});
 }
-GLenum type(Player& p) {
+GLenum pixelType(Player& p) {
   return p.pick({GL_UNSIGNED_BYTE, GL_UNSIGNED_BYTE, GL_FLOAT, GL_UNSIGNED_SHORT, GL_BYTE});
 }
 GLint level(Player& p) { return p.chance(70) ? 0 : static_cast<GLint>(p.below(5)); }
@@ -25,7 +25,7 @@ void texImage2D(Player& p) {
   const GLint at = level(p), inside = internalFormat(p);
   const GLsizei width = size(p), height = size(p);
   const GLint border = p.chance(5) ? p.integer() : 0;
-  const GLenum f = format(p), t = type(p);
+  const GLenum f = format(p), t = pixelType(p);
   const auto* pixels = p.read();
   p.gl.TexImage2D(GL_TEXTURE_2D, at, inside, width, height, border, f, t, pixels);
 }
@@ -44,28 +44,28 @@ const Op kTextureOps[] = {
      [](Player& p) {
        const GLint at = level(p), inside = internalFormat(p);
        const GLsizei width = size(p);
-       const GLenum f = format(p), t = type(p);
+       const GLenum f = format(p), t = pixelType(p);
        p.gl.TexImage1D(GL_TEXTURE_1D, at, inside, width, 0, f, t, p.read());
      }},
     {"TexImage3D", 1,
      [](Player& p) {
        const GLint inside = internalFormat(p);
        const GLsizei width = p.count(4), height = p.count(4), depth = p.count(4);
-       const GLenum f = format(p), t = type(p);
+       const GLenum f = format(p), t = pixelType(p);
        p.gl.TexImage3D(GL_TEXTURE_3D, 0, inside, width, height, depth, 0, f, t, p.read());
      }},
     {"TexSubImage2D", 5,
      [](Player& p) {
        const GLint at = level(p), x = p.integer(), y = p.integer();
        const GLsizei width = p.count(8), height = p.count(8);
-       const GLenum f = format(p), t = type(p);
+       const GLenum f = format(p), t = pixelType(p);
        p.gl.TexSubImage2D(GL_TEXTURE_2D, at, x, y, width, height, f, t, p.read());
      }},
     {"TexSubImage1D", 1,
      [](Player& p) {
        const GLint x = p.integer();
        const GLsizei width = p.count(8);
-       const GLenum f = format(p), t = type(p);
+       const GLenum f = format(p), t = pixelType(p);
        p.gl.TexSubImage1D(GL_TEXTURE_1D, 0, x, width, f, t, p.read());
      }},
     {"CopyTexImage2D", 2,
@@ -140,7 +140,7 @@ const Op kTextureOps[] = {
     {"GetTexImage", 1,
      [](Player& p) {
        const GLint at = level(p);
-       const GLenum f = format(p), t = type(p);
+       const GLenum f = format(p), t = pixelType(p);
        p.gl.GetTexImage(GL_TEXTURE_2D, at, f, t, p.sink().bytes.data());
      }},
 };

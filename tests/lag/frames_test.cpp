@@ -14,12 +14,9 @@ namespace {
 using gl::LagRefusal;
 using Gl = const gl::RealGl&;
 using triangle_field::field, triangle_field::kBytes, triangle_field::kVertices;
-constexpr int kFrames = 6;
-
-void plainFrame(Gl gl, int frame) { beginLagFrame(gl, frame), drawRing(gl, frame); }
 
 TEST(Lag, EachSwapShowsTheFrameBefore) {
-  const Shown shown = expectSameFrames("plain", plainFrame, kFrames, kFrames);
+  const Shown shown = expectSameFrames("plain", ringFrame, kLagFrames, kLagFrames);
   for (size_t i = 0; i < shown.shownAtSwap.size(); ++i) EXPECT_EQ(shown.shownAtSwap[i], i);
 }
 
@@ -31,7 +28,7 @@ TEST(Lag, RasterisedDrawsBelongToTheSameFrame) {
         drawFrameNumber(gl, frame);
         drawRing(gl, frame);
       },
-      kFrames, kFrames);
+      kLagFrames, kLagFrames);
 }
 
 TEST(Lag, OverlaysOnTopAreShownAtOnce) {
@@ -44,13 +41,13 @@ TEST(Lag, OverlaysOnTopAreShownAtOnce) {
         drawFrameNumber(gl, frame);
         gl.Enable(GL_DEPTH_TEST);
       },
-      kFrames, 0);
+      kLagFrames, 0);
   EXPECT_EQ(shown.swaps.back(), LagRefusal::nothingToDo);
 }
 
 TEST(Lag, FramesThatRepeatAreShownAtOnce) {
   const Shown shown = expectSameFrames(
-      "repeated", [](Gl gl, int frame) { plainFrame(gl, frame / 2); }, kFrames, 3);
+      "repeated", [](Gl gl, int frame) { ringFrame(gl, frame / 2); }, kLagFrames, 3);
   EXPECT_EQ(shown.swaps[1], LagRefusal::repeated);
 }
 
@@ -61,7 +58,7 @@ TEST(Lag, FramesDrawnOverTheLastOne) {
         if (frame == 0) beginLagFrame(gl, frame);
         drawRing(gl, frame);
       },
-      kFrames, kFrames);
+      kLagFrames, kLagFrames);
 }
 
 TEST(Lag, ClearsOfAPartComeInOrder) {
@@ -77,7 +74,7 @@ TEST(Lag, ClearsOfAPartComeInOrder) {
         gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         drawRing(gl, frame);
       },
-      kFrames, kFrames);
+      kLagFrames, kLagFrames);
 }
 
 TEST(Lag, ClearsOfEachBufferWithChangingValues) {
@@ -94,7 +91,7 @@ TEST(Lag, ClearsOfEachBufferWithChangingValues) {
         gl.DepthMask(GL_TRUE), gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         drawRing(gl, frame);
       },
-      kFrames, kFrames);
+      kLagFrames, kLagFrames);
 }
 
 TEST(Lag, StateSetAfterAClearDoesNotChangeIt) {
@@ -117,7 +114,7 @@ TEST(Lag, StateSetAfterAClearDoesNotChangeIt) {
     gl.Disable(GL_SCISSOR_TEST), gl.DepthMask(GL_TRUE), gl.ClearDepth(1);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   };
-  expectSameFrames("state after", plainFrame, kFrames, kFrames, options);
+  expectSameFrames("state after", ringFrame, kLagFrames, kLagFrames, options);
 }
 
 TEST(Lag, ReadsSeeTheFrameThatWasSwapped) {
@@ -128,7 +125,7 @@ TEST(Lag, ReadsSeeTheFrameThatWasSwapped) {
       if (!readFirst) gl.Finish();
       read.push_back(readPicture(gl, kLagWidth, kLagHeight));
     };
-    const Shown shown = play(plainFrame, kFrames, options);
+    const Shown shown = play(ringFrame, kLagFrames, options);
     EXPECT_EQ(read, shown.frames);
     for (size_t i = 0; i < shown.shownAtSwap.size(); ++i) EXPECT_EQ(shown.shownAtSwap[i], i);
   }
@@ -146,9 +143,10 @@ TEST(Lag, CopiesSeeTheFrameThatWasSwapped) {
     gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, copies.back().data());
     gl.DeleteTextures(1, &name);
   };
-  const Shown shown = expectSameFrames("copies", plainFrame, kFrames, kFrames, options);
-  ASSERT_EQ(copies.size() % kFrames, 0u);
-  for (size_t i = 0; i < kFrames; ++i) EXPECT_EQ(copies[copies.size() - kFrames + i], shown.frames[i].colors);
+  const Shown shown = expectSameFrames("copies", ringFrame, kLagFrames, kLagFrames, options);
+  ASSERT_EQ(copies.size() % kLagFrames, 0u);
+  for (size_t i = 0; i < kLagFrames; ++i)
+    EXPECT_EQ(copies[copies.size() - kLagFrames + i], shown.frames[i].colors);
 }
 
 /// Changes after the swap must not affect the frame.
@@ -187,7 +185,7 @@ TEST(Lag, ListsBuffersAndTexturesChangeBehindTheSwap) {
     gl.DeleteBuffers(1, &buffer), gl.DeleteTextures(1, &texture), gl.DeleteLists(list, 1);
     gl.Enable(GL_FRAMEBUFFER_SRGB), gl.Disable(GL_FRAMEBUFFER_SRGB);
   };
-  expectSameFrames("changes", draw, kFrames, kFrames, options);
+  expectSameFrames("changes", draw, kLagFrames, kLagFrames, options);
 }
 
 TEST(Lag, AFrameThatCannotBeTracedIsRasterisedInOrder) {
@@ -199,9 +197,9 @@ TEST(Lag, AFrameThatCannotBeTracedIsRasterisedInOrder) {
       if (asked++ != failing) return traceByRenderer(snapshot, image, cost, why);
       return why = "it fails in this test", false;
     };
-    const Shown shown = play(plainFrame, kFrames, options);
+    const Shown shown = play(ringFrame, kLagFrames, options);
     EXPECT_LE(asked, failing + 2);  // the next frame is already pending
-    expectClose("failing", playReal(plainFrame, kFrames), shown.frames);
+    expectClose("failing", playReal(ringFrame, kLagFrames), shown.frames);
   }
 }
 
@@ -210,10 +208,10 @@ TEST(Lag, FramesOfADestroyedWindowAreNotShown) {
   LagOptions options;
   options.stands = [&] { return there; };
   options.afterSwap = [&](Gl, int frame) { there = frame != 2; };
-  const Shown shown = play(plainFrame, kFrames, options);
+  const Shown shown = play(ringFrame, kLagFrames, options);
   LagOptions plainly;
   plainly.lag = false;
-  std::vector<Picture> plain = play(plainFrame, kFrames, plainly).frames;
+  std::vector<Picture> plain = play(ringFrame, kLagFrames, plainly).frames;
   plain.erase(plain.begin() + 2);
   EXPECT_EQ(shown.frames, plain);
 }
@@ -232,7 +230,7 @@ TEST(Lag, QueriesAndOtherFramebuffersAreShownAtOnce) {
         EXPECT_GT(samples, 0u);
         gl.DeleteQueries(1, &query);
       },
-      kFrames, 0);
+      kLagFrames, 0);
   EXPECT_EQ(shown.swaps.front(), LagRefusal::nothingToDo);
 }
 

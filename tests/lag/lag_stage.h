@@ -10,7 +10,7 @@
 
 namespace gluray::test {
 
-inline constexpr int kLagWidth = 96, kLagHeight = 72;
+inline constexpr int kLagWidth = 96, kLagHeight = 72, kLagFrames = 6;
 /// The calls of one frame, from 0.
 using DrawFrame = std::function<void(const gl::RealGl&, int frame)>;
 
@@ -51,6 +51,8 @@ Shown expectSameFrames(const std::string& name, const DrawFrame& draw, int count
 void drawRing(const gl::RealGl& gl, int frame);
 /// Depth test, camera, light, and a clear of all.
 void beginLagFrame(const gl::RealGl& gl, int frame);
+/// beginLagFrame() and drawRing().
+inline void ringFrame(const gl::RealGl& gl, int frame) { beginLagFrame(gl, frame), drawRing(gl, frame); }
 /// A rectangle at the left, two lines wide; the real OpenGL draws the lines.
 void drawFrameNumber(const gl::RealGl& gl, int frame);
 

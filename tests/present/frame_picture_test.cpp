@@ -21,7 +21,7 @@ namespace {
 using gluray::test::ContextWish;
 using gluray::test::OsmesaContext;
 
-constexpr int kSize = 32;
+constexpr int kPictureSize = 32;
 
 class FramePictureTest : public testing::TestWithParam<ContextWish> {
  protected:
@@ -40,7 +40,7 @@ class FramePictureTest : public testing::TestWithParam<ContextWish> {
     ASSERT_TRUE(writeBack_->write(image, {}, pending));
     picture_.written(gl(), image);
   }
-  Picture take() { return picture_.take(gl(), GL_FRONT, kSize, kSize, 1); }
+  Picture take() { return picture_.take(gl(), GL_FRONT, kPictureSize, kPictureSize, 1); }
   /// Lets the real OpenGL draw a rectangle.
   void paint(int x, int y, int width, int height) {
     gl().Enable(GL_SCISSOR_TEST);
@@ -63,9 +63,9 @@ TEST_P(FramePictureTest, TracedPixelsAreKnown) {
   const Picture picture = take();
   EXPECT_EQ(count(picture, PixelOrigin::traced), 60);
   EXPECT_EQ(count(picture, PixelOrigin::drawnOver), 0);
-  EXPECT_EQ(picture.origin[8 * kSize + 4], PixelOrigin::traced);
-  EXPECT_EQ(picture.origin[8 * kSize + 3], PixelOrigin::rasterised);
-  EXPECT_EQ(picture.color[8 * kSize + 4], kRed);
+  EXPECT_EQ(picture.origin[8 * kPictureSize + 4], PixelOrigin::traced);
+  EXPECT_EQ(picture.origin[8 * kPictureSize + 3], PixelOrigin::rasterised);
+  EXPECT_EQ(picture.color[8 * kPictureSize + 4], kRed);
 }
 
 TEST_P(FramePictureTest, MissesAndHiddenPixelsAreNotTraced) {
@@ -102,7 +102,7 @@ TEST_P(FramePictureTest, OtherFramebuffersAreCountedSeparately) {
                points[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
   for (int i = 0; i < 2; ++i) {
     gl().BindRenderbuffer(GL_RENDERBUFFER, planes[i]);
-    gl().RenderbufferStorage(GL_RENDERBUFFER, formats[i], kSize, kSize);
+    gl().RenderbufferStorage(GL_RENDERBUFFER, formats[i], kPictureSize, kPictureSize);
     gl().FramebufferRenderbuffer(GL_FRAMEBUFFER, points[i], GL_RENDERBUFFER, planes[i]);
   }
   gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -138,7 +138,8 @@ TEST_P(FramePictureTest, NoStateChanges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, FramePictureTest,
-                         testing::Values(ContextWish{kSize, kSize}, ContextWish{kSize, kSize, true, 3, 3}));
+                         testing::Values(ContextWish{kPictureSize, kPictureSize},
+                                         ContextWish{kPictureSize, kPictureSize, true, 3, 3}));
 
 TEST(FramePictureFiles, HoldTheTopRowFirst) {
   Picture picture;

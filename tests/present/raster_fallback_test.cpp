@@ -15,7 +15,7 @@
 namespace gluray::present {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kFallbackSize = 64;
 
 /// Two triangles with all attributes, and their owner.
 struct Patch {
@@ -122,14 +122,15 @@ void drawByHand(const gl::RealGl& g, const Patch& patch) {
 
 TEST(RasterFallback, DrawsWhatTheProgramWouldHaveDrawn) {
   const Patch patch;
-  const auto byHand = test::OsmesaContext::create({kSize, kSize});
+  const auto byHand = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   byHand->real().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   drawByHand(byHand->real(), patch);
   const auto colors = byHand->colors();
   const auto depths = byHand->depths();
-  ASSERT_GT(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }), kSize * kSize / 5);
+  ASSERT_GT(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }),
+            kFallbackSize * kFallbackSize / 5);
 
-  const auto context = test::OsmesaContext::create({kSize, kSize});
+  const auto context = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   const auto& g = context->real();
   g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   g.Enable(GL_FOG), g.Enable(GL_LIGHT3), g.Enable(GL_CLIP_PLANE1), g.Enable(GL_TEXTURE_GEN_S),
@@ -140,7 +141,7 @@ TEST(RasterFallback, DrawsWhatTheProgramWouldHaveDrawn) {
 }
 
 TEST(RasterFallback, ChangesNoQueryableState) {
-  const auto context = test::OsmesaContext::create({kSize, kSize});
+  const auto context = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   const auto& g = context->real();
   for (GLenum cap :
        {GL_FOG, GL_LIGHT3, GL_CLIP_PLANE1, GL_TEXTURE_GEN_S, GL_BLEND, GL_STENCIL_TEST, GL_SAMPLE_MASK})
@@ -150,15 +151,15 @@ TEST(RasterFallback, ChangesNoQueryableState) {
   g.MatrixMode(GL_TEXTURE), g.Translatef(1, 2, 3), g.MatrixMode(GL_PROJECTION), g.Ortho(-2, 2, -2, 2, -2, 2);
   g.Color4f(0.1f, 0.2f, 0.3f, 0.4f), g.Normal3f(1, 2, 3), g.TexCoord2f(5, 6);
   g.ViewportIndexedf(3, 1, 2, 3, 4);
-  const auto before = test::queryState(g);
+  const auto before = gluray::test::queryState(g);
   const Patch patch;
   ASSERT_TRUE(drawByRealGl(g, readFeatures(g), *snapshotOf(patch), {GL_LESS}));
-  EXPECT_EQ(test::differences(before, test::queryState(g)), std::vector<std::string>{});
+  EXPECT_EQ(gluray::test::differences(before, gluray::test::queryState(g)), std::vector<std::string>{});
 }
 
 TEST(RasterFallback, StandsInWhenTracingFails) {
   const Patch patch;
-  const auto context = test::OsmesaContext::create({kSize, kSize});
+  const auto context = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   const auto& g = context->real();
   g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   TracingPresenter presenter({[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
@@ -169,12 +170,13 @@ TEST(RasterFallback, StandsInWhenTracingFails) {
   EXPECT_EQ(result.outcome, gl::PresentResult::rasterised);
   EXPECT_EQ(result.pendingError, static_cast<GLenum>(GL_INVALID_ENUM));
   const auto depths = context->depths();
-  EXPECT_GT(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }), kSize * kSize / 5);
+  EXPECT_GT(std::count_if(depths.begin(), depths.end(), [](float d) { return d < 1; }),
+            kFallbackSize * kFallbackSize / 5);
 }
 
 TEST(RasterFallback, TracedPicturesAreWrittenBack) {
   const Patch patch;
-  const auto context = test::OsmesaContext::create({kSize, kSize});
+  const auto context = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   const auto& g = context->real();
   g.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   TracingPresenter presenter(
@@ -195,7 +197,7 @@ TEST(RasterFallback, TracedPicturesAreWrittenBack) {
 
 TEST(TracingPresenter, UnchangedFramesAreTracedOnceMoreForABetterStructure) {
   const Patch patch;
-  const auto context = test::OsmesaContext::create({kSize, kSize});
+  const auto context = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   int traced = 0;
   bool better = false;
   TracingPresenter presenter(

@@ -12,8 +12,8 @@
 namespace gluray::present {
 namespace {
 
-using test::ContextWish;
-using test::OsmesaContext;
+using gluray::test::ContextWish;
+using gluray::test::OsmesaContext;
 
 /// Moves every piece of state that the write-back touches away from its default, where the context has it.
 void unusualState(const gl::RealGl& gl, bool core) {
@@ -92,15 +92,15 @@ class StateLeakTest : public testing::TestWithParam<ContextWish> {
   /// States before and after the first write (which makes our objects), and after a second one.
   void expectNothingChanges(const Image& image) {
     const gl::RealGl& gl = context_->real();
-    const test::GlState before = test::queryState(gl);
+    const gluray::test::GlState before = gluray::test::queryState(gl);
     EXPECT_GT(before.size(), 1000u) << "the table is suspiciously short";
     WriteBack writeBack(gl);
     PendingErrors pending;
     ASSERT_TRUE(writeBack.write(image, {}, pending));
-    EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
+    EXPECT_EQ(gluray::test::differences(before, gluray::test::queryState(gl)), std::vector<std::string>{});
     ASSERT_TRUE(writeBack.write(image, {GL_LESS}, pending));
     if (image.samples == 1) { ASSERT_TRUE(writeBack.write(image, {.over = GL_FRONT}, pending)); }
-    EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
+    EXPECT_EQ(gluray::test::differences(before, gluray::test::queryState(gl)), std::vector<std::string>{});
     RecordProperty("names", static_cast<int>(before.size()));
   }
   std::unique_ptr<OsmesaContext> context_;
@@ -133,7 +133,7 @@ TEST_P(StateLeakTest, ReadingTheWindow) {
   const Features features = readFeatures(gl);
   if (features.readFramebuffers)
     gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-  const test::GlState before = test::queryState(gl);
+  const gluray::test::GlState before = gluray::test::queryState(gl);
   gl.DepthFunc(GL_ONE);
   std::vector<uint32_t> pixels(64 * 64);
   bool read = false;
@@ -142,16 +142,16 @@ TEST_P(StateLeakTest, ReadingTheWindow) {
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
   for (const uint32_t pixel : pixels)
     ASSERT_TRUE((pixel & 0xffffff) == 0x007fff || (pixel & 0xffffff) == 0x0080ff) << pixel;
-  EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
+  EXPECT_EQ(gluray::test::differences(before, gluray::test::queryState(gl)), std::vector<std::string>{});
   EXPECT_EQ(readColors(gl, features, {64, 64}, GL_COLOR_ATTACHMENT0, pixels, read), GLenum{GL_NO_ERROR});
   EXPECT_FALSE(read) << "there is no such buffer";
   EXPECT_EQ(gl.GetError(), GLenum{GL_NO_ERROR});
-  EXPECT_EQ(test::differences(before, test::queryState(gl)), std::vector<std::string>{});
+  EXPECT_EQ(gluray::test::differences(before, gluray::test::queryState(gl)), std::vector<std::string>{});
 }
 
 TEST_P(StateLeakTest, TheTableSeesAChange) {
   const gl::RealGl& gl = context_->real();
-  const auto before = test::queryState(gl);
+  const auto before = gluray::test::queryState(gl);
   gl.DepthFunc(GL_ALWAYS);
   gl.ActiveTexture(GL_TEXTURE15);
   GLuint texture = 0;
@@ -159,7 +159,7 @@ TEST_P(StateLeakTest, TheTableSeesAChange) {
   gl.BindTexture(GL_TEXTURE_2D, texture);
   gl.ActiveTexture(GL_TEXTURE0);
   gl.ColorMaski(3, GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
-  EXPECT_GE(test::differences(before, test::queryState(gl)).size(), 3u);
+  EXPECT_GE(gluray::test::differences(before, gluray::test::queryState(gl)).size(), 3u);
 }
 
 TEST_P(StateLeakTest, ProgramAndFramebufferStayBound) {

@@ -12,7 +12,7 @@
 namespace gluray::present {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kUploadSize = 64;
 
 struct Target {
   GLuint framebuffer = 0;
@@ -23,10 +23,10 @@ Target make(const gl::RealGl& g, GLenum depthFormat) {
   GLuint textures[2] = {};
   g.GenTextures(2, textures);
   g.BindTexture(GL_TEXTURE_2D, textures[0]);
-  g.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSize, kSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  g.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kUploadSize, kUploadSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   g.BindTexture(GL_TEXTURE_2D, textures[1]);
   const bool packed = depthFormat == GL_DEPTH24_STENCIL8;
-  g.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(depthFormat), kSize, kSize, 0,
+  g.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(depthFormat), kUploadSize, kUploadSize, 0,
                packed ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT,
                packed ? GLenum{GL_UNSIGNED_INT_24_8} : GLenum{GL_FLOAT}, nullptr);
   g.BindTexture(GL_TEXTURE_2D, 0);
@@ -65,21 +65,21 @@ struct Read {
 };
 
 Read read(const gl::RealGl& g) {
-  Read r{std::vector<uint32_t>(kSize * kSize), std::vector<uint32_t>(kSize * kSize)};
-  g.ReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, r.colors.data());
-  g.ReadPixels(0, 0, kSize, kSize, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, r.depths.data());
+  Read r{std::vector<uint32_t>(kUploadSize * kUploadSize), std::vector<uint32_t>(kUploadSize * kUploadSize)};
+  g.ReadPixels(0, 0, kUploadSize, kUploadSize, GL_RGBA, GL_UNSIGNED_BYTE, r.colors.data());
+  g.ReadPixels(0, 0, kUploadSize, kUploadSize, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, r.depths.data());
   return r;
 }
 
 gl::ClearedTarget clearedOf(const Target& t) {
-  return {t.framebuffer, {0, 0, kSize, kSize}, {0.2f, 0.4f, 0.61f, 0.5f}};
+  return {t.framebuffer, {0, 0, kUploadSize, kUploadSize}, {0.2f, 0.4f, 0.61f, 0.5f}};
 }
 
-class TextureUploadTest : public testing::TestWithParam<std::pair<GLenum, test::ContextWish>> {};
+class TextureUploadTest : public testing::TestWithParam<std::pair<GLenum, gluray::test::ContextWish>> {};
 
 TEST_P(TextureUploadTest, EqualsADrawnPicture) {
   const auto [format, wish] = GetParam();
-  const auto context = test::OsmesaContext::create(wish);
+  const auto context = gluray::test::OsmesaContext::create(wish);
   ASSERT_TRUE(context);
   const gl::RealGl& g = context->real();
   const Features features = readFeatures(g);
@@ -105,14 +105,15 @@ TEST_P(TextureUploadTest, EqualsADrawnPicture) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, TextureUploadTest,
-                         testing::Values(std::pair(GLenum{GL_DEPTH24_STENCIL8}, test::ContextWish{}),
-                                         std::pair(GLenum{GL_DEPTH_COMPONENT32F}, test::ContextWish{}),
-                                         std::pair(GLenum{GL_DEPTH24_STENCIL8},
-                                                   test::ContextWish{.core = true, .major = 3, .minor = 2})));
+INSTANTIATE_TEST_SUITE_P(
+    Formats, TextureUploadTest,
+    testing::Values(std::pair(GLenum{GL_DEPTH24_STENCIL8}, gluray::test::ContextWish{}),
+                    std::pair(GLenum{GL_DEPTH_COMPONENT32F}, gluray::test::ContextWish{}),
+                    std::pair(GLenum{GL_DEPTH24_STENCIL8},
+                              gluray::test::ContextWish{.core = true, .major = 3, .minor = 2})));
 
 TEST(TextureUpload, RefusesWhatItDoesNotKnow) {
-  const auto context = test::OsmesaContext::create();
+  const auto context = gluray::test::OsmesaContext::create();
   ASSERT_TRUE(context);
   const gl::RealGl& g = context->real();
   const Features features = readFeatures(g);
@@ -132,7 +133,7 @@ TEST(TextureUpload, RefusesWhatItDoesNotKnow) {
   EXPECT_FALSE(put.put(g, features, averages, 2, pending));
   GLuint renderbuffer = 0;
   g.GenRenderbuffers(1, &renderbuffer), g.BindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
-  g.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kSize, kSize);
+  g.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kUploadSize, kUploadSize);
   g.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, renderbuffer);
   EXPECT_FALSE(put.put(g, features, noise(1), 2, pending));
   EXPECT_EQ(g.GetError(), GLenum{GL_NO_ERROR});

@@ -10,12 +10,12 @@
 
 namespace gluray::test {
 
-constexpr int kWidth = 320, kHeight = 240;
+constexpr int kSceneWidth = 320, kSceneHeight = 240;
 
 inline Picture drawReal(const scenes::Scene& scene) {
-  const auto context = OsmesaContext::create({kWidth, kHeight});
-  scene.draw(context->real(), kWidth, kHeight);
-  return readPicture(context->real(), kWidth, kHeight);
+  const auto context = OsmesaContext::create({kSceneWidth, kSceneHeight});
+  scene.draw(context->real(), kSceneWidth, kSceneHeight);
+  return readPicture(context->real(), kSceneWidth, kSceneHeight);
 }
 
 /// drawReal(), drawn once a process. One that takes 150 scenes holds 100 MB of them.
@@ -32,7 +32,7 @@ inline std::vector<const scenes::Scene*> pointers(std::span<const scenes::Scene>
   return all;
 }
 
-inline std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
+inline std::string sceneNameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
   std::string name = info.param->name;
   for (char& c : name)
     if (c == '-') c = '_';

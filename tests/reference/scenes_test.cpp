@@ -5,7 +5,7 @@
 namespace gluray::test {
 namespace {
 
-std::string reasons(const gl::Statistics& s) {
+std::string reasonsListed(const gl::Statistics& s) {
   std::string text;
   for (int i = 0; i < gl::kReasonCount; ++i)
     if (const uint64_t n = s.rasterisedBecause[static_cast<size_t>(i)])
@@ -19,21 +19,22 @@ class SceneTest : public testing::TestWithParam<const scenes::Scene*> {};
 TEST_P(SceneTest, LooksLikeTheRealOne) {
   const scenes::Scene& scene = *GetParam();
   const Picture& expected = realPicture(scene);
-  TracedContext ours({kWidth, kHeight});
-  scene.draw(ours.gl(), kWidth, kHeight);
+  TracedContext ours({kSceneWidth, kSceneHeight});
+  scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
   const Picture got = ours.read();
   EXPECT_EQ(ours.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   const Comparison c = compare(expected, got, scene.tolerance);
   const gl::Statistics& s = ours.context().counts.statistics;
   std::printf("%s: %s; %zu draws traced, %zu rasterised%s\n", scene.name, c.text.c_str(),
-              static_cast<size_t>(s.drawsTraced), static_cast<size_t>(s.drawsRasterised), reasons(s).c_str());
+              static_cast<size_t>(s.drawsTraced), static_cast<size_t>(s.drawsRasterised),
+              reasonsListed(s).c_str());
   EXPECT_TRUE(c.accepted) << c.text << "; tolerance: " << scene.tolerance.reason;
   EXPECT_FALSE(ours.context().info().off) << "the context stepped aside";
-  EXPECT_TRUE(s.drawsTraced > 0 || !scene.traced) << "nothing was traced" << reasons(s);
+  EXPECT_TRUE(s.drawsTraced > 0 || !scene.traced) << "nothing was traced" << reasonsListed(s);
   if (!c.accepted) writeFailure(TEST_OUTPUT, scene.name, expected, got);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::scenes())), sceneNameOf);
 
 /// Tracing fails at the first flush: fixed function draws the batch, and the real OpenGL everything after it.
 TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
@@ -43,8 +44,8 @@ TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
       frame::Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
         return error = "this test lets tracing fail", false;
       }});
-  TracedContext ours({kWidth, kHeight}, TracedContext::vertexShading(), std::move(fails));
-  scene.draw(ours.gl(), kWidth, kHeight);
+  TracedContext ours({kSceneWidth, kSceneHeight}, TracedContext::vertexShading(), std::move(fails));
+  scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
   const Picture got = ours.read();
   const Comparison c = compare(expected, got, scene.tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
@@ -59,7 +60,7 @@ TEST(Harness, TwoRealContextsAgreeToTheBit) {
 TEST(Harness, SeesADifference) {
   const Picture expected = drawReal(*scenes::findScene("directional-light"));
   Picture got = expected;
-  for (size_t i = 0; i < 500; ++i) got.colors[100 * kWidth + i] ^= 0x40;
+  for (size_t i = 0; i < 500; ++i) got.colors[100 * kSceneWidth + i] ^= 0x40;
   EXPECT_FALSE(compare(expected, got, {}).accepted);
   got = expected;
   for (uint32_t& c : got.colors) c = (c & 0xffffff00) | std::min((c & 0xff) + 3, 255u);

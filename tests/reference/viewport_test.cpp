@@ -9,7 +9,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 200;
+constexpr int kViewportSize = 200;
 
 /// Adds the regions of its batches to `seen`.
 std::unique_ptr<gl::Presenter> takeRegions(std::vector<scene::Region>& seen) {
@@ -28,29 +28,30 @@ void drawWith(const gl::RealGl& gl, GLint x, GLint y, GLsizei width, GLsizei hei
 
 TEST(Viewport, EndsAtTheWindow) {
   std::vector<scene::Region> seen;
-  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), takeRegions(seen));
+  TracedContext context({kViewportSize, kViewportSize}, TracedContext::vertexShading(), takeRegions(seen));
   drawWith(context.gl(), 0, 0, 16384, 16384);
   drawWith(context.gl(), -8000, 50, 16000, 16000);
   drawWith(context.gl(), 10, 20, 30, 40);
-  EXPECT_EQ(seen,
-            (std::vector<scene::Region>{{0, 0, kSize, kSize}, {0, 50, kSize, kSize - 50}, {10, 20, 30, 40}}));
+  EXPECT_EQ(seen, (std::vector<scene::Region>{{0, 0, kViewportSize, kViewportSize},
+                                              {0, 50, kViewportSize, kViewportSize - 50},
+                                              {10, 20, 30, 40}}));
 }
 
 TEST(Viewport, BesideTheWindowIsNotTraced) {
   std::vector<scene::Region> seen;
-  TracedContext context({kSize, kSize}, TracedContext::vertexShading(), takeRegions(seen));
-  drawWith(context.gl(), kSize, 0, 100, 100);
+  TracedContext context({kViewportSize, kViewportSize}, TracedContext::vertexShading(), takeRegions(seen));
+  drawWith(context.gl(), kViewportSize, 0, 100, 100);
   EXPECT_TRUE(seen.empty());
 }
 
 TEST(Viewport, WindowIsAskedOnceABatch) {
-  int width = kSize, asked = 0;
+  int width = kViewportSize, asked = 0;
   std::vector<scene::Region> seen;
   const auto presenter = takeRegions(seen);
-  const auto below = OsmesaContext::create({kSize, kSize});
+  const auto below = OsmesaContext::create({kViewportSize, kViewportSize});
   gl::ContextInfo info;
   info.settings.engine = Engine::always;
-  info.drawableSize = [&] { return ++asked, glm::ivec2(width, kSize); };
+  info.drawableSize = [&] { return ++asked, glm::ivec2(width, kViewportSize); };
   const auto context =
       gl::Context::create(below->real(), std::make_shared<gl::ShareGroup>(), info, *presenter);
   context->makeCurrent();
@@ -68,10 +69,11 @@ TEST(Viewport, WindowIsAskedOnceABatch) {
   };
   batchOfTen();
   EXPECT_EQ(asked, 1);
-  width = 2 * kSize;  // the window grows
+  width = 2 * kViewportSize;  // the window grows
   batchOfTen();
   EXPECT_EQ(asked, 2);
-  EXPECT_EQ(seen, (std::vector<scene::Region>{{0, 0, kSize, kSize}, {0, 0, 2 * kSize, kSize}}));
+  EXPECT_EQ(seen, (std::vector<scene::Region>{{0, 0, kViewportSize, kViewportSize},
+                                              {0, 0, 2 * kViewportSize, kViewportSize}}));
   context->loseCurrent();
 }
 

@@ -1,11 +1,11 @@
 """Draws states of ParaView and VTK with and without GLuRay and compares their pictures and depth.
 
-    compare.py --gluray GLURAY --out FOLDER [--group GROUP | --label LABEL] [NAME ...]
+    compare.py --gluray GLURAY --out FOLDER [--group GROUP,... | --label LABEL] [NAME ...]
 
-Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/. Compared are the share of pixels
-that differ by more than 8 of 255, window depth, and, away from all surfaces, every pixel. For a state that fails both
-pictures, their difference (eight times as bright) and NAME.json are in FOLDER/failed. Prints a table; FOLDER/GROUP.json holds it
-too. Exit code 77: ParaView or VTK is not installed.
+Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/; one process draws the states of one
+program, of whatever groups they are. Compared are the share of pixels that differ by more than 8 of 255, window depth, and, away
+from all surfaces, every pixel. For a state that fails both pictures, their difference (eight times as bright) and NAME.json are in
+FOLDER/failed. Prints a table; FOLDER/LABEL.json holds it too. Exit code 77: ParaView or VTK is not installed.
 """
 import argparse
 import json
@@ -177,7 +177,7 @@ def main():
                         help="write to shares.json how much of each state must be traced: what is traced now, a little less")
     parser.add_argument("names", nargs="*")
     given = parser.parse_args()
-    states = [s for s in registry.load().values() if (s.name in given.names if given.names else given.group in ("", s.group))]
+    states = [s for s in registry.load().values() if (s.name in given.names if given.names else not given.group or s.group in given.group.split(","))]
     if not states or len(states) < len(given.names):
         sys.exit(f"compare.py: no such states: {given.group} {given.names}")
     out, gluray = pathlib.Path(given.out).resolve(), str(pathlib.Path(given.gluray).resolve())

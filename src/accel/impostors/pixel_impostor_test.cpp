@@ -15,11 +15,11 @@ using scene::Shape;
 
 constexpr int kWidth = 200, kHeight = 100;
 
-struct Scene {
+struct PixelScene {
   scene::Camera camera;
   scene::Instance instance;
   PlacedImpostors placed;
-  explicit Scene(Shape shape, std::vector<glm::vec3> points, float pixels, bool parallel = false) {
+  explicit PixelScene(Shape shape, std::vector<glm::vec3> points, float pixels, bool parallel = false) {
     auto mesh = std::make_shared<scene::Mesh>();
     mesh->shape = shape;
     mesh->vertexCount = static_cast<uint32_t>(points.size());
@@ -65,17 +65,17 @@ int covered(const PixelImpostor& impostor) {
 
 TEST(PixelImpostor, AxisAlignedTubesCoverWidthTimesLength) {
   // 50 pixels long, from the window's middle to the right; its sides, at 47.5 and 52.5, lie on pixel centres.
-  const Scene flat(Shape::tubes, {{0, 0, -5}, {1, 0, -5}}, 5, true);
+  const PixelScene flat(Shape::tubes, {{0, 0, -5}, {1, 0, -5}}, 5, true);
   EXPECT_EQ(covered(flat.impostor()), 5 * 50);
   EXPECT_TRUE(flat.impostor().covers({120.5, 47.5})) << "the lower side is owned";
   EXPECT_FALSE(flat.impostor().covers({120.5, 52.5})) << "the upper one is not";
-  const Scene tall(Shape::tubes, {{0, 0, -5}, {0, 0.8f, -5}}, 4, true);
+  const PixelScene tall(Shape::tubes, {{0, 0, -5}, {0, 0.8f, -5}}, 4, true);
   EXPECT_EQ(covered(tall.impostor()), 4 * 40);
 }
 
 TEST(PixelImpostor, NearbyIncludesAllCoveredPositions) {
   for (const bool grows : {false, true}) {
-    Scene s(Shape::tubes, {{-1.5f, -0.7f, -6}, {1.2f, 0.9f, -3}}, 9.5f);
+    PixelScene s(Shape::tubes, {{-1.5f, -0.7f, -6}, {1.2f, 0.9f, -3}}, 9.5f);
     s.instance.impostors.grows = grows;
     s.place();
     const PixelImpostor impostor = s.impostor();
@@ -100,7 +100,7 @@ TEST(PixelImpostor, NearbyIncludesAllCoveredPositions) {
 }
 
 TEST(PixelImpostor, ShortTubesGrowByAQuarterOfTheDifference) {
-  Scene s(Shape::tubes, {{0, 0, -5}, {0.08f, 0, -5}}, 20, true);  // 4 pixels long, 20 wide
+  PixelScene s(Shape::tubes, {{0, 0, -5}, {0.08f, 0, -5}}, 20, true);  // 4 pixels long, 20 wide
   EXPECT_EQ(covered(s.impostor()), 4 * 20);
   s.instance.impostors.grows = true;
   s.place();
@@ -110,7 +110,7 @@ TEST(PixelImpostor, ShortTubesGrowByAQuarterOfTheDifference) {
 }
 
 TEST(PixelImpostor, TheMiddleOfATubeIsARadiusNearer) {
-  const Scene s(Shape::tubes, {{-1, 0, -5}, {1, 0, -5}}, 10);
+  const PixelScene s(Shape::tubes, {{-1, 0, -5}, {1, 0, -5}}, 10);
   PixelImpostor::Shown shown;
   ASSERT_TRUE(s.impostor().show({100, 50}, shown));
   const float radius =
@@ -124,7 +124,7 @@ TEST(PixelImpostor, TheMiddleOfATubeIsARadiusNearer) {
 }
 
 TEST(PixelImpostor, BeadsAreRoundAndClippedByTheirCentres) {
-  const Scene s(Shape::beads, {{0, 0, -5}, {0, 0, -0.5f}, {9, 0, -5}}, 12);
+  const PixelScene s(Shape::beads, {{0, 0, -5}, {0, 0, -0.5f}, {9, 0, -5}}, 12);
   EXPECT_EQ(covered(s.impostor()), 12 * 12) << "the billboard is square";
   EXPECT_EQ(covered(s.impostor(1)), 0) << "before the near plane";
   EXPECT_EQ(covered(s.impostor(2)), 0) << "beside the window";
@@ -158,7 +158,7 @@ bool coversNdc(std::vector<glm::dvec4> corners, const glm::dvec2& at) {
 
 TEST(PixelImpostor, LinesThatEndBehindTheViewerAreTwoTrianglesCutAtTheNearPlane) {
   const glm::vec3 ends[] = {{-0.5f, -0.3f, -8}, {0.5f, 0.4f, 3}};
-  const Scene s(Shape::tubes, {ends[0], ends[1]}, 6);
+  const PixelScene s(Shape::tubes, {ends[0], ends[1]}, 6);
   glm::dvec4 clip[2], corners[4];
   for (int k = 0; k < 2; ++k) clip[k] = s.camera.clipFromEye * glm::dvec4(ends[k], 1);
   const glm::dvec2 d = glm::normalize(glm::dvec2(clip[1]) / clip[1].w - glm::dvec2(clip[0]) / clip[0].w);
@@ -183,7 +183,7 @@ TEST(PixelImpostor, LinesThatEndBehindTheViewerAreTwoTrianglesCutAtTheNearPlane)
 }
 
 TEST(PixelImpostor, PlanesCutTheLine) {
-  Scene s(Shape::tubes, {{-1, 0, -5}, {1, 0, -5}}, 10);
+  PixelScene s(Shape::tubes, {{-1, 0, -5}, {1, 0, -5}}, 10);
   s.instance.impostors.centerPlanes = {{1, 0, 0, -0.25f}};
   s.place();
   PixelImpostor::Shown shown;
@@ -201,7 +201,7 @@ TEST(PixelImpostor, BoundsContainEveryHit) {
   for (const Shape shape : {Shape::beads, Shape::tubes}) {
     for (const bool parallel : {false, true}) {
       for (const double away : {1.2, 2.5, 12.0}) {
-        Scene s(shape, points, 14, parallel);
+        PixelScene s(shape, points, 14, parallel);
         s.instance.impostors.grows = true, s.instance.impostors.depthBias = -8 / 65000.0f;
         const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.7f, glm::vec3(1, 2, 3));
         s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) * glm::dmat4(turned);
@@ -236,7 +236,7 @@ TEST(PixelImpostor, BoundsContainEveryHit) {
 }
 
 TEST(PixelImpostor, ReachIsRotationInvariantAndGrowsWithDistance) {
-  Scene s(Shape::tubes, {{-1, -1, -1}, {1, 1, 1}}, 6);
+  PixelScene s(Shape::tubes, {{-1, -1, -1}, {1, 1, 1}}, 6);
   const auto reachAt = [&](double degrees, double away) {
     s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) *
                                glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(1, 2, 3));

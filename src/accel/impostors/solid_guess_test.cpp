@@ -16,7 +16,7 @@ namespace gluray::accel {
 namespace {
 
 using scene::Shape;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+using test::kInfinity;
 constexpr uint32_t kSolids = 40;
 
 /// Evenly spread over [-1, 1].
@@ -24,7 +24,7 @@ float spread(uint32_t i, double step) {
   const double x = 0.5 + step * (i + 1);
   return static_cast<float>(2 * (x - std::floor(x)) - 1);
 }
-glm::vec3 inCube(uint32_t i, double first) {
+glm::vec3 spreadInCube(uint32_t i, double first) {
   return {spread(i, first * 0.754877666), spread(i, first * 0.569840296), spread(i, first * 0.362109)};
 }
 
@@ -32,9 +32,9 @@ glm::vec3 inCube(uint32_t i, double first) {
 PlacedImpostors place(Shape shape, double size, const glm::vec3& stretched, bool inPixels) {
   std::vector<glm::vec3> points;
   for (uint32_t i = 0; i < kSolids; ++i) {
-    const glm::vec3 center = inCube(i, 1);
+    const glm::vec3 center = spreadInCube(i, 1);
     for (uint32_t k = 0; k < scene::cornersOf(shape); ++k)
-      points.push_back((center + (k ? 0.5f * inCube(i, 7) : glm::vec3(0))) * static_cast<float>(size));
+      points.push_back((center + (k ? 0.5f * spreadInCube(i, 7) : glm::vec3(0))) * static_cast<float>(size));
   }
   auto mesh = std::make_shared<scene::Mesh>();
   mesh->shape = shape, mesh->radius = static_cast<float>(0.1 * size);
@@ -69,8 +69,9 @@ Counts compare(const PlacedImpostors& placed, double size, double away) {
     for (uint32_t i = 0; i < kLanes; ++i) {
       const uint32_t k = n * kLanes + i;
       // Half of them at the solid.
-      const glm::dvec3 to = k % 2 ? inCube(k, 3) : inCube(primitive, 1) + 0.3f * inCube(k, 3);
-      const glm::dvec3 from = to + away * glm::dvec3(inCube(k, 5));
+      const glm::dvec3 to =
+          k % 2 ? spreadInCube(k, 3) : spreadInCube(primitive, 1) + 0.3f * spreadInCube(k, 3);
+      const glm::dvec3 from = to + away * glm::dvec3(spreadInCube(k, 5));
       const glm::dvec3 dir = (to - from) * (k % 3 ? 1.0 : 1e-3);
       for (int c = 0; c < 3; ++c)
         rows[c][i] = static_cast<float>(size * from[c]), rows[4 + c][i] = static_cast<float>(size * dir[c]);

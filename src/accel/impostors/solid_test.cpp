@@ -19,12 +19,12 @@ namespace {
 using scene::Shape;
 using Distance = std::function<double(const glm::dvec3&)>;  // of a point in lighting space, negative inside
 
-struct Scene {
+struct SolidScene {
   scene::Camera camera;
   scene::Instance instance;
   PlacedImpostors placed;
 
-  Scene(Shape shape, std::vector<glm::vec3> points, float radius, const glm::dmat4& lightingFromObject) {
+  SolidScene(Shape shape, std::vector<glm::vec3> points, float radius, const glm::dmat4& lightingFromObject) {
     auto mesh = std::make_shared<scene::Mesh>();
     mesh->shape = shape, mesh->radius = radius;
     mesh->vertexCount = static_cast<uint32_t>(points.size());
@@ -55,7 +55,7 @@ void eachRay(const glm::dvec3& about, double reach, Each&& each) {
   }
 }
 
-void expectAgrees(const Scene& scene, const Distance& distance, const glm::dvec3& about, double reach) {
+void expectAgrees(const SolidScene& scene, const Distance& distance, const glm::dvec3& about, double reach) {
   const glm::dmat4 lightingFromObject(scene.placed.lightingFromObject);
   const glm::dmat4 objectFromLighting = glm::inverse(lightingFromObject);
   const double little = 1e-5 * reach;
@@ -90,14 +90,14 @@ const glm::dmat4 kTurned =
 glm::dvec3 inLighting(const glm::dvec3& object) { return glm::dvec3(kTurned * glm::dvec4(object, 1)); }
 
 TEST(Solid, SpheresAreBalls) {
-  const Scene scene(Shape::spheres, {{1, 0, 0}}, 0.8f, kTurned);
+  const SolidScene scene(Shape::spheres, {{1, 0, 0}}, 0.8f, kTurned);
   const glm::dvec3 center = inLighting({1, 0, 0});
   expectAgrees(
       scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.8f; }, center, 0.8);
 }
 
 TEST(Solid, CylindersAreClosedAtBothEnds) {
-  const Scene scene(Shape::cylinders, {{1, 0, 0}}, 0.4f, kTurned);
+  const SolidScene scene(Shape::cylinders, {{1, 0, 0}}, 0.4f, kTurned);
   const glm::dvec3 center = inLighting({1, 0, 0}), axis = glm::normalize(glm::dvec3(1, 2, 0.5));
   const double half = 0.5 * glm::length(glm::dvec3(1, 2, 0.5));
   const Distance distance = [&](const glm::dvec3& p) {
@@ -109,7 +109,7 @@ TEST(Solid, CylindersAreClosedAtBothEnds) {
 }
 
 TEST(Solid, BeadsAreAsWideAsInTheWindow) {
-  Scene scene(Shape::beads, {{1, 0, 0}}, 1, kTurned);
+  SolidScene scene(Shape::beads, {{1, 0, 0}}, 1, kTurned);
   scene.instance.impostors.size = {0.1f, 0.1f};
   scene.place();
   const glm::dvec3 center = inLighting({1, 0, 0});
@@ -119,7 +119,7 @@ TEST(Solid, BeadsAreAsWideAsInTheWindow) {
 }
 
 TEST(Solid, TubesAreRoundCones) {
-  Scene scene(Shape::tubes, {{-1, 0, -2}, {1, 1, 3}}, 1, kTurned);
+  SolidScene scene(Shape::tubes, {{-1, 0, -2}, {1, 1, 3}}, 1, kTurned);
   scene.instance.impostors.size = {0.2f, 0.2f};
   scene.place();
   const glm::dvec3 a = inLighting({-1, 0, -2}), b = inLighting({1, 1, 3});
@@ -139,14 +139,14 @@ TEST(Solid, TubesAreRoundCones) {
 }
 
 TEST(Solid, SplatsAreBallsInObjectSpace) {
-  const Scene scene(Shape::splats, {{1, 0, 0}}, 0.8f, kTurned);
+  const SolidScene scene(Shape::splats, {{1, 0, 0}}, 0.8f, kTurned);
   const glm::dvec3 center = inLighting({1, 0, 0});
   expectAgrees(
       scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.5 * 0.8f; }, center, 0.4);
 }
 
 TEST(Solid, DiscsBlockFromBothSides) {
-  const Scene scene(Shape::discs, {{0, 0, 0}}, 1, glm::translate(glm::dmat4(1), {0, 0, -5}));
+  const SolidScene scene(Shape::discs, {{0, 0, 0}}, 1, glm::translate(glm::dmat4(1), {0, 0, -5}));
   const auto meets = [&](const glm::vec3& org, const glm::vec3& dir) {
     return meetSolid(scene.placed, 0, {org, dir, 0, 100}).has_value();
   };
@@ -158,7 +158,7 @@ TEST(Solid, DiscsBlockFromBothSides) {
 }
 
 TEST(Solid, PlanesCutLinesAcross) {
-  Scene scene(Shape::tubes, {{-1, 0, 0}, {1, 0, 0}}, 1, glm::translate(glm::dmat4(1), {0, 0, -5}));
+  SolidScene scene(Shape::tubes, {{-1, 0, 0}, {1, 0, 0}}, 1, glm::translate(glm::dmat4(1), {0, 0, -5}));
   scene.instance.impostors.size = {0.1f, 0.1f};
   scene.instance.impostors.centerPlanes = {{1, 0, 0, 0}};
   scene.place();
@@ -171,7 +171,7 @@ TEST(Solid, PlanesCutLinesAcross) {
 
 TEST(Solid, AnySizeAndDistance) {
   for (const double scale : {1e-12, 1e-3, 1.0, 1e6, 1e12}) {
-    const Scene scene(Shape::spheres, {{0, 0, 0}}, static_cast<float>(scale), glm::dmat4(1));
+    const SolidScene scene(Shape::spheres, {{0, 0, 0}}, static_cast<float>(scale), glm::dmat4(1));
     const auto from = static_cast<float>(1000 * scale);
     const std::optional<SolidHit> hit =
         meetSolid(scene.placed, 0, {{0, 0, from}, {0, 0, -from}, 0, std::numeric_limits<float>::infinity()});

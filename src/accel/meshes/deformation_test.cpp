@@ -19,19 +19,20 @@ using test::makeMesh;
 using test::makeSnapshot;
 using test::MeshData;
 
-constexpr int kSide = 80;  // squares of a sheet, of two triangles each
+constexpr int kWavesSide = 80;  // squares of a waves, of two triangles each
 
-/// A sheet over [-1, 1]^2 with travelling waves. `soup`: three vertices per triangle.
-MeshData sheet(float time, bool soup = false) {
+/// A waves over [-1, 1]^2 with travelling waves. `soup`: three vertices per triangle.
+MeshData waves(float time, bool soup = false) {
   MeshData data;
-  for (int y = 0; y <= kSide; ++y)
-    for (int x = 0; x <= kSide; ++x) {
-      const float u = 2.0f * static_cast<float>(x) / kSide - 1, v = 2.0f * static_cast<float>(y) / kSide - 1;
+  for (int y = 0; y <= kWavesSide; ++y)
+    for (int x = 0; x <= kWavesSide; ++x) {
+      const float u = 2.0f * static_cast<float>(x) / kWavesSide - 1,
+                  v = 2.0f * static_cast<float>(y) / kWavesSide - 1;
       data.positions.push_back({u, v, 0.1f * std::sin(5 * u + time) * std::cos(4 * v - time)});
     }
-  for (uint32_t y = 0; y < kSide; ++y)
-    for (uint32_t x = 0; x < kSide; ++x) {
-      const uint32_t i = y * (kSide + 1) + x, above = i + kSide + 1;
+  for (uint32_t y = 0; y < kWavesSide; ++y)
+    for (uint32_t x = 0; x < kWavesSide; ++x) {
+      const uint32_t i = y * (kWavesSide + 1) + x, above = i + kWavesSide + 1;
       data.indices.insert(data.indices.end(), {i, i + 1, above, i + 1, above + 1, above});
     }
   if (!soup) return data;
@@ -84,15 +85,15 @@ struct DeformationTest : testing::TestWithParam<bool> {
 };
 
 TEST_P(DeformationTest, MovingSheetsAreRefitted) {
-  for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
+  for (int i = 0; i < 12; ++i) expectTrue(waves(0.2f * static_cast<float>(i), GetParam()));
   EXPECT_EQ(refits, 8u);  // all but the first mesh, two ordinary builds, and one build to refit
   EXPECT_EQ(builds, 12u);
 }
 
 TEST_P(DeformationTest, RefittableStructuresReplaceTriangleBlocks) {
   bvh = BvhQuality::fast;
-  EXPECT_TRUE(TriangleBlocks(*makeMesh(sheet(0, GetParam())), TriangleBlocks::Aim::speed).pay());
-  for (int i = 0; i < 12; ++i) expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()));
+  EXPECT_TRUE(TriangleBlocks(*makeMesh(waves(0, GetParam())), TriangleBlocks::Aim::speed).pay());
+  for (int i = 0; i < 12; ++i) expectTrue(waves(0.2f * static_cast<float>(i), GetParam()));
   EXPECT_EQ(refits, 8u);
 }
 
@@ -101,19 +102,19 @@ TEST_P(DeformationTest, MovingSheetsAreRefittedUnderATransform) {
   place[3] = {0.25f, 0, -1, 1};
   for (int i = 0; i < 8; ++i) {
     place[3].x += 0.01f;
-    expectTrue(sheet(0.2f * static_cast<float>(i), GetParam()), place);
+    expectTrue(waves(0.2f * static_cast<float>(i), GetParam()), place);
   }
   EXPECT_EQ(refits, 4u);
 }
 
 TEST_P(DeformationTest, NonFiniteTrianglesAreLeftOutAndComeBack) {
   for (int i = 0; i < 12; ++i) {
-    MeshData data = sheet(0.2f * static_cast<float>(i), GetParam());
+    MeshData data = waves(0.2f * static_cast<float>(i), GetParam());
     if (i % 3 == 2) data.positions[data.positions.size() / 2].z = std::numeric_limits<float>::quiet_NaN();
     if (i == 7) data.positions[900].x = 1e30f;
     expectTrue(data);
   }
-  for (int i = 0; i < 10; ++i) expectTrue(sheet(3 + 0.2f * static_cast<float>(i), GetParam()));
+  for (int i = 0; i < 10; ++i) expectTrue(waves(3 + 0.2f * static_cast<float>(i), GetParam()));
   EXPECT_GT(refits, 4u);
 }
 
@@ -124,7 +125,7 @@ using Deforming = DeformationTest;
 
 TEST_F(Deforming, OtherIndicesAreNotRefitted) {
   for (int i = 0; i < 10; ++i) {
-    MeshData data = sheet(0.2f * static_cast<float>(i));
+    MeshData data = waves(0.2f * static_cast<float>(i));
     std::swap(data.indices[static_cast<size_t>(i) * 30], data.indices[static_cast<size_t>(i) * 30 + 5]);
     expectTrue(data);
   }
@@ -132,7 +133,7 @@ TEST_F(Deforming, OtherIndicesAreNotRefitted) {
 }
 
 TEST_F(Deforming, RecurringPositionsAreKept) {
-  for (int i = 0; i < 60; ++i) expectTrue(sheet(0.3f * static_cast<float>(i % 10)));
+  for (int i = 0; i < 60; ++i) expectTrue(waves(0.3f * static_cast<float>(i % 10)));
   EXPECT_LT(builds, 32u);
   EXPECT_LT(refits, 12u);
 }
@@ -141,7 +142,7 @@ TEST_F(Deforming, ScatteredTrianglesAreRebuilt) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> anywhere(-1, 1);
   for (int i = 0; i < 30; ++i) {
-    MeshData data = sheet(0, true);
+    MeshData data = waves(0, true);
     for (size_t t = 0; t < data.positions.size(); t += 3) {
       const glm::vec3 away(anywhere(random), anywhere(random), anywhere(random));
       for (size_t k = 0; k < 3; ++k) data.positions[t + k] += away;
@@ -152,9 +153,9 @@ TEST_F(Deforming, ScatteredTrianglesAreRebuilt) {
 }
 
 TEST_F(Deforming, TwoMovingMeshesAndAStaticOne) {
-  const auto still = makeMesh(sheet(100));
+  const auto still = makeMesh(waves(100));
   for (int i = 0; i < 10; ++i) {
-    const auto moved = [&](float t) { return makeMesh(sheet(t + 0.2f * static_cast<float>(i))); };
+    const auto moved = [&](float t) { return makeMesh(waves(t + 0.2f * static_cast<float>(i))); };
     auto snapshot = makeSnapshot({moved(0), still, moved(50)});
     snapshot.instances[1].worldFromObject[3].z = -1;
     snapshot.instances[2].worldFromObject[3].z = -2;
@@ -167,20 +168,20 @@ TEST_F(Deforming, TwoMovingMeshesAndAStaticOne) {
 }
 
 TEST(Neighbours, SpreadGrowsWithTheGroups) {
-  const auto rest = makeMesh(sheet(0));
+  const auto rest = makeMesh(waves(0));
   const Neighbours neighbours(*rest);
   EXPECT_DOUBLE_EQ(neighbours.spreadIn(*rest), 1);
-  MeshData large = sheet(0);
+  MeshData large = waves(0);
   for (glm::vec3& p : large.positions) p = 7.0f * p + 3.0f;
   EXPECT_NEAR(neighbours.spreadIn(*makeMesh(large)), 1, 1e-3);  // uniform scaling spreads nothing
-  EXPECT_LT(neighbours.spreadIn(*makeMesh(sheet(0.3f))), 2);
-  MeshData mixed = sheet(0);
+  EXPECT_LT(neighbours.spreadIn(*makeMesh(waves(0.3f))), 2);
+  MeshData mixed = waves(0);
   std::shuffle(mixed.positions.begin(), mixed.positions.end(), std::mt19937(2));
   EXPECT_GT(neighbours.spreadIn(*makeMesh(mixed)), 20);
 }
 
 TEST(Deformations, LargeMotionsAreNotRefitted) {
-  const auto mesh = makeMesh(sheet(0));
+  const auto mesh = makeMesh(waves(0));
   Deformations d;
   using Step = Deformations::Step;
   EXPECT_EQ(d.next(*mesh, 0), Step::build);
@@ -192,7 +193,7 @@ TEST(Deformations, LargeMotionsAreNotRefitted) {
 }
 
 TEST(Deformations, SlowMotionsAreRebuiltAfterALongWay) {
-  const auto mesh = makeMesh(sheet(0));
+  const auto mesh = makeMesh(waves(0));
   Deformations d;
   using Step = Deformations::Step;
   for (int i = 0; i < 3; ++i) d.next(*mesh, 0);
@@ -202,7 +203,7 @@ TEST(Deformations, SlowMotionsAreRebuiltAfterALongWay) {
 }
 
 TEST(AllInReach, FindsASingleVertexOutOfReach) {
-  MeshData data = sheet(0);
+  MeshData data = waves(0);
   EXPECT_TRUE(allInReach(*makeMesh(data)));
   for (const float bad :
        {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity(), 2e18f}) {

@@ -13,10 +13,10 @@
 namespace gluray::accel {
 namespace {
 
-constexpr int kSide = 260;  // 2 * 260^2 triangles: just large enough for a fast first build
+constexpr int kRefinedSide = 260;  // 2 * 260^2 triangles: just large enough for a fast first build
 
-/// A wavy sheet over [-1, 1]^2; different `phase`, different geometry.
-scene::MeshPtr sheet(float phase = 0, int side = kSide) {
+/// A wavy wavySheet over [-1, 1]^2; different `phase`, different geometry.
+scene::MeshPtr wavySheet(float phase = 0, int side = kRefinedSide) {
   test::MeshData data;
   const auto row = static_cast<uint32_t>(side + 1);
   for (uint32_t y = 0; y < row; ++y)
@@ -38,8 +38,8 @@ float depthAt(const World& world, float x, float y) {
   return test::shot(world, test::raysDown(x, y)).tFar[0];
 }
 
-size_t plenty() { return size_t{64} << 30; }
-size_t roomForFull() { return (size_t{256} << 20) + size_t{230} * 2 * kSide * kSide; }
+size_t roomForAll() { return size_t{64} << 30; }
+size_t roomForFull() { return (size_t{256} << 20) + size_t{230} * 2 * kRefinedSide * kRefinedSide; }
 size_t hardlyAny() { return size_t{260} << 20; }
 size_t g_free = 0;
 size_t changing() { return g_free; }
@@ -59,11 +59,11 @@ struct Refinement : testing::Test {
 };
 
 TEST_F(Refinement, FullStructureReplacesTheFastOne) {
-  World world(0, plenty);
-  const auto snapshot = test::makeSnapshot({sheet()});
+  World world(0, roomForAll);
+  const auto snapshot = test::makeSnapshot({wavySheet()});
   EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 1u);
   const size_t fastBytes = world.bytes();
-  World full(0, plenty);
+  World full(0, roomForAll);
   auto best = snapshot;
   best.settings.bvh = BvhQuality::full;
   full.update(best, arena);
@@ -81,8 +81,8 @@ TEST_F(Refinement, FullStructureReplacesTheFastOne) {
 }
 
 TEST_F(Refinement, FinishedStructureIsInstalledInTheNextFrame) {
-  World world(0, plenty);
-  const auto snapshot = test::makeSnapshot({sheet()});
+  World world(0, roomForAll);
+  const auto snapshot = test::makeSnapshot({wavySheet()});
   while (!world.refining()) ASSERT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
   while (!world.refined()) {
@@ -94,8 +94,8 @@ TEST_F(Refinement, FinishedStructureIsInstalledInTheNextFrame) {
 }
 
 TEST_F(Refinement, InstancesUseTheFullStructure) {
-  World world(0, plenty);
-  const auto mesh = sheet();
+  World world(0, roomForAll);
+  const auto mesh = wavySheet();
   auto snapshot = test::makeSnapshot({mesh, mesh});
   snapshot.instances[1].worldFromObject[3] = {5, 0, 1, 1};
   world.update(snapshot, arena);
@@ -105,25 +105,25 @@ TEST_F(Refinement, InstancesUseTheFullStructure) {
 }
 
 TEST_F(Refinement, SeveralMeshesAreRefinedOneByOne) {
-  World world(0, plenty);
-  const auto snapshot = test::makeSnapshot({sheet(0), sheet(1), sheet(2)});
+  World world(0, roomForAll);
+  const auto snapshot = test::makeSnapshot({wavySheet(0), wavySheet(1), wavySheet(2)});
   EXPECT_EQ(world.update(snapshot, arena).blasBuilds, 3u);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(awaitRefinement(world, snapshot)) << i;
 }
 
 TEST_F(Refinement, GeometryThatChangesIsNotBuiltTwice) {
-  World world(0, plenty);
+  World world(0, roomForAll);
   for (int frame = 0; frame < 12; ++frame) {
     const UpdateStatistics statistics =
-        world.update(test::makeSnapshot({sheet(static_cast<float>(frame))}), arena);
+        world.update(test::makeSnapshot({wavySheet(static_cast<float>(frame))}), arena);
     EXPECT_EQ(statistics.blasBuilds, 1u);
     EXPECT_EQ(statistics.blasRefinements, 0u);
   }
 }
 
 TEST_F(Refinement, SmallGeometryIsBuiltOnce) {
-  World world(0, plenty);
-  const auto snapshot = test::makeSnapshot({sheet(0, 40)});
+  World world(0, roomForAll);
+  const auto snapshot = test::makeSnapshot({wavySheet(0, 40)});
   world.update(snapshot, arena);
   const size_t bytes = world.bytes();
   for (int frame = 0; frame < 12; ++frame) EXPECT_EQ(world.update(snapshot, arena).blasRefinements, 0u);
@@ -131,8 +131,8 @@ TEST_F(Refinement, SmallGeometryIsBuiltOnce) {
 }
 
 TEST_F(Refinement, UnusedMeshesAreNotRefined) {
-  World world(0, plenty);
-  const auto large = test::makeSnapshot({sheet(0, 700)}), other = test::makeSnapshot({sheet(0, 10)});
+  World world(0, roomForAll);
+  const auto large = test::makeSnapshot({wavySheet(0, 700)}), other = test::makeSnapshot({wavySheet(0, 10)});
   for (int frame = 0; frame < 6; ++frame) world.update(large, arena);
   uint64_t refinements = 0;
   for (int frame = 0; frame < 40; ++frame) refinements += world.update(other, arena).blasRefinements;
@@ -142,7 +142,7 @@ TEST_F(Refinement, UnusedMeshesAreNotRefined) {
 }
 
 TEST_F(Refinement, ScarceMemoryPreventsRefinement) {
-  const auto snapshot = test::makeSnapshot({sheet()});
+  const auto snapshot = test::makeSnapshot({wavySheet()});
   size_t bytes[2] = {};
   int i = 0;
   for (size_t (*const room)() : {roomForFull, hardlyAny}) {
@@ -153,7 +153,7 @@ TEST_F(Refinement, ScarceMemoryPreventsRefinement) {
   }
   EXPECT_LT(bytes[1], bytes[0]) << "compact where runs do not fit";
   World fast(0, changing);
-  g_free = plenty();
+  g_free = roomForAll();
   fast.update(snapshot, arena);
   EXPECT_EQ(fast.bytes(), bytes[0]) << "runs, with room for better or without";
   g_free = hardlyAny();
@@ -161,8 +161,8 @@ TEST_F(Refinement, ScarceMemoryPreventsRefinement) {
 }
 
 TEST_F(Refinement, FailureKeepsTheFastStructure) {
-  World world(0, plenty);
-  const auto snapshot = test::makeSnapshot({sheet()});
+  World world(0, roomForAll);
+  const auto snapshot = test::makeSnapshot({wavySheet()});
   world.update(snapshot, arena);
   failNextCommits(1);
   for (int frame = 0; frame < 200; ++frame) {
@@ -176,8 +176,8 @@ TEST_F(Refinement, FailureKeepsTheFastStructure) {
 TEST_F(Refinement, WorldMayBeDestroyedDuringABuild) {
   const size_t before = Device::bytes();
   for (int frames = 4; frames < 8; ++frames) {
-    World world(0, plenty);
-    const auto snapshot = test::makeSnapshot({sheet(0, 700)});
+    World world(0, roomForAll);
+    const auto snapshot = test::makeSnapshot({wavySheet(0, 700)});
     for (int frame = 0; frame < frames; ++frame) world.update(snapshot, arena);
   }
   EXPECT_EQ(Device::bytes(), before);

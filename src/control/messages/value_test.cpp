@@ -49,7 +49,7 @@ TEST(TextOf, JoinsLists) {
 
 TEST(TextOf, RefusesWhatIsNoValue) {
   for (const json& value :
-       {json(), json::object(), json({json::object()}), json({json::array()}), json({nullptr})}) {
+       {json(), json::object(), json({json::object()}), json({json::array()}), json::array({nullptr})}) {
     const TextOrWhy text = textOf(namedRow("ao"), value);
     EXPECT_EQ(text.text, "") << value;
     EXPECT_EQ(text.why, "ao: use a boolean, a number, a string or a list of these") << value;

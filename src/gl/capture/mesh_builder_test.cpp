@@ -10,8 +10,8 @@
 namespace gluray::gl {
 namespace {
 
-/// A grid of n x n squares as separate triangles without shared vertices.
-CapturedVertices grid(uint32_t n, bool colored = false) {
+/// A capturedGrid of n x n squares as separate triangles without shared vertices.
+CapturedVertices capturedGrid(uint32_t n, bool colored = false) {
   VertexStream stream;
   stream.start(bit(kPosition) | (colored ? bit(kColor) : 0), initialSlotValues());
   stream.begin(GL_TRIANGLES);
@@ -31,7 +31,7 @@ CapturedVertices grid(uint32_t n, bool colored = false) {
 }
 
 TEST(Weld, GivesOnlyEqualVerticesOneNumber) {
-  const CapturedVertices c = grid(100);
+  const CapturedVertices c = capturedGrid(100);
   const Welded w = weld(c.vertices.data(), c.vertexCount, c.layout.stride);
   ASSERT_EQ(w.index.size(), c.vertexCount);
   EXPECT_EQ(w.source.size(), 101u * 101u);
@@ -40,7 +40,7 @@ TEST(Weld, GivesOnlyEqualVerticesOneNumber) {
 }
 
 TEST(Weld, StaysExactOverSeveralBlocks) {
-  const CapturedVertices c = grid(450);  // 1.2 million corners, more than one block
+  const CapturedVertices c = capturedGrid(450);  // 1.2 million corners, more than one block
   const Welded w = weld(c.vertices.data(), c.vertexCount, c.layout.stride);
   EXPECT_LT(w.source.size(), 451u * 451u + 2000u);
   for (uint32_t i = 0; i < c.vertexCount; i += 97)
@@ -48,7 +48,7 @@ TEST(Weld, StaysExactOverSeveralBlocks) {
 }
 
 TEST(BuildMesh, KeepsTriangleOrderAndIdentityWithColours) {
-  const CapturedVertices plain = grid(40), colored = grid(40, true);
+  const CapturedVertices plain = capturedGrid(40), colored = capturedGrid(40, true);
   const KnownMesh a = buildMesh(plain), b = buildMesh(colored);
   ASSERT_TRUE(a.mesh && b.mesh);
   EXPECT_EQ(a.mesh->triangleCount, 3200u);
@@ -59,7 +59,7 @@ TEST(BuildMesh, KeepsTriangleOrderAndIdentityWithColours) {
 }
 
 TEST(BuildMesh, StoresColoursAsBytesOnlyWhereExact) {
-  CapturedVertices c = grid(4, true);
+  CapturedVertices c = capturedGrid(4, true);
   EXPECT_EQ(buildMesh(c).mesh->colors.format, scene::Format::unorm8x4);
   c.vertex(7)[c.layout.offset[kColor] + 1] = 0.1234567f;
   const KnownMesh exact = buildMesh(c);
@@ -103,14 +103,14 @@ TEST(BuildMesh, UnusedTextureUnitsTakeNoMemory) {
 }
 
 TEST(BuildMesh, KnowsWhetherColoursAreOpaque) {
-  CapturedVertices c = grid(4, true);
+  CapturedVertices c = capturedGrid(4, true);
   EXPECT_TRUE(buildMesh(c).mesh->opaqueColors);
   c.vertex(3)[c.layout.offset[kColor] + 3] = 0.5f;
   EXPECT_FALSE(buildMesh(c).mesh->opaqueColors);
 }
 
 TEST(BuildMesh, BoundsIgnoreNonFiniteVertices) {
-  CapturedVertices c = grid(4);
+  CapturedVertices c = capturedGrid(4);
   c.vertex(0)[0] = NAN;
   c.vertex(1)[1] = INFINITY;
   const KnownMesh known = buildMesh(c);

@@ -10,8 +10,6 @@
 namespace gluray::gl {
 namespace {
 
-std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
-
 using Numbers = std::vector<float>;
 
 TEST(FamilyFile, ImpostorKeys) {

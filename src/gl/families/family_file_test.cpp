@@ -10,8 +10,6 @@
 namespace gluray::gl {
 namespace {
 
-std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
-
 using Names = std::vector<std::string>;
 using Numbers = std::vector<float>;
 

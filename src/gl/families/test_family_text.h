@@ -21,6 +21,9 @@ inline std::string mistake(const std::string& text) {
   return "none";
 }
 
+/// The same for kLeast with one more line.
+inline std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
+
 /// The family kLeast with `more` lines appended.
 inline Family parsed(const std::string& more = "") {
   const FamilyList list = parseFamilies(kLeast + more, "x.toml");

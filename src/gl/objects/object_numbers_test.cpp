@@ -18,7 +18,7 @@ struct Thing {
   uint32_t triangles = 10;
 };
 using Things = std::vector<Thing>;
-using Numbers = std::vector<uint32_t>;
+using SurfaceNumbers = std::vector<uint32_t>;
 
 class ObjectNumbersTest : public testing::Test {
  protected:
@@ -28,7 +28,7 @@ class ObjectNumbersTest : public testing::Test {
     return key;
   }
   /// The numbers of a batch's surfaces; the camera is where `camera_` says.
-  Numbers draw(const Things& things, const BatchKey& key = keyOf(0)) {
+  SurfaceNumbers draw(const Things& things, const BatchKey& key = keyOf(0)) {
     scene::Snapshot s;
     s.camera.clipFromEye = projection_;
     s.eyeFromWorld = camera_;
@@ -44,15 +44,15 @@ class ObjectNumbersTest : public testing::Test {
       instance.materials[0].front.diffuse.r = thing.red;
     }
     numbers_.number(key, s);
-    Numbers found;
+    SurfaceNumbers found;
     for (const scene::Instance& instance : s.instances) found.push_back(instance.object.value);
     return found;
   }
-  Numbers frame(const Things& things) {
+  SurfaceNumbers frame(const Things& things) {
     numbers_.beginFrame();
     return draw(things);
   }
-  static size_t different(const Numbers& numbers) {
+  static size_t different(const SurfaceNumbers& numbers) {
     return std::set<uint32_t>(numbers.begin(), numbers.end()).size();
   }
 
@@ -61,87 +61,87 @@ class ObjectNumbersTest : public testing::Test {
 };
 
 TEST_F(ObjectNumbersTest, EachSurfaceHasItsOwn) {
-  const Numbers first = frame({{1}, {2}, {3}});
+  const SurfaceNumbers first = frame({{1}, {2}, {3}});
   EXPECT_EQ(different(first), 3u);
   EXPECT_FALSE(std::count(first.begin(), first.end(), 0u));
 }
 
 TEST_F(ObjectNumbersTest, StaysWhenTheCameraTheColorsOrTheOrderChange) {
-  const Numbers first = frame({{1}, {2}, {3}});
+  const SurfaceNumbers first = frame({{1}, {2}, {3}});
   camera_ = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), 0.7, {0, 1, 0});
   EXPECT_EQ(frame({{1}, {2}, {3}}), first);
   EXPECT_EQ(frame({{1, 0, 0.2f}, {2, 0, 0.3f}, {3, 0, 0.4f}}), first);
-  EXPECT_EQ(frame({{3}, {1}, {2}}), (Numbers{first[2], first[0], first[1]}));
+  EXPECT_EQ(frame({{3}, {1}, {2}}), (SurfaceNumbers{first[2], first[0], first[1]}));
 }
 
 TEST_F(ObjectNumbersTest, StaysWhenTheObjectMoves) {
-  const Numbers first = frame({{1}, {2}});
+  const SurfaceNumbers first = frame({{1}, {2}});
   EXPECT_EQ(frame({{1, 4}, {2}}), first);
 }
 
 TEST_F(ObjectNumbersTest, StaysInANewTimeStep) {
-  const Numbers first = frame({{1, 0, 1}, {2, 0, 0.5f}, {3, 0, 0.2f}});
+  const SurfaceNumbers first = frame({{1, 0, 1}, {2, 0, 0.5f}, {3, 0, 0.2f}});
   EXPECT_EQ(frame({{11, 0, 1}, {12, 0, 0.5f}, {13, 0, 0.2f}}), first) << "all shapes are new";
   EXPECT_EQ(frame({{11, 0, 1}, {22, 0, 0.5f}, {13, 0, 0.2f}}), first) << "one between known ones";
 }
 
 TEST_F(ObjectNumbersTest, StaysInATimeStepThatHasOneMoreObject) {
-  const Numbers first = frame({{1, 0, 1}, {2, 0, 0.5f}});
-  const Numbers second = frame({{11, 0, 1}, {99, 0, 0.1f}, {12, 0, 0.5f}});
+  const SurfaceNumbers first = frame({{1, 0, 1}, {2, 0, 0.5f}});
+  const SurfaceNumbers second = frame({{11, 0, 1}, {99, 0, 0.1f}, {12, 0, 0.5f}});
   EXPECT_EQ(second[0], first[0]);
   EXPECT_EQ(second[2], first[1]);
   EXPECT_EQ(different({first[0], first[1], second[1]}), 3u);
 }
 
 TEST_F(ObjectNumbersTest, ComesBackWithAnObjectThatWasLeftOut) {
-  const Numbers first = frame({{1}, {2}, {3}});
-  EXPECT_EQ(frame({{1}, {3}}), (Numbers{first[0], first[2]}));
-  EXPECT_EQ(frame({{1}, {3}}), (Numbers{first[0], first[2]}));
+  const SurfaceNumbers first = frame({{1}, {2}, {3}});
+  EXPECT_EQ(frame({{1}, {3}}), (SurfaceNumbers{first[0], first[2]}));
+  EXPECT_EQ(frame({{1}, {3}}), (SurfaceNumbers{first[0], first[2]}));
   EXPECT_EQ(frame({{1}, {2}, {3}}), first);
 }
 
 TEST_F(ObjectNumbersTest, EqualGeometryIsToldApartByItsPlace) {
-  const Numbers first = frame({{1, 1}, {1, 2}, {1, 3}});
+  const SurfaceNumbers first = frame({{1, 1}, {1, 2}, {1, 3}});
   EXPECT_EQ(different(first), 3u);
-  EXPECT_EQ(frame({{1, 1}, {1, 3}}), (Numbers{first[0], first[2]}));
+  EXPECT_EQ(frame({{1, 1}, {1, 3}}), (SurfaceNumbers{first[0], first[2]}));
   EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}}), first);
   EXPECT_EQ(frame({{1, 5}, {1, 6}, {1, 8}}), first) << "all have moved: their order";
 }
 
 TEST_F(ObjectNumbersTest, EqualSurfacesKeepTheirNumbersWithoutTheFirst) {
-  const Numbers first = frame({{1, 1}, {1, 2}, {1, 3}});
-  EXPECT_EQ(frame({{1, 2}, {1, 3}}), (Numbers{first[1], first[2]}));
+  const SurfaceNumbers first = frame({{1, 1}, {1, 2}, {1, 3}});
+  EXPECT_EQ(frame({{1, 2}, {1, 3}}), (SurfaceNumbers{first[1], first[2]}));
   EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}}), first);
   camera_ = glm::translate(glm::dmat4(1), {1, 0, 0});  // by their distance
   EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}}), first);
 }
 
 TEST_F(ObjectNumbersTest, EqualSurfacesComeBackInTheirOrder) {
-  const Numbers first = frame({{1, 1}, {1, 2}, {1, 3}, {7}});
+  const SurfaceNumbers first = frame({{1, 1}, {1, 2}, {1, 3}, {7}});
   frame({{7}});
   frame({{7}});
   EXPECT_EQ(frame({{1, 1}, {1, 2}, {1, 3}, {7}}), first);
 }
 
 TEST_F(ObjectNumbersTest, ASurfaceThatIsDrawnTwiceIsOneObject) {
-  const Numbers first = frame({{1}, {1}, {2}});
+  const SurfaceNumbers first = frame({{1}, {1}, {2}});
   EXPECT_EQ(first[0], first[1]);
   EXPECT_EQ(frame({{1}, {1}, {2}}), first);
   EXPECT_EQ(frame({{1}, {1}, {2}}), first);
 }
 
 TEST_F(ObjectNumbersTest, FurtherPassesDrawTheSameObjects) {
-  const Numbers first = frame({{1}, {2}});
-  EXPECT_EQ(draw({{2}, {1}}), (Numbers{first[1], first[0]}));
-  EXPECT_EQ(draw({{1}}, keyOf(7)), (Numbers{first[0]})) << "in a framebuffer of their own";
+  const SurfaceNumbers first = frame({{1}, {2}});
+  EXPECT_EQ(draw({{2}, {1}}), (SurfaceNumbers{first[1], first[0]}));
+  EXPECT_EQ(draw({{1}}, keyOf(7)), (SurfaceNumbers{first[0]})) << "in a framebuffer of their own";
   EXPECT_EQ(frame({{1}, {2}}), first);
 }
 
 TEST_F(ObjectNumbersTest, BatchesOfATimeStepAreComparedWithTheirOwn) {
-  const Numbers opaque = frame({{1}, {2}}), translucent = draw({{3}});
+  const SurfaceNumbers opaque = frame({{1}, {2}}), translucent = draw({{3}});
   EXPECT_EQ(frame({{11}, {12}}), opaque);
   EXPECT_EQ(draw({{13}}), translucent);
-  const Numbers fewer = frame({{21}});
+  const SurfaceNumbers fewer = frame({{21}});
   EXPECT_TRUE(fewer[0] == opaque[0] || fewer[0] == opaque[1]);
   EXPECT_EQ(draw({{23}}), translucent) << "the rest of the first batch is not taken by the second";
 }
@@ -149,7 +149,7 @@ TEST_F(ObjectNumbersTest, BatchesOfATimeStepAreComparedWithTheirOwn) {
 TEST_F(ObjectNumbersTest, ViewsHaveObjectsOfTheirOwn) {
   const BatchKey left = keyOf(0, {0, 0, 50, 100}), right = keyOf(0, {50, 0, 50, 100});
   numbers_.beginFrame();
-  const Numbers one = draw({{1}}, left), two = draw({{1}}, right);
+  const SurfaceNumbers one = draw({{1}}, left), two = draw({{1}}, right);
   EXPECT_NE(one, two);
   numbers_.beginFrame();
   EXPECT_EQ(draw({{1}}, right), two);
@@ -157,7 +157,7 @@ TEST_F(ObjectNumbersTest, ViewsHaveObjectsOfTheirOwn) {
 }
 
 TEST_F(ObjectNumbersTest, StaysWhenTheWindowGetsAnotherSizeAndFramebuffer) {
-  const Numbers first = frame({{1}, {2}});
+  const SurfaceNumbers first = frame({{1}, {2}});
   numbers_.beginFrame();
   EXPECT_EQ(draw({{1}, {2}}, keyOf(9, {0, 0, 300, 200})), first);
 }

@@ -13,10 +13,10 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kSurfacesSize = 64;
 
-scene::Snapshot viewOf(const std::vector<scene::MeshPtr>& meshes) {
-  scene::Snapshot s = test::makeSnapshot(meshes, kSize);
+scene::Snapshot inFocus(const std::vector<scene::MeshPtr>& meshes) {
+  scene::Snapshot s = test::makeSnapshot(meshes, kSurfacesSize);
   s.camera.clipFromEye = glm::perspective(glm::radians(40.0), 1.0, 0.1, 1000.0);
   s.settings.camera.aperture = 0.2f;
   s.settings.camera.focus = 5;
@@ -31,42 +31,43 @@ scene::MeshPtr halfPlane(float depth, float edge) {
 
 /// Mean alpha of each column, 0 .. 1.
 std::vector<double> columns(const Image& image) {
-  std::vector<double> means(kSize);
-  for (size_t i = 0; i < image.color.size(); ++i) means[i % kSize] += (image.color[i] >> 24) / 255.0 / kSize;
+  std::vector<double> means(kSurfacesSize);
+  for (size_t i = 0; i < image.color.size(); ++i)
+    means[i % kSurfacesSize] += (image.color[i] >> 24) / 255.0 / kSurfacesSize;
   return means;
 }
 
 void expectColumns(const std::vector<double>& got, const std::vector<double>& expected, double factor = 1) {
-  for (size_t x = 0; x < kSize; ++x) EXPECT_NEAR(got[x], factor * expected[x], 4.0 / 256) << x;
+  for (size_t x = 0; x < kSurfacesSize; ++x) EXPECT_NEAR(got[x], factor * expected[x], 4.0 / 256) << x;
 }
 
 TEST(LensSurfaces, OfLayersAreBlurredAlike) {
   GLURAY_RELEASE_ONLY();
-  scene::Snapshot s = viewOf({halfPlane(8, 0.1f)});
+  scene::Snapshot s = inFocus({halfPlane(8, 0.1f)});
   const std::vector<double> solid = columns(test::trace(s).image);
   s.instances[0].color.a = 0.5f;
   auto layers = std::make_shared<scene::Layers>();
-  layers->opaqueDepth.assign(kSize * kSize, -1.0f);
+  layers->opaqueDepth.assign(kSurfacesSize * kSurfacesSize, -1.0f);
   s.layers = layers;
   expectColumns(columns(test::trace(s).image), solid, 128.0 / 255);
   layers = std::make_shared<scene::Layers>(*layers);
   layers->of = scene::Layers::Of::sums;
   s.layers = layers;
   const Image sums = test::trace(s).image;
-  for (size_t x = 0; x < kSize; ++x)
+  for (size_t x = 0; x < kSurfacesSize; ++x)
     EXPECT_NEAR(sums.transmittance[x], 1 - 0.5 * sums.wideColor[4 * x + 3] / 0.5, 1e-5);
   // What lies behind the opaque surface of a pixel is hidden.
   layers = std::make_shared<scene::Layers>(*layers);
   layers->of = scene::Layers::Of::order;
-  layers->opaqueDepth.assign(kSize * kSize, 0.5f);
+  layers->opaqueDepth.assign(kSurfacesSize * kSurfacesSize, 0.5f);
   s.layers = layers;
   for (const uint32_t color : test::trace(s).image.color) ASSERT_EQ(color, 0u);
 }
 
 TEST(LensSurfaces, AreClippedWhereTheyAre) {
   GLURAY_RELEASE_ONLY();
-  const std::vector<double> edge = columns(test::trace(viewOf({halfPlane(8, 0.1f)})).image);
-  scene::Snapshot s = viewOf({halfPlane(8, 15)});
+  const std::vector<double> edge = columns(test::trace(inFocus({halfPlane(8, 0.1f)})).image);
+  scene::Snapshot s = inFocus({halfPlane(8, 15)});
   s.instances[0].clipPlanes = {{-1, 0, 0, 0.1}};
   expectColumns(columns(test::trace(s).image), edge);  // planes that all instances share cut rays
   s.instances.push_back(s.instances[0]);
@@ -79,17 +80,17 @@ TEST(LensSurfaces, OfAFarViewer) {
   // The viewer is thousands of radii away: rays start at a sphere about the scene.
   constexpr double kAway = 1e4;
   scene::Snapshot s =
-      viewOf({test::makeMesh(test::quadData({-1, -1, 0}, {0.1f, -1, 0}, {0.1f, 1, 0}, {-1, 1, 0}))});
+      inFocus({test::makeMesh(test::quadData({-1, -1, 0}, {0.1f, -1, 0}, {0.1f, 1, 0}, {-1, 1, 0}))});
   s.eyeFromWorld = s.instances[0].eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -kAway});
   const double half = 0.5 / kAway;
   s.camera.clipFromEye = glm::perspective(2 * std::atan(half), 1.0, kAway - 10, kAway + 10);
   s.settings.camera.focus = static_cast<float>(kAway * 0.5);
   s.settings.camera.aperture = 0.1f;  // a disc of radius 0.1 at the surface: 6.4 pixels
   const std::vector<double> got = columns(test::trace(s).image);
-  for (int x = 0; x < kSize; ++x) {
+  for (int x = 0; x < kSurfacesSize; ++x) {
     double expected = 0;
     for (int k = 0; k < 16; ++k) {
-      const double from = std::clamp((0.1 + 0.5 - (x + (k + 0.5) / 16) / kSize) / 0.1, -1.0, 1.0);
+      const double from = std::clamp((0.1 + 0.5 - (x + (k + 0.5) / 16) / kSurfacesSize) / 0.1, -1.0, 1.0);
       expected += ((from * std::sqrt(1 - from * from) + std::asin(from)) / M_PI + 0.5) / 16;
     }
     EXPECT_NEAR(got[static_cast<size_t>(x)], expected, 6.0 / 256) << x;
@@ -99,9 +100,9 @@ TEST(LensSurfaces, OfAFarViewer) {
 TEST(LensSurfaces, LookAlikeWithEachInstructionSet) {
   std::vector<double> first;
   test::withEachTarget([&](int64_t) {
-    const std::vector<double> now = columns(test::trace(viewOf({halfPlane(8, 0.1f)})).image);
+    const std::vector<double> now = columns(test::trace(inFocus({halfPlane(8, 0.1f)})).image);
     if (first.empty()) first = now;
-    for (size_t x = 0; x < kSize; ++x) EXPECT_NEAR(now[x], first[x], 0.002);
+    for (size_t x = 0; x < kSurfacesSize; ++x) EXPECT_NEAR(now[x], first[x], 0.002);
   });
 }
 
@@ -113,7 +114,7 @@ scene::Snapshot impostorView(scene::Shape shape, std::vector<glm::vec3> points) 
   mesh->lower = glm::vec3(-2, -2, -12), mesh->upper = glm::vec3(2, 2, -8);
   mesh->positions = test::makeAttribute(std::move(points), scene::Format::float3);
   mesh->axes = test::makeAttribute<glm::vec3>({{1, 2, 0.5f}}, scene::Format::float3);
-  scene::Snapshot s = viewOf({mesh});
+  scene::Snapshot s = inFocus({mesh});
   s.instances[0].impostors.axisMatrix = glm::mat3(1);
   s.instances[0].impostors.size = {0.2f, 0.2f};
   return s;
@@ -146,16 +147,16 @@ TEST(LensSurfaces, ImpostorsSpreadAndKeepTheirLight) {
 
 TEST(LensSurfaces, AreOccludedAsWell) {
   // A wall at the side of a floor that faces the viewer, both out of focus.
-  scene::Snapshot s = viewOf(
+  scene::Snapshot s = inFocus(
       {halfPlane(8, 15), test::makeMesh(test::quadData({0, -9, -8}, {0, 9, -8}, {0, 9, -7}, {0, -9, -7}))});
   s.settings.spp = 32;
   s.settings.ao.enabled = true;
   s.settings.ao.distance = 1;
   s.settings.ao.samples = 4;
   const Image image = test::trace(s).image;
-  const auto red = [&](int x) { return image.color[static_cast<size_t>(32 * kSize + x)] & 255; };
+  const auto red = [&](int x) { return image.color[static_cast<size_t>(32 * kSurfacesSize + x)] & 255; };
   EXPECT_EQ(red(2), 255u);
-  EXPECT_LT(red(kSize / 2 + 2), 230u);
+  EXPECT_LT(red(kSurfacesSize / 2 + 2), 230u);
 }
 
 }  // namespace

@@ -27,9 +27,10 @@ Traced traceStaged(const scene::Snapshot& s) {
   return traced;
 }
 
-constexpr double kHeight = 0.4;                  // of the plate above the eye
-const double kBelow = std::sqrt(2.0) - kHeight;  // of the ground below the eye: one diagonal of the plate
-const double kHalf = 5 * std::sqrt(2.0);         // of the ground's width
+constexpr double kPlateHeight = 0.4;  // of the plate above the eye
+const double kBelow =
+    std::sqrt(2.0) - kPlateHeight;        // of the ground below the eye: one diagonal of the plate
+const double kHalf = 5 * std::sqrt(2.0);  // of the ground's width
 
 /// A level plate of width 1 over a ground one diagonal below, lit from straight above. The viewer at (0, 0,
 /// 5) looks along -z.

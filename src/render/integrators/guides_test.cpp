@@ -11,7 +11,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kSize = 48;
+constexpr int kGuidesSize = 48;
 using Mode = scene::LightSampling::Mode;
 
 /// Two parallel tilted squares side by side, the right one farther away along their normal by `apart`.
@@ -19,7 +19,8 @@ scene::Snapshot tilted(bool perspective, double apart) {
   const auto square = [](float x0, float x1, float z) {
     return test::makeMesh(test::quadData({x0, -2, z}, {x1, -2, z}, {x1, 2, z}, {x0, 2, z}));
   };
-  scene::Snapshot s = test::makeSnapshot({square(-2, 0, 0), square(0, 2, static_cast<float>(-apart))}, kSize);
+  scene::Snapshot s =
+      test::makeSnapshot({square(-2, 0, 0), square(0, 2, static_cast<float>(-apart))}, kGuidesSize);
   s.camera.clipFromEye = perspective ? glm::perspective(glm::radians(30.0), 1.0, 0.5, 20.0)
                                      : glm::ortho(-1.0, 1.0, -1.0, 1.0, 0.5, 20.0);
   s.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -4}), glm::radians(50.0), {0.3, 1, 0});
@@ -53,10 +54,10 @@ TEST(GeometryGuide, PixelsOfOnePlaneLieOnIt) {
 }
 
 TEST(GeometryGuide, OtherPlanesAreAsFarAwayAsTheyAre) {
-  // In a parallel projection a pixel is 2 / kSize wide everywhere.
+  // In a parallel projection a pixel is 2 / kGuidesSize wide everywhere.
   const double apart = 0.2;
   const Image guides = pass(tilted(false, apart), Mode::geometry);
-  EXPECT_NEAR(std::abs(offPlane(guides, {10, 24}, {40, 24})), apart * kSize / 2, 0.1);
+  EXPECT_NEAR(std::abs(offPlane(guides, {10, 24}, {40, 24})), apart * kGuidesSize / 2, 0.1);
   EXPECT_GT(std::abs(offPlane(pass(tilted(true, apart), Mode::geometry), {10, 24}, {40, 24})), 3);
 }
 
@@ -107,9 +108,9 @@ TEST(Guides, PassesTraceTheTilesThatTheyAreAskedFor) {
     TraceOptions options;
     if (interruptible) options.interrupt = [] { return false; };
     ASSERT_TRUE(traceImage(s, world, arena, image, options));
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x) {
-        const size_t i = 4 * static_cast<size_t>(y * kSize + x);
+    for (int y = 0; y < kGuidesSize; ++y)
+      for (int x = 0; x < kGuidesSize; ++x) {
+        const size_t i = 4 * static_cast<size_t>(y * kGuidesSize + x);
         EXPECT_EQ(image.wideColor[i], (x < 32) == (y < 32) ? -7.0f : whole.wideColor[i]) << x << ' ' << y;
       }
   }

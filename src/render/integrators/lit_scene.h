@@ -16,11 +16,6 @@ inline float wallAt(int column) {
   return ((static_cast<float>(column) + 0.5f) / (kLitSize / 2) - 1) * kHalfWidth;
 }
 
-/// A parallelogram about `center`.
-inline scene::MeshPtr parallelogram(const glm::vec3& center, const glm::vec3& a, const glm::vec3& b) {
-  return makeMesh(quadData(center - a - b, center + a - b, center + a + b, center - a + b));
-}
-
 /// The wall z = 0 that fills the view.
 inline scene::MeshPtr wall(float size = 500) { return parallelogram({0, 0, 0}, {size, 0, 0}, {0, size, 0}); }
 

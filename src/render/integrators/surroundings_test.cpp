@@ -11,18 +11,14 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kSize = 32;
-
-scene::MeshPtr plane(const glm::vec3& center, const glm::vec3& a, const glm::vec3& b) {
-  return test::makeMesh(test::quadData(center - a - b, center + a - b, center + a + b, center - a + b));
-}
+constexpr int kSurroundedSize = 32;
 
 /// A floor that fills the view, and beside it, out of sight, a wall and a tilted card.
 scene::Snapshot whole(bool turned = false) {
-  scene::Snapshot s =
-      test::makeSnapshot({plane({0, 0, 0}, {50, 0, 0}, {0, 50, 0}), plane({3, 0, 2}, {0, 5, 0}, {0, 0, 2}),
-                          plane({-3, 0, 1}, {0.5f, 0, 0.5f}, {0, 2, 0})},
-                         kSize);
+  scene::Snapshot s = test::makeSnapshot({test::parallelogram({0, 0, 0}, {50, 0, 0}, {0, 50, 0}),
+                                          test::parallelogram({3, 0, 2}, {0, 5, 0}, {0, 0, 2}),
+                                          test::parallelogram({-3, 0, 1}, {0.5f, 0, 0.5f}, {0, 2, 0})},
+                                         kSurroundedSize);
   s.camera.clipFromEye = glm::perspective(glm::radians(40.0), 1.0, 0.1, 1000.0);
   s.eyeFromWorld = glm::translate(glm::dmat4(1), {0, 0, -5});
   if (turned) s.eyeFromWorld = glm::rotate(s.eyeFromWorld, 0.3, {1, 1, 0});
@@ -45,11 +41,11 @@ scene::Snapshot split(scene::Snapshot s) {
 }
 
 /// Mean brightness, 0 .. 255.
-float mean(const test::Traced& traced) {
+float meanGreen(const test::Traced& traced) {
   float sum = 0;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x) sum += traced.color(x, y).g;
-  return sum / (kSize * kSize);
+  for (int y = 0; y < kSurroundedSize; ++y)
+    for (int x = 0; x < kSurroundedSize; ++x) sum += traced.color(x, y).g;
+  return sum / (kSurroundedSize * kSurroundedSize);
 }
 
 TEST(Surroundings, DarkenAsInOneSnapshotToTheBit) {
@@ -57,7 +53,7 @@ TEST(Surroundings, DarkenAsInOneSnapshotToTheBit) {
     const test::Traced expected = test::trace(whole(turned)), got = test::trace(split(whole(turned)));
     EXPECT_EQ(got.image.color, expected.image.color);
     EXPECT_EQ(got.image.depth, expected.image.depth);
-    EXPECT_LT(mean(got), 250);
+    EXPECT_LT(meanGreen(got), 250);
   }
 }
 
@@ -81,7 +77,7 @@ TEST(Surroundings, AreNotSeen) {
   scene::Snapshot s = split(whole());
   auto around = std::make_shared<scene::Surroundings>(*s.surroundings);
   // A card between the viewer and the floor.
-  around->instances[0].mesh = plane({0, 0, 2}, {0.5f, 0, 0}, {0, 0.5f, 0});
+  around->instances[0].mesh = test::parallelogram({0, 0, 2}, {0.5f, 0, 0}, {0, 0.5f, 0});
   s.surroundings = around;
   scene::Snapshot plain = s;
   plain.surroundings = nullptr;
@@ -96,11 +92,11 @@ TEST(Surroundings, HideAsMuchAsTheirAlphaWhereTheyAreBlended) {
   s.surroundings = around;
   scene::Snapshot plain = s;
   plain.surroundings = nullptr;
-  const float opaque = 255 - mean(test::trace(s));
+  const float opaque = 255 - meanGreen(test::trace(s));
   auto blended = std::make_shared<scene::Surroundings>(*around);
   blended->blended.assign(2, 1);
   s.surroundings = blended;
-  EXPECT_NEAR((255 - mean(test::trace(s))) / opaque, 0.25f, 0.02f);
+  EXPECT_NEAR((255 - meanGreen(test::trace(s))) / opaque, 0.25f, 0.02f);
 }
 
 TEST(Surroundings, AreCutByTheirClipPlanes) {
@@ -108,7 +104,7 @@ TEST(Surroundings, AreCutByTheirClipPlanes) {
   auto around = std::make_shared<scene::Surroundings>(*s.surroundings);
   for (scene::Instance& instance : around->instances) instance.clipPlanes = {{0, 0, 0, -1}};
   s.surroundings = around;
-  EXPECT_EQ(mean(test::trace(s)), 255);
+  EXPECT_EQ(meanGreen(test::trace(s)), 255);
 }
 
 TEST(Surroundings, ThatHaveNoPlaceAreLeftOut) {
@@ -117,7 +113,7 @@ TEST(Surroundings, ThatHaveNoPlaceAreLeftOut) {
   for (scene::Instance& instance : around->instances)
     instance.eyeFromObject = glm::dmat4(0), instance.worldFromObject = glm::mat4(0);
   s.surroundings = around;
-  EXPECT_EQ(mean(test::trace(s)), 255);
+  EXPECT_EQ(meanGreen(test::trace(s)), 255);
 }
 
 }  // namespace

@@ -10,13 +10,14 @@ using test::makeMesh;
 using test::makeSnapshot;
 using test::trace;
 
-constexpr float kTolerance = 0.75f;  // of 255
-const glm::vec4 kRed(1, 0, 0, 1), kGreen(0, 1, 0, 1), kBlue(0, 0, 1, 1), kGrey(0.5f, 0.5f, 0.5f, 0.5f);
+constexpr float kColorTolerance = 0.75f;  // of 255
+const glm::vec4 kCornerRed(1, 0, 0, 1), kCornerGreen(0, 1, 0, 1), kCornerBlue(0, 0, 1, 1),
+    kCornerGrey(0.5f, 0.5f, 0.5f, 0.5f);
 
 test::MeshData coloredSquare() {
   test::MeshData data = test::squareData();
   data.normals.assign(4, {0, 0, 1});
-  data.colors = {kRed, kGreen, kBlue, kGrey};
+  data.colors = {kCornerRed, kCornerGreen, kCornerBlue, kCornerGrey};
   return data;
 }
 
@@ -30,7 +31,8 @@ TEST(Color, UnlitColorsAreInterpolated) {
   const auto data = coloredSquare();
   const auto traced = trace(makeSnapshot({makeMesh(data)}));
   for (const auto& [x, y] : {std::pair(10, 4), std::pair(4, 10), std::pair(15, 0), std::pair(1, 14)}) {
-    EXPECT_LE(test::difference(traced.color(x, y), interpolated(data.colors, x, y) * 255.0f), kTolerance);
+    EXPECT_LE(test::difference(traced.color(x, y), interpolated(data.colors, x, y) * 255.0f),
+              kColorTolerance);
   }
 }
 
@@ -38,7 +40,7 @@ TEST(Color, FlatTakesTheLastVertex) {
   auto s = makeSnapshot({makeMesh(coloredSquare())});
   s.shadings[0].smooth = false;
   const auto traced = trace(s);
-  EXPECT_EQ(traced.color(10, 4), kBlue * 255.0f);
+  EXPECT_EQ(traced.color(10, 4), kCornerBlue * 255.0f);
   EXPECT_EQ(traced.color(4, 10), glm::vec4(128, 128, 128, 128));
 }
 
@@ -79,7 +81,7 @@ TEST(ColorMaterial, EachModeFollowsTheVertexColors) {
       s.shadings[0].colorMaterial = {c.mode, c.mode};
       const glm::vec4 color = interpolated(coloredSquare().colors, 10, 4);
       const glm::vec4 expected(glm::vec3(color) * c.factor, c.alpha ? color.a : 1.0f);
-      EXPECT_LE(test::difference(trace(s).color(10, 4), expected * 255.0f), kTolerance) << c.mode;
+      EXPECT_LE(test::difference(trace(s).color(10, 4), expected * 255.0f), kColorTolerance) << c.mode;
     }
   }
 }
@@ -102,20 +104,20 @@ TEST(Materials, PerVertexIndices) {
   auto s = makeSnapshot({makeMesh(data)});
   s.shadings[0].lighting = true;
   s.instances[0].materials.resize(3);
-  const glm::vec4 colors[] = {kRed, kGreen, kBlue};
+  const glm::vec4 colors[] = {kCornerRed, kCornerGreen, kCornerBlue};
   for (size_t i = 0; i < 3; ++i) {
     auto& front = s.instances[0].materials[i].front;
     front.ambient = glm::vec4(0, 0, 0, 1);
     front.emission = colors[i];
   }
   const auto pixel = trace(s);
-  EXPECT_EQ(pixel.color(10, 4), kBlue * 255.0f);   // the last vertex of the first triangle
-  EXPECT_EQ(pixel.color(4, 10), kGreen * 255.0f);  // of the second
+  EXPECT_EQ(pixel.color(10, 4), kCornerBlue * 255.0f);   // the last vertex of the first triangle
+  EXPECT_EQ(pixel.color(4, 10), kCornerGreen * 255.0f);  // of the second
   s.settings.shading = ShadingRate::vertex;
   const auto vertex = trace(s);
   for (const auto& [x, y] : {std::pair(10, 4), std::pair(4, 10)}) {
-    const glm::vec4 expected = interpolated({kRed, kGreen, kBlue, kGreen}, x, y);
-    EXPECT_LE(test::difference(vertex.color(x, y), expected * 255.0f), kTolerance);
+    const glm::vec4 expected = interpolated({kCornerRed, kCornerGreen, kCornerBlue, kCornerGreen}, x, y);
+    EXPECT_LE(test::difference(vertex.color(x, y), expected * 255.0f), kColorTolerance);
   }
 }
 
@@ -124,7 +126,7 @@ TEST(Materials, IndicesBeyondTheTableTakeTheFirst) {
   data.materials.assign(4, 7);
   auto s = makeSnapshot({makeMesh(data)});
   s.shadings[0].lighting = true;
-  s.instances[0].materials[0].front.emission = kRed;
+  s.instances[0].materials[0].front.emission = kCornerRed;
   EXPECT_EQ(trace(s).color(10, 4).r, 255);
 }
 

@@ -11,7 +11,7 @@ namespace {
 using render::TexGenVertex;
 using scene::TexGen;
 
-constexpr float kTolerance = 1e-6f;
+constexpr float kCoordinateTolerance = 1e-6f;
 
 glm::vec4 all(TexGen::Mode mode, const TexGenVertex& v, glm::vec4 plane = glm::vec4(0)) {
   TexGen gen;
@@ -27,24 +27,24 @@ TEST(TexGen, PlanesInObjectAndEyeSpace) {
 
 TEST(TexGen, SphereMap) {
   const TexGenVertex facing{{}, {0, 0, -5}, {0, 0, 1}};  // faces the eye: the middle of the map
-  EXPECT_NEAR(all(TexGen::sphereMap, facing).x, 0.5f, kTolerance);
-  EXPECT_NEAR(all(TexGen::sphereMap, facing).y, 0.5f, kTolerance);
+  EXPECT_NEAR(all(TexGen::sphereMap, facing).x, 0.5f, kCoordinateTolerance);
+  EXPECT_NEAR(all(TexGen::sphereMap, facing).y, 0.5f, kCoordinateTolerance);
   const float half = std::sqrt(0.5f);
   const TexGenVertex turned{
       {}, {0, 0, -5}, {half, 0, half}};  // reflects to +x: 1 / (2 sqrt(2)) from the middle
-  EXPECT_NEAR(all(TexGen::sphereMap, turned).x, 0.5f + 0.35355339f, kTolerance);
-  EXPECT_NEAR(all(TexGen::sphereMap, turned).y, 0.5f, kTolerance);
+  EXPECT_NEAR(all(TexGen::sphereMap, turned).x, 0.5f + 0.35355339f, kCoordinateTolerance);
+  EXPECT_NEAR(all(TexGen::sphereMap, turned).y, 0.5f, kCoordinateTolerance);
 }
 
 TEST(TexGen, Directions) {
   const float half = std::sqrt(0.5f);
   const TexGenVertex v{{}, {0, 0, -2}, {half, 0, half}};
   const glm::vec4 reflected = all(TexGen::reflectionMap, v), normal = all(TexGen::normalMap, v);
-  EXPECT_NEAR(reflected.x, 1, kTolerance);
-  EXPECT_NEAR(reflected.y, 0, kTolerance);
-  EXPECT_NEAR(reflected.z, 0, kTolerance);
-  EXPECT_NEAR(normal.x, half, kTolerance);
-  EXPECT_NEAR(normal.z, half, kTolerance);
+  EXPECT_NEAR(reflected.x, 1, kCoordinateTolerance);
+  EXPECT_NEAR(reflected.y, 0, kCoordinateTolerance);
+  EXPECT_NEAR(reflected.z, 0, kCoordinateTolerance);
+  EXPECT_NEAR(normal.x, half, kCoordinateTolerance);
+  EXPECT_NEAR(normal.z, half, kCoordinateTolerance);
 }
 
 TEST(TexGen, UngeneratedCoordinatesAreKept) {

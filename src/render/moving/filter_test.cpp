@@ -12,7 +12,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kSize = 64;  // pixels: four tiles
+constexpr int kFilteredSize = 64;  // pixels: four tiles
 
 struct Pixel {
   float depth = 1.5f;
@@ -27,9 +27,9 @@ struct Film {
   MovingFrame moving;
 
   explicit Film(const std::function<Pixel(int, int)>& pixelAt) {
-    film.resize(kSize, kSize, 1);
-    for (int y = 0; y < kSize; ++y)
-      for (int x = 0; x < kSize; ++x) put(x, y, pixelAt(x, y));
+    film.resize(kFilteredSize, kFilteredSize, 1);
+    for (int y = 0; y < kFilteredSize; ++y)
+      for (int x = 0; x < kFilteredSize; ++x) put(x, y, pixelAt(x, y));
     moving.film = &film;
     moving.channels.used.occlusion = true;
     moving.space.usable = true;
@@ -39,21 +39,21 @@ struct Film {
   void put(int x, int y, const Pixel& p) {
     const uint32_t depth = (std::bit_cast<uint32_t>(p.depth) - 0x30000000u) >> 8;
     const uint32_t normal = p.tilted ? 126u << 7 | 63u : 63u << 7 | 63u;  // +x or +z
-    const size_t at = static_cast<size_t>(y * kSize + x);
+    const size_t at = static_cast<size_t>(y * kFilteredSize + x);
     film.words[2 * at] = depth << 12 | static_cast<uint32_t>(std::lround(p.factor * 4095));
     film.words[2 * at + 1] = p.samples == 0 ? 0 : normal << 18 | p.samples << 12;
   }
   /// All filtered pixels, row by row.
   std::vector<float> filtered() const {
-    std::vector<float> out(kSize * kSize);
-    for (int y0 = 0; y0 < kSize; y0 += kTileSize)
-      for (int x0 = 0; x0 < kSize; x0 += kTileSize) {
+    std::vector<float> out(kFilteredSize * kFilteredSize);
+    for (int y0 = 0; y0 < kFilteredSize; y0 += kTileSize)
+      for (int x0 = 0; x0 < kFilteredSize; x0 += kTileSize) {
         TileFactors tile;
         filterTile(moving, {x0, y0, x0 + kTileSize, y0 + kTileSize}, tile);
         for (int y = 0; y < kTileSize; ++y)
           for (int x = 0; x < kTileSize; ++x) {
             const int lane = (x & 1) | (y & 1) << 1 | (x & 2) << 1 | (y & 2) << 2;
-            out[static_cast<size_t>((y0 + y) * kSize + x0 + x)] = tile.at(x, y).occlusion[lane];
+            out[static_cast<size_t>((y0 + y) * kFilteredSize + x0 + x)] = tile.at(x, y).occlusion[lane];
           }
       }
     return out;
@@ -91,9 +91,9 @@ TEST(FactorFilter, SeesEachOfSixteenDirectionsOnce) {
       return Pixel{1.5f, false, samples, 0.4f + ((x * 5 + y * 3) % 4 == 0 ? 0.1f : 0.0f)};
     });
     const std::vector<float> out = film.filtered();
-    for (int y = 4; y < kSize - 4; ++y)
-      for (int x = 4; x < kSize - 4; ++x)
-        ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], 0.425f, 0.0005f) << samples;
+    for (int y = 4; y < kFilteredSize - 4; ++y)
+      for (int x = 4; x < kFilteredSize - 4; ++x)
+        ASSERT_NEAR(out[static_cast<size_t>(y * kFilteredSize + x)], 0.425f, 0.0005f) << samples;
   }
 }
 
@@ -121,9 +121,10 @@ TEST(FactorFilter, WithHistoryLooksFarOnlyWhereTheNearestShowTheSameSurface) {
   });
   film.moving.earlier = &film.film;
   const std::vector<float> out = film.filtered();
-  for (int y = 4; y < kSize - 4; ++y)
-    for (int x = 4; x < kSize - 4; ++x)
-      ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], strip(x) % 4 < 2 ? 0.25f : 0.75f, 0.0005f) << x;
+  for (int y = 4; y < kFilteredSize - 4; ++y)
+    for (int x = 4; x < kFilteredSize - 4; ++x)
+      ASSERT_NEAR(out[static_cast<size_t>(y * kFilteredSize + x)], strip(x) % 4 < 2 ? 0.25f : 0.75f, 0.0005f)
+          << x;
 }
 
 TEST(FactorFilter, DoesNotCrossEdges) {
@@ -134,9 +135,9 @@ TEST(FactorFilter, DoesNotCrossEdges) {
   const Film holes([&](int x, int) { return Pixel{1.5f, false, left(x) ? 0u : 1u, value(x)}; });
   for (const Film* film : {&depths, &normals, &holes}) {
     const std::vector<float> out = film->filtered();
-    for (int y = 0; y < kSize; ++y)
-      for (int x = film == &holes ? 30 : 0; x < kSize; ++x)
-        ASSERT_NEAR(out[static_cast<size_t>(y * kSize + x)], value(x), 0.0005f) << x << " " << y;
+    for (int y = 0; y < kFilteredSize; ++y)
+      for (int x = film == &holes ? 30 : 0; x < kFilteredSize; ++x)
+        ASSERT_NEAR(out[static_cast<size_t>(y * kFilteredSize + x)], value(x), 0.0005f) << x << " " << y;
   }
 }
 
@@ -152,7 +153,7 @@ TEST(FactorFilter, KeepsDetailThatNoiseDoesNotExplain) {
   // One dark line of one pixel, known from many samples.
   const auto at = [](uint32_t samples) {
     const Film film([&](int x, int) { return Pixel{1.5f, false, samples, x == 20 ? 0.0f : 0.9f}; });
-    return film.filtered()[10 * kSize + 20];
+    return film.filtered()[10 * kFilteredSize + 20];
   };
   EXPECT_LT(at(16), 0.2f);
   EXPECT_GT(at(1), 0.4f);
@@ -160,7 +161,7 @@ TEST(FactorFilter, KeepsDetailThatNoiseDoesNotExplain) {
 
 TEST(FactorFilter, ValuesWithMoreSamplesWeighMore) {
   const Film film([](int x, int) { return Pixel{1.5f, false, x == 20 ? 1u : 15u, x == 20 ? 1.0f : 0.0f}; });
-  EXPECT_LT(film.filtered()[10 * kSize + 20], 0.1f);
+  EXPECT_LT(film.filtered()[10 * kFilteredSize + 20], 0.1f);
 }
 
 }  // namespace

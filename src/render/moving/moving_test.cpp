@@ -10,21 +10,18 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kSize = 96;
+constexpr int kMovingSize = 96;
 using Mode = scene::LightSampling::Mode;
-
-scene::MeshPtr plane(const glm::vec3& center, const glm::vec3& a, const glm::vec3& b) {
-  return test::makeMesh(test::quadData(center - a - b, center + a - b, center + a + b, center - a + b));
-}
 
 /// A floor and three boards on edge, `size` times as large as they were made, white and unlit.
 scene::Snapshot boards(float size = 1) {
   const auto at = [&](float x, float y, float z) { return glm::vec3(x, y, z) * size; };
-  scene::Snapshot s = test::makeSnapshot({plane(at(0, 0, 0), at(3, 0, 0), at(0, 3, 0)),
-                                          plane(at(-0.9f, 0, 0.4f), at(0, 0.8f, 0), at(0, 0, 0.4f)),
-                                          plane(at(0.1f, 0.3f, 0.3f), at(0.3f, 0.4f, 0), at(0, 0, 0.3f)),
-                                          plane(at(0.8f, -0.4f, 0.5f), at(0.2f, -0.1f, 0), at(0, 0, 0.5f))},
-                                         kSize);
+  scene::Snapshot s =
+      test::makeSnapshot({test::parallelogram(at(0, 0, 0), at(3, 0, 0), at(0, 3, 0)),
+                          test::parallelogram(at(-0.9f, 0, 0.4f), at(0, 0.8f, 0), at(0, 0, 0.4f)),
+                          test::parallelogram(at(0.1f, 0.3f, 0.3f), at(0.3f, 0.4f, 0), at(0, 0, 0.3f)),
+                          test::parallelogram(at(0.8f, -0.4f, 0.5f), at(0.2f, -0.1f, 0), at(0, 0, 0.5f))},
+                         kMovingSize);
   s.view = 7;
   s.settings.ao.enabled = true;
   s.settings.ao.radius = 0.2f;
@@ -140,7 +137,7 @@ TEST(Moving, AnythingButPlainPicturesTakeAllSamples) {
   EXPECT_EQ(animation.frame(s).image.color, animation.frame(s, Mode::full).image.color);
   s.settings.spp = 1;
   auto layers = std::make_shared<scene::Layers>();
-  layers->opaqueDepth.assign(kSize * kSize, -1.0f);
+  layers->opaqueDepth.assign(kMovingSize * kMovingSize, -1.0f);
   s.layers = layers;
   EXPECT_EQ(animation.frame(s).image.color, animation.frame(s, Mode::full).image.color);
   EXPECT_EQ(animation.histories.bytes(), 0u);
@@ -212,8 +209,9 @@ TEST(Moving, AnyProjectionWillDo) {
 
 TEST(Moving, GhostsOfMovedObjectsFadeAtOnce) {
   // A lid just above the floor, out of sight of the camera, which looks along the floor's normal.
-  scene::Snapshot s = test::makeSnapshot(
-      {plane({0, 0, 0}, {50, 0, 0}, {0, 50, 0}), plane({0, 0, 8}, {50, 0, 0}, {0, 50, 0})}, kSize);
+  scene::Snapshot s = test::makeSnapshot({test::parallelogram({0, 0, 0}, {50, 0, 0}, {0, 50, 0}),
+                                          test::parallelogram({0, 0, 8}, {50, 0, 0}, {0, 50, 0})},
+                                         kMovingSize);
   s.settings.ao.enabled = true, s.settings.ao.radius = 1;
   s.camera.clipFromEye = glm::perspective(glm::radians(40.0), 1.0, 0.1, 1000.0);
   s.eyeFromWorld = glm::translate(glm::dmat4(1), {0, 0, -5});
@@ -251,8 +249,9 @@ TEST(Moving, ImpostorsAndCulledSidesAreFoundAgain) {
   spheres->radius = 0.3f;
   spheres->lower = {-0.6f, -0.3f, -0.1f}, spheres->upper = {0.7f, 0.8f, 0.6f};
   Animation animation;
-  scene::Snapshot s = test::makeSnapshot(
-      {plane({0, 0, 0}, {3, 0, 0}, {0, 3, 0}), spheres, plane({0, 0, 1.2f}, {3, 0, 0}, {0, 3, 0})}, kSize);
+  scene::Snapshot s = test::makeSnapshot({test::parallelogram({0, 0, 0}, {3, 0, 0}, {0, 3, 0}), spheres,
+                                          test::parallelogram({0, 0, 1.2f}, {3, 0, 0}, {0, 3, 0})},
+                                         kMovingSize);
   s.settings.ao.enabled = true;
   s.instances[2].cull = scene::CullFace::both;
   for (int i = 0; i < 4; ++i) {
@@ -270,7 +269,7 @@ TEST(Moving, ViewsHaveHistoriesOfTheirOwn) {
   turn(s, 0);
   for (uint64_t view = 0; view < 3 * LightHistories::kMost; ++view) s.view = view, animation.frame(s);
   const size_t bytes = animation.histories.bytes();
-  EXPECT_LE(bytes, LightHistories::kMost * kSize * kSize * 64);
+  EXPECT_LE(bytes, LightHistories::kMost * kMovingSize * kMovingSize * 64);
   EXPECT_GT(bytes, 0u);
 }
 

@@ -9,11 +9,11 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kReprojectedSize = 64;
 
 scene::Snapshot twoSquares(const glm::dmat4& clipFromEye) {
-  scene::Snapshot s =
-      test::makeSnapshot({test::makeMesh(test::squareData()), test::makeMesh(test::squareData(0.5f))}, kSize);
+  scene::Snapshot s = test::makeSnapshot(
+      {test::makeMesh(test::squareData()), test::makeMesh(test::squareData(0.5f))}, kReprojectedSize);
   s.camera.clipFromEye = clipFromEye;
   return s;
 }
@@ -35,7 +35,7 @@ struct Prepared {
 
   explicit Prepared(const scene::Snapshot& s) : snapshot(s) {
     world.update(snapshot, arena);
-    image.resize(kSize, kSize, 1);
+    image.resize(kReprojectedSize, kReprojectedSize, 1);
     frame = std::make_unique<FrameData>(snapshot, world, image);
     space = FilmSpace(*frame);
     placement.take(snapshot);
@@ -57,7 +57,7 @@ glm::dvec2 filmAt(const glm::dmat4& filmFromEye, const glm::dvec3& p) {
 TEST(FilmSpace, PixelsAndDepthsGiveThePointsThatTheyShow) {
   for (const glm::dmat4& projection : {kPerspective, kParallel, glm::scale(kPerspective, {-1, 1, 1})}) {
     scene::Snapshot s = twoSquares(projection);
-    s.region = {3, 5, kSize - 3, kSize - 5};
+    s.region = {3, 5, kReprojectedSize - 3, kReprojectedSize - 5};
     look(s, kAway);
     const Prepared p(s);
     ASSERT_TRUE(p.space.usable);
@@ -76,7 +76,7 @@ TEST(FilmSpace, PixelsAreAsWideAsTheyAre) {
   scene::Snapshot s = twoSquares(kParallel);
   look(s, kAway);
   const Prepared p(s);
-  EXPECT_NEAR(p.space.pixel + 1.3f * p.space.perDepth, 4.0f / kSize, 1e-6f);
+  EXPECT_NEAR(p.space.pixel + 1.3f * p.space.perDepth, 4.0f / kReprojectedSize, 1e-6f);
 }
 
 TEST(Reprojection, OfAStillCameraIsTheIdentity) {

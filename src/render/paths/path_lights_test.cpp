@@ -154,8 +154,8 @@ TEST(PathLights, AnotherEnvironmentTakesThePlaceOfTheRigsSky) {
   EXPECT_NEAR(radiances(s).mean().g, 0.25f, 1e-4f);
 }
 
-/// The same scene by the local look with shadows.
-scene::Snapshot local(scene::Snapshot s) {
+/// The same scene by the localShadows look with shadows.
+scene::Snapshot localShadows(scene::Snapshot s) {
   s.settings.integrator = LightIntegrator::local;
   s.settings.shadows.enabled = true, s.settings.shadows.samples = 1024;
   return s;
@@ -177,7 +177,7 @@ TEST(PathLights, AgreeWithShadowsOfTheLocalLook) {
     i.materials[0].front.ambient = i.materials[0].back.ambient = {0, 0, 0, 1};
   }
   s.shadings[0].globalAmbient = {0, 0, 0, 1};
-  const auto look = radiances(local(s)), first = radiances(s);
+  const auto look = radiances(localShadows(s)), first = radiances(s);
   s.lightSampling.pass = 1;
   const auto second = radiances(s);
   double apart = 0, noise = 0, biased = 0, brightness = 0;
@@ -318,7 +318,7 @@ TEST(PathLights, OfAbsurdValuesAreNumbers) {
       scene::Snapshot s = litBy(file, {test::backWall(), test::ballMesh(12)}, 40);
       s.settings.path.samples = kSanitized ? 1 : 4, s.settings.path.depth = 4;
       s.settings.shadows.size = 90;
-      const auto picture = radiances(paths ? s : local(s));
+      const auto picture = radiances(paths ? s : localShadows(s));
       for (int y = 0; y < test::kPathSize; ++y)
         for (int x = 0; x < test::kPathSize; ++x)
           for (int c = 0; c < 3; ++c)

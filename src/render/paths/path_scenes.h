@@ -40,11 +40,6 @@ inline void setAlbedo(scene::Instance& instance, const glm::vec3& albedo) {
     m->diffuse = glm::vec4(albedo, 1);
 }
 
-/// A parallelogram about `center`.
-inline scene::MeshPtr parallelogram(const glm::vec3& center, const glm::vec3& a, const glm::vec3& b) {
-  return makeMesh(quadData(center - a - b, center + a - b, center + a + b, center - a + b));
-}
-
 /// The wall z = 0 that fills the view.
 inline scene::MeshPtr backWall() { return parallelogram({0, 0, 0}, {500, 0, 0}, {0, 500, 0}); }
 

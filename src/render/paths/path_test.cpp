@@ -84,8 +84,8 @@ TEST(Path, InsideAClosedBallLightIsTheGeometricSeries) {
   EXPECT_NEAR(mean.b, 1 / 0.3f, 0.03f);
 }
 
-/// The same scene by the local look.
-scene::Snapshot local(scene::Snapshot s) {
+/// The same scene by the localLook look.
+scene::Snapshot localLook(scene::Snapshot s) {
   s.settings.integrator = LightIntegrator::local;
   return s;
 }
@@ -117,12 +117,12 @@ TEST(Path, WithoutBouncesAndSkyItIsTheLocalLookOfDiffuseSurfaces) {
   test::setAlbedo(s.instances[0], {0.9f, 0.5f, 0.25f});
   s.instances[0].materials[0].front.ambient = {0, 0, 0, 1};
   s.shadings[0].lights = {lightAt({0, 0, 1, 0}, {0.5f, 0.6f, 0.7f})};
-  expectEqualPictures(radiances(s), radiances(local(s)), 2e-3f);
+  expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
   scene::Light lamp = lightAt({0, 0, 0, 1}, {0.9f, 0.9f, 0.9f});  // at the viewer, with a cone
   lamp.attenuation = {0.5f, 0.1f, 0.01f};
   lamp.spotCutoff = 8, lamp.spotExponent = 3;
   s.shadings[0].lights = {lamp};
-  expectEqualPictures(radiances(s), radiances(local(s)), 2e-3f);
+  expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
 }
 
 TEST(Path, PhongSurfacesOfProgramsAreAsBrightAsTheirLocalLook) {
@@ -134,7 +134,7 @@ TEST(Path, PhongSurfacesOfProgramsAreAsBrightAsTheirLocalLook) {
   s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
   s.instances[0].materials[0].front.ambient = {0.1f, 0, 0.2f, 1};
   s.instances[0].materials[0].front.diffuse = {0.5f, 0.6f, 0.7f, 1};
-  expectEqualPictures(radiances(s), radiances(local(s)), 2e-3f);
+  expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
 }
 
 TEST(Path, HighlightsAreThoseOfTheLocalLook) {
@@ -149,7 +149,7 @@ TEST(Path, HighlightsAreThoseOfTheLocalLook) {
   s.shadings[0].lights[0].specular = {0.6f, 0.7f, 0.8f, 1};
   for (const bool localViewer : {false, true}) {
     s.shadings[0].localViewer = localViewer;
-    expectEqualPictures(radiances(s), radiances(local(s)), 3e-3f);
+    expectEqualPictures(radiances(s), radiances(localLook(s)), 3e-3f);
   }
   s.shadings[0].fragment.model = scene::FragmentShading::Model::phong;
   s.shadings[0].fragment.lights.resize(1);
@@ -161,7 +161,7 @@ TEST(Path, HighlightsAreThoseOfTheLocalLook) {
          {scene::FragmentShading::Specular::half, scene::FragmentShading::Specular::reflect}) {
       s.shadings[0].fragment.lights[0].kind = kind;
       s.shadings[0].fragment.specular = specular;
-      expectEqualPictures(radiances(s), radiances(local(s)), 3e-3f);
+      expectEqualPictures(radiances(s), radiances(localLook(s)), 3e-3f);
     }
 }
 
@@ -178,7 +178,7 @@ TEST(Path, VtksPhysicallyBasedSurfacesAreAsBrightAsTheirLocalLook) {
   for (const float metallic : {0.0f, 0.5f, 1.0f})
     for (const float roughness : {0.2f, 0.5f, 0.9f}) {
       s.shadings[0].fragment.pbr.metallic = metallic, s.shadings[0].fragment.pbr.roughness = roughness;
-      expectEqualPictures(radiances(s), radiances(local(s)), 6e-3f);
+      expectEqualPictures(radiances(s), radiances(localLook(s)), 6e-3f);
     }
 }
 

@@ -15,7 +15,7 @@ using test::trace;
 using test::Traced;
 
 // Half a float's step near 1, and the resolution of a 24-bit depth buffer.
-constexpr double kTolerance = 1.2e-7;
+constexpr double kDepthTolerance = 1.2e-7;
 
 // Window depth, before polygon offset, at window position (x, y) of the plane dot(plane, eye) = 0.
 double windowDepth(const scene::Camera& camera, const glm::dvec4& plane, double x, double y) {
@@ -44,7 +44,8 @@ scene::Snapshot planeScene(const glm::dmat4& clipFromEye, glm::dvec2 slope, doub
   return s;
 }
 
-void expectPlane(const scene::Snapshot& s, glm::dvec2 slope, double offset, double tolerance = kTolerance) {
+void expectPlane(const scene::Snapshot& s, glm::dvec2 slope, double offset,
+                 double tolerance = kDepthTolerance) {
   const Traced traced = trace(s);
   const glm::dvec4 plane(slope, -1, offset);
   int hits = 0;
@@ -145,7 +146,7 @@ TEST(Depth, PolygonOffset) {
     const double dx = windowDepth(s.camera, plane, x + 1.5, y + 0.5) - here;
     const double dy = windowDepth(s.camera, plane, x + 0.5, y + 1.5) - here;
     const double expected = here + 1.5 * std::max(std::abs(dx), std::abs(dy)) + 40.0 / 65536;
-    EXPECT_NEAR(traced.depth(x, y), std::min(expected, 1.0), kTolerance);
+    EXPECT_NEAR(traced.depth(x, y), std::min(expected, 1.0), kDepthTolerance);
   }
 }
 
@@ -168,7 +169,7 @@ TEST(Depth, PolygonOffsetOfFloats) {
         {makeMesh(test::quadData({-1, -1, left}, {1, -1, right}, {1, 1, right}, {-1, 1, left}))});
     const float plain = trace(s).depth(2, 8);
     s.polygonOffset.units = 65536, s.polygonOffset.floats = true;
-    EXPECT_NEAR(trace(s).depth(2, 8) - plain, 65536 * digit, kTolerance) << left << ' ' << right;
+    EXPECT_NEAR(trace(s).depth(2, 8) - plain, 65536 * digit, kDepthTolerance) << left << ' ' << right;
   }
 }
 
@@ -193,7 +194,7 @@ TEST(Depth, SamplesHaveTheirOwnPlanes) {
   for (int sample = 0; sample < 2; ++sample) {
     const glm::vec2 at = s.samplePositions[static_cast<size_t>(sample)];
     EXPECT_NEAR(traced.depth(20, 12, sample),
-                windowDepth(s.camera, {0.7, -0.4, -1, -20}, 20 + at.x, 12 + at.y), kTolerance);
+                windowDepth(s.camera, {0.7, -0.4, -1, -20}, 20 + at.x, 12 + at.y), kDepthTolerance);
   }
 }
 

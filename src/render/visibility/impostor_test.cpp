@@ -13,7 +13,7 @@ namespace {
 
 using scene::Shape;
 
-constexpr int kSize = 65;
+constexpr int kImpostorSize = 65;
 
 scene::MeshPtr impostors(Shape shape) {
   auto mesh = std::make_shared<scene::Mesh>();
@@ -32,7 +32,7 @@ scene::MeshPtr impostors(Shape shape) {
 }
 
 scene::Snapshot snapshotOf(Shape shape) {
-  scene::Snapshot s = test::makeSnapshot({impostors(shape)}, kSize);
+  scene::Snapshot s = test::makeSnapshot({impostors(shape)}, kImpostorSize);
   s.camera.clipFromEye = glm::perspective(glm::radians(50.0), 1.0, 1.0, 20.0);
   scene::FragmentShading& f = s.shadings[0].fragment;
   f.model = scene::FragmentShading::Model::phong;
@@ -51,11 +51,11 @@ TEST(Impostor, SphereDepthAndLightMatchTheEquation) {
   const test::Traced traced = test::trace(s);
   const scene::Mesh& mesh = *s.instances[0].mesh;
   int hits = 0;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kImpostorSize; ++y) {
+    for (int x = 0; x < kImpostorSize; ++x) {
       const double scale = std::tan(glm::radians(25.0));
-      const glm::dvec3 d = glm::normalize(
-          glm::dvec3(scale * ((x + 0.5) / kSize * 2 - 1), scale * ((y + 0.5) / kSize * 2 - 1), -1));
+      const glm::dvec3 d = glm::normalize(glm::dvec3(scale * ((x + 0.5) / kImpostorSize * 2 - 1),
+                                                     scale * ((y + 0.5) / kImpostorSize * 2 - 1), -1));
       double nearest = INFINITY;
       uint32_t which = 0;
       bool edge = false;
@@ -93,8 +93,8 @@ TEST(Impostor, OneColourAndDepthInAllSamplesOfAPixel) {
   const test::Traced many = test::trace(s);
   int differing = 0, hits = 0;
   for (int sample = 0; sample < 4; ++sample) {
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kImpostorSize; ++y) {
+      for (int x = 0; x < kImpostorSize; ++x) {
         hits += one.hit(x, y);
         differing += one.hit(x, y) != many.hit(x, y, sample) || one.color(x, y) != many.color(x, y, sample) ||
                      one.depth(x, y) != many.depth(x, y, sample);
@@ -121,8 +121,8 @@ TEST(Impostor, EveryInstructionSetAgrees) {
         SCOPED_TRACE(render::kernelTarget());
         const test::Traced traced = test::trace(s);
         int differing = 0, hits = 0;
-        for (int y = 0; y < kSize; ++y) {
-          for (int x = 0; x < kSize; ++x) {
+        for (int y = 0; y < kImpostorSize; ++y) {
+          for (int x = 0; x < kImpostorSize; ++x) {
             hits += best.hit(x, y);
             if (traced.hit(x, y) != best.hit(x, y)) {
               ++differing;

@@ -15,7 +15,7 @@ using test::makeSnapshot;
 using test::trace;
 using test::Traced;
 
-constexpr int kSize = 16;
+constexpr int kSampledSize = 16;
 constexpr int kSamples = 4;
 
 void multisample(scene::Snapshot& s, ShadingRate rate = ShadingRate::pixel) {
@@ -39,12 +39,12 @@ TEST(Multisample, SurfacesAreShadedAtPixelCentres) {
       {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
       {{-0.9f, -0.8f, 0.3f}, {0.7f, -0.45f, -0.2f}, {0.1f, 0.85f, 0.1f}}};
   for (const auto& corners : all) {
-    auto s = makeSnapshot({makeMesh(ramp(corners))}, kSize);
+    auto s = makeSnapshot({makeMesh(ramp(corners))}, kSampledSize);
     multisample(s);
     const Traced traced = trace(s);
     int hits = 0;
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kSampledSize; ++y) {
+      for (int x = 0; x < kSampledSize; ++x) {
         for (int sample = 0; sample < kSamples; ++sample) {
           if (!traced.hit(x, y, sample)) continue;
           ++hits;
@@ -60,7 +60,7 @@ TEST(Multisample, SurfacesAreShadedAtPixelCentres) {
 }
 
 TEST(Multisample, EverySampleIsShadedOnRequest) {
-  auto s = makeSnapshot({makeMesh(ramp({{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}}))}, kSize);
+  auto s = makeSnapshot({makeMesh(ramp({{-1, -1, 0}, {1, -1, 0}, {-1, 1, 0}}))}, kSampledSize);
   multisample(s, ShadingRate::sample);
   const Traced traced = trace(s);
   for (int sample = 0; sample < kSamples; ++sample)
@@ -71,7 +71,7 @@ TEST(Multisample, EverySampleIsShadedOnRequest) {
 TEST(Multisample, CoverageAndDepthArePerSample) {
   auto s = makeSnapshot({makeMesh(ramp({{-0.9f, -0.8f, 0.9f}, {0.7f, -0.45f, -0.7f}, {0.1f, 0.85f, 0.1f}})),
                          makeMesh(test::squareData(-0.1f))},
-                        kSize);
+                        kSampledSize);
   s.polygonOffset = {1, 3};
   multisample(s, ShadingRate::sample);
   const Traced each = trace(s);
@@ -110,7 +110,7 @@ TEST(Multisample, TexturesAndPerspective) {
 }
 
 TEST(Multisample, CulledSurfacesShowTheOnesBehind) {
-  auto s = makeSnapshot({makeMesh(test::squareData(0.5f)), makeMesh(test::squareData(-0.5f))}, kSize);
+  auto s = makeSnapshot({makeMesh(test::squareData(0.5f)), makeMesh(test::squareData(-0.5f))}, kSampledSize);
   s.instances[0].cull = scene::CullFace::front;
   multisample(s);
   for (const float depth : trace(s).image.depth) ASSERT_FLOAT_EQ(depth, 0.75f);
@@ -122,13 +122,13 @@ TEST(Multisample, CulledSurfacesShowTheOnesBehind) {
 }
 
 TEST(Multisample, FixedFunctionIsClippedAtSamplesAndProgramsDiscardPixels) {
-  auto s = makeSnapshot({makeMesh(test::squareData(0.5f)), makeMesh(test::squareData(-0.5f))}, kSize);
+  auto s = makeSnapshot({makeMesh(test::squareData(0.5f)), makeMesh(test::squareData(-0.5f))}, kSampledSize);
   s.instances[0].clipPlanes = {{1, 0.3, 0, 0.01}};
   multisample(s);
   const auto mixed = [](const Traced& t) {
     int pixels = 0;
-    for (int y = 0; y < kSize; ++y) {
-      for (int x = 0; x < kSize; ++x) {
+    for (int y = 0; y < kSampledSize; ++y) {
+      for (int x = 0; x < kSampledSize; ++x) {
         int front = 0;
         for (int sample = 0; sample < kSamples; ++sample) {
           front += t.depth(x, y, sample) == 0.25f;
@@ -145,20 +145,20 @@ TEST(Multisample, FixedFunctionIsClippedAtSamplesAndProgramsDiscardPixels) {
   // The same with planes shared by all instances.
   s.instances[1].clipPlanes = s.instances[0].clipPlanes;
   const Traced traced = trace(s);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
+  for (int y = 0; y < kSampledSize; ++y)
+    for (int x = 0; x < kSampledSize; ++x)
       for (int sample = 1; sample < kSamples; ++sample) ASSERT_EQ(traced.hit(x, y, sample), traced.hit(x, y));
 }
 
 TEST(Multisample, ProgramsThatWriteDepthGiveAllSamplesOneDepth) {
-  auto s = makeSnapshot({makeMesh(ramp({{-1, -1, 0.9f}, {3, -1, -0.9f}, {-1, 3, 0.3f}}))}, kSize);
+  auto s = makeSnapshot({makeMesh(ramp({{-1, -1, 0.9f}, {3, -1, -0.9f}, {-1, 3, 0.3f}}))}, kSampledSize);
   s.shadings[0].fragment.model = scene::FragmentShading::Model::unlit;
   s.shadings[0].fragment.writesDepth = true;
   const Traced single = trace(s);
   multisample(s);
   const Traced many = trace(s);
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
+  for (int y = 0; y < kSampledSize; ++y)
+    for (int x = 0; x < kSampledSize; ++x)
       for (int sample = 0; sample < kSamples; ++sample)
         ASSERT_NEAR(many.depth(x, y, sample), single.depth(x, y), 1.2e-7);
 }
@@ -166,14 +166,14 @@ TEST(Multisample, ProgramsThatWriteDepthGiveAllSamplesOneDepth) {
 TEST(Multisample, EveryInstructionSetAgrees) {
   auto s = makeSnapshot({makeMesh(ramp({{-0.9f, -0.8f, 0.9f}, {0.7f, -0.45f, -0.7f}, {0.1f, 0.85f, 0.1f}})),
                          makeMesh(test::squareData(-0.1f))},
-                        kSize);
+                        kSampledSize);
   multisample(s);
   const Traced best = trace(s);
   test::withEachTarget([&](int64_t) {
     const Traced other = trace(s);
     for (int sample = 0; sample < kSamples; ++sample)
-      for (int y = 0; y < kSize; ++y)
-        for (int x = 0; x < kSize; ++x) {
+      for (int y = 0; y < kSampledSize; ++y)
+        for (int x = 0; x < kSampledSize; ++x) {
           ASSERT_NEAR(other.depth(x, y, sample), best.depth(x, y, sample), 1.2e-7);
           ASSERT_LE(test::difference(other.color(x, y, sample), best.color(x, y, sample)), 1);
         }

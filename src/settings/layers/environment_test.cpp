@@ -9,7 +9,7 @@
 namespace gluray {
 namespace {
 
-std::vector<std::string> g_complaints;
+std::vector<std::string> g_variableComplaints;
 
 /// The session with the given variables set and all others unset.
 Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
@@ -19,8 +19,8 @@ Session sessionOf(std::vector<std::pair<const char*, const char*>> variables) {
         "LOG", "LOG_LEVEL", "QUIRKS", "PROGRAM_FAMILIES", "EXPLAIN", "PICTURE"})
     unsetenv((std::string("GLURAY_") + name).c_str());
   for (const auto& [name, value] : variables) setenv(name, value, 1);
-  g_complaints.clear();
-  return sessionFromEnvironment([](const std::string& line) { g_complaints.push_back(line); });
+  g_variableComplaints.clear();
+  return sessionFromEnvironment([](const std::string& line) { g_variableComplaints.push_back(line); });
 }
 
 TEST(Environment, NothingSetGivesDefaults) {
@@ -29,7 +29,7 @@ TEST(Environment, NothingSetGivesDefaults) {
   EXPECT_FALSE(session.off);
   EXPECT_EQ(session.logLevel, LogLevel::warning);
   EXPECT_TRUE(session.reportFile.empty());
-  EXPECT_TRUE(g_complaints.empty());
+  EXPECT_TRUE(g_variableComplaints.empty());
 }
 
 TEST(Environment, RanksOfAHostShareItsCores) {
@@ -84,14 +84,14 @@ TEST(Environment, EveryVariableIsRead) {
   EXPECT_EQ(session.programFamilies, (std::vector<std::string>{"/a.toml", "/b.toml"}));
   EXPECT_EQ(session.explainFrames, 100);
   EXPECT_TRUE(session.picture);
-  EXPECT_TRUE(g_complaints.empty());
+  EXPECT_TRUE(g_variableComplaints.empty());
 }
 
 TEST(Environment, EveryEngineHasAWord) {
   EXPECT_EQ(Settings{}.engine, Engine::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_ENGINE", "auto"}}).settings.engine, Engine::automatic);
   EXPECT_EQ(sessionOf({{"GLURAY_ENGINE", "never"}}).settings.engine, Engine::never);
-  EXPECT_TRUE(g_complaints.empty());
+  EXPECT_TRUE(g_variableComplaints.empty());
 }
 
 TEST(Environment, EveryBvhQualityHasAWord) {
@@ -100,7 +100,7 @@ TEST(Environment, EveryBvhQualityHasAWord) {
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "fast"}}).settings.bvh, BvhQuality::fast);
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "full"}}).settings.bvh, BvhQuality::full);
   EXPECT_EQ(sessionOf({{"GLURAY_BVH", "least"}}).settings.bvh, BvhQuality::least);
-  EXPECT_TRUE(g_complaints.empty());
+  EXPECT_TRUE(g_variableComplaints.empty());
 }
 
 TEST(Environment, UnreadableValuesAreReportedAndKeepTheirDefaults) {
@@ -108,17 +108,17 @@ TEST(Environment, UnreadableValuesAreReportedAndKeepTheirDefaults) {
       sessionOf({{"GLURAY_THREADS", "many"}, {"GLURAY_BVH", "quick"}, {"GLURAY_LOG_LEVEL", "loud"}});
   EXPECT_EQ(session.settings, Settings{});
   EXPECT_EQ(session.logLevel, LogLevel::warning);
-  ASSERT_EQ(g_complaints.size(), 3u);
-  EXPECT_EQ(g_complaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
-  EXPECT_EQ(g_complaints[1], "GLURAY_BVH=quick: use auto, fast, full, compact or least");
-  EXPECT_EQ(g_complaints[2], "GLURAY_LOG_LEVEL=loud: use trace, debug, info, warning, error or off");
+  ASSERT_EQ(g_variableComplaints.size(), 3u);
+  EXPECT_EQ(g_variableComplaints[0], "GLURAY_THREADS=many: use a number from 0 (all cores) to 1024");
+  EXPECT_EQ(g_variableComplaints[1], "GLURAY_BVH=quick: use auto, fast, full, compact or least");
+  EXPECT_EQ(g_variableComplaints[2], "GLURAY_LOG_LEVEL=loud: use trace, debug, info, warning, error or off");
 }
 
 TEST(Environment, NegativeAndAbsurdThreadCountsAreRefused) {
   EXPECT_EQ(sessionOf({{"GLURAY_THREADS", "-1"}}).settings.threads, 0);
-  EXPECT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_variableComplaints.size(), 1u);
   EXPECT_EQ(sessionOf({{"GLURAY_THREADS", "99999999999999999999"}}).settings.threads, 0);
-  EXPECT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_variableComplaints.size(), 1u);
 }
 
 }  // namespace

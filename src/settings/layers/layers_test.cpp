@@ -18,14 +18,14 @@
 namespace gluray {
 namespace {
 
-std::vector<std::string> g_complaints;
+std::vector<std::string> g_layerComplaints;
 
 class LayersOf : public testing::Test {
  protected:
   LayersOf() : folder_(testing::TempDir() + "gluray-layers-" + std::to_string(getpid())) {
     std::filesystem::create_directories(folder_);
     for (const Row& row : settingRows()) unsetenv(variableOf(row).c_str());
-    g_complaints.clear();
+    g_layerComplaints.clear();
   }
   ~LayersOf() override {
     std::filesystem::remove_all(folder_);
@@ -39,7 +39,8 @@ class LayersOf : public testing::Test {
   }
   /// "value (layer place)" of a setting.
   std::string read(std::string_view name) {
-    const Layers layers = readLayers(sources_, [](const std::string& line) { g_complaints.push_back(line); });
+    const Layers layers =
+        readLayers(sources_, [](const std::string& line) { g_layerComplaints.push_back(line); });
     const Given* given = layers.last(*findSetting(name));
     return given ? given->value + " (" + std::string(nameOf(given->layer)) + " " + given->place + ")" : "";
   }
@@ -62,7 +63,7 @@ TEST_F(LayersOf, LaterOnesWin) {
   EXPECT_EQ(read("spp"), "6 (environment GLURAY_SPP)");
   sources_.commandLine = {{"spp", "7"}};
   EXPECT_EQ(read("spp"), "7 (command line --spp)");
-  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  EXPECT_EQ(g_layerComplaints, std::vector<std::string>{});
 }
 
 TEST_F(LayersOf, SettingsAreLookedUpOneByOne) {
@@ -94,7 +95,7 @@ TEST_F(LayersOf, PresetsAreBetweenProfilesAndVariables) {
   unsetenv("GLURAY_SPP");
   sources_.live = {{"spp", "6"}};
   EXPECT_EQ(read("spp"), "6 (live )");
-  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  EXPECT_EQ(g_layerComplaints, std::vector<std::string>{});
 }
 
 TEST_F(LayersOf, TheHighestLayerNamesThePreset) {
@@ -113,11 +114,11 @@ TEST_F(LayersOf, TheHighestLayerNamesThePreset) {
     sources_.live = {{"preset", none}};
     EXPECT_EQ(read("spp"), "");
   }
-  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  EXPECT_EQ(g_layerComplaints, std::vector<std::string>{});
   sources_.live = {{"preset", "bb"}};
   EXPECT_EQ(read("spp"), "3 (preset b, " + sources_.userFile + ":5)") << "wrong values change nothing";
   EXPECT_EQ(read("preset"), "b (command line --preset)");
-  EXPECT_EQ(g_complaints[0], "preset=bb: there is no such preset; did you mean 'b'?");
+  EXPECT_EQ(g_layerComplaints[0], "preset=bb: there is no such preset; did you mean 'b'?");
 }
 
 TEST_F(LayersOf, FilesAddToPresets) {
@@ -128,33 +129,33 @@ TEST_F(LayersOf, FilesAddToPresets) {
   EXPECT_EQ(read("ao"), "false (preset draft, shipped)");
   EXPECT_EQ(read("threads"), "2 (preset draft, " + sources_.userFile + ":3)");
   EXPECT_EQ(read("spp"), "3 (preset draft, " + sources_.projectFile + ":2)");
-  EXPECT_EQ(g_complaints, std::vector<std::string>{});
+  EXPECT_EQ(g_layerComplaints, std::vector<std::string>{});
 }
 
 TEST_F(LayersOf, WrongPresetsAreReported) {
   sources_.userFile = file("user.toml", "preset = 'drat'\n");
   read("spp");
-  EXPECT_EQ(g_complaints,
+  EXPECT_EQ(g_layerComplaints,
             std::vector<std::string>{sources_.userFile +
                                      ":1: preset = drat: there is no such preset; did you mean 'draft'?"});
-  g_complaints.clear();
+  g_layerComplaints.clear();
   sources_.userFile =
       file("user.toml", "preset = 'mine'\n[presets.mine]\nsp = 2\nao.samples = 0\npreset = 'draft'\n");
   read("spp");
-  EXPECT_EQ(g_complaints,
+  EXPECT_EQ(g_layerComplaints,
             (std::vector<std::string>{
                 sources_.userFile + ":3: no setting is called 'sp'; did you mean 'spp'?",
                 "mine, " + sources_.userFile + ":4: ao.samples = 0: use a number from 1 to 4096",
                 sources_.userFile + ":5: preset: a preset cannot name another"}));
-  g_complaints.clear();
+  g_layerComplaints.clear();
   sources_.userFile = file("user.toml", "presets = 3\n");
   read("spp");
-  EXPECT_EQ(g_complaints,
+  EXPECT_EQ(g_layerComplaints,
             std::vector<std::string>{sources_.userFile + ":1: presets: use tables such as [presets.mine]"});
-  g_complaints.clear();
+  g_layerComplaints.clear();
   sources_.userFile = file("user.toml", "[presets.none]\nspp = 2\n");
   read("spp");
-  EXPECT_EQ(g_complaints,
+  EXPECT_EQ(g_layerComplaints,
             std::vector<std::string>{sources_.userFile + ":1: presets.none: a preset needs another name"});
 }
 
@@ -179,9 +180,9 @@ TEST_F(LayersOf, WrongProfilesAreReported) {
   read("spp");
   sources_.userFile = file("user.toml", "program = \"viewer\"\n");
   read("spp");
-  ASSERT_EQ(g_complaints.size(), 2u);
-  EXPECT_EQ(g_complaints[0], sources_.userFile + ":2: no setting is called 'sp'; did you mean 'spp'?");
-  EXPECT_EQ(g_complaints[1], sources_.userFile + ":1: program: use tables such as [program.glxgears]");
+  ASSERT_EQ(g_layerComplaints.size(), 2u);
+  EXPECT_EQ(g_layerComplaints[0], sources_.userFile + ":2: no setting is called 'sp'; did you mean 'spp'?");
+  EXPECT_EQ(g_layerComplaints[1], sources_.userFile + ":1: program: use tables such as [program.glxgears]");
 }
 
 TEST_F(LayersOf, PassedOptionsAreKnownUntilTheVariableChanges) {
@@ -198,7 +199,7 @@ TEST_F(LayersOf, WrongValuesChangeNothing) {
   sources_.userFile = file("user.toml", "spp = 3\n");
   setenv("GLURAY_SPP", "many", 1);
   EXPECT_EQ(read("spp"), "3 (user " + sources_.userFile + ":1)");
-  EXPECT_EQ(g_complaints,
+  EXPECT_EQ(g_layerComplaints,
             std::vector<std::string>{"GLURAY_SPP=many: use a number from 1 (the centre) to 1024"});
 }
 
@@ -207,11 +208,11 @@ TEST_F(LayersOf, FilesThatOthersMayWriteAreNotRead) {
   EXPECT_NE(read("report"), "");
   chmod(sources_.projectFile.c_str(), 0646);
   EXPECT_EQ(read("report"), "");
-  EXPECT_EQ(g_complaints, std::vector<std::string>{sources_.projectFile + ": others may write it"});
-  g_complaints.clear();
+  EXPECT_EQ(g_layerComplaints, std::vector<std::string>{sources_.projectFile + ": others may write it"});
+  g_layerComplaints.clear();
   sources_.systemFile = sources_.projectFile, sources_.projectFile.clear();
   EXPECT_EQ(read("report"), "");
-  EXPECT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_layerComplaints.size(), 1u);
   // The user's own file is always read.
   sources_.userFile = sources_.systemFile, sources_.systemFile.clear();
   EXPECT_NE(read("report"), "");
@@ -223,7 +224,8 @@ TEST_F(LayersOf, FilesOfOthersAreNotRead) {
   if (chown(sources_.projectFile.c_str(), kNobody, getegid()) != 0)
     GTEST_SKIP() << "only root gives files away";
   EXPECT_EQ(read("report"), "");
-  EXPECT_EQ(g_complaints, std::vector<std::string>{sources_.projectFile + ": it belongs to another user"});
+  EXPECT_EQ(g_layerComplaints,
+            std::vector<std::string>{sources_.projectFile + ": it belongs to another user"});
 }
 
 TEST_F(LayersOf, LinksOfOthersAreNotFollowed) {
@@ -235,7 +237,7 @@ TEST_F(LayersOf, LinksOfOthersAreNotFollowed) {
   if (lchown(sources_.projectFile.c_str(), kNobody, getegid()) != 0)
     GTEST_SKIP() << "only root gives links away";
   EXPECT_EQ(read("report"), "");
-  EXPECT_EQ(g_complaints.size(), 1u);
+  EXPECT_EQ(g_layerComplaints.size(), 1u);
 }
 
 TEST_F(LayersOf, SourcesOfTheProcess) {

@@ -7,10 +7,8 @@
 
 #include <cstring>
 
-namespace gluray::test {
+namespace gluray::test::triangle_field {
 namespace {
-
-using namespace triangle_field;
 
 /// A field; its program reads its matrix from a uniform block, or its offset from a buffer texture.
 const char* const kBlockFamily =
@@ -129,4 +127,4 @@ INSTANTIATE_TEST_SUITE_P(All, BlockWrites, testing::ValuesIn(kBlockWrites),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::triangle_field

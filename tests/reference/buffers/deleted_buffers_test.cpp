@@ -24,7 +24,7 @@ std::vector<GLushort> order(int step) {
   return all;
 }
 
-void fill(Gl gl, GLenum target, GLuint name, float lean) {
+void fillTriangles(Gl gl, GLenum target, GLuint name, float lean) {
   gl.BindBuffer(target, name);
   if (target == GL_ELEMENT_ARRAY_BUFFER)
     gl.BufferData(target, kIndexBytes, order(lean > 0.5f ? 1 : 2).data(), GL_STATIC_DRAW);
@@ -60,8 +60,8 @@ void expectDeletedOneIsDrawn(const Place& place, bool drawnBefore, bool indices)
         stage(gl);
         GLuint array = 0, buffers[2] = {};
         gl.GenVertexArrays(1, &array), gl.GenBuffers(2, buffers);
-        fill(gl, GL_ARRAY_BUFFER, buffers[0], 0.3f);
-        gl.BindVertexArray(array), fill(gl, GL_ELEMENT_ARRAY_BUFFER, buffers[1], 0.3f);
+        fillTriangles(gl, GL_ARRAY_BUFFER, buffers[0], 0.3f);
+        gl.BindVertexArray(array), fillTriangles(gl, GL_ELEMENT_ARRAY_BUFFER, buffers[1], 0.3f);
         place.attach(gl, array, buffers[0], buffers[1]);
         const auto draw = [&](float x) {
           gl.PushMatrix(), gl.Translatef(x, 0, 0), gl.Scalef(0.3f, 0.3f, 0.3f);
@@ -73,8 +73,8 @@ void expectDeletedOneIsDrawn(const Place& place, bool drawnBefore, bool indices)
         const GLuint old = buffers[indices ? 1 : 0];
         gl.DeleteBuffers(1, &old);
         seen.push_back(gl.IsBuffer(old));
-        fill(gl, indices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER, old,
-             1);  // the name is reused
+        fillTriangles(gl, indices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER, old,
+                      1);  // the name is reused
         gl.BindVertexArray(array), draw(0);
         place.attach(gl, array, buffers[0], buffers[1]), draw(0.7f);
         gl.Finish();
@@ -220,15 +220,15 @@ INSTANTIATE_TEST_SUITE_P(All, BoundElsewhere,
 
 // --- Renderbuffers and textures in framebuffer objects that are not bound ----------------------------------
 
-struct Image {
+struct DeletedImage {
   const char* name;
   GLuint (*make)(Gl gl, GLuint name, GLsizei size);  // attached to the bound framebuffer object
   void (*remove)(Gl gl, GLuint name);
   GLboolean (*exists)(Gl gl, GLuint name);
 };
-void PrintTo(const Image& i, std::ostream* out) { *out << i.name; }
+void PrintTo(const DeletedImage& i, std::ostream* out) { *out << i.name; }
 
-const Image kImages[] = {
+const DeletedImage kDeletedImages[] = {
     {"Renderbuffer",
      [](Gl gl, GLuint name, GLsizei size) {
        if (!name) gl.GenRenderbuffers(1, &name);
@@ -253,7 +253,7 @@ const Image kImages[] = {
      [](Gl gl, GLuint name) { return gl.IsTexture(name); }},
 };
 
-class DeletedImages : public testing::TestWithParam<Image> {};
+class DeletedImages : public testing::TestWithParam<DeletedImage> {};
 
 TEST_P(DeletedImages, LiveOnInAFramebufferObject) {
   for (const bool reused : {false, true})
@@ -275,7 +275,7 @@ TEST_P(DeletedImages, LiveOnInAFramebufferObject) {
           gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffers[0]);
           gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
           GLuint buffer = 0;
-          gl.GenBuffers(1, &buffer), fill(gl, GL_ARRAY_BUFFER, buffer, 0.7f);
+          gl.GenBuffers(1, &buffer), fillTriangles(gl, GL_ARRAY_BUFFER, buffer, 0.7f);
           gl.VertexPointer(3, GL_FLOAT, 0, nullptr), gl.EnableClientState(GL_VERTEX_ARRAY);
           gl.DrawArrays(GL_TRIANGLES, 0, kVertices);
           std::vector<GLubyte> colors(4 * kLarge * kLarge);
@@ -287,7 +287,7 @@ TEST_P(DeletedImages, LiveOnInAFramebufferObject) {
         {.traced = 1});
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DeletedImages, testing::ValuesIn(kImages),
+INSTANTIATE_TEST_SUITE_P(All, DeletedImages, testing::ValuesIn(kDeletedImages),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -8,10 +8,8 @@
 #include <array>
 #include <cstring>
 
-namespace gluray::test {
+namespace gluray::test::twenty_points {
 namespace {
-
-using namespace twenty_points;
 
 /// A rectangle across the view at `z`, 2 `half` high, of more triangles than are captured one by one.
 void card(Gl gl, float z, float half) {
@@ -206,4 +204,4 @@ INSTANTIATE_TEST_SUITE_P(All, QueryBuffers, testing::ValuesIn(kAskings),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::twenty_points

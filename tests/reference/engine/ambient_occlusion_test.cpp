@@ -9,11 +9,11 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kCornerSize = 64;
 
 /// A slightly tilted floor that fills the window, and a wall on it at the right, seen edge-on.
-Picture corner(const Settings& settings) {
-  TracedContext context({kSize, kSize}, settings);
+Picture cornerPicture(const Settings& settings) {
+  TracedContext context({kCornerSize, kCornerSize}, settings);
   const gl::RealGl& gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
   gl.ClearColor(0, 0, 0, 0);
@@ -26,7 +26,7 @@ Picture corner(const Settings& settings) {
   return context.read();
 }
 
-Settings withAo(bool on) {
+Settings fineAo(bool on) {
   Settings settings = TracedContext::tracing();
   settings.ao.enabled = on;
   settings.ao.samples = 256;
@@ -35,10 +35,11 @@ Settings withAo(bool on) {
 }
 
 TEST(AmbientOcclusionInPrograms, DarkensCornersAndKeepsDepthAndAlpha) {
-  const Picture off = corner(withAo(false)), on = corner(withAo(true));
+  const Picture off = cornerPicture(fineAo(false)), on = cornerPicture(fineAo(true));
   ASSERT_EQ(off.depths, on.depths);
   const auto channel = [](const Picture& picture, int x, int c) {
-    return static_cast<int>(picture.colors[static_cast<size_t>(kSize / 2 * kSize + x)] >> (8 * c) & 255);
+    return static_cast<int>(
+        picture.colors[static_cast<size_t>(kCornerSize / 2 * kCornerSize + x)] >> (8 * c) & 255);
   };
   const int beside = 59, away = 4;
   EXPECT_EQ(channel(off, beside, 0), 255);
@@ -50,16 +51,16 @@ TEST(AmbientOcclusionInPrograms, DarkensCornersAndKeepsDepthAndAlpha) {
 }
 
 TEST(AmbientOcclusionInPrograms, SwitchedOffChangesNoBitWhateverElseIsSet) {
-  Settings settings = withAo(false);
+  Settings settings = fineAo(false);
   settings.ao.strength = 0.3f, settings.ao.samples = 1;
-  const Picture plain = corner(TracedContext::tracing()), off = corner(settings);
+  const Picture plain = cornerPicture(TracedContext::tracing()), off = cornerPicture(settings);
   EXPECT_EQ(plain.colors, off.colors);
   EXPECT_EQ(plain.depths, off.depths);
 }
 
 TEST(AmbientOcclusionInPrograms, ChangesThePictureOnlyWhileItIsOn) {
-  EXPECT_FALSE(withAo(false).changesPicture());
-  EXPECT_TRUE(withAo(true).changesPicture());
+  EXPECT_FALSE(fineAo(false).changesPicture());
+  EXPECT_TRUE(fineAo(true).changesPicture());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // engine = auto: changes between tracing and the real OpenGL keep pictures, errors and state.
 #include "scenes/stage.h"
+#include "tests/reference/drawn_scene.h"
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -13,20 +14,12 @@ namespace {
 
 using scenes::Gl;
 
-constexpr int kWidth = 320, kHeight = 240;
 constexpr auto kSmall = static_cast<size_t>(gl::Reason::smallScene);
 
 Settings withEngine(Engine engine) {
   Settings settings = TracedContext::vertexShading();
   settings.engine = engine;
   return settings;
-}
-
-std::string nameOf(const testing::TestParamInfo<const scenes::Scene*>& info) {
-  std::string name = info.param->name;
-  for (char& c : name)
-    if (c == '-') c = '_';
-  return name;
 }
 
 std::vector<const scenes::Scene*> allScenes() {
@@ -42,8 +35,8 @@ std::vector<const scenes::Scene*> allScenes() {
 void backdrop(Gl gl) {
   gl.PushAttrib(GL_ALL_ATTRIB_BITS);
   gl.MatrixMode(GL_PROJECTION), gl.PushMatrix();
-  scenes::begin(gl, kWidth, kHeight);
-  scenes::camera(gl, kWidth, kHeight);
+  scenes::begin(gl, kSceneWidth, kSceneHeight);
+  scenes::camera(gl, kSceneWidth, kSceneHeight);
   for (const GLenum off :
        {GL_LIGHTING, GL_BLEND, GL_STENCIL_TEST, GL_ALPHA_TEST, GL_POLYGON_STIPPLE, GL_SCISSOR_TEST})
     gl.Disable(off);
@@ -82,9 +75,9 @@ class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
     std::vector<Picture> pictures;
     for (int i = 0; i < frames; ++i) {
       if (before) before(i);
-      GetParam()->draw(gl, kWidth, kHeight);
+      GetParam()->draw(gl, kSceneWidth, kSceneHeight);
       gl.Finish();
-      pictures.push_back(readPicture(gl, kWidth, kHeight));
+      pictures.push_back(readPicture(gl, kSceneWidth, kSceneHeight));
       errors.push_back(gl.GetError());
     }
     return pictures;
@@ -93,10 +86,10 @@ class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
 };
 
 TEST_P(EngineTest, FramesLeftToTheRealOneAreItsPictures) {
-  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
   const std::vector<Picture> expected = play(real->real(), 2);
   const std::vector<GLenum> wanted = std::exchange(errors, {});
-  TracedContext ours({kWidth, kHeight}, withEngine(Engine::never));
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::never));
   const std::vector<Picture> got = play(ours.gl(), 2);
   for (size_t i = 0; i < expected.size(); ++i) {
     const Comparison c = compare(expected[i], got[i],
@@ -114,10 +107,10 @@ TEST_P(EngineTest, ThePictureIsTheSameWhileTheEngineChanges) {
       if (frame >= 2) backdrop(gl);
     };
   };
-  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
   const std::vector<Picture> expected = play(real->real(), 4, with(real->real()));
   const std::vector<GLenum> wanted = std::exchange(errors, {});
-  TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
   const std::vector<Picture> got = play(ours.gl(), 4, with(ours.gl()));
   for (size_t i = 0; i < expected.size(); ++i) {
     const Comparison c = compare(expected[i], got[i], GetParam()->tolerance);
@@ -130,7 +123,7 @@ TEST_P(EngineTest, ThePictureIsTheSameWhileTheEngineChanges) {
   EXPECT_TRUE(s.rasterisedBecause[kSmall] > 0 || !GetParam()->traced);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EngineTest, testing::ValuesIn(allScenes()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, EngineTest, testing::ValuesIn(allScenes()), sceneNameOf);
 
 /// Whether vertices of a list take colours from its caller until the list sets one. Mesa 25.0 gives those of
 /// the triangle that is open then the list's colour, against the specification.
@@ -140,11 +133,11 @@ bool listsInherit(Gl gl) {
   gl.Vertex3f(-1, -1, 0), gl.Vertex3f(1, -1, 0), gl.Color3f(0, 0, 1), gl.Vertex3f(0, 1, 0);
   gl.End();
   gl.EndList();
-  scenes::begin(gl, kWidth, kHeight);
+  scenes::begin(gl, kSceneWidth, kSceneHeight);
   gl.Color3f(1, 0, 0);
   gl.CallList(2);
   uint32_t nearCaller = 0;
-  gl.ReadPixels(kWidth / 4, kHeight / 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &nearCaller);
+  gl.ReadPixels(kSceneWidth / 4, kSceneHeight / 8, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &nearCaller);
   return (nearCaller & 255) > 100;
 }
 
@@ -165,7 +158,7 @@ struct Mixture {
     gl.GenBuffers(1, &buffer);
   }
   void frame(Gl gl, int number) {
-    scenes::begin(gl, kWidth, kHeight);
+    scenes::begin(gl, kSceneWidth, kSceneHeight);
     if (large) backdrop(gl);
     gl.Enable(GL_DEPTH_TEST);
     gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity();
@@ -197,11 +190,11 @@ struct Mixture {
 };
 
 TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
-  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
   Mixture theirs, mine;
   theirs.inherits = mine.inherits = listsInherit(real->real());
   theirs.setUp(real->real());
-  TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
   mine.setUp(ours.gl());
   const gl::Statistics& s = ours.context().counts.statistics;
   int changes = 0, checked = 0;
@@ -212,7 +205,7 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
     direct = ours.context().clock.passesThrough();
     real->makeCurrent();
     theirs.frame(real->real(), i);
-    const Picture expected = readPicture(real->real(), kWidth, kHeight);
+    const Picture expected = readPicture(real->real(), kSceneWidth, kSceneHeight);
     ours.makeCurrent();
     mine.frame(ours.gl(), i);
     const Picture got = ours.read();
@@ -230,18 +223,18 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
 }
 
 TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
-  TracedContext ours({kWidth, kHeight}, withEngine(Engine::automatic));
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
-  scene.draw(ours.gl(), kWidth, kHeight);
+  scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
   EXPECT_FALSE(ours.context().clock.passesThrough());
-  scene.draw(ours.gl(), kWidth, kHeight);  // begins with a clear
+  scene.draw(ours.gl(), kSceneWidth, kSceneHeight);  // begins with a clear
   EXPECT_TRUE(ours.context().clock.passesThrough());
 }
 
 TEST(Engine, TracesEverythingIfSet) {
-  TracedContext ours({kWidth, kHeight}, withEngine(Engine::always));
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::always));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
-  for (int i = 0; i < 5; ++i) scene.draw(ours.gl(), kWidth, kHeight), ours.gl().Finish();
+  for (int i = 0; i < 5; ++i) scene.draw(ours.gl(), kSceneWidth, kSceneHeight), ours.gl().Finish();
   EXPECT_GT(ours.context().counts.statistics.drawsTraced, 0u);
   EXPECT_EQ(uint64_t{ours.context().counts.statistics.rasterisedBecause[kSmall]}, 0u);
 }

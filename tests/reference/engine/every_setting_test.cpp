@@ -21,9 +21,9 @@ namespace {
 using scenes::Gl;
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-constexpr int kSize = 48;
+constexpr int kEverySettingSize = 48;
 
-void quad(Gl gl, float z, float tilt, const scenes::Color& color) {
+void tiltedQuad(Gl gl, float z, float tilt, const scenes::Color& color) {
   gl.Color4f(color[0], color[1], color[2], color[3]);
   gl.Begin(GL_QUADS);
   gl.Normal3f(0, 0, 1);
@@ -33,15 +33,15 @@ void quad(Gl gl, float z, float tilt, const scenes::Color& color) {
 
 /// A wall with a ball, a line and a point before it, under two translucent sheets that are drawn in the wrong
 /// order, all turned against the viewer.
-Picture frameOf(TracedContext& context) {
-  const Gl gl = context.gl();
-  scenes::begin(gl, kSize, kSize);
-  scenes::camera(gl, kSize, kSize);
+Picture nextFrame(TracedContext& context) {
+  Gl gl = context.gl();
+  scenes::begin(gl, kEverySettingSize, kEverySettingSize);
+  scenes::camera(gl, kEverySettingSize, kEverySettingSize);
   scenes::keyLight(gl);
   scenes::light(gl, GL_LIGHT0, GL_AMBIENT, {0.2f, 0.2f, 0.2f, 1});
   gl.Rotatef(20, 1, 1, 0);
   gl.Enable(GL_COLOR_MATERIAL);
-  quad(gl, -0.8f, 0.1f, {0.8f, 0.7f, 0.6f, 1});
+  tiltedQuad(gl, -0.8f, 0.1f, {0.8f, 0.7f, 0.6f, 1});
   gl.Color4f(0.9f, 0.5f, 0.3f, 1);
   scenes::sendAt(gl, scenes::sphere(12, 16), -0.3f, 0, -0.2f, 0.5f);
   gl.Disable(GL_LIGHTING);
@@ -51,8 +51,8 @@ Picture frameOf(TracedContext& context) {
   gl.Enable(GL_LIGHTING);
   gl.Enable(GL_BLEND), gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl.DepthMask(GL_FALSE);
-  quad(gl, 0.6f, 0, {0.2f, 0.9f, 0.3f, 0.4f});
-  quad(gl, 0.3f, 0, {0.9f, 0.2f, 0.3f, 0.5f});
+  tiltedQuad(gl, 0.6f, 0, {0.2f, 0.9f, 0.3f, 0.4f});
+  tiltedQuad(gl, 0.3f, 0, {0.9f, 0.2f, 0.3f, 0.5f});
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
   Picture picture = context.read();
@@ -167,10 +167,12 @@ std::vector<Change> changes() {
   };
 }
 
-/// Settings of how pictures are made, and of passes, of which these pictures have one.
+/// Settings of how pictures are made, of passes, of which these pictures have one, and of ranks, of which
+/// there is one.
 const std::set<std::string> kElsewhere = {
-    "engine",        "bvh",         "shading",         "quirks",  "fps",    "noise",
-    "refine.passes", "refine.idle", "refine.adaptive", "denoise", "preset",
+    "engine", "bvh",           "shading",     "quirks",          "fps",
+    "noise",  "refine.passes", "refine.idle", "refine.adaptive", "denoise",
+    "preset", "gather",        "cull.draws",  "cull.from",       "cull.verify",
 };
 
 /// One read is one pass: samples, not the wish for little noise, make the picture.
@@ -200,11 +202,12 @@ TEST(EverySetting, IsInTheTable) {
 
 TEST(EverySetting, ChangesThePictureAndLeavesNothingBehind) {
   SettingsSource source(plain().settings);
-  TracedContext context({kSize, kSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
+  TracedContext context({kEverySettingSize, kEverySettingSize}, {}, nullptr, nullptr, familiesOfTests(),
+                        &source);
   const auto shown = [&](const Settings& settings) {
     source.store(settings);
-    frameOf(context);  // what is drawn later in a frame lights the next one
-    return frameOf(context);
+    nextFrame(context);  // what is drawn later in a frame lights the next one
+    return nextFrame(context);
   };
   const Picture first = shown(plain().settings);
   const gl::Statistics& counts = context.context().counts.statistics;
@@ -224,16 +227,17 @@ TEST(EverySetting, ChangesThePictureAndLeavesNothingBehind) {
 
 TEST(EverySetting, LightSwitchedAHundredTimesLeavesThePicture) {
   SettingsSource source(plain().settings);
-  TracedContext context({kSize, kSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
-  const Picture off = frameOf(context);
+  TracedContext context({kEverySettingSize, kEverySettingSize}, {}, nullptr, nullptr, familiesOfTests(),
+                        &source);
+  const Picture off = nextFrame(context);
   const uint64_t builds = context.context().counts.statistics.blasBuilds;
   const Settings lit = set({{"ao", "on"}, {"shadows", "on"}, {"lights", "three-point"}});
   source.store(lit);
-  const Picture on = frameOf(context);
+  const Picture on = nextFrame(context);
   EXPECT_FALSE(on.colors == off.colors);
   for (int i = 0; i < 100; ++i) {
     source.store(i % 2 ? lit : plain().settings);
-    ASSERT_TRUE(frameOf(context) == (i % 2 ? on : off)) << i;
+    ASSERT_TRUE(nextFrame(context) == (i % 2 ? on : off)) << i;
   }
   EXPECT_EQ(context.context().counts.statistics.blasBuilds, builds);
 }

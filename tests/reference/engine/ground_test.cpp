@@ -14,7 +14,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kGroundSize = 64;
 using Gl = const gl::RealGl&;
 using Step = std::function<void(Gl)>;
 
@@ -40,9 +40,9 @@ void overlay(Gl gl) {
 }
 
 /// The viewer stands at (0, 1.5, 5) and looks down a little.
-class Program {
+class GroundProgram {
  public:
-  explicit Program(const Settings& settings) : context_({kSize, kSize}, settings) {
+  explicit GroundProgram(const Settings& settings) : context_({kGroundSize, kGroundSize}, settings) {
     const GLfloat none[] = {0, 0, 0, 1}, white[] = {1, 1, 1, 1};
     gl().Enable(GL_DEPTH_TEST);
     gl().LightModelfv(GL_LIGHT_MODEL_AMBIENT, none);
@@ -61,7 +61,7 @@ class Program {
     const GLfloat above[] = {0, 1, 0, 0};
     gl().LoadMatrixf(glm::value_ptr(camera));
     gl().Lightfv(GL_LIGHT0, GL_POSITION, above);
-    gl().Viewport(0, 0, kSize, kSize);
+    gl().Viewport(0, 0, kGroundSize, kGroundSize);
     gl().ClearColor(clear.r, clear.g, clear.b, clear.a);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (const Step& step : steps) step(gl());
@@ -84,21 +84,21 @@ Settings with(GroundKind ground, BackgroundKind background = BackgroundKind::pro
 }
 
 uint32_t at(const Picture& picture, int x, int y) {
-  return picture.colors[static_cast<size_t>(y * kSize + x)];
+  return picture.colors[static_cast<size_t>(y * kGroundSize + x)];
 }
 int red(uint32_t color) { return static_cast<int>(color & 255); }
 
-constexpr uint32_t kBlue = 0xffff0000, kGreen = 0xff00ff00, kRed = 0xff0000ff;
+constexpr uint32_t kBluePixel = 0xffff0000, kGreenPixel = 0xff00ff00, kRedPixel = 0xff0000ff;
 
 TEST(GroundInPrograms, FillsTheViewBelowTheScene) {
-  const Picture without = Program(with(GroundKind::off)).frame({plate}),
-                with = Program(test::with(GroundKind::plane)).frame({plate});
-  EXPECT_EQ(at(without, 5, 5), kBlue);
+  const Picture without = GroundProgram(with(GroundKind::off)).frame({plate}),
+                with = GroundProgram(test::with(GroundKind::plane)).frame({plate});
+  EXPECT_EQ(at(without, 5, 5), kBluePixel);
   for (const int x : {2, 32, 61}) EXPECT_NEAR(red(at(with, x, 3)), 204, 2) << x;
   int seen = 0;
-  for (int y = 0; y < kSize; ++y)
-    for (int x = 0; x < kSize; ++x)
-      if (at(without, x, y) != kBlue) {
+  for (int y = 0; y < kGroundSize; ++y)
+    for (int x = 0; x < kGroundSize; ++x)
+      if (at(without, x, y) != kBluePixel) {
         EXPECT_EQ(at(with, x, y), at(without, x, y)) << x << ' ' << y;
         ++seen;
       }
@@ -107,20 +107,20 @@ TEST(GroundInPrograms, FillsTheViewBelowTheScene) {
 
 TEST(GroundInPrograms, ALayerOverTheSceneAndAnInsetHaveNone) {
   const Step layer = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), plateAt(gl, 0.9f, 0.1f); };
-  const Picture one = Program(with(GroundKind::plane)).frame({plate}),
-                two = Program(with(GroundKind::plane)).frame({plate, layer});
+  const Picture one = GroundProgram(with(GroundKind::plane)).frame({plate}),
+                two = GroundProgram(with(GroundKind::plane)).frame({plate, layer});
   int same = 0;
   for (size_t i = 0; i < one.colors.size(); ++i) same += one.colors[i] == two.colors[i];
-  EXPECT_GT(same, kSize * kSize - 60) << "all but the small plate";
-  EXPECT_LT(same, kSize * kSize);
+  EXPECT_GT(same, kGroundSize * kGroundSize - 60) << "all but the small plate";
+  EXPECT_LT(same, kGroundSize * kGroundSize);
   const Step inset = [](Gl gl) {
     gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, 16, 16), gl.Viewport(0, 0, 16, 16);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     plate(gl);
     gl.Disable(GL_SCISSOR_TEST);
   };
-  const Picture marked = Program(with(GroundKind::plane)).frame({plate, inset});
-  EXPECT_EQ(at(marked, 1, 1), kBlue);
+  const Picture marked = GroundProgram(with(GroundKind::plane)).frame({plate, inset});
+  EXPECT_EQ(at(marked, 1, 1), kBluePixel);
   EXPECT_NEAR(red(at(marked, 20, 1)), 204, 2);
 }
 
@@ -130,10 +130,10 @@ TEST(GroundInPrograms, SeveralBatchesOfAViewShowOne) {
     gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
     plateAt(gl, 1.2f, 0.2f);
   };
-  Program program(with(GroundKind::plane));
+  GroundProgram program(with(GroundKind::plane));
   program.frame({plate, flushed});
   const Picture picture = program.frame({plate, flushed});
-  Program whole(with(GroundKind::plane));
+  GroundProgram whole(with(GroundKind::plane));
   const Picture expected = whole.frame({plate, [](Gl gl) { plateAt(gl, 1.2f, 0.2f); }});
   int differ = 0;
   for (size_t i = 0; i < picture.colors.size(); ++i) differ += picture.colors[i] != expected.colors[i];
@@ -144,12 +144,13 @@ TEST(GroundInPrograms, PicturesToPickFromHaveNone) {
   const Step flat = [](Gl gl) {
     gl.Color3ub(7, 0, 0), quad(gl, {-1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0});
   };
-  const Picture picture = Program(with(GroundKind::plane, BackgroundKind::color)).frame({flat}, {0, 0, 0, 0});
+  const Picture picture =
+      GroundProgram(with(GroundKind::plane, BackgroundKind::color)).frame({flat}, {0, 0, 0, 0});
   EXPECT_EQ(at(picture, 5, 3), 0u);
 }
 
 TEST(GroundInPrograms, MovingTheCameraBuildsNothing) {
-  Program program(with(GroundKind::plane));
+  GroundProgram program(with(GroundKind::plane));
   program.frame({plate});
   program.frame({plate}, {0, 0, 1, 1}, 5);
   const uint64_t before = program.statistics().blasBuilds;
@@ -162,13 +163,13 @@ TEST(CatcherInPrograms, DarkensTheBackgroundAndKeepsTheShadowInAlpha) {
   settings.shadows.enabled = true;
   settings.shadows.size = 0;
   settings.shadows.strength = 0.5f;
-  const Picture white = Program(settings).frame({plate}, {1, 1, 1, 1}),
-                clear = Program(settings).frame({plate}, {0, 0, 0, 0});
+  const Picture white = GroundProgram(settings).frame({plate}, {1, 1, 1, 1}),
+                clear = GroundProgram(settings).frame({plate}, {0, 0, 0, 0});
   int shadow = 0, open = 0;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kGroundSize; ++y) {
+    for (int x = 0; x < kGroundSize; ++x) {
       const uint32_t alpha = at(clear, x, y) >> 24;
-      if (white.depths[static_cast<size_t>(y * kSize + x)] < 1) continue;  // the plate
+      if (white.depths[static_cast<size_t>(y * kGroundSize + x)] < 1) continue;  // the plate
       EXPECT_NEAR(red(at(white, x, y)), 255 - static_cast<int>(alpha), 1) << x << ' ' << y;
       EXPECT_EQ(at(white, x, y) >> 24, 255u);
       EXPECT_EQ(at(clear, x, y) & 0xffffff, 0u);
@@ -181,22 +182,22 @@ TEST(CatcherInPrograms, DarkensTheBackgroundAndKeepsTheShadowInAlpha) {
 }
 
 TEST(BackgroundInPrograms, ReplacesTheClearColourAlone) {
-  const Picture picture = Program(with(GroundKind::off, BackgroundKind::color)).frame({overlay, plate});
-  const Picture before = Program(with(GroundKind::off)).frame({overlay, plate});
+  const Picture picture = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({overlay, plate});
+  const Picture before = GroundProgram(with(GroundKind::off)).frame({overlay, plate});
   int red = 0, green = 0;
   for (size_t i = 0; i < picture.colors.size(); ++i) {
     EXPECT_EQ(picture.depths[i], before.depths[i]);
-    EXPECT_EQ(picture.colors[i], before.colors[i] == kBlue ? kGreen : before.colors[i]);
-    red += picture.colors[i] == kRed, green += picture.colors[i] == kGreen;
+    EXPECT_EQ(picture.colors[i], before.colors[i] == kBluePixel ? kGreenPixel : before.colors[i]);
+    red += picture.colors[i] == kRedPixel, green += picture.colors[i] == kGreenPixel;
   }
   EXPECT_GT(red, 900);
   EXPECT_GT(green, 1000);
 }
 
 TEST(BackgroundInPrograms, OverlaysDrawnLaterStay) {
-  const Picture picture = Program(with(GroundKind::off, BackgroundKind::color)).frame({plate, overlay});
-  EXPECT_EQ(at(picture, 5, 60), kRed);
-  EXPECT_EQ(at(picture, 60, 60), kGreen);
+  const Picture picture = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({plate, overlay});
+  EXPECT_EQ(at(picture, 5, 60), kRedPixel);
+  EXPECT_EQ(at(picture, 60, 60), kGreenPixel);
 }
 
 TEST(BackgroundInPrograms, AProgramsOwnBackgroundStays) {
@@ -208,8 +209,8 @@ TEST(BackgroundInPrograms, AProgramsOwnBackgroundStays) {
     gl.PopMatrix(), gl.MatrixMode(GL_MODELVIEW), gl.PopMatrix();
     gl.Enable(GL_DEPTH_TEST);
   };
-  const Picture picture = Program(with(GroundKind::off, BackgroundKind::color)).frame({own, plate});
-  EXPECT_EQ(at(picture, 60, 0), kBlue);
+  const Picture picture = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({own, plate});
+  EXPECT_EQ(at(picture, 60, 0), kBluePixel);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace gluray::test {
 namespace {
 
 using Gl = const gl::RealGl&;
-constexpr int kSize = 64;
+constexpr int kHiddenExtensionsSize = 64;
 using Names = std::vector<std::string>;
 
 Settings settings(bool hide) {
@@ -50,11 +50,11 @@ TEST(HiddenExtensions, AreOffUnlessSwitchedOn) {
   EXPECT_FALSE(Settings{}.quirks.has(Quirk::hidePersistentMapping));
   Names all, oneString;
   {
-    const auto real = OsmesaContext::create({kSize, kSize});
+    const auto real = OsmesaContext::create({kHiddenExtensionsSize, kHiddenExtensionsSize});
     all = listed(real->real()), oneString = inOneString(real->real());
   }
   ASSERT_NE(without(all), all) << "the real OpenGL has what is to be hidden";
-  TracedContext ours({kSize, kSize});
+  TracedContext ours({kHiddenExtensionsSize, kHiddenExtensionsSize});
   EXPECT_EQ(listed(ours.gl()), all);
   EXPECT_EQ(inOneString(ours.gl()), oneString);
 }
@@ -63,12 +63,12 @@ TEST(HiddenExtensions, AreMissingFromEveryList) {
   Names all, oneString;
   std::string version;
   {
-    const auto real = OsmesaContext::create({kSize, kSize});
+    const auto real = OsmesaContext::create({kHiddenExtensionsSize, kHiddenExtensionsSize});
     all = listed(real->real()), oneString = inOneString(real->real());
     version = reinterpret_cast<const char*>(real->real().GetString(GL_VERSION));
   }
   const uint64_t before = useCount(Quirk::hidePersistentMapping);
-  TracedContext ours({kSize, kSize}, settings(true));
+  TracedContext ours({kHiddenExtensionsSize, kHiddenExtensionsSize}, settings(true));
   Gl gl = ours.gl();
   EXPECT_EQ(listed(gl), without(all));
   EXPECT_EQ(inOneString(gl), without(oneString));
@@ -114,7 +114,7 @@ Picture drawAsFound(Gl gl) {
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.Finish();
   }
-  return readPicture(gl, kSize, kSize);
+  return readPicture(gl, kHiddenExtensionsSize, kHiddenExtensionsSize);
 }
 
 /// Colours of which no component differs by more than one, by rounding.
@@ -127,11 +127,11 @@ bool isClose(uint32_t a, uint32_t b) {
 TEST(HiddenExtensions, TheProgramThatDoesNotFindThemIsTraced) {
   Picture expected;
   {
-    const auto real = OsmesaContext::create({kSize, kSize});
+    const auto real = OsmesaContext::create({kHiddenExtensionsSize, kHiddenExtensionsSize});
     expected = drawAsFound(real->real());
   }
   for (const bool hide : {false, true}) {
-    TracedContext ours({kSize, kSize}, settings(hide));
+    TracedContext ours({kHiddenExtensionsSize, kHiddenExtensionsSize}, settings(hide));
     const Picture got = drawAsFound(ours.gl());
     size_t differing = 0;
     for (size_t i = 0; i < got.colors.size(); ++i) differing += !isClose(got.colors[i], expected.colors[i]);

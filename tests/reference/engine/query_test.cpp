@@ -9,7 +9,7 @@ namespace gluray::test {
 namespace {
 
 using Gl = const gl::RealGl&;
-constexpr int kSize = 48;
+constexpr int kQuerySize = 48;
 
 void triangle(Gl gl, float z) {
   gl.Begin(GL_TRIANGLES);
@@ -32,9 +32,9 @@ GLuint samplesPassed(Gl gl) {
 }
 
 TEST(Queries, CountWhatTheRealOneCounts) {
-  const auto real = OsmesaContext::create({kSize, kSize});
+  const auto real = OsmesaContext::create({kQuerySize, kQuerySize});
   const GLuint expected = samplesPassed(real->real());
-  TracedContext ours({kSize, kSize});
+  TracedContext ours({kQuerySize, kQuerySize});
   EXPECT_EQ(samplesPassed(ours.gl()), expected);
   EXPECT_GT(expected, 0u);
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 2u) << "draws outside of the query are traced";
@@ -42,7 +42,7 @@ TEST(Queries, CountWhatTheRealOneCounts) {
 }
 
 TEST(Queries, ConditionalDrawsFollowTheirQuery) {
-  TracedContext ours({kSize, kSize});
+  TracedContext ours({kQuerySize, kQuerySize});
   Gl gl = ours.gl();
   gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   GLuint query = 0;
@@ -52,7 +52,7 @@ TEST(Queries, ConditionalDrawsFollowTheirQuery) {
   gl.Color3f(1, 0, 0), triangle(gl, 0);
   gl.EndConditionalRender();
   uint32_t pixel = 0;
-  gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+  gl.ReadPixels(kQuerySize / 2, kQuerySize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
   EXPECT_EQ(pixel & 0xFF, 0u) << "the draw must not appear";
 }
 
@@ -75,13 +75,13 @@ const Rare kRares[] = {
 
 TEST(RareState, IsRasterisedWithItsReason) {
   for (const Rare& rare : kRares) {
-    const auto real = OsmesaContext::create({kSize, kSize});
-    TracedContext ours({kSize, kSize});
+    const auto real = OsmesaContext::create({kQuerySize, kQuerySize});
+    TracedContext ours({kQuerySize, kQuerySize});
     const auto draw = [&](Gl gl) {
       gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
       rare.set(gl);
       gl.Color3f(0.2f, 0.7f, 0.4f), triangle(gl, 0.2f);
-      return readPicture(gl, kSize, kSize);
+      return readPicture(gl, kQuerySize, kQuerySize);
     };
     EXPECT_TRUE(draw(real->real()) == draw(ours.gl())) << rare.name;
     EXPECT_EQ(ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(rare.reason)], 1u)

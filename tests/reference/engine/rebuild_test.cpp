@@ -10,7 +10,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kRebuiltSize = 64;
 
 /// A bumpy sheet of n x n squares with a colour at each vertex.
 struct Sheet {
@@ -43,9 +43,9 @@ void light(const gl::RealGl& gl, float brightness, float x) {
 }
 
 /// One frame: cleared, drawn from a camera that turns with `frame`, read back.
-Picture frameOf(TracedContext& context, int frame, const std::function<void()>& draw) {
+Picture framePicture(TracedContext& context, int frame, const std::function<void()>& draw) {
   const gl::RealGl& gl = context.gl();
-  gl.Viewport(0, 0, kSize, kSize);
+  gl.Viewport(0, 0, kRebuiltSize, kRebuiltSize);
   gl.Enable(GL_DEPTH_TEST);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl.MatrixMode(GL_PROJECTION), gl.LoadIdentity(), gl.Frustum(-1, 1, -1, 1, 2, 10);
@@ -63,7 +63,7 @@ uint64_t buildsOver(TracedContext& context, const std::function<void(int frame)>
   const uint64_t before = context.context().counts.statistics.blasBuilds;
   Picture last;
   for (int frame = 0; frame < 8; ++frame) {
-    const Picture picture = frameOf(context, frame, [&] { draw(frame); });
+    const Picture picture = framePicture(context, frame, [&] { draw(frame); });
     EXPECT_FALSE(frame > 0 && picture == last) << "frame " << frame << " looks like the one before";
     last = picture;
   }
@@ -83,14 +83,14 @@ void sendImmediate(const gl::RealGl& gl, const Sheet& sheet, float red) {
 }
 
 TEST(Rebuild, ListIsBuiltOnceForAllCamerasAndLights) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const Sheet sheet(20);
   context.gl().NewList(1, GL_COMPILE), sendImmediate(context.gl(), sheet, 0.5f), context.gl().EndList();
   EXPECT_EQ(buildsOver(context, [&](int) { context.gl().CallList(1); }), 1u);
 }
 
 TEST(Rebuild, ListCompiledAgainWithOtherColoursKeepsItsStructure) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const Sheet sheet(21);
   EXPECT_EQ(buildsOver(context,
                        [&](int frame) {
@@ -103,7 +103,7 @@ TEST(Rebuild, ListCompiledAgainWithOtherColoursKeepsItsStructure) {
 }
 
 TEST(Rebuild, ImmediateModeIsFoundAgainWhateverItsColours) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const Sheet sheet(22);
   EXPECT_EQ(
       buildsOver(context,
@@ -112,7 +112,7 @@ TEST(Rebuild, ImmediateModeIsFoundAgainWhateverItsColours) {
 }
 
 TEST(Rebuild, ColourBufferMayChangeEveryFrame) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const gl::RealGl& gl = context.gl();
   Sheet sheet(23);
   GLuint buffers[3];
@@ -139,7 +139,7 @@ TEST(Rebuild, ColourBufferMayChangeEveryFrame) {
 }
 
 TEST(Rebuild, ClientArraysAreFoundAgain) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const gl::RealGl& gl = context.gl();
   Sheet sheet(24);
   gl.EnableClientState(GL_VERTEX_ARRAY), gl.EnableClientState(GL_COLOR_ARRAY);
@@ -155,7 +155,7 @@ TEST(Rebuild, ClientArraysAreFoundAgain) {
 }
 
 TEST(Rebuild, MovedVerticesAreBuiltAgain) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   Sheet sheet(25);
   EXPECT_EQ(buildsOver(context,
                        [&](int frame) {
@@ -166,7 +166,7 @@ TEST(Rebuild, MovedVerticesAreBuiltAgain) {
 }
 
 TEST(Rebuild, ManySmallDrawsOfOneStateAreOneMesh) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const gl::RealGl& gl = context.gl();
   const Sheet sheet(26);
   buildsOver(context, [&](int) {
@@ -180,7 +180,7 @@ TEST(Rebuild, ManySmallDrawsOfOneStateAreOneMesh) {
 }
 
 TEST(Rebuild, ARepeatedListIsInstances) {
-  TracedContext context({kSize, kSize});
+  TracedContext context({kRebuiltSize, kRebuiltSize});
   const gl::RealGl& gl = context.gl();
   const Sheet sheet(27);
   gl.NewList(1, GL_COMPILE), sendImmediate(gl, sheet, 0.5f), gl.EndList();

@@ -15,7 +15,7 @@ namespace {
 
 using scenes::Gl;
 
-constexpr int kSize = 96;
+constexpr int kSettingsSize = 96;
 
 /// Adds the settings of its batches to `seen`.
 std::unique_ptr<gl::Presenter> takeSettings(std::vector<Settings>& seen) {
@@ -29,9 +29,9 @@ void drawBatch(Gl gl, GLenum depthFunction) {
 }
 
 /// Two batches, with `between` in between.
-void drawFrame(Gl gl, const std::function<void()>& between = {}) {
-  scenes::begin(gl, kSize, kSize);
-  scenes::camera(gl, kSize, kSize);
+void drawSquares(Gl gl, const std::function<void()>& between = {}) {
+  scenes::begin(gl, kSettingsSize, kSettingsSize);
+  scenes::camera(gl, kSettingsSize, kSettingsSize);
   scenes::keyLight(gl);
   drawBatch(gl, GL_LESS);
   if (between) between();
@@ -50,16 +50,17 @@ TEST(SettingsOfFrames, AStoreTakesEffectFromTheNextFrameOn) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
-  TracedContext context({kSize, kSize}, first, takeSettings(seen), nullptr, familiesOfTests(), &source);
-  drawFrame(context.gl(), [&] { source.store(other()); });
+  TracedContext context({kSettingsSize, kSettingsSize}, first, takeSettings(seen), nullptr, familiesOfTests(),
+                        &source);
+  drawSquares(context.gl(), [&] { source.store(other()); });
   EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
   EXPECT_EQ(context.context().settings.now(), other());
   seen.clear();
-  drawFrame(context.gl());
+  drawSquares(context.gl());
   EXPECT_EQ(seen, (std::vector<Settings>{other(), other()}));
   seen.clear();
   source.store(first);  // between frames: the first clear takes it
-  drawFrame(context.gl());
+  drawSquares(context.gl());
   EXPECT_EQ(seen, (std::vector<Settings>{first, first}));
 }
 
@@ -67,12 +68,13 @@ TEST(SettingsOfFrames, AClearAfterDrawsBeginsNoFrame) {
   std::vector<Settings> seen;
   const Settings first = TracedContext::vertexShading();
   SettingsSource source(first);
-  TracedContext context({kSize, kSize}, first, takeSettings(seen), nullptr, familiesOfTests(), &source);
+  TracedContext context({kSettingsSize, kSettingsSize}, first, takeSettings(seen), nullptr, familiesOfTests(),
+                        &source);
   Gl gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
   drawBatch(gl, GL_LESS);  // without a clear
   source.store(other());
-  drawFrame(gl);
+  drawSquares(gl);
   EXPECT_EQ(seen, (std::vector<Settings>{first, first, first}));
 }
 
@@ -80,19 +82,19 @@ TEST(SettingsOfFrames, SettingsOfContextsStay) {
   SettingsSource source(TracedContext::vertexShading());
   Settings next = other();
   next.threads = 3, next.renderer = Renderer::null;
-  TracedContext old({kSize, kSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
+  TracedContext old({kSettingsSize, kSettingsSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
   source.store(next);
-  drawFrame(old.gl());
+  drawSquares(old.gl());
   EXPECT_EQ(old.context().settings.now(), other());
-  const TracedContext fresh({kSize, kSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
+  const TracedContext fresh({kSettingsSize, kSettingsSize}, {}, nullptr, nullptr, familiesOfTests(), &source);
   EXPECT_EQ(fresh.context().settings.now(), next);
   EXPECT_EQ(old.context().settings.now(), other());
 }
 
 /// The picture of a frame in a context that has these settings from its first frame on.
 Picture pictureWith(const Settings& settings) {
-  TracedContext context({kSize, kSize}, settings);
-  drawFrame(context.gl());
+  TracedContext context({kSettingsSize, kSettingsSize}, settings);
+  drawSquares(context.gl());
   return context.read();
 }
 
@@ -101,10 +103,10 @@ TEST(SettingsOfFrames, PicturesFollow) {
   const Picture before = pictureWith(first), after = pictureWith(other());
   EXPECT_NE(before.colors, after.colors);
   SettingsSource source(first);
-  TracedContext context({kSize, kSize}, first, nullptr, nullptr, familiesOfTests(), &source);
-  drawFrame(context.gl(), [&] { source.store(other()); });
+  TracedContext context({kSettingsSize, kSettingsSize}, first, nullptr, nullptr, familiesOfTests(), &source);
+  drawSquares(context.gl(), [&] { source.store(other()); });
   EXPECT_EQ(context.read().colors, before.colors);
-  drawFrame(context.gl());
+  drawSquares(context.gl());
   EXPECT_EQ(context.read().colors, after.colors);
   EXPECT_EQ(context.read().depths, after.depths);
 }
@@ -113,10 +115,11 @@ TEST(SettingsOfFrames, SmallScenesAreTracedIfASettingChangesThePicture) {
   Settings automatic = TracedContext::vertexShading();
   automatic.engine = Engine::automatic;
   SettingsSource source(automatic);
-  TracedContext context({kSize, kSize}, automatic, nullptr, nullptr, familiesOfTests(), &source);
+  TracedContext context({kSettingsSize, kSettingsSize}, automatic, nullptr, nullptr, familiesOfTests(),
+                        &source);
   const auto tracedIn = [&](int frames) {
     const uint64_t before = context.context().counts.statistics.drawsTraced;
-    for (int i = 0; i < frames; ++i) drawFrame(context.gl());
+    for (int i = 0; i < frames; ++i) drawSquares(context.gl());
     return context.context().counts.statistics.drawsTraced - before;
   };
   EXPECT_EQ(tracedIn(1), 0u);  // so few triangles are left to the real OpenGL

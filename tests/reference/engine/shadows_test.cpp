@@ -8,10 +8,10 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kShadowsSize = 64;
 
-void quad(const gl::RealGl& gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
-          const glm::vec3& d) {
+void cornersQuad(const gl::RealGl& gl, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+                 const glm::vec3& d) {
   gl.Begin(GL_QUADS);
   gl.Normal3f(0, 0, -1);
   for (const glm::vec3* p : {&a, &b, &c, &d}) gl.Vertex3f(p->x, p->y, p->z);
@@ -21,7 +21,7 @@ void quad(const gl::RealGl& gl, const glm::vec3& a, const glm::vec3& b, const gl
 /// A lit floor that fills the window, seen along z, with a light from the right at 45 degrees, and a screen
 /// at its right, 0.5 above it, that covers x > 0.75.
 Picture screened(const Settings& settings) {
-  TracedContext context({kSize, kSize}, settings);
+  TracedContext context({kShadowsSize, kShadowsSize}, settings);
   const gl::RealGl& gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_LIGHTING);
@@ -32,15 +32,16 @@ Picture screened(const Settings& settings) {
   gl.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, color);
   gl.ClearColor(0, 0, 0, 0);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  quad(gl, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-  quad(gl, {0.75f, -1, -0.5f}, {3, -1, -0.5f}, {3, 1, -0.5f}, {0.75f, 1, -0.5f});
+  cornersQuad(gl, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
+  cornersQuad(gl, {0.75f, -1, -0.5f}, {3, -1, -0.5f}, {3, 1, -0.5f}, {0.75f, 1, -0.5f});
   gl.Finish();
   EXPECT_GT(context.context().counts.statistics.drawsTraced, 0u);
   return context.read();
 }
 
 int channel(const Picture& picture, int x, int c) {
-  return static_cast<int>(picture.colors[static_cast<size_t>(kSize / 2 * kSize + x)] >> (8 * c) & 255);
+  return static_cast<int>(
+      picture.colors[static_cast<size_t>(kShadowsSize / 2 * kShadowsSize + x)] >> (8 * c) & 255);
 }
 
 Settings withShadows(bool on) {

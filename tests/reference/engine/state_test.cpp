@@ -9,7 +9,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kStateWidth = 96, kStateHeight = 72;
 
 /// Addresses differ from run to run, also without GLuRay.
 bool isAddress(const std::string& line) {
@@ -19,12 +19,12 @@ bool isAddress(const std::string& line) {
 class StateTest : public testing::TestWithParam<const scenes::Scene*> {};
 
 TEST_P(StateTest, AnswersAreTheSame) {
-  const auto real = OsmesaContext::create({kWidth, kHeight});
-  GetParam()->draw(real->real(), kWidth, kHeight);
+  const auto real = OsmesaContext::create({kStateWidth, kStateHeight});
+  GetParam()->draw(real->real(), kStateWidth, kStateHeight);
   const GlState expected = queryState(real->real());
 
-  TracedContext ours({kWidth, kHeight});
-  GetParam()->draw(ours.gl(), kWidth, kHeight);
+  TracedContext ours({kStateWidth, kStateHeight});
+  GetParam()->draw(ours.gl(), kStateWidth, kStateHeight);
   std::vector<std::string> lines = differences(expected, queryState(ours.gl()));
   std::erase_if(lines, isAddress);
   EXPECT_EQ(lines, std::vector<std::string>{});

@@ -12,10 +12,10 @@ namespace gluray::test {
 namespace {
 
 using namespace scenes;
-using Image = std::shared_ptr<const scene::TextureImage>;
+using TakenImage = std::shared_ptr<const scene::TextureImage>;
 
 /// Puts the texture image of the last batch into `image`.
-std::unique_ptr<gl::Presenter> takeImage(Image& image) {
+std::unique_ptr<gl::Presenter> takeImage(TakenImage& image) {
   return std::make_unique<SnapshotTaker>([&image](const scene::Snapshot& s) {
     const auto& textures = s.shadings.back().textures;
     image = textures.empty() ? nullptr : textures[0].image;
@@ -24,7 +24,7 @@ std::unique_ptr<gl::Presenter> takeImage(Image& image) {
 
 class TextureCache : public testing::Test {
  protected:
-  Image last;
+  TakenImage last;
   TracedContext context{{64, 64}, TracedContext::vertexShading(), takeImage(last)};
   Gl gl = context.gl();
   GLuint texture = 0;
@@ -37,13 +37,13 @@ class TextureCache : public testing::Test {
   }
   GLuint fresh() {
     const GLuint name = bindFresh(gl, GL_TEXTURE_2D);
-    upload(gl, GL_RGBA8, 8, GL_NEAREST, GL_REPEAT);
+    scenes::upload(gl, GL_RGBA8, 8, GL_NEAREST, GL_REPEAT);
     return name;
   }
   /// The texture image with which a surface is drawn now.
-  Image drawn(GLuint name) {
+  TakenImage drawn(GLuint name) {
     gl.BindTexture(GL_TEXTURE_2D, name);
-    send(gl, sphere(6, 8), kTexcoords);
+    send(gl, scenes::sphere(6, 8), kTexcoords);
     gl.Finish();
     return last;
   }
@@ -55,7 +55,7 @@ TEST_F(TextureCache, BitmapsInListsChangeNoTexture) {
   gl.NewList(list, GL_COMPILE);
   gl.Bitmap(8, 1, 0, 0, 0, 0, bits);
   gl.EndList();
-  const Image first = drawn(texture);
+  const TakenImage first = drawn(texture);
   ASSERT_NE(first, nullptr);
   gl.CallList(list);
   EXPECT_EQ(drawn(texture), first);
@@ -79,7 +79,7 @@ TEST_F(TextureCache, DrawingIntoATextureChangesThatOneOnly) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  const Image other = drawn(texture), before = drawn(target);
+  const TakenImage other = drawn(texture), before = drawn(target);
   ASSERT_NE(before, nullptr);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.ClearColor(0, 1, 0, 1);

@@ -13,7 +13,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kLitViewSize = 64;
 using Gl = const gl::RealGl&;
 using Step = std::function<void(Gl)>;
 
@@ -29,7 +29,7 @@ void wall(Gl gl) {
 }
 void nothing(Gl) {}
 
-Settings withAo(bool on = true) {
+Settings coarseAo(bool on = true) {
   Settings settings = TracedContext::tracing();
   settings.ao.enabled = on;
   settings.ao.samples = 64;
@@ -37,9 +37,9 @@ Settings withAo(bool on = true) {
   return settings;
 }
 
-class Program {
+class LitProgram {
  public:
-  explicit Program(const Settings& settings) : context_({kSize, kSize}, settings) {
+  explicit LitProgram(const Settings& settings) : context_({kLitViewSize, kLitViewSize}, settings) {
     gl().Enable(GL_DEPTH_TEST);
     gl().ClearColor(0, 0, 0, 0);
   }
@@ -47,7 +47,7 @@ class Program {
   Picture frame(const std::vector<Step>& steps) {
     context_.makeCurrent();
     gl().DepthFunc(GL_LESS);
-    gl().Viewport(0, 0, kSize, kSize);
+    gl().Viewport(0, 0, kLitViewSize, kLitViewSize);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (const Step& step : steps) step(gl());
     gl().Finish();
@@ -60,16 +60,16 @@ class Program {
   TracedContext context_;
 };
 
-Picture frameOf(const std::vector<Step>& steps, const Settings& settings = withAo()) {
-  return Program(settings).frame(steps);
+Picture frameOf(const std::vector<Step>& steps, const Settings& settings = coarseAo()) {
+  return LitProgram(settings).frame(steps);
 }
 
 /// Red of the floor's pixels, left of the wall.
 std::vector<int> floorOf(const Picture& picture) {
   std::vector<int> result;
-  for (int y = 4; y < kSize - 4; ++y)
+  for (int y = 4; y < kLitViewSize - 4; ++y)
     for (int x = 4; x < 60; ++x)
-      result.push_back(static_cast<int>(picture.colors[static_cast<size_t>(y * kSize + x)] & 255));
+      result.push_back(static_cast<int>(picture.colors[static_cast<size_t>(y * kLitViewSize + x)] & 255));
   return result;
 }
 
@@ -84,13 +84,13 @@ void blendedLine(Gl gl) {
   gl.Disable(GL_BLEND);
 }
 
-struct Case {
+struct LitViewCase {
   const char* name;
   Step between;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const LitViewCase& c, std::ostream* out) { *out << c.name; }
 
-const Case kSplits[] = {
+const LitViewCase kSplits[] = {
     {"depthFunction", [](Gl gl) { gl.DepthFunc(GL_LEQUAL); }},
     {"polygonOffset", [](Gl gl) { gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 1); }},
     {"blendedDraw", blendedLine},
@@ -100,7 +100,8 @@ const Case kSplits[] = {
        gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
      }},
     {"colorMask", [](Gl gl) { gl.ColorMask(1, 1, 1, 0); }},
-    {"scissor", [](Gl gl) { gl.Enable(GL_SCISSOR_TEST), gl.Scissor(1, 1, kSize - 1, kSize - 1); }},
+    {"scissor",
+     [](Gl gl) { gl.Enable(GL_SCISSOR_TEST), gl.Scissor(1, 1, kLitViewSize - 1, kLitViewSize - 1); }},
     {"depthClearElsewhere",
      [](Gl gl) {
        gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, 3, 3);
@@ -115,10 +116,10 @@ const Case kSplits[] = {
      }},
 };
 
-class SplitView : public testing::TestWithParam<Case> {};
+class SplitView : public testing::TestWithParam<LitViewCase> {};
 
 TEST_P(SplitView, IsLitAsInOneBatch) {
-  Program program(withAo());
+  LitProgram program(coarseAo());
   const Picture split = program.frame({wall, GetParam().between, floor});
   EXPECT_GE(program.statistics().flushes, 2u);
   const std::vector<int> whole = floorOf(frameOf({wall, floor}));
@@ -129,15 +130,15 @@ TEST_P(SplitView, IsLitAsInOneBatch) {
 INSTANTIATE_TEST_SUITE_P(ViewLight, SplitView, testing::ValuesIn(kSplits),
                          [](const auto& info) { return std::string(info.param.name); });
 
-const Case kEnds[] = {
+const LitViewCase kEnds[] = {
     {"depthClear", [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT); }},
     {"depthClearOfTheViewport",
      [](Gl gl) {
-       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, kSize, kSize);
+       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, kLitViewSize, kLitViewSize);
        gl.Clear(GL_DEPTH_BUFFER_BIT);
        gl.Disable(GL_SCISSOR_TEST);
      }},
-    {"otherViewport", [](Gl gl) { gl.Viewport(0, 0, kSize, kSize + 1); }},
+    {"otherViewport", [](Gl gl) { gl.Viewport(0, 0, kLitViewSize, kLitViewSize + 1); }},
     {"otherProjection",
      [](Gl gl) {
        gl.MatrixMode(GL_PROJECTION);
@@ -146,7 +147,7 @@ const Case kEnds[] = {
      }},
 };
 
-class OtherView : public testing::TestWithParam<Case> {};
+class OtherView : public testing::TestWithParam<LitViewCase> {};
 
 TEST_P(OtherView, IsNotLitByTheFirst) {
   const auto [name, end] = GetParam();
@@ -160,15 +161,15 @@ TEST(ViewLight, AMarkerInACornerNeitherShadesNorIsShaded) {
   const Step marker = [](Gl gl) {
     gl.Viewport(0, 0, 16, 16);
     wall(gl), floor(gl);
-    gl.Viewport(0, 0, kSize, kSize);
+    gl.Viewport(0, 0, kLitViewSize, kLitViewSize);
   };
   const Step later = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
-  Program with(withAo()), without(withAo());
+  LitProgram with(coarseAo()), without(coarseAo());
   for (int i = 0; i < 3; ++i) {
     const Picture marked = with.frame({wall, marker, floor}), plain = without.frame({wall, later, floor});
-    for (int y = 16; y < kSize; ++y)
+    for (int y = 16; y < kLitViewSize; ++y)
       for (int x = 4; x < 60; ++x) {
-        const auto at = static_cast<size_t>(y * kSize + x);
+        const auto at = static_cast<size_t>(y * kLitViewSize + x);
         ASSERT_EQ(marked.colors[at], plain.colors[at]) << x << ' ' << y;
       }
   }
@@ -177,7 +178,7 @@ TEST(ViewLight, AMarkerInACornerNeitherShadesNorIsShaded) {
 const Step kSplit = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
 
 TEST(ViewLight, WhatComesLaterIsKnownFromTheFrameBefore) {
-  Program program(withAo());
+  LitProgram program(coarseAo());
   const std::vector<int> whole = floorOf(frameOf({floor, wall})), alone = floorOf(frameOf({floor}));
   ASSERT_NE(whole, alone);
   EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), alone);
@@ -201,7 +202,7 @@ TEST(ViewLight, WhatComesLaterMovesWithTheCamera) {
   const auto turned = [](float degrees) {
     return Step([degrees](Gl gl) { gl.LoadIdentity(), gl.Rotatef(degrees, 0, 0, 1), gl.Scalef(2, 2, 1); });
   };
-  Program program(withAo());
+  LitProgram program(coarseAo());
   for (const float degrees : {0.0f, 10.0f, 20.0f}) {
     const Picture split = program.frame({turned(degrees), floor, kSplit, wall});
     if (degrees == 0) continue;
@@ -221,7 +222,7 @@ TEST(ViewLight, WhatStandsStillIsNotTakenForTurningWithWhatIsDrawnFirst) {
       gl.LoadIdentity();
     });
   };
-  Program program(withAo());
+  LitProgram program(coarseAo());
   for (const float degrees : {0.0f, 90.0f, 180.0f, 270.0f}) {
     const Picture split = program.frame({spinning(degrees), kSplit, wall});
     if (degrees <= 90) continue;  // not known yet
@@ -238,7 +239,7 @@ TEST(ViewLight, LayersOfRenderersStayApartFromFrameToFrame) {
     quad(gl, {-1, -1, -0.9f}, {-0.99f, -1, -0.9f}, {-0.99f, -0.99f, -0.9f}, {-1, -0.99f, -0.9f});
   };
   const Step over = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), gl.DepthFunc(GL_LESS); };
-  Program program(withAo());
+  LitProgram program(coarseAo());
   const auto upper = [](const Picture& picture) {
     std::vector<int> result = floorOf(picture);
     return std::vector<int>(result.begin() + static_cast<std::ptrdiff_t>(result.size() / 2 + 112),
@@ -252,11 +253,11 @@ TEST(ViewLight, LayersOfRenderersStayApartFromFrameToFrame) {
 }
 
 TEST(ViewLight, SwitchedOffKeepsNothing) {
-  Program program(withAo(false));
+  LitProgram program(coarseAo(false));
   const Step split = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
   const Picture off = program.frame({wall, split, floor});
   EXPECT_TRUE(program.views().empty());
-  EXPECT_EQ(off.colors, frameOf({wall, floor}, withAo(false)).colors);
+  EXPECT_EQ(off.colors, frameOf({wall, floor}, coarseAo(false)).colors);
 }
 
 }  // namespace

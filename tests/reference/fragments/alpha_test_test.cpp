@@ -12,13 +12,13 @@ namespace {
 
 using scenes::Gl;
 
-constexpr int kWidth = 120, kHeight = 90;
+constexpr int kAlphaTestWidth = 120, kAlphaTestHeight = 90;
 constexpr GLenum kFunctions[] = {GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
                                  GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
 constexpr float kReference = 0.4f;  // 102 of 255
 
 void prepare(Gl gl) {
-  gl.Viewport(0, 0, kWidth, kHeight);
+  gl.Viewport(0, 0, kAlphaTestWidth, kAlphaTestHeight);
   gl.ClearColor(0.2f, 0.3f, 0.5f, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_ALPHA_TEST);
@@ -39,15 +39,15 @@ void drawAlphas(Gl gl) {
 TEST(AlphaTest, ComparesInThePrecisionOfTheFramebuffer) {
   for (const GLenum format : {GLenum{0}, GLenum{GL_RGBA8}, GLenum{GL_RGB10_A2}}) {
     for (const GLenum function : kFunctions) {
-      const BothStage stage{.width = kWidth,
-                            .height = kHeight,
+      const BothStage stage{.width = kAlphaTestWidth,
+                            .height = kAlphaTestHeight,
                             .folder = "alpha_test",
                             .prepare = prepare,
                             .tolerance = {1, 0, 1e-6f, "the same fragments pass"}};
       const std::string name = std::to_string(format) + '_' + std::to_string(function - GL_NEVER);
       const gl::Statistics seen = compareBoth(stage, name, [&](Gl gl) {
         if (format) {
-          bindNewFramebuffer(gl, {kWidth, kHeight}, format, GL_DEPTH_COMPONENT24);
+          bindNewFramebuffer(gl, {kAlphaTestWidth, kAlphaTestHeight}, format, GL_DEPTH_COMPONENT24);
           prepare(gl);
         }
         gl.AlphaFunc(function, kReference);

@@ -15,47 +15,47 @@ namespace {
 
 using namespace scenes;
 
-constexpr int kWidth = 120, kHeight = 90;
+constexpr int kChannelsWidth = 120, kChannelsHeight = 90;
 constexpr Color kBackground = {0.4f, 0.6f, 0.2f, 0.5f};
 
-void ball(Gl gl, float x, float z, Color color) {
+void coloredBall(Gl gl, float x, float z, Color color) {
   paint(gl, color[0], color[1], color[2]);
   material(gl, GL_FRONT_AND_BACK, GL_DIFFUSE, color);
   sendAt(gl, sphere(16, 24), x, 0, z, 0.8f);
 }
 
-void stage(Gl gl) {
-  begin(gl, kWidth, kHeight, kBackground);
-  camera(gl, kWidth, kHeight);
+void setStage(Gl gl) {
+  begin(gl, kChannelsWidth, kChannelsHeight, kBackground);
+  camera(gl, kChannelsWidth, kChannelsHeight);
   keyLight(gl);
 }
 
 using Draw = std::function<void(Gl)>;
 
-struct Seen {
+struct SeenChannels {
   Picture picture;
   GlState state;
 };
 
-Seen seenBy(Gl gl, const Draw& draw) {
-  stage(gl);
+SeenChannels seenBy(Gl gl, const Draw& draw) {
+  setStage(gl);
   draw(gl);
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
   GlState state = queryState(gl);
-  return {readPicture(gl, kWidth, kHeight), std::move(state)};
+  return {readPicture(gl, kChannelsWidth, kChannelsHeight), std::move(state)};
 }
 
 /// Draws with and without GLuRay and expects equal pictures, alpha included, and equal state. Returns how
 /// many draws were traced.
 uint64_t compareBoth(const std::string& name, const Draw& draw) {
   SCOPED_TRACE(name);
-  Seen expected;
+  SeenChannels expected;
   {
-    const auto real = OsmesaContext::create({kWidth, kHeight});
+    const auto real = OsmesaContext::create({kChannelsWidth, kChannelsHeight});
     expected = seenBy(real->real(), draw);
   }
-  TracedContext ours({kWidth, kHeight});
-  const Seen got = seenBy(ours.gl(), draw);
+  TracedContext ours({kChannelsWidth, kChannelsHeight});
+  const SeenChannels got = seenBy(ours.gl(), draw);
   for (const std::string& line : differences(expected.state, got.state)) ADD_FAILURE() << line;
   const Comparison c = compare(expected.picture, got.picture, {});
   EXPECT_TRUE(c.accepted) << c.text;
@@ -71,7 +71,7 @@ struct Mask {
   GLboolean red, green, blue, alpha;
 };
 
-void set(Gl gl, const Mask& m) { gl.ColorMask(m.red, m.green, m.blue, m.alpha); }
+void setMask(Gl gl, const Mask& m) { gl.ColorMask(m.red, m.green, m.blue, m.alpha); }
 
 TEST(Channels, ThatAreMaskedKeepTheirValues) {
   const Mask masks[] = {{1, 1, 1, 0}, {1, 0, 0, 0}, {0, 1, 1, 1}, {0, 0, 0, 1}, {1, 0, 1, 0}};
@@ -79,9 +79,9 @@ TEST(Channels, ThatAreMaskedKeepTheirValues) {
     const std::string name = std::to_string(mask.red) + std::to_string(mask.green) +
                              std::to_string(mask.blue) + std::to_string(mask.alpha);
     const auto draw = [&](Gl gl) {
-      set(gl, mask);
-      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
-      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+      setMask(gl, mask);
+      coloredBall(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      coloredBall(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
     };
     expectEqual(name, draw, 2);
   }
@@ -89,21 +89,21 @@ TEST(Channels, ThatAreMaskedKeepTheirValues) {
 
 TEST(Channels, ThatNobodyWritesLeaveDepthAlone) {
   const auto draw = [](Gl gl) {
-    set(gl, {0, 0, 0, 0});
-    ball(gl, 0, 0, {0.9f, 0.3f, 0.2f, 1});
-    set(gl, {1, 1, 1, 1});
-    ball(gl, 0.4f, -0.5f, {0.1f, 0.4f, 0.9f, 1});
+    setMask(gl, {0, 0, 0, 0});
+    coloredBall(gl, 0, 0, {0.9f, 0.3f, 0.2f, 1});
+    setMask(gl, {1, 1, 1, 1});
+    coloredBall(gl, 0.4f, -0.5f, {0.1f, 0.4f, 0.9f, 1});
   };
   expectEqual("depth", draw, 1);
 }
 
 TEST(Channels, OfTwoEyesMeetInOnePicture) {
   const auto draw = [](Gl gl) {
-    set(gl, {1, 0, 0, 1});
-    ball(gl, -0.2f, 0, {0.9f, 0.9f, 0.8f, 1});
+    setMask(gl, {1, 0, 0, 1});
+    coloredBall(gl, -0.2f, 0, {0.9f, 0.9f, 0.8f, 1});
     gl.Clear(GL_DEPTH_BUFFER_BIT);
-    set(gl, {0, 1, 1, 1});
-    ball(gl, 0.2f, 0, {0.9f, 0.9f, 0.8f, 1});
+    setMask(gl, {0, 1, 1, 1});
+    coloredBall(gl, 0.2f, 0, {0.9f, 0.9f, 0.8f, 1});
   };
   expectEqual("eyes", draw, 2);
 }
@@ -111,30 +111,30 @@ TEST(Channels, OfTwoEyesMeetInOnePicture) {
 TEST(Channels, ThatDifferFromDrawToDrawKeepTheirOrder) {
   // Near and red first; then far and all; then near and blue.
   const auto draw = [](Gl gl) {
-    set(gl, {1, 0, 0, 0});
-    ball(gl, -0.3f, 0.6f, {1, 0.9f, 0.8f, 1});
-    set(gl, {1, 1, 1, 1});
-    ball(gl, 0, 0, {0.2f, 0.8f, 0.3f, 1});
-    set(gl, {0, 0, 1, 0});
-    ball(gl, 0.3f, 0.6f, {0.5f, 0.9f, 0.9f, 1});
+    setMask(gl, {1, 0, 0, 0});
+    coloredBall(gl, -0.3f, 0.6f, {1, 0.9f, 0.8f, 1});
+    setMask(gl, {1, 1, 1, 1});
+    coloredBall(gl, 0, 0, {0.2f, 0.8f, 0.3f, 1});
+    setMask(gl, {0, 0, 1, 0});
+    coloredBall(gl, 0.3f, 0.6f, {0.5f, 0.9f, 0.9f, 1});
   };
   expectEqual("order", draw, 3);
 }
 
 TEST(Channels, OfRasterisedDrawsKeepTheirOrderToo) {
   const auto rasterised = [](Gl gl, float x, float z, const Mask& mask) {
-    set(gl, mask);
+    setMask(gl, mask);
     gl.Enable(GL_POLYGON_STIPPLE);
-    ball(gl, x, z, {0.9f, 0.8f, 0.1f, 1});
+    coloredBall(gl, x, z, {0.9f, 0.8f, 0.1f, 1});
     gl.Disable(GL_POLYGON_STIPPLE);
   };
   const auto behind = [&](Gl gl) {
-    set(gl, {1, 0, 0, 1});
-    ball(gl, 0, 0.4f, {1, 0.9f, 0.8f, 1});
+    setMask(gl, {1, 0, 0, 1});
+    coloredBall(gl, 0, 0.4f, {1, 0.9f, 0.8f, 1});
     rasterised(gl, 0.3f, -0.3f, {1, 1, 1, 1});
   };
   const auto before = [&](Gl gl) {
-    ball(gl, 0, 0, {0.3f, 0.9f, 0.8f, 1});
+    coloredBall(gl, 0, 0, {0.3f, 0.9f, 0.8f, 1});
     rasterised(gl, 0.3f, 0.6f, {0, 0, 1, 0});
   };
   expectEqual("behind", behind, 1);
@@ -145,8 +145,8 @@ TEST(Channels, OfRasterisedDrawsKeepTheirOrderToo) {
 void blended(Gl gl, float alpha) {
   gl.Enable(GL_BLEND);
   gl.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-  ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
-  ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, alpha});
+  coloredBall(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+  coloredBall(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, alpha});
 }
 
 TEST(Channels, KeepTheirAlphaWhereBlendingKeepsIt) {
@@ -162,16 +162,16 @@ TEST(Channels, OfTranslucentSurfacesAreBlended) {
 TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
   // The same surface again with another depth function: it is drawn in several passes, by the real OpenGL.
   const auto draw = [](Gl gl) {
-    set(gl, {1, 1, 0, 0});
-    ball(gl, 0, 0, {0.9f, 0.3f, 0.2f, 1});
+    setMask(gl, {1, 1, 0, 0});
+    coloredBall(gl, 0, 0, {0.9f, 0.3f, 0.2f, 1});
     gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), gl.DepthFunc(GL_EQUAL);
-    ball(gl, 0, 0, {0.2f, 0.3f, 0.9f, 1});
+    coloredBall(gl, 0, 0, {0.2f, 0.3f, 0.9f, 1});
     gl.Disable(GL_BLEND), gl.DepthFunc(GL_LESS);
   };
   for (const int frames : {1, 2}) {
     const auto several = [&](Gl gl) {
       for (int i = 0; i < frames; ++i) {
-        if (i > 0) set(gl, {1, 1, 1, 1}), stage(gl);
+        if (i > 0) setMask(gl, {1, 1, 1, 1}), setStage(gl);
         draw(gl);
         gl.Finish();
       }
@@ -183,11 +183,11 @@ TEST(Channels, ComeBackWhereTheRealOpenGlDrawsInOurPlace) {
 TEST(Channels, AreEncodedAsTheFramebufferHasIt) {
   for (const GLenum format : {GL_SRGB8_ALPHA8, GL_RGBA8}) {
     const auto draw = [&](Gl gl) {
-      bindNewFramebuffer(gl, {kWidth, kHeight}, format, GL_DEPTH_COMPONENT24);
+      bindNewFramebuffer(gl, {kChannelsWidth, kChannelsHeight}, format, GL_DEPTH_COMPONENT24);
       gl.Enable(GL_FRAMEBUFFER_SRGB);
-      stage(gl);
-      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
-      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+      setStage(gl);
+      coloredBall(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      coloredBall(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
     };
     expectEqual(format == GL_RGBA8 ? "linear" : "srgb", draw, 2);
   }
@@ -196,15 +196,15 @@ TEST(Channels, AreEncodedAsTheFramebufferHasIt) {
 TEST(Channels, AreEncodedAsItWasWhenTheyWereDrawn) {
   for (const bool first : {false, true}) {
     const auto draw = [&](Gl gl) {
-      bindNewFramebuffer(gl, {kWidth, kHeight}, GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24);
-      stage(gl);
+      bindNewFramebuffer(gl, {kChannelsWidth, kChannelsHeight}, GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24);
+      setStage(gl);
       const auto encode = [&](bool on) {
         on ? gl.Enable(GL_FRAMEBUFFER_SRGB) : gl.Disable(GL_FRAMEBUFFER_SRGB);
       };
       encode(first);
-      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      coloredBall(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
       encode(!first);
-      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+      coloredBall(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
       encode(first);
     };
     expectEqual(first ? "encoded first" : "encoded second", draw, 2);
@@ -215,13 +215,13 @@ TEST(Channels, AreEncodedAsThePoppedStateHasIt) {
   for (const GLbitfield group :
        {GLbitfield{GL_ENABLE_BIT}, GLbitfield{GL_COLOR_BUFFER_BIT}, GLbitfield{GL_ALL_ATTRIB_BITS}}) {
     const auto draw = [&](Gl gl) {
-      bindNewFramebuffer(gl, {kWidth, kHeight}, GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24);
-      stage(gl);
+      bindNewFramebuffer(gl, {kChannelsWidth, kChannelsHeight}, GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT24);
+      setStage(gl);
       gl.PushAttrib(group);
       gl.Enable(GL_FRAMEBUFFER_SRGB);
-      ball(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
+      coloredBall(gl, -0.3f, 0, {0.9f, 0.3f, 0.2f, 1});
       gl.PopAttrib();
-      ball(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
+      coloredBall(gl, 0.4f, 0.5f, {0.1f, 0.4f, 0.9f, 1});
     };
     expectEqual("popped " + std::to_string(group), draw, 2);
   }

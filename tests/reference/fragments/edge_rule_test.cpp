@@ -14,17 +14,17 @@ namespace {
 
 using scenes::Gl;
 
-constexpr int kWidth = 120, kHeight = 90;
-constexpr scenes::Tolerance kExact{1, 0, 1e-6f, "the same samples are covered"};
+constexpr int kEdgesWidth = 120, kEdgesHeight = 90;
+constexpr scenes::Tolerance kSameCoverage{1, 0, 1e-6f, "the same samples are covered"};
 
 /// Window positions are vertices.
 void beginPixels(Gl gl) {
-  gl.Viewport(0, 0, kWidth, kHeight);
+  gl.Viewport(0, 0, kEdgesWidth, kEdgesHeight);
   gl.ClearColor(0.1f, 0.2f, 0.4f, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   gl.Enable(GL_DEPTH_TEST);
   gl.MatrixMode(GL_PROJECTION), gl.LoadIdentity();
-  gl.Ortho(0, kWidth, 0, kHeight, -1, 1);
+  gl.Ortho(0, kEdgesWidth, 0, kEdgesHeight, -1, 1);
   gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity();
 }
 
@@ -67,21 +67,24 @@ void slanted(Gl gl) {
     }
 }
 
-BothStage stage() {
-  return {
-      .width = kWidth, .height = kHeight, .folder = "edge_rule", .prepare = [](Gl) {}, .tolerance = kExact};
+BothStage edgeStage() {
+  return {.width = kEdgesWidth,
+          .height = kEdgesHeight,
+          .folder = "edge_rule",
+          .prepare = [](Gl) {},
+          .tolerance = kSameCoverage};
 }
 
 TEST(EdgeRule, SidesOfRectanglesThroughMiddlesOfPixels) {
   for (const glm::vec2 offset : {glm::vec2(0.5f, 0.5f), {0.5f, 0.2f}, {0.7f, 0.5f}, {0, 0}}) {
-    const gl::Statistics s = compareBoth(stage(), "rectangles", [&](Gl gl) { rectangles(gl, offset); });
+    const gl::Statistics s = compareBoth(edgeStage(), "rectangles", [&](Gl gl) { rectangles(gl, offset); });
     EXPECT_GT(s.drawsTraced, 0u);
     EXPECT_EQ(s.drawsRasterised, 0u);
   }
 }
 
 TEST(EdgeRule, SlantedEdgesThroughMiddlesOfPixels) {
-  EXPECT_GT(compareBoth(stage(), "slanted", slanted).drawsTraced, 0u);
+  EXPECT_GT(compareBoth(edgeStage(), "slanted", slanted).drawsTraced, 0u);
 }
 
 /// In framebuffer objects y counts from the other side of memory.
@@ -89,13 +92,14 @@ TEST(EdgeRule, FramebufferObjectsHaveTheSameRule) {
   for (const GLsizei samples : {0, 4}) {
     for (const float offset : {0.5f, 0.125f, 0.375f, 0.625f, 0.875f}) {
       const auto draw = [&](Gl gl) {
-        bindNewFramebuffer(gl, {kWidth, kHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24, samples);
+        bindNewFramebuffer(gl, {kEdgesWidth, kEdgesHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24, samples);
         rectangles(gl, glm::vec2(offset));
         gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-        gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        gl.BlitFramebuffer(0, 0, kEdgesWidth, kEdgesHeight, 0, 0, kEdgesWidth, kEdgesHeight,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
         gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
       };
-      EXPECT_GT(compareBoth(stage(), "framebuffer-" + std::to_string(samples), draw).drawsTraced, 0u);
+      EXPECT_GT(compareBoth(edgeStage(), "framebuffer-" + std::to_string(samples), draw).drawsTraced, 0u);
     }
   }
 }
@@ -106,14 +110,15 @@ TEST(EdgeRule, FacingTheViewerInPerspective) {
     rectangles(gl, {0.5f, 0.5f});
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.MatrixMode(GL_PROJECTION);
-    constexpr float kFar = 7, kHalfX = kWidth / 2.0f / kFar, kHalfY = kHeight / 2.0f / kFar;
+    constexpr float kFar = 7, kHalfX = kEdgesWidth / 2.0f / kFar, kHalfY = kEdgesHeight / 2.0f / kFar;
     gl.LoadMatrixf(glm::value_ptr(glm::frustum(-kHalfX, kHalfX, -kHalfY, kHalfY, 1.0f, 20.0f)));
     gl.MatrixMode(GL_MODELVIEW);
-    gl.LoadMatrixf(glm::value_ptr(glm::translate(glm::mat4(1), {-kWidth / 2.0f, -kHeight / 2.0f, -kFar})));
+    gl.LoadMatrixf(
+        glm::value_ptr(glm::translate(glm::mat4(1), {-kEdgesWidth / 2.0f, -kEdgesHeight / 2.0f, -kFar})));
     for (int i = 0; i < 6; ++i)
       rectangle(gl, {4.5f + 19.0f * static_cast<float>(i), 7.5f}, {11, 60}, 0, 1e-6f);
   };
-  EXPECT_GT(compareBoth(stage(), "perspective", draw).drawsTraced, 0u);
+  EXPECT_GT(compareBoth(edgeStage(), "perspective", draw).drawsTraced, 0u);
 }
 
 }  // namespace

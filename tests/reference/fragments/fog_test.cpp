@@ -9,12 +9,12 @@ namespace {
 
 using namespace scenes;
 
-constexpr int kSize = 96;
+constexpr int kFogSize = 96;
 
 /// A ball whose highlight and colour sum up to more than 1, half in fog.
 void drawBall(Gl gl, GLenum control, GLenum mode) {
-  begin(gl, kSize, kSize);
-  camera(gl, kSize, kSize);
+  begin(gl, kFogSize, kFogSize);
+  camera(gl, kFogSize, kFogSize);
   const GLfloat white[] = {1, 1, 1, 1}, fog[] = {0.1f, 0.3f, 0.6f, 1}, above[] = {0.3f, 0.5f, 1, 0};
   gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0), gl.Enable(GL_FOG);
   gl.Lightfv(GL_LIGHT0, GL_POSITION, above);
@@ -30,10 +30,10 @@ void drawBall(Gl gl, GLenum control, GLenum mode) {
 TEST(Fog, TakesTheSumOfBothColors) {
   for (const GLenum control : {GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR})
     for (const GLenum mode : {GL_LINEAR, GL_EXP, GL_EXP2}) {
-      const auto real = OsmesaContext::create({kSize, kSize});
+      const auto real = OsmesaContext::create({kFogSize, kFogSize});
       drawBall(real->real(), control, mode);
-      const Picture expected = readPicture(real->real(), kSize, kSize);
-      const TracedContext ours({kSize, kSize});
+      const Picture expected = readPicture(real->real(), kFogSize, kFogSize);
+      const TracedContext ours({kFogSize, kFogSize});
       drawBall(ours.gl(), control, mode);
       const Comparison c =
           compare(expected, ours.read(), {3, 0.01, 3e-5f, "edges, and lighting at vertices"});

@@ -16,23 +16,23 @@ namespace {
 
 using namespace scenes;
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kPassesWidth = 160, kPassesHeight = 120;
 
 /// A sphere; over it a tint if `tinted`; a label in between if `labelled`; a rectangle that hides a part of
 /// it if `hidden`.
 void drawFrame(Gl gl, bool tinted, bool labelled, bool hidden = false) {
-  begin(gl, kWidth, kHeight);
-  camera(gl, kWidth, kHeight);
+  begin(gl, kPassesWidth, kPassesHeight);
+  camera(gl, kPassesWidth, kPassesHeight);
   keyLight(gl);
   if (hidden) {
     paint(gl, 0.2f, 0.7f, 0.3f);
     gl.PushMatrix();
     gl.Translatef(0.3f, 0.3f, 1.2f), gl.Rotatef(25, 1, 1, 1), gl.Scalef(0.4f, 0.4f, 0.4f);
-    send(gl, sheet(4));
+    send(gl, scenes::sheet(4));
     gl.PopMatrix();
   }
   paint(gl, 0.3f, 0.5f, 0.7f);
-  const Model m = sphere(24, 36);
+  const Model m = scenes::sphere(24, 36);
   send(gl, m);
   if (labelled) {
     constexpr GLubyte kDot[] = {0xff};
@@ -49,18 +49,18 @@ void drawFrame(Gl gl, bool tinted, bool labelled, bool hidden = false) {
 constexpr int kTinted = 6, kFrames = kTinted + 110;
 
 std::vector<Picture> expectedFrames(bool labelled) {
-  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto real = OsmesaContext::create({kPassesWidth, kPassesHeight});
   std::vector<Picture> pictures;
   for (int frame = 0; frame < kFrames; ++frame) {
     drawFrame(real->real(), frame < kTinted, labelled);
-    pictures.push_back(readPicture(real->real(), kWidth, kHeight));
+    pictures.push_back(readPicture(real->real(), kPassesWidth, kPassesHeight));
   }
   return pictures;
 }
 
 void expectFrames(bool labelled) {
   const std::vector<Picture> expected = expectedFrames(labelled);
-  TracedContext ours({kWidth, kHeight});
+  TracedContext ours({kPassesWidth, kPassesHeight});
   const gl::Statistics& s = ours.context().counts.statistics;
   for (int frame = 0; frame < kFrames; ++frame) {
     const uint64_t before = s.drawsTraced;
@@ -86,11 +86,11 @@ TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     GlState state = queryState(gl);
     gl.PixelTransferf(GL_DEPTH_SCALE, 1), gl.PixelTransferf(GL_DEPTH_BIAS, 0);
-    return std::make_pair(std::move(state), readPicture(gl, kWidth, kHeight));
+    return std::make_pair(std::move(state), readPicture(gl, kPassesWidth, kPassesHeight));
   };
-  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto real = OsmesaContext::create({kPassesWidth, kPassesHeight});
   const auto expected = draw(real->real());
-  TracedContext ours({kWidth, kHeight});
+  TracedContext ours({kPassesWidth, kPassesHeight});
   const auto got = draw(ours.gl());
   for (const std::string& line : differences(expected.first, got.first)) ADD_FAILURE() << line;
   const Comparison c = compare(expected.second, got.second, {});
@@ -103,9 +103,10 @@ Picture resolved(Gl gl) {
   GLint framebuffer = 0;
   gl.GetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl.BlitFramebuffer(0, 0, kPassesWidth, kPassesHeight, 0, 0, kPassesWidth, kPassesHeight,
+                     GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  Picture picture = readPicture(gl, kWidth, kHeight);
+  Picture picture = readPicture(gl, kPassesWidth, kPassesHeight);
   picture.depths.assign(picture.depths.size(), 1.0f);
   gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
   return picture;
@@ -113,16 +114,16 @@ Picture resolved(Gl gl) {
 
 void expectFirstFrame(GLenum depthFormat, bool perSample) {
   const auto draw = [&](Gl gl) {
-    bindNewFramebuffer(gl, {kWidth, kHeight}, GL_RGBA8, depthFormat, 4);
+    bindNewFramebuffer(gl, {kPassesWidth, kPassesHeight}, GL_RGBA8, depthFormat, 4);
     perSample ? gl.Enable(GL_MULTISAMPLE) : gl.Disable(GL_MULTISAMPLE);
     drawFrame(gl, true, true, true);
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     GlState state = queryState(gl);
     return std::make_pair(std::move(state), resolved(gl));
   };
-  const auto real = OsmesaContext::create({kWidth, kHeight});
+  const auto real = OsmesaContext::create({kPassesWidth, kPassesHeight});
   const auto expected = draw(real->real());
-  TracedContext ours({kWidth, kHeight});
+  TracedContext ours({kPassesWidth, kPassesHeight});
   const auto got = draw(ours.gl());
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 2u);
   for (const std::string& line : differences(expected.first, got.first)) ADD_FAILURE() << line;
@@ -140,10 +141,10 @@ TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_D
 
 /// Boxes as in occlusion culling: they write nothing.
 TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
-  const TracedContext ours({kWidth, kHeight});
+  const TracedContext ours({kPassesWidth, kPassesHeight});
   Gl gl = ours.gl();
-  begin(gl, kWidth, kHeight), camera(gl, kWidth, kHeight), keyLight(gl);
-  const Model model = sphere(24, 36);
+  begin(gl, kPassesWidth, kPassesHeight), camera(gl, kPassesWidth, kPassesHeight), keyLight(gl);
+  const Model model = scenes::sphere(24, 36);
   gl.ColorMask(0, 0, 0, 0), gl.DepthMask(0);
   send(gl, model);
   gl.ColorMask(1, 1, 1, 1), gl.DepthMask(1);

@@ -13,12 +13,12 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 16;
+constexpr int kOffsetSize = 16;
 
 /// Depths in the middle of some surfaces, offset by units only, in a framebuffer object of `format`.
 std::vector<float> depths(const gl::RealGl& gl, GLenum format) {
-  bindNewFramebuffer(gl, {kSize, kSize}, GL_RGBA8, format);
-  gl.Viewport(0, 0, kSize, kSize), gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_POLYGON_OFFSET_FILL);
+  bindNewFramebuffer(gl, {kOffsetSize, kOffsetSize}, GL_RGBA8, format);
+  gl.Viewport(0, 0, kOffsetSize, kOffsetSize), gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_POLYGON_OFFSET_FILL);
   std::vector<float> found;
   for (const float units : {0.0f, 3.0f, 60000.0f, -70000.0f})
     for (const float z : {-0.9f, -0.6f, -0.2f, 0.2f, 0.7f}) {
@@ -29,7 +29,7 @@ std::vector<float> depths(const gl::RealGl& gl, GLenum format) {
       gl.Vertex3f(-1, -1, z), gl.Vertex3f(3, -1, z + 1e-3f), gl.Vertex3f(-1, 3, z);
       gl.End();
       float depth = 0;
-      gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+      gl.ReadPixels(kOffsetSize / 2, kOffsetSize / 2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
       found.push_back(depth);
     }
   return found;

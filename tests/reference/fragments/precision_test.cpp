@@ -8,11 +8,11 @@
 namespace gluray::test {
 namespace {
 
-constexpr scenes::Tolerance kExact{1, 0, 1e-7f, "both are drawn by the real OpenGL"};
+constexpr scenes::Tolerance kSamePicture{1, 0, 1e-7f, "both are drawn by the real OpenGL"};
 constexpr scenes::Tolerance kEdges{1, 0.002, 1e-6f, "edges fall on either side of a pixel's centre"};
 
 /// A rectangle in the plane z = 0, of n x n squares.
-ProgramMesh rectangle(glm::vec2 lower, glm::vec2 upper, int n = 1) {
+ProgramMesh squaresOf(glm::vec2 lower, glm::vec2 upper, int n = 1) {
   ProgramMesh mesh;
   for (int y = 0; y <= n; ++y)
     for (int x = 0; x <= n; ++x) {
@@ -41,7 +41,7 @@ void drawRectangles(Gl gl, const std::vector<Rectangle>& all, const View& view, 
   beginFrame(gl);
   gl.DepthFunc(depthFunc);
   for (const Rectangle& one : all) {
-    const ProgramMesh mesh = rectangle(one.lower, one.upper);
+    const ProgramMesh mesh = squaresOf(one.lower, one.upper);
     const Upload up = upload(gl, mesh, program);
     gl.UseProgram(program);
     setAll(gl, program, view, surface);
@@ -59,7 +59,7 @@ TEST(Precision, OverlappingCoplanarSurfacesAreShownInTheOrderOfDrawing) {
   for (const GLenum func : {GL_LESS, GL_LEQUAL}) {
     for (const View& view : {perspectiveView(), perspectiveView(25), parallelView(), parallelView(40)})
       expectSame(
-          "coplanar", [&](Gl gl) { drawRectangles(gl, kUponEachOther, view, func); }, 0, {}, kExact);
+          "coplanar", [&](Gl gl) { drawRectangles(gl, kUponEachOther, view, func); }, 0, {}, kSamePicture);
   }
 }
 

@@ -14,9 +14,9 @@ namespace gluray::test {
 namespace {
 
 using Gl = const gl::RealGl&;
-constexpr int kSize = 64;  // pixels of the textures, and of the window
+constexpr int kAveragedSize = 64;  // pixels of the textures, and of the window
 
-constexpr const char* kVertex =
+constexpr const char* kWholeWindowVertex =
     "#version 130\nin vec4 ndCoordIn; in vec2 texCoordIn; out vec2 tc;\n"
     "void main() { gl_Position = ndCoordIn; tc = texCoordIn; }\n";
 constexpr const char* kInvert =
@@ -26,16 +26,16 @@ constexpr const char* kInvert =
     "  gl_FragColor = vec4(1.0 - texture2D(Input, tc).rgb, 1.0);\n}\n";
 
 struct Box {
-  int x = 0, y = 0, width = kSize, height = kSize;
+  int x = 0, y = 0, width = kAveragedSize, height = kAveragedSize;
 };
 
 /// A program with a framebuffer object, and a texture that pictures are copied to for the pass.
-class Program {
+class AveragedProgram {
  public:
-  explicit Program(Gl g) : gl(g), pass_(makeProgram(g, kVertex, kInvert)) {
-    color = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, kSize, kSize);
-    const GLuint depth =
-        makeTexture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, kSize, kSize);
+  explicit AveragedProgram(Gl g) : gl(g), pass_(makeProgram(g, kWholeWindowVertex, kInvert)) {
+    color = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, kAveragedSize, kAveragedSize);
+    const GLuint depth = makeTexture(GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                                     kAveragedSize, kAveragedSize);
     gl.GenFramebuffers(1, &framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
@@ -76,7 +76,7 @@ class Program {
   }
   /// Copies the picture, or a part, into the texture that the pass reads.
   void copy(Box from = {}) {
-    if (input_ == 0 || from.width != kSize)
+    if (input_ == 0 || from.width != kAveragedSize)
       input_ = makeTexture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, from.width, from.height);
     gl.BindTexture(GL_TEXTURE_2D, input_);
     gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, from.x, from.y, from.width, from.height);
@@ -95,7 +95,7 @@ class Program {
     gl.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
     gl.DisableVertexAttribArray(position), gl.DisableVertexAttribArray(texcoord);
     gl.BindBuffer(GL_ARRAY_BUFFER, 0), gl.UseProgram(0);
-    gl.DepthMask(GL_TRUE), gl.Viewport(0, 0, kSize, kSize);
+    gl.DepthMask(GL_TRUE), gl.Viewport(0, 0, kAveragedSize, kAveragedSize);
   }
 
   Gl gl;
@@ -106,71 +106,73 @@ class Program {
 };
 
 enum class Kept { none, all };  // how many of the passes are drawn
-struct Case {
+struct AveragedCase {
   const char* name;
   Kept passes;
-  std::function<void(Program&)> frame;
+  std::function<void(AveragedProgram&)> frame;
   bool on = true;
   int spp = 4;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const AveragedCase& c, std::ostream* out) { *out << c.name; }
 
-void plain(Program& p) { p.clear(), p.surface(), p.copy(), p.pass(); }
+void plainFrame(AveragedProgram& p) { p.clear(), p.surface(), p.copy(), p.pass(); }
 
-const Case kCases[] = {
-    {"Plain", Kept::none, plain},
-    {"OneRayAPixel", Kept::all, plain, true, 1},
-    {"SwitchedOff", Kept::all, plain, false},
-    {"NothingDrawn", Kept::none, [](Program& p) { p.clear(), p.copy(), p.pass(); }},
-    {"NeverCleared", Kept::all, [](Program& p) { p.surface(), p.copy(), p.pass(); }},
+const AveragedCase kAveragedCases[] = {
+    {"Plain", Kept::none, plainFrame},
+    {"OneRayAPixel", Kept::all, plainFrame, true, 1},
+    {"SwitchedOff", Kept::all, plainFrame, false},
+    {"NothingDrawn", Kept::none, [](AveragedProgram& p) { p.clear(), p.copy(), p.pass(); }},
+    {"NeverCleared", Kept::all, [](AveragedProgram& p) { p.surface(), p.copy(), p.pass(); }},
     {"TwoPictures", Kept::none,
-     [](Program& p) { p.clear(), p.surface(), p.gl.Flush(), p.surface(0.3f), p.copy(), p.pass(); }},
-    {"AFrameAfterAnother", Kept::none, [](Program& p) { plain(p), plain(p); }},
+     [](AveragedProgram& p) { p.clear(), p.surface(), p.gl.Flush(), p.surface(0.3f), p.copy(), p.pass(); }},
+    {"AFrameAfterAnother", Kept::none, [](AveragedProgram& p) { plainFrame(p), plainFrame(p); }},
     {"PixelsReadBefore", Kept::none,
-     [](Program& p) {
+     [](AveragedProgram& p) {
        uint32_t pixel = 0;
        p.clear(), p.surface();
        p.gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
        p.copy(), p.pass();
      }},
-    {"ALineBefore", Kept::all, [](Program& p) { p.clear(), p.surface(), p.line(), p.copy(), p.pass(); }},
-    {"ALineUnderIt", Kept::all, [](Program& p) { p.clear(), p.line(), p.surface(), p.copy(), p.pass(); }},
+    {"ALineBefore", Kept::all,
+     [](AveragedProgram& p) { p.clear(), p.surface(), p.line(), p.copy(), p.pass(); }},
+    {"ALineUnderIt", Kept::all,
+     [](AveragedProgram& p) { p.clear(), p.line(), p.surface(), p.copy(), p.pass(); }},
     {"PixelsSentBefore", Kept::all,
-     [](Program& p) {
+     [](AveragedProgram& p) {
        constexpr uint32_t kPixel = 0xff00ff00;
        p.clear(), p.surface();
        p.gl.RasterPos2f(0, 0), p.gl.DrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &kPixel);
        p.copy(), p.pass();
      }},
     {"ASurfaceAfterTheCopy", Kept::all,
-     [](Program& p) { p.clear(), p.surface(), p.copy(), p.surface(0.3f), p.pass(); }},
+     [](AveragedProgram& p) { p.clear(), p.surface(), p.copy(), p.surface(0.3f), p.pass(); }},
     {"AClearAfterTheCopy", Kept::all,
-     [](Program& p) { p.clear(), p.surface(), p.copy(), p.clear(), p.pass(); }},
+     [](AveragedProgram& p) { p.clear(), p.surface(), p.copy(), p.clear(), p.pass(); }},
     {"TexelsSentAfterTheCopy", Kept::all,
-     [](Program& p) {
+     [](AveragedProgram& p) {
        constexpr uint32_t kPixel = 0xff00ff00;
        p.clear(), p.surface(), p.copy();
        p.gl.TexSubImage2D(GL_TEXTURE_2D, 0, 3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &kPixel);
        p.pass();
      }},
     {"ClearedInPart", Kept::all,
-     [](Program& p) {
-       p.gl.Enable(GL_SCISSOR_TEST), p.gl.Scissor(0, 0, kSize / 2, kSize);
+     [](AveragedProgram& p) {
+       p.gl.Enable(GL_SCISSOR_TEST), p.gl.Scissor(0, 0, kAveragedSize / 2, kAveragedSize);
        p.clear();
        p.gl.Disable(GL_SCISSOR_TEST);
        p.surface(), p.copy(), p.pass();
      }},
     {"ThePartThatWasCleared", Kept::none,
-     [](Program& p) {
-       const Box part{8, 0, 40, kSize};
-       p.gl.Enable(GL_SCISSOR_TEST), p.gl.Scissor(0, 0, 56, kSize);
+     [](AveragedProgram& p) {
+       const Box part{8, 0, 40, kAveragedSize};
+       p.gl.Enable(GL_SCISSOR_TEST), p.gl.Scissor(0, 0, 56, kAveragedSize);
        p.clear();
        p.surface();
        p.gl.Disable(GL_SCISSOR_TEST);
        p.copy(part), p.pass(part);
      }},
     {"ClearedAgainInPart", Kept::none,
-     [](Program& p) {
+     [](AveragedProgram& p) {
        p.clear();
        p.gl.Enable(GL_SCISSOR_TEST), p.gl.Scissor(5, 5, 9, 9);
        p.clear();
@@ -178,44 +180,44 @@ const Case kCases[] = {
        p.surface(), p.copy(), p.pass();
      }},
     {"OverAnotherPart", Kept::all,
-     [](Program& p) {
-       p.clear(), p.surface(), p.copy({0, 0, 40, kSize}), p.pass({8, 0, 40, kSize});
+     [](AveragedProgram& p) {
+       p.clear(), p.surface(), p.copy({0, 0, 40, kAveragedSize}), p.pass({8, 0, 40, kAveragedSize});
      }},
     {"ColorsMasked", Kept::all,
-     [](Program& p) {
+     [](AveragedProgram& p) {
        p.gl.ColorMask(GL_TRUE, GL_FALSE, GL_TRUE, GL_TRUE);
        p.clear();
        p.gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
        p.surface(), p.copy(), p.pass();
      }},
     {"IntoAnotherFramebuffer", Kept::all,
-     [](Program& p) {
+     [](AveragedProgram& p) {
        p.clear(), p.surface(), p.copy();
-       Program other(p.gl);  // binds its own
+       AveragedProgram other(p.gl);  // binds its own
        p.pass();
        p.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, other.framebuffer);
      }},
 };
 
-class SmoothTest : public testing::TestWithParam<Case> {};
+class SmoothTest : public testing::TestWithParam<AveragedCase> {};
 
 /// The frame's picture, with the case's samples a pixel and quirk setting.
-std::pair<Picture, uint64_t> play(const std::function<void(Program&)>& frame, const Case& c) {
+std::pair<Picture, uint64_t> play(const std::function<void(AveragedProgram&)>& frame, const AveragedCase& c) {
   Settings settings = TracedContext::vertexShading();
   settings.spp = c.spp;
   settings.quirks.set("spp-fxaa", c.on);
   settings.quirks.set("software-fxaa", false);
-  TracedContext context({kSize, kSize}, settings);
-  Program program(context.gl());
+  TracedContext context({kAveragedSize, kAveragedSize}, settings);
+  AveragedProgram program(context.gl());
   frame(program);
-  Picture picture = readPicture(context.gl(), kSize, kSize);
+  Picture picture = readPicture(context.gl(), kAveragedSize, kAveragedSize);
   EXPECT_EQ(context.gl().GetError(), GLenum{GL_NO_ERROR});
   return {std::move(picture), context.context().counts.statistics.drawsRasterised};
 }
 
 TEST_P(SmoothTest, ThePassIsLeftOutWhereItChangesNothing) {
-  const Case& c = GetParam();
-  Case off = c;
+  const AveragedCase& c = GetParam();
+  AveragedCase off = c;
   off.on = false;
   const auto [picture, draws] = play(c.frame, c);
   const auto [drawn, allDraws] = play(c.frame, off);
@@ -230,11 +232,12 @@ TEST_P(SmoothTest, ThePassIsLeftOutWhereItChangesNothing) {
 }
 
 TEST(Smooth, APictureWithoutThePassIsKept) {
-  const Case c{"", Kept::none, plain};
-  EXPECT_EQ(play(plain, c).first.colors, play([](Program& p) { p.clear(), p.surface(); }, c).first.colors);
+  const AveragedCase c{"", Kept::none, plainFrame};
+  EXPECT_EQ(play(plainFrame, c).first.colors,
+            play([](AveragedProgram& p) { p.clear(), p.surface(); }, c).first.colors);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, SmoothTest, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, SmoothTest, testing::ValuesIn(kAveragedCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace gluray::test {
 namespace {
 
 using Gl = const gl::RealGl&;
-constexpr int kSize = 32;
+constexpr int kBlitSize = 32;
 
 /// How a framebuffer keeps its depth.
 struct Store {
@@ -30,7 +30,7 @@ GLuint depthTexture(Gl gl, GLenum format) {
   GLuint name = 0;
   gl.GenTextures(1, &name), gl.BindTexture(GL_TEXTURE_2D, name);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), kSize, kSize, 0,
+  gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), kBlitSize, kBlitSize, 0,
                 packed ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT,
                 packed ? GLenum{GL_UNSIGNED_INT_24_8} : GLenum{GL_FLOAT}, nullptr);
   return name;
@@ -39,7 +39,7 @@ GLuint depthTexture(Gl gl, GLenum format) {
 GLuint renderbuffer(Gl gl, GLenum format, GLsizei samples) {
   GLuint name = 0;
   gl.GenRenderbuffers(1, &name), gl.BindRenderbuffer(GL_RENDERBUFFER, name);
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, kSize, kSize);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, kBlitSize, kBlitSize);
   return name;
 }
 
@@ -72,17 +72,17 @@ void mark(Gl gl, double depth) {
 }
 
 void blit(Gl gl, GLbitfield mask = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GLenum filter = GL_NEAREST) {
-  gl.BlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, mask, filter);
+  gl.BlitFramebuffer(0, 0, kBlitSize, kBlitSize, 0, 0, kBlitSize, kBlitSize, mask, filter);
 }
 
-struct Case {
+struct BlitCase {
   const char* name;
   Store from, to;
   void (*blits)(Gl gl);
   int copies;                                   // expected number of blits replaced by depth copies
   void (*before)(Gl gl, Buffers to) = nullptr;  // with the target bound for drawing
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const BlitCase& c, std::ostream* out) { *out << c.name; }
 
 constexpr Store kPlain, kTexture{.texture = true}, kPacked{.format = GL_DEPTH24_STENCIL8, .texture = true},
     kStencil{.format = GL_DEPTH24_STENCIL8, .stencil = true}, kFloat{.format = GL_DEPTH_COMPONENT32F},
@@ -93,7 +93,7 @@ void setStencil(Gl gl, Buffers to) {
   gl.ClearStencil(77), gl.Clear(GL_STENCIL_BUFFER_BIT);
 }
 
-const Case kCases[] = {
+const BlitCase kBlitCases[] = {
     {"Renderbuffers", kPlain, kPlain, [](Gl gl) { blit(gl); }, 1},
     {"DepthAlone", kPlain, kPlain, [](Gl gl) { blit(gl, GL_DEPTH_BUFFER_BIT); }, 1},
     {"Floats", kFloat, kFloat, [](Gl gl) { blit(gl); }, 1},
@@ -107,9 +107,9 @@ const Case kCases[] = {
      [](Gl gl, Buffers) { gl.Enable(GL_STENCIL_TEST), gl.Disable(GL_STENCIL_TEST); }},
     {"StencilUploaded", kPacked, kPacked, [](Gl gl) { blit(gl); }, 0,
      [](Gl gl, Buffers to) {
-       const std::vector<GLuint> values(kSize * kSize, 0x80000055u);
+       const std::vector<GLuint> values(kBlitSize * kBlitSize, 0x80000055u);
        gl.BindTexture(GL_TEXTURE_2D, to.depth);
-       gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kSize, kSize, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+       gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kBlitSize, kBlitSize, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
                         values.data());
      }},
     {"StencilToo", kStencil, kStencil,
@@ -135,7 +135,7 @@ const Case kCases[] = {
      0},
     {"ScissorAround", kPlain, kPlain,
      [](Gl gl) {
-       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, kSize, kSize);
+       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, kBlitSize, kBlitSize);
        blit(gl);
        gl.Disable(GL_SCISSOR_TEST);
      },
@@ -183,15 +183,15 @@ const Case kCases[] = {
      0},
 };
 
-struct Result {
+struct BlitResult {
   std::vector<GLenum> errors;
   std::vector<uint32_t> color;
   std::vector<float> depth;
   std::vector<uint8_t> stencil;
 };
 
-Result run(Gl gl, const Case& c) {
-  Result r;
+BlitResult runBlit(Gl gl, const BlitCase& c) {
+  BlitResult r;
   const Buffers from = make(gl, c.from, 0.625);
   mark(gl, 0.3);
   const Buffers to = make(gl, c.to, 0.875);
@@ -205,33 +205,33 @@ Result run(Gl gl, const Case& c) {
   c.blits(gl);
   noteErrors();
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, to.framebuffer);
-  r.color.resize(kSize * kSize), r.depth.resize(kSize * kSize);
-  gl.ReadPixels(0, 0, kSize, kSize, GL_RGBA, GL_UNSIGNED_BYTE, r.color.data());
-  gl.ReadPixels(0, 0, kSize, kSize, GL_DEPTH_COMPONENT, GL_FLOAT, r.depth.data());
+  r.color.resize(kBlitSize * kBlitSize), r.depth.resize(kBlitSize * kBlitSize);
+  gl.ReadPixels(0, 0, kBlitSize, kBlitSize, GL_RGBA, GL_UNSIGNED_BYTE, r.color.data());
+  gl.ReadPixels(0, 0, kBlitSize, kBlitSize, GL_DEPTH_COMPONENT, GL_FLOAT, r.depth.data());
   GLint has = 0;
   gl.GetFramebufferAttachmentParameteriv(GL_READ_FRAMEBUFFER, GL_STENCIL_ATTACHMENT,
                                          GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &has);
   if (has != GL_NONE) {
-    r.stencil.resize(kSize * kSize);
-    gl.ReadPixels(0, 0, kSize, kSize, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, r.stencil.data());
+    r.stencil.resize(kBlitSize * kBlitSize);
+    gl.ReadPixels(0, 0, kBlitSize, kBlitSize, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, r.stencil.data());
   }
   noteErrors();
   return r;
 }
 
-class DepthBlits : public testing::TestWithParam<Case> {};
+class DepthBlits : public testing::TestWithParam<BlitCase> {};
 
 TEST_P(DepthBlits, AreThoseOfTheRealOpenGl) {
-  const Case& c = GetParam();
-  Result expected;
+  const BlitCase& c = GetParam();
+  BlitResult expected;
   {
     const auto real = OsmesaContext::create();
     ASSERT_TRUE(real);
-    expected = run(real->real(), c);
+    expected = runBlit(real->real(), c);
   }
   const TracedContext traced;
   const uint64_t before = useCount(Quirk::softwareDepthBlit);
-  const Result got = run(traced.gl(), c);
+  const BlitResult got = runBlit(traced.gl(), c);
   EXPECT_EQ(got.errors, expected.errors);
   EXPECT_EQ(got.color, expected.color);
   EXPECT_EQ(got.depth, expected.depth);
@@ -239,7 +239,7 @@ TEST_P(DepthBlits, AreThoseOfTheRealOpenGl) {
   EXPECT_EQ(useCount(Quirk::softwareDepthBlit) - before, static_cast<uint64_t>(c.copies));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DepthBlits, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, DepthBlits, testing::ValuesIn(kBlitCases),
                          [](const auto& info) { return info.param.name; });
 
 TEST(DepthBlits, AreBlitsWhereSwitchedOff) {
@@ -247,7 +247,7 @@ TEST(DepthBlits, AreBlitsWhereSwitchedOff) {
   ASSERT_EQ(readQuirks("software-depth-blit=off", settings.quirks), "");
   const TracedContext traced({}, settings);
   const uint64_t before = useCount(Quirk::softwareDepthBlit);
-  run(traced.gl(), kCases[0]);
+  runBlit(traced.gl(), kBlitCases[0]);
   EXPECT_EQ(useCount(Quirk::softwareDepthBlit), before);
 }
 
@@ -258,8 +258,8 @@ TEST(DepthBlits, KnowStencilValuesOfOtherContexts) {
   other.gl().Enable(GL_STENCIL_TEST);
   one.makeCurrent();
   const uint64_t before = useCount(Quirk::softwareDepthBlit);
-  for (const Case& c : kCases)
-    if (std::string_view(c.name) == "StencilNeverSet") run(one.gl(), c);
+  for (const BlitCase& c : kBlitCases)
+    if (std::string_view(c.name) == "StencilNeverSet") runBlit(one.gl(), c);
   EXPECT_EQ(useCount(Quirk::softwareDepthBlit), before);
 }
 

@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-namespace gluray::test {
+namespace gluray::test::resolve {
 namespace {
-
-using namespace resolve;
 
 TEST(Resolve, ByBlitsOfColorsAndDepths) {
   expectResolves("blit", 1, 1, [](const Stage& s) { s.frame(), s.blit(); });
@@ -216,4 +214,4 @@ TEST(Resolve, SwitchedOffItIsTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::resolve

@@ -12,7 +12,7 @@ namespace {
 
 using Gl = const gl::RealGl&;
 
-void triangle(Gl gl, float x, float y, float z) {
+void trianglePlaced(Gl gl, float x, float y, float z) {
   gl.Begin(GL_TRIANGLES);
   gl.Vertex3f(x - 0.5f, y - 0.5f, z), gl.Vertex3f(x + 0.5f, y - 0.5f, z), gl.Vertex3f(x, y + 0.5f, z + 0.1f);
   gl.End();
@@ -26,9 +26,10 @@ struct Abuse {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 
 const Abuse kAbuses[] = {
-    {"not a number", [](Gl gl) { triangle(gl, kNan, 0, 0), triangle(gl, 0, kNan, kNan); }},
-    {"infinite vertices", [](Gl gl) { triangle(gl, kInf, -kInf, kInf), triangle(gl, 0, 0, -kInf); }},
-    {"largest floats", [](Gl gl) { triangle(gl, 3e38f, -3e38f, 3e38f); }},
+    {"not a number", [](Gl gl) { trianglePlaced(gl, kNan, 0, 0), trianglePlaced(gl, 0, kNan, kNan); }},
+    {"infinite vertices",
+     [](Gl gl) { trianglePlaced(gl, kInf, -kInf, kInf), trianglePlaced(gl, 0, 0, -kInf); }},
+    {"largest floats", [](Gl gl) { trianglePlaced(gl, 3e38f, -3e38f, 3e38f); }},
     {"degenerate triangles",
      [](Gl gl) {
        gl.Begin(GL_TRIANGLES);
@@ -38,18 +39,22 @@ const Abuse kAbuses[] = {
     {"matrices of nonsense",
      [](Gl gl) {
        const GLfloat m[16] = {kNan, kInf, 0, 1, -kInf, 3, kNan, 0, 0, 0, 0, 0, 1e38f, -1e38f, 0, 0};
-       gl.LoadMatrixf(m), triangle(gl, 0, 0, 0);
+       gl.LoadMatrixf(m), trianglePlaced(gl, 0, 0, 0);
      }},
-    {"matrix without inverse", [](Gl gl) { gl.Scalef(0, 1, 1), triangle(gl, 0, 0, 0); }},
-    {"viewport without area", [](Gl gl) { gl.Viewport(0, 0, 0, 0), triangle(gl, 0, 0, 0); }},
+    {"matrix without inverse", [](Gl gl) { gl.Scalef(0, 1, 1), trianglePlaced(gl, 0, 0, 0); }},
+    {"viewport without area", [](Gl gl) { gl.Viewport(0, 0, 0, 0), trianglePlaced(gl, 0, 0, 0); }},
     {"viewport beyond everything",
-     [](Gl gl) { gl.Viewport(-1000000000, -1000000000, 2000000000, 2000000000), triangle(gl, 0, 0, 0); }},
+     [](Gl gl) {
+       gl.Viewport(-1000000000, -1000000000, 2000000000, 2000000000), trianglePlaced(gl, 0, 0, 0);
+     }},
     {"depth range upside down and empty",
      [](Gl gl) {
-       gl.DepthRange(1, 0), triangle(gl, 0, 0, 0), gl.DepthRange(0.5, 0.5), triangle(gl, 0, 0, 0);
+       gl.DepthRange(1, 0), trianglePlaced(gl, 0, 0, 0), gl.DepthRange(0.5, 0.5), trianglePlaced(gl, 0, 0, 0);
      }},
     {"offset of nonsense",
-     [](Gl gl) { gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(kNan, kInf), triangle(gl, 0, 0, 0); }},
+     [](Gl gl) {
+       gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(kNan, kInf), trianglePlaced(gl, 0, 0, 0);
+     }},
     {"index out of range",
      [](Gl gl) {
        static const GLfloat positions[9] = {-0.5f, -0.5f, 0, 0.5f, -0.5f, 0, 0, 0.5f, 0.1f};
@@ -94,12 +99,12 @@ const Abuse kAbuses[] = {
     {"lists in a ring",
      [](Gl gl) {
        gl.NewList(3, GL_COMPILE), gl.CallList(4), gl.EndList();
-       gl.NewList(4, GL_COMPILE), gl.CallList(3), triangle(gl, 0, 0, 0), gl.EndList();
+       gl.NewList(4, GL_COMPILE), gl.CallList(3), trianglePlaced(gl, 0, 0, 0), gl.EndList();
        gl.CallList(3);
      }},
     {"list deleted while compiled and called",
      [](Gl gl) {
-       gl.NewList(5, GL_COMPILE), gl.DeleteLists(5, 1), triangle(gl, 0, 0, 0), gl.EndList();
+       gl.NewList(5, GL_COMPILE), gl.DeleteLists(5, 1), trianglePlaced(gl, 0, 0, 0), gl.EndList();
        gl.CallList(5), gl.DeleteLists(1, std::numeric_limits<GLsizei>::max()), gl.CallList(5);
      }},
     {"begin left open",
@@ -108,14 +113,15 @@ const Abuse kAbuses[] = {
      [](Gl gl) {
        for (int i = 0; i < 200; ++i)
          gl.PushMatrix(), gl.PushAttrib(GL_ALL_ATTRIB_BITS), gl.PushClientAttrib(~0u);
-       triangle(gl, 0, 0, 0);
+       trianglePlaced(gl, 0, 0, 0);
        for (int i = 0; i < 300; ++i) gl.PopMatrix(), gl.PopAttrib(), gl.PopClientAttrib();
      }},
     {"lights of nonsense",
      [](Gl gl) {
        const GLfloat p[4] = {kNan, kInf, 0, 0};
        gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0);
-       gl.Lightfv(GL_LIGHT0, GL_POSITION, p), gl.Lightfv(GL_LIGHT0, GL_DIFFUSE, p), triangle(gl, 0, 0, 0);
+       gl.Lightfv(GL_LIGHT0, GL_POSITION, p), gl.Lightfv(GL_LIGHT0, GL_DIFFUSE, p),
+           trianglePlaced(gl, 0, 0, 0);
      }},
 };
 
@@ -133,7 +139,7 @@ TEST(Abuse, NeverStopsTheNextPicture) {
         gl.Viewport(0, 0, 32, 32);
     gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity(), gl.Color3f(0, 1, 0);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    triangle(gl, 0, 0, 0);
+    trianglePlaced(gl, 0, 0, 0);
     uint32_t pixel = 0;
     gl.ReadPixels(16, 14, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
     EXPECT_EQ(pixel, 0xFF00FF00u);

@@ -96,7 +96,7 @@ TEST(TwentyPoints, P11SelectionAndFeedbackComeFromTheRealOne) {
 TEST(TwentyPoints, P12MaterialsPerVertexAndSidesThatToggle) {
   expectSame([](Gl gl, Seen& seen) {
     stage(gl);
-    const Model m = sheet(10);
+    const Model m = scenes::sheet(10);
     for (int pass = 0; pass < 12; ++pass) {
       gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, pass % 2);
       gl.PushMatrix();

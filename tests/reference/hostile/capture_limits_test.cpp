@@ -9,7 +9,7 @@ namespace gluray::test {
 namespace {
 
 using Gl = const gl::RealGl&;
-constexpr int kSize = 64;
+constexpr int kCapturedSize = 64;
 
 /// A Bezier patch as strips of evaluated points, the first row of each sent as plain vertices.
 Picture evaluated(Gl gl) {
@@ -30,12 +30,12 @@ Picture evaluated(Gl gl) {
   gl.Begin(GL_TRIANGLES), gl.Color3f(1, 1, 0);  // capture must work again afterwards
   gl.Vertex3f(-0.2f, -0.2f, -0.9f), gl.Vertex3f(0.2f, -0.2f, -0.8f), gl.Vertex3f(0, 0.2f, -0.9f);
   gl.End();
-  return readPicture(gl, kSize, kSize);
+  return readPicture(gl, kCapturedSize, kCapturedSize);
 }
 
 TEST(CaptureLimits, EvaluatorsInsideBeginAreTheRealOnes) {
-  const auto real = OsmesaContext::create({kSize, kSize});
-  TracedContext ours({kSize, kSize});
+  const auto real = OsmesaContext::create({kCapturedSize, kCapturedSize});
+  TracedContext ours({kCapturedSize, kCapturedSize});
   const Picture expected = evaluated(real->real()), got = evaluated(ours.gl());
   size_t different = 0;
   for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
@@ -64,15 +64,15 @@ std::vector<uint32_t> texturedByDrawing(Gl gl) {
         gl.Vertex3f(0, 0.9f, 0.1f), gl.End();
     gl.Disable(GL_TEXTURE_2D);
     uint32_t pixel = 0;
-    gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    gl.ReadPixels(kCapturedSize / 2, kCapturedSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
     pixels.push_back(pixel);
   }
   return pixels;
 }
 
 TEST(CaptureLimits, TextureThatWasDrawnIsReadAgain) {
-  const auto real = OsmesaContext::create({kSize, kSize});
-  TracedContext ours({kSize, kSize});
+  const auto real = OsmesaContext::create({kCapturedSize, kCapturedSize});
+  TracedContext ours({kCapturedSize, kCapturedSize});
   EXPECT_EQ(texturedByDrawing(ours.gl()), texturedByDrawing(real->real()));
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 2u);
 }
@@ -90,7 +90,8 @@ Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
     gl.BindFramebuffer(GL_FRAMEBUFFER, objects[i]);
     for (int k = 0; k < 2; ++k) {
       gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[2 * i + k]);
-      gl.RenderbufferStorage(GL_RENDERBUFFER, k ? GL_DEPTH_COMPONENT24 : GL_RGBA8, kSize, kSize);
+      gl.RenderbufferStorage(GL_RENDERBUFFER, k ? GL_DEPTH_COMPONENT24 : GL_RGBA8, kCapturedSize,
+                             kCapturedSize);
       gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, k ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
                                  GL_RENDERBUFFER, buffers[2 * i + k]);
     }
@@ -99,7 +100,7 @@ Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
   triangleAt(gl, -0.9f);
   between(gl, objects[1]);
   triangleAt(gl, 0.3f);
-  return readPicture(gl, kSize, kSize);
+  return readPicture(gl, kCapturedSize, kCapturedSize);
 }
 
 TEST(CaptureLimits, OnlyAnotherFramebufferEndsABatch) {
@@ -119,8 +120,8 @@ TEST(CaptureLimits, OnlyAnotherFramebufferEndsABatch) {
        2},
   };
   for (const auto& c : cases) {
-    const auto real = OsmesaContext::create({kSize, kSize});
-    TracedContext ours({kSize, kSize});
+    const auto real = OsmesaContext::create({kCapturedSize, kCapturedSize});
+    TracedContext ours({kCapturedSize, kCapturedSize});
     const Picture expected = inObject(real->real(), c.between), got = inObject(ours.gl(), c.between);
     size_t different = 0;
     for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
@@ -144,7 +145,7 @@ TEST(CaptureLimits, UnusualSamplingIsRasterised) {
       },
   };
   for (const auto form : forms) {
-    TracedContext ours({kSize, kSize});
+    TracedContext ours({kCapturedSize, kCapturedSize});
     Gl gl = ours.gl();
     const uint32_t texel = 0xFF204080u;
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, &texel);

@@ -4,10 +4,8 @@
 
 #include <thread>
 
-namespace gluray::test {
+namespace gluray::test::twenty_points {
 namespace {
-
-using namespace twenty_points;
 
 TEST(StaleState, FogGroupOfTheAttributeStackHoldsColourSum) {
   expectSame([](Gl gl, Seen&) {
@@ -100,13 +98,13 @@ TEST(StaleState, TranslucentBorderOfAnOpaqueTexture) {
           gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border.data());
           gl.Translatef(0, 0, 1.1f);
           gl.Rotatef(30, 0, 1, 0);
-          quad(gl, 0, 0, 0.9f, -0.5f, 1.5f);
+          scenes::quad(gl, 0, 0, 0.9f, -0.5f, 1.5f);
         },
         {kTexelEdges});
 }
 
 /// A texture drawn into by calls that name its framebuffer instead of binding it.
-void drawInto(Gl gl, GLuint framebuffer, bool blit) {
+void drawPointsInto(Gl gl, GLuint framebuffer, bool blit) {
   const Color green{0, 1, 0, 1};
   if (!blit) return gl.ClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, green.data());
   gl.BlitNamedFramebuffer(0, framebuffer, 0, 0, 8, 8, 0, 0, 8, 8, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -120,14 +118,14 @@ TEST(StaleState, TexturesOfNamedFramebuffers) {
       gl.Color3f(1, 1, 1);
       gl.Enable(GL_TEXTURE_2D);
       const GLuint texture = bindFresh(gl, GL_TEXTURE_2D);
-      upload(gl, GL_RGBA8, 8, GL_NEAREST, GL_REPEAT);
+      scenes::upload(gl, GL_RGBA8, 8, GL_NEAREST, GL_REPEAT);
       GLuint framebuffer = 0;
       gl.GenFramebuffers(1, &framebuffer);
       gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
       gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
       gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
       sendAt(gl, sphere(12, 16), -0.7f, 0, 0, 0.6f, kTexcoords);
-      drawInto(gl, framebuffer, blit);
+      drawPointsInto(gl, framebuffer, blit);
       sendAt(gl, sphere(12, 16), 0.7f, 0, 0, 0.6f, kTexcoords);
     });
 }
@@ -196,4 +194,4 @@ TEST(StaleState, AnotherThreadsContextChangesASharedTexture) {
 }
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::twenty_points

@@ -3,10 +3,8 @@
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/layers/drawn_layers_stage.h"
 
-namespace gluray::test {
+namespace gluray::test::drawn_layers {
 namespace {
-
-using namespace drawn_layers;
 
 TEST(DrawnLayers, MeetFramebuffersOfManyFormats) {
   const struct {
@@ -189,4 +187,4 @@ TEST(DrawnLayers, AreDrawnByTheRealOneWhereTracingFails) {
 }
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::drawn_layers

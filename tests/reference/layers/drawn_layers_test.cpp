@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-namespace gluray::test {
+namespace gluray::test::drawn_layers {
 namespace {
-
-using namespace drawn_layers;
 
 TEST(DrawnLayers, AreBlendedInEveryOrder) {
   std::array<size_t, 3> order{};
@@ -247,4 +245,4 @@ TEST(DrawnLayers, OfManyDrawsAreTracedTogether) {
 }
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::drawn_layers

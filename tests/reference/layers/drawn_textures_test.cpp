@@ -4,10 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-namespace gluray::test {
+namespace gluray::test::drawn_layers {
 namespace {
-
-using namespace drawn_layers;
 
 constexpr GLsizei kTexels = 16;
 
@@ -25,7 +23,7 @@ std::vector<uint32_t> disc(bool opaque) {
   return texels;
 }
 
-void texture(Gl gl, GLenum kept, GLenum mode, bool opaque = false) {
+void layerTexture(Gl gl, GLenum kept, GLenum mode, bool opaque = false) {
   gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(kept), kTexels, kTexels, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                 disc(opaque).data());
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -57,7 +55,7 @@ TEST(DrawnTextures, BringTheirAlphaInEveryEnvironment) {
       if (mode == GL_DECAL && kept != GL_RGBA8) continue;  // undefined
       for (const bool writes : {true, false}) {
         const auto draw = [&](Gl gl) {
-          texture(gl, kept, mode);
+          layerTexture(gl, kept, mode);
           blendOver(gl);
           gl.DepthMask(writes);
           cards(gl, 0.7f);
@@ -76,7 +74,7 @@ TEST(DrawnTextures, BringTheirAlphaInEveryEnvironment) {
 /// Like foliage.
 TEST(DrawnTextures, AreCutOutAndBlended) {
   const auto draw = [](Gl gl) {
-    texture(gl, GL_RGBA8, GL_MODULATE);
+    layerTexture(gl, GL_RGBA8, GL_MODULATE);
     for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
       gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
     blendOver(gl);
@@ -88,11 +86,11 @@ TEST(DrawnTextures, AreCutOutAndBlended) {
 
 TEST(DrawnTextures, OfTwoUnits) {
   const auto draw = [](Gl gl) {
-    texture(gl, GL_RGBA8, GL_MODULATE);
+    layerTexture(gl, GL_RGBA8, GL_MODULATE);
     gl.ActiveTexture(GL_TEXTURE1);
     GLuint second = 0;
     gl.GenTextures(1, &second), gl.BindTexture(GL_TEXTURE_2D, second);
-    texture(gl, GL_LUMINANCE8_ALPHA8, GL_MODULATE);
+    layerTexture(gl, GL_LUMINANCE8_ALPHA8, GL_MODULATE);
     gl.MultiTexCoord2f(GL_TEXTURE1, 0.6f, 0.5f);
     blendOver(gl);
     cards(gl, 0.9f);
@@ -108,9 +106,9 @@ TEST(BlendedOpaque, IsTracedInOneBatch) {
     void (*prepare)(Gl gl);
   } kinds[] = {
       {"material", [](Gl) {}},
-      {"a texture of alpha 1", [](Gl gl) { texture(gl, GL_RGBA8, GL_MODULATE, true); }},
-      {"a texture without alpha", [](Gl gl) { texture(gl, GL_RGB8, GL_REPLACE); }},
-      {"a texture put on as decal", [](Gl gl) { texture(gl, GL_RGBA8, GL_DECAL); }},
+      {"a texture of alpha 1", [](Gl gl) { layerTexture(gl, GL_RGBA8, GL_MODULATE, true); }},
+      {"a texture without alpha", [](Gl gl) { layerTexture(gl, GL_RGB8, GL_REPLACE); }},
+      {"a texture put on as decal", [](Gl gl) { layerTexture(gl, GL_RGBA8, GL_DECAL); }},
       {"unlit", [](Gl gl) { gl.Disable(GL_LIGHTING), gl.Color3f(0.2f, 0.9f, 0.4f); }},
       {"colour material", [](Gl gl) { gl.Enable(GL_COLOR_MATERIAL), gl.Color3f(0.2f, 0.9f, 0.4f); }},
       {"fog", [](Gl gl) { gl.Enable(GL_FOG), gl.Fogi(GL_FOG_MODE, GL_LINEAR), gl.Fogf(GL_FOG_END, 5); }},
@@ -153,4 +151,4 @@ TEST(BlendedOpaque, IsKnownByTheColorsOfItsVertices) {
 }
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::drawn_layers

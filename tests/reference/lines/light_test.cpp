@@ -14,7 +14,7 @@ void line(const gl::RealGl& gl, float x, float z = -2) {
 }
 
 /// Slightly tilted: flat layers are not traced.
-void quad(const gl::RealGl& gl, float z) {
+void facingQuad(const gl::RealGl& gl, float z) {
   gl.Begin(GL_QUADS);
   for (const auto& [x, y] : {std::pair(-4.0f, -4.0f), {4.0f, -4.0f}, {4.0f, 4.0f}, {-4.0f, 4.0f}})
     gl.Vertex3f(x, y, z + 0.002f * y);
@@ -57,7 +57,7 @@ TEST(LitTubes, HideAndAreHiddenByDepth) {
   const auto draw = [](float z) {
     return [=](const gl::RealGl& gl) {
       gl.Color3f(0, 0, 1);
-      quad(gl, z);
+      facingQuad(gl, z);
       gl.Color3f(1, 1, 1);
       gl.LineWidth(16);
       line(gl, 0.03f);
@@ -119,7 +119,7 @@ TEST(LitTubes, DarkenTheSurfaceThatTheyLieOn) {
   const auto draw = [](bool tube) {
     return [=](const gl::RealGl& gl) {
       gl.Color3f(1, 1, 1);
-      quad(gl, -2.6f);
+      facingQuad(gl, -2.6f);
       gl.LineWidth(14);
       if (tube) line(gl, 0.03f);
     };

@@ -6,7 +6,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 void segment(const gl::RealGl& gl, float x0, float y0, float x1, float y1) {
@@ -38,7 +38,7 @@ TEST(OddLines, ThatAreNotFiniteLeaveTheOthers) {
   const LinePicture round = drawnRound([](const gl::RealGl& gl) {
     gl.LineWidth(9);
     gl.Begin(GL_LINES);
-    segment(gl, kNan, 0, 1, 1), segment(gl, 0, 0, kInfinity, 1), segment(gl, -1, 0.03f, 1, 0.03f);
+    segment(gl, kNotANumber, 0, 1, 1), segment(gl, 0, 0, kInfinity, 1), segment(gl, -1, 0.03f, 1, 0.03f);
     gl.End();
   });
   EXPECT_TRUE(round.covered(32, 32));
@@ -94,7 +94,7 @@ TEST(OddLines, BeyondWhatRaysReachAreLeftToTheRealOpenGl) {
   EXPECT_EQ(rasterisedBecause(round, gl::Reason::farAway), 1u);
 }
 
-void plain(const gl::RealGl& gl) {
+void plainStrip(const gl::RealGl& gl) {
   gl.Begin(GL_LINES);
   segment(gl, -1, 0.03f, 1, 0.03f);
   gl.End();
@@ -104,7 +104,7 @@ void plain(const gl::RealGl& gl) {
 gl::Reason reasonAfter(const DrawLines& prepare) {
   const auto draw = [&](const gl::RealGl& gl) {
     prepare(gl);
-    plain(gl);
+    plainStrip(gl);
   };
   const LinePicture flat = drawnFlat(draw), ours = drawnRound(draw);
   EXPECT_EQ(ours.picture.colors, flat.picture.colors);
@@ -148,7 +148,7 @@ TEST(OddLines, PolygonStateDoesNotMatter) {
   EXPECT_EQ(drawnRound([](const gl::RealGl& gl) {
               gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
               gl.Enable(GL_CULL_FACE);
-              plain(gl);
+              plainStrip(gl);
             }).statistics.drawsTraced,
             1u);
 }
@@ -165,7 +165,7 @@ TEST(OddLines, WithAdjacentVerticesStayLines) {
 TEST(OddLines, SettingsGiveTheirWidth) {
   Settings settings = asTubes();
   settings.lines.width = 11;
-  EXPECT_NEAR(drawnRound(plain, settings).coveredInColumn(32), 11, 1);
+  EXPECT_NEAR(drawnRound(plainStrip, settings).coveredInColumn(32), 11, 1);
 }
 
 TEST(OddLines, OnlyWhatIsAskedForChanges) {
@@ -173,7 +173,7 @@ TEST(OddLines, OnlyWhatIsAskedForChanges) {
   settings.points.look = PointLook::program;
   const LinePicture round = drawnRound(
       [](const gl::RealGl& gl) {
-        plain(gl);
+        plainStrip(gl);
         gl.Begin(GL_POINTS);
         gl.Vertex3f(0, 1, -2);
         gl.End();

@@ -9,28 +9,28 @@
 namespace gluray::test {
 namespace {
 
-struct Vertex {
+struct ColoredVertex {
   float position[3];
   float color[4];
 };
 
 // An open zigzag towards the viewer, whose colours change along it.
-constexpr std::array<Vertex, 5> kZigzag{{{{-1.5f, -1, -2.5f}, {1, 0, 0, 1}},
-                                         {{-0.5f, 1, -2.2f}, {0, 1, 0, 1}},
-                                         {{0.3f, -1, -2}, {0, 0, 1, 1}},
-                                         {{0.8f, 0.9f, -1.8f}, {1, 1, 0, 1}},
-                                         {{1.2f, -0.6f, -1.6f}, {1, 1, 1, 1}}}};
+constexpr std::array<ColoredVertex, 5> kZigzag{{{{-1.5f, -1, -2.5f}, {1, 0, 0, 1}},
+                                                {{-0.5f, 1, -2.2f}, {0, 1, 0, 1}},
+                                                {{0.3f, -1, -2}, {0, 0, 1, 1}},
+                                                {{0.8f, 0.9f, -1.8f}, {1, 1, 0, 1}},
+                                                {{1.2f, -0.6f, -1.6f}, {1, 1, 1, 1}}}};
 constexpr std::array<GLuint, 8> kSegments{0, 1, 1, 2, 2, 3, 3, 4};
 constexpr std::array<GLuint, 10> kClosed{0, 1, 1, 2, 2, 3, 3, 4, 4, 0};
 
-void send(const gl::RealGl& gl, const Vertex& v) {
+void send(const gl::RealGl& gl, const ColoredVertex& v) {
   gl.Color4fv(v.color);
   gl.Vertex3fv(v.position);
 }
 
 void beginEnd(const gl::RealGl& gl, GLenum mode) {
   gl.Begin(mode);
-  for (const Vertex& v : kZigzag) send(gl, v);
+  for (const ColoredVertex& v : kZigzag) send(gl, v);
   gl.End();
 }
 
@@ -44,11 +44,11 @@ void usePointers(const gl::RealGl& gl, const void* base) {
   const auto* at = static_cast<const std::byte*>(base);
   gl.EnableClientState(GL_VERTEX_ARRAY);
   gl.EnableClientState(GL_COLOR_ARRAY);
-  gl.VertexPointer(3, GL_FLOAT, sizeof(Vertex), at);
-  gl.ColorPointer(4, GL_FLOAT, sizeof(Vertex), at + offsetof(Vertex, color));
+  gl.VertexPointer(3, GL_FLOAT, sizeof(ColoredVertex), at);
+  gl.ColorPointer(4, GL_FLOAT, sizeof(ColoredVertex), at + offsetof(ColoredVertex, color));
 }
 
-GLuint bufferOf(const gl::RealGl& gl, GLenum target, const void* data, size_t bytes) {
+GLuint lineBuffer(const gl::RealGl& gl, GLenum target, const void* data, size_t bytes) {
   GLuint name = 0;
   gl.GenBuffers(1, &name);
   gl.BindBuffer(target, name);
@@ -56,13 +56,13 @@ GLuint bufferOf(const gl::RealGl& gl, GLenum target, const void* data, size_t by
   return name;
 }
 
-struct Way {
+struct LineWay {
   const char* name;
   DrawLines draw;
 };
 
 /// The same picture from every way; all in one context state: width 6.
-void expectAllEqual(const std::vector<Way>& ways) {
+void expectAllEqual(const std::vector<LineWay>& ways) {
   const auto wide = [](const DrawLines& draw) {
     return [=](const gl::RealGl& gl) {
       gl.LineWidth(6), gl.PointSize(9);
@@ -72,7 +72,7 @@ void expectAllEqual(const std::vector<Way>& ways) {
   const LinePicture first = drawnRound(wide(ways.front().draw));
   EXPECT_GT(first.coveredInAll(), 100);
   EXPECT_EQ(first.statistics.drawsRasterised, 0u);
-  for (const Way& way : ways) {
+  for (const LineWay& way : ways) {
     SCOPED_TRACE(way.name);
     const LinePicture other = drawnRound(wide(way.draw));
     EXPECT_EQ(other.statistics.drawsRasterised, 0u);
@@ -89,7 +89,7 @@ void inList(const gl::RealGl& gl, const DrawLines& draw) {
   gl.CallList(list);
 }
 
-std::vector<Way> waysOf(GLenum mode) {
+std::vector<LineWay> waysOf(GLenum mode) {
   return {
       {"glBegin", [=](const gl::RealGl& gl) { beginEnd(gl, mode); }},
       {"list", [=](const gl::RealGl& gl) { inList(gl, [=](const gl::RealGl& g) { beginEnd(g, mode); }); }},
@@ -107,8 +107,8 @@ std::vector<Way> waysOf(GLenum mode) {
       {"buffers",
        [=](const gl::RealGl& gl) {
          const GLuint order[] = {0, 1, 2, 3, 4};
-         bufferOf(gl, GL_ARRAY_BUFFER, kZigzag.data(), sizeof kZigzag);
-         bufferOf(gl, GL_ELEMENT_ARRAY_BUFFER, order, sizeof order);
+         lineBuffer(gl, GL_ARRAY_BUFFER, kZigzag.data(), sizeof kZigzag);
+         lineBuffer(gl, GL_ELEMENT_ARRAY_BUFFER, order, sizeof order);
          usePointers(gl, nullptr);
          gl.DrawElements(mode, 5, GL_UNSIGNED_INT, nullptr);
        }},
@@ -123,13 +123,13 @@ std::vector<Way> waysOf(GLenum mode) {
 }
 
 TEST(WaysOfLines, StripsEqualTheirSegments) {
-  std::vector<Way> ways = waysOf(GL_LINE_STRIP);
+  std::vector<LineWay> ways = waysOf(GL_LINE_STRIP);
   ways.push_back({"segments", [](const gl::RealGl& gl) { separate(gl, kSegments); }});
   expectAllEqual(ways);
 }
 
 TEST(WaysOfLines, LoopsEqualTheirSegments) {
-  std::vector<Way> ways = waysOf(GL_LINE_LOOP);
+  std::vector<LineWay> ways = waysOf(GL_LINE_LOOP);
   ways.push_back({"segments", [](const gl::RealGl& gl) { separate(gl, kClosed); }});
   expectAllEqual(ways);
 }
@@ -146,8 +146,8 @@ TEST(WaysOfLines, LargeArraysEqualSmallOnes) {
     gl.DrawElements(GL_LINES, static_cast<GLsizei>(numbers.size()), GL_UNSIGNED_INT, numbers.data());
   };
   const auto buffers = [numbers](const gl::RealGl& gl) {
-    bufferOf(gl, GL_ARRAY_BUFFER, kZigzag.data(), sizeof kZigzag);
-    bufferOf(gl, GL_ELEMENT_ARRAY_BUFFER, numbers.data(), numbers.size() * 4);
+    lineBuffer(gl, GL_ARRAY_BUFFER, kZigzag.data(), sizeof kZigzag);
+    lineBuffer(gl, GL_ELEMENT_ARRAY_BUFFER, numbers.data(), numbers.size() * 4);
     usePointers(gl, nullptr);
     gl.DrawElements(GL_LINES, static_cast<GLsizei>(numbers.size()), GL_UNSIGNED_INT, nullptr);
   };

@@ -11,7 +11,7 @@ namespace {
 
 using Gl = const gl::RealGl&;
 
-constexpr int kSize = 32;
+constexpr int kMaterialsSize = 32;
 // Exactly representable in 255 steps.
 constexpr GLfloat kOrange[4] = {0.8f, 0.4f, 0.2f, 1}, kBlue[4] = {0.2f, 0.4f, 0.8f, 1},
                   kWhite[4] = {1, 1, 1, 1};
@@ -36,13 +36,13 @@ struct Triangles {
   }
 };
 
-struct Case {
+struct MaterialCase {
   const char* name;
   void (*calls)(Gl gl, Triangles& triangles);
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const MaterialCase& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const MaterialCase kMaterialCases[] = {
     {"before the primitive", [](Gl gl, Triangles& t) { material(gl, GL_AMBIENT, kOrange), t.draw(); }},
     {"between primitives",
      [](Gl gl, Triangles& t) { t.draw(), material(gl, GL_AMBIENT, kOrange), t.draw(); }},
@@ -64,19 +64,20 @@ const Case kCases[] = {
      [](Gl gl, Triangles& t) { gl.Color4fv(kBlue), material(gl, GL_AMBIENT, kOrange), t.draw(); }},
 };
 
-struct Seen {
+struct SeenMaterials {
   std::vector<GLfloat> materials;
   std::vector<uint32_t> middles;
-  bool operator==(const Seen&) const = default;
+  bool operator==(const SeenMaterials&) const = default;
 };
 
 /// The list is drawn with a stencil test, which is left to the real OpenGL, or traced.
-Seen seen(Gl gl, const Case& c, GLenum mode, bool stencil) {
-  Seen seen;
+SeenMaterials seen(Gl gl, const MaterialCase& c, GLenum mode, bool stencil) {
+  SeenMaterials seen;
   Triangles triangles{gl};
   const auto look = [&] {
     seen.middles.push_back(0);
-    gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &seen.middles.back());
+    gl.ReadPixels(kMaterialsSize / 2, kMaterialsSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                  &seen.middles.back());
   };
   gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST), gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, kWhite);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -95,15 +96,15 @@ Seen seen(Gl gl, const Case& c, GLenum mode, bool stencil) {
   return seen;
 }
 
-class ColorMaterialInLists : public testing::TestWithParam<Case> {};
+class ColorMaterialInLists : public testing::TestWithParam<MaterialCase> {};
 
 TEST_P(ColorMaterialInLists, IsTheRealOne) {
   for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE})
     for (const bool stencil : {true, false}) {
-      const auto real = OsmesaContext::create({kSize, kSize});
-      const Seen expected = seen(real->real(), GetParam(), mode, stencil);
-      const TracedContext ours({kSize, kSize});
-      const Seen got = seen(ours.gl(), GetParam(), mode, stencil);
+      const auto real = OsmesaContext::create({kMaterialsSize, kMaterialsSize});
+      const SeenMaterials expected = seen(real->real(), GetParam(), mode, stencil);
+      const TracedContext ours({kMaterialsSize, kMaterialsSize});
+      const SeenMaterials got = seen(ours.gl(), GetParam(), mode, stencil);
       EXPECT_EQ(got.materials, expected.materials) << mode << " " << stencil;
       EXPECT_EQ(got.middles, expected.middles) << mode << " " << stencil;
       EXPECT_EQ(
@@ -112,7 +113,7 @@ TEST_P(ColorMaterialInLists, IsTheRealOne) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ColorMaterialInLists, testing::ValuesIn(kCases));
+INSTANTIATE_TEST_SUITE_P(Cases, ColorMaterialInLists, testing::ValuesIn(kMaterialCases));
 
 }  // namespace
 }  // namespace gluray::test

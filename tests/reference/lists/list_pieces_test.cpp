@@ -13,7 +13,7 @@ namespace {
 using Gl = const gl::RealGl&;
 using Errors = std::vector<GLenum>;
 
-constexpr int kSize = 32;
+constexpr int kPiecesSize = 32;
 
 void error(Gl gl, Errors& errors) { errors.push_back(gl.GetError()); }
 
@@ -27,13 +27,13 @@ void list(Gl gl, GLuint name, GLenum mode, Calls&& calls) {
   gl.NewList(name, mode), calls(), gl.EndList();
 }
 
-struct Case {
+struct PieceCase {
   const char* name;
   void (*calls)(Gl gl, Errors& errors);
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const PieceCase& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const PieceCase kPieceCases[] = {
     {"glBegin, vertices and glEnd in a list each",
      [](Gl gl, Errors& e) {
        list(gl, 1, GL_COMPILE, [&] { gl.Begin(GL_TRIANGLES); }), error(gl, e);
@@ -153,7 +153,7 @@ const Case kCases[] = {
      }},
 };
 
-class ListPieces : public testing::TestWithParam<Case> {};
+class ListPieces : public testing::TestWithParam<PieceCase> {};
 
 TEST_P(ListPieces, AreThoseOfTheRealOne) {
   const auto draw = [](Gl gl, Errors& errors) {
@@ -165,21 +165,21 @@ TEST_P(ListPieces, AreThoseOfTheRealOne) {
     gl.Vertex3f(0.5f, 0.5f, -0.5f), gl.Vertex3f(1, 0.5f, -0.5f), gl.Vertex3f(1, 1, -0.6f);
     gl.End(), error(gl, errors);
     GLubyte pixels[2][4] = {};
-    gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels[0]);
-    gl.ReadPixels(kSize - 2, kSize - 6, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels[1]);
+    gl.ReadPixels(kPiecesSize / 2, kPiecesSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels[0]);
+    gl.ReadPixels(kPiecesSize - 2, kPiecesSize - 6, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels[1]);
     for (const auto& pixel : pixels) errors.insert(errors.end(), pixel, pixel + 4);
   };
   Errors expected, ours;
-  const auto real = OsmesaContext::create({kSize, kSize});
+  const auto real = OsmesaContext::create({kPiecesSize, kPiecesSize});
   draw(real->real(), expected);
-  const TracedContext traced({kSize, kSize});
+  const TracedContext traced({kPiecesSize, kPiecesSize});
   draw(traced.gl(), ours);
   EXPECT_EQ(ours, expected);
 }
 
 /// Mesa executes such lists at their ends, and knows nothing of the glBegin before.
 TEST(ListQuestions, AreErrorsInsideGlBegin) {
-  const TracedContext traced({kSize, kSize});
+  const TracedContext traced({kPiecesSize, kPiecesSize});
   Gl gl = traced.gl();
   gl.NewList(1, GL_COMPILE_AND_EXECUTE);
   gl.Begin(GL_TRIANGLES);
@@ -191,7 +191,7 @@ TEST(ListQuestions, AreErrorsInsideGlBegin) {
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR)) << "lists do not take questions";
 }
 
-INSTANTIATE_TEST_SUITE_P(Reference, ListPieces, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Reference, ListPieces, testing::ValuesIn(kPieceCases),
                          [](const auto& info) { return std::to_string(info.index); });
 
 }  // namespace

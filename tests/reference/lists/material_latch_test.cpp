@@ -13,11 +13,11 @@
 namespace gluray::test {
 namespace {
 
-constexpr int kSize = 32;
+constexpr int kLatchSize = 32;
 constexpr GLfloat kBright[4] = {0.8f, 0.8f, 0.8f, 1}, kDark[4] = {0.2f, 0.2f, 0.2f, 1},
                   kBlack[4] = {0, 0, 0, 1};
 
-void material(const gl::RealGl& gl, GLenum name, const GLfloat* value) {
+void setMaterial(const gl::RealGl& gl, GLenum name, const GLfloat* value) {
   gl.Materialfv(GL_FRONT_AND_BACK, name, value);
 }
 
@@ -27,13 +27,14 @@ void frame(const gl::RealGl& gl, GLuint list) {
   gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST);
   gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE), gl.Enable(GL_COLOR_MATERIAL);
   gl.Color4fv(kBright);
-  material(gl, GL_SPECULAR, kBlack), material(gl, GL_EMISSION, kBlack);
+  setMaterial(gl, GL_SPECULAR, kBlack), setMaterial(gl, GL_EMISSION, kBlack);
   const GLfloat ambient[4] = {0.4f, 0.4f, 0.4f, 1};
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
   gl.CallList(list);
   gl.Disable(GL_LIGHTING), gl.Disable(GL_COLOR_MATERIAL);
   gl.Color4fv(kBright);
-  material(gl, GL_AMBIENT, kDark), material(gl, GL_DIFFUSE, kBright), material(gl, GL_SPECULAR, kBlack);
+  setMaterial(gl, GL_AMBIENT, kDark), setMaterial(gl, GL_DIFFUSE, kBright),
+      setMaterial(gl, GL_SPECULAR, kBlack);
   gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, kDark);
 }
 
@@ -55,12 +56,12 @@ std::vector<uint32_t> middles(const gl::RealGl& gl, const std::function<uint32_t
 }
 
 TEST(MaterialLatch, PictureIsTheRealOne) {
-  const auto real = OsmesaContext::create({kSize, kSize});
+  const auto real = OsmesaContext::create({kLatchSize, kLatchSize});
   const auto middle = [](const OsmesaContext& context) {
-    return context.colors()[kSize / 2 * kSize + kSize / 2];
+    return context.colors()[kLatchSize / 2 * kLatchSize + kLatchSize / 2];
   };
   const auto expected = middles(real->real(), [&] { return middle(*real); });
-  TracedContext ours({kSize, kSize});
+  TracedContext ours({kLatchSize, kLatchSize});
   EXPECT_EQ(middles(ours.gl(), [&] { return middle(ours.below()); }), expected);
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 4u);
 }
@@ -76,24 +77,24 @@ uint32_t replaced(const gl::RealGl& gl, const GLfloat* color) {
   gl.Enable(GL_LIGHTING), gl.Enable(GL_DEPTH_TEST), gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
   gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT);
   triangle();
-  material(gl, GL_AMBIENT, kDark);
+  setMaterial(gl, GL_AMBIENT, kDark);
   gl.Enable(GL_COLOR_MATERIAL), gl.Color4fv(color), gl.Disable(GL_COLOR_MATERIAL);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   triangle();
   uint32_t middle = 0;
-  gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &middle);
+  gl.ReadPixels(kLatchSize / 2, kLatchSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &middle);
   return middle;
 }
 
 TEST(MaterialLatch, ColorMaterialHasTheLastWord) {
   const GLfloat white[4] = {1, 1, 1, 1};
   for (const GLfloat* color : {kBright, white}) {
-    const auto real = OsmesaContext::create({kSize, kSize});
+    const auto real = OsmesaContext::create({kLatchSize, kLatchSize});
     // White is the current colour already: the result then depends, in Mesa from 23 on, on pending vertices
     // (docs/distributions.md).
     if (color == white && !gl::MaterialLatch::isIn(real->real())) continue;
     const auto expected = replaced(real->real(), color);
-    TracedContext ours({kSize, kSize});
+    TracedContext ours({kLatchSize, kLatchSize});
     EXPECT_EQ(replaced(ours.gl(), color), expected);
   }
 }
@@ -115,14 +116,14 @@ uint32_t coloredUnlit(const gl::RealGl& gl) {
   gl.Disable(GL_LIGHTING), triangle(0.3f);
   gl.Color4fv(kBright), gl.Enable(GL_LIGHTING), triangle(-0.5f);
   uint32_t middle = 0;
-  gl.ReadPixels(kSize / 2, kSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &middle);
+  gl.ReadPixels(kLatchSize / 2, kLatchSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &middle);
   return middle;
 }
 
 TEST(ColorMaterial, TakesColorsSentWhileLightingIsOff) {
-  const auto real = OsmesaContext::create({kSize, kSize});
+  const auto real = OsmesaContext::create({kLatchSize, kLatchSize});
   const uint32_t expected = coloredUnlit(real->real());
-  TracedContext ours({kSize, kSize});
+  TracedContext ours({kLatchSize, kLatchSize});
   EXPECT_EQ(coloredUnlit(ours.gl()), expected);
 }
 
@@ -131,9 +132,10 @@ TEST(MaterialLatch, IsSwitchedOffByName) {
   const auto picturesWith = [&](const char* value) {
     Settings settings = TracedContext::vertexShading();
     EXPECT_EQ(readQuirks(std::string("material-latch=") + value, settings.quirks), "");
-    const TracedContext traced({kSize, kSize}, settings);
+    const TracedContext traced({kLatchSize, kLatchSize}, settings);
     needed = gl::MaterialLatch::isIn(traced.below().real());
-    return middles(traced.gl(), [&] { return traced.below().colors()[kSize / 2 * kSize + kSize / 2]; });
+    return middles(traced.gl(),
+                   [&] { return traced.below().colors()[kLatchSize / 2 * kLatchSize + kLatchSize / 2]; });
   };
   const uint64_t before = useCount(Quirk::materialLatch);
   const auto off = picturesWith("off");

@@ -27,7 +27,7 @@ const char* const kOwnFragment =
     "    if (d > 0.0) sum += 0.5 * lights[i].color * pow(max(dot(normalize(n), h), 0.0), "
     "material.shininess); }\n"
     "  color = vec4(sum, 1); }\n";
-const char* const kOwnFamily = R"([[family]]
+const char* const kDescribedFamily = R"([[family]]
 name = "own"
 match.active = ["position", "projection", "model"]
 vertex.position = "position"
@@ -108,7 +108,7 @@ void drawOwn(Gl gl) {
 }
 
 TEST(ProgramFamilies, UniformsInBlocksLightsInArraysAndTheWorldsSpace) {
-  expectBoth("own", drawOwn, 3, {}, kProgramTolerance, kOwnFamily);
+  expectBoth("own", drawOwn, 3, {}, kProgramTolerance, kDescribedFamily);
 }
 
 TEST(ProgramFamilies, ProgramsOfNoFamilyAreLeftToTheRealOne) { expectBoth("unknown", drawOwn, 0); }

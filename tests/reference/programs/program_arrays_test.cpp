@@ -11,16 +11,16 @@ namespace gluray::test {
 namespace {
 
 /// A typical vertex layout.
-struct Vertex {
+struct InterleavedVertex {
   std::array<GLshort, 4> position;  // thousandths
   std::array<GLbyte, 4> normal;
   std::array<GLubyte, 4> color;
 };
 
-std::vector<Vertex> interleaved(const ProgramMesh& mesh) {
-  std::vector<Vertex> all;
+std::vector<InterleavedVertex> interleaved(const ProgramMesh& mesh) {
+  std::vector<InterleavedVertex> all;
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
-    Vertex v{};
+    InterleavedVertex v{};
     for (size_t k = 0; k < 3; ++k) {
       v.position[k] = static_cast<GLshort>(1000 * mesh.positions[i][static_cast<int>(k)]);
       v.normal[k] = static_cast<GLbyte>(127 * mesh.normals[i][static_cast<int>(k)]);
@@ -66,9 +66,10 @@ void interleavedShorts(Gl gl) {
   Stage s{gl};
   s.begin(0.001);
   s.fill(interleaved(s.mesh));
-  gl.VertexAttribPointer(s.at("vertexMC"), 3, GL_SHORT, GL_FALSE, sizeof(Vertex), nullptr);
-  gl.VertexAttribPointer(s.at("normalMC"), 3, GL_BYTE, GL_TRUE, sizeof(Vertex), offset(8));
-  gl.VertexAttribPointer(s.at("scalarColor"), 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(Vertex), offset(12));
+  gl.VertexAttribPointer(s.at("vertexMC"), 3, GL_SHORT, GL_FALSE, sizeof(InterleavedVertex), nullptr);
+  gl.VertexAttribPointer(s.at("normalMC"), 3, GL_BYTE, GL_TRUE, sizeof(InterleavedVertex), offset(8));
+  gl.VertexAttribPointer(s.at("scalarColor"), 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(InterleavedVertex),
+                         offset(12));
   s.draw();
 }
 
@@ -148,25 +149,25 @@ void arraysThatNobodyReads(Gl gl) {
 void formatsAndBindings(Gl gl) {
   Stage s{gl};
   s.begin(0.001);
-  const std::vector<Vertex> vertices = interleaved(s.mesh);
+  const std::vector<InterleavedVertex> vertices = interleaved(s.mesh);
   const GLuint buffer = s.fill(vertices);
   gl.VertexAttribFormat(s.at("vertexMC"), 3, GL_SHORT, GL_FALSE, 0);
   gl.VertexAttribFormat(s.at("normalMC"), 3, GL_BYTE, GL_TRUE, 8);
   gl.VertexAttribFormat(s.at("scalarColor"), 4, GL_UNSIGNED_BYTE, GL_TRUE, 12);
   for (const char* name : {"vertexMC", "normalMC", "scalarColor"}) gl.VertexAttribBinding(s.at(name), 6);
-  gl.BindVertexBuffer(6, buffer, 0, sizeof(Vertex));
+  gl.BindVertexBuffer(6, buffer, 0, sizeof(InterleavedVertex));
   s.draw();
 }
 
 void formatsAndBindingsFromAnOffset(Gl gl) {
   Stage s{gl};
   s.begin(0.001);
-  std::vector<Vertex> vertices = interleaved(s.mesh);
-  vertices.insert(vertices.begin(), 5, Vertex{{9000, 9000, 9000, 1}, {}, {}});
+  std::vector<InterleavedVertex> vertices = interleaved(s.mesh);
+  vertices.insert(vertices.begin(), 5, InterleavedVertex{{9000, 9000, 9000, 1}, {}, {}});
   const GLuint buffer = s.fill(vertices);
   gl.VertexAttribFormat(s.at("vertexMC"), 3, GL_SHORT, GL_FALSE, 0),
       gl.VertexAttribBinding(s.at("vertexMC"), 7);
-  gl.BindVertexBuffer(7, buffer, 5 * sizeof(Vertex), sizeof(Vertex));
+  gl.BindVertexBuffer(7, buffer, 5 * sizeof(InterleavedVertex), sizeof(InterleavedVertex));
   s.draw();
 }
 
@@ -199,8 +200,8 @@ void bindingWithoutStride(Gl gl) {
 void directStateAccess(Gl gl) {
   Stage s{gl};
   s.begin(0.001);
-  std::vector<Vertex> vertices = interleaved(s.mesh);
-  const auto bytes = static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex));
+  std::vector<InterleavedVertex> vertices = interleaved(s.mesh);
+  const auto bytes = static_cast<GLsizeiptr>(vertices.size() * sizeof(InterleavedVertex));
   GLuint array = 0, buffers[2] = {};
   gl.CreateVertexArrays(1, &array), gl.CreateBuffers(2, buffers);
   gl.NamedBufferStorage(buffers[0], bytes, vertices.data(), GL_DYNAMIC_STORAGE_BIT);
@@ -213,24 +214,24 @@ void directStateAccess(Gl gl) {
   };
   format("vertexMC", 3, GL_SHORT, GL_FALSE, 0), format("normalMC", 3, GL_BYTE, GL_TRUE, 8);
   format("scalarColor", 4, GL_UNSIGNED_BYTE, GL_TRUE, 12);
-  gl.VertexArrayVertexBuffer(array, 1, buffers[0], 0, sizeof(Vertex));
+  gl.VertexArrayVertexBuffer(array, 1, buffers[0], 0, sizeof(InterleavedVertex));
   gl.VertexArrayElementBuffer(array, buffers[1]);
   gl.BindVertexArray(array);
   s.draw();
   gl.Finish();
-  for (Vertex& v : vertices)
+  for (InterleavedVertex& v : vertices)
     v.position[0] = static_cast<GLshort>(v.position[0] / 2 + 900), v.color = {255, 255, 0, 255};
   gl.NamedBufferSubData(buffers[0], 0, bytes, vertices.data());
   s.draw();
 }
 
-struct Case {
+struct ArrayCase {
   const char* name;
   DrawProgram draw;
   int traced = 1;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-const Case kCases[] = {
+void PrintTo(const ArrayCase& c, std::ostream* out) { *out << c.name; }
+const ArrayCase kArrayCases[] = {
     {"interleaved_shorts", interleavedShorts},
     {"doubles_and_three_bytes", doublesAndThreeBytes},
     {"normalized_and_not", normalizedAndNot, 2},
@@ -245,12 +246,12 @@ const Case kCases[] = {
     {"binding_without_stride", bindingWithoutStride, 0},
     {"direct_state_access", directStateAccess, 2},
 };
-class ProgramArrays : public testing::TestWithParam<Case> {};
+class ProgramArrays : public testing::TestWithParam<ArrayCase> {};
 
 TEST_P(ProgramArrays, LookLikeTheRealOnes) {
   expectBoth(GetParam().name, GetParam().draw, GetParam().traced, coreWish(4, 5));
 }
-INSTANTIATE_TEST_SUITE_P(Layouts, ProgramArrays, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Layouts, ProgramArrays, testing::ValuesIn(kArrayCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ProgramArrays, InMemoryOfTheProgramsOwn) {

@@ -25,15 +25,15 @@ GlState withoutNames(GlState state) {
 }
 
 /// Picture, errors and state after a program's draws.
-struct Result {
+struct DrawnResult {
   Picture picture;
   GlState state;
   GLenum error = GL_NO_ERROR;
 };
 
 /// Records errors and state, then the picture. Pending draws must not change the former.
-Result drawn(Gl gl, const DrawProgram& draw, const ContextWish& wish) {
-  Result result;
+DrawnResult drawn(Gl gl, const DrawProgram& draw, const ContextWish& wish) {
+  DrawnResult result;
   draw(gl);
   result.error = gl.GetError();
   const GlState before = queryState(gl);
@@ -46,7 +46,7 @@ Result drawn(Gl gl, const DrawProgram& draw, const ContextWish& wish) {
   return result;
 }
 
-Result drawnByRealOpenGl(const DrawProgram& draw, const ContextWish& wish) {
+DrawnResult drawnByRealOpenGl(const DrawProgram& draw, const ContextWish& wish) {
   const auto real = OsmesaContext::create(wish);
   return drawn(real->real(), draw, wish);
 }
@@ -54,7 +54,7 @@ Result drawnByRealOpenGl(const DrawProgram& draw, const ContextWish& wish) {
 ContextWish orCore(const ContextWish& wish) { return wish.width == 64 ? coreWish() : wish; }
 
 /// Expects the real OpenGL's picture within `tolerance`, and the same errors and state.
-void expectLike(const Result& expected, const Result& got, const scenes::Tolerance& tolerance,
+void expectLike(const DrawnResult& expected, const DrawnResult& got, const scenes::Tolerance& tolerance,
                 const std::string& file) {
   EXPECT_EQ(got.error, expected.error);
   EXPECT_EQ(joined(differences(expected.state, got.state)), "");
@@ -77,10 +77,10 @@ std::shared_ptr<const gl::FamilyList> parsed(const std::string& families) {
   return std::make_shared<const gl::FamilyList>(gl::parseFamilies(families, "test.toml"));
 }
 
-Outcome traced(const Result& expected, const std::string& name, const DrawProgram& draw, int draws,
+Outcome traced(const DrawnResult& expected, const std::string& name, const DrawProgram& draw, int draws,
                const ContextWish& wish, const scenes::Tolerance& tolerance, const std::string& families) {
   TracedContext ours(wish, TracedContext::tracing(), nullptr, nullptr, parsed(families));
-  const Result got = drawn(ours.gl(), draw, wish);
+  const DrawnResult got = drawn(ours.gl(), draw, wish);
   const gl::Statistics& s = ours.context().counts.statistics;
   expectLike(expected, got, tolerance, "program-" + name);
   if (draws >= 0) { EXPECT_EQ(s.drawsTraced, static_cast<uint64_t>(draws)) << reasons(s); }
@@ -89,14 +89,14 @@ Outcome traced(const Result& expected, const std::string& name, const DrawProgra
   return {s, expected.picture, got.picture};
 }
 
-void drawnAgain(const Result& expected, const std::string& name, const DrawProgram& draw,
+void drawnAgain(const DrawnResult& expected, const std::string& name, const DrawProgram& draw,
                 const ContextWish& wish, const std::string& families) {
   auto fails = std::make_unique<present::TracingPresenter>(
       frame::Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& why) {
         return why = "this test lets tracing fail", false;
       }});
   TracedContext ours(wish, TracedContext::tracing(), std::move(fails), nullptr, parsed(families));
-  const Result got = drawn(ours.gl(), draw, wish);
+  const DrawnResult got = drawn(ours.gl(), draw, wish);
   expectLike(expected, got, {0, 0, 0, "the same draws by the same OpenGL"}, "program-failing-" + name);
   std::printf("\n");
 }
@@ -118,7 +118,7 @@ void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw
 void expectBoth(const std::string& name, const DrawProgram& draw, int draws, const ContextWish& given,
                 const scenes::Tolerance& tolerance, const std::string& families) {
   const ContextWish wish = orCore(given);
-  const Result expected = drawnByRealOpenGl(draw, wish);
+  const DrawnResult expected = drawnByRealOpenGl(draw, wish);
   traced(expected, name, draw, draws, wish, tolerance, families);
   drawnAgain(expected, name, draw, wish, families);
 }

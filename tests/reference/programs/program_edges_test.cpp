@@ -7,7 +7,7 @@
 namespace gluray::test {
 namespace {
 
-const char* const kGeometry =
+const char* const kEdgesGeometry =
     "#version 150\nuniform int PrimitiveIDOffset;\nin vec4 vertexVCVSOutput[];\nout vec4 vertexVCGSOutput;\n"
     "in vec3 normalVCVSOutput[];\nout vec3 normalVCGSOutput;\n"
     "layout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\n"
@@ -50,7 +50,7 @@ const char* const kPainting =
     "  ambientColor = mix( ambientColor, edgeColor, emix);\n";
 
 /// VTK's variants: 9.1's, 9.3's with an opacity, and since 9.4 corners that stay.
-enum class Way { opaque, faint, corners };
+enum class EdgeWay { opaque, faint, corners };
 
 std::string without(std::string text, const std::string& from, const std::string& to) {
   const size_t start = text.find(from), end = text.find(to, start);
@@ -58,30 +58,30 @@ std::string without(std::string text, const std::string& from, const std::string
   return text.erase(start, end - start);
 }
 
-std::string geometryText(Way way) {
-  if (way != Way::corners) return kGeometry;
-  std::string text = without(kGeometry, "  vec2 offsets[3];", "  float edgeValues");
+std::string geometryText(EdgeWay way) {
+  if (way != EdgeWay::corners) return kEdgesGeometry;
+  std::string text = without(kEdgesGeometry, "  vec2 offsets[3];", "  float edgeValues");
   text = without(text, "    gl_Position.xy = ", "    EmitVertex");
   return text.replace(text.find("out vec4 edgeEqn"), 3, "noperspective out");
 }
 
-std::string edgedFragmentText(Way way) {
+std::string edgedFragmentText(EdgeWay way) {
   std::string text = fragmentText(Surface{.lightCount = 2});
   for (size_t at = 0; (at = text.find("VCVSOutput", at)) != std::string::npos; at += 10)
     text.replace(at, 10, "VCGSOutput");
   text.insert(text.find("void main()"),
               "in vec4 edgeEqn[3];\nuniform float lineWidth;\nuniform vec3 edgeColor;\n");
-  if (way != Way::opaque) text.insert(text.find("void main()"), "uniform float edgeOpacity;\n");
-  if (way == Way::corners) text.replace(text.find("in vec4 edgeEqn"), 2, "noperspective in");
+  if (way != EdgeWay::opaque) text.insert(text.find("void main()"), "uniform float edgeOpacity;\n");
+  if (way == EdgeWay::corners) text.replace(text.find("in vec4 edgeEqn"), 2, "noperspective in");
   std::string painting = kPainting;
-  for (size_t at = 0; way != Way::opaque && (at = painting.find(", emix)", at)) != std::string::npos;
+  for (size_t at = 0; way != EdgeWay::opaque && (at = painting.find(", emix)", at)) != std::string::npos;
        at += 10)
     painting.replace(at, 7, ", emix * edgeOpacity)");
   return text.insert(text.find("  vec3 normalVCGSOutput = normalize"), painting);
 }
 
 /// Compiles and links the three shaders.
-GLuint makeEdged(Gl gl, Way way) {
+GLuint makeEdged(Gl gl, EdgeWay way) {
   const GLuint program =
       makeProgram(gl, vertexText(Surface{.lightCount = 2}), fragmentText(Surface{.lightCount = 2}));
   GLuint shaders[2] = {};
@@ -116,7 +116,7 @@ void edgeFlags(Gl gl, const std::vector<uint8_t>& flags, int unit) {
 }
 
 /// Draws the mesh with edges of that width; every third triangle lacks one of them.
-void drawEdged(Gl gl, const ProgramMesh& mesh, float width, const View& view, Way way = Way::opaque,
+void drawEdged(Gl gl, const ProgramMesh& mesh, float width, const View& view, EdgeWay way = EdgeWay::opaque,
                float opacity = 1) {
   const GLuint program = makeEdged(gl, way);
   const Upload up = upload(gl, mesh, program);
@@ -158,15 +158,16 @@ TEST(ProgramEdges, InParallelProjection) {
 TEST(ProgramEdges, Faint) {
   for (const float opacity : {1.0f, 0.4f, 0.0f})
     expectBoth(
-        "edges_faint", [&](Gl gl) { drawEdged(gl, sheet(8), 3, perspectiveView(30), Way::faint, opacity); },
-        1, {}, kEdgeTolerance);
+        "edges_faint",
+        [&](Gl gl) { drawEdged(gl, sheet(8), 3, perspectiveView(30), EdgeWay::faint, opacity); }, 1, {},
+        kEdgeTolerance);
 }
 
 TEST(ProgramEdges, BetweenCornersThatStay) {
   for (const float width : {1.0f, 4.0f})
     for (const View& view : {perspectiveView(30), parallelView(50)})
       expectBoth(
-          "edges_staying", [&](Gl gl) { drawEdged(gl, ball(8), width, view, Way::corners, 0.7f); }, 1);
+          "edges_staying", [&](Gl gl) { drawEdged(gl, ball(8), width, view, EdgeWay::corners, 0.7f); }, 1);
 }
 
 TEST(ProgramEdges, CornersBehindTheViewerAreLeftToTheRealOne) {

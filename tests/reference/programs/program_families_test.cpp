@@ -9,18 +9,18 @@ namespace gluray::test {
 namespace {
 
 /// A program, its family, and the uniforms it sets besides the matrices `mvp` and `modelview`.
-struct Case {
+struct FamilyCase {
   const char *name, *vertex, *fragment, *family;
   void (*set)(Gl, GLuint program);
   bool ball = true;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const FamilyCase& c, std::ostream* out) { *out << c.name; }
 
 const char* const kHead =
     "[[family]]\nname = \"own\"\nmatch.active = \"vertexMC\"\nvertex.position = \"vertexMC\"\n"
     "transform.clip_from_object = \"mvp\"\n";
 
-const Case kCases[] = {
+const FamilyCase kFamilyCases[] = {
     // Direction towards the light, of any length; ambient light only of the material; normals by the inverse
     // transpose.
     {"sun",
@@ -128,7 +128,7 @@ const Case kCases[] = {
      }},
 };
 
-void drawCase(Gl gl, const Case& c) {
+void drawFamilyCase(Gl gl, const FamilyCase& c) {
   const std::string version = "#version 150\n";
   const ProgramMesh mesh = c.ball ? ball(24) : sheet(24);
   const GLuint program = makeProgram(gl, version + c.vertex, version + c.fragment);
@@ -143,17 +143,17 @@ void drawCase(Gl gl, const Case& c) {
   gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 }
 
-class ProgramFamily : public testing::TestWithParam<Case> {};
+class ProgramFamily : public testing::TestWithParam<FamilyCase> {};
 
 TEST_P(ProgramFamily, SaysWhatTheProgramComputes) {
-  const Case& c = GetParam();
+  const FamilyCase& c = GetParam();
   std::string family = std::string(kHead) + c.family;
   if (std::string(c.name) == "blocks") family.replace(family.find("\"mvp\""), 5, "\"Own.mvp\"");
   expectBoth(
-      c.name, [&](Gl gl) { drawCase(gl, c); }, 1, {}, kProgramTolerance, family);
+      c.name, [&](Gl gl) { drawFamilyCase(gl, c); }, 1, {}, kProgramTolerance, family);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramFamily, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramFamily, testing::ValuesIn(kFamilyCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

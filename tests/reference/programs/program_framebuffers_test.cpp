@@ -9,13 +9,13 @@ namespace {
 
 using Color = Surface::Color;
 
-View placed(const glm::dvec3& where, double scale) {
+View placedUpright(const glm::dvec3& where, double scale) {
   View view = perspectiveView(20);
   view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, where), glm::dvec3(scale));
   return view;
 }
 
-GLuint texture(Gl gl, GLenum target, GLenum format, GLenum kind, GLenum type) {
+GLuint attachedTexture(Gl gl, GLenum target, GLenum format, GLenum kind, GLenum type) {
   GLuint name = 0;
   gl.GenTextures(1, &name), gl.BindTexture(target, name);
   if (target == GL_TEXTURE_2D_MULTISAMPLE)
@@ -36,11 +36,12 @@ void drawInto(Gl gl, GLenum target, GLenum depthFormat,
   const auto attach = [&](GLuint framebuffer, GLenum kind) {
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, kind,
-                            texture(gl, kind, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE), 0);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, kind,
-                            texture(gl, kind, depthFormat, stencil ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT,
-                                    stencil ? GL_UNSIGNED_INT_24_8 : GL_UNSIGNED_INT),
-                            0);
+                            attachedTexture(gl, kind, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE), 0);
+    gl.FramebufferTexture2D(
+        GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, kind,
+        attachedTexture(gl, kind, depthFormat, stencil ? GL_DEPTH_STENCIL : GL_DEPTH_COMPONENT,
+                        stencil ? GL_UNSIGNED_INT_24_8 : GL_UNSIGNED_INT),
+        0);
     EXPECT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
   };
   attach(framebuffers[1], GL_TEXTURE_2D);
@@ -51,8 +52,8 @@ void drawInto(Gl gl, GLenum target, GLenum depthFormat,
   beginFrame(gl);
   gl.UseProgram(program);
   if (surface.color == Color::mapped) colorMap(gl, 3), setInteger(gl, program, "colortexture", 3);
-  drawSurface(gl, program, up, mesh, placed({-0.4, 0, 0}, 0.8), surface);
-  drawSurface(gl, program, up, mesh, placed({0.5, 0, 0.3}, 0.7), surface);
+  drawSurface(gl, program, up, mesh, placedUpright({-0.4, 0, 0}, 0.8), surface);
+  drawSurface(gl, program, up, mesh, placedUpright({0.5, 0, 0.3}, 0.7), surface);
   GLuint from = framebuffers[0];
   if (target == GL_TEXTURE_2D_MULTISAMPLE) {
     gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers[0]),

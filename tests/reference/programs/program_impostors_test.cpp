@@ -9,14 +9,14 @@
 namespace gluray::test {
 namespace {
 
-const char* const kVertex =
+const char* const kImpostorsVertex =
     "#version 150\nin vec3 place, way; in float size; in vec3 paint; uniform mat4 modelview;\n"
     "out vec3 c, a, tint; out float r;\n"
     "void main() { c = (modelview * vec4(place, 1)).xyz; a = mat3(modelview) * way; tint = paint; r = size; "
     "}\n";
 
 /// A square that covers the bounding sphere of the whole impostor.
-const char* const kGeometry =
+const char* const kImpostorsGeometry =
     "#version 150\nlayout(points) in; layout(triangle_strip, max_vertices = 4) out;\n"
     "in vec3 c[], a[], tint[]; in float r[]; uniform mat4 projection; out vec3 center, axis, color, at; out "
     "float radius;\n"
@@ -26,7 +26,7 @@ const char* const kGeometry =
     "  at = c[0] + side * vec3(i % 2 == 0 ? -1 : 1, i / 2 == 0 ? -1 : 1, 0);\n"
     "  gl_Position = projection * vec4(at, 1); EmitVertex(); } }\n";
 
-const std::string kFragmentHead =
+const std::string kImpostorsFragmentHead =
     "#version 150\nin vec3 center, axis, color, at; in float radius; uniform mat4 projection; uniform int "
     "ortho;\n"
     "uniform vec3 sun; out vec4 pixel;\n"
@@ -37,14 +37,14 @@ const std::string kFragmentHead =
     "normalize(at);\n"
     "  vec3 m = o - center;\n";
 
-const std::string kFamilyHead =
+const std::string kImpostorsFamilyHead =
     kOwnFamily + "match.geometry_shader = true\ntransform.normal_matrix = \"modelview\"\n";
 
-struct Case {
+struct ImpostorCase {
   const char *name, *fragment, *family;
   bool parallel = false, indices = false;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const ImpostorCase& c, std::ostream* out) { *out << c.name; }
 
 const char* const kBall =
     "  float b = dot(m, d), q = b * b - dot(m, m) + radius * radius;\n"
@@ -69,7 +69,7 @@ const char* const kDiscFamily =
 const char* const kCylinderFamily =
     "impostors.shape = \"cylinders\"\nimpostors.radius = \"size\"\nimpostors.axis = \"way\"\n";
 
-const Case kCases[] = {
+const ImpostorCase kImpostorCases[] = {
     {"balls", kBall, kBallFamily},
     {"balls_parallel", kBall, kBallFamily, true},
     {"balls_by_number", kBall, kBallFamily, false, true},
@@ -79,8 +79,9 @@ const Case kCases[] = {
     {"cylinders_parallel", kCylinder, kCylinderFamily, true, true},
 };
 
-void drawCase(Gl gl, const Case& c) {
-  const GLuint program = linkImpostors(gl, kVertex, kGeometry, kFragmentHead + c.fragment);
+void drawImpostorCase(Gl gl, const ImpostorCase& c) {
+  const GLuint program =
+      linkImpostors(gl, kImpostorsVertex, kImpostorsGeometry, kImpostorsFragmentHead + c.fragment);
   std::vector<float> ways, sizes;
   for (int i = 0; i < kImpostors; ++i) {
     const auto t = static_cast<float>(i);
@@ -98,23 +99,23 @@ void drawCase(Gl gl, const Case& c) {
   drawNumbered(gl, GL_POINTS, numbers);
 }
 
-class ProgramImpostors : public testing::TestWithParam<Case> {};
+class ProgramImpostors : public testing::TestWithParam<ImpostorCase> {};
 
 TEST_P(ProgramImpostors, AreWhatTheProgramComputes) {
-  const Case& c = GetParam();
+  const ImpostorCase& c = GetParam();
   expectBoth(
-      std::string("impostors_") + c.name, [&](Gl gl) { drawCase(gl, c); }, 1, {}, kProgramTolerance,
-      kFamilyHead + c.family);
+      std::string("impostors_") + c.name, [&](Gl gl) { drawImpostorCase(gl, c); }, 1, {}, kProgramTolerance,
+      kImpostorsFamilyHead + c.family);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramImpostors, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramImpostors, testing::ValuesIn(kImpostorCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ProgramImpostor, TheViewerTurnsAndNothingIsBuilt) {
   const Outcome outcome = expectSame(
       "impostors_turned",
       [&](Gl gl) {
-        drawCase(gl, kCases[0]);
+        drawImpostorCase(gl, kImpostorCases[0]);
         GLint program = 0;
         gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
         for (int i = 0; i < 5; ++i) {
@@ -124,7 +125,7 @@ TEST(ProgramImpostor, TheViewerTurnsAndNothingIsBuilt) {
           gl.DrawArrays(GL_POINTS, 5, kImpostors - 5);
         }
       },
-      6, {}, kProgramTolerance, kFamilyHead + kBallFamily);
+      6, {}, kProgramTolerance, kImpostorsFamilyHead + kBallFamily);
   EXPECT_EQ(outcome.statistics.meshesBuilt, 1u);
 }
 
@@ -133,9 +134,9 @@ TEST(ProgramImpostor, CulledOnesAndThoseOfTrianglesAreLeftToTheRealOne) {
       "impostors_culled",
       [](Gl gl) {
         gl.Enable(GL_CULL_FACE);
-        drawCase(gl, kCases[0]);
+        drawImpostorCase(gl, kImpostorCases[0]);
       },
-      0, {}, kProgramTolerance, kFamilyHead + kBallFamily);
+      0, {}, kProgramTolerance, kImpostorsFamilyHead + kBallFamily);
 }
 
 }  // namespace

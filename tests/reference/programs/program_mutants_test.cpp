@@ -12,20 +12,20 @@ using Color = Surface::Color;
 using Normals = Surface::Normals;
 using Lights = Surface::Lights;
 
-struct Case {
+struct MutantCase {
   const char* name;
   Surface surface;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const MutantCase& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const MutantCase kMutantCases[] = {
     {"headlight", {.lights = Lights::headlight}},
     {"positional", {.lights = Lights::positional, .lightCount = 2}},
     {"mapped", {.color = Color::mapped, .actorTexture = true, .colorTcoord = true, .tcoordMatrix = true}},
     {"pbr", {.lights = Lights::pbr}},
 };
 /// Label `program`: scripts/test --all.
-const Case kMoreCases[] = {
+const MutantCase kMoreCases[] = {
     {"unlit", {.lights = Lights::none}},
     {"directional", {.color = Color::vertex, .lightCount = 2}},
     {"cells", {.color = Color::cell, .normals = Normals::cell}},
@@ -56,7 +56,7 @@ void setSurface(Gl gl, GLuint program, const ProgramMesh& mesh, const Surface& s
   setFloat(gl, program, "cOffset", 200);
 }
 
-class ProgramMutants : public testing::TestWithParam<Case> {};
+class ProgramMutants : public testing::TestWithParam<MutantCase> {};
 
 TEST_P(ProgramMutants, AreNotTakenForTheOriginal) {
   const Surface& surface = GetParam().surface;
@@ -73,7 +73,7 @@ TEST_P(ProgramMutants, AreNotTakenForTheOriginal) {
                     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramMutants, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramMutants, testing::ValuesIn(kMutantCases),
                          [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(MoreCases, ProgramMutants, testing::ValuesIn(kMoreCases),
                          [](const auto& info) { return std::string(info.param.name); });

@@ -11,7 +11,7 @@ namespace {
 using Color = Surface::Color;
 using Lights = Surface::Lights;
 
-View placed(double x) {
+View placedAside(double x) {
   View view = perspectiveView(20);
   view.eyeFromObject = glm::scale(glm::translate(view.eyeFromObject, {x, 0, 0}), glm::dvec3(0.6));
   return view;
@@ -30,10 +30,10 @@ void drawTwo(Gl gl, const std::function<GLuint(GLuint first)>& between) {
   const GLuint first = makeProgram(gl, surface);
   const Upload up = upload(gl, mesh, first);
   beginFrame(gl);
-  drawSurface(gl, first, up, mesh, placed(-0.8), surface);
+  drawSurface(gl, first, up, mesh, placedAside(-0.8), surface);
   const GLuint second = between(first);
   gl.UseProgram(second);
-  setAll(gl, second, placed(0.8), surface);
+  setAll(gl, second, placedAside(0.8), surface);
   gl.BindVertexArray(upload(gl, mesh, second).array);
   gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 }
@@ -98,7 +98,7 @@ TEST(ProgramObjects, DeletedWhileInUseAndItsNameUsedAgain) {
           gl.DeleteProgram(program);  // it lives on as long as it is in use
           const ProgramMesh mesh = ball(8);
           for (const double x : {-0.2, 0.2}) {
-            setView(gl, program, placed(x));
+            setView(gl, program, placedAside(x));
             gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
             gl.Finish();
           }

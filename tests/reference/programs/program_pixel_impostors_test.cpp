@@ -7,7 +7,7 @@
 namespace gluray::test {
 namespace {
 
-const char* const kVertex =
+const char* const kPixelImpostorsVertex =
     "#version 150\nin vec3 place, paint; uniform mat4 projection, modelview; out vec3 eye, tint;\n"
     "void main() { eye = (modelview * vec4(place, 1)).xyz; tint = paint;\n"
     "  gl_Position = projection * vec4(eye, 1); }\n";
@@ -25,7 +25,7 @@ const char* const kTubeGeometry =
     "    at = eye[i], color = tint[i], aside = vec3(s * n, 0), out_ = o * sign(o.z);\n"
     "    gl_Position = p; EmitVertex(); } }\n";
 
-const std::string kFragmentHead =
+const std::string kPixelImpostorsFragmentHead =
     "#version 150\nuniform float bulge, pole, bias; uniform int ortho; uniform vec3 sun; out vec4 pixel;\n"
     "void show(vec3 n, vec3 base, float thick) { float z = gl_FragCoord.z;\n"
     "  z = ortho != 0 ? z + thick * bulge * pole : pole + (z - pole) / (1.0 - thick * bulge);\n"
@@ -48,15 +48,15 @@ const std::string kTubeFamily =
     "true\n";
 const std::string kBeadFamily = "impostors.shape = \"beads\"\n";
 
-struct Case {
+struct PixelImpostorCase {
   const char* name;
   bool tubes, parallel;
   float pixels, bias = 0;
   int numbers = 0;  // of an index array
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const PixelImpostorCase& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const PixelImpostorCase kPixelImpostorCases[] = {
     {"tubes", true, false, 6},
     {"tubes_parallel", true, true, 5.5f, -300},
     {"tubes_by_number", true, false, 11, 0, 41},  // the last one has no partner
@@ -65,7 +65,7 @@ const Case kCases[] = {
     {"beads_by_number", false, false, 5, 0, 33},
 };
 
-void setLook(Gl gl, GLuint program, const Case& c, const View& view) {
+void setLook(Gl gl, GLuint program, const PixelImpostorCase& c, const View& view) {
   lookAtImpostors(gl, program, view, c.parallel);
   const double zz = view.clipFromEye[2][2];
   setFloat(gl, program, "bulge", static_cast<float>(c.pixels / (kProgramWidth * view.clipFromEye[0][0])));
@@ -76,9 +76,10 @@ void setLook(Gl gl, GLuint program, const Case& c, const View& view) {
   gl.PointSize(c.pixels);
 }
 
-GLuint drawCase(Gl gl, const Case& c) {
-  const GLuint program = linkImpostors(gl, kVertex, c.tubes ? kTubeGeometry : "",
-                                       kFragmentHead + (c.tubes ? kTubeFragment : kBeadFragment));
+GLuint drawPixelImpostorCase(Gl gl, const PixelImpostorCase& c) {
+  const GLuint program =
+      linkImpostors(gl, kPixelImpostorsVertex, c.tubes ? kTubeGeometry : "",
+                    kPixelImpostorsFragmentHead + (c.tubes ? kTubeFragment : kBeadFragment));
   placeImpostors(gl, program);
   beginFrame(gl);
   gl.UseProgram(program);
@@ -91,26 +92,26 @@ GLuint drawCase(Gl gl, const Case& c) {
   return program;
 }
 
-std::string familyOf(const Case& c) { return kFamily + (c.tubes ? kTubeFamily : kBeadFamily); }
+std::string familyOf(const PixelImpostorCase& c) { return kFamily + (c.tubes ? kTubeFamily : kBeadFamily); }
 
-class ProgramPixelImpostors : public testing::TestWithParam<Case> {};
+class ProgramPixelImpostors : public testing::TestWithParam<PixelImpostorCase> {};
 
 TEST_P(ProgramPixelImpostors, AreWhatTheProgramComputes) {
-  const Case& c = GetParam();
+  const PixelImpostorCase& c = GetParam();
   expectBoth(
-      std::string("pixels_") + c.name, [&](Gl gl) { drawCase(gl, c); }, 1, coreWish(), kProgramTolerance,
-      familyOf(c));
+      std::string("pixels_") + c.name, [&](Gl gl) { drawPixelImpostorCase(gl, c); }, 1, coreWish(),
+      kProgramTolerance, familyOf(c));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramPixelImpostors, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramPixelImpostors, testing::ValuesIn(kPixelImpostorCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 TEST(ProgramPixelImpostor, TheirSizeIsThatOfTheirDraw) {
-  const Case beads = kCases[3];
+  const PixelImpostorCase beads = kPixelImpostorCases[3];
   expectBoth(
       "pixels_sizes",
       [&](Gl gl) {
-        drawCase(gl, beads);
+        drawPixelImpostorCase(gl, beads);
         gl.PointSize(20);
         gl.DrawArrays(GL_POINTS, 0, 4);
         gl.PointSize(2);
@@ -119,24 +120,24 @@ TEST(ProgramPixelImpostor, TheirSizeIsThatOfTheirDraw) {
 }
 
 TEST(ProgramPixelImpostor, PointsHaveNoFacesToBeCulled) {
-  const Case beads = kCases[3];
+  const PixelImpostorCase beads = kPixelImpostorCases[3];
   for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) {
     expectSame(
         "pixels_culled_points",
         [&](Gl gl) {
           gl.Enable(GL_CULL_FACE), gl.CullFace(face);
-          drawCase(gl, beads);
+          drawPixelImpostorCase(gl, beads);
         },
         1, coreWish(), kProgramTolerance, familyOf(beads));
   }
 }
 
 TEST(ProgramPixelImpostor, TheViewerTurnsAndNothingIsBuilt) {
-  const Case tubes = kCases[0];
+  const PixelImpostorCase tubes = kPixelImpostorCases[0];
   const Outcome outcome = expectSame(
       "pixels_turned",
       [&](Gl gl) {
-        const GLuint program = drawCase(gl, tubes);
+        const GLuint program = drawPixelImpostorCase(gl, tubes);
         for (int i = 0; i < 5; ++i) {
           gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
           setLook(gl, program, tubes, perspectiveView(35 + 20 * i));
@@ -148,14 +149,14 @@ TEST(ProgramPixelImpostor, TheViewerTurnsAndNothingIsBuilt) {
 }
 
 TEST(ProgramPixelImpostor, WhatIsCulledHasAnotherProjectionOrIsNoSpriteIsLeftToTheRealOpenGl) {
-  const Case tubes = kCases[0], beads = kCases[3];
+  const PixelImpostorCase tubes = kPixelImpostorCases[0], beads = kPixelImpostorCases[3];
   expectSame(
-      "pixels_culled", [&](Gl gl) { gl.Enable(GL_CULL_FACE), drawCase(gl, tubes); }, 0, coreWish(),
-      kProgramTolerance, familyOf(tubes));
+      "pixels_culled", [&](Gl gl) { gl.Enable(GL_CULL_FACE), drawPixelImpostorCase(gl, tubes); }, 0,
+      coreWish(), kProgramTolerance, familyOf(tubes));
   expectSame(
       "pixels_strip",
       [&](Gl gl) {
-        drawCase(gl, tubes);
+        drawPixelImpostorCase(gl, tubes);
         gl.DrawArrays(GL_LINE_STRIP, 0, 9);
       },
       1, coreWish(), kProgramTolerance, familyOf(tubes));
@@ -163,15 +164,15 @@ TEST(ProgramPixelImpostor, WhatIsCulledHasAnotherProjectionOrIsNoSpriteIsLeftToT
       "pixels_lower_left",
       [&](Gl gl) {
         gl.PointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_LOWER_LEFT);
-        drawCase(gl, beads);
+        drawPixelImpostorCase(gl, beads);
       },
       0, coreWish(), kProgramTolerance, familyOf(beads));
-  Case wrong = beads;
+  PixelImpostorCase wrong = beads;
   wrong.parallel = true;
   expectSame(
       "pixels_other_projection",
       [&](Gl gl) {
-        const GLuint program = drawCase(gl, wrong);
+        const GLuint program = drawPixelImpostorCase(gl, wrong);
         setMat4(gl, program, "projection", glm::mat4(perspectiveView(35).clipFromEye));
         gl.DrawArrays(GL_POINTS, 0, 4);
       },

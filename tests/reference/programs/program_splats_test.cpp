@@ -9,7 +9,7 @@
 namespace gluray::test {
 namespace {
 
-const char* const kVertex =
+const char* const kSplatsVertex =
     "#version 150\nuniform float scaleFactor; uniform int cameraParallel; uniform vec3 lowpassMatrix;\n"
     "in vec4 vertexMC; in float radiusMC; in vec4 scalarColor; out vec4 vertexColorVSOutput;\n"
     "out mat2 transformVCVSOutput; uniform mat4 VCDCMatrix; uniform mat4 MCVCMatrix;\n"
@@ -37,7 +37,7 @@ const char* const kVertex =
     "1.3*posDC.w)\n"
     "  {\n    transformVCVSOutput = mat2(0);\n  }\n  gl_Position = posDC;\n}\n";
 
-const char* const kGeometry =
+const char* const kSplatsGeometry =
     "#version 150\nlayout(points) in;\nlayout(triangle_strip, max_vertices = 4) out;\n"
     "uniform float boundScale;\nin mat2 transformVCVSOutput[];\nout vec2 offsetVCGSOutput;\n"
     "in vec4 vertexColorVSOutput[]; out vec4 vertexColorGSOutput;\n"
@@ -63,7 +63,7 @@ const char* const kFragment =
     "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n"
     "  if (fragOutput0.a <= 0.0)\n    {\n    discard;\n    }\n}\n";
 
-struct Case {
+struct SplatCase {
   const char* name;
   bool parallel = false;
   glm::vec3 stretch{1};  // scale of object space
@@ -71,9 +71,9 @@ struct Case {
   bool flat = false;  // all centres in one plane that faces the viewer
   int draws = 1;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const SplatCase& c, std::ostream* out) { *out << c.name; }
 
-const Case kCases[] = {
+const SplatCase kSplatCases[] = {
     {.name = "splats"},
     {.name = "splats_parallel", .parallel = true},
     {.name = "splats_stretched", .stretch = {1.5f, 0.4f, 0.8f}},
@@ -90,8 +90,8 @@ const Case kCases[] = {
     {.name = "splats_pushed_back", .offset = 5, .draws = 0},
 };
 
-void drawCase(Gl gl, const Case& c) {
-  const GLuint program = linkImpostors(gl, kVertex, kGeometry, kFragment);
+void drawSplatCase(Gl gl, const SplatCase& c) {
+  const GLuint program = linkImpostors(gl, kSplatsVertex, kSplatsGeometry, kFragment);
   GLuint array = 0;
   gl.GenVertexArrays(1, &array), gl.BindVertexArray(array);
   std::vector<float> places, colors, radii;
@@ -121,14 +121,14 @@ void drawCase(Gl gl, const Case& c) {
   gl.DrawArrays(GL_POINTS, 0, kImpostors);
 }
 
-class ProgramSplats : public testing::TestWithParam<Case> {};
+class ProgramSplats : public testing::TestWithParam<SplatCase> {};
 
 TEST_P(ProgramSplats, AreWhatTheProgramComputes) {
   expectBoth(
-      GetParam().name, [](Gl gl) { drawCase(gl, GetParam()); }, GetParam().draws);
+      GetParam().name, [](Gl gl) { drawSplatCase(gl, GetParam()); }, GetParam().draws);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramSplats, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramSplats, testing::ValuesIn(kSplatCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

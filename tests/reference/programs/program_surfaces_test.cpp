@@ -12,13 +12,13 @@ using Normals = Surface::Normals;
 using Lights = Surface::Lights;
 
 /// A kind of surface, and what a program does beside drawing it.
-struct Case {
+struct SurfaceCase {
   const char* name;
   Surface surface;
   bool ball = true, parallel = false;
   void (*prepare)(Gl, GLuint program) = nullptr;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const SurfaceCase& c, std::ostream* out) { *out << c.name; }
 
 void overrideColors(Gl gl, GLuint program) { setInteger(gl, program, "OverridesColor", 1); }
 void cullBack(Gl gl, GLuint) { gl.Enable(GL_CULL_FACE); }
@@ -54,7 +54,7 @@ void bright(Gl gl, GLuint program) {
   setVec3(gl, program, "lightColor0", {5, 3, 2}), setFloat(gl, program, "ambientIntensity", 2);
 }
 
-const Case kCases[] = {
+const SurfaceCase kSurfaceCases[] = {
     {"uniform", {}},
     {"uniform_unlit", {.lights = Lights::none}},
     {"vertex", {.color = Color::vertex}},
@@ -127,7 +127,7 @@ const Case kCases[] = {
     {"too_bright", {}, true, false, bright},
 };
 
-void drawCase(Gl gl, const Case& c) {
+void drawSurfaceCase(Gl gl, const SurfaceCase& c) {
   const ProgramMesh mesh = c.ball ? ball(24) : sheet(24);
   const GLuint program = makeProgram(gl, c.surface);
   upload(gl, mesh, program);
@@ -143,22 +143,22 @@ void drawCase(Gl gl, const Case& c) {
                        GL_UNSIGNED_INT, nullptr);
 }
 
-class ProgramSurface : public testing::TestWithParam<Case> {};
+class ProgramSurface : public testing::TestWithParam<SurfaceCase> {};
 
 TEST_P(ProgramSurface, LooksLikeTheRealOne) {
   const Outcome o = expectSame(
-      GetParam().name, [](Gl gl) { drawCase(gl, GetParam()); }, 1);
+      GetParam().name, [](Gl gl) { drawSurfaceCase(gl, GetParam()); }, 1);
   size_t hit = 0;
   for (const float depth : o.expected.depths) hit += depth < 1;
   EXPECT_GT(hit, o.expected.depths.size() / 20) << "next to nothing is to be seen";
 }
 
 TEST_P(ProgramSurface, LooksLikeTheRealOneWhereTracingFails) {
-  expectSameWhenTracingFails(GetParam().name, [](Gl gl) { drawCase(gl, GetParam()); });
+  expectSameWhenTracingFails(GetParam().name, [](Gl gl) { drawSurfaceCase(gl, GetParam()); });
 }
 
-std::string nameOf(const testing::TestParamInfo<Case>& info) { return info.param.name; }
-INSTANTIATE_TEST_SUITE_P(Cases, ProgramSurface, testing::ValuesIn(kCases), nameOf);
+std::string surfaceNameOf(const testing::TestParamInfo<SurfaceCase>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Cases, ProgramSurface, testing::ValuesIn(kSurfaceCases), surfaceNameOf);
 
 /// The material's colours replace translucent ones but keep their opacity, so nothing is traced.
 TEST(ProgramSurfaces, TranslucentColorsBeneathOthersShowThrough) {
@@ -191,18 +191,18 @@ TEST(ProgramSurfaces, TranslucentColorsBeneathOthersShowThrough) {
 /// A matrix with a different w at each vertex, and one with w = 0.
 TEST(ProgramSurfaces, TexcoordMatricesThatDivideAreLeftToTheRealOne) {
   for (const float w : {1.0f, 0.0f}) {
-    const Case c{"tc_matrix_divides", {.actorTexture = true, .tcoordMatrix = true}, false};
+    const SurfaceCase c{"tc_matrix_divides", {.actorTexture = true, .tcoordMatrix = true}, false};
     expectSame(
         c.name,
         [&](Gl gl) {
-          Case now = c;
+          SurfaceCase now = c;
           now.prepare = w == 0 ? [](Gl g, GLuint program) { setTcMatrix(g, program, glm::mat4(0)); }
                                : [](Gl g, GLuint program) {
                                    glm::mat4 m(1);
                                    m[0].w = 0.5f;
                                    setTcMatrix(g, program, m);
                                  };
-          drawCase(gl, now);
+          drawSurfaceCase(gl, now);
         },
         0);
   }
@@ -240,11 +240,11 @@ TEST_P(ProgramContext, TracesTheSame) {
   Surface surface{.color = Color::vertex, .lightCount = 5};
   if (!wish.core) surface.version = "#version 150 compatibility\n";
   if (wish.minor == 5) surface.version = "#version 450\n";
-  const Case c{"context", surface};
+  const SurfaceCase c{"context", surface};
   expectSame(
-      "context", [&](Gl gl) { drawCase(gl, c); }, 1, wish);
+      "context", [&](Gl gl) { drawSurfaceCase(gl, c); }, 1, wish);
   expectSameWhenTracingFails(
-      "context", [&](Gl gl) { drawCase(gl, c); }, wish);
+      "context", [&](Gl gl) { drawSurfaceCase(gl, c); }, wish);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ProgramContext,

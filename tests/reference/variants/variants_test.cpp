@@ -7,8 +7,8 @@ namespace {
 class VariantTest : public testing::TestWithParam<const scenes::Scene*> {};
 
 Picture drawTraced(const scenes::Scene& scene, uint64_t& draws) {
-  TracedContext ours({kWidth, kHeight});
-  scene.draw(ours.gl(), kWidth, kHeight);
+  TracedContext ours({kSceneWidth, kSceneHeight});
+  scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
   Picture picture = ours.read();
   draws = ours.context().counts.statistics.drawsTraced;
   return picture;
@@ -27,7 +27,7 @@ TEST_P(VariantTest, EqualsTheFirstToTheBit) {
   if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
 }
 
-INSTANTIATE_TEST_SUITE_P(Variants, VariantTest, testing::ValuesIn(pointers(scenes::variants())), nameOf);
+INSTANTIATE_TEST_SUITE_P(Variants, VariantTest, testing::ValuesIn(pointers(scenes::variants())), sceneNameOf);
 
 }  // namespace
 }  // namespace gluray::test
