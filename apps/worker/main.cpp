@@ -1,5 +1,6 @@
 // gluray-worker: traces pictures for programs whose setting `workers` names its job. Started once, or by
 // mpirun or srun as a job of many ranks.
+#include "accel/memory/free_memory.h"
 #include "base/environment_variable.h"
 #include "control/listening_place.h"
 #include "control/runtime_directory.h"
@@ -32,6 +33,7 @@ constexpr auto kLastWords = std::chrono::milliseconds(300);
 struct Options {
   std::string job = "job", mpi = "auto";
   int threads = 0;
+  uint64_t memory = 0;  // bytes
   bool quiet = false;
 };
 
@@ -48,6 +50,12 @@ int threadsFor(const dist::Ranks& ranks, int wanted) {
   const int here = CPU_COUNT(&allowed);
   const auto all = static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN));
   return here < all ? here : std::max(here / std::max(ranks.sizeHere(), 1), 1);
+}
+
+/// What is free for each of the machine's ranks, but for a quarter.
+size_t memoryFor(const dist::Ranks& ranks, uint64_t wanted) {
+  if (wanted > 0) return wanted;
+  return accel::freeMemory() / static_cast<size_t>(std::max(ranks.sizeHere(), 1)) / 4 * 3;
 }
 
 void say(const dist::Ranks& ranks, const std::string& line) {
@@ -71,9 +79,10 @@ void serve(const Options& options, dist::Ranks& ranks) {
   if (!why.empty()) throw std::runtime_error(why);
 
   const int threads = threadsFor(ranks, options.threads);
-  dist::Worker worker(ranks, threads, std::move(listening), [&](const std::string& line) {
-    if (!options.quiet) say(ranks, line);
-  });
+  dist::Worker worker(ranks, threads, memoryFor(ranks, options.memory), std::move(listening),
+                      [&](const std::string& line) {
+                        if (!options.quiet) say(ranks, line);
+                      });
   worker.meet(stop);
   if (ranks.rank() == 0 && !options.quiet && !stop) say(ranks, described(options, ranks, threads));
   worker.run(stop);
@@ -107,6 +116,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--threads", options.threads, "threads of each rank; 0: the machine's, shared by its ranks")
       ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  app.add_option("--memory", options.memory,
+                 "of each rank, as 4GB; larger geometry comes in pages; 0: what is free, shared by the ranks")
+      ->transform(CLI::AsSizeValue(false))
       ->capture_default_str();
   app.add_option("--mpi", options.mpi, "openmpi, mpich, none, or a library; auto: that of the launcher")
       ->capture_default_str();

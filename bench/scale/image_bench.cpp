@@ -1,5 +1,6 @@
 // gluray-bench-image: a program whose pictures jobs of gluray-worker trace, in turn; their ranks are
 // processes of this machine. One line a figure, named JOB.FIGURE.
+#include "base/hash.h"
 #include "bench/data/report.h"
 #include "bench/scale/cpu_seconds.h"
 #include "bench/scale/views.h"
@@ -24,6 +25,7 @@ using namespace gluray;
 struct Options {
   double millions = 1;
   int frames = 15, samples = 0;
+  bool withoutLocal = false;
   std::vector<std::string> jobs;
 };
 
@@ -31,6 +33,7 @@ struct Options {
 struct Figures {
   std::vector<double> frame, head, protocol, tracing, busiest, balance;  // ms but for balance
   std::vector<double> ofRanks;                                           // tracing, sums over the frames
+  double first = 0;                                                      // ms until the first picture
 };
 
 /// A job: "NAME:PROCESS,PROCESS,...", its head first.
@@ -75,6 +78,7 @@ void trace(Job& job, int frame, int samples, bool counts) {
   const double head = bench::cpuSecondsOf(job.processes[0]).main - before[0].main;
   std::this_thread::sleep_for(std::chrono::milliseconds(20));  // other ranks notice the end of the picture
   const std::vector<bench::CpuSeconds> after = cpuOf(job);
+  if (job.figures.first == 0) job.figures.first = 1000 * seconds;
   if (!counts) return;
   std::vector<double> tracing;
   for (size_t rank = 0; rank < after.size(); ++rank) {
@@ -94,7 +98,14 @@ int differing(const Image& a, const Image& b) {
   return count;
 }
 
-void print(const Job& job, int differingPixels) {
+/// Of the picture; exact as a double.
+double checksum(const Image& image) {
+  const Hash128 color = hashBytes(image.color.data(), image.color.size() * sizeof image.color[0]);
+  const Hash128 both = hashBytes(image.depth.data(), image.depth.size() * sizeof image.depth[0], color);
+  return static_cast<double>(both.low >> 12);
+}
+
+void print(const Job& job) {
   const auto say = [&](const char* name, double value) {
     std::printf("%s.%s %.3f\n", job.name.c_str(), name, value);
   };
@@ -104,7 +115,24 @@ void print(const Job& job, int differingPixels) {
   say("busiest_rank_cpu_ms", bench::median(f.busiest)), say("max_over_mean", bench::median(f.balance));
   const double sum = std::accumulate(f.ofRanks.begin(), f.ofRanks.end(), 0.0);
   say("max_over_mean_all_frames", std::ranges::max(f.ofRanks) * static_cast<double>(f.ofRanks.size()) / sum);
-  say("differing_pixels", differingPixels);
+  say("first_ms", f.first), say("checksum", checksum(job.image));
+}
+
+void printDifference(const Job& job, const Image& local) {
+  std::printf("%s.differing_pixels %d\n", job.name.c_str(), differing(job.image, local));
+}
+
+/// The picture without workers.
+Image localImage(const bench::TriangleMesh& mesh, int frame, int samples) {
+  frame::Renderer renderer;
+  scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
+  bench::show(snapshot, frame, samples, 0);
+  Image image;
+  scene::TraceCost cost;
+  std::string error;
+  if (!renderer.render(snapshot, image, cost, error)) throw std::runtime_error(error);
+  std::printf("local.checksum %.0f\n", checksum(image));
+  return image;
 }
 
 void run(const Options& options) {
@@ -118,14 +146,10 @@ void run(const Options& options) {
     for (Job& job : jobs) trace(job, frame, options.samples, round >= 0);
     jobs.reverse();  // none is always the first
   }
-  frame::Renderer renderer;
-  scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
-  bench::show(snapshot, frame, options.samples, 0);
-  Image image;
-  scene::TraceCost cost;
-  std::string error;
-  if (!renderer.render(snapshot, image, cost, error)) throw std::runtime_error(error);
-  for (const Job& job : jobs) print(job, differing(job.image, image));
+  for (const Job& job : jobs) print(job);
+  if (options.withoutLocal) return;
+  const Image local = localImage(mesh, frame, options.samples);
+  for (const Job& job : jobs) printDifference(job, local);
 }
 
 }  // namespace
@@ -133,12 +157,13 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
   CLI::App app("Frames by jobs of workers in turn: times, CPU time of their ranks, balance");
   Options options;
-  app.add_option("jobs", options.jobs, "NAME:PROCESS,PROCESS,...: a job and its ranks' processes, head first")
-      ->required();
+  app.add_option("jobs", options.jobs,
+                 "NAME:PROCESS,PROCESS,...: a job and its ranks' processes, head first");
   app.add_option("--triangles", options.millions, "million triangles")->check(CLI::Range(0.1, 256.0));
   app.add_option("--frames", options.frames)->check(CLI::Range(1, 1000));
   app.add_option("--samples", options.samples, "rays of ambient occlusion a pixel; 0: none")
       ->check(CLI::Range(0, 1024));
+  app.add_flag("--without-local", options.withoutLocal, "do not compare with a picture of this process");
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

@@ -42,7 +42,7 @@ class Job {
     auto listening = std::make_shared<control::Descriptor>(why.empty() ? place_.listenHere(why) : -1);
     if (!why.empty()) throw std::runtime_error(why);
     thread_ = std::thread([this, listening, threads] {
-      dist::Worker(ranks_, threads, std::move(*listening), [](const std::string& line) {
+      dist::Worker(ranks_, threads, SIZE_MAX, std::move(*listening), [](const std::string& line) {
         if (line.find("rank ") != std::string::npos) std::fprintf(stderr, "%s\n", line.c_str());
       }).run(stop_);
     });
@@ -136,15 +136,42 @@ void printAllQueries(frame::Renderer& renderer, scene::Snapshot whole) {
 
 struct Figures {
   std::vector<double> local, light, oneLocal, oneLight, lightCpu, oneLightCpu, queryBytes, answerBytes, rays,
-      allRays, messages, wrong;
+      allRays, messages, wrong, gathered, gatheredCpu, gatheredWrong;
 };
 
-/// One round: a local frame and one with occlusion, by all ranks and by one process.
+/// How occlusion comes to the ranks of the program.
+enum class Light { none, asked, gathered };
+
+void keep(Light light, const Options& options, const Spent& together, const Spent& one,
+          const bench::Traffic& traffic, const std::list<Rank>& ranks, const Image& image, Figures& f) {
+  const bool isLit = light != Light::none;
+  if (light == Light::gathered) {
+    f.gathered.push_back(together.ms), f.gatheredCpu.push_back(together.cpuMs);
+    f.gatheredWrong.push_back(differing(ranks, image));
+    return;
+  }
+  (isLit ? f.light : f.local).push_back(together.ms), (isLit ? f.oneLight : f.oneLocal).push_back(one.ms);
+  if (!isLit) return;
+  f.lightCpu.push_back(together.cpuMs), f.oneLightCpu.push_back(one.cpuMs);
+  double hits = 0;
+  for (const Rank& rank : ranks)
+    for (const float depth : rank.image.depth) hits += depth != Image::kMiss;
+  f.queryBytes.push_back(traffic.queryBytes / 1e6), f.answerBytes.push_back(traffic.answerBytes / 1e6);
+  f.rays.push_back(traffic.rays / 1e6), f.allRays.push_back(hits * options.samples / 1e6);
+  f.messages.push_back(traffic.messages), f.wrong.push_back(differing(ranks, image));
+}
+
+/// One round: a local frame and two with occlusion, by all ranks and by one process.
 void round(const Options& options, int number, Job& job, std::list<Rank>& ranks, frame::Renderer& renderer,
            scene::Snapshot& whole, Figures& f) {
-  for (const bool isLit : {false, true}) {
-    const int frame = 2 * number + (isLit ? 4 : 3), samples = isLit ? options.samples : 0;
-    for (Rank& rank : ranks) bench::show(rank.snapshot, frame, samples, options.threads);
+  for (const Light light : {Light::none, Light::asked, Light::gathered}) {
+    const int frame = 3 * number + static_cast<int>(light) + 4;
+    const int samples = light == Light::none ? 0 : options.samples;
+    for (Rank& rank : ranks) {
+      bench::show(rank.snapshot, frame, samples, options.threads);
+      rank.snapshot.number = static_cast<uint64_t>(frame);
+      rank.snapshot.settings.gather = light == Light::gathered;
+    }
     bench::show(whole, frame, samples, options.threads);
     job.take();
     const Spent together = spentOn([&] { traceAll(ranks); });
@@ -153,16 +180,7 @@ void round(const Options& options, int number, Job& job, std::list<Rank>& ranks,
     scene::TraceCost cost;
     std::string error;
     const Spent one = spentOn([&] { renderer.render(whole, image, cost, error); });
-    if (number < 0) continue;
-    (isLit ? f.light : f.local).push_back(together.ms), (isLit ? f.oneLight : f.oneLocal).push_back(one.ms);
-    if (!isLit) continue;
-    f.lightCpu.push_back(together.cpuMs), f.oneLightCpu.push_back(one.cpuMs);
-    double hits = 0;
-    for (const Rank& rank : ranks)
-      for (const float depth : rank.image.depth) hits += depth != Image::kMiss;
-    f.queryBytes.push_back(traffic.queryBytes / 1e6), f.answerBytes.push_back(traffic.answerBytes / 1e6);
-    f.rays.push_back(traffic.rays / 1e6), f.allRays.push_back(hits * options.samples / 1e6);
-    f.messages.push_back(traffic.messages), f.wrong.push_back(differing(ranks, image));
+    if (number >= 0) keep(light, options, together, one, traffic, ranks, image, f);
   }
 }
 
@@ -176,6 +194,8 @@ void print(const Figures& f) {
   print("occlusion_megarays", f.allRays), print("queries_megarays", f.rays);
   print("queries_mb", f.queryBytes), print("answers_mb", f.answerBytes), print("messages", f.messages);
   print("differing_pixels", f.wrong);
+  print("gathered_occlusion_ms", f.gathered), print("gathered_occlusion_cpu_ms", f.gatheredCpu);
+  print("gathered_differing_pixels", f.gatheredWrong);
 }
 
 void run(const Options& options) {

@@ -37,7 +37,8 @@ nlohmann::ordered_json bytesOf(const scene::Snapshot& snapshot, const Image& ima
   for (const dist::ArraySource& array : encoded.arrays) arrays += static_cast<double>(array.bytes());
   dist::TraceRequest request;
   request.snapshot = encoded.message;
-  const dist::TraceOrder order{1, true, false, false, 0, {}, encoded.message};
+  dist::TraceOrder order;
+  order.snapshot = encoded.message;
   const std::vector<std::byte> pixels = dist::packTile(image, render::Tiles(image, render::kTileSize).at(0));
   const auto size = [](const auto& message) { return dist::forRanks(message).size(); };
   return {{"arrays", arrays},

@@ -5,6 +5,7 @@ import pathlib
 import shutil
 import signal
 import subprocess
+import threading
 import time
 
 from support.programs import Failed
@@ -40,10 +41,10 @@ def rank_processes(mpirun, ranks):
 
 
 @contextlib.contextmanager
-def job(worker, name, ranks, folder):
-    """A job whose ranks trace with one thread each and have their sockets in `folder`; gives their processes."""
+def job(worker, name, ranks, folder, *options):
+    """A job whose ranks trace with one thread each and have their sockets in `folder`; gives their processes. `options`: more of the worker's."""
     log = pathlib.Path(folder) / f"{name}.log"
-    command = [*launcher(ranks), str(worker), "--job", name, "--threads", "1"]
+    command = [*launcher(ranks), str(worker), "--job", name, "--threads", "1", *options]
     with log.open("w") as file:
         process = subprocess.Popen(command, env={**os.environ, "GLURAY_RUNTIME": str(folder)}, stdin=subprocess.DEVNULL, stdout=file, stderr=file,
                                    start_new_session=True)
@@ -62,3 +63,31 @@ def job(worker, name, ranks, folder):
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.wait()
+
+
+class PeakMemory:
+    """The most memory of their own (anonymous pages) that processes take while this is entered, looked at five times a second."""
+
+    def __init__(self, processes):
+        self.most = dict.fromkeys(processes, 0)  # bytes
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._watch, daemon=True)
+
+    def _look(self, process):
+        with contextlib.suppress(OSError, StopIteration):
+            lines = pathlib.Path(f"/proc/{process}/status").read_text().splitlines()
+            now = 1024 * next(int(line.split()[1]) for line in lines if line.startswith("RssAnon:"))
+            self.most[process] = max(self.most[process], now)
+
+    def _watch(self):
+        while not self._over.wait(0.2):
+            for process in self.most:
+                self._look(process)
+
+    def __enter__(self):
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self._over.set()
+        self._thread.join()

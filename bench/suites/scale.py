@@ -5,6 +5,8 @@ The Wavelet's isosurfaces, 1024x1024, an orbit of one degree a frame. Needs no d
   image       ranks of gluray-worker as processes under Open MPI, one thread each, that share each picture of one program; in turn with a
               job of one rank, frame by frame. The ranks share this machine's cores: frame times show no scaling, CPU times show what ranks
               of their own cores would do. NAME_image.json
+  pages       the same with less memory for each rank than the geometry takes (--pages MILLIONS:RANKS:MEMORY): the picture's checksum is that of a
+              process of its own that has all of it. NAME_pages.json
   peers       ambient occlusion with four rays a pixel across the ranks of a sort-last program: slabs, all in one process. NAME.json
   simulation  measures tiles, the head's work and messages, then SIMULATES the job's protocol on 1 to 1024 ranks. NAME_simulated.json
   figure      docs/scaling.svg from the results
@@ -22,7 +24,7 @@ from support import machine, programs
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PARTS = ("image", "peers", "simulation", "figure")
+PARTS = ("image", "pages", "peers", "simulation", "figure")
 LOOKS = {"local": 0, "occlusion": 16}  # rays of ambient occlusion a pixel
 LINK_RUNS = 8  # of which the least times count: other processes of the machine disturb the others
 SIMULATED_RANKS = [2**power for power in range(11)]
@@ -35,6 +37,9 @@ def arguments(argv):
     parser.add_argument("--parts", default=",".join(PARTS), help=f"which parts ({','.join(PARTS)})")
     parser.add_argument("--figure", action="store_true", help="--parts figure")
     parser.add_argument("--frames", type=int, default=7, help="that count (7); of the part 'image' four times as many in the local look")
+    parser.add_argument("--pages", default="16:2:700M,64:4:1200M", help="of the part 'pages', with commas between: millions of triangles, "
+                        "ranks, memory of each (16:2:700M,64:4:1200M)")
+    parser.add_argument("--looks", default=",".join(LOOKS), help=f"of the part 'pages' ({','.join(LOOKS)})")
     parser.add_argument("--threads", type=int, default=2, help="of each rank of the part 'peers'")
     parser.add_argument("--name", default="scale", help="name of the result files")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
@@ -91,12 +96,35 @@ def measure_image(options):
                 yield image_rows(options, millions, look, ranks)
 
 
+def paged_row(options, millions, look, ranks, memory):
+    worker = options.build / "apps" / "gluray" / "gluray-worker"
+    programs.require(worker, worker_jobs.LAUNCHER)
+    bench = [program(options, "gluray-bench-image"), "--triangles", millions, "--samples", LOOKS[look], "--frames", options.frames]
+    with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder, \
+            worker_jobs.job(worker, "paged", ranks, folder, "--memory", memory) as processes, worker_jobs.PeakMemory(processes) as peak:
+        job = f"paged:{','.join(map(str, processes))}"
+        figures = figures_of(said_by([*bench, "--without-local", job], {"GLURAY_RUNTIME": folder}))
+    row = {name.split(".", 1)[1]: value for name, value in figures.items()}
+    # Only now: this machine may not hold both.
+    local = figures_of(said_by(bench))["local.checksum"]
+    return {"path": "paged", "millions": millions, "look": look, "ranks": ranks, "memory_of_a_rank": memory,
+            "peak_rank_mb": max(peak.most.values()) / 1e6, "same_picture": int(local == row["checksum"]), **row}
+
+
+def measure_pages(options):
+    for case in options.pages.split(","):
+        millions, ranks, memory = case.split(":")
+        for look in options.looks.split(","):
+            yield paged_row(options, float(millions), look, int(ranks), memory)
+
+
 def measure_peers(options):
     for millions in map(float, options.sizes.split(",")):
         for ranks in map(int, options.ranks.split(",")):
             figures = figures_of(said_by([program(options, "gluray-bench-scale"), "--triangles", millions, "--ranks", ranks,
                                           "--frames", options.frames, "--threads", options.threads]))
             figures["cpu_over_one_process"] = figures["occlusion_cpu_ms"] / figures["one_process_occlusion_cpu_ms"]
+            figures["gathered_cpu_over_one_process"] = figures["gathered_occlusion_cpu_ms"] / figures["one_process_occlusion_cpu_ms"]
             yield {"path": "sort-last", "millions": millions, "ranks": ranks, **figures}
 
 
@@ -193,6 +221,8 @@ def draw(options):
 def run(options, argv):
     if "image" in options.parts:
         run_rows(options, argv, "image", f"{options.name}_image", measure_image(options), ("millions", "look", "ranks", "path"))
+    if "pages" in options.parts:
+        run_rows(options, argv, "pages", f"{options.name}_pages", measure_pages(options), ("millions", "look", "ranks", "path"))
     if "peers" in options.parts:
         run_rows(options, argv, "peers", options.name, measure_peers(options), ("millions", "ranks", "path"))
     if "simulation" in options.parts:

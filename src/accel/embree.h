@@ -25,6 +25,11 @@ constexpr RTCSceneFlags kFilterInQuery = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 struct QueryContext {
   RtcQueryContext rtc;
   const void* user = nullptr;
+#if GLURAY_EMBREE_MAJOR >= 4
+  // Of the query, for queries within it.
+  RTCFilterFunctionN filter = nullptr;
+  RTCRayQueryFlags flags = RTC_RAY_QUERY_FLAG_NONE;
+#endif
 };
 
 /// Origin and direction of one ray of a packet, in the space that the callback is called in.
@@ -48,7 +53,8 @@ class PacketQuery {
     if (filter) flags |= RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
     arguments_.context = occludedArguments_.context = &context_.rtc;
     arguments_.filter = occludedArguments_.filter = filter;
-    arguments_.flags = occludedArguments_.flags = static_cast<RTCRayQueryFlags>(flags);
+    arguments_.flags = occludedArguments_.flags = context_.flags = static_cast<RTCRayQueryFlags>(flags);
+    context_.filter = filter;
 #else
     rtcInitIntersectContext(&context_.rtc);
     context_.rtc.flags =
@@ -89,5 +95,55 @@ class PacketQuery {
   RTCOccludedArguments occludedArguments_;
 #endif
 };
+
+// Queries within a query, for callbacks whose rays go on in another scene: the same context, lanes and layout
+// as the callback's. `valid` is aligned to 64 bytes.
+#if GLURAY_EMBREE_MAJOR >= 4
+inline void intersectWithin(RtcQueryContext* context, RTCScene scene, unsigned count, const int* valid,
+                            RTCRayHitN* rays) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  const auto& query = *reinterpret_cast<const QueryContext*>(context);
+  arguments.context = context, arguments.filter = query.filter, arguments.flags = query.flags;
+  switch (count) {
+    case 16: return rtcIntersect16(valid, scene, reinterpret_cast<RTCRayHit16*>(rays), &arguments);
+    case 8: return rtcIntersect8(valid, scene, reinterpret_cast<RTCRayHit8*>(rays), &arguments);
+    case 4: return rtcIntersect4(valid, scene, reinterpret_cast<RTCRayHit4*>(rays), &arguments);
+    default: return rtcIntersect1(scene, reinterpret_cast<RTCRayHit*>(rays), &arguments);
+  }
+}
+inline void occludeWithin(RtcQueryContext* context, RTCScene scene, unsigned count, const int* valid,
+                          RTCRayN* rays) {
+  RTCOccludedArguments arguments;
+  rtcInitOccludedArguments(&arguments);
+  const auto& query = *reinterpret_cast<const QueryContext*>(context);
+  arguments.context = context, arguments.filter = query.filter, arguments.flags = query.flags;
+  switch (count) {
+    case 16: return rtcOccluded16(valid, scene, reinterpret_cast<RTCRay16*>(rays), &arguments);
+    case 8: return rtcOccluded8(valid, scene, reinterpret_cast<RTCRay8*>(rays), &arguments);
+    case 4: return rtcOccluded4(valid, scene, reinterpret_cast<RTCRay4*>(rays), &arguments);
+    default: return rtcOccluded1(scene, reinterpret_cast<RTCRay*>(rays), &arguments);
+  }
+}
+#else
+inline void intersectWithin(RtcQueryContext* context, RTCScene scene, unsigned count, const int* valid,
+                            RTCRayHitN* rays) {
+  switch (count) {
+    case 16: return rtcIntersect16(valid, scene, context, reinterpret_cast<RTCRayHit16*>(rays));
+    case 8: return rtcIntersect8(valid, scene, context, reinterpret_cast<RTCRayHit8*>(rays));
+    case 4: return rtcIntersect4(valid, scene, context, reinterpret_cast<RTCRayHit4*>(rays));
+    default: return rtcIntersect1(scene, context, reinterpret_cast<RTCRayHit*>(rays));
+  }
+}
+inline void occludeWithin(RtcQueryContext* context, RTCScene scene, unsigned count, const int* valid,
+                          RTCRayN* rays) {
+  switch (count) {
+    case 16: return rtcOccluded16(valid, scene, context, reinterpret_cast<RTCRay16*>(rays));
+    case 8: return rtcOccluded8(valid, scene, context, reinterpret_cast<RTCRay8*>(rays));
+    case 4: return rtcOccluded4(valid, scene, context, reinterpret_cast<RTCRay4*>(rays));
+    default: return rtcOccluded1(scene, context, reinterpret_cast<RTCRay*>(rays));
+  }
+}
+#endif
 
 }  // namespace gluray::accel

@@ -21,7 +21,7 @@ class TieBreaker {
     // step of 24-bit depth.
     constexpr float kFarther = 1 + 0x1p-21f;
     Best& best = best_[lane];
-    const uint64_t rank = uint64_t{order_.ranks[instance]} << 32 | primitive;
+    const uint64_t rank = order_.rankOf(instance, primitive);
     const bool tie = best.found && best.distance <= distance * kFarther;
     if (tie && (rank > best.rank) != order_.laterWins) return false;
     best.distance = tie ? std::min(best.distance, distance) : distance;

@@ -12,9 +12,11 @@
 namespace gluray::accel {
 namespace {
 
-const std::vector<scene::Instance> kNone;
+const std::vector<scene::Instance> kNoInstances;
 
 bool isImpostors(const scene::Instance& i) { return i.mesh->shape != scene::Shape::triangles; }
+
+bool isPage(const scene::Instance& i) { return i.mesh->residence != nullptr; }
 
 Geometry geometryOf(const scene::Instance& instance, const scene::Camera& camera) {
   Geometry geometry{instance.mesh.get(), {}};
@@ -37,7 +39,10 @@ bool removeUnseen(const scene::Snapshot& snapshot, const HiddenFrom& hidden,
 }  // namespace
 
 World::World(size_t idleBudgetBytes, FreeMemory freeMemory)
-    : cache_(device_, idleBudgetBytes, freeMemory), tlas_(device_), light_(device_) {}
+    : pages_(device_),
+      cache_(device_, pages_, idleBudgetBytes, freeMemory),
+      tlas_(device_),
+      light_(device_) {}
 
 UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, const HiddenFrom& hidden) {
   return arena.execute([&] {
@@ -115,7 +120,7 @@ bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<Place
   light_.clear(snapshot);
   if (!snapshot.surroundings && hidden.empty() && snapshot.ground == scene::GroundUse::none) return false;
   try {
-    const auto& others = snapshot.surroundings ? snapshot.surroundings->instances : kNone;
+    const auto& others = snapshot.surroundings ? snapshot.surroundings->instances : kNoInstances;
     std::vector<Geometry> meshes;
     for (const scene::Instance& instance : others) meshes.push_back(geometryOf(instance, snapshot.camera));
     std::vector<BlasPtr> blases = cache_.aside(meshes, snapshot.settings.bvh);
@@ -147,13 +152,18 @@ void World::readOrder(const scene::Snapshot& snapshot) {
     return scene::isInWindow(i.mesh->shape) || scene::isSolid(i.mesh->shape);
   };
   const bool known = !alone_ && apart_;
-  mayCoincide_ = !known && (coincidence_.possible(snapshot.instances) ||
-                            std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated));
+  const bool paged = std::any_of(snapshot.instances.begin(), snapshot.instances.end(), isPage);
+  mayCoincide_ =
+      paged || (!known && (coincidence_.possible(snapshot.instances) ||
+                           std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated)));
   if (!alone_) apart_ = !mayCoincide_;
   order_.laterWins = snapshot.laterWins;
-  order_.ranks.clear();
+  order_.ranks.clear(), order_.numbers.clear();
   if (!mayCoincide_) return;
   for (const scene::Instance& instance : snapshot.instances) order_.ranks.push_back(instance.order);
+  if (!paged) return;
+  for (const scene::Instance& instance : snapshot.instances)
+    order_.numbers.push_back(reinterpret_cast<const uint32_t*>(instance.mesh->triangleNumbers.data));
 }
 
 void World::readImpostors(const scene::Snapshot& snapshot) {

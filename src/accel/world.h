@@ -8,6 +8,7 @@
 #include "accel/meshes/coincidence.h"
 #include "accel/meshes/triangle_sizes.h"
 #include "accel/occlusion.h"
+#include "accel/pages/page_cache.h"
 #include "accel/ray_packet.h"
 #include "accel/tlas.h"
 #include "parallel/arena.h"
@@ -35,7 +36,13 @@ class HitFilter {
 /// Decides which of several coincident surfaces is visible.
 struct DrawOrder {
   std::vector<uint32_t> ranks;  // drawing order, one per Snapshot::instances
+  // The same: Mesh::triangleNumbers. Empty where no mesh is a page.
+  std::vector<const uint32_t*> numbers;
   bool laterWins = false;
+  uint64_t rankOf(uint32_t instance, uint32_t primitive) const {
+    const uint32_t* const of = numbers.empty() ? nullptr : numbers[instance];
+    return uint64_t{ranks[instance]} << 32 | (of ? of[primitive] : primitive);
+  }
 };
 
 class NextHits;
@@ -102,6 +109,8 @@ class World {
   }
   /// The same without it of all that light meets, in the space of Surroundings::viewFromWorld.
   Bounds lightBounds() const { return light_.exists() ? light_.bounds() : Bounds{lower_, upper_}; }
+  /// Of meshes that are loaded when rays meet them. Any thread.
+  PageCache& pages() const { return pages_; }
   /// The longest triangle edge of a mesh, object space; 0 for impostors. Computed once per mesh.
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
 
@@ -117,6 +126,7 @@ class World {
   void readImpostors(const scene::Snapshot&);
 
   Device device_;
+  mutable PageCache pages_;  // outlives the structures
   BlasCache cache_;
   mutable TriangleSizes sizes_;
   Tlas tlas_;

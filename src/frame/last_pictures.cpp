@@ -56,9 +56,10 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
          isSameLayers(e.layers, s.layers) && isSameBackdrop(e.backdrop, s.backdrop);
 }
 
-LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot,
-                                        std::optional<uint32_t> missColor) noexcept {
+LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor,
+                                        Of which) noexcept {
   for (Entry& entry : entries_) {
+    if (which == Of::thisSnapshot && entry.shows.number != snapshot.number) continue;
     if (missColor && entry.picture.image.missColor != *missColor) continue;
     if (!isSame(entry, snapshot)) continue;
     entry.used = ++uses_;

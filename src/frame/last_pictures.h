@@ -26,9 +26,14 @@ class LastPictures {
     bool refined = false;
     bool moving = false;  // few rays, smoothed: a frame of an animation
   };
+  enum class Of : uint8_t {
+    equalSnapshot,
+    thisSnapshot,  // the one with its number
+  };
   /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
   /// next().
-  Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {}) noexcept;
+  Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {},
+              Of which = Of::equalSnapshot) noexcept;
   /// Null: it was replaced.
   Picture* withId(uint64_t id) noexcept {
     for (Entry& entry : entries_)

@@ -12,7 +12,8 @@ namespace {
 
 class LastPicturesTest : public testing::Test {
  protected:
-  LastPicturesTest() : shown_(test::makeSnapshot({mesh_, test::makeMesh(test::squareData(0.5f))})) {
+  LastPicturesTest()
+      : shown_(gluray::test::makeSnapshot({mesh_, gluray::test::makeMesh(gluray::test::squareData(0.5f))})) {
     keep(shown_);
   }
   uint64_t keep(const scene::Snapshot& snapshot) {
@@ -27,7 +28,7 @@ class LastPicturesTest : public testing::Test {
     return pictures_.of(changed) != nullptr;
   }
 
-  scene::MeshPtr mesh_ = test::makeMesh(test::squareData());
+  scene::MeshPtr mesh_ = gluray::test::makeMesh(gluray::test::squareData());
   LastPictures pictures_;
   scene::Snapshot shown_;
 };
@@ -56,7 +57,7 @@ TEST_F(LastPicturesTest, ChangedSnapshotsAreNotFound) {
       [](S& s) { s.shadings.emplace_back(); },
       [](S& s) { s.instances.pop_back(); },
       [](S& s) { std::swap(s.instances[0], s.instances[1]); },
-      [](S& s) { s.instances[1].mesh = test::makeMesh(test::squareData(0.5f)); },
+      [](S& s) { s.instances[1].mesh = gluray::test::makeMesh(gluray::test::squareData(0.5f)); },
       [](S& s) { s.instances[0].color.r = 0.5f; },
       [](S& s) { s.instances[0].normal.x = 1; },
       [](S& s) { s.instances[0].materials[0].front.shininess = 3; },
@@ -77,7 +78,7 @@ TEST_F(LastPicturesTest, ChangedSnapshotsAreNotFound) {
 TEST_F(LastPicturesTest, SurroundingsAreComparedByContentAndNotKeptAlive) {
   using A = scene::Surroundings;
   auto instance = shown_.instances[0];
-  instance.mesh = test::makeMesh(test::squareData(3));
+  instance.mesh = gluray::test::makeMesh(gluray::test::squareData(3));
   auto original = std::make_shared<A>();
   original->instances = {instance};
   original->shadings.resize(1);
@@ -92,7 +93,7 @@ TEST_F(LastPicturesTest, SurroundingsAreComparedByContentAndNotKeptAlive) {
   EXPECT_TRUE(foundWith([](A&) {}));
   const std::vector<std::function<void(A&)>> changes = {
       [](A& a) { a.instances[0].worldFromObject[3][1] = 1; },
-      [](A& a) { a.instances[0].mesh = test::makeMesh(test::squareData(4)); },
+      [](A& a) { a.instances[0].mesh = gluray::test::makeMesh(gluray::test::squareData(4)); },
       [](A& a) { a.instances.push_back(a.instances[0]), a.blended.push_back(0); },
       [](A& a) { a.instances.clear(), a.blended.clear(); },
       [](A& a) { a.shadings[0].lighting = true; },

@@ -93,9 +93,17 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
   }
 }
 
+/// A picture that was traced before and shows the snapshot now; null: none.
+LastPictures::Picture* Pictures::lastOf(const scene::Snapshot& snapshot,
+                                        std::optional<uint32_t> missColor) noexcept {
+  using Of = LastPictures::Of;
+  const bool alone = !tracer_.standsAlone || tracer_.standsAlone(snapshot);
+  return last_.of(snapshot, missColor, alone ? Of::equalSnapshot : Of::thisSnapshot);
+}
+
 /// An earlier frame's picture whose misses may get another colour; null: none. Passes of layers contain that.
 LastPictures::Picture* Pictures::recolorable(const scene::Snapshot& snapshot) noexcept {
-  LastPictures::Picture* const picture = snapshot.layers ? nullptr : last_.of(snapshot);
+  LastPictures::Picture* const picture = snapshot.layers ? nullptr : lastOf(snapshot);
   return picture && picture->image.has(Plane::color) && picture->image.samples == 1 ? picture : nullptr;
 }
 
@@ -103,7 +111,7 @@ LastPictures::Picture* Pictures::recolorable(const scene::Snapshot& snapshot) no
 /// shown: a second one would have passes and noise of its own.
 LastPictures::Picture* Pictures::ofColor(const scene::Snapshot& snapshot,
                                          std::optional<uint32_t> missColor) noexcept {
-  if (auto* const same = last_.of(snapshot, missColor)) return same;
+  if (auto* const same = lastOf(snapshot, missColor)) return same;
   LastPictures::Picture* const other = missColor ? recolorable(snapshot) : nullptr;
   if (!other) return nullptr;
   if (!other->refinement) other->refinement = frame_.take(other->id);

@@ -42,7 +42,7 @@ class Pictures {
   Result of(const scene::Snapshot& snapshot, const Wish& wish);
   /// Whether an earlier frame's picture is available.
   bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
-    return last_.of(snapshot, missColor) || recolorable(snapshot);
+    return lastOf(snapshot, missColor) || recolorable(snapshot);
   }
   /// Pictures of of() that were written.
   FramePictures& frame() { return frame_; }
@@ -53,6 +53,8 @@ class Pictures {
 
  private:
   bool traceOnce(const scene::Snapshot& snapshot, bool full, LastPictures::Picture& picture, Result& result);
+  LastPictures::Picture* lastOf(const scene::Snapshot& snapshot,
+                                std::optional<uint32_t> missColor = {}) noexcept;
   LastPictures::Picture* recolorable(const scene::Snapshot& snapshot) noexcept;
   LastPictures::Picture* ofColor(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept;
   LastPictures::Picture* known(const scene::Snapshot& snapshot, const Wish& wish, bool refines) noexcept;

@@ -72,6 +72,26 @@ TEST_F(PicturesTest, TheSameFrameGetsBetterUntilItIsFinished) {
   EXPECT_EQ(tracer.traces, traces) << "a finished picture repeats";
 }
 
+/// Surfaces of other processes may have moved.
+TEST_F(PicturesTest, PicturesThatDependOnOtherProcessesAreNotRepeated) {
+  bool alone = false;
+  Pictures shared{
+      Tracer{.trace = tracer.trace, .standsAlone = [&](const scene::Snapshot&) { return alone; }}};
+  scene.number = 1;
+  shared.of(scene, {.finished = true});
+  const int traces = tracer.traces;
+  EXPECT_TRUE(shared.knows(scene, {}));
+  EXPECT_TRUE(shared.of(scene, {.finished = true}).repeated);
+  EXPECT_EQ(tracer.traces, traces);
+  scene.number = 2;
+  EXPECT_FALSE(shared.knows(scene, {}));
+  EXPECT_FALSE(shared.of(scene, {.finished = true}).repeated);
+  EXPECT_EQ(tracer.traces, 2 * traces);
+  alone = true;
+  scene.number = 3;
+  EXPECT_TRUE(shared.of(scene, {.finished = true}).repeated);
+}
+
 TEST_F(PicturesTest, AveragesHaveMissesOfNoColor) {
   scene.settings.spp = 4;
   scene.instances.erase(scene.instances.begin());  // the wall: misses instead

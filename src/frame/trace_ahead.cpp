@@ -8,8 +8,8 @@ namespace gluray::frame {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kNap = 20ms;         // longest time until the thread notices that the process exits
-constexpr auto kPatience = 1000ms;  // time without pictures after which the thread ends
+constexpr auto kNapAhead = 20ms;         // longest time until the thread notices that the process exits
+constexpr auto kPatienceAhead = 1000ms;  // time without pictures after which the thread ends
 
 }  // namespace
 
@@ -54,10 +54,10 @@ void TraceAhead::run(const std::atomic<bool>& cancelled) {
       traceOne(lock), idleSince = Clock::now();
     else if (now >= due)
       showLate(lock);
-    else if (due == Clock::time_point::max() && now - idleSince > kPatience)
+    else if (due == Clock::time_point::max() && now - idleSince > kPatienceAhead)
       break;
     else
-      changed_.wait_until(lock, std::min(due, now + kNap));
+      changed_.wait_until(lock, std::min(due, now + kNapAhead));
   }
   ended_ = true;
   changed_.notify_all();

@@ -34,6 +34,10 @@ using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const
 /// frame::Renderer::improves in the engine.
 using Improves = std::function<bool()>;
 
+/// Whether the picture of a snapshot depends on nothing else. False where other processes hold surfaces of
+/// the view: a later snapshot that is equal may have another picture. Never throws.
+using StandsAlone = std::function<bool(const scene::Snapshot&)>;
+
 /// All of them; an empty function is skipped.
 struct Tracer {
   Trace trace;
@@ -41,6 +45,7 @@ struct Tracer {
   Resolve resolve = {};
   Improves improves = {};
   TraceBehind behind = {};
+  StandsAlone standsAlone = {};
 };
 
 }  // namespace gluray::frame

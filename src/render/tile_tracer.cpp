@@ -12,6 +12,7 @@
 #include "settings/samples.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace gluray::render {
@@ -96,7 +97,7 @@ enum class Traced {
 
 /// Calls work(tile) for the tiles that the source hands out, on all threads.
 template <class Work>
-void eachTileOf(TileSource& source, const Image& image, const Work& work) {
+void eachTileOf(TileSource& source, const Image& image, accel::PageCache& pages, const Work& work) {
   source.begin(image);
   const Tiles tiles(image, kTileSize);
   tbb::parallel_for(
@@ -107,6 +108,7 @@ void eachTileOf(TileSource& source, const Image& image, const Work& work) {
         for (int index = source.next(); index >= 0; index = source.next()) {
           const timeline::Span span("tiles", 1, true);
           const double start = nowSeconds();
+          const accel::PageCache::Reader reader(pages);
           const bool seenThrough = work(tiles.at(index));
           source.done(index, nowSeconds() - start, seenThrough);
         }
@@ -116,6 +118,8 @@ void eachTileOf(TileSource& source, const Image& image, const Work& work) {
 
 Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
                   const TraceOptions& options) {
+  std::optional<accel::PageCache::Reader> reader;  // tiles of a source have readers of their own
+  if (!options.source) reader.emplace(world.pages());
   FrameData frame(snapshot, world, image);
   if (wantsGuide(snapshot)) frame.tone.reset();
   frame.remote = options.remote;
@@ -127,7 +131,7 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   frame.direct = direct.get();
   if (options.source) {
-    eachTileOf(*options.source, image, [&](const Tile& tile) {
+    eachTileOf(*options.source, image, world.pages(), [&](const Tile& tile) {
       traceTile(frame, tile);
       return !snapshot.layers && frame.seenThrough.load(std::memory_order_relaxed);
     });
@@ -155,7 +159,7 @@ bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Aren
       if (world.empty()) {
         if (options.remote) options.remote->beginEmpty(snapshot);
         fillWithMisses(image);
-        eachTileOf(*options.source, image, [](const Tile&) { return false; });
+        eachTileOf(*options.source, image, world.pages(), [](const Tile&) { return false; });
       } else {
         traceTiles(snapshot, world, image, options);
       }

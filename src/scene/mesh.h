@@ -2,6 +2,7 @@
 // between frames and threads without locks.
 #pragma once
 #include "base/hash.h"
+#include "scene/residence.h"
 
 #include <glm/glm.hpp>
 
@@ -90,9 +91,12 @@ struct Mesh {
   Attribute secondaryColors;              // float3 or float4
   Attribute fogCoords;                    // float1
   Attribute materials;                    // uint32: index into the instance's materials
-  glm::vec3 lower{0}, upper{0};           // bounds of the finite vertices, object space
-  bool opaqueColors = true;               // every vertex colour has alpha 1 (or there are none)
-  size_t sizeBytes = 0;                   // memory this mesh owns, without the program's buffers
+  // Of a page: uint32 for each triangle, its number in the mesh that the page is a part of.
+  Attribute triangleNumbers;
+  glm::vec3 lower{0}, upper{0};          // bounds of the finite vertices, object space
+  bool opaqueColors = true;              // every vertex colour has alpha 1 (or there are none)
+  size_t sizeBytes = 0;                  // memory this mesh owns, without the program's buffers
+  std::shared_ptr<Residence> residence;  // null: the arrays are in memory
 
   /// Texture coordinates of a unit; null if the mesh has none.
   const Attribute* texcoordsOf(uint32_t unit) const {

@@ -144,6 +144,10 @@ struct Surroundings;
 struct Snapshot {
   uint64_t frame = 0;  // counts the program's frames, from 1
   uint64_t view = 0;   // equal in all snapshots that show the same part of the same framebuffer
+  // Counts the view's frames: a frame begins with the first tracing after its colours were cleared. Also
+  // where a program never swaps. 0: no setting asks for light.
+  uint64_t viewFrame = 0;
+  uint64_t number = 0;  // which snapshot of the process it is; passes over it have the same number
   LightSampling lightSampling;
   Camera camera;
   glm::dmat4 eyeFromWorld{1};

@@ -1,5 +1,5 @@
 // What surrounds a batch: the other surfaces of its view, which the batch does not draw but which block and
-// reflect its light. Made by gl/batch/view_scenes, shared, immutable.
+// reflect its light. Made by gl/views/view_scenes, shared, immutable.
 #pragma once
 #include "scene/effects.h"
 #include "scene/snapshot.h"

@@ -46,17 +46,18 @@ class FarRenderer {
 class StreamTest : public testing::TestWithParam<const scenes::Scene*> {
  protected:
   static Picture drawn(TracedContext& context) {
-    GetParam()->draw(context.gl(), kWidth, kHeight);
+    GetParam()->draw(context.gl(), kSceneWidth, kSceneHeight);
     return context.read();
   }
   static void expectSamePicture(const Settings& settings) {
-    TracedContext ours({kWidth, kHeight}, settings);
+    TracedContext ours({kSceneWidth, kSceneHeight}, settings);
     const Picture expected = drawn(ours);
     FarRenderer far;
     frame::Tracer tracer;
     tracer.trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                        std::string& error) { return far.render(snapshot, image, cost, error); };
-    TracedContext theirs({kWidth, kHeight}, settings, std::make_unique<present::TracingPresenter>(tracer));
+    TracedContext theirs({kSceneWidth, kSceneHeight}, settings,
+                         std::make_unique<present::TracingPresenter>(tracer));
     const Picture got = drawn(theirs);
     EXPECT_TRUE(far.count > 0 || !GetParam()->traced);
     EXPECT_TRUE(expected == got) << compare(expected, got, {0, 0, 0, "none"}).text;
@@ -83,9 +84,10 @@ std::vector<const scenes::Scene*> some(size_t step) {
   return chosen;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, StreamTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
-INSTANTIATE_TEST_SUITE_P(SomeScenes, LitStreamTest, testing::ValuesIn(some(15)), nameOf);
-INSTANTIATE_TEST_SUITE_P(MoreCases, LitStreamTest, testing::ValuesIn(pointers(scenes::scenes())), nameOf);
+INSTANTIATE_TEST_SUITE_P(Scenes, StreamTest, testing::ValuesIn(pointers(scenes::scenes())), sceneNameOf);
+INSTANTIATE_TEST_SUITE_P(SomeScenes, LitStreamTest, testing::ValuesIn(some(15)), sceneNameOf);
+INSTANTIATE_TEST_SUITE_P(MoreCases, LitStreamTest, testing::ValuesIn(pointers(scenes::scenes())),
+                         sceneNameOf);
 
 }  // namespace
 }  // namespace gluray::test

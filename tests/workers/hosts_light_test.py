@@ -59,7 +59,8 @@ def main(gluray, worker):
         network = hosts.Network(2, pathlib.Path(folder))
         try:
             pictures = HostsPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
-            check_light(pictures)
+            for name in ("paths", "occlusion"):
+                check_light(pictures, name)
             check_stopped_worker(pictures)
         finally:
             network.end()

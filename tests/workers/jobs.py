@@ -20,23 +20,23 @@ class Jobs(Parts):
         self.logs += 1
         return self.folder / f"log{self.logs}"
 
-    def job(self, *launcher):
+    def job(self, *launcher, options=()):
         """A job of gluray-worker; its process and the file of its messages, once it listens."""
         path = self.log()
         with path.open("w") as file:
-            process = self.spawn(*launcher, self.worker, "--job", "test", stderr=file, stdout=file)
+            process = self.spawn(*launcher, self.worker, "--job", "test", *options, stderr=file, stdout=file)
         self.assertTrue(wait_for(lambda: "programs join with" in path.read_text() or process.poll() is not None))
         self.assertIsNone(process.poll(), path.read_text())
         return process, path
 
-    def mpi(self, name, *options):
+    def mpi(self, name, *options, ranks=3):
         for path in (f"mpirun.{name}", f"mpiexec.{name}"):
             if shutil.which(path):
-                return [path, "-n", "3", *options]
+                return [path, "-n", str(ranks), *options]
         self.skipTest(f"{name} is not installed")
 
-    def openmpi(self):
-        return self.mpi("openmpi", "--oversubscribe", *(["--allow-run-as-root"] if os.getuid() == 0 else []))
+    def openmpi(self, ranks=3):
+        return self.mpi("openmpi", "--oversubscribe", *(["--allow-run-as-root"] if os.getuid() == 0 else []), ranks=ranks)
 
     def rank_process(self, launcher, rank):
         """Number of the process of a rank that `launcher` started."""

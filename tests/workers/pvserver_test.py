@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 import hosts
-from sort_last_test import HERE, LIGHT, Pictures, check_light
+from sort_last_test import HERE, LIGHTS, Pictures, check_light
 
 SECONDS = 240
 
@@ -31,7 +31,7 @@ class ServedPictures(Pictures):
         path, port = self.folder / f"{name}.png", free_port()
         log = self.folder / f"{name}.log"
         with log.open("w") as file:
-            server = subprocess.Popen(self.network(*self.launcher(ranks), self.gluray, "--engine", "always", *LIGHT, *options, "--", "pvserver",
+            server = subprocess.Popen(self.network(*self.launcher(ranks), self.gluray, "--engine", "always", *self.light, *options, "--", "pvserver",
                                                    f"--server-port={port}"), env=self.environment, stdout=file, stderr=subprocess.STDOUT)
         try:
             self.wait_for(log, "Accepting connection")
@@ -53,7 +53,9 @@ def main(gluray, worker):
         host = None if hosts.why_not() else hosts.Machine("server")
         try:
             network = host.inside if host else lambda *words: list(words)
-            check_light(ServedPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network))
+            pictures = ServedPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
+            for name in LIGHTS:
+                check_light(pictures, name)
         finally:
             if host:
                 host.end()

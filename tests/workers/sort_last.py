@@ -14,11 +14,15 @@ view.OrientationAxesVisibility = 0
 view.UseColorPaletteForBackground = 0
 view.Background = [0.2, 0.3, 0.4]
 pv.Show(pv.Plane(Origin=[-3, -3, -0.6], Point1=[3, -3, -0.6], Point2=[-3, 3, -0.6]), view)
-for i in range(4):
-    pv.Show(pv.Sphere(Center=[i - 1.5, 0.3 * (i % 2), 0], Radius=0.5, ThetaResolution=48, PhiResolution=48), view)
+spheres = [pv.Sphere(Center=[i - 1.5, 0.3 * (i % 2), 1], Radius=0.5, ThetaResolution=48, PhiResolution=48) for i in range(4)]
+for sphere in spheres:
+    pv.Show(sphere, view)
 view.CameraFocalPoint = [0, 0, 0]
 view.CameraViewUp = [0, 0, 1]
 for x in (2, -1, 0):
     view.CameraPosition = [x, -6, 4]
     pv.Render(view)
+for sphere in spheres:  # the camera stays
+    sphere.Center = [sphere.Center[0], sphere.Center[1], 0]
+pv.Render(view)
 pv.SaveScreenshot(sys.argv[1], view)

@@ -1,5 +1,5 @@
-"""Light across the ranks of pvbatch, whose workers ask each other: sort_last_test.py GLURAY WORKER, with an X server at hand. Exits with 77
-where pvbatch, Open MPI or ImageMagick is missing."""
+"""Light across the ranks of pvbatch, whose workers ask each other, or gather what all ranks draw: sort_last_test.py GLURAY WORKER, with an X
+server at hand. Exits with 77 where pvbatch, Open MPI or ImageMagick is missing."""
 import os
 import pathlib
 import shutil
@@ -9,7 +9,11 @@ import tempfile
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
-LIGHT = ["--set", "ao=on", "--set", "ao.samples=16", "--set", "refine.passes=1"]
+LIGHTS = {
+    "occlusion": ["ao=on", "ao.samples=16", "refine.passes=1"],
+    "paths": ["gather=on", "integrator=path", "refine.passes=8", "noise=0.001"],
+    "mirrors": ["gather=on", "integrator=whitted", "material=mirror", "refine.passes=1"],
+}
 STEP = 2  # of 255: colours that differ by less are equal, because each rank rounds coordinates in a space of its own
 
 
@@ -27,6 +31,7 @@ def compare(a, b):
 
 class Pictures:
     def __init__(self, gluray, worker, folder):
+        self.light = []  # options of its settings
         self.gluray, self.worker, self.folder = gluray, worker, folder
         self.environment = dict(os.environ, GALLIUM_DRIVER="llvmpipe", LIBGL_ALWAYS_SOFTWARE="1", XDG_RUNTIME_DIR=str(folder / "run"),
                                 XDG_CONFIG_HOME=str(folder), HOME=str(folder))
@@ -42,7 +47,7 @@ class Pictures:
     def draw(self, name, ranks, *options):
         """The picture's file, and what was said."""
         path = self.folder / f"{name}.png"
-        done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *LIGHT, *options, "--", "pvbatch", HERE / "sort_last.py", path],
+        done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *self.light, *options, "--", "pvbatch", HERE / "sort_last.py", path],
                               env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
         assert done.returncode == 0 and path.exists(), done.stderr
         return path, done.stderr
@@ -64,8 +69,9 @@ class Pictures:
         return process, log
 
 
-def check_light(pictures):
+def check_light(pictures, name="occlusion"):
     """Two ranks with workers draw the picture of one rank, and another one without workers."""
+    pictures.light = [word for setting in LIGHTS[name] for word in ("--set", setting)]
     expected, _ = pictures.draw("one", 1)
     alone, _ = pictures.draw("alone", 2)
     job, log = pictures.job()
@@ -75,7 +81,7 @@ def check_light(pictures):
         job.terminate()
         job.wait()
     without, across = (compare(pixels(expected), pixels(found)) for found in (alone, together))
-    print(f"mean difference and share of pixels: without workers {without}, with workers {across}")
+    print(f"{name}: mean difference and share of pixels: without workers {without}, with workers {across}")
     assert without[1] > 0.05, "the scene shows nothing of other ranks"
     # Rays that graze the cut through a sphere meet it or not.
     assert across[0] < 0.1 and across[1] < 0.01, log.read_text() + said
@@ -86,7 +92,9 @@ def main(gluray, worker):
     if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        check_light(Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder)))
+        pictures = Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
+        for name in LIGHTS:
+            check_light(pictures, name)
     return 0
 
 

@@ -39,8 +39,8 @@ void addHubOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOpti
 
 void describeSet(CLI::App& app, ControlOptions& options) {
   app.description("Changes settings of running programs. `gluray undo` takes it back.");
-  app.add_option("NAME=VALUE", options.values,
-                 "Settings and their values; nothing after the sign means the empty text");
+  app.add_option("SETTING", options.values,
+                 "NAME=VALUE: a setting and its value; nothing after the sign means the empty text");
   app.add_option("--reset", options.resets, "Give the setting the value that files, variables ... say")
       ->allow_extra_args(false)
       ->type_name("NAME");

@@ -3,8 +3,11 @@
 #include "accel/embree.h"
 #include "accel/error.h"
 #include "accel/impostors/impostor_query.h"
+#include "accel/pages/page.h"
+#include "accel/pages/page_query.h"
 #include "base/background_job.h"
 #include "base/timeline.h"
+#include "parallel/arena.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -95,7 +98,7 @@ void Blas::setPositions(RTCGeometryTy* geometry, const scene::Mesh& mesh) {
 }
 
 bool Blas::hasTopologyOf(const scene::Mesh& mesh) const {
-  if (impostorsOnly_ || mesh.shape != scene::Shape::triangles || mesh.triangleCount != triangleCount_ ||
+  if (isSpecial_ || mesh.shape != scene::Shape::triangles || mesh.triangleCount != triangleCount_ ||
       mesh.vertexCount != vertexCount_ || !mesh.indices != !indexData_)
     return false;
   return !indexData_ || mesh.indices.data == indexData_ ||
@@ -111,7 +114,7 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
       positions_(of.mesh->positions.owner),
       triangleCount_(of.mesh->triangleCount),
       vertexCount_(of.mesh->vertexCount),
-      impostorsOnly_(of.mesh->shape != scene::Shape::triangles) {
+      isSpecial_(of.mesh->shape != scene::Shape::triangles) {
   const scene::Mesh& mesh = *of.mesh;
   checkArrays(mesh);
   pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
@@ -188,6 +191,29 @@ RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
   return geometry;
 }
 
+Blas::Blas(const Device& device, PageCache& pages, const scene::Mesh& mesh)
+    : device_(device),
+      triangleCount_(mesh.triangleCount),
+      vertexCount_(mesh.vertexCount),
+      isSpecial_(true),
+      page_(std::make_unique<Page>(pages, mesh)) {
+  scene_ = rtcNewScene(device.handle());
+  rtcSetSceneFlags(scene_, sceneFlags(BvhQuality::compact));
+  const RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, page_->whole() ? 2 : 1);
+  rtcSetGeometryUserData(geometry, page_.get());
+  rtcSetGeometryBoundsFunction(geometry, pageBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersectPage);
+  rtcSetGeometryOccludedFunction(geometry, occludePage);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_, geometry, 0);
+  rtcReleaseGeometry(geometry);
+}
+
+BlasPtr Blas::createPage(const Device& device, PageCache& pages, const scene::Mesh& mesh) {
+  return BlasPtr(new Blas(device, pages, mesh));
+}
+
 Blas::~Blas() { rtcReleaseScene(scene_); }
 
 void Blas::commit() {
@@ -205,6 +231,14 @@ void Blas::build() {
   commit();
   const size_t after = Device::bytesOfFrames();
   bvhBytes_ += after > before ? after - before : 0;
+}
+
+void Blas::buildAlone() {
+  const timeline::Span span("build page", triangleCount_);
+  Arena alone(1);
+  const BehindScope behind;
+  alone.execute([&] { commit(); });
+  bvhBytes_ = behind.bytes();
 }
 
 void Blas::buildBehind(const std::atomic<bool>& cancelled) {

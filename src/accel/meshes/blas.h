@@ -30,6 +30,8 @@ struct Geometry {
 /// Throws Error if the arrays of a mesh cannot be read in place.
 void checkArrays(const scene::Mesh&);
 
+class Page;
+class PageCache;
 class Blas;
 using BlasPtr = std::shared_ptr<Blas>;
 
@@ -44,6 +46,8 @@ class Blas {
   /// Refits `from`, made by createToRefit(), to the positions of a mesh of the same topology: build()
   /// finishes it. `from` is unusable afterwards.
   static BlasPtr createRefitted(Blas& from, const scene::Mesh&);
+  /// A structure of one box, in which the page's own is built when a ray meets it (accel/pages).
+  static BlasPtr createPage(const Device&, PageCache&, const scene::Mesh&);
   ~Blas();
   Blas(const Blas&) = delete;
   Blas& operator=(const Blas&) = delete;
@@ -54,6 +58,8 @@ class Blas {
   /// As build(), in the background: on the calling thread alone, in an arena of one thread. Stops and throws
   /// soon after `cancelled` becomes true.
   void buildBehind(const std::atomic<bool>& cancelled);
+  /// As build(), on the calling thread alone, in whatever arena it is.
+  void buildAlone();
 
   RTCSceneTy* scene() const { return scene_; }
   /// Bytes of the structure; bytes of the mesh arrays that it keeps alive.
@@ -69,6 +75,7 @@ class Blas {
  private:
   void commit();
   Blas(Blas& from, const scene::Mesh&);
+  Blas(const Device&, PageCache&, const scene::Mesh&);
   Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality, bool toRefit);
   void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
@@ -85,8 +92,9 @@ class Blas {
   std::unique_ptr<TriangleBlocks> blocks_;  // the leaves; null: single triangles or impostors
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
-  const void* indexData_ = nullptr;  // of triangles; null: triangle soup
-  bool impostorsOnly_ = false;
+  const void* indexData_ = nullptr;         // of triangles; null: triangle soup
+  bool isSpecial_ = false;                  // impostors or a page
+  std::unique_ptr<Page> page_;              // null: it is none
   std::unique_ptr<Neighbours> neighbours_;  // null: it cannot be refitted
 };
 

@@ -22,8 +22,8 @@ size_t sizeOf(const BlasPtr& blas) { return blas->bvhBytes() + blas->pinnedBytes
 
 }  // namespace
 
-BlasCache::BlasCache(const Device& device, size_t idleBudgetBytes, FreeMemory freeMemory)
-    : device_(device), idleBudgetBytes_(idleBudgetBytes), freeMemory_(freeMemory) {}
+BlasCache::BlasCache(const Device& device, PageCache& pages, size_t idleBudgetBytes, FreeMemory freeMemory)
+    : device_(device), pages_(pages), idleBudgetBytes_(idleBudgetBytes), freeMemory_(freeMemory) {}
 
 void BlasCache::beginBatch(uint64_t frame) {
   constexpr uint64_t kGone = 16;  // batches without use after which a refinement is cancelled
@@ -72,7 +72,8 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
     const Key key{wanted[i].id(), quality};
     if (const auto known = entries_.find(key); known != entries_.end()) {
       result[i] = use(known->second);
-      if (!refinement_.busy() && worthRefining(quality, known->second.built, known->second.batches))
+      if (!mesh.residence && !refinement_.busy() &&
+          worthRefining(quality, known->second.built, known->second.batches))
         refine(key, known->second, wanted[i]);
       continue;
     }
@@ -82,11 +83,11 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
       BvhQuality first = thrifty ? thriftyQuality(quality, mesh.triangleCount)
                                  : firstQuality(quality, mesh.triangleCount, waiting, freeMemory_);
       const bool roomy = first == BvhQuality::fast || first == BvhQuality::full;
-      if (roomy && !thrifty) blas = deformed(wanted[i], wanted, quality);
+      if (roomy && !thrifty && !mesh.residence) blas = deformed(wanted[i], wanted, quality);
       if (blas)
         first = BvhQuality::fast;
       else
-        blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
+        blas = made(wanted[i], first);
       const bool returns = std::find(freed_.begin(), freed_.end(), key.geometry) != freed_.end();
       coming.push_back({key, {blas, first, clock_, frames_, 1, returns}});
     }
@@ -113,13 +114,18 @@ std::vector<BlasPtr> BlasCache::aside(const std::vector<Geometry>& wanted, BvhQu
     if (!blas) {
       if (started.size() == 1) waiting = waitingOf(wanted, quality);
       const BvhQuality first = firstQuality(quality, wanted[i].mesh->triangleCount, waiting, freeMemory_);
-      blas = std::make_shared<Blas>(device_, iota_, wanted[i], first);
+      blas = made(wanted[i], first);
       coming.push_back({key, {blas, first, clock_, frames_, 0, false}});
     }
     result[i] = blas;
   }
   build(coming);
   return result;
+}
+
+BlasPtr BlasCache::made(const Geometry& geometry, BvhQuality quality) {
+  if (geometry.mesh->residence) return Blas::createPage(device_, pages_, *geometry.mesh);
+  return std::make_shared<Blas>(device_, iota_, geometry, quality);
 }
 
 /// The idle structure of the mesh's latest earlier positions; entries_.end(): none.
@@ -173,7 +179,9 @@ Waiting BlasCache::waitingOf(const std::vector<Geometry>& wanted, BvhQuality qua
   Waiting waiting;
   for (const Geometry& geometry : wanted) {
     const Key key{geometry.id(), quality};
-    if (geometry.mesh->triangleCount == 0 || entries_.contains(key) || !counted.insert(key).second) continue;
+    if (geometry.mesh->triangleCount == 0 || geometry.mesh->residence || entries_.contains(key) ||
+        !counted.insert(key).second)
+      continue;
     checkArrays(*geometry.mesh);
     waiting.triangles += geometry.mesh->triangleCount;
     if (TriangleBlocks::likely(*geometry.mesh, TriangleBlocks::Aim::speed))
@@ -265,13 +273,14 @@ bool BlasCache::evictDownTo(size_t bytes) {
     idleBytes += sizeOf(entry.blas);
   }
   const bool tooMany = idle.size() > kMostIdle;
-  if (idleBytes <= bytes && !tooMany) return false;
+  const bool all = bytes == 0;  // also those whose memory is counted elsewhere: pages
+  if (idle.empty() || (idleBytes <= bytes && !tooMany && !all)) return false;
   std::sort(idle.begin(), idle.end(), [](const auto& a, const auto& b) {
     return std::pair(std::get<0>(a), std::get<1>(a)) < std::pair(std::get<0>(b), std::get<1>(b));
   });
   size_t left = idle.size();
   for (const auto& [needed, lastUsed, key] : idle) {
-    if (idleBytes <= bytes && (!tooMany || left <= kMostIdle / 2)) break;
+    if (!all && idleBytes <= bytes && (!tooMany || left <= kMostIdle / 2)) break;
     --left;
     const auto entry = entries_.find(key);
     idleBytes -= sizeOf(entry->second.blas);

@@ -18,7 +18,8 @@ namespace gluray::accel {
 /// ones, built in the background, where build_plan.h finds that worthwhile.
 class BlasCache {
  public:
-  BlasCache(const Device&, size_t idleBudgetBytes, FreeMemory);
+  /// `pages`: of meshes that are loaded when rays meet them; must outlive all structures.
+  BlasCache(const Device&, PageCache& pages, size_t idleBudgetBytes, FreeMemory);
 
   /// Begins a batch of the program's frame of this number: structures not requested from now on are idle. A
   /// full structure that is ready replaces the fast one it was built for.
@@ -75,7 +76,10 @@ class BlasCache {
   BlasPtr deformed(const Geometry&, const std::vector<Geometry>& wanted, BvhQuality);
   void refine(const Key& key, Entry& entry, const Geometry& geometry);
 
+  BlasPtr made(const Geometry&, BvhQuality);
+
   const Device& device_;
+  PageCache& pages_;
   size_t idleBudgetBytes_;
   FreeMemory freeMemory_;
   IotaIndices iota_;

@@ -26,6 +26,7 @@ float longestSquared(const scene::Mesh& mesh, uint32_t triangle) {
 float TriangleSizes::longestEdge(const scene::Mesh& mesh) {
   constexpr size_t kMostKnown = 4096;
   if (mesh.shape != scene::Shape::triangles) return 0;
+  if (mesh.residence) return mesh.residence->whole() ? mesh.residence->whole()->longestEdge : 0;
   const std::lock_guard lock(mutex_);
   const auto known = longest_.find(mesh.geometryId);
   if (known != longest_.end()) return known->second;

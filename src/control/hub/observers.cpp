@@ -116,6 +116,7 @@ void Observers::event(const Program& program, const json& message) {
   if (*what == "thumbnail" && together(program.number).thumbnail) thumbnails_[program.number] = line;
   for (auto& [number, client] : clients_) {
     const uint64_t connection = number;
+    Client& observer = client;
     const Wish wish = client.wishOf(program.number);
     if (*what == "settings") {
       if (wish.settings && client.told.contains(program.number))
@@ -123,7 +124,7 @@ void Observers::event(const Program& program, const json& message) {
     } else if (*what == "state" ? wish.state : wish.thumbnail) {
       client.newest.offer(
           {program.number, *what}, line, wish.every, questions_.now(), slow(connection),
-          [&](uint64_t of, const PeerLink::Line& each) { sendEvent(connection, client, of, each); });
+          [&](uint64_t of, const PeerLink::Line& each) { sendEvent(connection, observer, of, each); });
     }
   }
 }

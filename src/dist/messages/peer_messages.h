@@ -2,10 +2,15 @@
 // them. All go from worker to worker. Any thread.
 #pragma once
 #include "dist/messages/codec.h"
+#include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
 
 namespace gluray::dist {
+
+/// The frame that a snapshot shows, as the ranks of a program count: equally, up to a constant. Contexts that
+/// never swap have one Snapshot::frame.
+inline uint64_t frameOf(const scene::Snapshot& snapshot) { return snapshot.frame + snapshot.viewFrame; }
 
 /// From one rank of a program to another.
 struct PeerAddress {
@@ -28,7 +33,7 @@ struct SceneHeld {
   static constexpr uint16_t kType = 22;
   PeerAddress address;
   uint64_t round = 0;  // rises
-  uint64_t frame = 0;  // as the sender's program counts
+  uint64_t frame = 0;  // frameOf(), as the sender's program counts
   glm::ivec4 viewport{0};
   glm::dmat4 clipFromEye{1}, eyeFromWorld{1}, viewFromWorld{1};
   glm::vec3 lower{1}, upper{0};  // of what light meets, in the space of viewFromWorld; lower > upper: nothing

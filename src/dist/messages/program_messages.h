@@ -2,6 +2,7 @@
 #pragma once
 #include "dist/messages/codec.h"
 #include "dist/messages/fact_messages.h"
+#include "dist/messages/part_messages.h"
 
 namespace gluray::dist {
 
@@ -29,7 +30,7 @@ struct ArraysGo {
 };
 /// A view of a frame, as the ranks of a program name it.
 struct ViewName {
-  uint64_t frame = 0;      // Snapshot::frame
+  uint64_t frame = 0;      // frameOf()
   glm::ivec4 viewport{0};  // Snapshot::camera's
   bool operator==(const ViewName&) const = default;
 };
@@ -42,7 +43,12 @@ struct TraceRequest {
   bool layered = false;     // Snapshot::layers is there
   bool meetsPeers = false;  // light that falls on it may be blocked by surfaces of the program's other ranks
   ViewName shown;           // of such light
-  uint32_t missColor = 0;   // Image::missColor
+  // The parts of other ranks belong to the picture, too (setting gather).
+  bool gathers = false;
+  PartView part;
+  uint64_t number = 0;          // Snapshot::number
+  std::vector<Hash128> arrays;  // that the snapshot names, of a part
+  uint32_t missColor = 0;       // Image::missColor
   std::vector<uint8_t> wanted;  // LightSampling::tiles; empty: all
   std::vector<std::byte> snapshot;
 };
@@ -77,6 +83,7 @@ struct PictureDone {
   uint64_t id = 0;
   bool whole = false;  // false: cancelled, or `error` says why
   bool improves = false;
+  bool gathered = false;  // it shows the surfaces of other ranks, or theirs shows this rank's
   std::string error;
   ImageShape shape;
   LayerCounts layers;
@@ -105,8 +112,10 @@ void fields(auto& archive, Like<ViewName> auto& value) {
   archive(frame, viewport);
 }
 void fields(auto& archive, Like<TraceRequest> auto& value) {
-  auto& [id, view, width, height, shared, layered, meetsPeers, shown, missColor, wanted, snapshot] = value;
-  archive(id, view, width, height, shared, layered, meetsPeers, shown, missColor, wanted, snapshot);
+  auto& [id, view, width, height, shared, layered, meetsPeers, shown, gathers, part, number, arrays,
+         missColor, wanted, snapshot] = value;
+  archive(id, view, width, height, shared, layered, meetsPeers, shown, gathers, part, number, arrays,
+          missColor, wanted, snapshot);
 }
 void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;
@@ -126,8 +135,8 @@ void fields(auto& archive, Like<PictureMemory> auto& value) {
   archive(bytes);
 }
 void fields(auto& archive, Like<PictureDone> auto& value) {
-  auto& [id, whole, improves, error, shape, layers, cost] = value;
-  archive(id, whole, improves, error, shape, layers, cost);
+  auto& [id, whole, improves, gathered, error, shape, layers, cost] = value;
+  archive(id, whole, improves, gathered, error, shape, layers, cost);
 }
 void fields(auto& archive, Like<JobFacts> auto& value) {
   auto& [ranks] = value;

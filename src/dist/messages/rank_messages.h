@@ -53,9 +53,11 @@ struct TraceOrder {
   bool shared = true;       // false: the head traces it alone
   bool averages = true;     // frame::Renderer::renderTiles
   bool meetsPeers = false;  // TraceRequest::meetsPeers
+  bool empty = false;       // nothing of the snapshot is shown but its backdrop
   uint32_t missColor = 0;
   std::vector<Hash128> needs;  // arrays that may still be on their way
   std::vector<std::byte> snapshot;
+  std::vector<std::vector<std::byte>> parts;  // snapshots of other ranks that belong to it
 };
 /// From a head: tiles to trace.
 struct MoreTiles {
@@ -116,8 +118,8 @@ void fields(auto& archive, Like<Forget> auto& value) {
   archive(names);
 }
 void fields(auto& archive, Like<TraceOrder> auto& value) {
-  auto& [id, shared, averages, meetsPeers, missColor, needs, snapshot] = value;
-  archive(id, shared, averages, meetsPeers, missColor, needs, snapshot);
+  auto& [id, shared, averages, meetsPeers, empty, missColor, needs, snapshot, parts] = value;
+  archive(id, shared, averages, meetsPeers, empty, missColor, needs, snapshot, parts);
 }
 void fields(auto& archive, Like<MoreTiles> auto& value) {
   auto& [id, tiles] = value;

@@ -26,6 +26,16 @@ bool Meetings::isNow(const Peer& peer) const {
   return static_cast<int64_t>(peer.scene->frame - own_->frame) == peer.ahead;
 }
 
+Meetings Meetings::next() const {
+  Meetings next(self_, ranks_);
+  for (const auto& [rank, peer] : peers_) {
+    Peer& known = next.at(rank);
+    known.ahead = peer.ahead, known.metBefore = peer.metBefore;
+    known.late = peer.late, known.told = peer.told;
+  }
+  return next;
+}
+
 void Meetings::leaves(int rank) {
   at(rank) = {};
   at(rank).late = at(rank).told = true;  // not awaited

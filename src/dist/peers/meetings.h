@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -15,9 +16,13 @@ class Meetings {
  public:
   /// Seconds until a rank goes on without a peer.
   static constexpr double kPatience = 1;
+  /// Seconds between the signs of a peer that is at work.
+  static constexpr double kSayEvery = 0.2;
 
   Meetings(int self, int ranks) : self_(self), ranks_(ranks) {}
 
+  /// For another scene: what is known of peers, without their scenes.
+  Meetings next() const;
   void joins(int rank) { at(rank) = {}; }
   void leaves(int rank);
   /// The peer builds a scene of that view: it is awaited as long as it says so.
@@ -71,5 +76,8 @@ class Meetings {
   double began_ = 0;
   uint64_t arrivals_ = 0, ended_ = 0;
 };
+
+/// For messages to the user.
+inline std::string peerName(int rank) { return "rank " + std::to_string(rank) + " of the program"; }
 
 }  // namespace gluray::dist

@@ -10,8 +10,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr double kSayEvery = 0.2;  // seconds
-constexpr int kMostRefusals = 3;   // of a picture
+constexpr int kMostRefusals = 3;  // of a picture
 
 }  // namespace
 
@@ -106,11 +105,11 @@ void PeerExchange::announce(const std::optional<ViewName>& shown) {
 
 void PeerExchange::tick(double now) {
   const std::lock_guard lock(mutex_);
-  if (coming_ && now - saidComing_ > kSayEvery) {
+  if (coming_ && now - saidComing_ > Meetings::kSayEvery) {
     saidComing_ = now;
     sendToAll(SceneComes{{}, coming_->viewport});
   }
-  if (held_ && now - saidHere_ > kSayEvery) {
+  if (held_ && now - saidHere_ > Meetings::kSayEvery) {
     saidHere_ = now;
     for (int rank = 0; rank < meetings_.ranks(); ++rank)
       if (asking_[static_cast<size_t>(rank)] || nearOf(rank) < near_.size()) sendTo(rank, StillHere{});

@@ -131,7 +131,4 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   TileLedger ledger_;
 };
 
-/// For messages to the user.
-inline std::string peerName(int rank) { return "rank " + std::to_string(rank) + " of the program"; }
-
 }  // namespace gluray::dist

@@ -26,6 +26,7 @@ uint64_t PeerPrograms::add(const Hash128& program, int rank, int ranks) {
       outbox_.push(*worker, std::move(message));
   };
   local.exchange = std::make_unique<PeerExchange>(program, rank, ranks, send, say_);
+  local.gatherer = std::make_unique<PartGatherer>(program, rank, ranks, send, say_);
   local.thread = std::make_unique<TracingThread>(store_, outbox_, threads_, local.exchange.get());
   tellAll(local, true);
   return last_;
@@ -84,41 +85,47 @@ void PeerPrograms::joins(int from, const PeerAddress& address) {
     if (local.program != address.program || local.rank == address.from) continue;
     if (address.from >= local.ranks) throw Malformed("the program has no such rank");
     local.exchange->joins(address.from);
+    local.gatherer->joins(address.from);
     // It may have come after this one had told all.
     if (from != ranks_.rank())
       ranks_.send(from, forRanks(PeerJoins{{local.program, local.rank, local.rank}}));
   }
 }
 
-void PeerPrograms::leaves(int from, const PeerAddress& address) {
+void PeerPrograms::leaves(int from, const PeerAddress& address, double now) {
   if (directory_.workerOf(address.program, address.from) != from) return;
   directory_.remove(address.program, address.from);
   for (auto& [number, local] : locals_)
     if (local.program == address.program && local.rank != address.from && address.from < local.ranks)
-      local.exchange->leaves(address.from);
+      local.exchange->leaves(address.from), local.gatherer->leaves(address.from, now);
 }
 
 bool PeerPrograms::take(int from, uint16_t type, std::span<const std::byte> body, double now) {
-  const auto give = [&]<class M>(M message, const auto&... more) {
+  const auto to = [&]<class M>(auto Local::*receiver, M message) {
     message = decoded<M>(body);
-    if (Local* const local = find(message.address)) local->exchange->take(std::move(message), more...);
+    if (Local* const local = find(message.address)) (local->*receiver)->take(std::move(message), now);
     return true;
   };
   switch (type) {
     case PeerJoins::kType: return joins(from, decoded<PeerJoins>(body).address), true;
-    case PeerLeaves::kType: return leaves(from, decoded<PeerLeaves>(body).address), true;
-    case SceneComes::kType: return give(SceneComes{}, now);
-    case SceneHeld::kType: return give(SceneHeld{}, now);
-    case OcclusionQueries::kType: return give(OcclusionQueries{}, now);
-    case OcclusionReplies::kType: return give(OcclusionReplies{}, now);
-    case DoneAsking::kType: return give(DoneAsking{}, now);
-    case StillHere::kType: return give(StillHere{}, now);
+    case PeerLeaves::kType: return leaves(from, decoded<PeerLeaves>(body).address, now), true;
+    case SceneComes::kType: return to(&Local::exchange, SceneComes{});
+    case SceneHeld::kType: return to(&Local::exchange, SceneHeld{});
+    case OcclusionQueries::kType: return to(&Local::exchange, OcclusionQueries{});
+    case OcclusionReplies::kType: return to(&Local::exchange, OcclusionReplies{});
+    case DoneAsking::kType: return to(&Local::exchange, DoneAsking{});
+    case StillHere::kType: return to(&Local::exchange, StillHere{});
+    case PartHere::kType: return to(&Local::gatherer, PartHere{});
+    case PartGiven::kType: return to(&Local::gatherer, PartGiven{});
+    case PartDone::kType: return to(&Local::gatherer, PartDone{});
+    case PartGone::kType: return to(&Local::gatherer, PartGone{});
+    case PartAtWork::kType: return to(&Local::gatherer, PartAtWork{});
     default: return false;
   }
 }
 
 void PeerPrograms::tick(double now) {
-  for (auto& [number, local] : locals_) local.exchange->tick(now);
+  for (auto& [number, local] : locals_) local.exchange->tick(now), local.gatherer->tick(now);
 }
 
 bool PeerPrograms::isBusy() const {

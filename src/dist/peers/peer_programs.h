@@ -1,6 +1,7 @@
 // The programs of this worker that are ranks of sort-last programs: each has a thread that traces its
 // pictures and an exchange with its peers. The worker's main thread.
 #pragma once
+#include "dist/gather/part_gatherer.h"
 #include "dist/messages/peer_messages.h"
 #include "dist/messages/program_messages.h"
 #include "dist/messages/rank_messages.h"
@@ -34,6 +35,8 @@ class PeerPrograms {
   void trace(uint64_t number, TraceOrder order, const ViewName& shown);
   /// Nothing more of the picture is to be traced.
   void end(uint64_t number, uint64_t picture);
+  /// Who brings together the parts of a view, for that rank.
+  PartGatherer& gatherer(uint64_t number) { return *locals_.at(number).gatherer; }
   /// A message of rank `from` of the job. False: it is none for this. Throws Malformed.
   bool take(int from, uint16_t type, std::span<const std::byte> body, double now);
   void tick(double now);
@@ -44,13 +47,14 @@ class PeerPrograms {
     Hash128 program;
     int rank = 0, ranks = 1;
     std::unique_ptr<PeerExchange> exchange;
+    std::unique_ptr<PartGatherer> gatherer;
     std::unique_ptr<TracingThread> thread;
     uint64_t picture = 0;  // that is traced; 0: none
     std::shared_ptr<TileQueue> tiles;
   };
   Local* find(const PeerAddress& address);
   void joins(int from, const PeerAddress& address);
-  void leaves(int from, const PeerAddress& address);
+  void leaves(int from, const PeerAddress& address, double now);
   void tellAll(const Local& local, bool here);
 
   Ranks& ranks_;

@@ -31,7 +31,7 @@ void PeerExchange::begin(const render::FrameData& frame) {
 void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds) {
   SceneHeld scene;
   scene.address = {program_, self_, self_};
-  scene.frame = snapshot.frame, scene.viewport = snapshot.camera.viewport;
+  scene.frame = frameOf(snapshot), scene.viewport = snapshot.camera.viewport;
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
   if (snapshot.surroundings) scene.viewFromWorld = snapshot.surroundings->viewFromWorld;
   scene.lower = bounds.lower, scene.upper = bounds.upper;

@@ -57,7 +57,9 @@ uint32_t TileRecord::combine(uint32_t blocked, render::Passing passing) {
   blocked |= call.blocked;
   if (!call.partly) return blocked;
   constexpr float kNothing = 0.5f / 255;  // less is not seen
-  for (const Part& part : std::ranges::equal_range(parts_, number, {}, &Part::call)) {
+  auto at = std::ranges::lower_bound(parts_, number, {}, &Part::call);
+  for (; at != parts_.end() && at->call == number; ++at) {
+    const Part& part = *at;
     glm::vec3 left = part.through;
     if (passing.colored) left = passing.colored[part.lane] *= part.through;
     if (passing.grey) left = glm::vec3(passing.grey[part.lane] *= part.through.x);

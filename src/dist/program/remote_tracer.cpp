@@ -63,6 +63,11 @@ bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::T
     else if (!lock.try_lock() || wanted_ > 0)
       return false;
     result = byWorkers(snapshot, image, cost, error, stop);
+    // A picture of this rank's part would lack what the others leave to it, or show what they show.
+    if ((result == Result::nobody || result == Result::failed) && link_.isGathered(snapshot)) {
+      if (error.empty()) error = "the workers of all ranks do not answer";
+      return false;
+    }
   } catch (const std::exception&) {}  // no memory: the other way may need less
   if (result == Result::done) return true;
   if (result == Result::stopped) return false;

@@ -23,6 +23,8 @@ class RemoteTracer {
              const std::function<bool()>& stop) noexcept;
   /// As frame::Improves, of the last picture.
   bool improves() const noexcept { return improves_; }
+  /// As frame::StandsAlone.
+  bool standsAlone(const scene::Snapshot& snapshot) const noexcept { return link_.standsAlone(snapshot); }
 
  private:
   enum class Result : uint8_t { done, stopped, failed, nobody };

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "dist/messages/version.h"
 #include "scene/effects.h"
+#include "scene/surroundings.h"
 
 #include <unistd.h>
 
@@ -29,6 +30,29 @@ bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
   const Mode mode = snapshot.lightSampling.mode;
   return (mode == Mode::full || mode == Mode::moving) &&
          (scene::wantsOcclusion(snapshot.settings) || scene::wantsShadows(snapshot.settings));
+}
+
+bool hasBlended(const scene::Snapshot& snapshot) {
+  return snapshot.layers || (snapshot.surroundings && std::ranges::any_of(snapshot.surroundings->blended,
+                                                                          [](uint8_t b) { return b; }));
+}
+
+/// Whether the parts of other ranks belong to the picture. Without light, parts are as good.
+bool isGathering(const scene::Snapshot& snapshot) {
+  return snapshot.settings.gather && scene::needsSurroundings(snapshot.settings);
+}
+
+PartView partViewOf(const scene::Snapshot& s) {
+  WriteMessage all;
+  all(s.camera.depthNear, s.camera.depthFar, s.camera.rowsFromTop, s.region, s.samples, s.samplePositions,
+      s.polygonOffset, s.wideColors, s.encodes, s.colorWrites, s.laterWins);
+  const std::vector<std::byte> bytes = all.out().take();
+  return {frameOf(s),
+          s.camera.viewport,
+          s.camera.clipFromEye,
+          s.eyeFromWorld,
+          hashBytes(bytes.data(), bytes.size()),
+          hasBlended(s)};
 }
 
 }  // namespace
@@ -115,6 +139,14 @@ void WorkerLink::forgetGone() {
   if (!gone.names.empty()) send(gone);
 }
 
+bool WorkerLink::standsAlone(const scene::Snapshot& snapshot) const {
+  return place_.ranks == 1 || !(isGathering(snapshot) || fallsOnSurfaces(snapshot));
+}
+
+bool WorkerLink::isGathered(const scene::Snapshot& snapshot) const {
+  return snapshot.number != 0 && gathered_ == snapshot.number;
+}
+
 bool WorkerLink::ask(const scene::Snapshot& snapshot, uint32_t missColor) {
   EncodedSnapshot encoded = encoder_.encode(snapshot);
   if (!sendArrays(encoded)) return false;
@@ -124,7 +156,13 @@ bool WorkerLink::ask(const scene::Snapshot& snapshot, uint32_t missColor) {
   request.width = snapshot.region.width, request.height = snapshot.region.height;
   request.shared = isShared(snapshot), request.layered = snapshot.layers != nullptr;
   request.meetsPeers = place_.ranks > 1 && fallsOnSurfaces(snapshot);
-  request.shown = {snapshot.frame, snapshot.camera.viewport};
+  request.shown = {frameOf(snapshot), snapshot.camera.viewport};
+  request.number = asked_ = snapshot.number;
+  if (place_.ranks > 1 && isGathering(snapshot)) {
+    request.gathers = true;
+    request.part = partViewOf(snapshot);
+    for (const ArraySource& source : encoded.arrays) request.arrays.push_back(source.name);
+  }
   request.missColor = missColor;
   if (snapshot.lightSampling.tiles) request.wanted = *snapshot.lightSampling.tiles;
   request.snapshot = std::move(encoded.message);
@@ -148,6 +186,7 @@ WorkerLink::Came WorkerLink::wait(int timeoutMs, double now) {
       if (picture.id != lastId_) return Came::sign;  // of an earlier request
       if (picture.whole && bytesOf(picture.shape) > memoryBytes_) throw Malformed("its pixels are missing");
       picture_ = std::move(picture);
+      if (picture_.gathered) gathered_ = asked_;
       return Came::picture;
     }
     default: throw Malformed("its kind is not known");

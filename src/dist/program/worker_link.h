@@ -31,6 +31,12 @@ class WorkerLink {
   const std::string& why() const { return why_; }
   int ranks() const { return ranks_; }
 
+  /// Whether pictures of the snapshot depend on nothing else: false where surfaces of the program's other
+  /// ranks belong to them or block their light.
+  bool standsAlone(const scene::Snapshot& snapshot) const;
+  /// Whether the last picture showed surfaces of other ranks, or another rank's showed those of the snapshot:
+  /// then this process must not trace it.
+  bool isGathered(const scene::Snapshot& snapshot) const;
   /// Sends the snapshot and those of its arrays that the worker lacks. False: the connection has failed.
   bool ask(const scene::Snapshot& snapshot, uint32_t missColor);
   enum class Came : uint8_t { nothing, sign, picture, failure };
@@ -65,6 +71,7 @@ class WorkerLink {
   std::shared_ptr<const std::byte> memory_;
   size_t memoryBytes_ = 0;
   PictureDone picture_;
+  uint64_t asked_ = 0, gathered_ = 0;  // Snapshot::number of the last request and the last gathered picture
 };
 
 }  // namespace gluray::dist

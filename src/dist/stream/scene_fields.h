@@ -139,12 +139,12 @@ void fields(auto& archive, Like<scene::Surroundings> auto& value) {
   archive(shadings, instances, blended, viewFromWorld);
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
-  auto& [frame, view, lightSampling, camera, eyeFromWorld, region, samples, samplePositions, polygonOffset,
-         layers, wideColors, encodes, colorWrites, laterWins, shadings, instances, surroundings, ground,
-         backdrop, settings] = value;
-  archive(frame, view, lightSampling, camera, eyeFromWorld, region, samples, samplePositions, polygonOffset,
-          layers, wideColors, encodes, colorWrites, laterWins, shadings, instances, surroundings, ground,
-          backdrop, settings);
+  auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
+         samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
+         instances, surroundings, ground, backdrop, settings] = value;
+  archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
+          samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
+          instances, surroundings, ground, backdrop, settings);
 }
 
 }  // namespace gluray::dist

@@ -1,6 +1,7 @@
 #include "dist/stream/snapshot_decoder.h"
 
 #include "dist/stream/archive.h"
+#include "dist/stream/mesh_formats.h"
 #include "dist/stream/settings_codec.h"
 #include "dist/stream/snapshot_checks.h"
 
@@ -14,24 +15,15 @@ namespace gluray::dist {
 namespace {
 
 using scene::Format;
+using Formats = std::initializer_list<Format>;
 
 constexpr size_t kMostUnits = scene::kTextureUnits;
 
-/// Largest element of an array of uint32; 0 if it is empty.
-uint32_t largest(const scene::Attribute& a, uint32_t count) {
-  uint32_t most = 0;
-  for (uint32_t i = 0; i < count; ++i) {
-    uint32_t element;
-    std::memcpy(&element, a.data + size_t{4} * i, sizeof element);
-    most = std::max(most, element);
-  }
-  return most;
-}
-
 class Decoding : public ReadArchive<Decoding> {
  public:
-  Decoding(std::span<const std::byte> message, const FindArray& arrays, DecodedParts& parts)
-      : ReadArchive(message), arrays_(arrays), parts_(parts) {}
+  Decoding(std::span<const std::byte> message, const FindArray& arrays, PageSource* pages,
+           DecodedParts& parts)
+      : ReadArchive(message), arrays_(arrays), pages_(pages), parts_(parts) {}
   using ReadArchive::value;
 
   void value(scene::MeshPtr& mesh);
@@ -41,17 +33,22 @@ class Decoding : public ReadArchive<Decoding> {
   bool atEnd() const { return in_.left() == 0; }
 
  private:
-  using Formats = std::initializer_list<Format>;
   /// Absent, or of one of the formats and of `count` elements.
   scene::Attribute attribute(uint32_t count, Formats formats);
   Array array(size_t bytes);
   scene::MeshPtr readMesh(DecodedParts::Mesh& made);
+  scene::MeshPtr readPage(DecodedParts::Mesh& made);
+  PageName readPageName();
+  /// The mesh of this identity; null: it is new.
+  scene::MeshPtr known(DecodedParts::Mesh& made) const;
   void readAttributes(scene::Mesh& mesh);
+  void checkInstance(const scene::Instance& i) const;
   void readGrid(scene::TexelGrid& grid);
   /// Mixes what identifies a mesh or an image: the names of its arrays and `bytes` of the message.
   void identify(const void* bytes, size_t count) { identity_ = hashBytes(bytes, count, identity_); }
 
   const FindArray& arrays_;
+  PageSource* const pages_;
   DecodedParts& parts_;
   Hash128 identity_;  // of the part that is being read
   std::vector<DecodedParts::Mesh> meshes_;
@@ -73,8 +70,7 @@ scene::Attribute Decoding::attribute(uint32_t count, Formats formats) {
   (*this)(a.format);
   identify(&a.format, sizeof a.format);
   if (!a) return a;
-  if (std::find(formats.begin(), formats.end(), a.format) == formats.end())
-    throw Malformed("an attribute has the wrong format");
+  checkFormat(a, formats);
   const uint32_t element = bytesOf(a.format);
   const Array found = array(size_t{count} * element);
   a.owner = found.owner, a.data = found.bytes.data(), a.stride = element;
@@ -82,24 +78,25 @@ scene::Attribute Decoding::attribute(uint32_t count, Formats formats) {
 }
 
 void Decoding::readAttributes(scene::Mesh& mesh) {
-  const Formats kColors = {Format::float3, Format::float4, Format::unorm8x4},
-                kTexcoords = {Format::float1, Format::float2, Format::float3, Format::float4};
   const uint32_t count = mesh.vertexCount;
   mesh.radii = attribute(count, {Format::float1});
   mesh.axes = attribute(count, {Format::float3});
   mesh.normals = attribute(count, {Format::float3});
-  mesh.colors = attribute(count, kColors);
-  mesh.texcoords = attribute(count, kTexcoords);
+  mesh.colors = attribute(count, kColorFormats);
+  mesh.texcoords = attribute(count, kTexcoordFormats);
   mesh.secondaryColors = attribute(count, {Format::float3, Format::float4});
   mesh.fogCoords = attribute(count, {Format::float1});
   mesh.materials = attribute(count, {Format::uint32});
   const size_t above = in_.count(1);
   if (above >= kMostUnits) throw Malformed("too many texture units");
-  for (size_t i = 0; i < above; ++i) mesh.texcoordsAbove.push_back(attribute(count, kTexcoords));
+  for (size_t i = 0; i < above; ++i) mesh.texcoordsAbove.push_back(attribute(count, kTexcoordFormats));
 }
 
 scene::MeshPtr Decoding::readMesh(DecodedParts::Mesh& made) {
   identity_ = {};
+  bool isPage = false;
+  (*this)(isPage);
+  if (isPage) return readPage(made);
   auto read = std::make_shared<scene::Mesh>();
   scene::Mesh& mesh = *read;
   (*this)(mesh.shape, mesh.triangleCount, mesh.vertexCount, mesh.radius, mesh.lower, mesh.upper,
@@ -118,17 +115,63 @@ scene::MeshPtr Decoding::readMesh(DecodedParts::Mesh& made) {
       mesh.radius,  mesh.lower.x, mesh.lower.y, mesh.lower.z,
       mesh.upper.x, mesh.upper.y, mesh.upper.z, mesh.opaqueColors ? 1.0f : 0.0f};
   identify(rest.data(), sizeof rest);
-  if (const auto known = parts_.meshes.find(identity_); known != parts_.meshes.end())
-    if (scene::MeshPtr same = known->second.mesh.lock()) {
-      made = known->second;
-      return same;
-    }
+  if (scene::MeshPtr same = known(made)) return same;
   const bool inside =
       mesh.indices ? corners == 0 || largest(mesh.indices, static_cast<uint32_t>(corners)) < mesh.vertexCount
                    : corners <= mesh.vertexCount;
   if (!inside) throw Malformed("a triangle has a vertex that does not exist");
   made.materials = mesh.materials && mesh.vertexCount > 0 ? largest(mesh.materials, mesh.vertexCount) : 0;
   made.mesh = read;
+  parts_.meshes[identity_] = made;
+  return read;
+}
+
+scene::MeshPtr Decoding::known(DecodedParts::Mesh& made) const {
+  const auto found = parts_.meshes.find(identity_);
+  scene::MeshPtr same = found == parts_.meshes.end() ? nullptr : found->second.mesh.lock();
+  if (same) made = found->second;
+  return same;
+}
+
+PageName Decoding::readPageName() {
+  PageName name;
+  bool isFirst = false;
+  name.id = in_.get<Hash128>();
+  (*this)(name.owner, name.mostMaterial, isFirst);
+  if (isFirst) name.whole = in_.get<scene::Residence::Whole>();
+  return name;
+}
+
+scene::MeshPtr Decoding::readPage(DecodedParts::Mesh& made) {
+  if (!pages_) throw Malformed("there are no pages here");
+  auto read = std::make_shared<scene::Mesh>();
+  scene::Mesh& mesh = *read;
+  (*this)(mesh.triangleCount, mesh.vertexCount, mesh.lower, mesh.upper, mesh.opaqueColors);
+  constexpr uint32_t kMost = 1 << 26;  // far above what pages have, far below what overflows
+  if (mesh.triangleCount > kMost || mesh.vertexCount > 3 * kMost) throw Malformed("a page is too large");
+  const PageName name = readPageName();
+  const size_t above = in_.count(1);
+  if (above >= kMostUnits) throw Malformed("too many texture units");
+  mesh.texcoordsAbove.resize(above);
+  TriangleArrays ofTriangles;
+  identify(&name.id, sizeof name.id);
+  eachArray(mesh, ofTriangles, [&](scene::Attribute& a, uint32_t) {
+    (*this)(a.format);
+    identify(&a.format, sizeof a.format);
+  });
+  checkPageFormats(mesh, ofTriangles);
+  const std::array<uint32_t, 4> counts = {mesh.triangleCount, mesh.vertexCount, name.mostMaterial,
+                                          static_cast<uint32_t>(name.owner)};
+  const std::array<glm::vec3, 2> bounds = {mesh.lower, mesh.upper};
+  identify(counts.data(), sizeof counts), identify(bounds.data(), sizeof bounds);
+  if (scene::MeshPtr same = known(made)) return same;
+  mesh.geometryId = identity_;
+  const PageSource::Made page = pages_->make(identity_, name, pageBytes(mesh, ofTriangles));
+  layOut(mesh, ofTriangles, page.memory);
+  page.page->ofTriangles = ofTriangles;
+  pages_->limit(*page.page, {mesh.indices, mesh.materials, 3 * mesh.triangleCount, mesh.vertexCount});
+  mesh.residence = page.page;
+  made.materials = name.mostMaterial, made.mesh = read;
   parts_.meshes[identity_] = made;
   return read;
 }
@@ -153,13 +196,22 @@ void Decoding::value(scene::Instance& i) {
           fogCoord, texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull,
           frontFaceCcw, clipPlanes, ground);
   triangleOffset = 0;
+  if (mesh->residence) {
+    const TriangleArrays& arrays = static_cast<const PageResidence&>(*mesh->residence).ofTriangles;
+    triangleColors = arrays[0], triangleNormals = arrays[1], triangleEdges = arrays[2];
+    return checkInstance(i);
+  }
   triangleColors = attribute(mesh->triangleCount, {Format::float4, Format::unorm8x4});
   triangleNormals = attribute(mesh->triangleCount, {Format::float3, Format::float4});
   triangleEdges = attribute(mesh->triangleCount, {Format::bits8});
-  const auto known = std::find(kept_.begin(), kept_.end(), mesh) - kept_.begin();
-  if (materials.size() <= meshes_[static_cast<size_t>(known)].materials)
+  checkInstance(i);
+}
+
+void Decoding::checkInstance(const scene::Instance& i) const {
+  const auto known = std::find(kept_.begin(), kept_.end(), i.mesh) - kept_.begin();
+  if (i.materials.size() <= meshes_[static_cast<size_t>(known)].materials)
     throw Malformed("a material does not exist");
-  if (texcoordsAbove.size() >= kMostUnits) throw Malformed("too many texture units");
+  if (i.texcoordsAbove.size() >= kMostUnits) throw Malformed("too many texture units");
 }
 
 void Decoding::readGrid(scene::TexelGrid& grid) {
@@ -217,7 +269,7 @@ std::shared_ptr<scene::Snapshot> SnapshotDecoder::decode(std::span<const std::by
     parts_.forgetGone();
     partsAfterForgetting_ = parts_.meshes.size() + parts_.images.size();
   }
-  Decoding decoding(message, arrays_, parts_);
+  Decoding decoding(message, arrays_, pages_, parts_);
   auto snapshot = std::make_shared<scene::Snapshot>();
   decoding(*snapshot);
   if (!decoding.atEnd()) throw Malformed("it goes on after its end");

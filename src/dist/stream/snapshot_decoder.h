@@ -3,6 +3,7 @@
 #pragma once
 #include "dist/stream/arrays.h"
 #include "dist/stream/byte_stream.h"
+#include "dist/stream/page.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>
@@ -30,7 +31,9 @@ class DecodedParts {
 /// One thread.
 class SnapshotDecoder {
  public:
-  explicit SnapshotDecoder(FindArray arrays) : arrays_(std::move(arrays)) {}
+  /// `pages`: for snapshots with pages; null: such are Malformed.
+  explicit SnapshotDecoder(FindArray arrays, PageSource* pages = nullptr)
+      : arrays_(std::move(arrays)), pages_(pages) {}
 
   /// Throws Malformed where the message is none of SnapshotEncoder or names arrays that are not known;
   /// std::bad_alloc.
@@ -38,6 +41,7 @@ class SnapshotDecoder {
 
  private:
   FindArray arrays_;
+  PageSource* pages_;
   DecodedParts parts_;
   size_t partsAfterForgetting_ = 0;
 };

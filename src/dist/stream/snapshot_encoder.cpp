@@ -1,6 +1,7 @@
 #include "dist/stream/snapshot_encoder.h"
 
 #include "dist/stream/archive.h"
+#include "dist/stream/page.h"
 #include "dist/stream/settings_codec.h"
 
 #include <algorithm>
@@ -27,6 +28,7 @@ class Encoding : public WriteArchive<Encoding> {
 
  private:
   void write(const scene::Mesh& mesh);
+  void writePage(const scene::Mesh& mesh);
   /// `count` elements, from number `first` on.
   void write(const scene::Attribute& attribute, uint32_t count, uint32_t first = 0);
   void write(const scene::TexelGrid& grid, const std::shared_ptr<const void>& owner);
@@ -49,11 +51,23 @@ void Encoding::write(const scene::Attribute& a, uint32_t count, uint32_t first) 
   writeName(names_.named(a.owner, a.data + offset, count, a.stride, bytesOf(a.format)));
 }
 
+void Encoding::writePage(const scene::Mesh& mesh) {
+  const auto& page = static_cast<const PageResidence&>(*mesh.residence);
+  (*this)(mesh.triangleCount, mesh.vertexCount, mesh.lower, mesh.upper, mesh.opaqueColors);
+  out_.put(page.name.id);
+  (*this)(page.name.owner, page.name.mostMaterial, page.name.whole.has_value());
+  if (page.name.whole) out_.put(*page.name.whole);
+  out_.put(static_cast<uint64_t>(mesh.texcoordsAbove.size()));
+  eachArray(mesh, page.ofTriangles, [&](const scene::Attribute& a, uint32_t) { (*this)(a.format); });
+}
+
 void Encoding::write(const scene::Mesh& mesh) {
   // Neither the identity of the geometry nor the bytes that it takes: the receiver has its own.
   auto& [geometryId, shape, triangleCount, vertexCount, positions, indices, radii, axes, radius, normals,
-         colors, texcoords, texcoordsAbove, secondaryColors, fogCoords, materials, lower, upper, opaqueColors,
-         sizeBytes] = mesh;
+         colors, texcoords, texcoordsAbove, secondaryColors, fogCoords, materials, triangleNumbers, lower,
+         upper, opaqueColors, sizeBytes, residence] = mesh;
+  (*this)(residence != nullptr);
+  if (residence) return writePage(mesh);
   (*this)(shape, triangleCount, vertexCount, radius, lower, upper, opaqueColors);
   write(positions, vertexCount);
   write(indices, triangleCount * scene::cornersOf(shape));
@@ -72,6 +86,7 @@ void Encoding::value(const scene::Instance& instance) {
   (*this)(mesh, eyeFromObject, worldFromObject, shading, order, object, color, normal, secondaryColor,
           fogCoord, texcoord, texcoordsAbove, materials, lightingFromObject, normalMatrix, impostors, cull,
           frontFaceCcw, clipPlanes, ground);
+  if (mesh->residence) return;  // they belong to the page
   for (const scene::Attribute* a : {&triangleColors, &triangleNormals, &triangleEdges})
     write(*a, mesh->triangleCount, triangleOffset);
 }

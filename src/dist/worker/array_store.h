@@ -5,7 +5,9 @@
 #include <condition_variable>
 #include <functional>
 #include <map>
+#include <memory>
 #include <mutex>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -17,9 +19,9 @@ class ArrayStore {
   /// forgets of a head may come in any order: a broadcast takes longer than a message.
   void put(int head, const Hash128& name, Array array);
   void forget(int head, const std::vector<Hash128>& names);
-  /// None: it is not here.
+  /// None: it is not here. What has been forgotten is found while somebody has it.
   Array find(const Hash128& name) const;
-  /// Waits until all are here, or `stop`; looks at `stop` when wake() is called. True: all are here.
+  /// Waits until find() finds all, or `stop`; looks at `stop` when wake() is called. True: all are here.
   bool waitFor(const std::vector<Hash128>& names, const std::function<bool()>& stop);
   void wake();
   size_t bytes() const;
@@ -34,6 +36,14 @@ class ArrayStore {
   mutable std::mutex mutex_;
   std::condition_variable more_;
   std::unordered_map<Hash128, Kept> arrays_;
+  struct Forgotten {
+    std::weak_ptr<const void> owner;
+    std::span<const std::byte> bytes;
+  };
+  void remember(const Hash128& name, const Array& array);
+  Array findLocked(const Hash128& name) const;
+  std::unordered_map<Hash128, Forgotten> forgotten_;
+  size_t forgottenAtMost_ = 64;  // entries, before those that are gone are removed
 };
 
 }  // namespace gluray::dist

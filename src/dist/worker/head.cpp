@@ -9,26 +9,24 @@
 namespace gluray::dist {
 namespace {
 
+using Share = PartGatherer::Share;
+
 constexpr double kAtWorkEvery = 0.2;  // seconds
-constexpr int kCoordinator = 0;       // the rank that orders broadcasts
 constexpr size_t kMostViews = 64;     // whose costs are remembered
 
 }  // namespace
 
-Head::Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PeerPrograms& peers, JobInquiry& inquiry,
-           int threads, Say say)
+Head::Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PageMaker& pages, PeerPrograms& peers,
+           JobInquiry& inquiry, int threads, size_t memory, Say say)
     : ranks_(ranks),
       store_(store),
       intake_(intake),
+      pages_(pages),
       peers_(peers),
       inquiry_(inquiry),
+      memory_(memory),
       say_(std::move(say)),
       states_(ranks.size(), ranks.rank(), threads) {}
-
-template <class M>
-void Head::sendToAll(const M& message) {
-  for (int rank = 0; rank < ranks_.size(); ++rank) ranks_.send(rank, forRanks(message));
-}
 
 void Head::add(control::Descriptor socket) { programs_.emplace_back(Line(std::move(socket))); }
 
@@ -39,7 +37,8 @@ std::vector<int> Head::descriptors() {
 }
 
 bool Head::isBusy() const {
-  return std::ranges::any_of(programs_, [](const ProgramSide& p) { return p.picture.has_value(); });
+  return std::ranges::any_of(programs_,
+                             [](const ProgramSide& p) { return p.picture.has_value() || p.isWaiting(); });
 }
 
 ProgramSide* Head::programOf(uint64_t picture) {
@@ -83,15 +82,14 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
     case ArrayComes::kType: return takeArray(program, as(ArrayComes{}), message.attached);
     case ArraysGo::kType: return forget(program, as(ArraysGo{}).names);
     case TraceRequest::kType:
-      if (program.picture) endPicture(program);
+      endPicture(program);
       program.request = as(TraceRequest{});
-      if (program.peer) program.request->shared = false;
-      return start(program, true, now);
+      return ask(program, now);
     case Cancel::kType:
-      if (!program.picture || program.request->id != as(Cancel{}).id) return;
+      if (!(program.picture || program.isWaiting()) || program.request->id != as(Cancel{}).id) return;
       endPicture(program);
       return program.send(
-          PictureDone{program.request->id, false, false, "", {1, 1, 1, Image::kPicture}, {}, {}});
+          PictureDone{program.request->id, false, false, false, "", {1, 1, 1, Image::kPicture}, {}, {}});
     case JobQuestion::kType: as(JobQuestion{}); return inquiry_.ask(program, now);
     default: throw Malformed("its kind is not known");
   }
@@ -103,77 +101,72 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
   if (hello.version != version())
     welcome.refusal = "the worker is of GLuRay " + std::string(version()) + ", the program of " +
                       hello.version + "; use one version for both";
-  if (welcome.refusal.empty() && hello.ranks > 1)
+  program.ranks = std::max(hello.ranks, 1);
+  if (welcome.refusal.empty() && hello.ranks > 1) {
     program.peer = peers_.add(hashBytes(hello.mpiJob.data(), hello.mpiJob.size()), hello.rank, hello.ranks);
+    program.spreads = false;
+  }
   program.send(welcome);
   say_(program.name + (welcome.refusal.empty() ? " is connected" : ": " + welcome.refusal));
   if (!welcome.refusal.empty()) program.end();
 }
 
-void Head::takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory) {
-  if (program.arrays.contains(array.name)) return;
-  if (!holders_.contains(array.name)) {
-    // Other programs may use it by this name.
-    intake_.add(++lastCheck_, array.name, mapSealed(memory, array.bytes));
-    holders_[array.name].check = lastCheck_;
-  }
-  Holders& holders = holders_[array.name];
-  ++holders.programs;
-  if (!program.peer) holders.shared = true;
-  spread(array.name, holders);
-  program.arrays.insert(array.name);
-  program.newArrays.push_back(array.name);
-}
-
-void Head::take(const ArrayChecked& checked) {
-  const auto found = holders_.find(checked.name);
-  if (found == holders_.end() || found->second.check != checked.number) return;  // forgotten since
-  if (checked.isRight) {
-    found->second.here = true;
-    return spread(checked.name, found->second);
-  }
-  for (ProgramSide& program : programs_) {
-    if (!program.arrays.contains(checked.name)) continue;
-    say_(program.name + ": an array is not what its name says; it is disconnected");
-    program.end();
-  }
-}
-
-void Head::spread(const Hash128& name, Holders& holders) {
-  if (ranks_.size() == 1 || !holders.here || !holders.shared || holders.everywhere) return;
-  holders.everywhere = true;
-  const Array array = store_.find(name);
-  store_.put(ranks_.rank(), name, array);  // until it has been broadcast
-  ranks_.send(kCoordinator, forRanks(TurnWanted{name, array.bytes.size()}));
-}
-
-void Head::forget(ProgramSide& program, const std::vector<Hash128>& names) {
-  Forget all, here;
-  for (const Hash128& name : names) {
-    if (program.arrays.erase(name) == 0) continue;
-    Holders& holders = holders_[name];
-    if (--holders.programs > 0) continue;
-    (holders.everywhere ? all : here).names.push_back(name);
-    holders_.erase(name);
-  }
-  std::erase_if(program.newArrays, [&](const Hash128& name) { return !program.arrays.contains(name); });
-  if (!all.names.empty()) sendToAll(all);
-  if (!here.names.empty()) store_.forget(ranks_.rank(), here.names);
-}
-
-void Head::start(ProgramSide& program, bool averages, double now) {
+void Head::ask(ProgramSide& program, double now) {
   const TraceRequest& request = *program.request;
   if (request.width < 1 || request.height < 1 || request.width > 65536 || request.height > 65536)
     throw Malformed("no picture has this size");
+  program.paged.reset();
+  if (needsPages(program)) return makePages(program, now);
+  if (program.spreads) spreadAll(program);
+  askNow(program, now);
+}
+
+void Head::askNow(ProgramSide& program, double now) {
+  const TraceRequest& request = *program.request;
+  if (!program.peer) return start(program, true, now);
+  program.share = Share::own;
+  if (!request.gathers) return start(program, true, now);
+  if (!program.spreads && !program.paged) spreadAll(program);
+  program.saidAtWork = now;
+  peers_.gatherer(program.peer).begin(request, now);
+  gather(program, now);
+}
+
+void Head::gather(ProgramSide& program, double now) {
+  program.share = peers_.gatherer(program.peer).look(program.given(), now);
+  if (!program.isGathering()) start(program, true, now);
+}
+
+TraceOrder Head::orderOf(const ProgramSide& program, bool averages) {
+  const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
+  TraceOrder order;
+  order.id = lastPicture_, order.averages = averages, order.shared = request.shared;
+  order.meetsPeers = request.meetsPeers && program.share == Share::own;
+  order.empty = program.share == Share::nothing;
+  order.missColor = request.missColor;
+  order.needs = program.isWhole() && program.paged ? request.arrays : program.newArrays,
+  order.snapshot = request.snapshot;
+  if (!program.peer || !program.isWhole()) return order;
+  order.needs = request.arrays;
+  for (const PartGiven& part : peers_.gatherer(program.peer).parts()) {
+    order.needs.insert(order.needs.end(), part.arrays.begin(), part.arrays.end());
+    order.parts.push_back(part.snapshot);
+  }
+  return order;
+}
+
+void Head::start(ProgramSide& program, bool averages, double now) {
+  if (!program.isWhole()) program.request->shared = false;
+  const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   if (program.costs.size() > kMostViews) program.costs.clear();
-  program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], now);
+  program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view],
+                          program.isWhole() && program.paged, now);
   const Picture& picture = *program.picture;
-  const TraceOrder order{picture.id(),      request.shared,    averages,        request.meetsPeers,
-                         request.missColor, program.newArrays, request.snapshot};
+  const TraceOrder order = orderOf(program, averages);
   // What is not here yet may be missed by the next picture, too, if this one is cancelled.
   std::erase_if(program.newArrays, [&](const Hash128& name) { return holders_[name].here; });
   program.saidAtWork = now;
-  if (program.peer) return peers_.trace(program.peer, order, request.shown);
+  if (!program.isWhole()) return peers_.trace(program.peer, order, request.shown);
   for (int rank = 0; rank < ranks_.size(); ++rank) {
     if (!picture.takesPart(rank)) continue;
     ranks_.send(rank, forRanks(order));
@@ -183,7 +176,7 @@ void Head::start(ProgramSide& program, bool averages, double now) {
 }
 
 void Head::giveTiles(ProgramSide& program) {
-  if (program.peer) return;
+  if (!program.isWhole()) return;
   for (int rank = 0; rank < ranks_.size(); ++rank) giveTiles(*program.picture, rank);
 }
 
@@ -208,12 +201,12 @@ void Head::take(int rank, const TracedTile& tile, double now) {
     giveTiles(*program);
   }
   if (picture.isSeenThrough() && picture.averages()) {
-    endPicture(*program);
+    end(*program);
     return start(*program, false, now);
   }
   if (!picture.isTraced()) {
     // The other ranks have as much as before.
-    if (!program->peer) giveTiles(picture, rank);
+    if (program->isWhole()) giveTiles(picture, rank);
     return;
   }
   if (!wasTraced) end(*program);
@@ -236,27 +229,40 @@ void Head::take(int rank, const Alive& alive, double now) {
 
 void Head::end(ProgramSide& program) {
   const Picture& picture = *program.picture;
-  if (program.peer) return peers_.end(program.peer, picture.id());
+  if (!program.isWhole()) return peers_.end(program.peer, picture.id());
   // Only to ranks that have it: a stopped rank would find the ends of all pictures made meanwhile.
   for (int rank = 0; rank < ranks_.size(); ++rank)
     if (picture.asks(rank)) ranks_.send(rank, forRanks(EndOfPicture{picture.id()}));
 }
 
 void Head::endPicture(ProgramSide& program) {
-  end(program);
+  if (program.picture) end(program);
+  endPages(program);
   program.picture.reset();
+  if (program.isGathering()) program.share = Share::own;
+  if (program.peer) peers_.gatherer(program.peer).end(false);
 }
 
 void Head::finish(ProgramSide& program, double now) {
   const Picture& picture = *program.picture;
   if (picture.error().empty() && !picture.isDone()) return;
   program.costs[program.request->view] = picture.costs();
-  program.send(picture.result(now));
+  PictureDone result = picture.result(now);
+  result.gathered = program.request->gathers && result.whole && program.share != Share::own;
+  program.send(result);
+  if (result.gathered) peers_.gatherer(program.peer).end(true);
   endPicture(program);
 }
 
 void Head::tick(double now) {
   for (ProgramSide& program : programs_) {
+    if (program.picture && program.isWhole() && program.peer && peers_.gatherer(program.peer).isLost()) {
+      end(program);
+      program.picture.reset();
+      program.share = Share::awaited;
+    }
+    if (program.isGathering()) gather(program, now);
+    sayAtWork(program, now);
     if (!program.picture) continue;
     Picture& picture = *program.picture;
     bool passedOn = false;
@@ -268,12 +274,14 @@ void Head::tick(double now) {
     }
     for (const int rank : picture.passOnSlow(now)) leaveOut(rank), passedOn = true;
     if (passedOn) giveTiles(program);
-    if (now - program.saidAtWork > kAtWorkEvery) {
-      program.saidAtWork = now;
-      program.send(AtWork{program.request->id});
-    }
     if (!picture.error().empty()) finish(program, now);
   }
+}
+
+void Head::sayAtWork(ProgramSide& program, double now) {
+  if (!(program.picture || program.isWaiting()) || now - program.saidAtWork <= kAtWorkEvery) return;
+  program.saidAtWork = now;
+  program.send(AtWork{program.request->id});
 }
 
 void Head::leaveOut(int rank) {
@@ -283,7 +291,8 @@ void Head::leaveOut(int rank) {
 }
 
 void Head::leave(ProgramSide& program) {
-  if (program.picture) endPicture(program);
+  endPicture(program);
+  if (program.paging.number) pages_.forget(program.paging.number);
   if (program.peer) peers_.remove(program.peer);
   inquiry_.forget(program);
   forget(program, {program.arrays.begin(), program.arrays.end()});

@@ -1,6 +1,7 @@
 // A rank as the head of the programs that are connected to it: takes their snapshots and arrays, shares their
 // pictures among the ranks, and gives them back. The worker's main thread.
 #pragma once
+#include "dist/pages/page_maker.h"
 #include "dist/peers/peer_programs.h"
 #include "dist/ranks/ranks.h"
 #include "dist/worker/array_intake.h"
@@ -22,9 +23,10 @@ class Head {
   /// One line for the user.
   using Say = std::function<void(const std::string&)>;
 
-  /// `threads`: with which this rank traces. All must outlive it.
-  Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PeerPrograms& peers, JobInquiry& inquiry,
-       int threads, Say say);
+  /// `threads`: with which this rank traces. `memory`: bytes that arrays and structures may take on each
+  /// rank. All must outlive it.
+  Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PageMaker& pages, PeerPrograms& peers,
+       JobInquiry& inquiry, int threads, size_t memory, Say say);
 
   void add(control::Descriptor socket);
   /// Sockets to wait for.
@@ -32,6 +34,7 @@ class Head {
   /// Reads what programs have sent.
   void readPrograms(double now);
   void take(const ArrayChecked& checked);
+  void take(const PagesMade& made, double now);
   void take(int rank, const TracedTile& tile, double now);
   void take(int rank, const Finished& result, double now);
   void take(int rank, const Alive& alive, double now);
@@ -45,6 +48,7 @@ class Head {
  private:
   struct Holders {
     int programs = 0;
+    uint64_t bytes = 0;
     uint64_t check = 0;       // its number at the intake
     bool here = false;        // it has been checked
     bool shared = false;      // ranks of sort-last programs keep what is theirs, others' is for all
@@ -54,30 +58,46 @@ class Head {
   void greet(ProgramSide& program, const Hello& hello);
   void takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory);
   void spread(const Hash128& name, Holders& holders);
+  /// Pictures of the program need its arrays on all ranks from now on.
+  void spreadAll(ProgramSide& program);
   void forget(ProgramSide& program, const std::vector<Hash128>& names);
+  void ask(ProgramSide& program, double now);
+  /// The same, once the snapshot has pages if it needs them.
+  void askNow(ProgramSide& program, double now);
+  /// Whether the program's geometry, with its structures, is larger than the memory of a rank.
+  bool isLarge(const ProgramSide& program) const;
+  bool needsPages(const ProgramSide& program) const;
+  void makePages(ProgramSide& program, double now);
+  void endPages(ProgramSide& program);
+  /// Of the program's arrays only these are for all ranks.
+  void spreadOnly(ProgramSide& program, const std::vector<Hash128>& names);
+  /// Starts the picture once the share that is this rank's is known.
+  void gather(ProgramSide& program, double now);
   void start(ProgramSide& program, bool averages, double now);
+  TraceOrder orderOf(const ProgramSide& program, bool averages);
   void giveTiles(ProgramSide& program);
   void giveTiles(Picture& picture, int rank);
   void end(ProgramSide& program);
   void endPicture(ProgramSide& program);
   /// Gives the program its picture, if that is done.
   void finish(ProgramSide& program, double now);
+  void sayAtWork(ProgramSide& program, double now);
   void leaveOut(int rank);
   void leave(ProgramSide& program);
   ProgramSide* programOf(uint64_t picture);
-  template <class M>
-  void sendToAll(const M& message);
 
   Ranks& ranks_;
   ArrayStore& store_;
   ArrayIntake& intake_;
+  PageMaker& pages_;
   PeerPrograms& peers_;
   JobInquiry& inquiry_;
+  const size_t memory_;
   Say say_;
   RankStates states_;
   std::list<ProgramSide> programs_;
   std::unordered_map<Hash128, Holders> holders_;  // of each array
-  uint64_t lastPicture_ = 0, lastCheck_ = 0;
+  uint64_t lastPicture_ = 0, lastCheck_ = 0, lastPaging_ = 0;
 };
 
 }  // namespace gluray::dist

@@ -41,8 +41,12 @@ class RuntimeFolder {
 class WorkerJob {
  public:
   /// Of so many ranks, whose sockets are in `directory`.
-  WorkerJob(std::string directory, int ranks, std::string name = "job")
-      : job_(std::make_shared<ThreadJob>(ranks)), directory_(std::move(directory)), name_(std::move(name)) {
+  /// `memory`: as a worker's.
+  WorkerJob(std::string directory, int ranks, std::string name = "job", size_t memory = SIZE_MAX)
+      : job_(std::make_shared<ThreadJob>(ranks)),
+        directory_(std::move(directory)),
+        name_(std::move(name)),
+        memory_(memory) {
     for (int rank = 0; rank < ranks; ++rank) ranks_.emplace_back(job_, rank);
     for (ThreadRanks& rank : ranks_) start(rank);
   }
@@ -77,7 +81,7 @@ class WorkerJob {
     EXPECT_EQ(why, "");
     threads_.emplace_back([this, &rank, listening] {
       // Another number of threads for each: ranks of one process with the same would share an arena.
-      Worker worker(rank, 1 + rank.rank(), std::move(*listening), [this](const std::string& line) {
+      Worker worker(rank, 1 + rank.rank(), memory_, std::move(*listening), [this](const std::string& line) {
         const std::lock_guard lock(mutex_);
         said_ += line + "\n";
       });
@@ -87,6 +91,7 @@ class WorkerJob {
 
   std::shared_ptr<ThreadJob> job_;
   std::string directory_, name_;
+  const size_t memory_;
   std::list<ThreadRanks> ranks_;
   std::list<control::ListeningPlace> places_;
   std::atomic<bool> stop_{false};

@@ -8,12 +8,17 @@ constexpr uint64_t kMostBytes = uint64_t{1} << 46;  // of an array
 
 }  // namespace
 
-Member::Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, int threads)
-    : ranks_(ranks), store_(store), outbox_(outbox), threads_(threads), tracing_(store, outbox, threads) {}
+Member::Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, PageStore& pages, int threads)
+    : ranks_(ranks),
+      store_(store),
+      outbox_(outbox),
+      pages_(pages),
+      threads_(threads),
+      tracing_(store, outbox, threads, nullptr, &pages) {}
 
 Member::~Member() {
   for (auto& [key, queue] : queues_) queue->close();
-  store_.wake();
+  store_.wake(), pages_.wake();
 }
 
 void Member::take(int head, TraceOrder order, double now) {
@@ -35,7 +40,7 @@ void Member::take(int head, const EndOfPicture& end) {
   if (found == queues_.end()) return;
   found->second->close();
   queues_.erase(found);
-  store_.wake();
+  store_.wake(), pages_.wake();
 }
 
 void Member::take(int head, const Forget& forget) { store_.forget(head, forget.names); }

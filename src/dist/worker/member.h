@@ -18,7 +18,7 @@ namespace gluray::dist {
 class Member {
  public:
   /// `threads`: with which this rank traces. All must outlive it.
-  Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, int threads);
+  Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, PageStore& pages, int threads);
   ~Member();
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
@@ -40,6 +40,7 @@ class Member {
   Ranks& ranks_;
   ArrayStore& store_;
   Outbox& outbox_;
+  PageStore& pages_;
   const int threads_;
   TracingThread tracing_;
   std::map<Key, std::shared_ptr<TileQueue>> queues_;

@@ -8,7 +8,8 @@
 namespace gluray::dist {
 namespace {
 
-constexpr double kSlow = 0.5;  // seconds without a tile
+constexpr double kSlow = 0.5;       // seconds without a tile
+constexpr double kSlowInPages = 5;  // the same where ranks fetch the geometry that a tile needs
 
 render::Tiles tilesOf(int width, int height) { return {width, height, render::kTileSize}; }
 
@@ -30,11 +31,12 @@ size_t Picture::tilesOf(const TraceRequest& request) {
 }
 
 Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
-                 const std::vector<float>& costs, double now)
+                 const std::vector<float>& costs, bool paged, double now)
     : id_(id),
       programId_(request.id),
       averages_(averages),
       layered_(request.layered),
+      slowAfter_(paged ? kSlowInPages : kSlow),
       width_(request.width),
       height_(request.height),
       start_(now),
@@ -90,7 +92,7 @@ std::vector<int> Picture::passOnSlow(double now) {
   if (!idle || layered_ || shares_.done()) return {};
   std::vector<int> slow;
   for (size_t rank = 0; rank < here_.size(); ++rank)
-    if (here_[rank] && shares_.pending(static_cast<int>(rank)) > 0 && now - lastResult_[rank] > kSlow) {
+    if (here_[rank] && shares_.pending(static_cast<int>(rank)) > 0 && now - lastResult_[rank] > slowAfter_) {
       shares_.giveBack(static_cast<int>(rank));
       lastResult_[rank] = now;
       slow.push_back(static_cast<int>(rank));

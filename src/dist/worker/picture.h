@@ -15,9 +15,10 @@ namespace gluray::dist {
 
 class Picture {
  public:
-  /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown.
+  /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown. `paged`: the
+  /// geometry is in pages.
   Picture(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
-          const std::vector<float>& costs, double now);
+          const std::vector<float>& costs, bool paged, double now);
 
   uint64_t id() const { return id_; }
   bool averages() const { return averages_; }
@@ -54,6 +55,7 @@ class Picture {
 
   const uint64_t id_, programId_;
   const bool averages_, layered_;
+  const double slowAfter_;  // seconds
   const int width_, height_;
   const double start_;
   const int self_;  // whose figures stand for the picture's

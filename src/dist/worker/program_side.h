@@ -1,11 +1,14 @@
 // A program that is connected to this worker. The worker's main thread.
 #pragma once
+#include "dist/gather/part_gatherer.h"
 #include "dist/local/line.h"
 #include "dist/local/sealed_memory.h"
 #include "dist/messages/program_messages.h"
 #include "dist/worker/picture.h"
 
+#include <atomic>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -32,6 +35,25 @@ class ProgramSide {
   std::unordered_set<Hash128> arrays;
   std::vector<Hash128> newArrays;  // since the last request
   std::optional<TraceRequest> request;
+  using Share = PartGatherer::Share;
+  Share share = Share::whole;  // of the picture, that is this rank's; programs of one process: the whole
+  bool isGathering() const { return share == Share::awaited; }
+  /// Its picture is wanted and not begun.
+  bool isWaiting() const { return isGathering() || paging.job != 0; }
+  bool isWhole() const { return share == Share::whole; }
+  /// Its pictures show the geometry of all ranks, so that all workers need it.
+  bool spreads = true;
+  int ranks = 1;            // of the program
+  uint64_t arrayBytes = 0;  // of `arrays`
+  struct Paging {
+    uint64_t number = 0;  // of the program, for PageMaker
+    uint64_t job = 0;     // that cuts the snapshot of `request`; 0: none
+    std::shared_ptr<std::atomic<bool>> cancelled;
+  };
+  Paging paging;
+  std::optional<TraceRequest> paged;  // `request`, its geometry in pages
+  /// What of its geometry the picture of all ranks shows.
+  const TraceRequest& given() const { return paged ? *paged : *request; }
   std::optional<Picture> picture;
   WrittenMemory memory;
   std::map<uint64_t, std::vector<float>> costs;  // of tiles, by view

@@ -91,14 +91,14 @@ TEST_F(RollCallTest, AProcessAloneHasNobodyToAsk) {
 }
 
 TEST_F(RollCallTest, AJobOfTwoVersionsEnds) {
-  Worker worker(head_, 1, Descriptor(), [](const std::string&) {});
+  Worker worker(head_, 1, SIZE_MAX, Descriptor(), [](const std::string&) {});
   std::atomic<bool> stop{false};
   other_.send(0, forRanks(RankHello{RankHello::kOrder, "0.9 (7)", "node1"}));
   EXPECT_THROW(worker.meet(stop), RanksFailed);
 }
 
 TEST_F(RollCallTest, ProgramsComeWhenAllRanksAreKnown) {
-  Worker worker(head_, 1, Descriptor(), [](const std::string&) {});
+  Worker worker(head_, 1, SIZE_MAX, Descriptor(), [](const std::string&) {});
   std::atomic<bool> stop{false}, over{false};
   std::thread thread([&] {
     worker.meet(stop);

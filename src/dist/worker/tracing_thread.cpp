@@ -1,19 +1,28 @@
 #include "dist/worker/tracing_thread.h"
 
 #include "base/clock.h"
+#include "dist/gather/merged.h"
+#include "dist/pages/paged_tiles.h"
 
 #include <exception>
 #include <utility>
 
 namespace gluray::dist {
+namespace {
 
-TracingThread::TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers)
+constexpr size_t kMostGathered = 4;
+
+}  // namespace
+
+TracingThread::TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers,
+                             PageStore* pages)
     : store_(store),
       outbox_(outbox),
       threads_(threads),
       peers_(peers),
+      pages_(pages),
       renderer_(peers ? frame::Renderer::Threads::own : frame::Renderer::Threads::shared),
-      decoder_([&store](const Hash128& name) { return store.find(name); }),
+      decoder_([&store](const Hash128& name) { return store.find(name); }, pages),
       thread_([this] { run(); }) {}
 
 TracingThread::~TracingThread() {
@@ -60,7 +69,7 @@ void TracingThread::trace(const Task& task) {
   if (peers_) peers_->start(task.order.averages, task.order.meetsPeers, whole);
   try {
     if (!store_.waitFor(task.order.needs, [&] { return task.tiles->isClosed(); })) return;
-    const std::shared_ptr<scene::Snapshot> snapshot = decoder_.decode(task.order.snapshot);
+    const std::shared_ptr<scene::Snapshot> snapshot = decode(task.order);
     snapshot->settings.threads = threads_;
     image_.missColor = task.order.missColor;
     render(task, *snapshot, result);
@@ -70,6 +79,18 @@ void TracingThread::trace(const Task& task) {
   if (!sent_) send(task, result);
 }
 
+std::shared_ptr<scene::Snapshot> TracingThread::decode(const TraceOrder& order) {
+  std::shared_ptr<scene::Snapshot> snapshot = decoder_.decode(order.snapshot);
+  if (order.empty) clear(*snapshot);
+  if (order.parts.empty()) return gathered_.clear(), snapshot;
+  std::vector<std::shared_ptr<scene::Snapshot>> parts;
+  for (const std::vector<std::byte>& part : order.parts) parts.push_back(decoder_.decode(part));
+  merge(parts, *snapshot);
+  gathered_.push_back(snapshot);
+  if (gathered_.size() > kMostGathered) gathered_.pop_front();
+  return snapshot;
+}
+
 void TracingThread::send(const Task& task, Finished& result) {
   result.improves = renderer_.improves();
   outbox_.push(task.head, forRanks(result));
@@ -77,8 +98,17 @@ void TracingThread::send(const Task& task, Finished& result) {
 }
 
 void TracingThread::render(const Task& task, const scene::Snapshot& snapshot, Finished& result) {
+  if (!pages_) return renderHere(task, snapshot, *task.tiles, result);
+  pages_->begin([&] { return task.tiles->isClosed(); });
+  PagedTiles tiles(*task.tiles, *pages_);
+  renderHere(task, snapshot, tiles, result);
+  if (const std::string why = pages_->end(); result.error.empty()) result.error = why;
+}
+
+void TracingThread::renderHere(const Task& task, const scene::Snapshot& snapshot, render::TileSource& tiles,
+                               Finished& result) {
   if (task.order.shared) {
-    renderer_.renderTiles(snapshot, image_, result.cost, result.error, *task.tiles, task.order.averages);
+    renderer_.renderTiles(snapshot, image_, result.cost, result.error, tiles, task.order.averages);
     result.layers = image_.layers;
   } else if (peers_ && task.order.meetsPeers) {
     do {

@@ -1,6 +1,7 @@
 // The thread that traces a worker's share of pictures, one after the other.
 #pragma once
 #include "dist/messages/rank_messages.h"
+#include "dist/pages/page_store.h"
 #include "dist/peers/peer_exchange.h"
 #include "dist/stream/snapshot_decoder.h"
 #include "dist/worker/array_store.h"
@@ -24,8 +25,9 @@ class TracingThread {
   };
 
   /// `threads`: that trace; 0: as many as the process may use. `peers`: null, or those of the program whose
-  /// pictures these are. All must outlive it.
-  TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers = nullptr);
+  /// pictures these are. `pages`: null: snapshots have none. All must outlive it.
+  TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers = nullptr,
+                PageStore* pages = nullptr);
   /// Waits for the picture that is being traced. All queues must be closed.
   ~TracingThread();
   TracingThread(const TracingThread&) = delete;
@@ -36,15 +38,20 @@ class TracingThread {
  private:
   void run();
   void trace(const Task& task);
+  std::shared_ptr<scene::Snapshot> decode(const TraceOrder& order);
   void render(const Task& task, const scene::Snapshot& snapshot, Finished& result);
+  void renderHere(const Task& task, const scene::Snapshot& snapshot, render::TileSource& tiles,
+                  Finished& result);
   void send(const Task& task, Finished& result);
 
   ArrayStore& store_;
   Outbox& outbox_;
   const int threads_;
   PeerExchange* const peers_;
+  PageStore* const pages_;
   frame::Renderer renderer_;
   SnapshotDecoder decoder_;
+  std::deque<scene::SnapshotPtr> gathered_;  // the last ones: later passes over them find their arrays
   Image image_;
   bool sent_ = false;  // the result of the picture
   std::mutex mutex_;

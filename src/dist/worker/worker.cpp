@@ -17,22 +17,25 @@ namespace gluray::dist {
 namespace {
 
 // How long the loop may sleep, which messages of other ranks do not end.
-constexpr double kAwake = 0.1;  // seconds after the last work, in which more of it is likely
+constexpr double kAwake = 0.1;   // seconds after the last work, in which more of it is likely
+constexpr int kMostAtOnce = 64;  // messages between two looks at all else
 constexpr timespec kActive{0, 50'000}, kIdle{0, 1'000'000}, kAlone{0, 100'000'000};
 
 int threadsOf(int threads) { return threads > 0 ? threads : Arena(0).threads(); }
 
 }  // namespace
 
-Worker::Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say)
+Worker::Worker(Ranks& ranks, int threads, size_t memory, control::Descriptor listening, Head::Say say)
     : ranks_(ranks),
       threads_(threadsOf(threads)),
       intake_(store_, outbox_, ranks.rank(), threads_),
+      pages_(store_, outbox_, memory),
+      pageMaker_(store_, outbox_, ranks.rank(), threads_),
       peers_(ranks, store_, outbox_, threads_, say),
       inquiry_(ranks, threads_),
       roll_(ranks, version(), say),
-      head_(ranks, store_, intake_, peers_, inquiry_, threads_, say),
-      member_(ranks, store_, outbox_, threads_),
+      head_(ranks, store_, intake_, pageMaker_, peers_, inquiry_, threads_, memory, say),
+      member_(ranks, store_, outbox_, pages_, threads_),
       listening_(std::move(listening)),
       say_(std::move(say)) {}
 
@@ -57,7 +60,11 @@ bool Worker::look() {
   for (Outbox::Letter& letter : outbox_.take())
     ranks_.send(letter.to, std::move(letter.message)), found = true;
   ranks_.progress();
-  while (std::optional<RankMessage> message = ranks_.receive()) handle(*message, now), found = true;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    const std::optional<RankMessage> message = ranks_.receive();
+    if (!message) break;
+    handle(*message, now), found = true;
+  }
   head_.tick(now);
   member_.tick(now);
   peers_.tick(now);
@@ -78,6 +85,11 @@ void Worker::handle(const RankMessage& message, double now) {
       case ArrayChecked::kType:
         if (from != ranks_.rank()) throw Malformed("it is for the sender alone");
         return head_.take(as(ArrayChecked{}));
+      case PagesMade::kType:
+        if (from != ranks_.rank()) throw Malformed("it is for the sender alone");
+        return head_.take(as(PagesMade{}), now);
+      case PageWanted::kType: return pageMaker_.give(from, as(PageWanted{}));
+      case PageGiven::kType: return pages_.take(as(PageGiven{}));
       case TurnWanted::kType: return member_.take(from, as(TurnWanted{}));
       case Turn::kType: return member_.take(as(Turn{}));
       case Forget::kType: return member_.take(from, as(Forget{}));

@@ -1,6 +1,8 @@
 // A rank of a job of workers: the loop of its main thread.
 #pragma once
 #include "control/descriptor.h"
+#include "dist/pages/page_maker.h"
+#include "dist/pages/page_store.h"
 #include "dist/ranks/ranks.h"
 #include "dist/worker/array_intake.h"
 #include "dist/worker/facts/job_inquiry.h"
@@ -17,7 +19,8 @@ class Worker {
   /// `threads`: that trace, 0: as many as the process may use. `listening`: a socket that programs connect
   /// to, not blocking; none: negative. `ranks` must outlive it. Throws std::system_error.
   /// `say`: any thread.
-  Worker(Ranks& ranks, int threads, control::Descriptor listening, Head::Say say);
+  /// `memory`: bytes that geometry and its structures may take; larger geometry comes in pages.
+  Worker(Ranks& ranks, int threads, size_t memory, control::Descriptor listening, Head::Say say);
 
   /// Until all ranks are known to be of this version, and programs may come, or `stop`. Throws RanksFailed.
   void meet(const std::atomic<bool>& stop);
@@ -37,6 +40,8 @@ class Worker {
   ArrayStore store_;
   Outbox outbox_;
   ArrayIntake intake_;
+  PageStore pages_;
+  PageMaker pageMaker_;
   PeerPrograms peers_;
   JobInquiry inquiry_;
   RollCall roll_;

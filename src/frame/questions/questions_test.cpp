@@ -15,10 +15,10 @@ constexpr int kSize = 64;
 /// who is at (0, 0, 4) and looks along -z.
 scene::Snapshot squares(bool perspective = true) {
   const auto square = [](float half, float z) {
-    return test::makeMesh(
-        test::quadData({-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}));
+    return gluray::test::makeMesh(
+        gluray::test::quadData({-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}));
   };
-  scene::Snapshot s = test::makeSnapshot({square(1, 0), square(0.5f, 0.5f)}, kSize);
+  scene::Snapshot s = gluray::test::makeSnapshot({square(1, 0), square(0.5f, 0.5f)}, kSize);
   s.camera.clipFromEye = perspective ? glm::perspective(glm::radians(40.0), 1.0, 1.0, 20.0)
                                      : glm::ortho(-1.5, 1.5, -1.5, 1.5, 1.0, 20.0);
   s.eyeFromWorld = glm::translate(glm::dmat4(1), {0, 0, -4});

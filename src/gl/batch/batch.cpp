@@ -1,8 +1,10 @@
 #include "gl/batch/batch.h"
 
 #include "base/hash.h"
+#include "scene/world.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace gluray::gl {
 namespace {
@@ -20,6 +22,12 @@ uint64_t viewOf(const BatchKey& key) {
   const glm::ivec4& v = key.viewport;
   const int place[] = {framebuffer, static_cast<int>(key.drawBuffer), v.x, v.y, v.z, v.w};
   return hashBytes(place, sizeof place).low;
+}
+
+/// Of a snapshot, in this process.
+uint64_t newNumber() {
+  static std::atomic<uint64_t> last{0};
+  return ++last;
 }
 
 }  // namespace
@@ -55,6 +63,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   snapshot_ = memory_.make();
   snapshot_->frame = frame;
   snapshot_->view = viewOf(key);
+  snapshot_->number = newNumber();
   snapshot_->settings = settings;
   snapshot_->lightSampling.mode = mode;
   snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
@@ -90,6 +99,7 @@ void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {
   instancesAt_.clear();
   snapshot_ = memory_.make();
   *snapshot_ = taken;
+  snapshot_->number = newNumber();
   worldFromEye_ = glm::inverse(taken.eyeFromWorld);
   drawn_ = static_cast<uint32_t>(taken.instances.size());
 }
@@ -116,9 +126,7 @@ uint32_t indexOfShading(std::vector<scene::Shading>& shadings, scene::Shading&& 
 void Batch::add(scene::Instance instance, scene::Shading shading) {
   scene::Snapshot& s = *snapshot_;
   instance.order = drawn_++;
-  instance.worldFromObject = instance.eyeFromObject == s.eyeFromWorld
-                                 ? glm::mat4(1)
-                                 : glm::mat4(worldFromEye_ * instance.eyeFromObject);
+  instance.worldFromObject = scene::worldFromObject(instance, s.eyeFromWorld, worldFromEye_);
   // Hash the place, too: programs draw the same geometry thousands of times.
   const glm::dmat4 matrix = instance.eyeFromObject + 0.0;  // -0 is 0
   const Hash128 place = hashBytes(&matrix, sizeof matrix, instance.mesh->geometryId);

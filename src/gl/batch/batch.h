@@ -63,6 +63,8 @@ class Batch {
   void surround(std::shared_ptr<const scene::Surroundings> surroundings) {
     snapshot_->surroundings = std::move(surroundings);
   }
+  /// Sets which frame of its view it belongs to.
+  void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
   /// Sets what the settings `ground` and `background` add. Call before it is handed over.
   void stand(scene::GroundUse ground, std::shared_ptr<const scene::Backdrop> backdrop) {
     snapshot_->ground = ground, snapshot_->backdrop = std::move(backdrop);

@@ -1,11 +1,11 @@
 // What earlier draws tell about later ones: surfaces drawn in several passes, coplanar surfaces, triangles
 // too large for rays, what surrounds batches, and which objects they draw. A part of each Context, GL thread.
 #pragma once
-#include "gl/batch/view_scenes.h"
 #include "gl/draws/coplanar_surfaces.h"
 #include "gl/draws/multipass_surfaces.h"
 #include "gl/draws/ray_precision.h"
 #include "gl/objects/drawn_objects.h"
+#include "gl/views/view_scenes.h"
 
 namespace gluray::gl {
 

@@ -129,7 +129,8 @@ void FrameEnds::cleared(GLbitfield mask) {
     if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
     p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
   }
-  if (!p_.surfaces.views.empty() || !p_.surfaces.objects.empty() || wantsShownViews(p_.shadow.settings))
+  if (!p_.surfaces.views.empty() || !p_.surfaces.objects.empty() ||
+      scene::needsSurroundings(p_.shadow.settings) || wantsShownViews(p_.shadow.settings))
     endViews(mask);
   p_.cleared.clear(mask);
   if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;

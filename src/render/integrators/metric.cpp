@@ -9,7 +9,7 @@
 namespace gluray::render {
 namespace {
 
-glm::vec3 axesOf(const glm::dmat4& m) {
+glm::vec3 axisScales(const glm::dmat4& m) {
   return {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
 }
 
@@ -24,12 +24,12 @@ Metric::Metric(const FrameData& frame) {
       if (!std::isfinite(worldFromEye[c][r]))
         throw std::runtime_error("the modelview matrix cannot be inverted");
   away = frame.eyeRays.step;
-  axes = axesOf(m);
+  axes = axisScales(m);
   const accel::Bounds bounds = frame.remote ? frame.remote->bounds() : frame.world->lightBounds();
   const glm::dvec3 size(bounds.upper - bounds.lower);
   const auto* around = frame.snapshot->surroundings.get();
   const bool elsewhere = around && around->viewFromWorld != glm::dmat4(1);
-  const glm::vec3 sides = elsewhere ? axesOf(m * glm::inverse(around->viewFromWorld)) : axes;
+  const glm::vec3 sides = elsewhere ? axisScales(m * glm::inverse(around->viewFromWorld)) : axes;
   diagonal = static_cast<float>(glm::length(glm::dvec3(sides) * size));
 }
 

@@ -10,7 +10,7 @@ using Kind = LightSource::Kind;
 
 constexpr float kDegreesPerRadian = 57.29577951308232f;
 
-glm::vec3 unit(const glm::dvec3& v) {
+glm::vec3 unitVector(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0 ? glm::vec3(v / length) : glm::vec3(0);
 }
@@ -48,7 +48,7 @@ LightSource sourceOf(const scene::Light& light) {
   LightSource s;
   s.color = glm::vec3(light.diffuse);
   if (light.position.w == 0) {
-    s.direction = -unit(glm::dvec3(light.position));
+    s.direction = -unitVector(glm::dvec3(light.position));
     return s;
   }
   s.kind = Kind::point;
@@ -56,7 +56,7 @@ LightSource sourceOf(const scene::Light& light) {
   s.attenuation = light.attenuation;
   if (light.spotCutoff == 180) return s;
   s.kind = Kind::spot;
-  s.direction = unit(glm::dvec3(light.spotDirection));
+  s.direction = unitVector(glm::dvec3(light.spotDirection));
   s.coneCosine = std::cos(light.spotCutoff / kDegreesPerRadian);
   s.coneExponent = light.spotExponent;
   return s;
@@ -65,7 +65,7 @@ LightSource sourceOf(const scene::Light& light) {
 LightSource sourceOf(const scene::FragmentLight& light, const glm::dmat4& eyeFromLighting) {
   LightSource s;
   s.color = light.color;
-  s.direction = unit(glm::dmat3(eyeFromLighting) * glm::dvec3(light.direction));
+  s.direction = unitVector(glm::dmat3(eyeFromLighting) * glm::dvec3(light.direction));
   if (light.kind != scene::FragmentLight::positional) return s;
   s.kind = Kind::point;
   s.position = glm::vec3(eyeFromLighting * glm::dvec4(light.position, 1));
@@ -97,7 +97,7 @@ scene::Light fixedLight(const LightSource& s) {
 scene::FragmentLight programLight(const LightSource& s, const glm::dmat4& lightingFromEye) {
   scene::FragmentLight light;
   light.color = s.color * s.strength;
-  light.direction = unit(glm::dmat3(lightingFromEye) * glm::dvec3(s.direction));
+  light.direction = unitVector(glm::dmat3(lightingFromEye) * glm::dvec3(s.direction));
   light.kind = scene::FragmentLight::directional;
   if (s.kind == Kind::distant) return light;
   const PointLight point = pointOf(s);

@@ -13,7 +13,7 @@ const std::vector<uint32_t>& OcclusionAnswers::lampsAround(const glm::vec3& ligh
   const std::lock_guard lock(mutex_);
   const auto known = std::ranges::find(lamps_, light, &Lamps::light);
   if (known != lamps_.end()) return known->instances;
-  return lamps_.emplace_back(light, lampsOf(frame_, metric_, light)).instances;
+  return lamps_.emplace_back(Lamps{light, lampsOf(frame_, metric_, light)}).instances;
 }
 
 uint32_t OcclusionAnswers::occluded(const int32_t* valid, accel::OcclusionRays& rays, accel::RayKind kind,

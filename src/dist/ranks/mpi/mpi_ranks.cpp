@@ -107,9 +107,11 @@ std::string MpiRanks::implementation() const {
   MPI_Get_library_version(text, &length);
   std::string name(text, static_cast<size_t>(length));
   name.resize(std::min(name.find_first_of(",\n"), name.size()));
-  // "MPICH Version:\t4.0.2".
+  // "MPICH Version:\t4.0.2"; with spaces in other releases.
   if (const size_t colon = name.find(" Version:"); colon != name.npos) name.erase(colon, 9);
   std::ranges::replace(name, '\t', ' ');
+  const auto isSecond = [](char a, char b) { return a == ' ' && b == ' '; };
+  name.erase(std::unique(name.begin(), name.end(), isSecond), name.end());
   return name;
 }
 

@@ -2,8 +2,9 @@
 // although they are traced in several batches (adr/0047). Empty while no setting asks for light. A part of
 // each Context, GL thread.
 #pragma once
-#include "gl/batch/shown_views.h"
-#include "gl/batch/view_epoch.h"
+#include "gl/views/shown_views.h"
+#include "gl/views/view_epoch.h"
+#include "gl/views/view_frames.h"
 #include "scene/surroundings.h"
 
 #include <memory>
@@ -35,6 +36,8 @@ class ViewScenes {
   std::optional<ShownViews::Clear> paintsOver(const BatchKey&, const scene::Snapshot&) const noexcept;
   /// Colours of a framebuffer were cleared.
   void colorCleared(const ShownViews::Clear&) noexcept;
+  /// Which frame of its view the batch belongs to that is about to be traced; 0: no setting asks for light.
+  uint64_t frameOf(const BatchKey&, const scene::Snapshot&) noexcept;
   /// As depthCleared() for the window, whose content is undefined after a swap.
   void swapped() noexcept;
   void forget() { open_.clear(), ended_.clear(), shown_.clear(); }
@@ -52,7 +55,8 @@ class ViewScenes {
   std::vector<ViewEpoch> open_;  // the newest one last
   Ended ended_;                  // those of several batches that no open one repeats; the newest one last
   ShownViews shown_;             // while settings ask for a ground or a background
-  uint64_t clock_ = 0;           // counts ends
+  ViewFrames frames_;
+  uint64_t clock_ = 0;  // counts ends
 };
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-#include "gl/batch/shown_views.h"
+#include "gl/views/shown_views.h"
 
 #include "gl/window/clears.h"
 #include "scene/effects.h"

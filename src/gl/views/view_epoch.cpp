@@ -1,4 +1,4 @@
-#include "gl/batch/view_epoch.h"
+#include "gl/views/view_epoch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // What surrounds a batch, and that nothing is kept without need.
-#include "gl/batch/view_scenes.h"
+#include "gl/views/view_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-scene::Instance instanceOf(uint64_t geometry, double x = 0) {
+scene::Instance surfaceOf(uint64_t geometry, double x = 0) {
   auto mesh = std::make_shared<scene::Mesh>();
   mesh->geometryId = {geometry, 0};
   mesh->triangleCount = 1;
@@ -25,6 +25,23 @@ BatchKey keyOf(GLuint framebuffer = 0) {
   key.viewport = {0, 0, 100, 100};
   key.region = {0, 0, 100, 100};
   return key;
+}
+
+TEST(ViewFramesTest, BeginWithWhatIsTracedAfterClears) {
+  ViewFrames frames;
+  const scene::Region view{0, 0, 10, 10};
+  EXPECT_EQ(frames.traced(1, view), 1u);
+  EXPECT_EQ(frames.traced(1, view), 1u) << "another batch";
+  for (int i = 0; i < 3; ++i) frames.cleared(1, {0, 0, 20, 20});
+  EXPECT_EQ(frames.traced(1, view), 2u) << "however often it is cleared";
+  frames.cleared(1, {5, 5, 20, 20});
+  frames.cleared(2, {0, 0, 20, 20});
+  EXPECT_EQ(frames.traced(1, view), 2u) << "neither a part nor another framebuffer";
+  for (int i = 0; i < 200; ++i) {
+    frames.traced(3, {i, 0, 10, 10});
+    frames.cleared(1, view);
+    EXPECT_EQ(frames.traced(1, view), static_cast<uint64_t>(3 + i)) << "those in use are remembered";
+  }
 }
 
 class ViewScenesTest : public testing::Test {
@@ -60,37 +77,37 @@ class ViewScenesTest : public testing::Test {
 };
 
 TEST_F(ViewScenesTest, EarlierBatchesSurround) {
-  EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), Found{});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(2), instanceOf(3)}), Found{1});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(4)}), (Found{1, 2, 3}));
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), Found{});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(2), surfaceOf(3)}), Found{1});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(4)}), (Found{1, 2, 3}));
 }
 
 TEST_F(ViewScenesTest, EachSurfaceSurroundsOnce) {
-  trace(keyOf(), {instanceOf(1), instanceOf(2)});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(2), instanceOf(1, 5)}), Found{1}) << "it draws the second itself";
-  EXPECT_EQ(trace(keyOf(), {instanceOf(3)}), (Found{1, 2, 1}));
+  trace(keyOf(), {surfaceOf(1), surfaceOf(2)});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(2), surfaceOf(1, 5)}), Found{1}) << "it draws the second itself";
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(3)}), (Found{1, 2, 1}));
 }
 
 TEST_F(ViewScenesTest, SurroundingsLieInTheWorldOfTheBatch) {
-  trace(keyOf(), {instanceOf(1, 2)});
-  trace(keyOf(), {instanceOf(2, 5)});
+  trace(keyOf(), {surfaceOf(1, 2)});
+  trace(keyOf(), {surfaceOf(2, 5)});
   const scene::Surroundings& around = *last_->surroundings;
   EXPECT_EQ(around.instances[0].worldFromObject[3].x, -3);
   EXPECT_EQ(around.instances[0].eyeFromObject[3].x, 2);
   EXPECT_EQ(around.viewFromWorld[3].x, 3);
-  trace(keyOf(), {instanceOf(3, 2)});
+  trace(keyOf(), {surfaceOf(3, 2)});
   EXPECT_EQ(last_->surroundings->instances[0].worldFromObject, glm::mat4(1));
   EXPECT_EQ(last_->surroundings->viewFromWorld, glm::dmat4(1));
 }
 
 TEST_F(ViewScenesTest, ShadingsAndBlendingComeAlong) {
-  auto blended = snapshotOf({instanceOf(1)});
+  auto blended = snapshotOf({surfaceOf(1)});
   blended->layers = std::make_shared<scene::Layers>();
   blended->shadings[0].twoSided = true;
   trace(keyOf(), blended);
-  auto other = snapshotOf({instanceOf(2)});
+  auto other = snapshotOf({surfaceOf(2)});
   trace(keyOf(), other);
-  trace(keyOf(), {instanceOf(3)});
+  trace(keyOf(), {surfaceOf(3)});
   const scene::Surroundings& around = *last_->surroundings;
   ASSERT_EQ(around.instances.size(), 2u);
   EXPECT_TRUE(around.shadings[around.instances[0].shading].twoSided);
@@ -104,9 +121,9 @@ TEST_F(ViewScenesTest, ShadingsAndBlendingComeAlong) {
 TEST_F(ViewScenesTest, LaterBatchesComeFromTheFrameBefore) {
   for (int frame = 0; frame < 3; ++frame) {
     const bool known = frame > 0;
-    EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), known ? (Found{2, 3}) : Found{});
-    EXPECT_EQ(trace(keyOf(), {instanceOf(2)}), known ? (Found{1, 3}) : Found{1});
-    EXPECT_EQ(trace(keyOf(), {instanceOf(3)}), (Found{1, 2}));
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), known ? (Found{2, 3}) : Found{});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(2)}), known ? (Found{1, 3}) : Found{1});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(3)}), (Found{1, 2}));
     frame % 2 ? clear() : views_.swapped();
   }
 }
@@ -114,57 +131,56 @@ TEST_F(ViewScenesTest, LaterBatchesComeFromTheFrameBefore) {
 TEST_F(ViewScenesTest, GeometryThatChangesInEveryFrameIsFoundByItsTurn) {
   for (uint64_t frame = 0; frame < 3; ++frame) {
     const uint64_t before = frame - 1;
-    EXPECT_EQ(trace(keyOf(), {instanceOf(100 + frame)}), frame ? (Found{200 + before, 7}) : Found{});
-    EXPECT_EQ(trace(keyOf(), {instanceOf(200 + frame)}),
-              frame ? (Found{100 + frame, 7}) : Found{100 + frame});
-    trace(keyOf(), {instanceOf(7)});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(100 + frame)}), frame ? (Found{200 + before, 7}) : Found{});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(200 + frame)}), frame ? (Found{100 + frame, 7}) : Found{100 + frame});
+    trace(keyOf(), {surfaceOf(7)});
     clear();
   }
 }
 
 TEST_F(ViewScenesTest, WhatIsLeftOutIsNotWaitedFor) {
   for (int frame = 0; frame < 2; ++frame) {
-    for (const uint64_t geometry : {1, 2, 3}) trace(keyOf(), {instanceOf(geometry)});
+    for (const uint64_t geometry : {1, 2, 3}) trace(keyOf(), {surfaceOf(geometry)});
     clear();
   }
-  EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), (Found{2, 3}));
-  EXPECT_EQ(trace(keyOf(), {instanceOf(3)}), Found{1}) << "the second is not drawn in this frame";
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), (Found{2, 3}));
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(3)}), Found{1}) << "the second is not drawn in this frame";
 }
 
 TEST_F(ViewScenesTest, ASurfaceOfSeveralPassesIsNotYetToCome) {
   for (int frame = 0; frame < 2; ++frame) {
-    EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), frame ? Found{2} : Found{});
-    trace(keyOf(), {instanceOf(2)});
-    EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), Found{2});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), frame ? Found{2} : Found{});
+    trace(keyOf(), {surfaceOf(2)});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), Found{2});
     clear();
   }
 }
 
 TEST_F(ViewScenesTest, ViewsStayApart) {
-  trace(keyOf(), {instanceOf(1)});
+  trace(keyOf(), {surfaceOf(1)});
   BatchKey elsewhere = keyOf(), right = keyOf();
   elsewhere.viewport = {100, 0, 100, 100};
   right.drawBuffer = GL_BACK_RIGHT;
-  EXPECT_EQ(trace(keyOf(5), {instanceOf(2)}), Found{});
-  EXPECT_EQ(trace(elsewhere, {instanceOf(2)}), Found{});
-  EXPECT_EQ(trace(right, {instanceOf(2)}), Found{});
-  auto zoomed = snapshotOf({instanceOf(2)});
+  EXPECT_EQ(trace(keyOf(5), {surfaceOf(2)}), Found{});
+  EXPECT_EQ(trace(elsewhere, {surfaceOf(2)}), Found{});
+  EXPECT_EQ(trace(right, {surfaceOf(2)}), Found{});
+  auto zoomed = snapshotOf({surfaceOf(2)});
   zoomed->camera.clipFromEye[0][0] = 2;
   EXPECT_EQ(trace(keyOf(), zoomed), Found{});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(3)}), Found{1});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(3)}), Found{1});
   clear(5);
-  EXPECT_EQ(trace(keyOf(5), {instanceOf(4)}), Found{});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(5)}), (Found{1, 3}));
+  EXPECT_EQ(trace(keyOf(5), {surfaceOf(4)}), Found{});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(5)}), (Found{1, 3}));
 }
 
 TEST_F(ViewScenesTest, AClearBesideTheSurfacesEndsNothing) {
-  auto small = snapshotOf({instanceOf(1)});
+  auto small = snapshotOf({surfaceOf(1)});
   small->region = {10, 10, 20, 20};
   trace(keyOf(), small);
   views_.depthCleared(0, {15, 15, 100, 100});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(2)}), Found{1});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(2)}), Found{1});
   views_.depthCleared(0, {0, 0, 100, 100});
-  EXPECT_EQ(trace(keyOf(), {instanceOf(3), instanceOf(4)}), Found{});
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(3), surfaceOf(4)}), Found{});
 }
 
 TEST_F(ViewScenesTest, PassesOfLayersBelongToTheViewOfTheirSizeAndCamera) {
@@ -172,12 +188,12 @@ TEST_F(ViewScenesTest, PassesOfLayersBelongToTheViewOfTheirSizeAndCamera) {
   peeled.layers = large.layers = BatchKey::Layers::peeled;
   large.viewport = {0, 0, 200, 100};
   const auto layersOf = [&](uint64_t geometry) {
-    auto s = snapshotOf({instanceOf(geometry)});
+    auto s = snapshotOf({surfaceOf(geometry)});
     s->layers = std::make_shared<scene::Layers>();
     return s;
   };
   for (int frame = 0; frame < 3; ++frame) {
-    EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), frame ? Found{2} : Found{});
+    EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), frame ? Found{2} : Found{});
     EXPECT_EQ(trace(peeled, layersOf(2)), Found{1});
     EXPECT_EQ(trace(large, layersOf(3)), Found{});
     clear();
@@ -189,23 +205,23 @@ TEST_F(ViewScenesTest, PassesOfLayersBelongToTheViewOfTheirSizeAndCamera) {
 TEST_F(ViewScenesTest, PeeledLayersThatTheRealOpenGLDrawsLightNothing) {
   BatchKey peeled = keyOf(9);
   peeled.layers = BatchKey::Layers::peeled;
-  auto layers = snapshotOf({instanceOf(2)});
+  auto layers = snapshotOf({surfaceOf(2)});
   layers->layers = std::make_shared<scene::Layers>();
-  trace(keyOf(), {instanceOf(1)});
+  trace(keyOf(), {surfaceOf(1)});
   trace(peeled, layers);
   views_.withdrawPeeled(1);
-  EXPECT_EQ(trace(keyOf(), {instanceOf(3)}), (Found{1, 2})) << "of another frame";
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(3)}), (Found{1, 2})) << "of another frame";
   views_.withdrawPeeled(0);
-  EXPECT_EQ(trace(keyOf(), {instanceOf(4)}), (Found{1, 3}));
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(4)}), (Found{1, 3}));
   clear();
-  EXPECT_EQ(trace(keyOf(), {instanceOf(1)}), (Found{3, 4}));
+  EXPECT_EQ(trace(keyOf(), {surfaceOf(1)}), (Found{3, 4}));
 }
 
 TEST_F(ViewScenesTest, NothingIsKeptWhileNoSettingAsksForLight) {
   lit_ = false;
   std::weak_ptr<const scene::Mesh> mesh;
   {
-    const scene::Instance instance = instanceOf(1);
+    const scene::Instance instance = surfaceOf(1);
     mesh = instance.mesh;
     trace(keyOf(), {instance});
   }
@@ -217,16 +233,16 @@ TEST_F(ViewScenesTest, NothingIsKeptWhileNoSettingAsksForLight) {
 TEST_F(ViewScenesTest, SwitchingOffLetsGo) {
   std::weak_ptr<const scene::Mesh> mesh;
   {
-    const scene::Instance instance = instanceOf(1);
+    const scene::Instance instance = surfaceOf(1);
     mesh = instance.mesh;
     trace(keyOf(), {instance});
-    trace(keyOf(), {instanceOf(2)});
+    trace(keyOf(), {surfaceOf(2)});
     clear();
   }
   last_.reset();
   EXPECT_FALSE(mesh.expired()) << "the next frame may need it";
   lit_ = false;
-  trace(keyOf(), {instanceOf(3)});
+  trace(keyOf(), {surfaceOf(3)});
   EXPECT_TRUE(mesh.expired());
 }
 
@@ -234,7 +250,7 @@ TEST_F(ViewScenesTest, MeshesLiveTwoFramesLonger) {
   std::vector<std::weak_ptr<const scene::Mesh>> meshes;
   for (uint64_t frame = 0; frame < 8; ++frame) {
     for (uint64_t k = 0; k < 2; ++k) {
-      const scene::Instance instance = instanceOf(10 * frame + k);
+      const scene::Instance instance = surfaceOf(10 * frame + k);
       meshes.push_back(instance.mesh);
       trace(keyOf(), {instance});
     }
@@ -244,7 +260,7 @@ TEST_F(ViewScenesTest, MeshesLiveTwoFramesLonger) {
 }
 
 TEST_F(ViewScenesTest, AnEpochThatNothingEndsIsBounded) {
-  for (uint64_t i = 0; i < 1000; ++i) trace(keyOf(3), {instanceOf(i)});
+  for (uint64_t i = 0; i < 1000; ++i) trace(keyOf(3), {surfaceOf(i)});
   EXPECT_LE(last_->surroundings->instances.size(), 256u);
 }
 

@@ -1,5 +1,5 @@
 // Which views get a ground and a background, and which pixels a background may change.
-#include "gl/batch/shown_views.h"
+#include "gl/views/shown_views.h"
 
 #include "gl/batch/backdrop.h"
 

@@ -1,7 +1,7 @@
-#include "gl/batch/view_scenes.h"
+#include "gl/views/view_scenes.h"
 
 #include "base/log.h"
-#include "gl/batch/surroundings_maker.h"
+#include "gl/views/surroundings_maker.h"
 #include "gl/window/clears.h"
 #include "scene/same_camera.h"
 
@@ -136,9 +136,17 @@ std::optional<ShownViews::Clear> ViewScenes::paintsOver(const BatchKey& key,
 }
 
 void ViewScenes::colorCleared(const ShownViews::Clear& clear) noexcept {
+  frames_.cleared(clear.framebuffer, clear.box);
   try {
     shown_.colorCleared(clear);
   } catch (const std::exception&) { forget(); }
+}
+
+uint64_t ViewScenes::frameOf(const BatchKey& key, const scene::Snapshot& s) noexcept {
+  if (!scene::needsSurroundings(s.settings)) return 0;
+  try {
+    return frames_.traced(key.framebuffer, s.region);
+  } catch (const std::exception&) { return 0; }  // no memory
 }
 
 scene::GroundUse ViewScenes::groundOf(const BatchKey& key, const scene::Snapshot& s) noexcept {

@@ -1,4 +1,6 @@
-#include "gl/batch/surroundings_maker.h"
+#include "gl/views/surroundings_maker.h"
+
+#include "scene/world.h"
 
 namespace gluray::gl {
 namespace {
@@ -51,9 +53,7 @@ void SurroundingsMaker::add(const scene::Snapshot& part, const glm::dmat4& eyeFr
     scene::Instance& added =
         made_->instances.emplace_back(inPlace ? instance : seenFrom(instance, eyeFromPart, moved));
     added.shading += shadings;
-    added.worldFromObject = added.eyeFromObject == of_.eyeFromWorld
-                                ? glm::mat4(1)
-                                : glm::mat4(worldFromEye_ * added.eyeFromObject);
+    added.worldFromObject = scene::worldFromObject(added, of_.eyeFromWorld, worldFromEye_);
     made_->blended.push_back(part.layers != nullptr);
   }
   if (made_->instances.size() == before) return;

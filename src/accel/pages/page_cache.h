@@ -1,0 +1,78 @@
+// Which pages are in memory: those that rays have met last, within the budget of their residences. Owned by
+// World; tracing threads.
+#pragma once
+#include "accel/device.h"
+#include "accel/meshes/iota_indices.h"
+#include "accel/pages/page.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <set>
+#include <vector>
+
+namespace gluray::accel {
+
+/// The structure of a page is freed while no ray is in it; its arrays stay until no reader is left that may
+/// hold a hit on it. What readers have met at the same time may exceed the budget.
+class PageCache {
+ public:
+  explicit PageCache(const Device& device) : device_(device) {}
+  PageCache(const PageCache&) = delete;
+  PageCache& operator=(const PageCache&) = delete;
+
+  /// Its lifetime spans queries and the use of their hits, on one thread.
+  class Reader {
+   public:
+    explicit Reader(PageCache& cache) : cache_(cache.pages_ > 0 ? &cache : nullptr) {
+      if (cache_) at_ = cache_->startReading();
+    }
+    ~Reader() {
+      if (cache_) cache_->endReading(at_);
+    }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+
+   private:
+    PageCache* cache_;
+    uint64_t at_ = 0;
+  };
+
+  uint64_t loads() const { return loads_; }  // since the start
+  /// Bytes of arrays and structures in memory, and the most there ever were.
+  size_t bytes() const { return bytes_; }
+  size_t mostBytes() const { return mostBytes_; }
+
+ private:
+  friend class Page;
+  using Lock = std::unique_lock<std::mutex>;
+  void add(Page& page);
+  void remove(Page& page);
+  /// Loads the page for a thread that enters it. Null: it cannot be had.
+  RTCSceneTy* load(Page& page) noexcept;
+  bool build(Page& page, Lock& lock);
+  /// Frees pages that are not in use, those that were met longest ago first, until the others take `most`.
+  void makeRoom(size_t most);
+  bool retire(Page& page);
+  void drop(Page& page);
+  void count(size_t gone, size_t come);
+  uint64_t startReading();
+  void endReading(uint64_t at);
+  void sweep();
+
+  const Device& device_;
+  IotaIndices iota_;
+  std::atomic<size_t> pages_{0};
+  std::atomic<uint64_t> clock_{1};  // counts loads
+  std::atomic<uint64_t> loads_{0};
+  std::atomic<size_t> bytes_{0}, mostBytes_{0};
+
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::vector<Page*> ready_, retired_;
+  std::multiset<uint64_t> readers_;  // by the clock of their start
+};
+
+}  // namespace gluray::accel

@@ -1,0 +1,116 @@
+// Brings the parts that the ranks of a sort-last program have of a view together, for one of these ranks: it
+// gathers the parts of the others, gives its own part to the rank that gathers, or traces its part alone.
+// What was decided for a snapshot holds for all passes over it. The worker's main thread.
+#pragma once
+#include "dist/messages/part_messages.h"
+#include "dist/messages/program_messages.h"
+#include "dist/peers/meetings.h"
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::dist {
+
+class PartGatherer {
+ public:
+  /// Sends to a peer.
+  using Send = std::function<void(int peer, std::vector<std::byte> message)>;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `self`: this rank, of the program's `ranks`. `say`: one line for the user.
+  PartGatherer(const Hash128& program, int self, int ranks, Send send, Say say);
+
+  /// The program asks for a picture whose parts are to be gathered, or that blends.
+  void begin(const TraceRequest& request, double now);
+  enum class Share : uint8_t {
+    awaited,  // not known yet
+    whole,    // the picture of all parts()
+    nothing,  // another rank's picture shows the part
+    own,      // the part alone
+  };
+  /// Which share of the picture of the view is the rank's. `request`: that of begin().
+  Share look(const TraceRequest& request, double now);
+  /// Parts of other ranks, for Share::whole.
+  const std::vector<PartGiven>& parts() const { return decided_[current_].parts; }
+  /// Whether a part of the whole is gone: its picture must end, and look() decides anew.
+  bool isLost() const { return state_ == State::tracing && lost_; }
+  /// The whole has been traced and shown; not `shown`: it has not.
+  void end(bool shown);
+
+  void joins(int rank);
+  void leaves(int rank, double now);
+  void take(const PartHere& part, double now);
+  void take(PartGiven part, double now);
+  void take(const PartDone& done, double now);
+  void take(const PartGone& gone, double now);
+  void take(const PartAtWork& work, double now);
+  /// Says to peers that work goes on. Call ten times a second or more.
+  void tick(double now);
+
+ private:
+  enum class State : uint8_t {
+    idle,
+    meeting,     // who holds a part of the view?
+    collecting,  // waits for parts
+    given,       // waits for PartDone
+    tracing,     // Share::whole has been returned
+  };
+  struct Decided {
+    uint64_t number = 0;  // of the snapshot
+    uint64_t round = 0;   // of this rank
+    Share share = Share::own;
+    std::vector<PartGiven> parts;
+    bool shown = false;
+  };
+  template <class M>
+  void sendTo(int peer, M message) const {
+    message.address = {program_, self_, peer};
+    send_(peer, forRanks(message));
+  }
+  /// What belongs together: a viewport and an ordinal.
+  using Place = std::array<int64_t, 5>;
+  static Place placeOf(const PartHere& part, uint32_t ordinal);
+  Meetings& meetings(const Place& place);
+  void forgetBefore(const Place& place);
+  Meetings& meetings() { return meetings(placeOf(own_, own_.ordinal)); }
+  const PartHere& partOf(int rank) const { return others_.at({placeOf(own_, own_.ordinal), rank}); }
+  std::vector<int> peersHere(double now);
+  std::string whyNot(const std::vector<int>& peers);
+  Share meet(const TraceRequest& request, double now);
+  Share collect(double now);
+  Share decide(Share share);
+  void rest(bool shown);
+  void loses(int rank, double now);
+  bool isSilent(int rank, double now) const { return now - at(rank) > Meetings::kPatience; }
+  double& at(int rank) { return heard_[static_cast<size_t>(rank)]; }
+  double at(int rank) const { return heard_[static_cast<size_t>(rank)]; }
+
+  const Hash128 program_;
+  const int self_, ranks_;
+  const Send send_;
+  const Say say_;
+  std::map<Place, Meetings> meetings_;
+  std::map<std::pair<Place, int>, PartHere> others_;  // the last of each peer
+  std::vector<double> heard_;                         // when each peer said something
+  State state_ = State::idle;
+  PartHere own_;                      // of the current picture; its round rises with each
+  uint64_t number_ = 0;               // of its snapshot
+  std::map<int, PartGiven> given_;    // to this rank, for the current picture
+  int to_ = -1;                       // the rank that has our part
+  uint64_t toRound_ = 0;              // its round
+  std::optional<Share> answer_;       // of that rank
+  bool lost_ = false;                 // a part is gone
+  std::map<Place, uint32_t> scenes_;  // of the frame own_.view.frame, in each viewport; ordinals 0
+  std::vector<Decided> decided_;      // of that frame; the last ones
+  size_t current_ = 0;                // index into decided_, once it is decided
+  double said_ = 0;
+  std::string saidWhy_;
+};
+
+}  // namespace gluray::dist
