@@ -4,6 +4,7 @@
 #include "bench/client/paths.h"
 #include "bench/client/scene.h"
 #include "bench/client/window.h"
+#include "bench/data/bumpy_spheres.h"
 #include "bench/data/isosurface.h"
 #include "bench/data/mesh_file.h"
 #include "bench/data/orbit.h"
@@ -21,6 +22,7 @@
 #include <ctime>
 #include <exception>
 #include <memory>
+#include <stdexcept>
 #include <thread>
 
 namespace {
@@ -32,8 +34,10 @@ using Clock = std::chrono::steady_clock;
 struct Options {
   double millionTriangles = 1;
   std::string path = "list", dump, mesh;
+  int spheres = 0;  // nested, in place of the isosurfaces
   int frames = 20, orbitFrames = 0;
   double settleSeconds = 0, warmSeconds = 0, seconds = 0, distance = kDistance;
+  double stepDegrees = 0;  // 0: once around
   bool orbit = false;
   double computeMs = -1, waitMs = -1;  // own work before each frame; negative: none, and frames are finished
 };
@@ -42,6 +46,7 @@ TriangleMesh makeMesh(const Options& options) {
   if (!options.mesh.empty()) return readMesh(options.mesh);
   const double millionTriangles = options.millionTriangles;
   if (millionTriangles <= 0) return {};
+  if (options.spheres > 0) return bumpySpheres(options.spheres, 1e6 * millionTriangles);
   const Volume volume = wavelet();
   const auto [low, high] = volume.range();
   return isosurfaces(volume, evenIsovalues(low, high, waveletSurfaces(millionTriangles)));
@@ -98,6 +103,12 @@ void settle(DrawPath& path, Window& window, const Options& options, double secon
   }
 }
 
+/// Frames of the whole orbit; 0: the camera stands still.
+int framesOfOrbit(const Options& options) {
+  if (!options.orbit) return 0;
+  return options.stepDegrees > 0 ? int(std::lround(360 / options.stepDegrees)) : options.frames;
+}
+
 /// The number of frames that take about so many seconds, at least two and at most as many as requested; draws
 /// one frame to find out.
 int framesWithin(DrawPath& path, Window& window, const Options& options) {
@@ -119,6 +130,8 @@ void dump(DrawPath& path, const std::string& file, double distance) {
 
 void run(Options options) {
   const bool inPieces = takesPieces(options.path);
+  if (inPieces && options.spheres > 0)
+    throw std::runtime_error("--spheres: the path '" + options.path + "' draws isosurfaces only");
   TriangleMesh mesh = inPieces ? TriangleMesh{} : makeMesh(options);
   const MeshPieces pieces = inPieces ? makePieces(options) : MeshPieces{};
   Measurement m{.program = "client",
@@ -144,7 +157,7 @@ void run(Options options) {
 
   settle(*path, window, options, options.warmSeconds);
   options.frames = framesWithin(*path, window, options);
-  if (options.orbit) options.orbitFrames = options.frames;
+  options.orbitFrames = framesOfOrbit(options);
   const bool works = options.computeMs >= 0 || options.waitMs >= 0;
   last = Clock::now();
   for (int frame = 1; frame <= options.frames; ++frame) {
@@ -176,6 +189,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 256.0));
   app.add_option("--path", options.path, "how the mesh reaches OpenGL")->check(CLI::IsMember(pathNames()));
   app.add_option("--mesh", options.mesh, "draw the mesh of this file (gluray-bench-paper-data writes some)");
+  app.add_option("--spheres", options.spheres, "draw so many nested spheres with bumps instead")
+      ->check(CLI::Range(1, 1000));
   app.add_option("--distance", options.distance, "of the camera from the middle; the data reach to 173.3")
       ->check(CLI::Range(1.0, 10000.0));
   app.add_option("--frames", options.frames, "frames to measure after the first")
@@ -186,7 +201,10 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1000.0));
   app.add_option("--settle", options.settleSeconds, "seconds of idle drawing before memory is read")
       ->check(CLI::Range(0.0, 1000.0));
-  app.add_flag("--orbit", options.orbit, "the camera goes once around in these frames; else it stands still");
+  app.add_flag("--orbit", options.orbit,
+               "the camera goes around, once in these frames; else it stands still");
+  app.add_option("--step", options.stepDegrees, "degrees between the frames of the orbit")
+      ->check(CLI::Range(0.01, 180.0));
   app.add_option("--compute", options.computeMs,
                  "milliseconds of processor time of its own before each frame")
       ->check(CLI::NonNegativeNumber);
@@ -194,7 +212,7 @@ int main(int argc, char** argv) {
       ->check(CLI::NonNegativeNumber);
   app.add_option("--dump", options.dump, "write the first view as PNG");
   CLI11_PARSE(app, argc, argv);
-  options.orbitFrames = options.orbit ? options.frames : 0;
+  options.orbitFrames = framesOfOrbit(options);
   try {
     run(options);
   } catch (const std::exception& error) {

@@ -123,10 +123,64 @@ class BufferPath : public DrawPath {
   GLuint buffers_[3] = {};
 };
 
+constexpr const char* kVertexShader = R"(#version 120
+varying vec3 place, toEye, normal;
+void main() {
+  place = 0.05 * gl_Vertex.xyz;
+  toEye = -(gl_ModelViewMatrix * gl_Vertex).xyz;
+  normal = gl_NormalMatrix * gl_Normal;
+  gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+})";
+constexpr const char* kFragmentShader = R"(#version 120
+varying vec3 place, toEye, normal;
+float rings(vec3 p) { return fract(length(p.xz + 0.3 * sin(p.yx)) + 0.2 * sin(3.0 * p.y)); }
+void main() {
+  vec3 n = normalize(normal), v = normalize(toEye);
+  vec3 wood = mix(vec3(0.45, 0.25, 0.1), vec3(0.9, 0.7, 0.45), rings(place));
+  vec3 color = 0.1 * wood;
+  for (int i = 0; i < 3; ++i) {
+    vec3 l = normalize(vec3(float(i) - 1.0, 0.6, 1.0));
+    vec3 h = normalize(l + v);
+    color += 0.35 * (wood * abs(dot(n, l)) + pow(abs(dot(n, h)), 40.0));
+  }
+  gl_FragColor = vec4(color, 1.0);
+})";
+
+/// The buffers drawn by a program whose fragments have three lights and a pattern.
+class ShaderPath : public DrawPath {
+ public:
+  explicit ShaderPath(TriangleMesh mesh) : buffers_(std::move(mesh)), program_(glCreateProgram()) {
+    attach(GL_VERTEX_SHADER, kVertexShader);
+    attach(GL_FRAGMENT_SHADER, kFragmentShader);
+    glLinkProgram(program_);
+    GLint linked = 0;
+    glGetProgramiv(program_, GL_LINK_STATUS, &linked);
+    if (!linked) throw std::runtime_error("OpenGL does not link the shaders");
+  }
+  ~ShaderPath() override { glDeleteProgram(program_); }
+  void draw() override {
+    glUseProgram(program_);
+    buffers_.draw();
+    glUseProgram(0);
+  }
+
+ private:
+  void attach(GLenum type, const char* text) {
+    const GLuint shader = glCreateShader(type);
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glAttachShader(program_, shader);
+    glDeleteShader(shader);
+  }
+  BufferPath buffers_;
+  GLuint program_;
+};
+
 std::unique_ptr<DrawPath> makeUnchecked(const std::string& name, TriangleMesh&& mesh) {
   if (name == "list") return std::make_unique<ListPath>(std::move(mesh), sendCorners);
   if (name == "elements") return std::make_unique<ListPath>(std::move(mesh), sendIndexed);
   if (name == "vbo") return std::make_unique<BufferPath>(std::move(mesh));
+  if (name == "shader") return std::make_unique<ShaderPath>(std::move(mesh));
   if (name == "arrays") return std::make_unique<MemoryPath>(std::move(mesh), sendIndexed);
   if (name == "immediate") return std::make_unique<MemoryPath>(std::move(mesh), sendCorners);
   throw std::runtime_error("no path '" + name + "'");
@@ -140,8 +194,8 @@ std::unique_ptr<DrawPath> checked(std::unique_ptr<DrawPath> path) {
 }  // namespace
 
 const std::vector<std::string>& pathNames() {
-  static const std::vector<std::string> names{"list",      "elements",   "vbo",        "arrays",
-                                              "immediate", "vbo-pieces", "list-pieces"};
+  static const std::vector<std::string> names{"list",      "elements", "vbo",        "arrays",
+                                              "immediate", "shader",   "vbo-pieces", "list-pieces"};
   return names;
 }
 

@@ -6,6 +6,7 @@
 #include "gl/batch/flusher.h"
 #include "gl/batch/resolve_draws.h"
 #include "gl/capture/immediate.h"
+#include "gl/culled/culled_draws.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/draws/triage.h"
 #include "gl/errors.h"
@@ -66,6 +67,7 @@ class Context {
   FrameEnds frames;
   FullscreenPasses fullscreen;
   ProgramDraws programs;
+  CulledDraws culled;
   Immediate immediate;
   ListCompiler lists;
   AttribStack attribStack;

@@ -160,6 +160,7 @@ void matrixMode(Context& c, GLenum mode);
 uint32_t matrixGroups(Context& c);
 /// A program is linked again or deleted.
 uint32_t programChanged(Context& c, GLuint program);
+uint32_t programLinked(Context& c, GLuint program);
 /// The flush that glBindFramebuffer needs: none if `framebuffer` is already bound to `target`, as in toolkits
 /// that bind it before every swap.
 Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer);

@@ -36,13 +36,22 @@ std::shared_ptr<const KnownProgram> ShareGroup::program(const RealGl& real, GLui
                                                         const FamilyList& families) {
   const std::lock_guard lock(programsMutex_);
   std::shared_ptr<const KnownProgram>& known = programs_[name];
-  if (!known) known = recognise(real, name, families);
+  if (known) return known;
+  const auto texts = texts_.find(name);
+  known = recognise(real, name, families, texts == texts_.end() ? nullptr : texts->second);
   return known;
 }
 
 void ShareGroup::programChanged(GLuint name) {
   const std::lock_guard lock(programsMutex_);
+  programs_.erase(name), texts_.erase(name);
+}
+
+void ShareGroup::programLinked(const RealGl& real, GLuint name) {
+  std::shared_ptr<const ShaderTexts> texts = readShaderTexts(real, name);
+  const std::lock_guard lock(programsMutex_);
   programs_.erase(name);
+  texts_[name] = std::move(texts);
 }
 
 }  // namespace gluray::gl

@@ -98,8 +98,11 @@ class ShareGroup {
 
   /// The program with its family, which is determined once per link. A context of the group must be current.
   std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
-  /// The program was linked again or deleted: its family is determined anew.
+  /// The program was deleted or got a binary: its family is determined anew.
   void programChanged(GLuint name);
+  /// The same for a program that was linked: keeps the texts of its shaders, which it may detach. A context
+  /// of the group must be current.
+  void programLinked(const RealGl& real, GLuint name);
 
   /// A real list whose owner is gone: the next current context of the group deletes it.
   void discardRealList(GLuint id);
@@ -112,6 +115,7 @@ class ShareGroup {
   SharedNames discarded_;
   std::mutex programsMutex_;
   std::unordered_map<GLuint, std::shared_ptr<const KnownProgram>> programs_;
+  std::unordered_map<GLuint, std::shared_ptr<const ShaderTexts>> texts_;
 };
 
 }  // namespace gluray::gl

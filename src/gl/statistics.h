@@ -18,6 +18,7 @@ struct Statistics {
                         // into the front buffer; counted if ContextInfo::frameEnded is set, not in `frames`
   Count framesPassedThrough;  // passthrough frames
   Count drawsTraced, drawsRasterised;
+  Count drawsCulled, trianglesLeftOut;  // rasterised without what cannot be seen
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason
   Count flushes;                                        // batches written to a framebuffer

@@ -85,6 +85,7 @@ struct Totals {
   int contexts = 0;
   // Only for `gluray explain`:
   gl::KindTable kinds;
+  std::map<gl::Reason, uint64_t> notCulled;  // large draws
   gl::TargetTable targets;
   gl::ProgramTable programs;
   std::vector<ContextSummary> list;

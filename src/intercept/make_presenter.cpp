@@ -54,6 +54,8 @@ std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
   frame::Tracer tracer{trace, antialias, resolve, improves};
   if (refinesWindows) tracer.behind = behind;
+  if (const dist::RemoteTracer* const job = workers())
+    tracer.standsAlone = [job](const scene::Snapshot& snapshot) { return job->standsAlone(snapshot); };
   return std::make_unique<present::TracingPresenter>(tracer, std::move(onWritten));
 }
 

@@ -20,7 +20,8 @@ class HubPython(PythonCase):
         """Even while another thread of the parent waits for an answer, which holds the lock."""
         os.environ["GLURAY"] = GLURAY
         code = """
-import gluray, os, sys, threading, time
+import gluray, os, sys, threading, time, warnings
+warnings.simplefilter("ignore", DeprecationWarning)  # Python 3.12 and later warn of fork() beside threads
 gluray.programs()
 held = threading.Event()
 def hold():

@@ -32,6 +32,15 @@ std::vector<json> sorted(const json& kinds) {
   return list;
 }
 
+/// How the real OpenGL drew a kind of draws that are not traced.
+std::string rasterisedText(const json& kind) {
+  const uint64_t culled = kind.value("culled", uint64_t{0});
+  if (culled == 0) return "rasterised: " + text(kind, "reason");
+  const double share = 100.0 * static_cast<double>(kind.value("leftOut", uint64_t{0})) /
+                       std::max(1.0, static_cast<double>(number(kind, "triangles")));
+  return grouped(culled) + " culled, " + fixed(share, 1) + " % left out: " + text(kind, "reason");
+}
+
 std::string drawTable(const json& kinds, double frames) {
   if (kinds.empty()) return "  none that GLuRay could see\n";
   TextTable table("llrrrll");
@@ -39,8 +48,7 @@ std::string drawTable(const json& kinds, double frames) {
   for (const json& kind : sorted(kinds))
     table.row({text(kind, "primitive"), text(kind, "path"), grouped(number(kind, "count")),
                grouped(number(kind, "triangles")), fixed(kind.at("ms").get<double>() / frames, 3),
-               kind.at("traced").get<bool>() ? "traced" : "rasterised: " + text(kind, "reason"),
-               joined(kind.at("state"))});
+               kind.at("traced").get<bool>() ? "traced" : rasterisedText(kind), joined(kind.at("state"))});
   return table.text("  ");
 }
 
@@ -51,6 +59,15 @@ std::string tracingLine(const json& report) {
          part("trace") + ", write-back " + part("present") + "; " + grouped(number(report, "flushes")) +
          " batches, " + grouped(number(report, "repeated")) + " of them unchanged, " +
          grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
+}
+
+/// Why large draws of the real OpenGL were not culled; empty: all were.
+std::string notCulledLine(const json& explain) {
+  std::string all;
+  const json reasons = explain.value("notCulled", json::object());
+  for (const auto& [reason, draws] : reasons.items())
+    all += (all.empty() ? "" : ", ") + grouped(draws.get<uint64_t>()) + " (" + printable(reason) + ")";
+  return all.empty() ? "" : wrapped("large draws that were not culled: " + all, 100, "  ");
 }
 
 /// The family of each shader program, its draws, and why a program has no family or its draws are not traced.
@@ -183,7 +200,7 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
-         tracingLine(report) + lightLine(report) + lagLine(report) +
+         notCulledLine(explain) + tracingLine(report) + lightLine(report) + lagLine(report) +
          programLines(explain.value("programs", json::array())) + "\ncontexts, through the door " +
          text(report, "door") + "\n" + contextLines(explain.at("contexts")) + walkedPastLines(report) +
          "\nframebuffers\n" + targetLines(explain.at("framebuffers")) + "\nquirks\n" +

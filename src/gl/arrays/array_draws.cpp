@@ -118,7 +118,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   c.counts.rasterised(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
   c.raster.before(kind);
   c.shadow.sendBuffers();
-  drawReal(c.real, mode, e);
+  if (!known || !c.culled.draw(mode, e)) drawReal(c.real, mode, e);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
   c.raster.before(load.kind);
   c.shadow.sendBuffers();
-  drawReal(c.real, mode, e);
+  if (!c.culled.draw(mode, e)) drawReal(c.real, mode, e);
 }
 
 }  // namespace gluray::gl

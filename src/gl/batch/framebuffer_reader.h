@@ -25,6 +25,11 @@ class FramebufferReader {
                           std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
+  /// Keeps a copy of the bound draw framebuffer's colours, depths and stencil values in `region`. False: it
+  /// cannot. No error may be pending. Never throws.
+  virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }
+  /// Puts the copy of the last keep() back into the same framebuffer, which is bound.
+  virtual void putBack(const RealGl&) noexcept {}
   /// The program reads colours of this region of the bound read framebuffer next. If that holds pictures with
   /// light as they were written, finishes them and binds a copy with the finished ones for reading. Not
   /// traced: nothing was bound. Never throws.

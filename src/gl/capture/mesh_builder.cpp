@@ -21,7 +21,7 @@ template std::shared_ptr<uint32_t[]> makePadded<uint32_t>(size_t);
 
 namespace {
 
-constexpr size_t kGrain = 1 << 16;
+constexpr size_t kMeshGrain = 1 << 16;
 
 /// Maps mesh vertex i to its captured vertex: vertex i itself, or after welding its representative.
 struct Selection {
@@ -36,7 +36,7 @@ scene::Attribute copySlot(const Selection& vertices, Slot slot, scene::Format fo
   const uint32_t floats = sizeOf(slot), offset = vertices.captured.layout.offset[slot],
                  count = vertices.count();
   const auto data = makePadded<float>(size_t{count} * floats);
-  forPieces(count, kGrain, [&](size_t first, size_t last) {
+  forPieces(count, kMeshGrain, [&](size_t first, size_t last) {
     for (size_t i = first; i < last; ++i)
       std::memcpy(&data[i * floats], vertices[static_cast<uint32_t>(i)] + offset, floats * 4);
   });
@@ -252,7 +252,7 @@ struct Bounds {
 
 Bounds boundsOf(const scene::Mesh& mesh) {
   return reducePieces(
-      mesh.vertexCount, kGrain, Bounds{},
+      mesh.vertexCount, kMeshGrain, Bounds{},
       [&](size_t first, size_t last, Bounds b) {
         for (size_t i = first; i < last; ++i) {
           const glm::vec3 p = mesh.position(static_cast<uint32_t>(i));

@@ -16,6 +16,18 @@ void DrawCounts::rasterised(Reason reason, DrawPath path, PrimitiveClass kind, u
   load(triangles);
 }
 
+void DrawCounts::culled(uint64_t leftOut) {
+  ++statistics.drawsCulled;
+  statistics.trianglesLeftOut += leftOut;
+  if (kinds()) [[unlikely]]
+    kinds()->culled(leftOut);
+}
+
+void DrawCounts::notCulled(Reason reason) {
+  if (kinds()) [[unlikely]]
+    kinds()->notCulled(reason);
+}
+
 void DrawCounts::traced(DrawPath path, uint64_t triangles) {
   if (kinds()) [[unlikely]]
     kinds()->record(shadow_.real, shadow_.state.target, Reason::traced, path, PrimitiveClass::surfaces,

@@ -20,6 +20,10 @@ class DrawCounts {
 
   void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
   void traced(DrawPath path, uint64_t triangles);
+  /// The draw counted last by rasterised() was made without so many of its triangles, which cannot be seen.
+  void culled(uint64_t leftOut);
+  /// Why it was not, where it was large enough.
+  void notCulled(Reason reason);
   /// Moves the snapshot's instances from traced to rasterised: the real OpenGL drew them after all.
   void asRasterised(const scene::Snapshot& snapshot, Reason reason);
   /// Adds to the frame's load. rasterised() and traced() call it; so does the end of a primitive that was

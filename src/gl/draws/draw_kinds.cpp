@@ -34,6 +34,7 @@ std::vector<std::string_view> describeStates(uint32_t bits) {
 
 DrawCost& DrawCost::operator+=(const DrawCost& o) {
   count += o.count, triangles += o.triangles, seconds += o.seconds;
+  culled += o.culled, leftOut += o.leftOut;
   return *this;
 }
 
@@ -164,6 +165,18 @@ void DrawKinds::record(const RealGl& real, const TargetState& target, Reason rea
   }
 }
 
+void DrawKinds::culled(uint64_t leftOut) noexcept {
+  const std::lock_guard lock(mutex_);
+  if (last_ && !closed_) ++last_->culled, last_->leftOut += leftOut;
+}
+
+void DrawKinds::notCulled(Reason reason) noexcept {
+  const std::lock_guard lock(mutex_);
+  try {
+    if (!closed_) ++notCulled_[reason];
+  } catch (...) {}  // not counted
+}
+
 void DrawKinds::addTriangles(uint64_t triangles) noexcept {
   const std::lock_guard lock(mutex_);
   if (last_ && !closed_) last_->triangles += triangles;
@@ -177,6 +190,11 @@ void DrawKinds::close() noexcept {
 KindTable DrawKinds::kinds() const {
   const std::lock_guard lock(mutex_);
   return kinds_;
+}
+
+std::map<Reason, uint64_t> DrawKinds::notCulled() const {
+  const std::lock_guard lock(mutex_);
+  return notCulled_;
 }
 
 ProgramTable DrawKinds::programs() const {

@@ -65,6 +65,7 @@ struct DrawKind {
 /// the tracing of batches.
 struct DrawCost {
   uint64_t count = 0, triangles = 0;
+  uint64_t culled = 0, leftOut = 0;  // draws, and triangles of theirs that were not drawn
   double seconds = 0;
   DrawCost& operator+=(const DrawCost& other);
 };
@@ -106,12 +107,18 @@ class DrawKinds {
               PrimitiveClass primitive, uint64_t triangles,
               const std::shared_ptr<const KnownProgram>& program = nullptr,
               const std::string& why = {}) noexcept;
+  /// The draw recorded last was made without so many of its triangles.
+  void culled(uint64_t leftOut) noexcept;
+  /// Why it was not, where it was large enough.
+  void notCulled(Reason reason) noexcept;
   /// Adds triangles to the draw recorded last.
   void addTriangles(uint64_t triangles) noexcept;
   /// Stops recording for good.
   void close() noexcept;
 
   KindTable kinds() const;
+  /// Large draws that were not culled, by reason.
+  std::map<Reason, uint64_t> notCulled() const;
   TargetTable targets() const;
   ProgramTable programs() const;
 
@@ -123,6 +130,7 @@ class DrawKinds {
   };
   mutable std::mutex mutex_;
   KindTable kinds_;
+  std::map<Reason, uint64_t> notCulled_;
   TargetTable targets_;
   ProgramTable programs_;
   std::vector<Open> open_;

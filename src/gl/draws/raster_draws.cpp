@@ -67,6 +67,7 @@ void RasterDraws::before(PrimitiveClass kind) {
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }
+  clearBelow_ = p_.cleared.target();
   p_.cleared.forget();
   p_.shadow.syncCurrent();
 }

@@ -7,6 +7,7 @@
 #include "gl/draws/multipass_surfaces.h"
 #include "gl/draws/triage.h"
 
+#include <optional>
 #include <span>
 
 namespace gluray::gl {
@@ -28,6 +29,8 @@ class RasterDraws {
 
   /// Call before a rasterised draw: flushes earlier draws if order matters, and sends current attributes.
   void before(PrimitiveClass kind);
+  /// The clear that the framebuffer held, and nothing else, when before() was called last.
+  const std::optional<ClearedTarget>& clearBelow() const { return clearBelow_; }
 
   // Surfaces that are drawn in several passes.
   /// Whether a surface that is rasterised now may coincide with others of its depth epoch, so that their
@@ -42,6 +45,7 @@ class RasterDraws {
 
  private:
   Parts p_;
+  std::optional<ClearedTarget> clearBelow_;
 };
 
 }  // namespace gluray::gl

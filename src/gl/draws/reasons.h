@@ -56,6 +56,20 @@ namespace gluray::gl {
   X(evaluators, "evaluators")                                                \
   X(noGlsl, "real OpenGL lacks shaders for the write-back")                  \
   X(smallScene, "small scene: the real OpenGL is faster")                    \
+  X(fragmentDepth, "fragment shader that writes depth")                      \
+  X(primitiveNumbers, "shader that reads numbers of primitives or draws")    \
+  X(memoryWrites, "shader that writes memory")                               \
+  X(geometryShader, "geometry or tessellation shader, or layers")            \
+  X(noSource, "shader whose source is not known")                            \
+  X(positions, "positions that are no matrix times an attribute")            \
+  X(instanced, "several instances")                                          \
+  X(mode, "primitives other than triangles")                                 \
+  X(offsetNearer, "polygon offset towards the viewer")                       \
+  X(drawBuffers, "several draw buffers")                                     \
+  X(unsteady, "vertices that have just changed")                             \
+  X(smallDraw, "draw too small to cull")                                     \
+  X(mostShows, "draw of which most shows")                                   \
+  X(notTheSame, "culled picture was not the same")                           \
   X(off, "switched off")                                                     \
   X(failure, "GLuRay failed and stepped aside")
 

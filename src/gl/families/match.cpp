@@ -243,15 +243,17 @@ Renames renamedBy(const Program& program, const Family& family) {
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code) {
   program.renamed = renamedBy(program, family);
-  ProgramSource source(real, program.name);
+  ProgramSource source(real, program);
   bool unknown = false;
   return obstacles(real, program, family, code, source, unknown);
 }
 
-std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families) {
+std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
+                                              std::shared_ptr<const ShaderTexts> texts) {
   auto known = std::make_shared<KnownProgram>();
   known->program = reflect(real, name);
-  ProgramSource source(real, name);
+  known->program.texts = std::move(texts);
+  ProgramSource source(real, known->program);
   std::vector<std::string> fewest;
   const Family* nearest = nullptr;
   for (const auto& family : families) {

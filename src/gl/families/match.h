@@ -27,7 +27,8 @@ Renames renamedBy(const Program& program, const Family& family);
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code = {});
 
-/// Queries the program and finds its family.
-std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families);
+/// Queries the program and finds its family. `texts`: Program::texts.
+std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
+                                              std::shared_ptr<const ShaderTexts> texts = {});
 
 }  // namespace gluray::gl

@@ -1,12 +1,14 @@
 // A linked shader program as the real OpenGL describes it: names, locations and types of its active
 // variables. Read once per link. GL thread, context current.
 #pragma once
+#include "gl/programs/shader_texts.h"
 #include "gl/real.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +43,8 @@ struct Program {
   size_t uniformElements = 0;  // sum over all uniforms
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
-  Renames renamed;  // for its family
+  Renames renamed;                           // for its family
+  std::shared_ptr<const ShaderTexts> texts;  // of its shaders when it was linked; null: not known
 
   const ProgramUniform* uniform(std::string_view n) const {
     const auto it = uniforms.find(hereFor(n));

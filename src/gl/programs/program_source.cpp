@@ -6,8 +6,6 @@
 namespace gluray::gl {
 namespace {
 
-constexpr GLsizei kShaders = 32;  // a stage may have several; isWhole() is false for programs with more
-
 /// Appends GLSL without its comments.
 void appendWithoutComments(std::string_view text, std::string& out) {
   for (size_t i = 0; i < text.size();) {
@@ -26,31 +24,14 @@ void appendWithoutComments(std::string_view text, std::string& out) {
 
 void ProgramSource::read() {
   if (isRead_) return;
-  source_.clear(), shaders_.clear(), shaders_.reserve(kShaders);
-  GLuint shaders[kShaders] = {};
-  GLint attached = 0;
-  GLsizei count = 0;
-  real_.GetProgramiv(program_, GL_ATTACHED_SHADERS, &attached);
-  real_.GetAttachedShaders(program_, kShaders, &count, shaders);
-  count = std::clamp(count, 0, kShaders);
-  allRead_ = count == attached;
-  for (GLsizei i = 0; i < count; ++i) allRead_ = readShader(shaders[i]) && allRead_;
+  const std::shared_ptr<const ShaderTexts> texts = linked_ ? linked_ : readShaderTexts(real_, program_);
+  source_.clear(), shaders_.clear();
+  for (const ShaderTexts::Shader& shader : texts->shaders) {
+    shaders_.push_back({shader.type, source_.size(), source_.size() + shader.text.size()});
+    source_ += shader.text;
+  }
+  allRead_ = texts->all;
   isRead_ = true;
-}
-
-/// False if the shader has no text or not all of it could be read.
-bool ProgramSource::readShader(GLuint shader) {
-  GLint type = 0, length = 0;  // length includes the terminating 0
-  real_.GetShaderiv(shader, GL_SHADER_TYPE, &type);
-  real_.GetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
-  if (length <= 0) return false;
-  const size_t begin = source_.size();
-  GLsizei written = 0;
-  source_.resize(begin + static_cast<size_t>(length));
-  real_.GetShaderSource(shader, length, &written, source_.data() + begin);
-  source_.resize(begin + static_cast<size_t>(std::clamp(written, 0, length - 1)));
-  shaders_.push_back({static_cast<GLenum>(type), begin, source_.size()});
-  return written == length - 1;  // else another thread has changed the text
 }
 
 bool ProgramSource::has(GLenum type) const {
@@ -62,6 +43,14 @@ bool ProgramSource::isWhole(bool geometry) {
   read();
   return allRead_ && has(GL_VERTEX_SHADER) && has(GL_FRAGMENT_SHADER) &&
          (!geometry || has(GL_GEOMETRY_SHADER));
+}
+
+std::string ProgramSource::of(GLenum type) {
+  read();
+  std::string text;
+  for (const Shader& s : shaders_)
+    if (s.type == type) text.append(source_, s.begin, s.end - s.begin).push_back('\n');
+  return text;
 }
 
 const std::string& ProgramSource::text() {

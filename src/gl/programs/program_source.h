@@ -1,8 +1,11 @@
-// The source of a program's shaders, queried when first needed. GL thread, context current.
+// The source of a program's shaders. GL thread, context current.
 #pragma once
 #include "gl/families/glsl_statements.h"
+#include "gl/programs/program.h"
+#include "gl/programs/shader_texts.h"
 #include "gl/real.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,14 +13,19 @@ namespace gluray::gl {
 
 class ProgramSource {
  public:
-  ProgramSource(const RealGl& real, GLuint program) : real_(real), program_(program) {}
+  /// Its texts from when it was linked or, where they are not known, those of the shaders that are attached
+  /// when they are first needed.
+  ProgramSource(const RealGl& real, const Program& program)
+      : real_(real), program_(program.name), linked_(program.texts) {}
 
-  /// The concatenated texts of the attached shaders, without comments.
+  /// The concatenated texts of the shaders, without comments.
   const std::string& text();
-  /// The same as statements; empty if no shader is attached. `renamed` replaces one name, unless the text has
+  /// The same as statements; empty if there is none. `renamed` replaces one name, unless the text has
   /// the new name already. Valid until the next call with another `renamed`.
   const GlslStatements& statements(const GlslStatements::Renamed& renamed = {});
-  /// Whether the texts of all attached shaders could be read, among them a vertex and a fragment shader and,
+  /// The texts of the shaders of one type, one after the other.
+  std::string of(GLenum type);
+  /// Whether the texts of all shaders could be read, among them a vertex and a fragment shader and,
   /// if `geometry`, a geometry shader.
   bool isWhole(bool geometry);
 
@@ -27,11 +35,11 @@ class ProgramSource {
     size_t begin, end;  // of its text in source_
   };
   void read();
-  bool readShader(GLuint shader);
   bool has(GLenum type) const;
 
   const RealGl& real_;
   GLuint program_;
+  std::shared_ptr<const ShaderTexts> linked_;
   bool isRead_ = false, allRead_ = false, hasText_ = false, hasStatements_ = false;
   std::string source_, text_;  // source_: the original texts, concatenated
   std::vector<Shader> shaders_;

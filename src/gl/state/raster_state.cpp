@@ -77,11 +77,9 @@ Reason fogReason(const RealGl& real, const RareState& has) {
   return unusual ? Reason::fog : Reason::traced;
 }
 
-/// Why per-fragment operations rule out tracing; the cheapest and commonest queries come first.
-Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
-  if (has.fixedFunction && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
-  if (!isOn(real, GL_DEPTH_TEST)) return Reason::noDepthTest;
-  if (raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL) return Reason::depthFunc;
+/// Why per-fragment operations other than the depth test rule out tracing; the cheapest and commonest queries
+/// come first.
+Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
   GLboolean mask[4] = {};
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
   if (!mask[0] && !mask[1] && !mask[2] && !mask[3]) return Reason::colorMask;
@@ -101,6 +99,16 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
   if (!raster.writesDepth) return Reason::depthMask;
   return blendReason(real, raster);
+}
+
+Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
+  raster.butDepthFunc = Reason::depthFunc;
+  if (has.fixedFunction && integer(real, GL_RENDER_MODE) != GL_RENDER)
+    return raster.butDepthFunc = Reason::renderMode;
+  if (!isOn(real, GL_DEPTH_TEST)) return raster.butDepthFunc = Reason::noDepthTest;
+  const bool isUsual = raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL;
+  if (isUsual || raster.isReversed()) raster.butDepthFunc = otherFragmentReason(real, has, raster);
+  return isUsual ? raster.butDepthFunc : Reason::depthFunc;
 }
 
 Reason polygonReason(const RealGl& real, const RareState& has) {
@@ -145,6 +153,8 @@ void readRaster(const RealGl& real, State& state) {
   const Reason polygon =
       blended || raster.reason == Reason::traced ? polygonReason(real, state.rare) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
+  if (raster.butDepthFunc == Reason::traced)
+    raster.butDepthFunc = raster.isReversed() ? polygonReason(real, state.rare) : raster.reason;
   raster.layers =
       blended && polygon == Reason::traced ? readBlending(real, raster.writesDepth) : std::nullopt;
   raster.firstVertexProvokes =

@@ -245,4 +245,11 @@ uint32_t programChanged(Context& c, GLuint program) {
   return kRaster | kProgram | kAttributes;
 }
 
+uint32_t programLinked(Context& c, GLuint program) {
+  const uint32_t changed = programChanged(c, program);
+  if (isPresent(c.real.IsProgram) && c.real.IsProgram(program))
+    c.protect([&] { c.shadow.group.programLinked(c.real, program); });
+  return changed;
+}
+
 }  // namespace gluray::gl

@@ -44,8 +44,17 @@ json kindsOf(const gl::KindTable& table) {
                     {"reason", gl::describe(kind.reason)},
                     {"count", cost.count},
                     {"triangles", cost.triangles},
+                    {"culled", cost.culled},
+                    {"leftOut", cost.leftOut},
                     {"ms", milliseconds(cost.seconds)}});
   return list;
+}
+
+/// Large draws that were not culled, by reason.
+json notCulled(const std::map<gl::Reason, uint64_t>& counts) {
+  json all = json::object();
+  for (const auto& [reason, count] : counts) all[std::string(gl::describe(reason))] = count;
+  return all;
 }
 
 /// The programs, sorted by triangles, most first.
@@ -207,6 +216,7 @@ json explanation(const Totals& totals, bool complete, const std::string& base) {
   return {{"complete", complete},
           {"wantedFrames", session().explainFrames},
           {"kinds", kindsOf(totals.kinds)},
+          {"notCulled", notCulled(totals.notCulled)},
           {"programs", programsOf(totals.programs)},
           {"framebuffers", targetsOf(totals.targets)},
           {"contexts", contextsOf(totals.list)},

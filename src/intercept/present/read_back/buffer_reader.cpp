@@ -39,6 +39,18 @@ gl::PresentResult BufferReader::bindFinished(const gl::RealGl& real, const scene
   } catch (const std::exception&) { return {}; }  // out of memory: the program reads what is there
 }
 
+bool BufferReader::keep(const gl::RealGl& real, const scene::Region& region) noexcept {
+  try {
+    return kept_.keep(real, shared_, region);
+  } catch (const std::exception&) { return false; }
+}
+
+void BufferReader::putBack(const gl::RealGl& real) noexcept {
+  try {
+    kept_.putBack(real, shared_);
+  } catch (const std::exception&) {}  // no memory for the state guard's list
+}
+
 bool BufferReader::readDepth(const gl::RealGl& real, const scene::Region& region,
                              std::vector<float>& out) noexcept {
   return makeRoom(region, out) && read(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());

@@ -4,6 +4,7 @@
 #include "gl/batch/framebuffer_reader.h"
 #include "intercept/present/presented_pictures.h"
 #include "intercept/present/read_back/finished_framebuffer.h"
+#include "intercept/present/read_back/kept_framebuffer.h"
 
 #include <cstdint>
 #include <vector>
@@ -17,6 +18,8 @@ class BufferReader final : public gl::FramebufferReader {
                  std::vector<float>& out) noexcept override;
   bool readColors(const gl::RealGl& real, const scene::Region& region,
                   std::vector<uint32_t>& out) noexcept override;
+  bool keep(const gl::RealGl& real, const scene::Region& region) noexcept override;
+  void putBack(const gl::RealGl& real) noexcept override;
   gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void unbindFinished(const gl::RealGl& real) noexcept override {
     finished_.unbind(real, shared_.features(real));
@@ -28,6 +31,7 @@ class BufferReader final : public gl::FramebufferReader {
 
   PresentedPictures& shared_;
   FinishedFramebuffer finished_;
+  KeptFramebuffer kept_;
 };
 
 }  // namespace gluray::present

@@ -1,0 +1,79 @@
+"""frames a second of a program with shaders of its own: plain, and with culled draws
+
+Surfaces from buffer objects, by a shader program with three lights and a pattern, an orbit of 1.5 degrees a frame; the plain program, the program with
+cull.draws = always, and with auto take turns, round by round. Medians. Scenes: 12 nested spheres with bumps, 2 of them (most triangles show), and the
+Wavelet's isosurfaces. Results go to bench/results/NAME.json.
+"""
+import argparse
+import itertools
+import pathlib
+import shlex
+
+from support import machine, programs
+from support.display import display
+from support.telling import status_of
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+FRAMES = {0.1: 160, 1: 60, 4: 30, 16: 16}
+SCENES = {"spheres": ["--spheres", "12"], "shells": ["--spheres", "2"], "wavelet": []}
+STEP = 1.5  # degrees
+
+
+def arguments(argv):
+    parser = argparse.ArgumentParser(prog="scripts/bench shaders", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--sizes", default="0.1,1,4", help=f"millions of triangles, of {', '.join(map(str, FRAMES))} (0.1,1,4)")
+    parser.add_argument("--scenes", default="spheres", help=f"of {', '.join(SCENES)} (spheres)")
+    parser.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
+    parser.add_argument("--threads", type=int, default=2, help="of llvmpipe and GLuRay (2)")
+    parser.add_argument("--name", default="shaders", help="name of the result file")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
+    options = parser.parse_args(argv)
+    options.sizes = [float(size) for size in options.sizes.split(",")]
+    if unknown := set(options.sizes) - set(FRAMES):
+        parser.error(f"no size {', '.join(map(str, sorted(unknown)))}")
+    options.scenes = options.scenes.split(",")
+    if unknown := set(options.scenes) - set(SCENES):
+        parser.error(f"no scene {', '.join(sorted(unknown))}")
+    return options
+
+
+def measured(options, scene, size, environment):
+    """Measurements of each way: plain, always, auto."""
+    client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--path", "shader", *SCENES[scene],
+              "--frames", FRAMES[size], "--orbit", "--step", STEP, "--warm", 1 + size]
+    gluray = options.build / "apps" / "gluray" / "gluray"
+    programs.require(client[0], gluray)
+    rounds = {"plain": [], "always": [], "auto": []}
+    for _ in range(options.rounds):
+        rounds["plain"].append(programs.measure(client, environment))
+        for way in ("always", "auto"):
+            extra = ["--threads", str(options.threads), "--set", f"cull.draws={way}"]
+            rounds[way].append(programs.measure_with_gluray(gluray, extra, client, environment))
+    return {way: programs.combined(all_) for way, all_ in rounds.items()}
+
+
+def row_of(scene, size, ways):
+    row = {"scene": scene, "millions": size, "triangles": ways["plain"]["triangles"]}
+    for way, m in ways.items():
+        row |= {f"{way}_ms": 1000 * m["frame_s"], f"{way}_first_image_s": m["first_image_s"], f"{way}_rss_bytes": m["rss_bytes"]}
+    for way in ("always", "auto"):
+        report = ways[way]["report"] or {}
+        row |= {f"{way}_times_plain": row["plain_ms"] / row[f"{way}_ms"], f"{way}_culled_draws": report.get("culled", {}).get("draws"),
+                f"{way}_left_out": report.get("culled", {}).get("trianglesLeftOut")}
+    return row
+
+
+def run(options, argv):
+    result = {"suite": "shaders", "command": ("scripts/bench shaders " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
+    with display() as name:
+        for scene, size in itertools.product(options.scenes, options.sizes):
+            row = row_of(scene, size, measured(options, scene, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
+            result["rows"].append(row)
+            print(f"{scene:8} {size:5g}M  plain {row['plain_ms']:8.1f} ms  always {row['always_ms']:8.1f} ms ({row['always_times_plain']:.2f}x)  "
+                  f"auto {row['auto_ms']:8.1f} ms ({row['auto_times_plain']:.2f}x)", flush=True)
+    machine.write(ROOT, options.name, result)
+
+
+def main(argv):
+    options = arguments(argv)
+    return status_of(lambda: run(options, argv))

@@ -1,0 +1,95 @@
+// Clusters: a few neighbouring primitives of a draw and the box around them, in groups with boxes of their
+// own, and which of them may show in front of a depth picture. Loops run in the shared arena. Any thread, one
+// at a time for each object.
+#pragma once
+#include "gl/culled/depth_pyramid.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gluray::gl {
+
+/// The primitives of a draw: separate triangles, or `corners` vertices each.
+struct Primitives {
+  const std::byte* positions = nullptr;  // of vertex 0: `components` (2, 3 or 4) floats or doubles
+  size_t stride = 0;                     // bytes between vertices
+  int components = 3;                    // the fourth one is 1 where it is not there
+  bool doubles = false;
+  const uint32_t* indices = nullptr;  // null: vertices in order from `first`
+  uint32_t first = 0;
+  uint32_t count = 0;  // primitives
+  uint32_t corners = 3;
+
+  uint32_t vertex(uint32_t primitive, uint32_t corner) const {
+    const size_t at = size_t{primitive} * corners + corner;
+    return indices ? indices[at] : first + static_cast<uint32_t>(at);
+  }
+  glm::dvec4 position(uint32_t vertex) const;
+};
+
+/// From clip space to the pixels of a pyramid and to window depth.
+struct WindowMapping {
+  glm::dvec4 viewport{0};              // x, y, width, height in pixels, relative to the pyramid's corner
+  double depthNear = 0, depthFar = 1;  // glDepthRange
+};
+
+/// Clip space from vertex positions, and how far rounding may be from it: errors grow with the magnitudes.
+struct ClipMatrix {
+  glm::dmat4 clipFromObject{1};
+  glm::dmat4 magnitudes{0};  // at least the absolute values of all that was added up to clipFromObject
+};
+
+class Clusters {
+ public:
+  static constexpr uint32_t kPrimitives = 8;  // of a cluster, but the last
+  static constexpr size_t kGroup = 8;         // clusters of a group, and groups of a large group
+
+  /// Throws std::bad_alloc.
+  explicit Clusters(const Primitives& primitives);
+
+  uint32_t count() const { return static_cast<uint32_t>(boxes_.size()); }
+  size_t bytes() const {
+    return (boxes_.size() + groups_.size() + largeGroups_.size()) * sizeof(Box) +
+           numbers_.size() * sizeof(uint32_t);
+  }
+  /// Whether clusters are runs of the draw's primitives; else they are neighbours of whatever numbers.
+  bool areRuns() const { return numbers_.empty(); }
+
+  /// Sets bit i of `visible` where cluster i may have a pixel that is nearer than the pyramid's or as near:
+  /// never misses one, also not by the rounding of shaders and of rasterisers that snap vertices to 1/256
+  /// pixel. Null pyramid: all that may lie in the view.
+  void mayShow(const ClipMatrix& matrix, const WindowMapping& window, const DepthPyramid* pyramid,
+               std::vector<uint64_t>& visible) const;
+
+  /// Writes the vertex numbers of the primitives of all clusters in `visible`, in the order of the draw.
+  /// `out` has room for them. Returns how many were written.
+  size_t write(const std::vector<uint64_t>& visible, const Primitives& primitives, uint32_t* out) const;
+  /// Primitives of the clusters in `visible`.
+  uint64_t primitivesIn(const std::vector<uint64_t>& visible) const;
+
+ private:
+  struct Box {
+    glm::vec4 center{0}, extent{0};  // extent.x < 0: positions are not finite, so that it always shows
+    bool isFinite() const { return extent.x >= 0; }
+  };
+  using Boxes = std::vector<Box>;
+  static Box boxAround(const glm::dvec4& lower, const glm::dvec4& upper);
+  static void group(const Boxes& boxes, Boxes& groups);
+  uint32_t primitivesOf(uint32_t cluster) const;
+  uint32_t primitiveAt(uint32_t cluster, uint32_t i) const {
+    const uint32_t at = cluster * kPrimitives + i;
+    return numbers_.empty() ? at : numbers_[at];
+  }
+  void findBoxes(const Primitives& primitives);
+  bool areScattered(const Primitives& primitives) const;
+  void sort(const Primitives& primitives);
+
+  uint32_t primitives_ = 0;
+  std::vector<uint32_t> numbers_;  // of the primitives, cluster by cluster; empty: in the order of the draw
+  Boxes boxes_, groups_, largeGroups_;
+};
+
+}  // namespace gluray::gl

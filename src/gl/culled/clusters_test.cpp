@@ -1,0 +1,277 @@
+// What may show is never left out, whatever the matrix; what cannot is mostly left out; the order of the draw
+// is kept.
+#include "gl/culled/clusters.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+
+namespace gluray::gl {
+namespace {
+
+constexpr int kWidth = 90, kHeight = 70;
+
+struct TestMesh {
+  std::vector<glm::vec3> points;
+  std::vector<uint32_t> indices;
+  Primitives primitives() const {
+    Primitives p;
+    p.positions = reinterpret_cast<const std::byte*>(points.data()), p.stride = sizeof(glm::vec3);
+    p.indices = indices.data(), p.count = static_cast<uint32_t>(indices.size() / 3);
+    return p;
+  }
+};
+
+/// A sheet of n x rows squares, which waves; `shuffled`: its triangles in any order.
+TestMesh sheet(int n, int rows, bool shuffled, unsigned seed) {
+  std::mt19937 random(seed);
+  TestMesh mesh;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const float x = 2.0f * static_cast<float>(i) / static_cast<float>(n) - 1,
+                  y = 2.0f * static_cast<float>(j) / static_cast<float>(rows) - 1;
+      mesh.points.emplace_back(x, y, 0.3f * std::sin(7 * x) * std::cos(5 * y));
+    }
+  std::vector<std::array<uint32_t, 3>> triangles;
+  const auto row = static_cast<uint32_t>(n + 1);
+  for (uint32_t j = 0; j < static_cast<uint32_t>(rows); ++j)
+    for (uint32_t i = 0; i < static_cast<uint32_t>(n); ++i) {
+      const uint32_t a = j * row + i;
+      triangles.push_back({a, a + 1, a + row}), triangles.push_back({a + row, a + 1, a + row + 1});
+    }
+  if (shuffled) std::ranges::shuffle(triangles, random);
+  for (const auto& t : triangles) mesh.indices.insert(mesh.indices.end(), t.begin(), t.end());
+  return mesh;
+}
+
+ClipMatrix clipBy(const glm::dmat4& m) {
+  ClipMatrix matrix{m, m};
+  for (int c = 0; c < 4; ++c) matrix.magnitudes[c] = glm::abs(m[c]);
+  return matrix;
+}
+
+WindowMapping window() { return {glm::dvec4(0, 0, kWidth, kHeight), 0, 1}; }
+
+bool isSet(const std::vector<uint64_t>& bits, uint32_t i) { return bits[i / 64] >> (i & 63) & 1; }
+
+/// The triangles that write() gives, by the position of their first corner in `mesh.indices`.
+std::vector<uint32_t> drawn(const TestMesh& mesh, const Clusters& clusters,
+                            const std::vector<uint64_t>& visible) {
+  std::vector<uint32_t> out(3 * clusters.primitivesIn(visible));
+  EXPECT_EQ(clusters.write(visible, mesh.primitives(), out.data()), out.size());
+  return out;
+}
+
+glm::dmat4 randomView(std::mt19937& random) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  const glm::dmat4 clip = random() % 4 == 0
+                              ? glm::ortho(-1.5, 1.5, -1.5, 1.5, 0.5, 6.0)
+                              : glm::perspective(0.5 + 0.4 * (number(random) + 1), 1.3, 0.05, 9.0);
+  const glm::dvec3 eye(1.8 * number(random), 1.8 * number(random), 0.3 + 1.5 * (number(random) + 1));
+  glm::dmat4 view =
+      glm::lookAt(eye, glm::dvec3(0.2 * number(random)), glm::normalize(glm::dvec3(number(random), 1, 0.3)));
+  if (random() % 5 == 0) view = view * glm::scale(glm::dmat4(1), glm::dvec3(-1, 1, 2));
+  return clip * view;
+}
+
+/// A picture of depths with a near patch, a far one and a slope.
+std::vector<float> depthPicture(std::mt19937& random) {
+  std::uniform_real_distribution<float> depth(0.2f, 1);
+  const float base = depth(random), slope = 0.5f * (depth(random) - 0.5f), patch = depth(random);
+  std::vector<float> all(static_cast<size_t>(kWidth) * kHeight);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool inside = x > 20 && x < 60 && y > 10 && y < 50;
+      const float value = inside ? patch : base + slope * static_cast<float>(x) / kWidth;
+      all[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)] = std::clamp(value, 0.0f, 1.0f);
+    }
+  return all;
+}
+
+/// A triangle that lies before the viewer, in pixels and depth.
+struct WindowTriangle {
+  explicit WindowTriangle(const std::array<glm::dvec4, 3>& clip) {
+    for (size_t i = 0; i < 3; ++i)
+      corners[i] = (glm::dvec3(clip[i]) / clip[i].w + 1.0) / 2.0 * glm::dvec3(kWidth, kHeight, 1);
+  }
+  /// At the centre of a pixel; nothing where the triangle does not cover that.
+  std::optional<double> depthAt(int x, int y) const {
+    const glm::dvec3 &a = corners[0], &b = corners[1], &c = corners[2];
+    const glm::dvec2 p(x + 0.5, y + 0.5);
+    const auto area = [](const glm::dvec2& u, const glm::dvec2& v, const glm::dvec2& w) {
+      return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
+    };
+    const double all = area(a, b, c);
+    const double s = area(p, b, c) / all, t = area(a, p, c) / all, u = 1 - s - t;
+    if (!(s >= 0 && t >= 0 && u >= 0)) return std::nullopt;
+    return s * a.z + t * b.z + u * c.z;
+  }
+  std::array<glm::dvec3, 3> corners;
+};
+
+TEST(Clusters, NeverMissWhatIsNearerThanThePicture) {
+  std::mt19937 random(3);
+  uint64_t tested = 0, hidden = 0;
+  for (int round = 0; round < 60; ++round) {
+    const TestMesh mesh =
+        sheet(round % 2 ? 40 : 8, 30 + static_cast<int>(random() % 30), round % 2 == 1, random());
+    const Primitives p = mesh.primitives();
+    const Clusters clusters(p);
+    EXPECT_EQ(clusters.areRuns(), round % 2 == 0);
+    const glm::dmat4 m = randomView(random);
+    const std::vector<float> depths = depthPicture(random);
+    DepthPyramid pyramid;
+    pyramid.build(depths.data(), kWidth, kHeight);
+    std::vector<uint64_t> visible;
+    clusters.mayShow(clipBy(m), window(), &pyramid, visible);
+    hidden += p.count - clusters.primitivesIn(visible);
+    std::vector<std::array<uint32_t, 3>> shown;
+    const std::vector<uint32_t> out = drawn(mesh, clusters, visible);
+    for (size_t i = 0; i < out.size(); i += 3) shown.push_back({out[i], out[i + 1], out[i + 2]});
+    std::ranges::sort(shown);
+    for (uint32_t t = 0; t < p.count; ++t) {
+      const std::array<uint32_t, 3> corners{p.vertex(t, 0), p.vertex(t, 1), p.vertex(t, 2)};
+      if (std::ranges::binary_search(shown, corners)) continue;
+      const std::array<glm::dvec4, 3> clip{m * p.position(corners[0]), m * p.position(corners[1]),
+                                           m * p.position(corners[2])};
+      if (std::ranges::any_of(clip, [](const glm::dvec4& c) { return !(c.w > 0); })) continue;
+      const WindowTriangle triangle(clip);
+      const auto least = [](double u, double v, double w) {
+        return static_cast<int>(std::min({u, v, w, 0.0}));
+      };
+      const auto& c = triangle.corners;
+      for (int y = least(c[0].y, c[1].y, c[2].y); y < kHeight && y <= std::max({c[0].y, c[1].y, c[2].y}); ++y)
+        for (int x = least(c[0].x, c[1].x, c[2].x); x < kWidth && x <= std::max({c[0].x, c[1].x, c[2].x});
+             ++x) {
+          if (x < 0 || y < 0) continue;
+          const std::optional<double> depth = triangle.depthAt(x, y);
+          if (!depth || *depth < 0 || *depth > 1) continue;
+          EXPECT_GT(*depth, double{depths[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)]});
+          ++tested;
+        }
+    }
+  }
+  EXPECT_GT(tested, 20000u);
+  EXPECT_GT(hidden, 10000u);
+}
+
+TEST(Clusters, KeepTheOrderOfTheDraw) {
+  for (const bool shuffled : {false, true}) {
+    const TestMesh mesh = sheet(8, 90, shuffled, 9);
+    const Clusters clusters(mesh.primitives());
+    std::mt19937 random(4);
+    std::vector<uint64_t> visible((clusters.count() + 63) / 64, 0);
+    for (uint32_t i = 0; i < clusters.count(); ++i)
+      if (random() % 3) visible[i / 64] |= uint64_t{1} << (i & 63);
+    const std::vector<uint32_t> out = drawn(mesh, clusters, visible);
+    size_t at = 0;  // in the whole draw
+    for (size_t i = 0; i < out.size(); i += 3) {
+      while (at < mesh.indices.size() && !std::equal(&out[i], &out[i] + 3, &mesh.indices[at])) at += 3;
+      ASSERT_LT(at, mesh.indices.size());
+      at += 3;
+    }
+    const std::vector<uint64_t> all((clusters.count() + 63) / 64, ~uint64_t{0});
+    std::vector<uint64_t> exactly = all;
+    if (clusters.count() % 64) exactly.back() = (uint64_t{1} << clusters.count() % 64) - 1;
+    EXPECT_EQ(drawn(mesh, clusters, exactly), mesh.indices);
+  }
+}
+
+TEST(Clusters, LeaveOutAllBehindAWall) {
+  const TestMesh mesh = sheet(8, 8, false, 1);  // each triangle covers pixels
+  const Clusters clusters(mesh.primitives());
+  const glm::dmat4 m =
+      glm::perspective(1.0, 1.3, 0.5, 20.0) * glm::translate(glm::dmat4(1), glm::dvec3(0, 0, -5));
+  DepthPyramid near, far;
+  const std::vector<float> wall(static_cast<size_t>(kWidth) * kHeight, 0.1f), nothing(wall.size(), 1.0f);
+  near.build(wall.data(), kWidth, kHeight), far.build(nothing.data(), kWidth, kHeight);
+  std::vector<uint64_t> visible;
+  clusters.mayShow(clipBy(m), window(), &near, visible);
+  EXPECT_EQ(clusters.primitivesIn(visible), 0u);
+  clusters.mayShow(clipBy(m), window(), &far, visible);
+  EXPECT_EQ(clusters.primitivesIn(visible), mesh.indices.size() / 3);
+  clusters.mayShow(clipBy(glm::translate(glm::dmat4(1), glm::dvec3(50, 0, 0)) * m), window(), &far, visible);
+  EXPECT_EQ(clusters.primitivesIn(visible), 0u);
+}
+
+TEST(Clusters, AlwaysShowWhatHasNoFinitePositions) {
+  TestMesh mesh = sheet(8, 20, false, 1);
+  mesh.points[1].x = std::numeric_limits<float>::quiet_NaN();
+  const Clusters clusters(mesh.primitives());
+  DepthPyramid near;
+  const std::vector<float> wall(static_cast<size_t>(kWidth) * kHeight, 0.0f);
+  near.build(wall.data(), kWidth, kHeight);
+  std::vector<uint64_t> visible;
+  clusters.mayShow(clipBy(glm::translate(glm::dmat4(1), glm::dvec3(0, 0, 0.5))), window(), &near, visible);
+  EXPECT_TRUE(isSet(visible, 0));
+}
+
+/// Positions far from the origin: single precision moves them by pixels.
+TEST(Clusters, AllowForTheRoundingOfLargeNumbers) {
+  TestMesh mesh = sheet(8, 8, false, 1);
+  for (glm::vec3& p : mesh.points) p += glm::vec3(3e5f, 0, 0);
+  const Clusters clusters(mesh.primitives());
+  const glm::mat4 view = glm::translate(glm::mat4(1), glm::vec3(-3e5f, 0, -4));
+  const glm::mat4 clip = glm::perspective(1.0f, 1.3f, 0.5f, 20.0f);
+  const glm::dmat4 m = glm::dmat4(clip) * glm::dmat4(view);
+  glm::dmat4 magnitudes(0);
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r)
+      for (int k = 0; k < 4; ++k)
+        magnitudes[c][r] += std::abs(double{clip[k][r]}) * std::abs(double{view[c][k]});
+  // Depths as single precision gives them, one pixel each: none may be missed.
+  int tested = 0;
+  const Primitives p = mesh.primitives();
+  for (uint32_t t = 0; t < p.count; ++t) {
+    std::array<glm::dvec4, 3> corners;
+    for (uint32_t c = 0; c < 3; ++c)
+      corners[c] = glm::dvec4(clip * (view * glm::vec4(p.position(p.vertex(t, c)))));
+    const WindowTriangle triangle(corners);
+    for (int y = 0; y < kHeight; y += 3)
+      for (int x = 0; x < kWidth; ++x) {
+        const std::optional<double> depth = triangle.depthAt(x, y);
+        if (!depth) continue;
+        std::vector<float> depths(static_cast<size_t>(kWidth) * kHeight, 0.0f);
+        depths[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)] = static_cast<float>(*depth);
+        DepthPyramid pyramid;
+        pyramid.build(depths.data(), kWidth, kHeight);
+        std::vector<uint64_t> visible;
+        clusters.mayShow({m, magnitudes}, window(), &pyramid, visible);
+        EXPECT_TRUE(isSet(visible, t / Clusters::kPrimitives)) << t;
+        ++tested;
+      }
+  }
+  EXPECT_GT(tested, 100);
+}
+
+TEST(DepthPyramid, IsNeverNearerThanItsPixels) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> depth(0, 1);
+  for (const glm::ivec2 size :
+       {glm::ivec2(1, 1), glm::ivec2(3, 5), glm::ivec2(64, 64), glm::ivec2(97, 33), glm::ivec2(7, 200)}) {
+    std::vector<float> all(static_cast<size_t>(size.x * size.y));
+    for (float& d : all) d = depth(random);
+    DepthPyramid pyramid;
+    pyramid.build(all.data(), size.x, size.y);
+    for (int round = 0; round < 300; ++round) {
+      const int x0 = static_cast<int>(random() % static_cast<unsigned>(size.x)),
+                x1 = x0 + static_cast<int>(random() % 40),
+                y0 = static_cast<int>(random() % static_cast<unsigned>(size.y)),
+                y1 = y0 + static_cast<int>(random() % 40);
+      float most = 0;
+      for (int y = y0; y <= std::min(y1, size.y - 1); ++y)
+        for (int x = x0; x <= std::min(x1, size.x - 1); ++x)
+          most = std::max(most, all[static_cast<size_t>(y * size.x + x)]);
+      EXPECT_GE(pyramid.farthest(x0, y0, x1, y1), most);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gluray::gl

@@ -1,0 +1,52 @@
+#include "gl/culled/cullable_state.h"
+
+#include "gl/state/state_queries.h"
+
+#include <GL/glext.h>
+
+namespace gluray::gl {
+namespace {
+
+bool isMode(GLenum mode, bool core) {
+  return mode == GL_TRIANGLES || mode == GL_TRIANGLE_STRIP || mode == GL_TRIANGLE_FAN ||
+         (mode == GL_QUADS && !core);
+}
+
+/// Whether the offset may bring surfaces nearer than their vertices are.
+bool offsetsNearer(const RasterState& raster) {
+  if (!raster.offsetFill) return false;
+  return raster.isReversed() ? raster.offsetFactor > 0 || raster.offsetUnits > 0
+                             : raster.offsetFactor < 0 || raster.offsetUnits < 0;
+}
+
+}  // namespace
+
+Reason cullableState(const ShadowState& shadow, GLenum mode, const Elements& e) {
+  const State& state = shadow.state;
+  const RasterState& raster = state.raster;
+  const RealGl& real = shadow.real;
+  if (!isMode(mode, shadow.info.core)) return Reason::mode;
+  if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return Reason::instanced;
+  if (shadow.activeQueries > 0) return Reason::query;
+  // Fog changes colours only; a stipple discards pixels.
+  const Reason reason = raster.butDepthFunc;
+  if (reason != Reason::traced && reason != Reason::fog && reason != Reason::polygonStipple) return reason;
+  if (state.target.samples != 1) return Reason::multisampleState;
+  if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)
+    return state.target.reason;
+  if (mode != GL_TRIANGLES && raster.firstVertexProvokes) return Reason::provokingVertex;
+  if (offsetsNearer(raster)) return Reason::offsetNearer;
+  if (e.type && (isOn(real, GL_PRIMITIVE_RESTART) || isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX)))
+    return Reason::arrayState;
+  if (isPresent(real.DrawBuffers) && integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE)
+    return Reason::drawBuffers;
+  return Reason::traced;
+}
+
+Reason cullableBlending(const ShadowState& shadow, bool opaque) {
+  if (!isOn(shadow.real, GL_BLEND)) return Reason::traced;
+  // Colours that are floats may be infinite: then 0 times what was there is no number.
+  return opaque && !shadow.state.target.wideColors ? Reason::traced : Reason::blend;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,146 @@
+// What is found about a draw before anything of it is drawn.
+#include "gl/culled/cullable_state.h"
+#include "gl/culled/culled_draws.h"
+#include "gl/state/state_queries.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+constexpr uint64_t kUnusedFrames = 8;  // after which a mesh is forgotten
+constexpr int kSteadyFrames = 3;       // with the same data, before clusters are built
+
+/// The array that feeds the attribute; null: none does.
+const ArraySource* arrayOf(const ArrayState& arrays, GLint location) {
+  const ArraySource* found = nullptr;
+  const auto look = [&](const ArraySource& a) {
+    if (a.enabled && a.location == location) found = &a;
+  };
+  arrays.forEach(look);
+  for (const ArraySource& a : arrays.generic) look(a);
+  return found;
+}
+
+}  // namespace
+
+Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
+  ShadowState& shadow = p_.shadow;
+  if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
+  mapWindow(found);
+  if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
+  if (shadow.state.raster.program != 0) return planProgram(mode, e, found);
+  return shadow.info.core ? Reason::program : planFixedFunction(mode, e, found);
+}
+
+Reason CulledDraws::planProgram(GLenum mode, const Elements& e, Plan& found) {
+  ShadowState& shadow = p_.shadow;
+  CulledProgram& program = programInUse();
+  if (program.reason() != Reason::traced) return program.reason();
+  const bool core = shadow.info.core;
+  const bool opaque = !isOn(shadow.real, GL_BLEND) || program.isOpaque(shadow.real, core);
+  if (const Reason reason = cullableBlending(shadow, opaque); reason != Reason::traced) return reason;
+  const std::optional<LinearPosition> position = program.position(shadow.real, core);
+  if (!position) return Reason::positions;
+  found.program = &program, found.matrix = {position->clipFromAttribute, position->magnitudes};
+  if (position->attribute == "gl_Vertex") {
+    shadow.refresh(kFixedArrays);
+    return planMesh(shadow.arrays, shadow.arrays.vertex, position->components, mode, e, found);
+  }
+  const ProgramAttribute* attribute = program.known().program.attribute(position->attribute);
+  const ArraySource* array = attribute ? arrayOf(shadow.attributes, attribute->location) : nullptr;
+  return array ? planMesh(shadow.attributes, *array, position->components, mode, e, found)
+               : Reason::arrayState;
+}
+
+Reason CulledDraws::planFixedFunction(GLenum mode, const Elements& e, Plan& found) {
+  const ShadowState& shadow = p_.shadow;
+  if (const Reason reason = cullableBlending(shadow, false); reason != Reason::traced) return reason;
+  glm::dmat4 projection(1), modelview(1);
+  shadow.real.GetDoublev(GL_PROJECTION_MATRIX, glm::value_ptr(projection));
+  shadow.real.GetDoublev(GL_MODELVIEW_MATRIX, glm::value_ptr(modelview));
+  const auto absolute = [](glm::dmat4 m) {
+    for (int c = 0; c < 4; ++c) m[c] = glm::abs(m[c]);
+    return m;
+  };
+  found.matrix = {projection * modelview, absolute(projection) * absolute(modelview)};
+  return planMesh(shadow.arrays, shadow.arrays.vertex, 4, mode, e, found);
+}
+
+Reason CulledDraws::planMesh(const ArrayState& arrays, const ArraySource& positions, int components,
+                             GLenum mode, const Elements& e, Plan& found) {
+  ShadowState& shadow = p_.shadow;
+  const bool inBuffers = positions.buffer && (!e.type || arrays.elements);
+  // The program's memory is hashed at each draw, which must not slow down what is not worth culling.
+  const bool always = shadow.settings.cull.draws == Culling::always;
+  if (!positions.enabled || (!inBuffers && !always)) return Reason::arrayState;
+  ArrayState content;
+  content.vertex = positions, content.vertex.size = std::min(positions.size, components);
+  content.elements = arrays.elements;
+  if (foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
+  const Hash128 name = contentOf(shadow.real, content, mode, e);
+  if (!meshes_.contains(name)) forgetOld();
+  Known& known = meshes_[name];
+  if (known.frames == 0 || known.lastFrame != p_.clock.frame) ++known.frames;
+  known.lastFrame = p_.clock.frame;
+  if (!always && known.frames < kSteadyFrames) return Reason::unsteady;
+  if (!known.mesh && !known.refused) {
+    known.mesh = CulledMesh::of(shadow.real, positions, components, content, mode, e);
+    known.refused = !known.mesh;
+  }
+  if (known.refused) return Reason::arrayState;
+  if (known.different) return Reason::notTheSame;
+  prepare(known.mesh);
+  if (!known.mesh->isBuilt() || building_ == known.mesh) return Reason::smallDraw;
+  known.mesh->forgetPositions();
+  found.mesh = known.mesh, found.known = &known;
+  return Reason::traced;
+}
+
+/// Has the clusters built; with cull = always at once, so that the first frame is culled, too.
+void CulledDraws::prepare(const std::shared_ptr<CulledMesh>& mesh) {
+  if (job_.busy() && job_.poll() != BackgroundJob::Outcome::none) building_.reset();
+  if (mesh->isBuilt()) return;
+  if (p_.shadow.settings.cull.draws == Culling::always) return mesh->build();
+  if (job_.busy()) return;
+  building_ = mesh;
+  job_.start([mesh](const std::atomic<bool>&) { mesh->build(); });
+}
+
+void CulledDraws::mapWindow(Plan& found) const {
+  const State& state = p_.shadow.state;
+  const glm::ivec4 v = state.viewport, scissor = scissorBox(p_.shadow.real);
+  glm::ivec2 lower = glm::max(glm::ivec2(v.x, v.y), glm::ivec2(scissor.x, scissor.y));
+  glm::ivec2 upper = glm::min(glm::ivec2(v.x + v.z, v.y + v.w),
+                              glm::ivec2(scissor.x, scissor.y) + glm::ivec2(scissor.z, scissor.w));
+  lower = glm::max(lower, glm::ivec2(0));
+  if (state.target.size.x > 0) upper = glm::min(upper, state.target.size);
+  found.region = {lower.x, lower.y, upper.x - lower.x, upper.y - lower.y};
+  found.window.viewport = glm::dvec4(v.x - lower.x, v.y - lower.y, v.z, v.w);
+  found.window.depthNear = state.depthNear, found.window.depthFar = state.depthFar;
+  found.reversed = state.raster.isReversed();
+  if (!found.reversed) return;
+  found.window.depthNear = 1 - state.depthNear, found.window.depthFar = 1 - state.depthFar;
+}
+
+CulledProgram& CulledDraws::programInUse() {
+  const std::shared_ptr<const KnownProgram>& known = p_.shadow.programInUse();
+  std::unique_ptr<CulledProgram>& program = programs_[known.get()];
+  if (!program) program = std::make_unique<CulledProgram>(p_.shadow.real, known);
+  return *program;
+}
+
+/// Forgets what was not drawn for long.
+void CulledDraws::forgetOld() {
+  const uint64_t now = p_.clock.frame;
+  std::erase_if(meshes_, [&](const auto& entry) {
+    const Known& known = entry.second;
+    return (!building_ || known.mesh != building_) && known.lastFrame + kUnusedFrames < now;
+  });
+  std::erase_if(programs_, [](const auto& entry) { return entry.second->isForgotten(); });
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,100 @@
+// Draws that are not traced, made by the real OpenGL without what cannot be seen (adr/0064): by shader
+// programs, and by fixed function. A part of each
+// Context, GL thread.
+#pragma once
+#include "base/background_job.h"
+#include "base/hash.h"
+#include "gl/arrays/elements.h"
+#include "gl/batch/flusher.h"
+#include "gl/culled/culled_mesh.h"
+#include "gl/culled/culled_program.h"
+#include "gl/culled/culling_trials.h"
+#include "gl/culled/restore_point.h"
+#include "gl/draws/draw_counts.h"
+#include "gl/draws/reasons.h"
+#include "gl/failsafe.h"
+#include "gl/state/shadow_state.h"
+#include "gl/window/frame_clock.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::gl {
+
+class CulledDraws {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    DrawCounts& counts;
+    Flusher& flusher;
+    const RasterDraws& raster;
+  };
+  explicit CulledDraws(const Parts& parts) : p_(parts), before_(parts.shadow, parts.flusher, parts.raster) {}
+  ~CulledDraws();
+
+  /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
+  /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn.
+  /// Never throws.
+  bool draw(GLenum mode, const Elements& elements) noexcept;
+
+ private:
+  struct Known {
+    std::shared_ptr<CulledMesh> mesh;
+    CullingTrials trials;
+    uint64_t lastFrame = 0;  // that drew it
+    int frames = 0;          // that drew it
+    bool refused = false;    // its positions cannot be read
+    bool different = false;  // a picture was not the same, without a shader program
+  };
+  /// What a draw needs, found before anything is drawn.
+  struct Plan {
+    CulledProgram* program = nullptr;  // null: fixed function
+    std::shared_ptr<CulledMesh> mesh;
+    Known* known = nullptr;
+    ClipMatrix matrix;
+    scene::Region region;  // pixels that may be drawn
+    WindowMapping window;
+    bool reversed = false;  // larger depths are nearer: `window` maps to 1 - depth
+  };
+
+  /// Why the draw is not culled, or Reason::traced.
+  Reason plan(GLenum mode, const Elements& elements, Plan& plan);
+  Reason planProgram(GLenum mode, const Elements& elements, Plan& plan);
+  Reason planFixedFunction(GLenum mode, const Elements& elements, Plan& plan);
+  /// `positions`: one of `arrays`.
+  Reason planMesh(const ArrayState& arrays, const ArraySource& positions, int components, GLenum mode,
+                  const Elements& elements, Plan& plan);
+  void mapWindow(Plan& plan) const;
+  CulledProgram& programInUse();
+  void prepare(const std::shared_ptr<CulledMesh>& mesh);
+  void forgetOld();
+
+  /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
+  /// copied.
+  bool drawCulled(const Plan& plan);
+  bool drawVerified(const Plan& plan, GLenum mode, const Elements& elements);
+  /// Reads the depth of the region and finds what may show. False: it cannot be read.
+  bool look(const Plan& plan, std::vector<uint64_t>& visible);
+  void drawClusters(const CulledMesh& mesh, const std::vector<uint64_t>& clusters);
+  /// Whether a pixel of these clusters has the very depth that is there: then the order of drawing decides.
+  bool meetsEqual(const CulledMesh& mesh, const std::vector<uint64_t>& clusters);
+
+  Parts p_;
+  RestorePoint before_;
+  std::unordered_map<const KnownProgram*, std::unique_ptr<CulledProgram>> programs_;
+  std::unordered_map<Hash128, Known> meshes_;
+  BackgroundJob job_;
+  std::shared_ptr<CulledMesh> building_;
+  std::vector<float> depths_;
+  DepthPyramid pyramid_;
+  std::vector<uint32_t> indices_;
+  GLuint indexBuffer_ = 0, query_ = 0;
+};
+
+}  // namespace gluray::gl

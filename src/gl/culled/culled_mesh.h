@@ -1,0 +1,54 @@
+// The geometry of a draw that is culled: its clusters, built in the background, and what was last visible. A
+// part of CulledDraws, GL thread.
+#pragma once
+#include "base/background_job.h"
+#include "gl/arrays/arrays.h"
+#include "gl/buffers/buffer.h"
+#include "gl/culled/clusters.h"
+#include "gl/real.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+class CulledMesh {
+ public:
+  /// `positions`: the array that gives them, of which `components` count. Nothing where they cannot be read.
+  static std::shared_ptr<CulledMesh> of(const RealGl& real, const ArraySource& positions, int components,
+                                        const ArrayState& arrays, GLenum mode, const Elements& elements);
+
+  /// Builds the clusters. Any thread, once.
+  void build();
+  /// Of no use when the clusters are built. GL thread.
+  void forgetPositions() { positionStorage_.reset(), copied_ = {}; }
+  bool isBuilt() const { return clusters_.has_value(); }
+  const Clusters& clusters() const { return *clusters_; }
+  uint32_t primitives() const { return primitives_.count; }
+  uint32_t corners() const { return primitives_.corners; }
+  GLenum mode() const { return primitives_.corners == 4 ? GL_QUADS : GL_TRIANGLES; }
+  /// Vertex numbers of the primitives of clusters, in the order of the draw.
+  size_t write(const std::vector<uint64_t>& clusters, uint32_t* out) const {
+    return clusters_->write(clusters, primitives_, out);
+  }
+
+  std::vector<uint64_t> visible;  // clusters that showed last; empty: not known
+
+ private:
+  CulledMesh() = default;
+  /// False: the real OpenGL would read beyond the indices.
+  bool readIndices(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+  void copyPositions(uint32_t end);
+
+  std::shared_ptr<const BufferStorage> positionStorage_, indexStorage_;
+  std::vector<uint32_t> numbers_;
+  std::vector<std::byte> copied_;  // positions in the program's memory, until the clusters are built
+  Primitives primitives_;
+  std::optional<Clusters> clusters_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,150 @@
+#include "gl/culled/culled_program.h"
+
+#include "gl/families/glsl_tokens.h"
+#include "gl/programs/program_source.h"
+#include "gl/programs/uniforms.h"
+
+#include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+/// Words whose values are others where a draw is made in parts, and outputs that depth tests depend on.
+struct Obstacle {
+  std::string_view word;
+  Reason reason;
+};
+constexpr std::array kObstacles{
+    Obstacle{"gl_FragDepth", Reason::fragmentDepth},
+    Obstacle{"gl_FragDepthEXT", Reason::fragmentDepth},
+    Obstacle{"gl_FragStencilRefARB", Reason::stencil},
+    Obstacle{"gl_PrimitiveID", Reason::primitiveNumbers},
+    Obstacle{"gl_BaseVertex", Reason::primitiveNumbers},
+    Obstacle{"gl_BaseVertexARB", Reason::primitiveNumbers},
+    Obstacle{"gl_DrawID", Reason::primitiveNumbers},
+    Obstacle{"gl_DrawIDARB", Reason::primitiveNumbers},
+    Obstacle{"gl_SampleMask", Reason::multisampleState},
+    Obstacle{"gl_LastFragData", Reason::blend},
+    Obstacle{"gl_LastFragColorARM", Reason::blend},
+    Obstacle{"gl_Layer", Reason::geometryShader},
+    Obstacle{"gl_ViewportIndex", Reason::geometryShader},
+    Obstacle{"gl_ViewportMask", Reason::geometryShader},
+};
+
+Reason obstacleIn(std::string_view text) {
+  GlslTokens tokens(text);
+  for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next()) {
+    const auto found = std::ranges::find(kObstacles, word, &Obstacle::word);
+    if (found != kObstacles.end()) return found->reason;
+  }
+  return Reason::traced;
+}
+
+/// The values that the real OpenGL has now.
+class CurrentUniforms final : public UniformSource {
+ public:
+  CurrentUniforms(const RealGl& real, const Program& program, bool core)
+      : real_(real), program_(program), core_(core), values_(readUniforms(real, program)) {}
+
+  bool read(std::string_view name, std::vector<double>& components) const override {
+    const auto [uniform, element] = find(name);
+    if (!uniform) return !core_ && name.starts_with("gl_") && readBuiltIn(name, components);
+    if (uniform->location < 0 && uniform->block < 0)
+      return !core_ && name.starts_with("gl_") && readBuiltIn(name, components);
+    const UniformValue& value = (*values_)[uniform->first + static_cast<size_t>(element)];
+    const UniformShape shape = shapeOf(value.type);
+    const auto count = static_cast<size_t>(shape.columns * shape.rows);
+    if (count == 0 || count > value.floats.size()) return false;
+    components.clear();
+    for (size_t i = 0; i < count; ++i)
+      components.push_back(shape.integers ? value.integers[i] : double{value.floats[i]});
+    return true;
+  }
+
+ private:
+  std::pair<const ProgramUniform*, int> find(std::string_view name) const {
+    if (const auto it = program_.uniforms.find(name); it != program_.uniforms.end()) return {&it->second, 0};
+    const size_t bracket = name.rfind('[');
+    if (bracket == std::string_view::npos || !name.ends_with(']')) return {nullptr, 0};
+    int element = 0;
+    for (const char digit : name.substr(bracket + 1, name.size() - bracket - 2)) {
+      if (!isDigit(digit) || element > 1 << 20) return {nullptr, 0};
+      element = 10 * element + (digit - '0');
+    }
+    const auto it = program_.uniforms.find(name.substr(0, bracket));
+    const bool exists = it != program_.uniforms.end() && element < it->second.count;
+    return {exists ? &it->second : nullptr, element};
+  }
+
+  glm::dmat4 matrix(GLenum name) const {
+    glm::dmat4 m(1);
+    real_.GetDoublev(name, glm::value_ptr(m));
+    return m;
+  }
+  bool readBuiltIn(std::string_view name, std::vector<double>& components) const {
+    const auto take = [&](std::string_view start) {
+      if (!name.starts_with(start)) return false;
+      name.remove_prefix(start.size());
+      return true;
+    };
+    glm::dmat4 m(1);
+    if (take("gl_ModelViewProjectionMatrix"))
+      m = matrix(GL_PROJECTION_MATRIX) * matrix(GL_MODELVIEW_MATRIX);
+    else if (take("gl_ModelViewMatrix"))
+      m = matrix(GL_MODELVIEW_MATRIX);
+    else if (take("gl_ProjectionMatrix"))
+      m = matrix(GL_PROJECTION_MATRIX);
+    else
+      return false;
+    if (take("Inverse")) m = glm::inverse(m);
+    if (take("Transpose")) m = glm::transpose(m);
+    if (!name.empty()) return false;
+    components.assign(glm::value_ptr(m), glm::value_ptr(m) + 16);
+    return true;
+  }
+
+  const RealGl& real_;
+  const Program& program_;
+  const bool core_;
+  const UniformValuesPtr values_;
+};
+
+}  // namespace
+
+CulledProgram::CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known)
+    : known_(std::move(known)) {
+  reason_ = check(real);
+}
+
+Reason CulledProgram::check(const RealGl& real) {
+  const Program& program = known_->program;
+  if (!program.linked) return Reason::program;
+  if (program.geometryShader || program.tessellation) return Reason::geometryShader;
+  if (program.writes) return Reason::memoryWrites;
+  ProgramSource source(real, program);
+  if (!source.isWhole(false)) return Reason::noSource;
+  const std::string vertex = source.of(GL_VERTEX_SHADER), fragment = source.of(GL_FRAGMENT_SHADER);
+  for (const std::string* text : {&vertex, &fragment})
+    if (const Reason reason = obstacleIn(*text); reason != Reason::traced) return reason;
+  slice_.emplace(vertex), alpha_.emplace(fragment);
+  why_ = slice_->why();
+  return why_.empty() ? Reason::traced : Reason::positions;
+}
+
+std::optional<LinearPosition> CulledProgram::position(const RealGl& real, bool core) {
+  if (reason_ != Reason::traced) return std::nullopt;
+  return slice_->evaluate(CurrentUniforms(real, known_->program, core), why_);
+}
+
+bool CulledProgram::isOpaque(const RealGl& real, bool core) const {
+  return alpha_ && alpha_->isOpaque(CurrentUniforms(real, known_->program, core));
+}
+
+}  // namespace gluray::gl

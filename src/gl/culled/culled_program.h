@@ -1,0 +1,46 @@
+// Whether the draws of a shader program can be culled, and where it puts its vertices. GL thread, context
+// current.
+#pragma once
+#include "gl/culled/shader_slice/position_slice.h"
+#include "gl/draws/reasons.h"
+#include "gl/families/match.h"
+#include "gl/real.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace gluray::gl {
+
+class ShareGroup;
+
+class CulledProgram {
+ public:
+  /// Reads the program's source.
+  CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known);
+
+  /// Why its draws cannot be culled, whatever its uniforms are; Reason::traced: they may be.
+  Reason reason() const { return reason_; }
+  /// The same in words for the user, more precisely; may be empty.
+  const std::string& why() const { return why_; }
+  /// With the current values of its uniforms. Nothing: not linear; sets why().
+  std::optional<LinearPosition> position(const RealGl& real, bool core);
+  /// Whether alpha is 1 in all that it draws, with the current values of its uniforms.
+  bool isOpaque(const RealGl& real, bool core) const;
+  /// It is not culled from now on.
+  void refuse(Reason reason) { reason_ = reason; }
+  /// Whether nothing else knows the program any more.
+  bool isForgotten() const { return known_.use_count() == 1; }
+  const KnownProgram& known() const { return *known_; }
+
+ private:
+  Reason check(const RealGl& real);
+
+  std::shared_ptr<const KnownProgram> known_;
+  std::optional<PositionSlice> slice_;
+  std::optional<AlphaSlice> alpha_;
+  Reason reason_ = Reason::traced;
+  std::string why_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,47 @@
+#include "gl/culled/restore_point.h"
+
+#include "gl/state/state_queries.h"
+#include "gl/window/clears.h"
+
+#include <array>
+
+namespace gluray::gl {
+
+bool RestorePoint::keep(const scene::Region& region) {
+  region_ = region;
+  const std::optional<ClearedTarget>& below = raster_.clearBelow();
+  const TargetState& target = shadow_.state.target;
+  // With GL_FRAMEBUFFER_SRGB a clear may have been made before it was switched.
+  const bool isClear =
+      below && below->framebuffer == target.framebuffer && !target.encodes && contains(below->region, region);
+  clear_ = isClear ? below : std::nullopt;
+  return isClear || flusher_.presenter.reader().keep(shadow_.real, region);
+}
+
+void RestorePoint::putBack() {
+  if (clear_) return clear(*clear_);
+  flusher_.presenter.reader().putBack(shadow_.real);
+}
+
+/// Channels that the draw's colour mask leaves out have kept their values.
+void RestorePoint::clear(const ClearedTarget& as) {
+  const RealGl& real = shadow_.real;
+  const bool scissored = isOn(real, GL_SCISSOR_TEST);
+  std::array<GLint, 4> box{};
+  std::array<GLfloat, 4> color{};
+  GLdouble depth = 1;
+  real.GetIntegerv(GL_SCISSOR_BOX, box.data());
+  real.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+  real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
+  real.Enable(GL_SCISSOR_TEST);
+  real.Scissor(region_.x, region_.y, region_.width, region_.height);
+  real.ClearColor(as.color[0], as.color[1], as.color[2], as.color[3]);
+  real.ClearDepth(1);
+  real.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  real.ClearColor(color[0], color[1], color[2], color[3]);
+  real.ClearDepth(depth);
+  real.Scissor(box[0], box[1], box[2], box[3]);
+  if (!scissored) real.Disable(GL_SCISSOR_TEST);
+}
+
+}  // namespace gluray::gl

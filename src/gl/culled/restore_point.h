@@ -1,0 +1,33 @@
+// The pixels that a draw may change, as they were before it. A part of CulledDraws, GL thread.
+#pragma once
+#include "gl/batch/flusher.h"
+#include "gl/draws/raster_draws.h"
+#include "gl/state/shadow_state.h"
+#include "scene/snapshot.h"
+
+#include <optional>
+
+namespace gluray::gl {
+
+class RestorePoint {
+ public:
+  /// All must outlive it.
+  RestorePoint(ShadowState& shadow, Flusher& flusher, const RasterDraws& raster)
+      : shadow_(shadow), flusher_(flusher), raster_(raster) {}
+
+  /// Call before the draw, after RasterDraws::before(): remembers what is in `region`. False: it cannot.
+  bool keep(const scene::Region& region);
+  /// Writes it back. Changes no state.
+  void putBack();
+
+ private:
+  void clear(const ClearedTarget& as);
+
+  ShadowState& shadow_;
+  Flusher& flusher_;
+  const RasterDraws& raster_;
+  scene::Region region_;
+  std::optional<ClearedTarget> clear_;  // all that is in the region; none: pixels were copied
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,87 @@
+// Values of an abstract run of a shader: numbers that are linear in the components of one vertex attribute,
+// or not known. Any thread.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+namespace gluray::gl::glsl {
+
+/// factors[0..3] * attribute + factors[4].
+struct Linear {
+  std::array<double, 5> factors{};
+  std::array<double, 5> magnitudes{};  // sums of the absolute values that were added up
+  int attribute = -1;                  // -1: a constant
+  bool known = true;
+  bool exact = true;  // the constant is what the shader computes, to the bit
+
+  static Linear unknown() {
+    Linear l;
+    l.known = false, l.exact = false;
+    return l;
+  }
+  static Linear constant(double value, bool exact = true) {
+    Linear l;
+    l.factors[4] = value, l.magnitudes[4] = std::abs(value), l.exact = exact;
+    return l;
+  }
+  bool isConstant() const { return known && attribute < 0; }
+  double value() const { return factors[4]; }
+  double magnitude() const { return magnitudes[4]; }
+};
+
+Linear sum(const Linear& a, const Linear& b, double sign = 1);
+Linear product(const Linear& a, const Linear& b);
+Linear quotient(const Linear& a, const Linear& b);
+/// What a function of constants has computed: `error` in roundings of 1 + |value|; errors of inexact
+/// arguments grow by `gain` at most.
+Linear computed(double value, double error, double gain, const std::vector<Linear>& arguments);
+
+/// The type of a value without its array sizes: of `rows` components, and if `columns` > 1 a matrix.
+struct Shape {
+  enum class Base : unsigned char { floats, integers, booleans, opaque } base = Base::opaque;
+  int columns = 1, rows = 1;
+  bool operator==(const Shape&) const = default;
+  int size() const { return columns * rows; }
+  bool isMatrix() const { return columns > 1; }
+};
+/// Of a built-in type's name; opaque for all others.
+Shape shapeOfType(std::string_view name);
+
+/// A value with its components (column by column), or with `items`: elements of an array, fields of a struct.
+struct Value {
+  Shape shape;
+  std::vector<Linear> components;
+  std::vector<Value> items;
+  std::string_view structure;  // name of a struct
+  bool isArray = false;
+
+  /// Of the shape, all of it unknown; opaque: nothing is known of it at all.
+  static Value unknown(const Shape& shape = {}) {
+    Value v;
+    v.shape = shape;
+    if (shape.base != Shape::Base::opaque)
+      v.components.assign(static_cast<size_t>(shape.size()), Linear::unknown());
+    return v;
+  }
+  static Value of(const Linear& one, Shape::Base base = Shape::Base::floats) {
+    Value v;
+    v.shape = {base, 1, 1}, v.components = {one};
+    return v;
+  }
+  bool isOpaque() const { return components.empty() && items.empty(); }
+  bool isScalar() const { return components.size() == 1; }
+  bool areConstants() const {
+    return !components.empty() &&
+           std::ranges::all_of(components, [](const Linear& l) { return l.isConstant(); });
+  }
+  /// Forgets what it is, not its type.
+  void forget() {
+    std::ranges::fill(components, Linear::unknown());
+    for (Value& item : items) item.forget();
+  }
+};
+
+}  // namespace gluray::gl::glsl

@@ -1,0 +1,74 @@
+#include "gl/culled/shader_slice/position_slice.h"
+
+#include "gl/culled/shader_slice/glsl_preprocessor.h"
+#include "gl/culled/shader_slice/slice_run.h"
+
+#include <stdexcept>
+#include <utility>
+
+namespace gluray::gl {
+
+struct ShaderSlice::Parsed {
+  std::string source;  // what the tokens point into
+  glsl::Tree tree;
+  std::string why;
+};
+
+ShaderSlice::ShaderSlice(std::string_view source) {
+  auto parsed = std::make_unique<Parsed>();
+  parsed->source = source;
+  try {
+    parsed->tree = glsl::parse(preprocessed(parsed->source));
+  } catch (const std::runtime_error& error) { parsed->why = error.what(); }
+  parsed_ = std::move(parsed);
+}
+
+ShaderSlice::~ShaderSlice() = default;
+ShaderSlice::ShaderSlice(ShaderSlice&&) noexcept = default;
+ShaderSlice& ShaderSlice::operator=(ShaderSlice&&) noexcept = default;
+
+const std::string& PositionSlice::why() const { return parsed_->why; }
+
+std::optional<LinearPosition> PositionSlice::evaluate(const UniformSource& uniforms, std::string& why) const {
+  why = parsed_->why;
+  if (!why.empty()) return std::nullopt;
+  try {
+    glsl::SliceRun run(parsed_->tree, uniforms, glsl::SliceRun::Stage::vertex);
+    const glsl::Value position = run.run();
+    LinearPosition result;
+    int attribute = -1;
+    bool usesW = false, usesOne = false;
+    if (position.components.size() != 4) throw std::runtime_error("gl_Position is not a vec4");
+    for (int row = 0; row < 4; ++row) {
+      const glsl::Linear& l = position.components[static_cast<size_t>(row)];
+      if (!l.known) throw std::runtime_error("gl_Position is not linear in an attribute, or not followed");
+      if (l.attribute >= 0 && attribute >= 0 && l.attribute != attribute)
+        throw std::runtime_error("gl_Position depends on several attributes");
+      if (l.attribute >= 0) attribute = l.attribute;
+      usesW = usesW || l.magnitudes[3] != 0, usesOne = usesOne || l.magnitudes[4] != 0;
+      for (int c = 0; c < 4; ++c) {
+        const auto i = static_cast<size_t>(c);
+        result.clipFromAttribute[c][row] = l.factors[i] + (c == 3 ? l.factors[4] : 0);
+        result.magnitudes[c][row] = l.magnitudes[i] + (c == 3 ? l.magnitudes[4] : 0);
+      }
+    }
+    if (attribute < 0) throw std::runtime_error("gl_Position depends on no attribute");
+    if (usesW && usesOne) throw std::runtime_error("gl_Position is not linear in an attribute");
+    result.attribute = run.attribute(attribute);
+    result.components = usesW ? 4 : std::min(3, run.componentsOf(attribute));
+    return result;
+  } catch (const std::runtime_error& error) { why = error.what(); }
+  return std::nullopt;
+}
+
+bool AlphaSlice::isOpaque(const UniformSource& uniforms) const {
+  if (!parsed_->why.empty()) return false;
+  try {
+    const glsl::Value color = glsl::SliceRun(parsed_->tree, uniforms, glsl::SliceRun::Stage::fragment).run();
+    if (color.shape.base != glsl::Shape::Base::floats || color.components.size() != 4) return false;
+    const glsl::Linear& alpha = color.components[3];
+    return alpha.isConstant() && alpha.exact && alpha.value() == 1;
+  } catch (const std::runtime_error&) { return false; }
+}
+
+}  // namespace gluray::gl

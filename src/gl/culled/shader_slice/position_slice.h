@@ -1,0 +1,67 @@
+// Where a vertex shader puts its vertices, if that is a matrix times one attribute, and whether a fragment
+// shader's alpha is 1: follows what these depend on with the current values of uniforms. Any thread.
+#pragma once
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Values of the uniforms of a program, in use while PositionSlice::evaluate() runs.
+class UniformSource {
+ public:
+  virtual ~UniformSource() = default;
+  /// Components of the active uniform `name` ("matrices[2]", "light.position", "Block.member" or the member
+  /// of a block without instance name; built-in state such as "gl_ModelViewProjectionMatrix"), matrices
+  /// column by column; booleans 0 or 1. False: not known.
+  virtual bool read(std::string_view name, std::vector<double>& components) const = 0;
+};
+
+/// gl_Position = clipFromAttribute * attribute.
+struct LinearPosition {
+  std::string attribute;  // "gl_Vertex" included
+  int components = 3;     // of the attribute that count; the others are (0, 0, 1)
+  glm::dmat4 clipFromAttribute;
+  /// At least the absolute values of all products that were added up to each element: what rounding in single
+  /// precision is relative to.
+  glm::dmat4 magnitudes;
+};
+
+/// A shader's text that is ready to be run.
+class ShaderSlice {
+ public:
+  ~ShaderSlice();
+  ShaderSlice(ShaderSlice&&) noexcept;
+  ShaderSlice& operator=(ShaderSlice&&) noexcept;
+
+ protected:
+  explicit ShaderSlice(std::string_view source);
+  struct Parsed;
+  std::unique_ptr<const Parsed> parsed_;
+};
+
+class PositionSlice : public ShaderSlice {
+ public:
+  /// `source`: text of the vertex shaders of a program, one after the other, as the program gave them.
+  explicit PositionSlice(std::string_view source) : ShaderSlice(source) {}
+
+  /// Why positions are not known whatever the uniforms are, in a few words; empty: they may be known.
+  const std::string& why() const;
+  /// Nothing: not linear in one attribute with these values. Sets `why` then.
+  std::optional<LinearPosition> evaluate(const UniformSource& uniforms, std::string& why) const;
+};
+
+class AlphaSlice : public ShaderSlice {
+ public:
+  /// `source`: text of the fragment shaders of a program, as above.
+  explicit AlphaSlice(std::string_view source) : ShaderSlice(source) {}
+
+  /// Whether each fragment that is not discarded has the alpha 1, to the bit. False: not known.
+  bool isOpaque(const UniformSource& uniforms) const;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,466 @@
+#include "gl/culled/shader_slice/slice_functions.h"
+
+#include "gl/culled/shader_slice/slice_matrices.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+namespace gluray::gl::glsl {
+namespace {
+
+using Base = Shape::Base;
+using Linears = std::vector<Linear>;
+
+constexpr double kRounding = 1.0 / (1 << 20);  // of a value that some operations have computed
+constexpr double kRough = 4096;                // roundings of transcendental functions of software OpenGLs
+
+Linear boolean(bool b) { return Linear::constant(b ? 1 : 0); }
+
+/// Less than, if rounding cannot change it.
+std::optional<int> order(const Linear& a, const Linear& b) {
+  if (!a.isConstant() || !b.isConstant()) return std::nullopt;
+  const double apart = a.value() - b.value();
+  const bool exact = a.exact && b.exact;
+  if (!exact && !(std::abs(apart) > kRounding * (a.magnitude() + b.magnitude()))) return std::nullopt;
+  return apart < 0 ? -1 : apart > 0 ? 1 : 0;
+}
+
+Linear compared(std::string_view op, const Linear& a, const Linear& b) {
+  const std::optional<int> o = order(a, b);
+  if (!o) return Linear::unknown();
+  if (op == "<") return boolean(*o < 0);
+  if (op == ">") return boolean(*o > 0);
+  if (op == "<=") return boolean(*o <= 0);
+  if (op == ">=") return boolean(*o >= 0);
+  return boolean((*o == 0) == (op == "=="));
+}
+
+Linear integerOperator(std::string_view op, const Linear& a, const Linear& b) {
+  if (!a.isConstant() || !b.isConstant()) return Linear::unknown();
+  constexpr double kMost = 1 << 30;
+  const double x = a.value(), y = b.value();
+  if (std::abs(x) > kMost || std::abs(y) > kMost) return Linear::unknown();
+  const auto i = static_cast<int64_t>(x), j = static_cast<int64_t>(y);
+  int64_t result = 0;
+  if (op == "+")
+    result = i + j;
+  else if (op == "-")
+    result = i - j;
+  else if (op == "*")
+    result = i * j;
+  else if (op == "/" && j != 0)
+    result = i / j;
+  else if (op == "%" && j > 0 && i >= 0)
+    result = i % j;
+  else if (op == "&")
+    result = i & j;
+  else if (op == "|")
+    result = i | j;
+  else if (op == "^")
+    result = i ^ j;
+  else if (op == "<<" && j >= 0 && j < 31 && i >= 0)
+    result = i << j;
+  else if (op == ">>" && j >= 0 && j < 31)
+    result = i >> j;
+  else
+    return Linear::unknown();
+  if (std::abs(static_cast<double>(result)) > kMost) return Linear::unknown();
+  return Linear::constant(static_cast<double>(result));
+}
+
+Linear arithmetic(std::string_view op, Base base, const Linear& a, const Linear& b) {
+  if (base == Base::integers) return integerOperator(op, a, b);
+  if (base != Base::floats) return Linear::unknown();
+  if (op == "+") return sum(a, b);
+  if (op == "-") return sum(a, b, -1);
+  if (op == "*") return product(a, b);
+  if (op == "/") return quotient(a, b);
+  return Linear::unknown();
+}
+
+/// Component `i` of an argument that may be a scalar for all.
+const Linear& spread(const Value& v, size_t i) { return v.components[v.isScalar() ? 0 : i]; }
+
+using Each = std::function<Linear(const Linears&)>;
+
+Linear mixed(const Linears& x) {
+  return sum(product(x[0], sum(Linear::constant(1), x[2], -1)), product(x[1], x[2]));
+}
+
+Linear smaller(const Linears& x, int sign) {
+  if (!x[0].isConstant() || !x[1].isConstant()) return Linear::unknown();
+  Linear r = sign * (x[0].value() - x[1].value()) < 0 ? x[0] : x[1];
+  r.magnitudes[4] = std::max(x[0].magnitude(), x[1].magnitude()), r.exact = x[0].exact && x[1].exact;
+  return r;
+}
+
+Each ofConstants(double (*function)(double), double error, double (*gain)(double)) {
+  return [=](const Linears& x) {
+    if (!x[0].isConstant()) return Linear::unknown();
+    return computed(function(x[0].value()), error, gain(x[0].value()), x);
+  };
+}
+
+/// For functions that jump: not near a jump.
+Each stepping(double (*function)(double)) {
+  return [=](const Linears& x) {
+    if (!x[0].isConstant()) return Linear::unknown();
+    const double v = x[0].value(), slack = x[0].exact ? 0 : kRounding * x[0].magnitude();
+    if (function(v - slack) != function(v + slack)) return Linear::unknown();
+    return Linear::constant(function(v), x[0].exact);
+  };
+}
+
+double one(double) { return 1; }
+
+/// Functions that work component by component.
+const std::map<std::string_view, Each>& componentwise() {
+  static const std::map<std::string_view, Each> table{
+      {"mix", mixed},
+      {"min", [](const Linears& x) { return smaller(x, 1); }},
+      {"max", [](const Linears& x) { return smaller(x, -1); }},
+      {"clamp",
+       [](const Linears& x) {
+         return smaller({smaller({x[0], x[1]}, -1), x[2]}, 1);
+       }},
+      {"abs",
+       [](const Linears& x) {
+         return x[0].isConstant() && x[0].value() < 0 ? product(x[0], Linear::constant(-1))
+                : x[0].isConstant()                   ? x[0]
+                                                      : Linear::unknown();
+       }},
+      {"radians",
+       [](const Linears& x) { return product(x[0], Linear::constant(std::numbers::pi / 180, false)); }},
+      {"degrees",
+       [](const Linears& x) { return product(x[0], Linear::constant(180 / std::numbers::pi, false)); }},
+      {"sin", ofConstants([](double v) { return std::sin(v); }, kRough, one)},
+      {"cos", ofConstants([](double v) { return std::cos(v); }, kRough, one)},
+      {"exp",
+       ofConstants([](double v) { return std::exp(v); }, kRough, [](double v) { return std::exp(v); })},
+      {"exp2",
+       ofConstants([](double v) { return std::exp2(v); }, kRough, [](double v) { return std::exp2(v); })},
+      {"sqrt",
+       ofConstants([](double v) { return std::sqrt(v); }, kRough, [](double v) { return 1 / std::sqrt(v); })},
+      {"inversesqrt", ofConstants([](double v) { return 1 / std::sqrt(v); }, kRough,
+                                  [](double v) { return 1 / (v * std::sqrt(v)); })},
+      {"floor", stepping([](double v) { return std::floor(v); })},
+      {"ceil", stepping([](double v) { return std::ceil(v); })},
+      {"sign", stepping([](double v) { return v > 0   ? 1.0
+                                              : v < 0 ? -1.0
+                                                      : 0.0; })},
+  };
+  return table;
+}
+
+Value dot(const Value& a, const Value& b) {
+  Linear total = Linear::constant(0);
+  for (size_t i = 0; i < a.components.size(); ++i)
+    total = sum(total, product(a.components[i], b.components[i]));
+  return Value::of(total);
+}
+
+Value cross(const Value& a, const Value& b) {
+  if (a.components.size() != 3 || b.components.size() != 3) return {};
+  Linears all;
+  for (size_t i = 0; i < 3; ++i) {
+    const size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    all.push_back(
+        sum(product(a.components[j], b.components[k]), product(a.components[k], b.components[j]), -1));
+  }
+  return valueOf(a.shape, std::move(all));
+}
+
+Value length(const Value& v) {
+  if (!v.areConstants()) return Value::unknown({Base::floats, 1, 1});
+  double squares = 0;
+  for (const Linear& l : v.components) squares += l.value() * l.value();
+  return Value::of(computed(std::sqrt(squares), kRough, 1, v.components));
+}
+
+Value normalize(const Value& v) {
+  if (!v.areConstants()) return Value::unknown(v.shape);
+  double squares = 0;
+  for (const Linear& l : v.components) squares += l.value() * l.value();
+  const double size = std::sqrt(squares);
+  Value r = v;
+  for (Linear& l : r.components)
+    l = size > 0 ? computed(l.value() / size, kRough, 2 / size, v.components) : Linear::unknown();
+  return r;
+}
+
+Value reduced(const Value& v, bool all) {
+  bool unknown = false;
+  for (const Linear& l : v.components) {
+    if (l.isConstant() && (l.value() != 0) != all) return Value::of(boolean(!all), Base::booleans);
+    unknown = unknown || !l.isConstant();
+  }
+  return Value::of(unknown ? Linear::unknown() : boolean(all), Base::booleans);
+}
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kComparisons{
+    {{"lessThan", "<"},
+     {"lessThanEqual", "<="},
+     {"greaterThan", ">"},
+     {"greaterThanEqual", ">="},
+     {"equal", "=="},
+     {"notEqual", "!="}}};
+
+/// Equal shapes but for scalars; the shape of the others. Opaque: they do not go together.
+Shape commonShape(const std::vector<Value>& values) {
+  Shape common;
+  for (const Value& v : values) {
+    if (v.components.empty()) return {};
+    if (common.base == Base::opaque || (common.size() == 1 && !v.isScalar())) common = v.shape;
+    if (!v.isScalar() && v.shape.size() != common.size()) return {};
+  }
+  return common;
+}
+
+}  // namespace
+
+bool isBuiltInFunction(std::string_view name) {
+  static const std::set<std::string_view> names{"radians",
+                                                "degrees",
+                                                "sin",
+                                                "cos",
+                                                "tan",
+                                                "asin",
+                                                "acos",
+                                                "atan",
+                                                "sinh",
+                                                "cosh",
+                                                "tanh",
+                                                "asinh",
+                                                "acosh",
+                                                "atanh",
+                                                "pow",
+                                                "exp",
+                                                "log",
+                                                "exp2",
+                                                "log2",
+                                                "sqrt",
+                                                "inversesqrt",
+                                                "abs",
+                                                "sign",
+                                                "floor",
+                                                "trunc",
+                                                "round",
+                                                "roundEven",
+                                                "ceil",
+                                                "fract",
+                                                "mod",
+                                                "min",
+                                                "max",
+                                                "clamp",
+                                                "mix",
+                                                "step",
+                                                "smoothstep",
+                                                "isnan",
+                                                "isinf",
+                                                "fma",
+                                                "ldexp",
+                                                "length",
+                                                "distance",
+                                                "dot",
+                                                "cross",
+                                                "normalize",
+                                                "ftransform",
+                                                "faceforward",
+                                                "reflect",
+                                                "refract",
+                                                "matrixCompMult",
+                                                "outerProduct",
+                                                "transpose",
+                                                "determinant",
+                                                "inverse",
+                                                "lessThan",
+                                                "lessThanEqual",
+                                                "greaterThan",
+                                                "greaterThanEqual",
+                                                "equal",
+                                                "notEqual",
+                                                "any",
+                                                "all",
+                                                "not",
+                                                "floatBitsToInt",
+                                                "floatBitsToUint",
+                                                "intBitsToFloat",
+                                                "uintBitsToFloat",
+                                                "bitCount",
+                                                "findLSB",
+                                                "findMSB"};
+  if (names.contains(name)) return true;
+  for (const std::string_view start :
+       {"texture", "texel", "shadow1D", "shadow2D", "noise", "pack", "unpack", "bitfield", "dFd", "fwidth"})
+    if (name.starts_with(start)) return true;
+  return false;
+}
+
+Value callBuiltIn(std::string_view name, const std::vector<Value>& arguments) {
+  if (arguments.empty()) return {};
+  for (const Value& a : arguments)
+    if (a.components.empty()) return {};
+  const Value& first = arguments[0];
+  const bool two = arguments.size() == 2 && arguments[1].components.size() == first.components.size();
+  if (name == "dot" && two) return dot(first, arguments[1]);
+  if (name == "cross" && two) return cross(first, arguments[1]);
+  if (name == "length") return length(first);
+  if (name == "distance" && two) return length(binaryOperator("-", first, arguments[1]));
+  if (name == "normalize") return normalize(first);
+  if (name == "transpose" && first.shape.isMatrix()) return transposed(first);
+  if (name == "inverse" && first.shape.isMatrix()) return inverted(first);
+  if (name == "any" || name == "all") return reduced(first, name == "all");
+  if (name == "not") return unaryOperator("!", first);
+  for (const auto& [function, op] : kComparisons)
+    if (name == function && two) {
+      Value r = valueOf({Base::booleans, 1, first.shape.rows}, {});
+      for (size_t i = 0; i < first.components.size(); ++i)
+        r.components.push_back(compared(op, first.components[i], arguments[1].components[i]));
+      return r;
+    }
+  const Shape shape = commonShape(arguments);
+  if (shape.base == Base::opaque) return {};
+  const auto found = componentwise().find(name);
+  if (found == componentwise().end()) {
+    const bool same = name != "determinant" && name != "outerProduct" && !name.starts_with("texture") &&
+                      !name.starts_with("texel") && !name.starts_with("shadow") &&
+                      shape.base == Base::floats && !name.starts_with("is") && !name.starts_with("pack") &&
+                      !name.starts_with("float") && !name.starts_with("noise");
+    return same ? Value::unknown(shape) : Value();
+  }
+  static const std::map<std::string_view, size_t> counts{{"mix", 3}, {"clamp", 3}, {"min", 2}, {"max", 2}};
+  const auto count = counts.find(name);
+  if (arguments.size() != (count == counts.end() ? 1 : count->second)) return {};
+  // mix() with booleans chooses.
+  if (arguments.back().shape.base == Base::booleans) return Value::unknown(shape);
+  Value r = valueOf(shape, {});
+  for (size_t i = 0; i < static_cast<size_t>(shape.size()); ++i) {
+    Linears x;
+    for (const Value& a : arguments) x.push_back(spread(a, i));
+    r.components.push_back(found->second(x));
+  }
+  return r;
+}
+
+/// A vector of which only the last components are known: those of single numbers after an argument of unknown
+/// type, which gives all others (GLSL 4.60, 5.4.2: none of the arguments may be left over).
+Value constructedEnd(const Shape& shape, const std::vector<Value>& arguments) {
+  Value r = Value::unknown(shape);
+  auto to = r.components.rbegin();
+  for (auto from = arguments.rbegin(); from != arguments.rend() && from->isScalar(); ++from, ++to) {
+    if (to == r.components.rend()) return Value::unknown(shape);
+    if (from->shape.base == shape.base) *to = from->components[0];
+  }
+  const auto known = static_cast<size_t>(to - r.components.rbegin());
+  return known + 1 == arguments.size() ? r : Value::unknown(shape);
+}
+
+Value construct(const Shape& shape, const std::vector<Value>& arguments) {
+  const auto isUnknown = [](const Value& a) { return a.components.empty(); };
+  if (std::ranges::any_of(arguments, isUnknown))
+    return shape.isMatrix() || shape.base != Base::floats ? Value::unknown(shape)
+                                                          : constructedEnd(shape, arguments);
+  const auto converted = [&](Linear l, Base from) {
+    if (shape.base == from || !l.known) return l;
+    if (shape.base == Base::floats) return l;
+    if (l.attribute >= 0) return Linear::unknown();
+    if (shape.base == Base::booleans)
+      return l.exact || l.value() != 0 ? boolean(l.value() != 0) : Linear::unknown();
+    if (from == Base::booleans) return l;
+    return stepping([](double v) { return std::trunc(v); })({l});
+  };
+  Value r = valueOf(shape, {});
+  const auto size = static_cast<size_t>(shape.size());
+  if (arguments.size() == 1 && arguments[0].isScalar()) {
+    const Linear one = converted(arguments[0].components[0], arguments[0].shape.base);
+    for (int c = 0; c < shape.columns; ++c)
+      for (int row = 0; row < shape.rows; ++row)
+        r.components.push_back(shape.isMatrix() && c != row ? Linear::constant(0) : one);
+    return r;
+  }
+  if (shape.isMatrix() && arguments.size() == 1 && arguments[0].shape.isMatrix()) {
+    const Value& m = arguments[0];
+    for (int c = 0; c < shape.columns; ++c)
+      for (int row = 0; row < shape.rows; ++row)
+        r.components.push_back(c < m.shape.columns && row < m.shape.rows
+                                   ? elementOf(m, c, row)
+                                   : Linear::constant(c == row ? 1 : 0));
+    return r;
+  }
+  for (const Value& a : arguments)
+    for (const Linear& l : a.components)
+      if (r.components.size() < size) r.components.push_back(converted(l, a.shape.base));
+  return r.components.size() == size ? r : Value::unknown(shape);
+}
+
+Value binaryOperator(std::string_view op, const Value& a, const Value& b) {
+  static const std::set<std::string_view> comparisons{"<", ">", "<=", ">=", "==", "!="};
+  const Shape yes{Base::booleans, 1, 1};
+  if (comparisons.contains(op)) {
+    if (a.components.empty() || a.components.size() != b.components.size()) return Value::unknown(yes);
+    if (a.isScalar()) return Value::of(compared(op, a.components[0], b.components[0]), Base::booleans);
+    Value same = valueOf({Base::booleans, 1, a.shape.size()}, {});
+    for (size_t i = 0; i < a.components.size(); ++i)
+      same.components.push_back(compared("==", a.components[i], b.components[i]));
+    const Value all = reduced(same, true);
+    return op == "==" ? all : unaryOperator("!", all);
+  }
+  if (op == "&&" || op == "||" || op == "^^") {
+    const std::optional<bool> x = truth(a), y = truth(b);
+    if (op == "&&" && ((x && !*x) || (y && !*y))) return Value::of(boolean(false), Base::booleans);
+    if (op == "||" && ((x && *x) || (y && *y))) return Value::of(boolean(true), Base::booleans);
+    if (!x || !y) return Value::unknown(yes);
+    return Value::of(boolean(op == "&&" ? *x && *y : op == "||" ? *x || *y : *x != *y), Base::booleans);
+  }
+  if (a.components.empty() || b.components.empty()) return {};
+  const bool matrices = a.shape.isMatrix() || b.shape.isMatrix();
+  if (op == "*" && matrices && !a.isScalar() && !b.isScalar()) return multiplied(a, b);
+  const Shape shape = commonShape({a, b});
+  if (shape.base == Base::opaque) return {};
+  const Base base = a.shape.base == Base::floats || b.shape.base == Base::floats ? Base::floats : shape.base;
+  Value r = valueOf({base, shape.columns, shape.rows}, {});
+  for (size_t i = 0; i < static_cast<size_t>(shape.size()); ++i)
+    r.components.push_back(arithmetic(op, base, spread(a, i), spread(b, i)));
+  return r;
+}
+
+Value unaryOperator(std::string_view op, const Value& a) {
+  if (op == "+") return a;
+  Value r = a;
+  for (Linear& l : r.components) {
+    const bool exact = l.exact;
+    if (op == "-")
+      l = product(l, Linear::constant(-1)), l.exact = l.known && exact;
+    else if (op == "!" && l.isConstant())
+      l = boolean(l.value() == 0);
+    else
+      l = Linear::unknown();
+  }
+  return r;
+}
+
+std::vector<size_t> swizzled(std::string_view field, size_t components) {
+  for (const std::string_view names : {"xyzw", "rgba", "stpq"}) {
+    std::vector<size_t> all;
+    for (const char c : field)
+      if (const size_t i = names.find(c); i != names.npos && i < components) all.push_back(i);
+    if (all.size() == field.size() && all.size() <= 4) return all;
+  }
+  return {};
+}
+
+std::optional<bool> truth(const Value& v) {
+  if (!v.isScalar() || !v.components[0].isConstant()) return std::nullopt;
+  return v.components[0].value() != 0;
+}
+
+std::optional<long> integerOf(const Value& v) {
+  if (!v.isScalar() || !v.components[0].isConstant() || v.shape.base == Base::floats) return std::nullopt;
+  return static_cast<long>(v.components[0].value());
+}
+
+}  // namespace gluray::gl::glsl

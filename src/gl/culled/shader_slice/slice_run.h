@@ -1,0 +1,94 @@
+// An abstract run of a vertex or fragment shader with the current values of its uniforms. Any thread.
+#pragma once
+#include "gl/culled/shader_slice/glsl_tree.h"
+#include "gl/culled/shader_slice/linear_value.h"
+#include "gl/culled/shader_slice/position_slice.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gluray::gl::glsl {
+
+class SliceRun {
+ public:
+  enum class Stage { vertex, fragment };
+
+  /// All must outlive it.
+  SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage);
+
+  /// gl_Position, or the colour of a fragment that is not discarded, at the end of main(). Throws
+  /// std::runtime_error with the reason why it cannot be known.
+  Value run();
+  /// Name of attribute number `i`; components that its declaration has.
+  const std::string& attribute(int i) const { return attributes_[static_cast<size_t>(i)].name; }
+  int componentsOf(int i) const { return attributes_[static_cast<size_t>(i)].components; }
+
+ private:
+  enum class Flow { on, leave, next, result };
+  struct Attribute {
+    std::string name;
+    int components;
+  };
+  struct Place {  // what an expression names
+    Value* value = nullptr;
+    std::vector<size_t> components;  // of *value; empty: all of it
+  };
+  using Scope = std::map<std::string_view, Value>;
+  struct Frame {
+    std::vector<Scope> scopes;
+    Value result;
+  };
+
+  void declareGlobals();
+  Value color() const;
+  Value attributeValue(const Global& global);
+  Value uniformValue(const std::string& path, const TypeName& type, size_t dimension, int depth);
+  Value defaultValue(const TypeName& type, size_t dimension = 0, int depth = 0);
+  const Struct* structNamed(std::string_view name) const;
+  std::optional<size_t> sizeOf(const TypeName& type, size_t dimension);
+
+  Flow execute(const Statement& statement);
+  Flow executeAll(const std::vector<StatementPtr>& statements);
+  Flow loop(const Statement& statement);
+  void declare(const Variable& variable);
+  /// Forgets all that the statements may assign. Throws Unfollowed where they may end the function.
+  void forgetAssigned(const Statement& statement);
+  void assignedBy(const Statement& statement, std::set<std::string_view>& names, bool& returns, int depth);
+  void assignedBy(const Expression& expression, std::set<std::string_view>& names, int depth);
+  void forget(const std::set<std::string_view>& names);
+  void forgetEverything();
+
+  Value evaluate(const Expression& e);
+  Value name(std::string_view name);
+  Value ternary(const Expression& e);
+  Value assign(const Expression& e);
+  Value step(const Expression& e, bool valueBefore);
+  Value call(const Expression& e);
+  Value call(const Function& function, std::vector<Value>& arguments, const Expression& e);
+  Value index(const Expression& e);
+  Value member(const Expression& e);
+  std::optional<Place> placeOf(const Expression& e);
+  void store(const Expression& target, const Value& value);
+  Value* find(std::string_view name);
+  /// A uniform, or an element or member of one, without reading all of it.
+  std::optional<Value> uniformAt(const Expression& e);
+  bool uniformPath(const Expression& e, std::string& path, TypeName& type, size_t& dimension);
+  void tick();
+
+  const Tree& tree_;
+  const UniformSource& uniforms_;
+  const Stage stage_;
+  std::map<std::string_view, Value> globals_;
+  std::map<std::string_view, const Global*> uniformGlobals_;
+  std::map<std::string, Value> read_;
+  std::vector<Attribute> attributes_;
+  std::vector<Frame> frames_;
+  int steps_ = 0, depth_ = 0;
+};
+
+}  // namespace gluray::gl::glsl

@@ -1,0 +1,25 @@
+// The texts of a program's shaders. GL thread, context current.
+#pragma once
+#include "gl/real.h"
+
+#include <GL/gl.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+
+struct ShaderTexts {
+  struct Shader {
+    GLenum type = 0;
+    std::string text;
+  };
+  std::vector<Shader> shaders;
+  bool all = false;  // those of all attached shaders
+};
+
+/// The texts of the shaders that are attached now. Programs may detach them as soon as they are linked.
+std::shared_ptr<const ShaderTexts> readShaderTexts(const RealGl& real, GLuint program);
+
+}  // namespace gluray::gl

@@ -1,0 +1,131 @@
+// Frames drawn with whole and with culled draws, and compared to the bit.
+#pragma once
+#include "tests/reference/programs/program_stage.h"
+#include "tests/support/gl_state.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::test::culled {
+
+inline constexpr int kSide = 200;  // pixels
+
+inline Settings culling(Culling how) {
+  Settings settings = TracedContext::tracing();
+  settings.cull.draws = how, settings.cull.from = 300;
+  return settings;
+}
+
+/// Balls in each other, whose surfaces wave.
+inline ProgramMesh shells(int count, int n) {
+  ProgramMesh all;
+  for (int k = 0; k < count; ++k) {
+    const ProgramMesh one = ball(n);
+    const auto first = static_cast<GLuint>(all.positions.size());
+    for (size_t i = 0; i < one.positions.size(); ++i) {
+      const glm::vec3 p = one.positions[i];
+      const float wave = 1 + 0.05f * std::sin(11 * p.x + k) * std::sin(9 * p.y) * std::sin(7 * p.z);
+      all.positions.push_back((1 - 0.12f * static_cast<float>(k)) * wave * p);
+      all.normals.push_back(one.normals[i]);
+    }
+    for (const GLuint i : one.indices) all.indices.push_back(first + i);
+  }
+  return all;
+}
+
+struct Buffers {
+  GLuint array = 0, positions = 0, indices = 0;
+};
+
+inline Buffers send(Gl gl, const ProgramMesh& mesh, GLuint program) {
+  Buffers b;
+  gl.GenVertexArrays(1, &b.array), gl.BindVertexArray(b.array);
+  const auto put = [&](const char* name, const std::vector<glm::vec3>& values) {
+    GLuint buffer = 0;
+    gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(glm::vec3)), values.data(),
+                  GL_STATIC_DRAW);
+    const GLint location = gl.GetAttribLocation(program, name);
+    if (location < 0) return buffer;
+    gl.EnableVertexAttribArray(static_cast<GLuint>(location));
+    gl.VertexAttribPointer(static_cast<GLuint>(location), 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    return buffer;
+  };
+  b.positions = put("position", mesh.positions);
+  put("normal", mesh.normals);
+  gl.GenBuffers(1, &b.indices), gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, b.indices);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(GLuint)),
+                mesh.indices.data(), GL_STATIC_DRAW);
+  return b;
+}
+
+inline void turn(Gl gl, GLuint program, int frame) {
+  const glm::mat4 clip = glm::perspective(glm::radians(40.0f), 1.0f, 0.5f, 20.0f);
+  glm::mat4 eye = glm::translate(glm::mat4(1), glm::vec3(0.1f, 0, -4));
+  eye = glm::rotate(eye, glm::radians(7.0f * static_cast<float>(frame)),
+                    glm::normalize(glm::vec3(0.3f, 1, 0.2f)));
+  setMat4(gl, program, "clipFromEye", clip), setMat4(gl, program, "eyeFromObject", eye);
+}
+
+inline void clear(Gl gl) {
+  gl.Viewport(0, 0, kSide, kSide);
+  gl.ClearColor(0.2f, 0.3f, 0.4f, 1), gl.ClearDepth(1);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(GL_LESS);
+}
+
+/// The first few pixels that differ, in words.
+inline std::string whereDifferent(const Picture& a, const Picture& b) {
+  std::ostringstream words;
+  words << std::hex;
+  int count = 0;
+  for (size_t i = 0; i < a.colors.size(); ++i) {
+    if ((a.colors[i] == b.colors[i] && a.depths[i] == b.depths[i]) || ++count > 8) continue;
+    words << "(" << std::dec << i % kSide << ", " << i / kSide << std::hex << ") colour " << a.colors[i]
+          << " / " << b.colors[i] << ", depth " << a.depths[i] << " / " << b.depths[i] << "\n";
+  }
+  words << std::dec << count << " pixels";
+  return words.str();
+}
+
+/// Pictures and state after each frame, with draws whole and culled. Returns the counts of the latter.
+inline gl::Statistics compareFrames(const std::string& name, int frames,
+                                    const std::function<void(Gl)>& prepare,
+                                    const std::function<void(Gl, int)>& draw,
+                                    const Settings* settings = nullptr,
+                                    const ContextWish& wish = {kSide, kSide, true, 3, 2}) {
+  const auto seen = [&](Culling how, gl::Statistics* counts) {
+    TracedContext context(wish, counts && settings ? *settings : culling(how));
+    std::vector<std::pair<Picture, GlState>> all;
+    Gl gl = context.gl();
+    prepare(gl);
+    for (int frame = 0; frame < frames; ++frame) {
+      draw(gl, frame);
+      EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+      GlState state = queryState(gl);
+      all.emplace_back(readPicture(gl, kSide, kSide), std::move(state));
+    }
+    if (counts) *counts = context.context().counts.statistics;
+    return all;
+  };
+  gl::Statistics counts;
+  const auto whole = seen(Culling::off, nullptr), culled = seen(Culling::always, &counts);
+  for (size_t i = 0; i < whole.size(); ++i) {
+    SCOPED_TRACE(name + ", frame " + std::to_string(i));
+    for (const std::string& line : differences(whole[i].second, culled[i].second)) ADD_FAILURE() << line;
+    const bool same =
+        whole[i].first.colors == culled[i].first.colors && whole[i].first.depths == culled[i].first.depths;
+    EXPECT_TRUE(same) << whereDifferent(whole[i].first, culled[i].first);
+    if (!same) writeFailure(TEST_OUTPUT "/culled", name + std::to_string(i), whole[i].first, culled[i].first);
+  }
+  return counts;
+}
+
+}  // namespace gluray::test::culled
