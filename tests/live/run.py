@@ -26,6 +26,7 @@ import pictures
 import programs
 
 START_SECONDS = 100  # until the picture is there, on a busy machine
+REPORT_SECONDS = 20  # until its frame is in the report: the disk may be slow
 
 
 class Failed(RuntimeError):
@@ -69,6 +70,16 @@ class Run:
                 return now
         raise Failed(f"no picture within {START_SECONDS} s\n{self.told()}")
 
+    def await_report(self):
+        """Waits until the report holds a frame or a draw. Programs write it beside their work, so a picture may be shown before."""
+        deadline = time.monotonic() + REPORT_SECONDS
+        while time.monotonic() < deadline and self.process.poll() is None:
+            if self.report.exists():
+                report = json.loads(self.report.read_text())
+                if report["frames"] or report["draws"]["traced"] or report["draws"]["rasterised"]:
+                    return
+            time.sleep(0.1)
+
     def end(self):
         """Ends the program as its user would. Returns its report, or None."""
         if self.program.frame:
@@ -98,6 +109,7 @@ def run(program, options, freeze, place):
         started = Run(program, command, options, folder, freeze)
         try:
             picture = started.picture()
+            started.await_report()
         finally:
             report = started.end()
     finally:
