@@ -1,6 +1,6 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
  * picture that it reads back: client [exposed | always [MILLISECONDS]]. exposed: Expose events of its window
- * make it draw, too. always: it draws all the time, turning, a frame in so many milliseconds (0: as fast
+ * make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a frame in so many milliseconds (0: as fast
  * as it can).
  * The line "fork" makes a child process that ends a second later, and prints its number; "count" prints the
  * number of frames since the start and the seconds of the monotonic clock.
@@ -82,7 +82,10 @@ int main(int argc, char** argv) {
   struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
   double due = now();
   for (char line[64];;) {
-    if (takeExposures(display) && exposed) showRings(display, window, 0, isRead);
+    if (takeExposures(display) && exposed) {
+      if (isRead) printf("exposed ");
+      showRings(display, window, 0, isRead);
+    }
     if (XPending(display) > 0) continue;
     const double rest = due - now();
     if (always && rest <= 0) {

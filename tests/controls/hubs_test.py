@@ -210,7 +210,7 @@ class Forks(Linked):
         """A child that lives on until it is continued, and what its sockets were when it had left fork(): it waits then."""
         for _ in range(20):
             print("fork", file=self.client.stdin, flush=True)
-            child = int(self.client.stdout.readline())
+            child = int(self.answer())
             self.wait_until(lambda: self.state(child) in "SZ")
             os.kill(child, signal.SIGSTOP)
             self.wait_until(lambda: self.state(child) in "TZ")

@@ -42,9 +42,19 @@ class Linked(unittest.TestCase):
         self.assertEqual(self.client.wait(20), self.code)
         self.client.stdout.close()
 
+    def answer(self):
+        """The program's next line that an Expose event did not cause: it is asked to draw when it has drawn nothing for long."""
+        while (line := self.client.stdout.readline()).startswith("exposed"):
+            pass
+        return line.strip()
+
+    def exposed(self):
+        """The checksum of the next frame, which an Expose event causes."""
+        return self.client.stdout.readline().split()[-1]
+
     def frame(self):
         print("frame", file=self.client.stdin, flush=True)
-        return self.client.stdout.readline().strip()
+        return self.answer()
 
     def settled(self):
         """The checksum when the frames of the window's first Expose events are drawn."""
