@@ -53,7 +53,7 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   return e.samples == s.samples && e.samplePositions == s.samplePositions &&
          e.polygonOffset == s.polygonOffset && e.wideColors == s.wideColors && e.laterWins == s.laterWins &&
          e.shadings == s.shadings && e.settings == s.settings && e.ground == s.ground &&
-         isSameLayers(e.layers, s.layers) && isSameBackdrop(e.backdrop, s.backdrop);
+         e.catches == s.catches && isSameLayers(e.layers, s.layers) && isSameBackdrop(e.backdrop, s.backdrop);
 }
 
 LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor,

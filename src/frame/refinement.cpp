@@ -74,9 +74,14 @@ void Refinement::addPixel(const Image& pass, size_t i, Tile& tile) {
   // M, the mean of n passes, and H, that of the first h: (M - H)^2 is expected to be (variance of M) (n - h)
   // / h.
   const double h = halfPasses_;
+  float judged[3];
+  if (judgesAlpha_)
+    std::fill_n(judged, 3, mean_[4 * i + 3]);
+  else
+    std::copy_n(&mean_[4 * i], 3, judged);
   const double square =
-      n > 1 ? squaredDifference(&mean_[4 * i], &half_[3 * i]) * h / (static_cast<double>(n) - h) : 0;
-  if (std::has_single_bit(n)) std::copy_n(&mean_[4 * i], 3, &half_[3 * i]);
+      n > 1 ? squaredDifference(judged, &half_[3 * i]) * h / (static_cast<double>(n) - h) : 0;
+  if (std::has_single_bit(n)) std::copy_n(judged, 3, &half_[3 * i]);
   if (!pixelNoise_.empty())
     pixelNoise_[i] = static_cast<uint16_t>(std::lround(std::min(std::sqrt(square / 3), 1.0) * 65535));
   if (pass.depth[i] == Image::kMiss && !(square > 0)) return;

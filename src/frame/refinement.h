@@ -42,6 +42,9 @@ class Refinement {
 
   /// From the first pass on, add() keeps the noise of each pixel.
   void keepNoise() { keepsNoise_ = passes_ == 0 || keepsNoise_; }
+  /// The pictures show shares of light as alphas (scene::Snapshot::catches): their noise is that of alpha.
+  /// Call before add().
+  void judgeAlpha() { judgesAlpha_ = true; }
   /// Estimated standard error of each pixel, render::kNoiseOne being 1; empty before the second pass, and
   /// where it is not kept.
   const std::vector<uint16_t>& pixelNoise() const { return pixelNoise_; }
@@ -68,14 +71,14 @@ class Refinement {
   bool isQuiet(int x, int y, double least) const;
 
   std::vector<float> mean_;  // four a pixel
-  std::vector<float> half_;  // three a pixel: the mean of the first halfPasses_
+  std::vector<float> half_;  // three a pixel: the mean of the first halfPasses_, of what noise is judged by
   std::vector<uint16_t> pixelNoise_;
   std::vector<Tile> sums_;
   int columns_ = 0, rows_ = 0;  // of tiles
   std::shared_ptr<const Tiles> tiles_;
   uint64_t tracedTiles_ = 0;
   uint32_t passes_ = 0, halfPasses_ = 0;
-  bool keepsNoise_ = false;
+  bool keepsNoise_ = false, judgesAlpha_ = false;
   double noise_ = std::numeric_limits<double>::infinity();
 };
 

@@ -39,7 +39,7 @@ bool isSimple(const scene::Snapshot& s) {
 }
 
 bool isFiltered(const scene::Snapshot& s) {
-  return s.settings.denoise != Denoise::off && s.settings.look != Look::noise && isSimple(s) &&
+  return !s.catches && s.settings.denoise != Denoise::off && s.settings.look != Look::noise && isSimple(s) &&
          Refinement::bytesFor(valuesOf(s), true) <= kMostBytes;
 }
 
@@ -64,6 +64,7 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
       filters_(isFiltered(snapshot)) {
   snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
   if (usesWideColors(snapshot)) snapshot_.wideColors = true;
+  if (snapshot.catches) refinement.judgeAlpha();
   if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
 }
 

@@ -6,7 +6,7 @@ Statistics& Statistics::operator+=(const Statistics& o) {
   frames += o.frames, framesInFront += o.framesInFront, framesPassedThrough += o.framesPassedThrough;
   drawsTraced += o.drawsTraced, drawsRasterised += o.drawsRasterised;
   trianglesTraced += o.trianglesTraced, trianglesRasterised += o.trianglesRasterised;
-  drawsCulled += o.drawsCulled, trianglesLeftOut += o.trianglesLeftOut;
+  drawsLit += o.drawsLit, drawsCulled += o.drawsCulled, trianglesLeftOut += o.trianglesLeftOut;
   for (size_t i = 0; i < rasterisedBecause.size(); ++i) rasterisedBecause[i] += o.rasterisedBecause[i];
   flushes += o.flushes;
   repeated += o.repeated;

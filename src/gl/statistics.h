@@ -19,6 +19,7 @@ struct Statistics {
   Count framesPassedThrough;  // passthrough frames
   Count drawsTraced, drawsRasterised;
   Count drawsCulled, trianglesLeftOut;  // rasterised without what cannot be seen
+  Count drawsLit;                       // rasterised, with light that is multiplied onto them
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason
   Count flushes;                                        // batches written to a framebuffer

@@ -86,6 +86,7 @@ struct Totals {
   // Only for `gluray explain`:
   gl::KindTable kinds;
   std::map<gl::Reason, uint64_t> notCulled;  // large draws
+  std::map<gl::Reason, uint64_t> notLit;
   gl::TargetTable targets;
   gl::ProgramTable programs;
   std::vector<ContextSummary> list;

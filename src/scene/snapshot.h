@@ -165,6 +165,9 @@ struct Snapshot {
   std::vector<Instance> instances;
   std::shared_ptr<const Surroundings> surroundings;  // null: nothing else blocks or reflects light
   GroundUse ground = GroundUse::none;
+  // Its surfaces are in the framebuffer already. The picture shows black with the share of light as opacity
+  // that other surfaces take from them; nothing without an effect of light.
+  bool catches = false;
   std::shared_ptr<const Backdrop> backdrop;  // null: pixels of misses keep what the framebuffer holds
   Settings settings;
 };

@@ -1,10 +1,10 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
  * picture that it reads back: client [exposed | always [MILLISECONDS]]. exposed: Expose events of its window
- * make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a frame in so many milliseconds (0: as fast
- * as it can).
- * The line "fork" makes a child process that ends a second later, and prints its number; "count" prints the
- * number of frames since the start and the seconds of the monotonic clock.
- * The line "show" draws a frame that is not read back, and prints "shown"; from then on so do Expose events.
+ * make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a frame in so
+ * many milliseconds (0: as fast as it can). The line "fork" makes a child process that ends a second later,
+ * and prints its number; "count" prints the number of frames since the start and the seconds of the monotonic
+ * clock. The line "show" draws a frame that is not read back, and prints "shown"; from then on so do Expose
+ * events.
  */
 #include "tests/doors/two_rings.h"
 #include "tests/doors/x_window.h"

@@ -61,13 +61,20 @@ std::string tracingLine(const json& report) {
          grouped(number(report.at("bvh"), "builds")) + " acceleration structures built\n";
 }
 
-/// Why large draws of the real OpenGL were not culled; empty: all were.
-std::string notCulledLine(const json& explain) {
+/// Numbers of draws by reason, after `what`; empty where there are none.
+std::string reasonsLine(const std::string& what, const json& reasons) {
   std::string all;
-  const json reasons = explain.value("notCulled", json::object());
   for (const auto& [reason, draws] : reasons.items())
     all += (all.empty() ? "" : ", ") + grouped(draws.get<uint64_t>()) + " (" + printable(reason) + ")";
-  return all.empty() ? "" : wrapped("large draws that were not culled: " + all, 100, "  ");
+  return all.empty() ? "" : wrapped(what + ": " + all, 100, "  ");
+}
+
+/// Draws of the real OpenGL with light from settings, and why others have none; empty: nothing asks for it.
+std::string litLines(const json& report) {
+  const json lit = report.value("lit", json::object());
+  const uint64_t draws = lit.value("draws", uint64_t{0});
+  return (draws ? "  light on " + grouped(draws) + " rasterised draws\n" : std::string()) +
+         reasonsLine("rasterised draws without light", report.at("explain").value("notLit", json::object()));
 }
 
 /// The family of each shader program, its draws, and why a program has no family or its draws are not traced.
@@ -200,7 +207,8 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
-         notCulledLine(explain) + tracingLine(report) + lightLine(report) + lagLine(report) +
+         reasonsLine("large draws that were not culled", explain.value("notCulled", json::object())) +
+         litLines(report) + tracingLine(report) + lightLine(report) + lagLine(report) +
          programLines(explain.value("programs", json::array())) + "\ncontexts, through the door " +
          text(report, "door") + "\n" + contextLines(explain.at("contexts")) + walkedPastLines(report) +
          "\nframebuffers\n" + targetLines(explain.at("framebuffers")) + "\nquirks\n" +

@@ -33,8 +33,9 @@ bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
 }
 
 bool hasBlended(const scene::Snapshot& snapshot) {
-  return snapshot.layers || (snapshot.surroundings && std::ranges::any_of(snapshot.surroundings->blended,
-                                                                          [](uint8_t b) { return b; }));
+  return snapshot.layers || snapshot.catches ||
+         (snapshot.surroundings &&
+          std::ranges::any_of(snapshot.surroundings->blended, [](uint8_t b) { return b; }));
 }
 
 /// Whether the parts of other ranks belong to the picture. Without light, parts are as good.

@@ -141,10 +141,10 @@ void fields(auto& archive, Like<scene::Surroundings> auto& value) {
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
          samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-         instances, surroundings, ground, backdrop, settings] = value;
+         instances, surroundings, ground, catches, backdrop, settings] = value;
   archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
           samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-          instances, surroundings, ground, backdrop, settings);
+          instances, surroundings, ground, catches, backdrop, settings);
 }
 
 }  // namespace gluray::dist

@@ -5,6 +5,7 @@
 #include "base/timeline.h"
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/vertex_attribute_calls.h"
+#include "gl/culled/raster_light.h"
 #include "gl/handlers.h"
 #include "gl/lists/geometry_run.h"
 #include "gl/stub.h"
@@ -119,6 +120,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   c.raster.before(kind);
   c.shadow.sendBuffers();
   if (!known || !c.culled.draw(mode, e)) drawReal(c.real, mode, e);
+  if (known) lightRasterised(c, mode, e);
 }
 
 }  // namespace

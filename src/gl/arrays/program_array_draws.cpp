@@ -1,5 +1,6 @@
 // Array draws by shader programs.
 #include "gl/arrays/array_draws.h"
+#include "gl/culled/raster_light.h"
 #include "gl/handlers.h"
 #include "gl/objects/shown_places.h"
 #include "gl/stub.h"
@@ -12,7 +13,8 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
     case BatchKey::Layers::peeled: return c.layers.triagePeel(kind);
     case BatchKey::Layers::summed: return c.layers.triageSum(kind);
     case BatchKey::Layers::none:
-    case BatchKey::Layers::drawn: break;
+    case BatchKey::Layers::drawn:
+    case BatchKey::Layers::factors: break;
   }
   return c.programs.triage(kind);
 }
@@ -69,6 +71,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.raster.before(load.kind);
   c.shadow.sendBuffers();
   if (!c.culled.draw(mode, e)) drawReal(c.real, mode, e);
+  lightRasterised(c, mode, e);
 }
 
 }  // namespace gluray::gl

@@ -43,7 +43,8 @@ std::optional<scene::Backdrop> backdropWhere(const std::vector<uint32_t>& colors
 }
 
 void Flusher::surround() {
-  p_.surfaces.objects.number(batch.key(), batch.unnumbered());
+  if (batch.key().layers != BatchKey::Layers::factors)
+    p_.surfaces.objects.number(batch.key(), batch.unnumbered());
   batch.setViewFrame(p_.surfaces.views.frameOf(batch.key(), batch.waiting()));
   batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting()));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());

@@ -85,6 +85,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
     snapshot_->layers = std::move(layers);
   }
   drawn_ = 0;
+  if (key.layers == BatchKey::Layers::factors) return startFactors(state);
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane is enough.
   if (key.multisample) {
     snapshot_->samples = state.target.samples;
@@ -92,6 +93,17 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   } else {
     snapshot_->samplePositions = {glm::vec2(0.5f)};
   }
+}
+
+/// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
+void Batch::startFactors(const State& state) {
+  constexpr float kSlope = -0.05f, kUnits = -16;  // a twentieth of a pixel along the surface, and depth steps
+  snapshot_->catches = true;
+  snapshot_->samplePositions = {glm::vec2(0.5f)};
+  snapshot_->polygonOffset = {kSlope, kUnits, state.target.offsetUnit, false, state.target.depthFloats};
+  Settings& settings = snapshot_->settings;
+  settings.camera.aperture = settings.camera.fNumber = 0;  // the framebuffer's surfaces are sharp
+  settings.spp = 1;
 }
 
 void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {

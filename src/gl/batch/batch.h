@@ -26,8 +26,10 @@ struct BatchKey {
   float depthNear = 0, depthFar = 1;
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
-  bool encodes = false;                                                               // GL_FRAMEBUFFER_SRGB
-  enum class Layers : uint8_t { none, peeled, summed, drawn } layers = Layers::none;  // their kind, if any
+  bool encodes = false;  // GL_FRAMEBUFFER_SRGB
+  // Their kind, if any. `factors`: the surfaces are in the framebuffer already, and the light that they take
+  // from each other is multiplied onto it (Snapshot::catches).
+  enum class Layers : uint8_t { none, peeled, summed, drawn, factors } layers = Layers::none;
   scene::Blending blending;  // of layers of kind `drawn`
   double depthSteps = 0;     // the same: scene::Layers::depthSteps
   bool operator==(const BatchKey&) const = default;
@@ -86,6 +88,8 @@ class Batch {
   std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 
  private:
+  void startFactors(const State& state);
+
   std::shared_ptr<scene::Snapshot> snapshot_;
   glm::dmat4 worldFromEye_{1};  // of snapshot_
   BatchKey key_;

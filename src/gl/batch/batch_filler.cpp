@@ -1,5 +1,6 @@
 #include "gl/batch/batch_filler.h"
 
+#include "gl/draws/affine.h"
 #include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 
@@ -39,6 +40,19 @@ bool BatchFiller::open(const BatchKey& key) {
   p_.flusher.settleBelow(key.samples);
   batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());
   return true;
+}
+
+void BatchFiller::factor(const glm::dmat4& clipFromObject, const glm::dvec3& reach, const BatchKey* there,
+                         BatchKey& key, bool flushes) {
+  if (there) {
+    if (isAffine(glm::inverse(there->projection) * clipFromObject, reach)) key.projection = there->projection;
+    if (flushes && !(*there == key)) p_.flusher.flush();
+  }
+  State& state = p_.shadow.state;
+  state.projection = key.projection;
+  state.modelview = glm::inverse(state.projection) * clipFromObject;
+  state.modelview /= state.modelview[3][3];  // homogeneous: maps to the same points
+  for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
 }
 
 scene::Instance BatchFiller::instanceOf(const scene::MeshPtr& mesh, SlotMask slots,

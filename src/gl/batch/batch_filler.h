@@ -30,6 +30,13 @@ class BatchFiller {
 
   /// Opens a batch for `key`, and flushes a pending one of another key. False: the draw covers no pixel.
   bool open(const BatchKey& key);
+  /// Prepares a draw that gives one matrix, the product of all, and opens no batch yet: chooses a projection
+  /// for `key`, that of the batch `there` if the rest is affine within `reach`, flushes a pending batch that
+  /// has another key, if `flushes`, and sets the state's projection and modelview. A batch has one
+  /// projection, and projections that are factored out differ by rounding from draw to draw. `there`: null if
+  /// there is none.
+  void factor(const glm::dmat4& clipFromObject, const glm::dvec3& reach, const BatchKey* there, BatchKey& key,
+              bool flushes = true);
   /// Clips the region to the draw framebuffer.
   void clampToTarget(scene::Region& region);
   /// The context may have another drawable now.

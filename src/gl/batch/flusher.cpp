@@ -46,6 +46,8 @@ void Flusher::present(Reason reason) {
   timeline::writeIfDue();
   const timeline::Span span("batch", batch.waiting().instances.size());
   const BatchKey key = batch.key();
+  const bool factors = key.layers == BatchKey::Layers::factors;
+  if (factors && reason != Reason::traced) return void(batch.take());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && !p_.layers.haveSurfaces()) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
@@ -55,7 +57,7 @@ void Flusher::present(Reason reason) {
   const scene::SnapshotPtr snapshot = batch.take();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
   p_.shadow.syncCurrent();
-  p_.surfaces.passes.flushed(rasterise ? nullptr : snapshot);
+  p_.surfaces.passes.flushed(rasterise || factors ? nullptr : snapshot);
   if (rasterise) p_.counts.asRasterised(*snapshot, reason);
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : p_.cleared.under(*snapshot, key);
   const AntialiasedPicture antialiased = p_.cleared.antialiased();

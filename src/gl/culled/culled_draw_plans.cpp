@@ -32,11 +32,18 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
   mapWindow(found);
   if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
-  if (shadow.state.raster.program != 0) return planProgram(mode, e, found);
-  return shadow.info.core ? Reason::program : planFixedFunction(mode, e, found);
+  Source from;
+  if (const Reason reason = source(from); reason != Reason::traced) return reason;
+  found.program = from.program, found.matrix = from.matrix;
+  return planMesh(from, mode, e, found);
 }
 
-Reason CulledDraws::planProgram(GLenum mode, const Elements& e, Plan& found) {
+Reason CulledDraws::source(Source& found) {
+  if (p_.shadow.state.raster.program != 0) return sourceOfProgram(found);
+  return p_.shadow.info.core ? Reason::program : sourceOfFixedFunction(found);
+}
+
+Reason CulledDraws::sourceOfProgram(Source& found) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = programInUse();
   if (program.reason() != Reason::traced) return program.reason();
@@ -46,17 +53,19 @@ Reason CulledDraws::planProgram(GLenum mode, const Elements& e, Plan& found) {
   const std::optional<LinearPosition> position = program.position(shadow.real, core);
   if (!position) return Reason::positions;
   found.program = &program, found.matrix = {position->clipFromAttribute, position->magnitudes};
+  found.components = position->components;
   if (position->attribute == "gl_Vertex") {
     shadow.refresh(kFixedArrays);
-    return planMesh(shadow.arrays, shadow.arrays.vertex, position->components, mode, e, found);
+    found.arrays = &shadow.arrays, found.positions = &shadow.arrays.vertex;
+    return Reason::traced;
   }
   const ProgramAttribute* attribute = program.known().program.attribute(position->attribute);
-  const ArraySource* array = attribute ? arrayOf(shadow.attributes, attribute->location) : nullptr;
-  return array ? planMesh(shadow.attributes, *array, position->components, mode, e, found)
-               : Reason::arrayState;
+  found.arrays = &shadow.attributes;
+  found.positions = attribute ? arrayOf(shadow.attributes, attribute->location) : nullptr;
+  return found.positions ? Reason::traced : Reason::arrayState;
 }
 
-Reason CulledDraws::planFixedFunction(GLenum mode, const Elements& e, Plan& found) {
+Reason CulledDraws::sourceOfFixedFunction(Source& found) {
   const ShadowState& shadow = p_.shadow;
   if (const Reason reason = cullableBlending(shadow, false); reason != Reason::traced) return reason;
   glm::dmat4 projection(1), modelview(1);
@@ -67,12 +76,15 @@ Reason CulledDraws::planFixedFunction(GLenum mode, const Elements& e, Plan& foun
     return m;
   };
   found.matrix = {projection * modelview, absolute(projection) * absolute(modelview)};
-  return planMesh(shadow.arrays, shadow.arrays.vertex, 4, mode, e, found);
+  found.arrays = &shadow.arrays, found.positions = &shadow.arrays.vertex;
+  return Reason::traced;
 }
 
-Reason CulledDraws::planMesh(const ArrayState& arrays, const ArraySource& positions, int components,
-                             GLenum mode, const Elements& e, Plan& found) {
+Reason CulledDraws::planMesh(const Source& from, GLenum mode, const Elements& e, Plan& found) {
   ShadowState& shadow = p_.shadow;
+  const ArrayState& arrays = *from.arrays;
+  const ArraySource& positions = *from.positions;
+  const int components = from.components;
   const bool inBuffers = positions.buffer && (!e.type || arrays.elements);
   // The program's memory is hashed at each draw, which must not slow down what is not worth culling.
   const bool always = shadow.settings.cull.draws == Culling::always;

@@ -43,6 +43,18 @@ class CulledDraws {
   /// Never throws.
   bool draw(GLenum mode, const Elements& elements) noexcept;
 
+  /// Where a draw's vertices come from, and the matrix that puts them into clip space.
+  struct Source {
+    const ArrayState* arrays = nullptr;
+    const ArraySource* positions = nullptr;  // one of `arrays`
+    int components = 4;                      // of these that count
+    ClipMatrix matrix;
+    CulledProgram* program = nullptr;  // null: fixed function
+  };
+  /// Finds it for draws with the current state. Reason::traced, or why it is not known, or why what is hidden
+  /// at the end shows.
+  Reason source(Source& source);
+
  private:
   struct Known {
     std::shared_ptr<CulledMesh> mesh;
@@ -65,11 +77,9 @@ class CulledDraws {
 
   /// Why the draw is not culled, or Reason::traced.
   Reason plan(GLenum mode, const Elements& elements, Plan& plan);
-  Reason planProgram(GLenum mode, const Elements& elements, Plan& plan);
-  Reason planFixedFunction(GLenum mode, const Elements& elements, Plan& plan);
-  /// `positions`: one of `arrays`.
-  Reason planMesh(const ArrayState& arrays, const ArraySource& positions, int components, GLenum mode,
-                  const Elements& elements, Plan& plan);
+  Reason sourceOfProgram(Source& source);
+  Reason sourceOfFixedFunction(Source& source);
+  Reason planMesh(const Source& source, GLenum mode, const Elements& elements, Plan& plan);
   void mapWindow(Plan& plan) const;
   CulledProgram& programInUse();
   void prepare(const std::shared_ptr<CulledMesh>& mesh);

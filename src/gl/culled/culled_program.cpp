@@ -47,6 +47,13 @@ Reason obstacleIn(std::string_view text) {
   return Reason::traced;
 }
 
+bool hasWord(std::string_view text, std::string_view wanted) {
+  GlslTokens tokens(text);
+  for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next())
+    if (word == wanted) return true;
+  return false;
+}
+
 /// The values that the real OpenGL has now.
 class CurrentUniforms final : public UniformSource {
  public:
@@ -133,6 +140,7 @@ Reason CulledProgram::check(const RealGl& real) {
   const std::string vertex = source.of(GL_VERTEX_SHADER), fragment = source.of(GL_FRAGMENT_SHADER);
   for (const std::string* text : {&vertex, &fragment})
     if (const Reason reason = obstacleIn(*text); reason != Reason::traced) return reason;
+  discards_ = hasWord(fragment, "discard");
   slice_.emplace(vertex), alpha_.emplace(fragment);
   why_ = slice_->why();
   return why_.empty() ? Reason::traced : Reason::positions;

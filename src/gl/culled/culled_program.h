@@ -27,6 +27,8 @@ class CulledProgram {
   std::optional<LinearPosition> position(const RealGl& real, bool core);
   /// Whether alpha is 1 in all that it draws, with the current values of its uniforms.
   bool isOpaque(const RealGl& real, bool core) const;
+  /// Whether its fragment shader leaves out fragments.
+  bool discards() const { return discards_; }
   /// It is not culled from now on.
   void refuse(Reason reason) { reason_ = reason; }
   /// Whether nothing else knows the program any more.
@@ -40,6 +42,7 @@ class CulledProgram {
   std::optional<PositionSlice> slice_;
   std::optional<AlphaSlice> alpha_;
   Reason reason_ = Reason::traced;
+  bool discards_ = false;
   std::string why_;
 };
 

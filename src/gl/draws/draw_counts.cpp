@@ -28,6 +28,13 @@ void DrawCounts::notCulled(Reason reason) {
     kinds()->notCulled(reason);
 }
 
+void DrawCounts::lit(Reason reason) {
+  if (reason == Reason::traced)
+    ++statistics.drawsLit;
+  else if (kinds()) [[unlikely]]
+    kinds()->notLit(reason);
+}
+
 void DrawCounts::traced(DrawPath path, uint64_t triangles) {
   if (kinds()) [[unlikely]]
     kinds()->record(shadow_.real, shadow_.state.target, Reason::traced, path, PrimitiveClass::surfaces,

@@ -177,6 +177,13 @@ void DrawKinds::notCulled(Reason reason) noexcept {
   } catch (...) {}  // not counted
 }
 
+void DrawKinds::notLit(Reason reason) noexcept {
+  const std::lock_guard lock(mutex_);
+  try {
+    if (!closed_) ++notLit_[reason];
+  } catch (...) {}  // not counted
+}
+
 void DrawKinds::addTriangles(uint64_t triangles) noexcept {
   const std::lock_guard lock(mutex_);
   if (last_ && !closed_) last_->triangles += triangles;
@@ -195,6 +202,11 @@ KindTable DrawKinds::kinds() const {
 std::map<Reason, uint64_t> DrawKinds::notCulled() const {
   const std::lock_guard lock(mutex_);
   return notCulled_;
+}
+
+std::map<Reason, uint64_t> DrawKinds::notLit() const {
+  const std::lock_guard lock(mutex_);
+  return notLit_;
 }
 
 ProgramTable DrawKinds::programs() const {

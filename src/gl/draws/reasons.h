@@ -69,6 +69,8 @@ namespace gluray::gl {
   X(unsteady, "vertices that have just changed")                             \
   X(smallDraw, "draw too small to cull")                                     \
   X(mostShows, "draw of which most shows")                                   \
+  X(clipDistances, "clip planes or distances")                               \
+  X(leavesOut, "fragment shader that discards")                              \
   X(notTheSame, "culled picture was not the same")                           \
   X(off, "switched off")                                                     \
   X(failure, "GLuRay failed and stepped aside")

@@ -150,8 +150,6 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
 /// Prepares batch, camera and matrix for the current program's instance. Placed::nowhere: it covers no pixel.
 ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& reach) {
   const ProgramState& program = p_.shadow.state.program;
-  // A batch has one projection. Programs give only clipFromObject; a projection factored out of it differs by
-  // rounding from draw to draw. So keep the batch's projection and choose the modelview to match.
   p_.shadow.state.projection = program.eyeFromObject
                                    ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                    : program.clipFromObject;
@@ -165,15 +163,7 @@ ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& r
   const BatchKey* there = !p_.flusher.batch.empty() ? &p_.flusher.batch.key()
                           : peeled                  ? p_.layers.tracedKey()
                                                     : nullptr;
-  if (there) {
-    const glm::dmat4 placed = glm::inverse(there->projection) * program.clipFromObject;
-    if (isAffine(placed, reach)) key.projection = there->projection;
-    if (!peeled && !(*there == key)) p_.flusher.flush();
-  }
-  p_.shadow.state.projection = key.projection;
-  p_.shadow.state.modelview = glm::inverse(p_.shadow.state.projection) * program.clipFromObject;
-  p_.shadow.state.modelview /= p_.shadow.state.modelview[3][3];  // homogeneous: maps to the same points
-  for (int c = 0; c < 4; ++c) p_.shadow.state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
+  p_.filler.factor(program.clipFromObject, reach, there, key, !peeled);
   if (key.layers != BatchKey::Layers::none)
     return p_.layers.start(key) ? Placed::inBatch : Placed::otherCamera;
   p_.filler.open(key);

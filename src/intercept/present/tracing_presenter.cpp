@@ -8,6 +8,7 @@
 #include "intercept/present/present_result.h"
 #include "intercept/present/raster/depth_redraw.h"
 #include "intercept/present/raster/raster_fallback.h"
+#include "intercept/present/write_back/seen_catchers.h"
 
 #include <exception>
 
@@ -47,18 +48,19 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   if (traced && written(real, *traced, snapshot, target, pending, why)) {
     result.outcome = PresentResult::traced;
     result.averages = traced->image.isAverages();
-    shared_.pictures.frame().wrote(shared, *traced, traced->image);
+    if (!snapshot.catches) shared_.pictures.frame().wrote(shared, *traced, traced->image);
   } else {
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
     pending.insert(pending.end(), more.begin(), more.end());
-    if (drawByRealGl(real, shared_.features(real), snapshot, target))
+    if (!snapshot.catches && drawByRealGl(real, shared_.features(real), snapshot, target))
       result.outcome = PresentResult::rasterised;
     takeErrors(real);
   }
   if (!pending.empty()) result.pendingError = pending.front();
   result.presentSeconds = nowSeconds() - start;
-  if (result.outcome == PresentResult::traced && shared_.written) shared_.written(real, traced->image);
+  if (result.outcome == PresentResult::traced && !snapshot.catches && shared_.written)
+    shared_.written(real, traced->image);
   return result;
 }
 
@@ -73,14 +75,19 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
     if (sent) return noteUse(Quirk::softwarePut), true;
     WriteBackTarget into{.depthFunc = target.depthFunc,
                          .picture = picture.id,
+                         .keepsDepth = snapshot.catches,
                          .colorWrites = snapshot.colorWrites,
                          .encodes = snapshot.encodes};
     if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn) {  // depth was tested in tracing
       into.depthFunc = GL_ALWAYS;
       into.depths = snapshot.layers->blending.writesDepth;
     }
-    const bool drawn =
-        shared_.writeBack(real, WriteBack::colorsOf(picture.image)).write(picture.image, into, more);
+    std::vector<float> depths;
+    std::optional<Image> seen;
+    if (snapshot.catches && reader_.readDepth(real, snapshot.region, depths))
+      seen = seenCatchers(picture.image, snapshot, depths), into.picture = 0;
+    const Image& image = seen ? *seen : picture.image;
+    const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;
   } catch (const std::exception& e) {  // nothing was drawn yet, and the guard restores the state

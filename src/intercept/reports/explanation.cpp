@@ -50,8 +50,8 @@ json kindsOf(const gl::KindTable& table) {
   return list;
 }
 
-/// Large draws that were not culled, by reason.
-json notCulled(const std::map<gl::Reason, uint64_t>& counts) {
+/// Numbers of draws by reason.
+json byReason(const std::map<gl::Reason, uint64_t>& counts) {
   json all = json::object();
   for (const auto& [reason, count] : counts) all[std::string(gl::describe(reason))] = count;
   return all;
@@ -216,7 +216,8 @@ json explanation(const Totals& totals, bool complete, const std::string& base) {
   return {{"complete", complete},
           {"wantedFrames", session().explainFrames},
           {"kinds", kindsOf(totals.kinds)},
-          {"notCulled", notCulled(totals.notCulled)},
+          {"notCulled", byReason(totals.notCulled)},
+          {"notLit", byReason(totals.notLit)},
           {"programs", programsOf(totals.programs)},
           {"framebuffers", targetsOf(totals.targets)},
           {"contexts", contextsOf(totals.list)},

@@ -83,6 +83,7 @@ json makeReport(const Totals& totals) {
       {"lag", lagReport()},
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
+      {"lit", {{"draws", s.drawsLit}}},
       {"culled", {{"draws", s.drawsCulled}, {"trianglesLeftOut", s.trianglesLeftOut}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
       {"light", {{"passes", s.lightPasses}, {"noise", s.lightNoise}, {"idle", idleReport()}}},

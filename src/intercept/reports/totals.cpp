@@ -10,6 +10,7 @@ void addExplained(Totals& sum, const Record& record) {
   if (!info.kinds) return;
   for (const auto& [kind, cost] : info.kinds->kinds()) sum.kinds[kind] += cost;
   for (const auto& [reason, draws] : info.kinds->notCulled()) sum.notCulled[reason] += draws;
+  for (const auto& [reason, draws] : info.kinds->notLit()) sum.notLit[reason] += draws;
   for (const auto& [name, use] : info.kinds->targets()) sum.targets[name] += use;
   for (const auto& [known, use] : info.kinds->programs()) sum.programs[known] += use;
   constexpr const char* apis[] = {"GLX", "EGL", "OSMesa"};

@@ -6,10 +6,12 @@
 namespace gluray::render {
 
 void CatcherLook::light(const ColoredHits& hits, ColorRows& rows) const noexcept {
-  if (hits.instance != catcher_) return light_->light(hits, rows);
+  if (!catchers_.all && hits.instance != catchers_.instance) {
+    if (light_) light_->light(hits, rows);
+    return;
+  }
   ColorRows open = rows;
-  light_->lightAlone(hits, open);
-  light_->light(hits, rows);
+  if (light_) light_->lightAlone(hits, open), light_->light(hits, rows);
   // Rec. 709
   const auto luminance = [](const ColorRows& r, int i) {
     return 0.2126f * r.value[0][i] + 0.7152f * r.value[1][i] + 0.0722f * r.value[2][i];

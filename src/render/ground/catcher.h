@@ -1,4 +1,4 @@
-// The look of a catcher: nothing but the light that surfaces take from it. Tracing threads.
+// The look of catchers: nothing but the light that surfaces take from them. Tracing threads.
 #pragma once
 #include "render/integrators/integrator.h"
 
@@ -8,19 +8,24 @@
 
 namespace gluray::render {
 
-/// Another integrator, but for hits on the catcher. Their colours become black with the share of light that
+/// Another integrator, but for hits on catchers. Their colours become black with the share of light that
 /// does not arrive as opacity, 1 - L / L0: L with and L0 without all other surfaces, both as luminance.
 /// Nothing falls on what no light reaches anyway.
 class CatcherLook final : public Integrator {
  public:
-  /// `light` must not be null; `catcher`: the instance.
-  CatcherLook(std::unique_ptr<const Integrator> light, uint32_t catcher)
-      : light_(std::move(light)), catcher_(catcher) {}
+  /// Surfaces that catch.
+  struct Catchers {
+    bool all = false;
+    uint32_t instance = accel::kNoHit;  // unless all do
+  };
+  /// `light`: null where surfaces take no light from each other.
+  CatcherLook(std::unique_ptr<const Integrator> light, const Catchers& catchers)
+      : light_(std::move(light)), catchers_(catchers) {}
   void light(const ColoredHits&, ColorRows&) const noexcept override;
 
  private:
   std::unique_ptr<const Integrator> light_;
-  uint32_t catcher_;
+  Catchers catchers_;
 };
 
 }  // namespace gluray::render

@@ -25,8 +25,10 @@ std::unique_ptr<const Integrator> makeLight(const FrameData& frame) {
 
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
   std::unique_ptr<const Integrator> light = makeLight(frame);
+  if (frame.snapshot->catches && !wantsGuide(*frame.snapshot))
+    return std::make_unique<CatcherLook>(std::move(light), CatcherLook::Catchers{.all = true});
   if (!light || !frame.averages || frame.catcher == accel::kNoHit) return light;
-  return std::make_unique<CatcherLook>(std::move(light), frame.catcher);
+  return std::make_unique<CatcherLook>(std::move(light), CatcherLook::Catchers{.instance = frame.catcher});
 }
 
 }  // namespace gluray::render

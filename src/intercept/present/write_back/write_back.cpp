@@ -169,7 +169,7 @@ void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const 
   guard.capability(GL_DEPTH_TEST, false);
 }
 
-void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet) const {
+void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet, bool depths) const {
   upload(image, sheet, Part::colors);
   {
     StateGuard over(real_, features_);
@@ -177,6 +177,7 @@ void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet
     over.blendOver();
     draw(image, sheet);
   }
+  if (!depths) return;
   upload(image, sheet, Part::depths);
   guard.colorWrites(kNoColors);
   draw(image, sheet);
@@ -234,7 +235,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
   if (image.isAverages() && colors_ != Colors::sums) {
-    writeAverages(guard, image, sheets_.front());
+    writeAverages(guard, image, sheets_.front(), !target.keepsDepth);
     return true;
   }
   // First all uploads of a full texture: an upload after a draw would wait for that draw.

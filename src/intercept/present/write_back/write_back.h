@@ -18,7 +18,8 @@ struct WriteBackTarget {
   GLenum depthFunc = GL_LEQUAL;  // depth test of traced pixels against the framebuffer
   uint64_t picture = 0;          // id of the image: an equal id is not uploaded again; 0: it has none
   GLenum over = 0;  // write into this buffer of the window instead, without depth test; keeps its depth
-  bool colors = true, depths = true;    // planes to write; without depths there is no depth test
+  bool colors = true, depths = true;  // planes to write; without depths there is no depth test
+  bool keepsDepth = false;            // of averages: the depth test counts, but the framebuffer's depth stays
   scene::ColorWrites colorWrites = {};  // colour channels to write
   std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: the program's setting
 };
@@ -73,7 +74,7 @@ class WriteBack {
   enum class Part { all, colors, depths };
   void upload(const Image& image, const Sheet& sheet, Part part) const;
   void openFor(StateGuard& guard, const WriteBackTarget& target) const;
-  void writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet) const;
+  void writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet, bool depths) const;
   void draw(const Image& image, const Sheet& sheet) const;
 
   const gl::RealGl& real_;

@@ -1,0 +1,113 @@
+#include "gl/culled/raster_light.h"
+
+#include "gl/arrays/array_draws.h"
+#include "gl/context.h"
+#include "gl/culled/cullable_state.h"
+#include "gl/draws/affine.h"
+#include "gl/state/state_queries.h"
+#include "scene/effects.h"
+
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+constexpr GLenum kClipDistances = 8;  // OpenGL's minimum; llvmpipe has no more
+
+bool isWanted(const Settings& settings) {
+  return settings.light.rasterised && settings.look == Look::program &&
+         (scene::wantsOcclusion(settings) || scene::wantsShadows(settings));
+}
+
+bool isClipped(const ShadowState& shadow) {
+  if (!shadow.state.clipPlanes.empty()) return true;
+  for (GLenum i = 0; i < kClipDistances; ++i)
+    if (isOn(shadow.real, GL_CLIP_DISTANCE0 + i)) return true;
+  return false;
+}
+
+/// Whether the draw may have written less than colours and depth. Fragments that it left out are found by their
+/// depth, unless the framebuffer is multisampled.
+Reason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
+  if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
+  const RasterState& raster = shadow.state.raster;
+  if (raster.isReversed()) return Reason::depthFunc;
+  if (!raster.colorWrites.all()) return Reason::colorMask;
+  const bool stippled = raster.butDepthFunc == Reason::polygonStipple;
+  if (shadow.state.target.samples > 1 && (stippled || raster.alphaTest != scene::AlphaTest{}))
+    return stippled ? Reason::polygonStipple : Reason::alphaTest;
+  if (shadow.state.target.encodes) return Reason::framebuffer;
+  return isClipped(shadow) ? Reason::clipDistances : Reason::traced;
+}
+
+/// Matt, without lights of its own: the setting lights adds them. Dark, so that lights do not add up to more
+/// than 1.
+void makeMatt(scene::Instance& instance, scene::Shading& shading) {
+  constexpr float kDark = 1.0f / 16;
+  shading.fragment.model = scene::FragmentShading::Model::phong;
+  shading.fragment.normals = scene::FragmentShading::Normals::triangles;
+  scene::Material material;
+  material.ambient = material.diffuse = glm::vec4(glm::vec3(kDark), 1);
+  material.specular = glm::vec4(0, 0, 0, 1);
+  instance.materials = {{material, material}};
+}
+
+void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject) {
+  State& state = c.shadow.state;
+  state.projection = clipFromObject;
+  c.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
+  BatchKey key = Batch::keyOf(state);
+  key.layers = BatchKey::Layers::factors;
+  key.depthFunc = GL_LEQUAL, key.offset = {};
+  c.filler.clampToTarget(key.region);
+  if (key.region.width <= 0 || key.region.height <= 0) return;
+  Batch& batch = c.flusher.batch;
+  const std::optional<BatchKey> there = batch.empty() ? std::nullopt : std::optional(batch.key());
+  c.filler.factor(clipFromObject, reachOf(*mesh), there ? &*there : nullptr, key);
+  if (!c.filler.open(key)) return;
+  scene::Instance instance;
+  instance.mesh = mesh;
+  instance.eyeFromObject = state.modelview;
+  instance.cull = state.raster.cull;
+  instance.frontFaceCcw = state.raster.frontFaceCcw;
+  scene::Shading shading;
+  makeMatt(instance, shading);
+  batch.add(std::move(instance), std::move(shading));
+  c.filler.settleFailure();
+}
+
+Reason light(Context& c, GLenum mode, const Elements& e) {
+  ShadowState& shadow = c.shadow;
+  if (const Reason reason = litState(shadow, mode, e); reason != Reason::traced) return reason;
+  if (!c.flusher.canTrace()) return Reason::noGlsl;
+  CulledDraws::Source from;
+  if (const Reason reason = c.culled.source(from); reason != Reason::traced) return reason;
+  if (from.program && from.program->discards() && shadow.state.target.samples > 1) return Reason::leavesOut;
+  if (!from.positions->enabled) return Reason::arrayState;
+  ArrayState positions;
+  positions.vertex = *from.positions;
+  positions.vertex.size = std::min(from.positions->size, from.components);
+  positions.elements = from.arrays->elements;
+  if (foreignReason(positions) != Reason::traced) return Reason::foreignBuffer;
+  const KnownMesh known = meshOf(c, positions, mode, e);
+  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (known.mesh->triangleCount == 0) return Reason::traced;
+  const glm::dmat4& matrix = from.matrix.clipFromObject;
+  const glm::ivec4& viewport = shadow.state.viewport;
+  if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, {viewport.z, viewport.w})) return Reason::tooLarge;
+  addSurface(c, known.mesh, matrix);
+  return Reason::traced;
+}
+
+}  // namespace
+
+void lightRasterised(Context& c, GLenum mode, const Elements& e) noexcept {
+  if (!isWanted(c.shadow.settings) || c.failsafe.aside() || c.shadow.info.off) return;
+  c.protect([&] { c.counts.lit(light(c, mode, e)); });
+}
+
+}  // namespace gluray::gl

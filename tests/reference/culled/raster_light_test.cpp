@@ -1,0 +1,275 @@
+// Light on surfaces that the real OpenGL draws (setting light.rasterised): by programs of no family, it is that of the
+// same surfaces traced; depth stays to the bit; and what is not known stays as the program draws it.
+#include "tests/reference/programs/program_stage.h"
+#include "tests/support/gl_state.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace gluray::test::raster_light {
+namespace {
+
+constexpr int kSize = 128, kBlock = 8;  // pixels
+const glm::vec3 kTint(0.8f, 0.6f, 0.4f);
+
+const char* const kFlatVertex = R"(#version 120
+attribute vec3 position;
+uniform mat4 clipFromEye, eyeFromObject;
+void main() { gl_Position = clipFromEye * (eyeFromObject * vec4(position, 1.0)); })";
+const char* const kFlatFragment = R"(#version 120
+uniform vec3 tint;
+void main() { gl_FragColor = vec4(tint, 1.0); })";
+const char* const kHoles = R"(#version 120
+uniform vec3 tint;
+void main() {
+  if (fract(gl_FragCoord.x / 16.0) < 0.5) discard;
+  gl_FragColor = vec4(tint, 1.0);
+})";
+
+Settings lit(bool on) {
+  Settings settings = TracedContext::tracing();
+  settings.light.rasterised = on;
+  settings.ao.enabled = true, settings.ao.samples = 256, settings.ao.radius = 1;
+  return settings;
+}
+
+using Triangles = std::vector<glm::vec3>;
+
+void add(Triangles& to, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
+  to.insert(to.end(), {a, b, c, a, c, d});
+}
+
+Triangles square(float y, float half) {
+  Triangles all;
+  add(all, {-half, y, half}, {half, y, half}, {half, y, -half}, {-half, y, -half});
+  return all;
+}
+
+/// A floor and two walls that stand on it.
+Triangles corner() {
+  Triangles all = square(0, 1);
+  add(all, {-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1});
+  add(all, {-1, 0, 1}, {-1, 0, -1}, {-1, 1, -1}, {-1, 1, 1});
+  return all;
+}
+
+glm::mat4 camera() { return glm::perspective(glm::radians(45.0f), 1.0f, 0.5f, 20.0f); }
+glm::mat4 view() { return glm::lookAt(glm::vec3(2, 2, 3), glm::vec3(0, 0.3f, 0), glm::vec3(0, 1, 0)); }
+
+void begin(Gl gl) {
+  gl.Viewport(0, 0, kSize, kSize);
+  gl.ClearColor(0.1f, 0.2f, 0.3f, 1), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(GL_LESS);
+}
+
+/// Draws by a shader program.
+void draw(Gl gl, GLuint program, const Triangles& triangles, const glm::mat4& eyeFromObject = view(),
+          const glm::vec3& tint = kTint) {
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)),
+                triangles.data(), GL_STATIC_DRAW);
+  const auto location = static_cast<GLuint>(gl.GetAttribLocation(program, "position"));
+  gl.EnableVertexAttribArray(location);
+  gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl.UseProgram(program);
+  setMat4(gl, program, "clipFromEye", camera()), setMat4(gl, program, "eyeFromObject", eyeFromObject);
+  setVec3(gl, program, "tint", tint);
+  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+  gl.DisableVertexAttribArray(location);
+  gl.UseProgram(0);
+}
+
+/// Draws by fixed function, which is traced.
+void drawTraced(Gl gl, const Triangles& triangles, const glm::vec3& tint = kTint) {
+  const glm::mat4 clip = camera(), eye = view();
+  gl.MatrixMode(GL_PROJECTION), gl.LoadMatrixf(glm::value_ptr(clip));
+  gl.MatrixMode(GL_MODELVIEW), gl.LoadMatrixf(glm::value_ptr(eye));
+  gl.Color3f(tint.x, tint.y, tint.z);
+  gl.Begin(GL_TRIANGLES);
+  for (const glm::vec3& p : triangles) gl.Vertex3f(p.x, p.y, p.z);
+  gl.End();
+}
+
+struct Seen {
+  Picture picture;
+  gl::Statistics counts;
+};
+
+Seen seen(const Settings& settings, const std::function<void(Gl)>& frame) {
+  TracedContext context({kSize, kSize}, settings);
+  Gl gl = context.gl();
+  begin(gl);
+  frame(gl);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  return {readPicture(gl, kSize, kSize), context.context().counts.statistics};
+}
+
+Seen byProgram(const Settings& settings, const char* fragment = kFlatFragment) {
+  return seen(settings, [&](Gl gl) { draw(gl, makeProgram(gl, kFlatVertex, fragment), corner()); });
+}
+
+int channel(uint32_t color, int c) { return static_cast<int>(color >> (8 * c) & 255); }
+
+uint32_t at(const Picture& p, int x, int y) { return p.colors[static_cast<size_t>(y * kSize + x)]; }
+
+/// The pixel that shows a point.
+uint32_t at(const Picture& p, const glm::vec3& point) {
+  const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
+  const glm::vec2 pixel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(kSize);
+  return at(p, static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+}
+
+/// Mean of the channels in a block of pixels.
+std::array<double, 3> meanOf(const Picture& p, int x0, int y0) {
+  std::array<double, 3> mean{};
+  for (int y = y0; y < y0 + kBlock; ++y)
+    for (int x = x0; x < x0 + kBlock; ++x)
+      for (int c = 0; c < 3; ++c) mean[static_cast<size_t>(c)] += channel(at(p, x, y), c);
+  for (double& m : mean) m /= kBlock * kBlock;
+  return mean;
+}
+
+void expectAlike(const Picture& a, const Picture& b, double most) {
+  for (int y = 0; y < kSize; y += kBlock)
+    for (int x = 0; x < kSize; x += kBlock) {
+      const auto one = meanOf(a, x, y), other = meanOf(b, x, y);
+      for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(one[c], other[c], most) << x << ", " << y << ", " << c;
+    }
+}
+
+TEST(RasterLight, OccludesAsIfTheSurfacesWereTraced) {
+  const Seen traced = seen(lit(false), [](Gl gl) { drawTraced(gl, corner()); });
+  const Seen drawn = byProgram(lit(true)), plain = byProgram(lit(false));
+  ASSERT_EQ(traced.counts.drawsTraced, 1u);
+  ASSERT_EQ(drawn.counts.drawsTraced, 0u);
+  EXPECT_EQ(drawn.counts.drawsLit, 1u);
+  // Noise is 0.01 of white at most; eight pixels beside each other share an edge of the silhouette.
+  expectAlike(traced.picture, drawn.picture, 3);
+  EXPECT_LT(channel(at(drawn.picture, {-0.95f, 0.02f, -0.95f}), 0), 140) << "most of the sky is hidden";
+  EXPECT_EQ(drawn.picture.depths, plain.picture.depths);
+}
+
+TEST(RasterLight, SwitchedOffChangesNoBit) {
+  const Settings none = TracedContext::tracing();
+  Settings noEffect = none;
+  noEffect.light.rasterised = true;
+  const Picture expected = byProgram(none).picture;
+  for (const Settings& settings : {lit(false), noEffect}) {
+    const Seen got = byProgram(settings);
+    EXPECT_EQ(got.counts.drawsLit, 0u);
+    EXPECT_EQ(got.picture.colors, expected.colors);
+    EXPECT_EQ(got.picture.depths, expected.depths);
+  }
+}
+
+TEST(RasterLight, KeepsStateAndShowsNoErrors) {
+  const auto stateAfter = [](const Settings& settings) {
+    TracedContext context({kSize, kSize}, settings);
+    Gl gl = context.gl();
+    begin(gl);
+    draw(gl, makeProgram(gl, kFlatVertex, kFlatFragment), corner());
+    gl.Flush();
+    return queryState(gl);
+  };
+  for (const std::string& line : differences(stateAfter(lit(false)), stateAfter(lit(true))))
+    ADD_FAILURE() << line;
+}
+
+/// What shows through them is not lit as if they were closed.
+TEST(RasterLight, LeavesHolesAlone) {
+  const Seen plain = byProgram(lit(false), kHoles), got = byProgram(lit(true), kHoles),
+             closed = byProgram(lit(true));
+  EXPECT_EQ(got.counts.drawsLit, 1u);
+  size_t holes = 0, wrong = 0;
+  for (size_t i = 0; i < plain.picture.colors.size(); ++i) {
+    const bool hole = plain.picture.depths[i] == plain.picture.depths[0];  // that of the clear
+    holes += hole;
+    wrong += got.picture.colors[i] != (hole ? plain : closed).picture.colors[i];
+  }
+  EXPECT_GT(holes, 1000u);
+  EXPECT_EQ(wrong, 0u);
+}
+
+/// What is drawn after the surfaces and in front of them shows no light of theirs.
+TEST(RasterLight, StaysBelowWhatIsDrawnLater) {
+  const glm::vec3 red(1, 0, 0);
+  const Triangles front = square(0.5f, 0.3f);
+  for (const bool tested : {true, false}) {
+    const Seen got = seen(lit(true), [&](Gl gl) {
+      const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
+      draw(gl, program, corner());
+      if (!tested) gl.Disable(GL_DEPTH_TEST);
+      draw(gl, program, front, view(), red);
+    });
+    const uint32_t color = at(got.picture, {0, 0.5f, 0});
+    EXPECT_EQ(channel(color, 1), 0);
+    if (!tested) {
+      EXPECT_EQ(channel(color, 0), 255) << "it has no depth: it takes no light";
+    }
+  }
+}
+
+/// Surfaces of several draws occlude each other, each with a matrix of its own, and so do traced ones.
+TEST(RasterLight, JoinsDrawsOfAllKinds) {
+  const Triangles floor = square(0, 1), lid = square(0.1f, 0.5f);
+  const glm::vec3 below(0.53f, 0, 0.3f), away(0.9f, 0, -0.9f);  // beside the lid's edge, and far from it
+  const auto share = [&](const std::function<void(Gl)>& frame) {
+    const Seen got = seen(lit(true), frame);
+    EXPECT_GT(got.counts.drawsLit, 0u);
+    EXPECT_GT(channel(at(got.picture, away), 0), 190);
+    return channel(at(got.picture, below), 0) / 204.0;
+  };
+  const glm::mat4 raised = view() * glm::translate(glm::mat4(1), glm::vec3(0, 0.1f, 0));
+  const double oneDraw = share([&](Gl gl) {
+    Triangles both = floor;
+    both.insert(both.end(), lid.begin(), lid.end());
+    draw(gl, makeProgram(gl, kFlatVertex, kFlatFragment), both);
+  });
+  const double twoDraws = share([&](Gl gl) {
+    const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
+    draw(gl, program, floor);
+    draw(gl, program, square(0, 0.5f), raised);
+  });
+  const double tracedLid = share([&](Gl gl) {
+    drawTraced(gl, lid);
+    draw(gl, makeProgram(gl, kFlatVertex, kFlatFragment), floor);
+  });
+  EXPECT_LT(oneDraw, 0.8);
+  EXPECT_NEAR(twoDraws, oneDraw, 0.03);
+  EXPECT_NEAR(tracedLid, oneDraw, 0.06) << "bounds, and with them the radius, are those of both";
+}
+
+TEST(RasterLight, ShadowsAreThoseOfARig) {
+  Settings settings = TracedContext::tracing();
+  settings.light.rasterised = true;
+  settings.shadows.enabled = true;
+  const auto picture = [&](LightRig rig, bool rasterised) {
+    settings.lights.rig = rig, settings.light.rasterised = rasterised;
+    return seen(settings, [](Gl gl) {
+             const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
+             draw(gl, program, square(0, 1));
+             draw(gl, program, square(0.4f, 0.3f));
+           })
+        .picture;
+  };
+  const Picture none = picture(LightRig::program, true), sun = picture(LightRig::sun, true);
+  size_t darker = 0, brighter = 0;
+  for (size_t i = 0; i < none.colors.size(); ++i) {
+    darker += channel(sun.colors[i], 0) < channel(none.colors[i], 0) - 20;
+    brighter += channel(sun.colors[i], 0) > channel(none.colors[i], 0);
+  }
+  EXPECT_GT(darker, 50u);
+  EXPECT_LT(darker, none.colors.size() / 4);
+  EXPECT_EQ(brighter, 0u);
+  EXPECT_EQ(none.colors, picture(LightRig::program, false).colors) << "no light is known";
+}
+
+}  // namespace
+}  // namespace gluray::test::raster_light
