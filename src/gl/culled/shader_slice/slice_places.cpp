@@ -90,14 +90,14 @@ bool SliceRun::uniformPath(const Expression& e, std::string& path, TypeName& typ
     if (dimension >= type.sizes.size()) return false;
     const std::optional<long> at = integerOf(evaluate(*e.parts[1]));
     if (!at || *at < 0) return false;
-    path += "[" + std::to_string(*at) + "]", ++dimension;
+    path.append("[").append(std::to_string(*at)).append("]"), ++dimension;
     return true;
   }
   const Struct* const structure = dimension == type.sizes.size() ? structNamed(type.name) : nullptr;
   if (!structure) return false;
   for (const Variable& field : structure->fields)
     if (field.name == e.text) {
-      path += "." + std::string(field.name), type = field.type, dimension = 0;
+      path.append(".").append(field.name), type = field.type, dimension = 0;
       return true;
     }
   return false;
