@@ -54,7 +54,9 @@ void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
 
 void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   if (c.immediate.insideBegin()) return c.lists.misuse();
-  c.immediate.begin(GL_POLYGON);
+  // Differs: GL 2.1, 2.10 says a polygon; Mesa draws a quad, whose diagonal is the other one. Interpolated
+  // values depend on that in their last bits.
+  c.immediate.begin(GL_QUADS);
   vertexcall::vertex(x1, y1), vertexcall::vertex(x2, y1), vertexcall::vertex(x2, y2),
       vertexcall::vertex(x1, y2);
   c.immediate.end();
