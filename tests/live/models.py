@@ -82,6 +82,22 @@ def write_stl(path, **size):
     return path
 
 
+def write_x3d(path, **size):
+    """X3D in its classic encoding, one shape without normals."""
+    positions, _, triangles = knot(**size)
+    points = ", ".join("%.5f %.5f %.5f" % tuple(p) for p in positions)
+    faces = " ".join("%d %d %d -1" % tuple(t) for t in triangles)
+    path.write_text(f"""#X3D V3.2 utf8
+PROFILE Interchange
+Viewpoint {{ position 0 0 10 }}
+Transform {{ rotation 1 0 0 0.4 children Shape {{
+  appearance Appearance {{ material Material {{ diffuseColor 0.8 0.6 0.2 specularColor 0.5 0.5 0.5 }} }}
+  geometry IndexedFaceSet {{ creaseAngle 3 solid FALSE coordIndex [{faces}] coord Coordinate {{ point [{points}] }} }}
+}} }}
+""")
+    return path
+
+
 def write_scad(path):
     """A solid cut by others (several passes with a stencil), and one beside it."""
     path.write_text("""difference() {

@@ -26,6 +26,8 @@ class Program:
     beyond_all: float = 0.02     # the same, edges included
     traced: float = 0.99         # least share of triangles that are traced
     visible: float = 0.005       # share of pixels that may differ by more than 8/255
+    exact: bool = False          # no pixel may differ at all: the real OpenGL draws all of it
+    culled: int = 0              # least number of culled draws (docs/culling.md)
     frame: int = 0               # the swap whose picture is compared, with a fixed clock; 0: the picture at rest
     rest: float = 2.0            # seconds without a change that count as rest
     colors: int = 64             # a picture with fewer has not loaded its model yet
@@ -102,6 +104,20 @@ def f3d(folder):
     return ["f3d", own_look, "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))]
 
 
+def whole(command, reason, culled=0, environment=None, **more):
+    """A program that the real OpenGL draws, with its own shaders: culled wherever that is exact, however small its draws are."""
+    everything = {"GLURAY_CULL_DRAWS": "always", "GLURAY_CULL_FROM": "1"}
+    return Program(command, reason, traced=0.0, exact=True, culled=culled, environment=everything | (environment or {}), **more)
+
+
+def script(name):
+    return lambda folder: ["/usr/bin/python3", str(HERE / name)]
+
+
+def module(name):
+    return f"/usr/lib/python3/dist-packages/{name}"
+
+
 PIVY = "/usr/share/doc/python3-pivy/examples/Mentor/02.4.Examiner.py"
 
 MORE = {
@@ -135,6 +151,17 @@ MORE = {
     "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
+    # Shaders of their own.
+    "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object", culled=5, rest=3.0, needs=(module("vispy"),)),
+    "pyqtgraph": whole(script("pyqtgraph_scene.py"), "Qt 5; arrays in the program's memory", culled=5, rest=3.0, needs=(module("pyqtgraph"),)),
+    "silx": whole(script("silx_scene.py"), "Qt 5; blending", rest=3.0, needs=(module("silx"),)),
+    "pymol": whole(lambda folder: ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600",
+                   str(HERE / "pymol_scene.py")], "Qt 5; blending, spheres that write depth", rest=4.0, needs=("pymol",)),
+    "view3dscene": whole(lambda folder: ["view3dscene", "--geometry", "600x600", "-H", str(models.write_x3d(folder / "knot.x3dv"))],
+                         "GTK 2; one light", culled=2, rest=3.0),
+    "wings3d": whole(lambda folder: ["wings3d"], "wxWidgets; a grid that a shader makes of a rectangle", rest=4.0),
+    "blender": whole(lambda folder: ["blender", "--factory-startup", "--window-geometry", "20", "20", "900", "700", "--python",
+                     str(HERE / "blender_scene.py")], "core profile; several draw buffers, base instances", rest=6.0),
 }
 
 

@@ -134,6 +134,10 @@ def check(name, program, seen, report):
     if seen["visible"] > program.visible:
         wrong.append(f"{name}: {seen['visible']:.4%} of its pixels differ by more than {pictures.VISIBLE}/255, at most "
                      f"{program.visible:.4%} may")
+    if program.exact and seen["largest"] > 0:
+        wrong.append(f"{name}: pixels differ by up to {seen['largest']}/255, none may")
+    if report["culled"]["draws"] < program.culled:
+        wrong.append(f"{name}: {report['culled']['draws']} of its draws are culled, at least {program.culled} should be")
     if seen["traced"] < program.traced:
         wrong.append(f"{name}: {seen['traced']:.2%} of its triangles are traced, at least {program.traced:.2%} should be")
     return wrong
@@ -176,7 +180,7 @@ def main():
     if report:
         triangles, draws = report["triangles"], report["draws"]
         seen |= {"traced": rate(triangles["traced"], triangles["rasterised"]), "triangles": triangles, "draws": draws,
-                 "frames": report["frames"]}
+                 "culled": report["culled"], "frames": report["frames"]}
     (out / f"{given.name}.json").write_text(json.dumps({"seen": seen, "report": report}, indent=2) + "\n")
     print(json.dumps(seen))
     wrong = check(given.name, program, seen, report)

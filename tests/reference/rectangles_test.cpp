@@ -20,14 +20,15 @@ void main() { gl_FragColor = vec4(fract(37.0 * at.xz), fract(at.x * at.z), 1.0);
 )";
 
 void expectExact(const std::string& name, const Draw& draw) {
-  const BothStage stage{.folder = "rectangles",
-                        .prepare =
-                            [](scenes::Gl gl) {
-                              gl.UseProgram(makeProgram(gl, kGround, kPattern));
-                              gl.Enable(GL_DEPTH_TEST);
-                              gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-                            },
-                        .tolerance = {.color = 0, .edgeShare = 0, .depth = 0, .reason = "one OpenGL draws both"}};
+  const BothStage stage{
+      .folder = "rectangles",
+      .prepare =
+          [](scenes::Gl gl) {
+            gl.UseProgram(makeProgram(gl, kGround, kPattern));
+            gl.Enable(GL_DEPTH_TEST);
+            gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+          },
+      .tolerance = {.color = 0, .edgeShare = 0, .depth = 0, .reason = "one OpenGL draws both"}};
   compareBoth(stage, name, draw);
 }
 

@@ -62,7 +62,7 @@ namespace gluray::gl {
   X(geometryShader, "geometry or tessellation shader, or layers")            \
   X(noSource, "shader whose source is not known")                            \
   X(positions, "positions that are no matrix times an attribute")            \
-  X(instanced, "several instances")                                          \
+  X(instanced, "several instances, or a base instance")                      \
   X(mode, "primitives other than triangles")                                 \
   X(offsetNearer, "polygon offset towards the viewer")                       \
   X(drawBuffers, "several draw buffers")                                     \
