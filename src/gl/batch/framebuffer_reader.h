@@ -25,6 +25,18 @@ class FramebufferReader {
                           std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
+  /// The same of a multisampled framebuffer: of each pixel's samples the largest depth or, if `least`, the
+  /// smallest, rounded to 23 bits.
+  virtual bool readFarthest(const RealGl&, const scene::Region& /*region*/, bool /*least*/,
+                            std::vector<float>& /*out*/) noexcept {
+    return false;
+  }
+  /// All that a multisampled framebuffer holds in `region`, only to be compared: bits of its resolved colours
+  /// and of the depths of all samples.
+  virtual bool readSamples(const RealGl&, const scene::Region& /*region*/,
+                           std::vector<uint32_t>& /*out*/) noexcept {
+    return false;
+  }
   /// Keeps a copy of the bound draw framebuffer's colours, depths and stencil values in `region`. False: it
   /// cannot. No error may be pending. Never throws.
   virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }

@@ -46,6 +46,7 @@ class View {
     const glm::dmat4 rows = glm::transpose(matrix.clipFromObject),
                      magnitudes = glm::transpose(matrix.magnitudes);
     for (int i = 0; i < 4; ++i) row_[i] = rows[i], magnitude_[i] = glm::max(glm::abs(rows[i]), magnitudes[i]);
+    margin_ = {pixels(window.viewport.z), pixels(window.viewport.w), 0};
     depthScale_ = 0.5 * (window.depthFar - window.depthNear);
     depthMiddle_ = 0.5 * (window.depthFar + window.depthNear);
   }
@@ -59,7 +60,7 @@ class View {
       clip[i] = glm::dot(row_[i], center), error[i] = kRounding * glm::dot(magnitude_[i], reach);
     const double w = clip.w, wReach = radius(row_[3], extent) + error.w;
     for (int i = 0; i < 3; ++i) {
-      const double slack = error[i] + error.w;
+      const double slack = error[i] + error.w + margin_[i] * (std::abs(w) + wReach);
       if (w + clip[i] + radius(row_[3] + row_[i], extent) + slack < 0) return false;
       if (w - clip[i] + radius(row_[3] - row_[i], extent) + slack < 0) return false;
     }
@@ -77,19 +78,22 @@ class View {
   }
 
  private:
+  /// As far around the view samples may be covered.
+  double pixels(double size) const { return 4 * window_.sampleReach / std::max(size, 1.0); }
   static double radius(const glm::dvec4& row, const glm::dvec4& extent) {
     return glm::dot(glm::abs(row), extent);
   }
   /// Of a box around `at` in normalised device coordinates.
   bool isNearer(const glm::dvec3& at, const glm::dvec3& reach) const {
-    // Pixels are covered at their centres (1/2, 1/2), by vertices that snap to 1/256 pixel.
-    constexpr double kSnap = 1.0 / 64;
+    // Pixels are covered at their samples, around the centres (1/2, 1/2), by vertices that snap to 1/256
+    // pixel.
+    const double slack = 1.0 / 64 + window_.sampleReach;
     const glm::dvec4& v = window_.viewport;
-    const double x = v.x + (at.x + 1) * 0.5 * v.z - 0.5, xReach = reach.x * 0.5 * v.z + kSnap;
-    const double y = v.y + (at.y + 1) * 0.5 * v.w - 0.5, yReach = reach.y * 0.5 * v.w + kSnap;
+    const double x = v.x + (at.x + 1) * 0.5 * v.z - 0.5, xReach = reach.x * 0.5 * v.z + slack;
+    const double y = v.y + (at.y + 1) * 0.5 * v.w - 0.5, yReach = reach.y * 0.5 * v.w + slack;
     const double x0 = std::ceil(x - xReach), x1 = std::floor(x + xReach);
     const double y0 = std::ceil(y - yReach), y1 = std::floor(y + yReach);
-    if (!(x0 <= x1 && y0 <= y1)) return false;  // between the centres
+    if (!(x0 <= x1 && y0 <= y1)) return false;  // between the samples
     if (!(x1 >= 0 && y1 >= 0 && x0 < pyramid_->width() && y0 < pyramid_->height())) return false;
     // Depth planes are computed in single precision from snapped vertices.
     constexpr double kDepth = 1.0 / (1 << 16);
@@ -106,6 +110,7 @@ class View {
   glm::dvec4 row_[4], magnitude_[4];
   const DepthPyramid* pyramid_;
   const WindowMapping window_;
+  glm::dvec3 margin_{0};  // of clip space, relative to w
   double depthScale_ = 0.5, depthMiddle_ = 0.5;
 };
 

@@ -34,6 +34,7 @@ struct Primitives {
 struct WindowMapping {
   glm::dvec4 viewport{0};              // x, y, width, height in pixels, relative to the pyramid's corner
   double depthNear = 0, depthFar = 1;  // glDepthRange
+  double sampleReach = 0;              // how far samples may be from a pixel's centre along each axis
 };
 
 /// Clip space from vertex positions, and how far rounding may be from it: errors grow with the magnitudes.

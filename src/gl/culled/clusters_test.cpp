@@ -100,10 +100,10 @@ struct WindowTriangle {
     for (size_t i = 0; i < 3; ++i)
       corners[i] = (glm::dvec3(clip[i]) / clip[i].w + 1.0) / 2.0 * glm::dvec3(kWidth, kHeight, 1);
   }
-  /// At the centre of a pixel; nothing where the triangle does not cover that.
-  std::optional<double> depthAt(int x, int y) const {
+  /// At a place in a pixel; nothing where the triangle does not cover that.
+  std::optional<double> depthAt(int x, int y, glm::dvec2 place = glm::dvec2(0.5)) const {
     const glm::dvec3 &a = corners[0], &b = corners[1], &c = corners[2];
-    const glm::dvec2 p(x + 0.5, y + 0.5);
+    const glm::dvec2 p = glm::dvec2(x, y) + place;
     const auto area = [](const glm::dvec2& u, const glm::dvec2& v, const glm::dvec2& w) {
       return (v.x - u.x) * (w.y - u.y) - (v.y - u.y) * (w.x - u.x);
     };
@@ -115,8 +115,12 @@ struct WindowTriangle {
   std::array<glm::dvec3, 3> corners;
 };
 
-TEST(Clusters, NeverMissWhatIsNearerThanThePicture) {
+/// Samples are at the centres of pixels or, if `anywhere`, at any places in them.
+void expectNearerOnesShown(bool anywhere) {
   std::mt19937 random(3);
+  std::uniform_real_distribution<double> inPixel(0, 1);
+  WindowMapping mapping = window();
+  mapping.sampleReach = anywhere ? 0.5 : 0;
   uint64_t tested = 0, hidden = 0;
   for (int round = 0; round < 60; ++round) {
     const TestMesh mesh =
@@ -129,7 +133,7 @@ TEST(Clusters, NeverMissWhatIsNearerThanThePicture) {
     DepthPyramid pyramid;
     pyramid.build(depths.data(), kWidth, kHeight);
     std::vector<uint64_t> visible;
-    clusters.mayShow(clipBy(m), window(), &pyramid, visible);
+    clusters.mayShow(clipBy(m), mapping, &pyramid, visible);
     hidden += p.count - clusters.primitivesIn(visible);
     std::vector<std::array<uint32_t, 3>> shown;
     const std::vector<uint32_t> out = drawn(mesh, clusters, visible);
@@ -150,7 +154,8 @@ TEST(Clusters, NeverMissWhatIsNearerThanThePicture) {
         for (int x = least(c[0].x, c[1].x, c[2].x); x < kWidth && x <= std::max({c[0].x, c[1].x, c[2].x});
              ++x) {
           if (x < 0 || y < 0) continue;
-          const std::optional<double> depth = triangle.depthAt(x, y);
+          const glm::dvec2 place = anywhere ? glm::dvec2(inPixel(random), inPixel(random)) : glm::dvec2(0.5);
+          const std::optional<double> depth = triangle.depthAt(x, y, place);
           if (!depth || *depth < 0 || *depth > 1) continue;
           EXPECT_GT(*depth, double{depths[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)]});
           ++tested;
@@ -160,6 +165,10 @@ TEST(Clusters, NeverMissWhatIsNearerThanThePicture) {
   EXPECT_GT(tested, 20000u);
   EXPECT_GT(hidden, 10000u);
 }
+
+TEST(Clusters, NeverMissWhatIsNearerThanThePicture) { expectNearerOnesShown(false); }
+
+TEST(Clusters, NeverMissSamplesThatAreNearer) { expectNearerOnesShown(true); }
 
 TEST(Clusters, KeepTheOrderOfTheDraw) {
   for (const bool shuffled : {false, true}) {

@@ -31,7 +31,8 @@ Reason cullableState(const ShadowState& shadow, GLenum mode, const Elements& e) 
   // Fog changes colours only; a stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
   if (reason != Reason::traced && reason != Reason::fog && reason != Reason::polygonStipple) return reason;
-  if (state.target.samples != 1) return Reason::multisampleState;
+  // Without multisampling all samples of a pixel may take a depth from anywhere in it, outside the triangle.
+  if (state.target.samples > 1 && !raster.multisample) return Reason::multisampleState;
   if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)
     return state.target.reason;
   if (mode != GL_TRIANGLES && raster.firstVertexProvokes) return Reason::provokingVertex;

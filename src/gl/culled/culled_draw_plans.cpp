@@ -32,6 +32,7 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
   mapWindow(found);
   if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
+  if (found.samples > 1 && !before_.isClear(found.region)) return Reason::samplesInUse;
   Source from;
   if (const Reason reason = source(from); reason != Reason::traced) return reason;
   found.program = from.program, found.matrix = from.matrix;
@@ -47,6 +48,7 @@ Reason CulledDraws::sourceOfProgram(Source& found) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = programInUse();
   if (program.reason() != Reason::traced) return program.reason();
+  if (found.samples > 1 && program.usesCentroids()) return Reason::multisampleState;
   const bool core = shadow.info.core;
   const bool opaque = !isOn(shadow.real, GL_BLEND) || program.isOpaque(shadow.real, core);
   if (const Reason reason = cullableBlending(shadow, opaque); reason != Reason::traced) return reason;
@@ -128,11 +130,15 @@ void CulledDraws::mapWindow(Plan& found) const {
   glm::ivec2 lower = glm::max(glm::ivec2(v.x, v.y), glm::ivec2(scissor.x, scissor.y));
   glm::ivec2 upper = glm::min(glm::ivec2(v.x + v.z, v.y + v.w),
                               glm::ivec2(scissor.x, scissor.y) + glm::ivec2(scissor.z, scissor.w));
+  found.samples = state.target.samples;
+  // Mesa (22.3) scissors samples where they would be if they were the next pixel's.
+  if (found.samples > 1) lower -= 1, upper += 1;
   lower = glm::max(lower, glm::ivec2(0));
   if (state.target.size.x > 0) upper = glm::min(upper, state.target.size);
   found.region = {lower.x, lower.y, upper.x - lower.x, upper.y - lower.y};
   found.window.viewport = glm::dvec4(v.x - lower.x, v.y - lower.y, v.z, v.w);
   found.window.depthNear = state.depthNear, found.window.depthFar = state.depthFar;
+  found.window.sampleReach = found.samples > 1 ? 0.5 : 0;  // anywhere in the pixel
   found.reversed = state.raster.isReversed();
   if (!found.reversed) return;
   found.window.depthNear = 1 - state.depthNear, found.window.depthFar = 1 - state.depthFar;

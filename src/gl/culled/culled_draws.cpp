@@ -118,22 +118,16 @@ bool CulledDraws::drawCulled(const Plan& plan) {
 
 bool CulledDraws::drawVerified(const Plan& plan, GLenum mode, const Elements& e) {
   const RealGl& real = p_.shadow.real;
-  FramebufferReader& reader = p_.flusher.presenter.reader();
-  std::vector<float> depths, plainDepths;
-  std::vector<uint32_t> colors, plainColors;
+  Pixels culled, whole;
   if (!drawCulled(plan)) {
     drawReal(real, mode, e);
     look(plan, plan.mesh->visible);
     return true;
   }
-  const bool read =
-      reader.readDepth(real, plan.region, depths) && reader.readColors(real, plan.region, colors);
+  const bool isRead = read(plan, culled);
   before_.putBack();
   drawReal(real, mode, e);
-  if (!read || !reader.readDepth(real, plan.region, plainDepths) ||
-      !reader.readColors(real, plan.region, plainColors))
-    return true;
-  if (depths == plainDepths && colors == plainColors) return true;
+  if (!isRead || !read(plan, whole) || culled == whole) return true;
   if (plan.program)
     plan.program->refuse(Reason::notTheSame);
   else
@@ -144,8 +138,22 @@ bool CulledDraws::drawVerified(const Plan& plan, GLenum mode, const Elements& e)
   return true;
 }
 
+bool CulledDraws::read(const Plan& plan, Pixels& pixels) {
+  FramebufferReader& reader = p_.flusher.presenter.reader();
+  const RealGl& real = p_.shadow.real;
+  if (plan.samples > 1) return reader.readSamples(real, plan.region, pixels.colors);
+  return reader.readDepth(real, plan.region, pixels.depths) &&
+         reader.readColors(real, plan.region, pixels.colors);
+}
+
+bool CulledDraws::readFarthest(const Plan& plan) {
+  FramebufferReader& reader = p_.flusher.presenter.reader();
+  if (plan.samples > 1) return reader.readFarthest(p_.shadow.real, plan.region, plan.reversed, depths_);
+  return reader.readDepth(p_.shadow.real, plan.region, depths_);
+}
+
 bool CulledDraws::look(const Plan& plan, std::vector<uint64_t>& visible) {
-  if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, plan.region, depths_)) return false;
+  if (!readFarthest(plan)) return false;
   if (plan.reversed)
     for (float& depth : depths_) depth = 1 - depth;
   pyramid_.build(depths_.data(), plan.region.width, plan.region.height);

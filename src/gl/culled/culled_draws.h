@@ -72,6 +72,7 @@ class CulledDraws {
     ClipMatrix matrix;
     scene::Region region;  // pixels that may be drawn
     WindowMapping window;
+    int samples = 1;        // of a pixel
     bool reversed = false;  // larger depths are nearer: `window` maps to 1 - depth
   };
 
@@ -89,6 +90,15 @@ class CulledDraws {
   /// copied.
   bool drawCulled(const Plan& plan);
   bool drawVerified(const Plan& plan, GLenum mode, const Elements& elements);
+  /// All that the region shows, to be compared.
+  struct Pixels {
+    std::vector<float> depths;
+    std::vector<uint32_t> colors;  // with several samples: of them all, depths, too
+    bool operator==(const Pixels&) const = default;
+  };
+  bool read(const Plan& plan, Pixels& pixels);
+  /// The farthest depth of each pixel's samples.
+  bool readFarthest(const Plan& plan);
   /// Reads the depth of the region and finds what may show. False: it cannot be read.
   bool look(const Plan& plan, std::vector<uint64_t>& visible);
   void drawClusters(const CulledMesh& mesh, const std::vector<uint64_t>& clusters);

@@ -31,6 +31,9 @@ constexpr std::array kObstacles{
     Obstacle{"gl_DrawID", Reason::primitiveNumbers},
     Obstacle{"gl_DrawIDARB", Reason::primitiveNumbers},
     Obstacle{"gl_SampleMask", Reason::multisampleState},
+    Obstacle{"gl_SampleMaskIn", Reason::multisampleState},
+    Obstacle{"post_depth_coverage", Reason::multisampleState},
+    Obstacle{"early_fragment_tests", Reason::fragmentDepth},  // discarded fragments write depth
     Obstacle{"gl_LastFragData", Reason::blend},
     Obstacle{"gl_LastFragColorARM", Reason::blend},
     Obstacle{"gl_Layer", Reason::geometryShader},
@@ -141,6 +144,8 @@ Reason CulledProgram::check(const RealGl& real) {
   for (const std::string* text : {&vertex, &fragment})
     if (const Reason reason = obstacleIn(*text); reason != Reason::traced) return reason;
   discards_ = hasWord(fragment, "discard");
+  for (const std::string* text : {&vertex, &fragment})
+    usesCentroids_ = usesCentroids_ || hasWord(*text, "centroid") || hasWord(*text, "interpolateAtCentroid");
   slice_.emplace(vertex), alpha_.emplace(fragment);
   why_ = slice_->why();
   return why_.empty() ? Reason::traced : Reason::positions;

@@ -29,6 +29,9 @@ class CulledProgram {
   bool isOpaque(const RealGl& real, bool core) const;
   /// Whether its fragment shader leaves out fragments.
   bool discards() const { return discards_; }
+  /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the
+  /// depth test, so that they depend on what was drawn before.
+  bool usesCentroids() const { return usesCentroids_; }
   /// It is not culled from now on.
   void refuse(Reason reason) { reason_ = reason; }
   /// Whether nothing else knows the program any more.
@@ -43,6 +46,7 @@ class CulledProgram {
   std::optional<AlphaSlice> alpha_;
   Reason reason_ = Reason::traced;
   bool discards_ = false;
+  bool usesCentroids_ = false;
   std::string why_;
 };
 

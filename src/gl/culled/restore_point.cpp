@@ -7,15 +7,19 @@
 
 namespace gluray::gl {
 
-bool RestorePoint::keep(const scene::Region& region) {
-  region_ = region;
+bool RestorePoint::isClear(const scene::Region& region) const {
   const std::optional<ClearedTarget>& below = raster_.clearBelow();
   const TargetState& target = shadow_.state.target;
   // With GL_FRAMEBUFFER_SRGB a clear may have been made before it was switched.
-  const bool isClear =
-      below && below->framebuffer == target.framebuffer && !target.encodes && contains(below->region, region);
-  clear_ = isClear ? below : std::nullopt;
-  return isClear || flusher_.presenter.reader().keep(shadow_.real, region);
+  return below && below->framebuffer == target.framebuffer && !target.encodes &&
+         contains(below->region, region);
+}
+
+bool RestorePoint::keep(const scene::Region& region) {
+  region_ = region;
+  clear_ = isClear(region) ? raster_.clearBelow() : std::nullopt;
+  if (clear_) return true;
+  return shadow_.state.target.samples == 1 && flusher_.presenter.reader().keep(shadow_.real, region);
 }
 
 void RestorePoint::putBack() {

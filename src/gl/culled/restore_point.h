@@ -15,6 +15,8 @@ class RestorePoint {
   RestorePoint(ShadowState& shadow, Flusher& flusher, const RasterDraws& raster)
       : shadow_(shadow), flusher_(flusher), raster_(raster) {}
 
+  /// Whether `region` holds a clear alone, to which it can be put back.
+  bool isClear(const scene::Region& region) const;
   /// Call before the draw, after RasterDraws::before(): remembers what is in `region`. False: it cannot.
   bool keep(const scene::Region& region);
   /// Writes it back. Changes no state.

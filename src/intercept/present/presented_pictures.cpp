@@ -39,7 +39,7 @@ bool PresentedPictures::supported(const gl::RealGl& real, std::string& why) noex
 }
 
 gl::SharedNames PresentedPictures::takeNames() {
-  gl::SharedNames all;
+  gl::SharedNames all = samples.takeNames();
   for (const std::unique_ptr<WriteBack>& one : writeBacks_) {
     if (!one) continue;
     const gl::SharedNames names = one->takeNames();
@@ -53,6 +53,7 @@ void PresentedPictures::forget() noexcept {
   // Do not delete names: they belong to the share group, whose other contexts may still exist, and this
   // context may not be current.
   for (std::unique_ptr<WriteBack>& one : writeBacks_) one.reset();
+  samples = {};
   features_.reset();
 }
 

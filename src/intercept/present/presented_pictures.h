@@ -4,6 +4,7 @@
 #include "frame/tracer.h"
 #include "gl/batch/presenter.h"
 #include "intercept/present/features.h"
+#include "intercept/present/read_back/sample_depths.h"
 #include "intercept/present/write_back/cleared_color.h"
 #include "intercept/present/write_back/write_back.h"
 
@@ -39,6 +40,7 @@ struct PresentedPictures {
   frame::Pictures pictures;
   Written written;
   ClearedColor clearedWindow;
+  SampleDepths samples;
 
  private:
   std::optional<Features> features_;                      // of the context

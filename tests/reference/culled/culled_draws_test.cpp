@@ -1,6 +1,7 @@
 // Draws of any shader program, made without what cannot be seen: pictures are those of whole draws to the
 // bit.
 #include "tests/reference/culled/culled_frames.h"
+#include "tests/reference/culled/culled_programs.h"
 
 #include <gtest/gtest.h>
 
@@ -13,35 +14,13 @@ namespace {
 
 using namespace culled;
 
-const char* const kVertex = R"(#version 150
-in vec3 position;
-in vec3 normal;
-uniform mat4 clipFromEye, eyeFromObject;
-out vec3 place, n;
-void main() {
-  place = position;
-  n = mat3(eyeFromObject) * normal;
-  vec4 eye = eyeFromObject * vec4(position, 1.0);
-  gl_Position = clipFromEye * eye;
-})";
-const char* const kFragment = R"(#version 150
-in vec3 place, n;
-out vec4 color;
-float wood(vec3 p) { return fract(8.0 * length(p.xz) + 0.4 * sin(9.0 * p.y)); }
-void main() {
-  vec3 light = vec3(0.1);
-  for (int i = 0; i < 3; ++i)
-    light += 0.4 * max(dot(normalize(n), normalize(vec3(i - 1, 0.5, 1.0))), 0.0);
-  color = vec4(light * mix(vec3(0.5, 0.3, 0.1), vec3(1.0, 0.8, 0.5), wood(place)), 1.0);
-})";
-
 TEST(CulledDraws, AreTheSameWhileTheCameraTurns) {
   GLuint program = 0;
   const ProgramMesh mesh = shells(6, 120);
   const gl::Statistics counts = compareFrames(
       "turns", 6,
       [&](Gl gl) {
-        program = makeProgram(gl, kVertex, kFragment);
+        program = makeProgram(gl, kCulledVertex, kCulledFragment);
         send(gl, mesh, program);
       },
       [&](Gl gl, int frame) {
@@ -64,7 +43,7 @@ gl::Statistics compareShells(
   return compareFrames(
       name, 4,
       [&](Gl gl) {
-        program = makeProgram(gl, kVertex, fragment);
+        program = makeProgram(gl, kCulledVertex, fragment);
         send(gl, mesh, program);
         prepare(gl);
       },
@@ -81,12 +60,8 @@ void drawAll(Gl gl, const ProgramMesh& mesh) {
   gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 }
 
-std::string replacedIn(std::string text, const std::string& what, const std::string& by) {
-  return text.replace(text.find(what), what.size(), by);
-}
-
 TEST(CulledDraws, KeepDiscardedFragmentsAndDerivatives) {
-  const std::string holes = replacedIn(kFragment, "vec3 light = vec3(0.1);",
+  const std::string holes = replacedIn(kCulledFragment, "vec3 light = vec3(0.1);",
                                        "if (fract(6.0 * place.x) < 0.5) discard;\n"
                                        "  vec3 light = vec3(0.1) + 3.0 * fwidth(place);");
   EXPECT_GT(compareShells("holes", holes, drawAll).drawsCulled, 0u);
@@ -98,41 +73,41 @@ TEST(CulledDraws, OfAllForms) {
     gl.DrawRangeElements(GL_TRIANGLES, 0, static_cast<GLuint>(mesh.positions.size()) - 1, mesh.count(),
                          GL_UNSIGNED_INT, nullptr);
   };
-  EXPECT_GT(compareShells("less_or_equal", kFragment, lessOrEqual).drawsCulled, 0u);
+  EXPECT_GT(compareShells("less_or_equal", kCulledFragment, lessOrEqual).drawsCulled, 0u);
   // The shells after the first one, by a number that is added to the first one's indices.
   const auto base = [](Gl gl, const ProgramMesh& mesh) {
     const auto vertices = static_cast<GLint>(mesh.positions.size() / 5);
     for (GLint k = 0; k < 5; ++k)
       gl.DrawElementsBaseVertex(GL_TRIANGLES, mesh.count() / 5, GL_UNSIGNED_INT, nullptr, k * vertices);
   };
-  EXPECT_GT(compareShells("base_vertex", kFragment, base).drawsCulled, 0u);
+  EXPECT_GT(compareShells("base_vertex", kCulledFragment, base).drawsCulled, 0u);
   const auto strips = [](Gl gl, const ProgramMesh& mesh) {
     gl.DrawElements(GL_TRIANGLE_STRIP, mesh.count(), GL_UNSIGNED_INT, nullptr);
   };
-  EXPECT_GT(compareShells("strip", kFragment, strips).drawsCulled, 0u);
+  EXPECT_GT(compareShells("strip", kCulledFragment, strips).drawsCulled, 0u);
   const auto inOrder = [](Gl gl, const ProgramMesh& mesh) {
     gl.DrawArrays(GL_TRIANGLES, 3, static_cast<GLsizei>(mesh.positions.size() / 3 * 3 - 3));
   };
-  EXPECT_GT(compareShells("in_order", kFragment, inOrder).drawsCulled, 0u);
+  EXPECT_GT(compareShells("in_order", kCulledFragment, inOrder).drawsCulled, 0u);
   const auto scissored = [](Gl gl, const ProgramMesh& mesh) {
     gl.Enable(GL_SCISSOR_TEST), gl.Scissor(30, 50, 90, 80);
     gl.Viewport(-20, 10, 240, 170);
     drawAll(gl, mesh);
     gl.Disable(GL_SCISSOR_TEST);
   };
-  EXPECT_GT(compareShells("scissored", kFragment, scissored).drawsCulled, 0u);
+  EXPECT_GT(compareShells("scissored", kCulledFragment, scissored).drawsCulled, 0u);
   const auto ranged = [](Gl gl, const ProgramMesh& mesh) {
     gl.DepthRange(0.9, 0.2), gl.ClearDepth(1);
     drawAll(gl, mesh);
     gl.DepthRange(0, 1);
   };
-  EXPECT_GT(compareShells("depth_range", kFragment, ranged).drawsCulled, 0u);
+  EXPECT_GT(compareShells("depth_range", kCulledFragment, ranged).drawsCulled, 0u);
 }
 
 /// Each triangle twice, in other colours: which one shows depends on the order.
 TEST(CulledDraws, KeepTheOrderOfEqualDepths) {
   const std::string numbered =
-      replacedIn(kVertex, "place = position;", "place = position + float(gl_VertexID % 7);");
+      replacedIn(kCulledVertex, "place = position;", "place = position + float(gl_VertexID % 7);");
   for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
     GLuint program = 0;
     ProgramMesh mesh = shells(5, 60);
@@ -145,7 +120,7 @@ TEST(CulledDraws, KeepTheOrderOfEqualDepths) {
     compareFrames(
         "twice", 5,
         [&](Gl gl) {
-          program = makeProgram(gl, numbered, kFragment);
+          program = makeProgram(gl, numbered, kCulledFragment);
           send(gl, mesh, program);
         },
         [&](Gl gl, int frame) {
@@ -166,28 +141,29 @@ TEST(CulledDraws, WhereLargerDepthsAreNearer) {
       drawAll(gl, mesh);
       gl.DepthRange(0, 1);
     };
-    EXPECT_GT(compareShells("reversed", kFragment, reversed).drawsCulled, 0u);
+    EXPECT_GT(compareShells("reversed", kCulledFragment, reversed).drawsCulled, 0u);
     // The inside is seen.
     const auto farthest = [&](Gl gl, const ProgramMesh& mesh) {
       gl.ClearDepth(0), gl.Clear(GL_DEPTH_BUFFER_BIT);
       gl.DepthFunc(function);
       drawAll(gl, mesh);
     };
-    EXPECT_GT(compareShells("farthest", kFragment, farthest).drawsCulled, 0u);
+    EXPECT_GT(compareShells("farthest", kCulledFragment, farthest).drawsCulled, 0u);
   }
 }
 
 void blend(Gl gl) { gl.Enable(GL_BLEND), gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); }
 
 TEST(CulledDraws, ThatBlendWithAnAlphaOfOne) {
-  EXPECT_GT(compareShells("opaque", kFragment, drawAll, blend).drawsCulled, 0u);
-  const std::string returned = replacedIn(
-      replacedIn(kFragment, "void main() {", "vec4 solid(vec3 c) { return vec4(c, 1.0); }\nvoid main() {"),
-      "color = vec4(light * mix(vec3(0.5, 0.3, 0.1), vec3(1.0, 0.8, 0.5), wood(place)), 1.0);",
-      "if (place.x > 0.3) discard;\n  color = solid(light);");
+  EXPECT_GT(compareShells("opaque", kCulledFragment, drawAll, blend).drawsCulled, 0u);
+  const std::string returned =
+      replacedIn(replacedIn(kCulledFragment, "void main() {",
+                            "vec4 solid(vec3 c) { return vec4(c, 1.0); }\nvoid main() {"),
+                 "color = vec4(light * mix(vec3(0.5, 0.3, 0.1), vec3(1.0, 0.8, 0.5), wood(place)), 1.0);",
+                 "if (place.x > 0.3) discard;\n  color = solid(light);");
   EXPECT_GT(compareShells("returned", returned, drawAll, blend).drawsCulled, 0u);
   for (const char* const alpha : {"0.5);", "min(1.0, 40.0 * n.x));", "place.x > 0.0 ? 1.0 : 0.5);"}) {
-    const std::string clear = replacedIn(kFragment, "1.0);\n}", std::string(alpha) + "\n}");
+    const std::string clear = replacedIn(kCulledFragment, "1.0);\n}", std::string(alpha) + "\n}");
     EXPECT_EQ(compareShells("clear", clear, drawAll, blend).drawsCulled, 0u) << alpha;
   }
 }
@@ -226,15 +202,15 @@ TEST(CulledDraws, ByFixedFunctionFromTheProgramsMemory) {
 }
 
 TEST(CulledDraws, AreNotMadeWhereTheyWouldNotBeExact) {
-  const std::string deep =
-      replacedIn(kFragment, "void main() {", "void main() {\n  gl_FragDepth = fract(3.0 * gl_FragCoord.z);");
+  const std::string deep = replacedIn(kCulledFragment, "void main() {",
+                                      "void main() {\n  gl_FragDepth = fract(3.0 * gl_FragCoord.z);");
   EXPECT_EQ(compareShells("deep", deep, drawAll).drawsCulled, 0u);
-  const std::string numbers = replacedIn(kFragment, "wood(place)", "float(gl_PrimitiveID % 5) / 4.0");
+  const std::string numbers = replacedIn(kCulledFragment, "wood(place)", "float(gl_PrimitiveID % 5) / 4.0");
   EXPECT_EQ(compareShells("numbers", numbers, drawAll).drawsCulled, 0u);
   const auto instances = [](Gl gl, const ProgramMesh& mesh) {
     gl.DrawElementsInstanced(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr, 2);
   };
-  EXPECT_EQ(compareShells("instances", kFragment, instances).drawsCulled, 0u);
+  EXPECT_EQ(compareShells("instances", kCulledFragment, instances).drawsCulled, 0u);
 }
 
 /// Programs need their shaders no longer once they are linked.
@@ -251,7 +227,7 @@ TEST(CulledDraws, ByProgramsWhoseShadersAreGone) {
     gl.GetAttachedShaders(name, 4, &count, shaders.data());
     EXPECT_EQ(count, 0);
   };
-  EXPECT_GT(compareShells("detached", kFragment, drawAll, detach).drawsCulled, 0u);
+  EXPECT_GT(compareShells("detached", kCulledFragment, drawAll, detach).drawsCulled, 0u);
 }
 
 TEST(CulledDraws, KeepTheErrorsOfThePrograms) {
@@ -259,7 +235,7 @@ TEST(CulledDraws, KeepTheErrorsOfThePrograms) {
     TracedContext context({kSide, kSide, true, 3, 2}, culling(how));
     Gl gl = context.gl();
     const ProgramMesh mesh = shells(5, 60);
-    const GLuint program = makeProgram(gl, kVertex, kFragment);
+    const GLuint program = makeProgram(gl, kCulledVertex, kCulledFragment);
     send(gl, mesh, program);
     for (int frame = 0; frame < 3; ++frame) {
       clear(gl);
@@ -280,7 +256,7 @@ TEST(CulledDraws, AreVerified) {
   Settings settings = culling(Culling::always);
   settings.cull.verify = 1;
   EXPECT_GT(compareShells(
-                "verified", kFragment, drawAll, [](Gl) {}, &settings)
+                "verified", kCulledFragment, drawAll, [](Gl) {}, &settings)
                 .drawsCulled,
             0u);
 }

@@ -6,8 +6,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -95,12 +97,16 @@ inline std::string whereDifferent(const Picture& a, const Picture& b) {
   return words.str();
 }
 
-/// Pictures and state after each frame, with draws whole and culled. Returns the counts of the latter.
+inline Picture readWindow(Gl gl) { return readPicture(gl, kSide, kSide); }
+
+/// Pictures, which `read` reads, and state after each frame, with draws whole and culled. Returns the counts
+/// of the latter.
 inline gl::Statistics compareFrames(const std::string& name, int frames,
                                     const std::function<void(Gl)>& prepare,
                                     const std::function<void(Gl, int)>& draw,
                                     const Settings* settings = nullptr,
-                                    const ContextWish& wish = {kSide, kSide, true, 3, 2}) {
+                                    const ContextWish& wish = {kSide, kSide, true, 3, 2},
+                                    const std::function<Picture(Gl)>& read = readWindow) {
   const auto seen = [&](Culling how, gl::Statistics* counts) {
     TracedContext context(wish, counts && settings ? *settings : culling(how));
     std::vector<std::pair<Picture, GlState>> all;
@@ -110,7 +116,7 @@ inline gl::Statistics compareFrames(const std::string& name, int frames,
       draw(gl, frame);
       EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
       GlState state = queryState(gl);
-      all.emplace_back(readPicture(gl, kSide, kSide), std::move(state));
+      all.emplace_back(read(gl), std::move(state));
     }
     if (counts) *counts = context.context().counts.statistics;
     return all;

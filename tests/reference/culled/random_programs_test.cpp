@@ -1,5 +1,5 @@
 // Random shader programs, meshes and states: pictures of culled draws are those of whole ones to the bit.
-#include "tests/reference/culled/culled_frames.h"
+#include "tests/reference/culled/sampled_framebuffer.h"
 
 #include <gtest/gtest.h>
 
@@ -182,11 +182,16 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
   const std::array<glm::mat4, 2> turns{glm::rotate(glm::mat4(1), dice.number(0, 3), glm::vec3(0, 0.6f, 0.8f)),
                                        glm::scale(glm::mat4(1), glm::vec3(1, dice.number(0.7f, 1.3f), 1))};
   const float scale = dice.number(0.3f, 1.2f);
+  const int samples = dice.oneIn(3) ? 2 << dice.below(2) : 1;
+  const bool within = dice.oneIn(4);  // the viewport is
+  const std::array<GLint, 4> viewport{dice.below(60), dice.below(60), 70 + dice.below(60),
+                                      70 + dice.below(60)};
   std::array<GLuint, 2> programs{};
   std::array<Buffers, 2> buffers;
   SCOPED_TRACE(texts[0].vertex + texts[0].fragment + texts[1].vertex + texts[1].fragment);
-  return compareFrames(
-      "random" + std::to_string(seed), 4,
+  SCOPED_TRACE(std::to_string(samples) + " samples");
+  return compareSamples(
+      "random" + std::to_string(seed), 4, samples, GL_DEPTH24_STENCIL8,
       [&](Gl gl) {
         for (size_t i = 0; i < 2; ++i) {
           programs[i] = makeProgram(gl, texts[i].vertex, texts[i].fragment);
@@ -196,6 +201,7 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
       [&](Gl gl, int frame) {
         RandomState::reset(gl);
         clear(gl);
+        if (within) gl.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
         for (int i = 0; i < draws; ++i) {
           const auto at = static_cast<size_t>(i);
           if (i == 0) state.set(gl);

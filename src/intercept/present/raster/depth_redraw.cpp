@@ -3,6 +3,7 @@
 #include "gl/state/state_queries.h"
 #include "intercept/present/raster/raster_fallback.h"
 #include "intercept/present/raster/triangle_array.h"
+#include "intercept/present/read_back/sample_copy.h"
 
 #include <functional>
 #include <string>
@@ -103,69 +104,12 @@ GLuint copyDepth(const RealGl& real, const Features& features, const scene::Regi
   return 0;
 }
 
-/// A framebuffer object without colours to copy into, from the draw framebuffer. The destructor restores the
-/// bindings.
-class CopyFramebuffer {
- public:
-  explicit CopyFramebuffer(const RealGl& real)
-      : real_(real),
-        drawn_(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING)),
-        read_(gl::integer(real, GL_READ_FRAMEBUFFER_BINDING)) {
-    real.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(drawn_));
-    real.GenFramebuffers(1, &name_);
-    real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, name_);
-    real.DrawBuffer(GL_NONE);
-  }
-  ~CopyFramebuffer() {
-    real_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
-    real_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
-    real_.DeleteFramebuffers(1, &name_);
-  }
-  CopyFramebuffer(const CopyFramebuffer&) = delete;
-  CopyFramebuffer& operator=(const CopyFramebuffer&) = delete;
-
- private:
-  const RealGl& real_;
-  GLint drawn_, read_;
-  GLuint name_ = 0;
-};
-
-struct DepthFormat {
-  GLenum format, attachment;
-};
-
-/// Copies every sample's depth into the bound texture, of this format.
-bool copySamplesInto(const RealGl& real, GLuint texture, const DepthFormat& as, const scene::Region& region,
-                     GLsizei samples) {
-  real.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples, as.format, region.width, region.height,
-                             GL_TRUE);
-  const CopyFramebuffer framebuffer(real);
-  real.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, as.attachment, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
-  real.BlitFramebuffer(region.x, region.y, region.x + region.width, region.y + region.height, 0, 0,
-                       region.width, region.height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  return takeErrors(real).empty();
-}
-
-/// copyDepth() for every sample. Samples can only be copied between equal depth formats, and a window's
-/// format cannot be queried: tries formats until one is accepted.
+/// copyDepth() for every sample.
 GLuint copyDepthOfSamples(const RealGl& real, const Features& features, const scene::Region& region,
                           GLsizei samples) {
-  constexpr DepthFormat kFormats[] = {
-      {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT},  {GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT},
-      {GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT}, {GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT},
-      {GL_DEPTH_COMPONENT32, GL_DEPTH_ATTACHMENT},         {GL_DEPTH_COMPONENT16, GL_DEPTH_ATTACHMENT}};
-  StateGuard guard(real, features);
-  guard.scissorOff();
-  for (const DepthFormat& format : kFormats) {
-    GLuint name = 0;
-    real.GenTextures(1, &name);
-    {
-      StateGuard bound(real, features);
-      bound.textureMultisample(0, name);
-      if (copySamplesInto(real, name, format, region, samples)) return name;
-    }
-    real.DeleteTextures(1, &name);
-  }
+  SampleCopy copy;
+  if (copySamples(real, features, region, samples, copy)) return copy.texture;
+  real.DeleteTextures(1, &copy.texture);
   return 0;
 }
 

@@ -56,6 +56,21 @@ bool BufferReader::readDepth(const gl::RealGl& real, const scene::Region& region
   return makeRoom(region, out) && read(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());
 }
 
+bool BufferReader::readFarthest(const gl::RealGl& real, const scene::Region& region, bool least,
+                                std::vector<float>& out) noexcept {
+  try {
+    return makeRoom(region, out) &&
+           shared_.samples.readFarthest(real, shared_.features(real), region, least, out.data());
+  } catch (const std::exception&) { return false; }
+}
+
+bool BufferReader::readSamples(const gl::RealGl& real, const scene::Region& region,
+                               std::vector<uint32_t>& out) noexcept {
+  try {
+    return shared_.samples.readAll(real, shared_.features(real), region, out);
+  } catch (const std::exception&) { return false; }
+}
+
 bool BufferReader::readColors(const gl::RealGl& real, const scene::Region& region,
                               std::vector<uint32_t>& out) noexcept {
   return makeRoom(region, out) && read(real, region, GL_RGBA, GL_UNSIGNED_BYTE, out.data());

@@ -18,6 +18,10 @@ class BufferReader final : public gl::FramebufferReader {
                  std::vector<float>& out) noexcept override;
   bool readColors(const gl::RealGl& real, const scene::Region& region,
                   std::vector<uint32_t>& out) noexcept override;
+  bool readFarthest(const gl::RealGl& real, const scene::Region& region, bool least,
+                    std::vector<float>& out) noexcept override;
+  bool readSamples(const gl::RealGl& real, const scene::Region& region,
+                   std::vector<uint32_t>& out) noexcept override;
   bool keep(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void putBack(const gl::RealGl& real) noexcept override;
   gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;

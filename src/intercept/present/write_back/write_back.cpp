@@ -1,10 +1,10 @@
 #include "intercept/present/write_back/write_back.h"
 
 #include "base/timeline.h"
+#include "intercept/present/write_back/texture_names.h"
 #include "intercept/present/write_back/write_back_program.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace gluray::present {
@@ -51,27 +51,12 @@ bool WriteBack::compile(Program& program, std::string& why) const {
   return true;
 }
 
-GLuint WriteBack::newTextureName() const {
-  GLuint name = 0;
-  if (!features_.compatibility) {
-    real_.GenTextures(1, &name);
-    return name;
-  }
-  // Compatibility contexts let a program bind names that it never generated, usually small ones. Ours come
-  // from the very end of the name space: Mesa generates names after the largest one in use while any are
-  // left, and programs use names as array indices.
-  for (name = 0xFFFFFFFEu; real_.IsTexture(name);) --name;
-  return name;
-}
-
 bool WriteBack::makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLenum internalFormat,
                           GLenum format, GLenum type, int width, int height) {
   const bool fresh = plane.texture == 0;
   if (fresh) {
-    // Binding reserves the name: contexts of other threads may share the name space.
-    static std::mutex naming;
-    const std::lock_guard lock(naming);
-    plane.texture = newTextureName();
+    const std::lock_guard lock(textureNaming());
+    plane.texture = newTextureName(real_, features_);
     guard.texture2D(unit, plane.texture);
   } else {
     guard.texture2D(unit, plane.texture);

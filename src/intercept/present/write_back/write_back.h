@@ -63,7 +63,6 @@ class WriteBack {
   bool compile(std::string& why);
   bool makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLenum internalFormat, GLenum format,
                  GLenum type, int width, int height);
-  GLuint newTextureName() const;
   /// One sample plane of the image: its bands of hits, and its first row in the textures.
   struct Sheet {
     int sample = 0, row = 0;

@@ -1,0 +1,178 @@
+#include "intercept/present/read_back/sample_depths.h"
+
+#include "gl/state/state_queries.h"
+#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/write_back/texture_names.h"
+
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace gluray::present {
+namespace {
+
+using gl::RealGl;
+
+constexpr const char* kGivenVertices =
+    "#version 150 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n";
+
+/// A triangle around the view.
+constexpr const char* kTriangleAround = R"(#version 150
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+}
+)";
+
+constexpr const char* kReduceSamples = R"(#version 150
+uniform sampler2DMS depths;
+uniform ivec2 samples;
+uniform bool least;
+out vec4 farthest;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy);
+  float most = texelFetch(depths, at, samples.x).r;
+  for (int s = samples.x + 1; s < samples.y; ++s) {
+    float depth = texelFetch(depths, at, s).r;
+    most = least ? min(most, depth) : max(most, depth);
+  }
+  farthest = vec4(most);
+}
+)";
+
+GLuint buildReduction(const RealGl& real, bool compatibility) {
+  const GLuint program = real.CreateProgram();
+  const auto attach = [&](GLenum kind, const char* source) {
+    const GLuint shader = real.CreateShader(kind);
+    real.ShaderSource(shader, 1, &source, nullptr);
+    real.CompileShader(shader);
+    real.AttachShader(program, shader);
+    real.DeleteShader(shader);
+  };
+  attach(GL_VERTEX_SHADER, compatibility ? kGivenVertices : kTriangleAround);
+  attach(GL_FRAGMENT_SHADER, kReduceSamples);
+  real.LinkProgram(program);
+  GLint linked = GL_FALSE;
+  real.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked) return program;
+  real.DeleteProgram(program);
+  return 0;
+}
+
+void drawAroundView(const RealGl& real, bool compatibility) {
+  if (!compatibility) return real.DrawArrays(GL_TRIANGLES, 0, 3);
+  // glVertex changes no current value and needs no array state.
+  real.Begin(GL_TRIANGLES);
+  real.Vertex2f(-1, -1), real.Vertex2f(3, -1), real.Vertex2f(-1, 3);
+  real.End();
+}
+
+}  // namespace
+
+bool SampleDepths::ready(const RealGl& real, const Features& has) {
+  if (program_ != 0 || impossible_) return !impossible_;
+  impossible_ = has.version < 32 || !has.readFramebuffers;
+  if (impossible_) return false;
+  StateGuard guard(real, has);
+  program_ = buildReduction(real, has.compatibility);
+  impossible_ = program_ == 0;
+  if (impossible_) return takeErrors(real), false;
+  if (!has.compatibility) real.GenVertexArrays(1, &vertexArray_);
+  guard.program(program_);
+  real.Uniform1i(real.GetUniformLocation(program_, "depths"), has.textureUnit);
+  return true;
+}
+
+bool SampleDepths::copy(const RealGl& real, const Features& has, const scene::Region& region) {
+  if (!ready(real, has)) return false;
+  const GLint samples = gl::integer(real, GL_SAMPLES);
+  return samples > 1 && copySamples(real, has, region, samples, copy_);
+}
+
+bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::Region& region,
+                          const Range& range, void* out) {
+  StateGuard guard(real, has);
+  guard.openFragmentPath();
+  guard.capability(GL_DEPTH_TEST, false);
+  guard.viewport(0, 0, region.width, region.height);
+  guard.scissorOff();
+  guard.plainPack();
+  guard.program(program_);
+  if (vertexArray_ != 0) guard.vertexArray(vertexArray_);
+  real.Uniform2i(real.GetUniformLocation(program_, "samples"), range.first, range.end);
+  real.Uniform1i(real.GetUniformLocation(program_, "least"), range.least);
+  {
+    std::unique_lock lock(textureNaming(), std::defer_lock);
+    if (target_.texture == 0) lock.lock(), target_.texture = newTextureName(real, has);
+    guard.texture2D(has.textureUnit + 1, target_.texture);
+  }
+  if (region.width > target_.width || region.height > target_.height) {
+    target_.width = std::max(region.width, target_.width);
+    target_.height = std::max(region.height, target_.height);
+    real.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    real.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, target_.width, target_.height, 0, GL_RED, GL_FLOAT, nullptr);
+  }
+  guard.textureMultisample(has.textureUnit, copy_.texture);
+  const CopyFramebuffer framebuffer(real);
+  real.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_.texture, 0);
+  real.DrawBuffer(GL_COLOR_ATTACHMENT0);
+  drawAroundView(real, has.compatibility);
+  real.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
+  real.ReadPixels(0, 0, region.width, region.height, GL_RED, GL_FLOAT, out);
+  const bool read = takeErrors(real).empty();
+  if (!read) target_.width = target_.height = 0;
+  return read;
+}
+
+bool SampleDepths::readFarthest(const RealGl& real, const Features& has, const scene::Region& region,
+                                bool least, float* out) {
+  return copy(real, has, region) && reduce(real, has, region, {0, copy_.samples, least}, out);
+}
+
+bool SampleDepths::resolveColors(const RealGl& real, const Features& has, const scene::Region& region,
+                                 void* out) {
+  StateGuard guard(real, has);
+  guard.scissorOff();
+  guard.plainPack();
+  guard.readFrom(static_cast<GLuint>(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING)),
+                 static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER0)));
+  GLuint colors = 0;
+  real.GenRenderbuffers(1, &colors);
+  const GLint bound = gl::integer(real, GL_RENDERBUFFER_BINDING);
+  real.BindRenderbuffer(GL_RENDERBUFFER, colors);
+  real.RenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, region.width, region.height);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  {
+    const CopyFramebuffer framebuffer(real);
+    real.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colors);
+    real.DrawBuffer(GL_COLOR_ATTACHMENT0);
+    real.BlitFramebuffer(region.x, region.y, region.x + region.width, region.y + region.height, 0, 0,
+                         region.width, region.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    real.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
+    real.ReadPixels(0, 0, region.width, region.height, GL_RGBA, GL_FLOAT, out);
+  }
+  real.DeleteRenderbuffers(1, &colors);
+  return takeErrors(real).empty();
+}
+
+bool SampleDepths::readAll(const RealGl& real, const Features& has, const scene::Region& region,
+                           std::vector<uint32_t>& out) {
+  if (!copy(real, has, region)) return false;
+  const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+  out.resize(pixels * (4 + static_cast<size_t>(copy_.samples)));
+  if (!resolveColors(real, has, region, out.data())) return false;
+  for (int s = 0; s < copy_.samples; ++s)
+    if (!reduce(real, has, region, {s, s + 1, false}, out.data() + pixels * (4 + static_cast<size_t>(s))))
+      return false;
+  return true;
+}
+
+gl::SharedNames SampleDepths::takeNames() {
+  gl::SharedNames names;
+  names.textures = {copy_.texture, target_.texture};  // deleting name 0 does nothing
+  names.programs = {program_};
+  *this = {};
+  return names;
+}
+
+}  // namespace gluray::present

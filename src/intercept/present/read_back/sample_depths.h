@@ -1,0 +1,53 @@
+// What the samples of the program's multisampled framebuffer hold, read by the real OpenGL's shaders. One per
+// context. GL thread, context current; restores all state.
+#pragma once
+#include "gl/batch/presenter.h"
+#include "gl/real.h"
+#include "intercept/present/features.h"
+#include "intercept/present/read_back/sample_copy.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::present {
+
+class SampleDepths {
+ public:
+  /// FramebufferReader::readFarthest(). `out` has room for the pixels of the region.
+  bool readFarthest(const gl::RealGl& real, const Features& features, const scene::Region& region, bool least,
+                    float* out);
+  /// FramebufferReader::readSamples().
+  bool readAll(const gl::RealGl& real, const Features& features, const scene::Region& region,
+               std::vector<uint32_t>& out);
+
+  /// Releases ownership of our names in the share group, and returns them.
+  gl::SharedNames takeNames();
+
+ private:
+  /// A texture of floats that is drawn into; it grows but never shrinks.
+  struct Target {
+    GLuint texture = 0;
+    int width = 0, height = 0;
+  };
+  /// Samples [first, end) of a pixel, of which the largest or the smallest depth is wanted.
+  struct Range {
+    int first = 0, end = 1;
+    bool least = false;
+  };
+  bool copy(const gl::RealGl& real, const Features& features, const scene::Region& region);
+  bool ready(const gl::RealGl& real, const Features& features);
+  bool reduce(const gl::RealGl& real, const Features& features, const scene::Region& region,
+              const Range& range, void* out);
+  static bool resolveColors(const gl::RealGl& real, const Features& features, const scene::Region& region,
+                            void* out);
+
+  GLuint program_ = 0, vertexArray_ = 0;
+  bool impossible_ = false;
+  SampleCopy copy_;
+  Target target_;
+};
+
+}  // namespace gluray::present
