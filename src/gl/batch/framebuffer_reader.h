@@ -37,6 +37,15 @@ class FramebufferReader {
                            std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
+  /// Binds a framebuffer of ours for drawing that is like the program's multisampled framebuffer object,
+  /// which is bound, and has its depths in `region` at the same pixels. Colours: none or, if `colors`, black
+  /// ones. readFarthest() and readSamples() read it until unbindCopy(). False: nothing was bound. No error
+  /// may be pending. Never throws.
+  virtual bool bindCopy(const RealGl&, const scene::Region& /*region*/, bool /*colors*/) noexcept {
+    return false;
+  }
+  /// Binds the program's framebuffer again. Call after bindCopy() has bound one.
+  virtual void unbindCopy(const RealGl&) noexcept {}
   /// Keeps a copy of the bound draw framebuffer's colours, depths and stencil values in `region`. False: it
   /// cannot. No error may be pending. Never throws.
   virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }

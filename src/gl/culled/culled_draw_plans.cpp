@@ -32,7 +32,9 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
   mapWindow(found);
   if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
-  if (found.samples > 1 && !before_.isClear(found.region)) return Reason::samplesInUse;
+  found.rehearsed = found.samples > 1 && !before_.isClear(found.region);
+  // A copy of a window may have its samples elsewhere in the pixels.
+  if (found.rehearsed && shadow.state.target.framebuffer == 0) return Reason::samplesInUse;
   Source from;
   if (const Reason reason = source(from); reason != Reason::traced) return reason;
   found.program = from.program, found.matrix = from.matrix;

@@ -89,6 +89,7 @@ bool CulledDraws::draw(GLenum mode, const Elements& e) noexcept {
 }
 
 bool CulledDraws::drawCulled(const Plan& plan) {
+  if (plan.rehearsed) return drawRehearsed(plan, std::nullopt);
   CulledMesh& mesh = *plan.mesh;
   const std::vector<uint64_t> guess = mesh.visible;
   if (guess.empty() || !before_.keep(plan.region)) return false;
@@ -111,15 +112,20 @@ bool CulledDraws::drawCulled(const Plan& plan) {
     }
   }
   mesh.visible = std::move(visible);
+  countLeft(mesh, drawn);
+  return true;
+}
+
+void CulledDraws::countLeft(const CulledMesh& mesh, uint64_t drawn) {
   const uint64_t left = mesh.primitives() - std::min<uint64_t>(drawn, mesh.primitives());
   p_.counts.culled(left * (mesh.corners() - 2));
-  return true;
 }
 
 bool CulledDraws::drawVerified(const Plan& plan, GLenum mode, const Elements& e) {
   const RealGl& real = p_.shadow.real;
   Pixels culled, whole;
-  if (!drawCulled(plan)) {
+  if (plan.rehearsed && drawRehearsed(plan, Whole{mode, e})) return true;
+  if (plan.rehearsed || !drawCulled(plan)) {
     drawReal(real, mode, e);
     look(plan, plan.mesh->visible);
     return true;
@@ -128,6 +134,11 @@ bool CulledDraws::drawVerified(const Plan& plan, GLenum mode, const Elements& e)
   before_.putBack();
   drawReal(real, mode, e);
   if (!isRead || !read(plan, whole) || culled == whole) return true;
+  isDifferent(plan);
+  return true;
+}
+
+void CulledDraws::isDifferent(const Plan& plan) {
   if (plan.program)
     plan.program->refuse(Reason::notTheSame);
   else
@@ -135,7 +146,6 @@ bool CulledDraws::drawVerified(const Plan& plan, GLenum mode, const Elements& e)
   log::write(log::Level::warning, std::string("culled draws ") +
                                       (plan.program ? "of a shader program" : "by fixed function") +
                                       " were not the same as whole ones: from now on they are made whole");
-  return true;
 }
 
 bool CulledDraws::read(const Plan& plan, Pixels& pixels) {

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -72,8 +73,9 @@ class CulledDraws {
     ClipMatrix matrix;
     scene::Region region;  // pixels that may be drawn
     WindowMapping window;
-    int samples = 1;        // of a pixel
-    bool reversed = false;  // larger depths are nearer: `window` maps to 1 - depth
+    int samples = 1;         // of a pixel
+    bool rehearsed = false;  // what shows is found in a copy of the framebuffer, which cannot be put back
+    bool reversed = false;   // larger depths are nearer: `window` maps to 1 - depth
   };
 
   /// Why the draw is not culled, or Reason::traced.
@@ -89,6 +91,19 @@ class CulledDraws {
   /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
   /// copied.
   bool drawCulled(const Plan& plan);
+  struct Whole {
+    GLenum mode;
+    const Elements& elements;
+  };
+  /// The same with what shows found in a copy of the framebuffer. With `whole`, compares what both make of
+  /// copies; where they differ the whole draw is made.
+  bool drawRehearsed(const Plan& plan, const std::optional<Whole>& whole);
+  bool rehearse(const Plan& plan, std::vector<uint64_t>& visible);
+  bool isSame(const Plan& plan, const std::vector<uint64_t>& visible, const Whole& whole);
+  /// The draw was not the same as a whole one.
+  void isDifferent(const Plan& plan);
+  /// So many of its primitives were drawn.
+  void countLeft(const CulledMesh& mesh, uint64_t drawn);
   bool drawVerified(const Plan& plan, GLenum mode, const Elements& elements);
   /// All that the region shows, to be compared.
   struct Pixels {

@@ -68,7 +68,7 @@ namespace gluray::gl {
   X(drawBuffers, "several draw buffers")                                     \
   X(unsteady, "vertices that have just changed")                             \
   X(smallDraw, "draw too small to cull")                                     \
-  X(samplesInUse, "multisampled framebuffer that holds more than a clear")   \
+  X(samplesInUse, "multisampled window that holds more than a clear")        \
   X(mostShows, "draw of which most shows")                                   \
   X(clipDistances, "clip planes or distances")                               \
   X(leavesOut, "fragment shader that discards")                              \

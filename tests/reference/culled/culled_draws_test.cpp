@@ -110,13 +110,7 @@ TEST(CulledDraws, KeepTheOrderOfEqualDepths) {
       replacedIn(kCulledVertex, "place = position;", "place = position + float(gl_VertexID % 7);");
   for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
     GLuint program = 0;
-    ProgramMesh mesh = shells(5, 60);
-    const size_t vertices = mesh.positions.size(), corners = mesh.indices.size();
-    for (size_t i = 0; i < vertices; ++i)
-      mesh.positions.push_back(mesh.positions[i]), mesh.normals.push_back(mesh.normals[i]);
-    for (size_t i = 0; i < corners; i += 3)
-      for (size_t c = 0; c < 3; ++c)
-        mesh.indices.push_back(mesh.indices[(i + 3 * 1234) % corners + c] + static_cast<GLuint>(vertices));
+    const ProgramMesh mesh = twice(shells(5, 60));
     compareFrames(
         "twice", 5,
         [&](Gl gl) {

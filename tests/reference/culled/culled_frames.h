@@ -42,6 +42,17 @@ inline ProgramMesh shells(int count, int n) {
   return all;
 }
 
+/// Each triangle twice, far apart in the draw.
+inline ProgramMesh twice(ProgramMesh mesh) {
+  const size_t vertices = mesh.positions.size(), corners = mesh.indices.size();
+  for (size_t i = 0; i < vertices; ++i)
+    mesh.positions.push_back(mesh.positions[i]), mesh.normals.push_back(mesh.normals[i]);
+  for (size_t i = 0; i < corners; i += 3)
+    for (size_t c = 0; c < 3; ++c)
+      mesh.indices.push_back(mesh.indices[(i + 3 * 1234) % corners + c] + static_cast<GLuint>(vertices));
+  return mesh;
+}
+
 struct Buffers {
   GLuint array = 0, positions = 0, indices = 0;
 };

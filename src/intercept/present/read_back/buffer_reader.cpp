@@ -71,6 +71,12 @@ bool BufferReader::readSamples(const gl::RealGl& real, const scene::Region& regi
   } catch (const std::exception&) { return false; }
 }
 
+bool BufferReader::bindCopy(const gl::RealGl& real, const scene::Region& region, bool colors) noexcept {
+  try {
+    return shared_.samples.bindCopy(real, shared_.features(real), region, colors);
+  } catch (const std::exception&) { return false; }
+}
+
 bool BufferReader::readColors(const gl::RealGl& real, const scene::Region& region,
                               std::vector<uint32_t>& out) noexcept {
   return makeRoom(region, out) && read(real, region, GL_RGBA, GL_UNSIGNED_BYTE, out.data());

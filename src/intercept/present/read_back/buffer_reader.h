@@ -22,6 +22,8 @@ class BufferReader final : public gl::FramebufferReader {
                     std::vector<float>& out) noexcept override;
   bool readSamples(const gl::RealGl& real, const scene::Region& region,
                    std::vector<uint32_t>& out) noexcept override;
+  bool bindCopy(const gl::RealGl& real, const scene::Region& region, bool colors) noexcept override;
+  void unbindCopy(const gl::RealGl& real) noexcept override { shared_.samples.unbindCopy(real); }
   bool keep(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void putBack(const gl::RealGl& real) noexcept override;
   gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;

@@ -20,21 +20,21 @@ struct SampleFormat {
 };
 
 constexpr std::array kSampleFormats{SampleFormat{GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT},
-                              SampleFormat{GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT},
-                              SampleFormat{GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT},
-                              SampleFormat{GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT},
-                              SampleFormat{GL_DEPTH_COMPONENT32, GL_DEPTH_ATTACHMENT},
-                              SampleFormat{GL_DEPTH_COMPONENT16, GL_DEPTH_ATTACHMENT}};
+                                    SampleFormat{GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT},
+                                    SampleFormat{GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT},
+                                    SampleFormat{GL_DEPTH_COMPONENT32F, GL_DEPTH_ATTACHMENT},
+                                    SampleFormat{GL_DEPTH_COMPONENT32, GL_DEPTH_ATTACHMENT},
+                                    SampleFormat{GL_DEPTH_COMPONENT16, GL_DEPTH_ATTACHMENT}};
 
 /// Into the texture, which has this format and room.
-bool blitSamplesInto(const RealGl& real, const SampleCopy& to, const scene::Region& region) {
-  const SampleFormat& as = kSampleFormats[to.format];
+bool blitSamplesInto(const RealGl& real, const SampleCopy& copy, const scene::Region& region, glm::ivec2 to) {
   const CopyFramebuffer framebuffer(real);
-  real.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, as.attachment, GL_TEXTURE_2D_MULTISAMPLE, to.texture, 0);
+  attachSamples(real, copy);
   // Mesa copies the memory of whole formats, and draws where only their depths are wanted.
-  const GLbitfield stencil = as.attachment == GL_DEPTH_STENCIL_ATTACHMENT ? GL_STENCIL_BUFFER_BIT : 0;
-  real.BlitFramebuffer(region.x, region.y, region.x + region.width, region.y + region.height, 0, 0,
-                       region.width, region.height, GL_DEPTH_BUFFER_BIT | stencil, GL_NEAREST);
+  const bool stencil = kSampleFormats[copy.format].attachment == GL_DEPTH_STENCIL_ATTACHMENT;
+  real.BlitFramebuffer(region.x, region.y, region.x + region.width, region.y + region.height, to.x, to.y,
+                       to.x + region.width, to.y + region.height,
+                       GL_DEPTH_BUFFER_BIT | (stencil ? GL_STENCIL_BUFFER_BIT : 0), GL_NEAREST);
   return takeErrors(real).empty();
 }
 
@@ -65,12 +65,18 @@ CopyFramebuffer::~CopyFramebuffer() {
   real_.DeleteFramebuffers(1, &name_);
 }
 
+void attachSamples(const RealGl& real, const SampleCopy& copy) {
+  real.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, kSampleFormats[copy.format].attachment,
+                            GL_TEXTURE_2D_MULTISAMPLE, copy.texture, 0);
+}
+
 bool copySamples(const RealGl& real, const Features& features, const scene::Region& region, GLsizei samples,
-                 SampleCopy& into) {
+                 SampleCopy& into, glm::ivec2 to) {
   StateGuard guard(real, features);
   guard.scissorOff();
-  if (into.texture != 0 && into.samples == samples && into.width >= region.width &&
-      into.height >= region.height && blitSamplesInto(real, into, region))
+  const glm::ivec2 end = to + glm::ivec2(region.width, region.height);
+  if (into.texture != 0 && into.samples == samples && into.width >= end.x && into.height >= end.y &&
+      blitSamplesInto(real, into, region, to))
     return true;
   if (into.texture == 0) {
     const std::lock_guard lock(textureNaming());
@@ -78,10 +84,10 @@ bool copySamples(const RealGl& real, const Features& features, const scene::Regi
     StateGuard bound(real, features);
     bound.textureMultisample(features.textureUnit, into.texture);
   }
-  into.width = std::max(into.width, region.width), into.height = std::max(into.height, region.height);
+  into.width = std::max(into.width, end.x), into.height = std::max(into.height, end.y);
   into.samples = samples;
   for (into.format = 0; into.format < kSampleFormats.size(); ++into.format)
-    if (allocateSamples(real, features, into) && blitSamplesInto(real, into, region)) return true;
+    if (allocateSamples(real, features, into) && blitSamplesInto(real, into, region, to)) return true;
   into.width = into.height = 0, into.format = 0;
   return false;
 }

@@ -6,13 +6,14 @@
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>
+#include <glm/glm.hpp>
 
 #include <cstddef>
 
 namespace gluray::present {
 
-/// While it lives, draws, blits and clears go to a new framebuffer object, and blits come from the framebuffer
-/// that was drawn into before.
+/// While it lives, draws, blits and clears go to a new framebuffer object, and blits come from the
+/// framebuffer that was drawn into before.
 class CopyFramebuffer {
  public:
   explicit CopyFramebuffer(const gl::RealGl& real);
@@ -36,10 +37,13 @@ struct SampleCopy {
 };
 
 /// Copies the depths of all samples in `region` of the bound draw framebuffer into the texture, from its
-/// lower left corner on. Samples can only be copied between equal depth formats, and a window's format cannot
+/// texel `to` on. Samples can only be copied between equal depth formats, and a window's format cannot
 /// be queried: tries formats until one is accepted. False: none is. No error may be pending. Mesa (22.3) may
 /// change the last of 24 bits.
 bool copySamples(const gl::RealGl& real, const Features& features, const scene::Region& region,
-                 GLsizei samples, SampleCopy& into);
+                 GLsizei samples, SampleCopy& into, glm::ivec2 to = {0, 0});
+
+/// Attaches it to the framebuffer that is bound for drawing.
+void attachSamples(const gl::RealGl& real, const SampleCopy& copy);
 
 }  // namespace gluray::present

@@ -7,6 +7,7 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 
 namespace gluray::present {
@@ -28,9 +29,10 @@ constexpr const char* kReduceSamples = R"(#version 150
 uniform sampler2DMS depths;
 uniform ivec2 samples;
 uniform bool least;
+uniform ivec2 corner;
 out vec4 farthest;
 void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
+  ivec2 at = ivec2(gl_FragCoord.xy) + corner;
   float most = texelFetch(depths, at, samples.x).r;
   for (int s = samples.x + 1; s < samples.y; ++s) {
     float depth = texelFetch(depths, at, s).r;
@@ -67,6 +69,14 @@ void drawAroundView(const RealGl& real, bool compatibility) {
   real.End();
 }
 
+/// Of the bound draw framebuffer, in its pixels.
+std::vector<glm::vec2> samplePlaces(const RealGl& real, GLint samples) {
+  std::vector<glm::vec2> places(static_cast<size_t>(samples));
+  for (GLuint i = 0; i < static_cast<GLuint>(samples); ++i)
+    real.GetMultisamplefv(GL_SAMPLE_POSITION, i, &places[i].x);
+  return places;
+}
+
 }  // namespace
 
 bool SampleDepths::ready(const RealGl& real, const Features& has) {
@@ -90,7 +100,7 @@ bool SampleDepths::copy(const RealGl& real, const Features& has, const scene::Re
 }
 
 bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::Region& region,
-                          const Range& range, void* out) {
+                          const SampleCopy& from, const Range& range, void* out) {
   StateGuard guard(real, has);
   guard.openFragmentPath();
   guard.capability(GL_DEPTH_TEST, false);
@@ -101,6 +111,7 @@ bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::
   if (vertexArray_ != 0) guard.vertexArray(vertexArray_);
   real.Uniform2i(real.GetUniformLocation(program_, "samples"), range.first, range.end);
   real.Uniform1i(real.GetUniformLocation(program_, "least"), range.least);
+  real.Uniform2i(real.GetUniformLocation(program_, "corner"), range.at.x, range.at.y);
   {
     std::unique_lock lock(textureNaming(), std::defer_lock);
     if (target_.texture == 0) lock.lock(), target_.texture = newTextureName(real, has);
@@ -112,7 +123,7 @@ bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::
     real.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     real.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, target_.width, target_.height, 0, GL_RED, GL_FLOAT, nullptr);
   }
-  guard.textureMultisample(has.textureUnit, copy_.texture);
+  guard.textureMultisample(has.textureUnit, from.texture);
   const CopyFramebuffer framebuffer(real);
   real.FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_.texture, 0);
   real.DrawBuffer(GL_COLOR_ATTACHMENT0);
@@ -126,7 +137,10 @@ bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::
 
 bool SampleDepths::readFarthest(const RealGl& real, const Features& has, const scene::Region& region,
                                 bool least, float* out) {
-  return copy(real, has, region) && reduce(real, has, region, {0, copy_.samples, least}, out);
+  if (stage_.framebuffer != 0)
+    return reduce(real, has, region, stage_.depths, {0, stage_.depths.samples, least, {region.x, region.y}},
+                  out);
+  return copy(real, has, region) && reduce(real, has, region, copy_, {0, copy_.samples, least}, out);
 }
 
 bool SampleDepths::resolveColors(const RealGl& real, const Features& has, const scene::Region& region,
@@ -162,14 +176,56 @@ bool SampleDepths::readAll(const RealGl& real, const Features& has, const scene:
   out.resize(pixels * (4 + static_cast<size_t>(copy_.samples)));
   if (!resolveColors(real, has, region, out.data())) return false;
   for (int s = 0; s < copy_.samples; ++s)
-    if (!reduce(real, has, region, {s, s + 1, false}, out.data() + pixels * (4 + static_cast<size_t>(s))))
+    if (!reduce(real, has, region, copy_, {s, s + 1, false},
+                out.data() + pixels * (4 + static_cast<size_t>(s))))
       return false;
   return true;
 }
 
+bool SampleDepths::bindCopy(const RealGl& real, const Features& has, const scene::Region& region,
+                            bool colors) {
+  const GLint samples = gl::integer(real, GL_SAMPLES);
+  if (!ready(real, has) || samples < 2) return false;
+  const StateGuard guard(real, has);
+  if (!copySamples(real, has, region, samples, stage_.depths, {region.x, region.y})) return false;
+  const std::vector<glm::vec2> places = samplePlaces(real, samples);
+  stage_.program = gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING);
+  real.GenFramebuffers(1, &stage_.framebuffer);
+  real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, stage_.framebuffer);
+  attachSamples(real, stage_.depths);
+  real.DrawBuffer(GL_NONE);
+  if (colors) attachColors(real, samples);
+  const bool complete = real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
+                        samplePlaces(real, samples) == places && takeErrors(real).empty();
+  if (!complete) unbindCopy(real), takeErrors(real);
+  return complete;
+}
+
+/// Black ones.
+void SampleDepths::attachColors(const RealGl& real, GLint samples) {
+  const GLint bound = gl::integer(real, GL_RENDERBUFFER_BINDING);
+  real.GenRenderbuffers(1, &stage_.colors);
+  real.BindRenderbuffer(GL_RENDERBUFFER, stage_.colors);
+  real.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA32F, stage_.depths.width,
+                                      stage_.depths.height);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  real.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, stage_.colors);
+  real.DrawBuffer(GL_COLOR_ATTACHMENT0);
+  constexpr std::array<GLfloat, 4> kBlack{};
+  real.ClearBufferfv(GL_COLOR, 0, kBlack.data());
+}
+
+void SampleDepths::unbindCopy(const RealGl& real) {
+  if (stage_.framebuffer == 0) return;
+  real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(stage_.program));
+  real.DeleteFramebuffers(1, &stage_.framebuffer);
+  if (stage_.colors != 0) real.DeleteRenderbuffers(1, &stage_.colors);
+  stage_.framebuffer = stage_.colors = 0;
+}
+
 gl::SharedNames SampleDepths::takeNames() {
   gl::SharedNames names;
-  names.textures = {copy_.texture, target_.texture};  // deleting name 0 does nothing
+  names.textures = {copy_.texture, target_.texture, stage_.depths.texture};  // deleting name 0 does nothing
   names.programs = {program_};
   *this = {};
   return names;

@@ -23,6 +23,10 @@ class SampleDepths {
   bool readAll(const gl::RealGl& real, const Features& features, const scene::Region& region,
                std::vector<uint32_t>& out);
 
+  /// FramebufferReader::bindCopy() and unbindCopy().
+  bool bindCopy(const gl::RealGl& real, const Features& features, const scene::Region& region, bool colors);
+  void unbindCopy(const gl::RealGl& real);
+
   /// Releases ownership of our names in the share group, and returns them.
   gl::SharedNames takeNames();
 
@@ -36,11 +40,19 @@ class SampleDepths {
   struct Range {
     int first = 0, end = 1;
     bool least = false;
+    glm::ivec2 at = {0, 0};  // the region's lower left pixel
+  };
+  /// What is drawn into instead of the program's framebuffer.
+  struct Stage {
+    GLuint framebuffer = 0, colors = 0;
+    GLint program = 0;  // the program's framebuffer
+    SampleCopy depths;
   };
   bool copy(const gl::RealGl& real, const Features& features, const scene::Region& region);
   bool ready(const gl::RealGl& real, const Features& features);
   bool reduce(const gl::RealGl& real, const Features& features, const scene::Region& region,
-              const Range& range, void* out);
+              const SampleCopy& from, const Range& range, void* out);
+  void attachColors(const gl::RealGl& real, GLint samples);
   static bool resolveColors(const gl::RealGl& real, const Features& features, const scene::Region& region,
                             void* out);
 
@@ -48,6 +60,7 @@ class SampleDepths {
   bool impossible_ = false;
   SampleCopy copy_;
   Target target_;
+  Stage stage_;
 };
 
 }  // namespace gluray::present

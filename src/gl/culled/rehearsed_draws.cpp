@@ -1,0 +1,67 @@
+// Culled draws into framebuffers that cannot be put back: what shows is found in a copy, and drawn once.
+#include "gl/culled/culled_draws.h"
+
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+/// While it lives, draws go to a copy of the framebuffer, if there is one.
+class FramebufferCopy {
+ public:
+  FramebufferCopy(const RealGl& real, FramebufferReader& reader, const scene::Region& region, bool colors)
+      : real_(real), reader_(reader), exists_(reader.bindCopy(real, region, colors)) {}
+  ~FramebufferCopy() {
+    if (exists_) reader_.unbindCopy(real_);
+  }
+  FramebufferCopy(const FramebufferCopy&) = delete;
+  FramebufferCopy& operator=(const FramebufferCopy&) = delete;
+  bool exists() const { return exists_; }
+
+ private:
+  const RealGl& real_;
+  FramebufferReader& reader_;
+  const bool exists_;
+};
+
+}  // namespace
+
+/// Depths that hide clusters of the guess are those of others, which are in `visible`: nothing of the guess
+/// need be added.
+bool CulledDraws::rehearse(const Plan& plan, std::vector<uint64_t>& visible) {
+  if (plan.mesh->visible.empty()) return false;
+  const FramebufferCopy copy(p_.shadow.real, p_.flusher.presenter.reader(), plan.region, false);
+  if (!copy.exists()) return false;
+  drawClusters(*plan.mesh, plan.mesh->visible);
+  return look(plan, visible);
+}
+
+bool CulledDraws::isSame(const Plan& plan, const std::vector<uint64_t>& visible, const Whole& whole) {
+  Pixels pixels[2];
+  for (const bool all : {false, true}) {
+    const FramebufferCopy copy(p_.shadow.real, p_.flusher.presenter.reader(), plan.region, true);
+    if (!copy.exists()) return true;
+    if (all)
+      drawReal(p_.shadow.real, whole.mode, whole.elements);
+    else
+      drawClusters(*plan.mesh, visible);
+    if (!read(plan, pixels[all ? 1 : 0])) return true;
+  }
+  return pixels[0] == pixels[1];
+}
+
+bool CulledDraws::drawRehearsed(const Plan& plan, const std::optional<Whole>& whole) {
+  std::vector<uint64_t> visible;
+  if (!rehearse(plan, visible)) return false;
+  if (whole && !isSame(plan, visible, *whole)) {
+    isDifferent(plan);
+    return drawReal(p_.shadow.real, whole->mode, whole->elements), true;
+  }
+  CulledMesh& mesh = *plan.mesh;
+  drawClusters(mesh, visible);
+  countLeft(mesh, mesh.clusters().primitivesIn(visible));
+  mesh.visible = std::move(visible);
+  return true;
+}
+
+}  // namespace gluray::gl
