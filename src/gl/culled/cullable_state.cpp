@@ -35,10 +35,7 @@ Reason cullableState(const ShadowState& shadow, GLenum mode, const Elements& e) 
   if (state.target.samples > 1 && !raster.multisample) return Reason::multisampleState;
   if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)
     return state.target.reason;
-  if (mode != GL_TRIANGLES && raster.firstVertexProvokes) return Reason::provokingVertex;
   if (offsetsNearer(raster)) return Reason::offsetNearer;
-  if (e.type && (isOn(real, GL_PRIMITIVE_RESTART) || isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX)))
-    return Reason::arrayState;
   if (isPresent(real.DrawBuffers) && integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE)
     return Reason::drawBuffers;
   return Reason::traced;

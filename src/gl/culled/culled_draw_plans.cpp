@@ -97,14 +97,16 @@ Reason CulledDraws::planMesh(const Source& from, GLenum mode, const Elements& e,
   content.vertex = positions, content.vertex.size = std::min(positions.size, components);
   content.elements = arrays.elements;
   if (foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
-  const Hash128 name = contentOf(shadow.real, content, mode, e);
+  const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
+  if (assembly.restart && !inBuffers) return Reason::arrayState;
+  const Hash128 name = assembly.added(contentOf(shadow.real, content, mode, e));
   if (!meshes_.contains(name)) forgetOld();
   Known& known = meshes_[name];
   if (known.frames == 0 || known.lastFrame != p_.clock.frame) ++known.frames;
   known.lastFrame = p_.clock.frame;
   if (!always && known.frames < kSteadyFrames) return Reason::unsteady;
   if (!known.mesh && !known.refused) {
-    known.mesh = CulledMesh::of(shadow.real, positions, components, content, mode, e);
+    known.mesh = CulledMesh::of(shadow.real, positions, components, content, assembly, e);
     known.refused = !known.mesh;
   }
   if (known.refused) return Reason::arrayState;

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "gl/culled/assembly.h"
 #include "gl/errors.h"
 #include "gl/state/state_queries.h"
 
@@ -176,6 +177,7 @@ void CulledDraws::drawClusters(const CulledMesh& mesh, const std::vector<uint64_
   indices_.resize(mesh.corners() * mesh.clusters().primitivesIn(clusters));
   const size_t count = mesh.write(clusters, indices_.data());
   if (count == 0) return;
+  const WithoutRestart vertices(real);
   const GLint bound = integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING);
   if (indexBuffer_ == 0) real.GenBuffers(1, &indexBuffer_);
   real.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer_);

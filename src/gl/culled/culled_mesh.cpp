@@ -9,21 +9,6 @@
 namespace gluray::gl {
 namespace {
 
-/// Corners of the triangles of a strip or fan, in the order in which the real OpenGL makes them where the
-/// last vertex provokes.
-std::vector<uint32_t> separated(const std::vector<uint32_t>& numbers, GLenum mode) {
-  std::vector<uint32_t> corners;
-  if (numbers.size() < 3) return corners;
-  corners.reserve(3 * (numbers.size() - 2));
-  for (size_t i = 0; i + 2 < numbers.size(); ++i) {
-    const size_t odd = i & 1;
-    const size_t a = mode == GL_TRIANGLE_FAN ? 0 : i + odd;
-    const size_t b = mode == GL_TRIANGLE_FAN ? i + 1 : i + 1 - odd;
-    for (const size_t corner : {a, b, i + 2}) corners.push_back(numbers[corner]);
-  }
-  return corners;
-}
-
 bool isFloats(const ArraySource& a) {
   return a.enabled && a.divisor == 0 && (a.type == GL_FLOAT || a.type == GL_DOUBLE) && a.size >= 2 &&
          a.size <= 4 && a.stride > 0 && !isForeign(a);
@@ -32,7 +17,8 @@ bool isFloats(const ArraySource& a) {
 }  // namespace
 
 std::shared_ptr<CulledMesh> CulledMesh::of(const RealGl& real, const ArraySource& positions, int components,
-                                           const ArrayState& arrays, GLenum mode, const Elements& e) {
+                                           const ArrayState& arrays, const Assembly& assembly,
+                                           const Elements& e) {
   if (!isFloats(positions)) return nullptr;
   std::shared_ptr<CulledMesh> mesh(new CulledMesh);
   const ArrayReader reader(real, positions);
@@ -40,8 +26,8 @@ std::shared_ptr<CulledMesh> CulledMesh::of(const RealGl& real, const ArraySource
   Primitives& p = mesh->primitives_;
   p.positions = reader.data(), p.stride = static_cast<size_t>(positions.stride);
   p.components = std::min(positions.size, components), p.doubles = positions.type == GL_DOUBLE;
-  p.corners = mode == GL_QUADS ? 4 : 3;
-  if (!p.positions || !mesh->readIndices(real, arrays, mode, e) || p.count == 0) return nullptr;
+  p.corners = assembly.mode == GL_QUADS ? 4 : 3;
+  if (!p.positions || !mesh->readIndices(real, arrays, assembly, e) || p.count == 0) return nullptr;
   uint32_t end = p.first + p.corners * p.count;  // past the last vertex
   if (p.indices) end = 1 + *std::max_element(p.indices, p.indices + size_t{p.corners} * p.count);
   if (end == 0 || end > reader.available()) return nullptr;
@@ -49,7 +35,9 @@ std::shared_ptr<CulledMesh> CulledMesh::of(const RealGl& real, const ArraySource
   return mesh;
 }
 
-bool CulledMesh::readIndices(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e) {
+bool CulledMesh::readIndices(const RealGl& real, const ArrayState& arrays, const Assembly& assembly,
+                             const Elements& e) {
+  const GLenum mode = assembly.mode;
   Primitives& p = primitives_;
   const uint32_t whole = static_cast<uint32_t>(e.count) / p.corners * p.corners;
   if ((mode == GL_TRIANGLES || mode == GL_QUADS) && !e.type) {
@@ -57,15 +45,14 @@ bool CulledMesh::readIndices(const RealGl& real, const ArrayState& arrays, GLenu
     return true;
   }
   PlainIndices plain = plainIndices(real, arrays, mode, e);
-  if (plain.data && plain.storage && plain.count == whole) {
+  if (!assembly.restart && plain.data && plain.storage && plain.count == whole) {
     p.indices = plain.data, p.count = static_cast<uint32_t>(plain.count / 3);
     indexStorage_ = std::move(plain.storage);
     return true;
   }
   std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
   if (numbers.size() != static_cast<size_t>(e.count)) return false;
-  const bool separate = mode == GL_TRIANGLES || mode == GL_QUADS;
-  numbers_ = separate ? std::move(numbers) : separated(numbers, mode);
+  numbers_ = assembly.corners(std::move(numbers));
   p.indices = numbers_.data(), p.count = static_cast<uint32_t>(numbers_.size() / p.corners);
   return true;
 }

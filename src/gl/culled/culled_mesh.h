@@ -4,6 +4,7 @@
 #include "base/background_job.h"
 #include "gl/arrays/arrays.h"
 #include "gl/buffers/buffer.h"
+#include "gl/culled/assembly.h"
 #include "gl/culled/clusters.h"
 #include "gl/real.h"
 
@@ -20,7 +21,8 @@ class CulledMesh {
  public:
   /// `positions`: the array that gives them, of which `components` count. Nothing where they cannot be read.
   static std::shared_ptr<CulledMesh> of(const RealGl& real, const ArraySource& positions, int components,
-                                        const ArrayState& arrays, GLenum mode, const Elements& elements);
+                                        const ArrayState& arrays, const Assembly& assembly,
+                                        const Elements& elements);
 
   /// Builds the clusters. Any thread, once.
   void build();
@@ -41,7 +43,8 @@ class CulledMesh {
  private:
   CulledMesh() = default;
   /// False: the real OpenGL would read beyond the indices.
-  bool readIndices(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+  bool readIndices(const RealGl& real, const ArrayState& arrays, const Assembly& assembly,
+                   const Elements& elements);
   void copyPositions(uint32_t end);
 
   std::shared_ptr<const BufferStorage> positionStorage_, indexStorage_;

@@ -159,7 +159,8 @@ struct RandomState {
     gl.Scissor(20, 35, 120, 140);
   }
   static void reset(Gl gl) {
-    for (const GLenum what : {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL})
+    for (const GLenum what :
+         {GL_CULL_FACE, GL_BLEND, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL, GL_PRIMITIVE_RESTART})
       gl.Disable(what);
     gl.DepthRange(0, 1);
   }
@@ -186,6 +187,8 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
   const bool within = dice.oneIn(4);  // the viewport is
   const std::array<GLint, 4> viewport{dice.below(60), dice.below(60), 70 + dice.below(60),
                                       70 + dice.below(60)};
+  const GLenum mode = dice.oneIn(4) ? GL_TRIANGLE_STRIP : GL_TRIANGLES;
+  const bool restart = dice.oneIn(4), first = dice.oneIn(4);
   std::array<GLuint, 2> programs{};
   std::array<Buffers, 2> buffers;
   SCOPED_TRACE(texts[0].vertex + texts[0].fragment + texts[1].vertex + texts[1].fragment);
@@ -209,7 +212,9 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
           gl.BindVertexArray(buffers[at].array);
           turn(gl, programs[at], frame + 3 * i);
           setUniforms(gl, programs[at], turns, scale);
-          gl.DrawElements(GL_TRIANGLES, meshes[at].count(), GL_UNSIGNED_INT, nullptr);
+          if (restart) gl.Enable(GL_PRIMITIVE_RESTART), gl.PrimitiveRestartIndex(11);
+          gl.ProvokingVertex(first ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
+          gl.DrawElements(mode, meshes[at].count(), GL_UNSIGNED_INT, nullptr);
         }
         RandomState::reset(gl);
       });

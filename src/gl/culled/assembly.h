@@ -1,0 +1,43 @@
+// How the real OpenGL makes separate primitives of the vertices of a draw. GL thread.
+#pragma once
+#include "base/hash.h"
+#include "gl/arrays/elements.h"
+#include "gl/real.h"
+
+#include <GL/gl.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+struct Assembly {
+  GLenum mode = GL_TRIANGLES;      // or quads, a strip, a fan
+  bool firstProvokes = false;      // GL_FIRST_VERTEX_CONVENTION
+  std::optional<uint32_t> restart;  // vertex number that begins a new strip or fan, and drops unfinished ones
+
+  /// `name`, changed where the primitives are others.
+  Hash128 added(const Hash128& name) const;
+  /// The corners of the primitives, in the order in which the real OpenGL makes them: three each, or four of
+  /// quads.
+  std::vector<uint32_t> corners(std::vector<uint32_t> numbers) const;
+};
+
+Assembly assemblyOf(const RealGl& real, bool firstProvokes, GLenum mode, const Elements& elements);
+
+/// While it lives, indices that would restart primitives are vertices.
+class WithoutRestart {
+ public:
+  explicit WithoutRestart(const RealGl& real);
+  ~WithoutRestart();
+  WithoutRestart(const WithoutRestart&) = delete;
+  WithoutRestart& operator=(const WithoutRestart&) = delete;
+
+ private:
+  const RealGl& real_;
+  std::array<GLenum, 2> off_{};  // what was on
+};
+
+}  // namespace gluray::gl
