@@ -22,7 +22,8 @@ bool restartsAtFixedIndex(const RealGl& real) {
          isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX);
 }
 
-/// Places of the corners of triangle `i` of a strip or fan. The provoking vertex is the last or the first one.
+/// Places of the corners of triangle `i` of a strip or fan. The provoking vertex is the last or the first
+/// one.
 std::array<size_t, 3> placesIn(GLenum mode, bool firstProvokes, size_t i) {
   if (mode == GL_TRIANGLE_FAN)
     return firstProvokes ? std::array{i + 1, i + 2, size_t{0}} : std::array{size_t{0}, i + 1, i + 2};

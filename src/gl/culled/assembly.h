@@ -14,8 +14,8 @@
 namespace gluray::gl {
 
 struct Assembly {
-  GLenum mode = GL_TRIANGLES;      // or quads, a strip, a fan
-  bool firstProvokes = false;      // GL_FIRST_VERTEX_CONVENTION
+  GLenum mode = GL_TRIANGLES;       // or quads, a strip, a fan
+  bool firstProvokes = false;       // GL_FIRST_VERTEX_CONVENTION
   std::optional<uint32_t> restart;  // vertex number that begins a new strip or fan, and drops unfinished ones
 
   /// `name`, changed where the primitives are others.

@@ -11,7 +11,8 @@ using Numbers = std::vector<uint32_t>;
 TEST(Assembly, StripsKeepTheirSideAndTheirProvokingVertex) {
   const Numbers strip{10, 11, 12, 13, 14};
   EXPECT_EQ((Assembly{GL_TRIANGLE_STRIP}.corners(strip)), (Numbers{10, 11, 12, 12, 11, 13, 12, 13, 14}));
-  EXPECT_EQ((Assembly{GL_TRIANGLE_STRIP, true}.corners(strip)), (Numbers{10, 11, 12, 11, 13, 12, 12, 13, 14}));
+  EXPECT_EQ((Assembly{GL_TRIANGLE_STRIP, true}.corners(strip)),
+            (Numbers{10, 11, 12, 11, 13, 12, 12, 13, 14}));
   EXPECT_EQ((Assembly{GL_TRIANGLE_FAN}.corners(strip)), (Numbers{10, 11, 12, 10, 12, 13, 10, 13, 14}));
   EXPECT_EQ((Assembly{GL_TRIANGLE_FAN, true}.corners(strip)), (Numbers{11, 12, 10, 12, 13, 10, 13, 14, 10}));
 }

@@ -1,5 +1,5 @@
-// Culled draws of strips, fans and restarted primitives: the triangles, and the vertices that colour flat ones,
-// are those of whole draws.
+// Culled draws of strips, fans and restarted primitives: the triangles, and the vertices that colour flat
+// ones, are those of whole draws.
 #include "tests/reference/culled/culled_frames.h"
 #include "tests/reference/culled/culled_programs.h"
 
@@ -109,7 +109,8 @@ TEST(CulledPrimitives, ThatRestartAtFixedIndices) {
   const ProgramMesh mesh = shells(4, 60);  // less than 65535 vertices
   ASSERT_LT(mesh.positions.size(), 60000u);
   const auto state = [](Gl gl) { gl.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX); };
-  EXPECT_GT(compareDrawn(mesh, {.name = "fixed", .indices = pieces(mesh, ~0u), .state = state}).drawsCulled, 0u);
+  EXPECT_GT(compareDrawn(mesh, {.name = "fixed", .indices = pieces(mesh, ~0u), .state = state}).drawsCulled,
+            0u);
   const Drawn shorts{
       .name = "shorts", .indices = pieces(mesh, 0xFFFF), .type = GL_UNSIGNED_SHORT, .state = state};
   EXPECT_GT(compareDrawn(mesh, shorts).drawsCulled, 0u);
@@ -124,7 +125,8 @@ TEST(CulledPrimitives, ThatRestartBelowABase) {
   const Drawn base{.name = "base", .indices = lower, .base = static_cast<GLint>(back), .state = restarts};
   EXPECT_GT(compareDrawn(mesh, base).drawsCulled, 0u);
   const auto beyond = [](Gl gl) { gl.Enable(GL_PRIMITIVE_RESTART), gl.PrimitiveRestartIndex(0x10007); };
-  const Drawn never{.name = "never", .indices = pieces(mesh, kRestart), .type = GL_UNSIGNED_SHORT, .state = beyond};
+  const Drawn never{
+      .name = "never", .indices = pieces(mesh, kRestart), .type = GL_UNSIGNED_SHORT, .state = beyond};
   EXPECT_GT(compareDrawn(mesh, never).drawsCulled, 0u);
 }
 
@@ -163,7 +165,8 @@ TEST(CulledPrimitives, OfSeveralDrawsAtOnce) {
         gl.UseProgram(program);
         turn(gl, program, frame);
         const std::array<GLsizei, 2> sizes{half, mesh.count() - half};
-        const std::array<const void*, 2> offsets{nullptr, reinterpret_cast<const void*>(half * sizeof(GLuint))};
+        const std::array<const void*, 2> offsets{nullptr,
+                                                 reinterpret_cast<const void*>(half * sizeof(GLuint))};
         const std::array<GLint, 2> bases{}, firsts{0, 3000};
         gl.MultiDrawElements(GL_TRIANGLES, sizes.data(), GL_UNSIGNED_INT, offsets.data(), 2);
         gl.MultiDrawElementsBaseVertex(GL_TRIANGLES, sizes.data(), GL_UNSIGNED_INT, offsets.data(), 2,

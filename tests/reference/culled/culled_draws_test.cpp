@@ -162,25 +162,6 @@ TEST(CulledDraws, ThatBlendWithAnAlphaOfOne) {
   }
 }
 
-/// Depth function GEQUAL, which is not traced.
-void drawByFixedFunction(Gl gl, const ProgramMesh& mesh, int frame, GLenum mode,
-                         const std::vector<GLuint>& indices) {
-  clear(gl);
-  gl.ClearDepth(0), gl.Clear(GL_DEPTH_BUFFER_BIT);
-  gl.DepthRange(1, 0), gl.DepthFunc(GL_GEQUAL);
-  for (const GLenum on : {GL_LIGHTING, GL_LIGHT0, GL_NORMALIZE, GL_POLYGON_STIPPLE}) gl.Enable(on);
-  std::array<GLubyte, 128> stipple;
-  for (size_t i = 0; i < stipple.size(); ++i) stipple[i] = static_cast<GLubyte>(0xF5 ^ 13 * i);
-  gl.PolygonStipple(stipple.data());
-  gl.MatrixMode(GL_PROJECTION), gl.LoadIdentity(), gl.Frustum(-0.2, 0.2, -0.2, 0.2, 0.5, 20);
-  gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity(), gl.Translatef(0.1f, 0, -4);
-  gl.Rotatef(7.0f * static_cast<float>(frame), 0.3f, 1, 0.2f);
-  gl.EnableClientState(GL_VERTEX_ARRAY), gl.EnableClientState(GL_NORMAL_ARRAY);
-  gl.VertexPointer(3, GL_FLOAT, 0, mesh.positions.data());
-  gl.NormalPointer(GL_FLOAT, 0, mesh.normals.data());
-  gl.DrawElements(mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, indices.data());
-}
-
 TEST(CulledDraws, ByFixedFunctionFromTheProgramsMemory) {
   const ProgramMesh mesh = shells(5, 60);
   std::vector<GLuint> quads;

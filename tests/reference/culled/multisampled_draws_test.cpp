@@ -71,6 +71,21 @@ TEST(CulledSamples, OfShadersThatRunForEachSample) {
   EXPECT_GT(compareCase({"each", each}).drawsCulled, 0u);
 }
 
+TEST(CulledSamples, ByFixedFunction) {
+  const ProgramMesh mesh = shells(5, 60);
+  for (const int verify : {0, 1}) {
+    Settings settings = culling(Culling::always);
+    settings.cull.verify = verify;
+    const auto draw = [&](Gl gl, int frame) {
+      gl.UseProgram(0), gl.BindVertexArray(0);
+      drawByFixedFunction(gl, mesh, frame, GL_TRIANGLES, mesh.indices);
+    };
+    const gl::Statistics counts = compareSamples("multisampled_fixed", 4, 4, GL_DEPTH24_STENCIL8, [](Gl) {},
+                                                 draw, &settings, {kSide, kSide});
+    EXPECT_EQ(counts.drawsCulled, 3u);
+  }
+}
+
 TEST(CulledSamples, AreVerified) {
   Settings settings = culling(Culling::always);
   settings.cull.verify = 1;

@@ -96,8 +96,9 @@ void main() {
 inline gl::Statistics compareSamples(const std::string& name, int frames, int samples, GLenum depth,
                                      const std::function<void(Gl)>& prepare,
                                      const std::function<void(Gl, int)>& draw,
-                                     const Settings* settings = nullptr) {
-  if (samples == 1) return compareFrames(name, frames, prepare, draw, settings);
+                                     const Settings* settings = nullptr,
+                                     const ContextWish& wish = {kSide, kSide, true, 3, 2}) {
+  if (samples == 1) return compareFrames(name, frames, prepare, draw, settings, wish);
   std::optional<SampledFramebuffer> framebuffer;
   return compareFrames(
       name, frames,
@@ -109,7 +110,7 @@ inline gl::Statistics compareSamples(const std::string& name, int frames, int sa
         framebuffer->bind(gl);
         draw(gl, frame);
       },
-      settings, {kSide, kSide, true, 3, 2}, [&](Gl gl) { return framebuffer->read(gl); });
+      settings, wish, [&](Gl gl) { return framebuffer->read(gl); });
 }
 
 }  // namespace gluray::test::culled
