@@ -37,6 +37,7 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (found.rehearsed && shadow.state.target.framebuffer == 0) return Reason::samplesInUse;
   Source from;
   if (const Reason reason = source(from); reason != Reason::traced) return reason;
+  if (found.samples > 1 && from.program && from.program->usesCentroids()) return Reason::multisampleState;
   found.program = from.program, found.matrix = from.matrix;
   return planMesh(from, mode, e, found);
 }
@@ -50,7 +51,6 @@ Reason CulledDraws::sourceOfProgram(Source& found) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = programInUse();
   if (program.reason() != Reason::traced) return program.reason();
-  if (found.samples > 1 && program.usesCentroids()) return Reason::multisampleState;
   const bool core = shadow.info.core;
   const bool opaque = !isOn(shadow.real, GL_BLEND) || program.isOpaque(shadow.real, core);
   if (const Reason reason = cullableBlending(shadow, opaque); reason != Reason::traced) return reason;

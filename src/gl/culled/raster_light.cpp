@@ -30,8 +30,8 @@ bool isClipped(const ShadowState& shadow) {
   return false;
 }
 
-/// Whether the draw may have written less than colours and depth. Fragments that it left out are found by their
-/// depth, unless the framebuffer is multisampled.
+/// Whether the draw may have written less than colours and depth. Fragments that it left out are found by
+/// their depth, unless the framebuffer is multisampled.
 Reason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
   if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
   const RasterState& raster = shadow.state.raster;

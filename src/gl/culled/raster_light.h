@@ -1,4 +1,5 @@
-// Light on draws that the real OpenGL has made (setting light.rasterised, docs/light/rasterised.md). GL thread.
+// Light on draws that the real OpenGL has made (setting light.rasterised, docs/light/rasterised.md). GL
+// thread.
 #pragma once
 #include "gl/arrays/elements.h"
 

@@ -7,8 +7,8 @@
 namespace gluray::present {
 namespace {
 
-/// The larger depth step from a pixel to its two neighbours along one axis; 0 where neither shows a surface. At
-/// folds the smaller one may be that of the other side.
+/// The larger depth step from a pixel to its two neighbours along one axis; 0 where neither shows a surface.
+/// At folds the smaller one may be that of the other side.
 float stepAlong(const Image& image, size_t pixel, bool before, bool after, size_t stride) {
   float step = 0;
   const auto look = [&](size_t other) {

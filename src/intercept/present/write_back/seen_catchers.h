@@ -1,4 +1,5 @@
-// Which surfaces of a picture that shows shares of light (scene::Snapshot::catches) are in the framebuffer. Any thread.
+// Which surfaces of a picture that shows shares of light (scene::Snapshot::catches) are in the framebuffer.
+// Any thread.
 #pragma once
 #include "base/image.h"
 #include "scene/snapshot.h"
@@ -7,9 +8,10 @@
 
 namespace gluray::present {
 
-/// The picture without pixels whose framebuffer's depth lies behind what they show: there the program drew nothing, as
-/// where its shader discards fragments. `depths`: window depths, one for each pixel of the image, bottom row first.
-/// The image has one sample a pixel, and its depths lie before the surfaces by the snapshot's polygon offset.
+/// The picture without pixels whose framebuffer's depth lies behind what they show: there the program drew
+/// nothing, as where its shader discards fragments. `depths`: window depths, one for each pixel of the image,
+/// bottom row first. The image has one sample a pixel, and its depths lie before the surfaces by the
+/// snapshot's polygon offset.
 Image seenCatchers(const Image& image, const scene::Snapshot& snapshot, const std::vector<float>& depths);
 
 }  // namespace gluray::present
