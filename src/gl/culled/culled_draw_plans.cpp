@@ -135,7 +135,7 @@ void CulledDraws::mapWindow(Plan& found) const {
   glm::ivec2 upper = glm::min(glm::ivec2(v.x + v.z, v.y + v.w),
                               glm::ivec2(scissor.x, scissor.y) + glm::ivec2(scissor.z, scissor.w));
   found.samples = state.target.samples;
-  // Mesa (22.3) scissors samples where they would be if they were the next pixel's.
+  // Mesa (22.3) draws samples of up to one pixel beside the scissor box.
   if (found.samples > 1) lower -= 1, upper += 1;
   lower = glm::max(lower, glm::ivec2(0));
   if (state.target.size.x > 0) upper = glm::min(upper, state.target.size);
