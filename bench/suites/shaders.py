@@ -2,7 +2,8 @@
 
 Surfaces from buffer objects, by a shader program with three lights and a pattern, an orbit of 1.5 degrees a frame; the plain program, the program with
 cull.draws = always, and with auto take turns, round by round. Medians. Scenes: 12 nested spheres with bumps, 2 of them (most triangles show), and the
-Wavelet's isosurfaces. Results go to bench/results/NAME.json.
+Wavelet's isosurfaces. With --light: ambient occlusion over them (light.rasterised), and over the same surfaces by fixed function, which are traced, each
+with and without it. Results go to bench/results/NAME.json.
 """
 import argparse
 import itertools
@@ -25,6 +26,7 @@ def arguments(argv):
     parser.add_argument("--scenes", default="spheres", help=f"of {', '.join(SCENES)} (spheres)")
     parser.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
     parser.add_argument("--threads", type=int, default=2, help="of llvmpipe and GLuRay (2)")
+    parser.add_argument("--light", action="store_true", help="what ambient occlusion costs over culled and over traced surfaces")
     parser.add_argument("--name", default="shaders", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
     options = parser.parse_args(argv)
@@ -37,10 +39,33 @@ def arguments(argv):
     return options
 
 
+def client_of(options, scene, size, path):
+    return [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--path", path, *SCENES[scene],
+            "--frames", FRAMES[size], "--orbit", "--step", STEP, "--warm", 1 + size]
+
+
+def lit(options, scene, size, environment):
+    """Measurements by shader and by fixed function, each with and without ambient occlusion."""
+    gluray = options.build / "apps" / "gluray" / "gluray"
+    light = ["--set", "ao=on", "--set", "light.rasterised=on"]
+    ways = {"shader": ("shader", []), "shader_ao": ("shader", light), "traced": ("vbo", []), "traced_ao": ("vbo", light)}
+    rounds = {way: [] for way in ways}
+    for _ in range(options.rounds):
+        for way, (path, extra) in ways.items():
+            rounds[way].append(programs.measure_with_gluray(gluray, ["--threads", str(options.threads), *extra], client_of(options, scene, size, path), environment))
+    return {way: programs.combined(all_) for way, all_ in rounds.items()}
+
+
+def row_of_light(scene, size, ways):
+    row = {"scene": scene, "millions": size, "triangles": ways["shader"]["triangles"]} | {f"{way}_ms": 1000 * m["frame_s"] for way, m in ways.items()}
+    cost = {way: row[f"{way}_ao_ms"] - row[f"{way}_ms"] for way in ("shader", "traced")}
+    return row | {f"{way}_light_ms": ms for way, ms in cost.items()} | {"cost_times_traced": cost["shader"] / cost["traced"],
+                                                                         "lit_draws": (ways["shader_ao"]["report"] or {}).get("lit", {}).get("draws")}
+
+
 def measured(options, scene, size, environment):
     """Measurements of each way: plain, always, auto."""
-    client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--path", "shader", *SCENES[scene],
-              "--frames", FRAMES[size], "--orbit", "--step", STEP, "--warm", 1 + size]
+    client = client_of(options, scene, size, "shader")
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
     rounds = {"plain": [], "always": [], "auto": []}
@@ -67,6 +92,12 @@ def run(options, argv):
     result = {"suite": "shaders", "command": ("scripts/bench shaders " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
     with display() as name:
         for scene, size in itertools.product(options.scenes, options.sizes):
+            if options.light:
+                row = row_of_light(scene, size, lit(options, scene, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
+                result["rows"].append(row)
+                print(f"{scene:8} {size:5g}M  light over shaders {row['shader_light_ms']:8.1f} ms, over traced surfaces {row['traced_light_ms']:8.1f} ms "
+                      f"({row['cost_times_traced']:.2f}x)", flush=True)
+                continue
             row = row_of(scene, size, measured(options, scene, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
             result["rows"].append(row)
             print(f"{scene:8} {size:5g}M  plain {row['plain_ms']:8.1f} ms  always {row['always_ms']:8.1f} ms ({row['always_times_plain']:.2f}x)  "

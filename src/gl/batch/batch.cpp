@@ -97,10 +97,13 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
 
 /// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
 void Batch::startFactors(const State& state) {
-  constexpr float kSlope = -0.05f, kUnits = -16;  // a twentieth of a pixel along the surface, and depth steps
+  // A twentieth of a pixel along the surface, and depth steps. Samples are up to half a pixel away from the
+  // centre along each axis.
+  constexpr float kSlope = -0.05f, kToSamples = -1.05f, kUnits = -16;
+  const float slope = state.target.samples > 1 ? kToSamples : kSlope;
   snapshot_->catches = true;
   snapshot_->samplePositions = {glm::vec2(0.5f)};
-  snapshot_->polygonOffset = {kSlope, kUnits, state.target.offsetUnit, false, state.target.depthFloats};
+  snapshot_->polygonOffset = {slope, kUnits, state.target.offsetUnit, false, state.target.depthFloats};
   Settings& settings = snapshot_->settings;
   settings.camera.aperture = settings.camera.fNumber = 0;  // the framebuffer's surfaces are sharp
   settings.spp = 1;

@@ -2,6 +2,7 @@
 
 #include "gl/arrays/array_draws.h"
 #include "gl/context.h"
+#include "gl/culled/assembly.h"
 #include "gl/culled/cullable_state.h"
 #include "gl/draws/affine.h"
 #include "gl/state/state_queries.h"
@@ -87,7 +88,8 @@ Reason light(Context& c, GLenum mode, const Elements& e) {
   CulledDraws::Source from;
   if (const Reason reason = c.culled.source(from); reason != Reason::traced) return reason;
   if (from.program && from.program->discards() && shadow.state.target.samples > 1) return Reason::leavesOut;
-  if (!from.positions->enabled) return Reason::arrayState;
+  const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();
+  if (!from.positions->enabled || restarts) return Reason::arrayState;
   ArrayState positions;
   positions.vertex = *from.positions;
   positions.vertex.size = std::min(from.positions->size, from.components);

@@ -69,9 +69,9 @@ void begin(Gl gl) {
   gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(GL_LESS);
 }
 
-/// Draws by a shader program.
+/// Draws by a shader program; with `indices`, so many of the bound ones.
 void draw(Gl gl, GLuint program, const Triangles& triangles, const glm::mat4& eyeFromObject = view(),
-          const glm::vec3& tint = kTint) {
+          const glm::vec3& tint = kTint, GLsizei indices = 0) {
   GLuint buffer = 0;
   gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
   gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)),
@@ -82,7 +82,10 @@ void draw(Gl gl, GLuint program, const Triangles& triangles, const glm::mat4& ey
   gl.UseProgram(program);
   setMat4(gl, program, "clipFromEye", camera()), setMat4(gl, program, "eyeFromObject", eyeFromObject);
   setVec3(gl, program, "tint", tint);
-  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
+  if (indices > 0)
+    gl.DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, nullptr);
+  else
+    gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
   gl.DisableVertexAttribArray(location);
   gl.UseProgram(0);
 }
@@ -196,6 +199,26 @@ TEST(RasterLight, LeavesHolesAlone) {
   }
   EXPECT_GT(holes, 1000u);
   EXPECT_EQ(wrong, 0u);
+}
+
+/// Indices that begin primitives anew are no vertices.
+TEST(RasterLight, LeavesRestartedPrimitivesAlone) {
+  const auto picture = [](bool on) {
+    const Seen got = seen(lit(on), [](Gl gl) {
+      const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
+      const std::vector<GLuint> indices{0, 1, 2, ~0u, 3, 4, 5};
+      GLuint buffer = 0;
+      gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+      gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
+                    indices.data(), GL_STATIC_DRAW);
+      gl.Enable(GL_PRIMITIVE_RESTART), gl.PrimitiveRestartIndex(~0u);
+      draw(gl, program, corner(), view(), kTint, static_cast<GLsizei>(indices.size()));
+      gl.Disable(GL_PRIMITIVE_RESTART);
+    });
+    EXPECT_EQ(got.counts.drawsLit, 0u);
+    return got.picture.colors;
+  };
+  EXPECT_EQ(picture(true), picture(false));
 }
 
 /// Binds a framebuffer object with so many samples a pixel.
