@@ -94,7 +94,7 @@ class AcceptedHits : public accel::HitFilter {
 
 bool isComposed(const scene::Snapshot& s) {
   if (s.layers) return false;
-  return s.catches || s.backdrop || (s.ground == scene::GroundUse::drawn && scene::wantsCatcher(s.settings));
+  return s.backdrop || (s.ground == scene::GroundUse::drawn && scene::wantsCatcher(s.settings));
 }
 
 double DepthMap::constantOf(double ndc, double further) const {

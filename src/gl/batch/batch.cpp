@@ -101,7 +101,9 @@ void Batch::startFactors(const State& state) {
   // centre along each axis.
   constexpr float kSlope = -0.05f, kToSamples = -1.05f, kUnits = -16;
   const float slope = state.target.samples > 1 ? kToSamples : kSlope;
+  constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
   snapshot_->catches = true;
+  snapshot_->view ^= kOther;  // what earlier frames know of light is that of the same surfaces
   snapshot_->samplePositions = {glm::vec2(0.5f)};
   snapshot_->polygonOffset = {slope, kUnits, state.target.offsetUnit, false, state.target.depthFloats};
   Settings& settings = snapshot_->settings;

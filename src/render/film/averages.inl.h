@@ -32,7 +32,7 @@ class Averages {
       pixel.nearest = std::min(pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
       float alpha = work.wide[3][i];
       if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
-      seenThrough |= hit && !caught && alpha != 1 && !frame.snapshot->catches;
+      seenThrough |= hit && !caught && alpha != 1;
       if (depthAlone) continue;
       const bool covered = (!hit || caught) && frame.backdrop && frame.backdrop->covers(x, y);
       if (covered)

@@ -37,7 +37,6 @@ Image seenCatchers(const Image& image, const scene::Snapshot& snapshot, const st
       const float behind = 2 * (std::abs(offset.factor) * slope + std::abs(offset.units) * unit);
       if (depths[i] <= image.depth[i] + behind + kHalfPixel * slope) continue;
       seen.depth[i] = Image::kMiss;
-      if (!seen.centerDepth.empty()) seen.centerDepth[i] = Image::kMiss;
     }
   return seen;
 }

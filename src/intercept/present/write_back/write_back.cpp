@@ -219,7 +219,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   guard.program(programs_[0].name);
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
-  if (image.isAverages() && colors_ != Colors::sums) {
+  if ((image.isAverages() || target.keepsDepth) && colors_ != Colors::sums) {
     writeAverages(guard, image, sheets_.front(), !target.keepsDepth);
     return true;
   }

@@ -18,8 +18,8 @@ struct WriteBackTarget {
   GLenum depthFunc = GL_LEQUAL;  // depth test of traced pixels against the framebuffer
   uint64_t picture = 0;          // id of the image: an equal id is not uploaded again; 0: it has none
   GLenum over = 0;  // write into this buffer of the window instead, without depth test; keeps its depth
-  bool colors = true, depths = true;  // planes to write; without depths there is no depth test
-  bool keepsDepth = false;            // of averages: the depth test counts, but the framebuffer's depth stays
+  bool colors = true, depths = true;    // planes to write; without depths there is no depth test
+  bool keepsDepth = false;              // blended over the framebuffer, whose depth is tested and stays
   scene::ColorWrites colorWrites = {};  // colour channels to write
   std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: the program's setting
 };
