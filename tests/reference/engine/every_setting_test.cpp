@@ -167,12 +167,12 @@ std::vector<Change> changes() {
   };
 }
 
-/// Settings of how pictures are made, of passes, of which these pictures have one, and of ranks, of which
-/// there is one.
+/// Settings of how pictures are made, of passes, of which these pictures have one, of ranks, of which there
+/// is one, and of opaque surfaces that are rasterised, of which there are none.
 const std::set<std::string> kElsewhere = {
-    "engine", "bvh",           "shading",     "quirks",          "fps",
-    "noise",  "refine.passes", "refine.idle", "refine.adaptive", "denoise",
-    "preset", "gather",        "cull.draws",  "cull.from",       "cull.verify",
+    "engine",        "bvh",         "shading",         "quirks",           "fps",    "noise",
+    "refine.passes", "refine.idle", "refine.adaptive", "denoise",          "preset", "gather",
+    "cull.draws",    "cull.from",   "cull.verify",     "light.rasterised",
 };
 
 /// One read is one pass: samples, not the wish for little noise, make the picture.
