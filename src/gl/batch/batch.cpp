@@ -105,7 +105,9 @@ void Batch::startFactors(const State& state) {
   snapshot_->catches = true;
   snapshot_->view ^= kOther;  // what earlier frames know of light is that of the same surfaces
   snapshot_->samplePositions = {glm::vec2(0.5f)};
-  snapshot_->polygonOffset = {slope, kUnits, state.target.offsetUnit, false, state.target.depthFloats};
+  const scene::PolygonOffset& own = key_.offset;
+  snapshot_->polygonOffset = {own.factor + slope, own.units + kUnits, state.target.offsetUnit, false,
+                              state.target.depthFloats};
   Settings& settings = snapshot_->settings;
   settings.camera.aperture = settings.camera.fNumber = 0;  // the framebuffer's surfaces are sharp
   settings.spp = 1;

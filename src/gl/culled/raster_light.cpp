@@ -63,7 +63,7 @@ void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFr
   c.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
   BatchKey key = Batch::keyOf(state);
   key.layers = BatchKey::Layers::factors;
-  key.depthFunc = GL_LEQUAL, key.offset = {};
+  key.depthFunc = GL_LEQUAL;
   c.filler.clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0) return;
   Batch& batch = c.flusher.batch;

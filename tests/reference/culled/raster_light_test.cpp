@@ -201,6 +201,17 @@ TEST(RasterLight, LeavesHolesAlone) {
   EXPECT_EQ(wrong, 0u);
 }
 
+/// Their depths in the framebuffer lie elsewhere than the surfaces.
+TEST(RasterLight, LightsSurfacesWithAPolygonOffset) {
+  const Seen got = seen(lit(true), [](Gl gl) {
+    gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 40);
+    draw(gl, makeProgram(gl, kFlatVertex, kFlatFragment), corner());
+    gl.Disable(GL_POLYGON_OFFSET_FILL);
+  });
+  EXPECT_EQ(got.counts.drawsLit, 1u);
+  expectAlike(got.picture, byProgram(lit(true)).picture, 3);
+}
+
 /// Indices that begin primitives anew are no vertices.
 TEST(RasterLight, LeavesRestartedPrimitivesAlone) {
   const auto picture = [](bool on) {
