@@ -45,9 +45,9 @@ Reason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
   return isClipped(shadow) ? Reason::clipDistances : Reason::traced;
 }
 
-/// Matt, without lights of its own: the setting lights adds them. Dark, so that lights do not add up to more
+/// Matte, without lights of its own: the setting lights adds them. Dark, so that lights do not add up to more
 /// than 1.
-void makeMatt(scene::Instance& instance, scene::Shading& shading) {
+void makeMatte(scene::Instance& instance, scene::Shading& shading) {
   constexpr float kDark = 1.0f / 16;
   shading.fragment.model = scene::FragmentShading::Model::phong;
   shading.fragment.normals = scene::FragmentShading::Normals::triangles;
@@ -76,7 +76,7 @@ void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFr
   instance.cull = state.raster.cull;
   instance.frontFaceCcw = state.raster.frontFaceCcw;
   scene::Shading shading;
-  makeMatt(instance, shading);
+  makeMatte(instance, shading);
   batch.add(std::move(instance), std::move(shading));
   c.filler.settleFailure();
 }
