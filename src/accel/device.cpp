@@ -4,6 +4,8 @@
 #include "accel/error.h"
 
 #include <sys/types.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
 
 #include <atomic>
 #include <string>
@@ -84,11 +86,38 @@ void Device::check(std::string_view what) const {
 void failNextCommits(int count, int after) { commitsToSpare = after, commitsToFail = count; }
 int commitsStillToFail() { return commitsToFail; }
 
-CommitScope::CommitScope() {
-  if (commitsToSpare.load() > 0 && commitsToSpare.fetch_sub(1) > 0) return;
-  if (commitsToFail.load() > 0 && commitsToFail.fetch_sub(1) > 0) ++failingCommits;
+namespace {
+
+/// Its lifetime spans one commit; failNextCommits() acts only inside.
+class CommitScope {
+ public:
+  CommitScope() {
+    if (commitsToSpare.load() > 0 && commitsToSpare.fetch_sub(1) > 0) return;
+    if (commitsToFail.load() > 0 && commitsToFail.fetch_sub(1) > 0) ++failingCommits;
+  }
+  ~CommitScope() { failingCommits = 0; }
+  CommitScope(const CommitScope&) = delete;
+  CommitScope& operator=(const CommitScope&) = delete;
+};
+
+/// The context of the tasks that commit. Never destroyed: contexts that Embree's scenes keep have it as
+/// parent.
+tbb::task_group_context& commitContext() {
+  static auto* const context = new tbb::task_group_context(tbb::task_group_context::isolated);
+  return *context;
 }
 
-CommitScope::~CommitScope() { failingCommits = 0; }
+}  // namespace
+
+// An Embree scene keeps the context of its first commit's tasks, whose parent is the context around that
+// commit. To cancel any tasks, as Embree does when a commit fails, TBB visits all contexts and their parents.
+// A loop's context ends with the loop.
+void commitScene(RTCSceneTy* scene) {
+  const auto commit = [scene](int) {
+    const CommitScope scope;
+    rtcCommitScene(scene);
+  };
+  tbb::parallel_for(0, 1, commit, tbb::simple_partitioner(), commitContext());
+}
 
 }  // namespace gluray::accel

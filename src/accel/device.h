@@ -5,6 +5,7 @@
 #include <string_view>
 
 struct RTCDeviceTy;
+struct RTCSceneTy;
 
 namespace gluray::accel {
 
@@ -50,13 +51,7 @@ class BehindScope {
   size_t bytes() const;
 };
 
-/// Its lifetime spans one commit; failNextCommits() acts only inside.
-class CommitScope {
- public:
-  CommitScope();
-  ~CommitScope();
-  CommitScope(const CommitScope&) = delete;
-  CommitScope& operator=(const CommitScope&) = delete;
-};
+/// rtcCommitScene, also inside parallel loops. Device::check of the calling thread reports its failure.
+void commitScene(RTCSceneTy* scene);
 
 }  // namespace gluray::accel

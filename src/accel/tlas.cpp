@@ -53,10 +53,7 @@ bool Tlas::update(std::vector<PlacedBlas> instances) {
   // Until the commit succeeds, the contents are unknown: after an error all geometries are placed again.
   std::vector<PlacedBlas> alive = std::exchange(held_, {});
   const timeline::Span span("top level", instances.size());
-  {
-    const CommitScope scope;
-    rtcCommitScene(scene_);
-  }
+  commitScene(scene_);
   device_.check("the top-level acceleration structure cannot be built");
   held_ = std::move(instances);
   return true;

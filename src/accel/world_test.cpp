@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -228,6 +229,33 @@ TEST_F(WorldTest, FailedCommitsMayBeRetried) {
   EXPECT_THROW(update(snapshot), Error);  // the TLAS
   EXPECT_EQ(update(snapshot).tlasBuilds, 1u);
   EXPECT_TRUE(hits(world, 5, 0.5f));
+}
+
+/// Overwrites the part of the stack that calls before this one used.
+[[gnu::noinline]] void overwriteStack() {
+  std::array<volatile unsigned char, 65536> bytes;
+  for (volatile unsigned char& byte : bytes) byte = 0xAB;
+}
+
+// To cancel the tasks of a failed commit, TBB visits the contexts of all scenes and their parents, which must
+// still exist.
+TEST_F(WorldTest, CommitsMayFailAfterMeshesWereBuiltTogether) {
+  const auto squareAt = [](float x) {
+    auto data = squareData();
+    for (glm::vec3& p : data.positions) p.x += x;
+    return makeMesh(data);
+  };
+  for (int round = 0; round < 8; ++round) {
+    std::vector<scene::MeshPtr> together;
+    for (int i = 0; i < 16; ++i) together.push_back(squareAt(static_cast<float>(round * 100 + i)));
+    EXPECT_EQ(update(makeSnapshot(together)).blasBuilds, 16u);
+    overwriteStack();
+    const auto snapshot = makeSnapshot({squareAt(static_cast<float>(round * 100 + 50))});
+    failNextCommits(1);
+    EXPECT_EQ(update(snapshot).blasBuilds, 1u);  // once the other structures have been freed
+    EXPECT_EQ(commitsStillToFail(), 0);
+    EXPECT_TRUE(hits(world, static_cast<float>(round * 100 + 50), 0.5f));
+  }
 }
 
 TEST_F(WorldTest, FilterSeesThroughCoincidentTriangles) {

@@ -217,10 +217,7 @@ BlasPtr Blas::createPage(const Device& device, PageCache& pages, const scene::Me
 Blas::~Blas() { rtcReleaseScene(scene_); }
 
 void Blas::commit() {
-  {
-    const CommitScope scope;
-    rtcCommitScene(scene_);
-  }
+  commitScene(scene_);
   if (blocks_) blocks_->forgetBoxes();
   device_.check("the acceleration structure of a mesh cannot be built");
 }
