@@ -7,9 +7,10 @@ namespace gluray::bench {
 namespace {
 
 scene::Attribute attribute(const void* data, uint32_t stride, scene::Format format) {
-  // Not owned: the mesh outlives the renderer.
-  return {std::shared_ptr<const void>(std::shared_ptr<const void>(), data),
-          static_cast<const std::byte*>(data), stride, format};
+  // The owner has nothing to free, because the mesh outlives the renderer. It lives as long as the attribute,
+  // which names of arrays depend on.
+  return {std::shared_ptr<const void>(data, [](const void*) {}), static_cast<const std::byte*>(data), stride,
+          format};
 }
 
 scene::MeshPtr toScene(const TriangleMesh& mesh) {

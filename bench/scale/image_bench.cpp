@@ -9,6 +9,8 @@
 #include "frame/renderer.h"
 
 #include <CLI/CLI.hpp>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +19,7 @@
 #include <numeric>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 namespace {
 
@@ -25,7 +28,7 @@ using namespace gluray;
 struct Options {
   double millions = 1;
   int frames = 15, samples = 0;
-  bool withoutLocal = false;
+  bool withoutLocal = false, drops = false;
   std::vector<std::string> jobs;
 };
 
@@ -34,6 +37,7 @@ struct Figures {
   std::vector<double> frame, head, protocol, tracing, busiest, balance;  // ms but for balance
   std::vector<double> ofRanks;                                           // tracing, sums over the frames
   double first = 0;                                                      // ms until the first picture
+  double handedOver = 0;  // ms until the ranks had the geometry; 0: with the first picture
 };
 
 /// A job: "NAME:PROCESS,PROCESS,...", its head first.
@@ -115,6 +119,7 @@ void print(const Job& job) {
   say("busiest_rank_cpu_ms", bench::median(f.busiest)), say("max_over_mean", bench::median(f.balance));
   const double sum = std::accumulate(f.ofRanks.begin(), f.ofRanks.end(), 0.0);
   say("max_over_mean_all_frames", std::ranges::max(f.ofRanks) * static_cast<double>(f.ofRanks.size()) / sum);
+  if (f.handedOver > 0) say("handed_over_ms", f.handedOver);
   say("first_ms", f.first), say("checksum", checksum(job.image));
 }
 
@@ -135,10 +140,33 @@ Image localImage(const bench::TriangleMesh& mesh, int frame, int samples) {
   return image;
 }
 
+/// Gives the memory of whole pages of the array back; they read as zeros.
+template <class T>
+void drop(bench::LargeArray<T>& array) {
+  const auto page = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
+  const uintptr_t first = (reinterpret_cast<uintptr_t>(array.data()) + page - 1) / page * page;
+  const uintptr_t end = reinterpret_cast<uintptr_t>(array.data() + array.size()) / page * page;
+  if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
+}
+
+/// The jobs get the geometry with a picture that looks past it; afterwards nobody reads the program's own
+/// copy.
+void handOver(std::list<Job>& jobs, bench::TriangleMesh& mesh, int samples) {
+  for (Job& job : jobs) {
+    const glm::dmat4 lens = job.snapshot.camera.clipFromEye;
+    job.snapshot.camera.clipFromEye[2] = -lens[2];  // backwards
+    trace(job, 0, samples, false);
+    job.snapshot.camera.clipFromEye = lens;
+    job.figures.handedOver = std::exchange(job.figures.first, 0);
+  }
+  drop(mesh.positions), drop(mesh.normals), drop(mesh.indices);
+}
+
 void run(const Options& options) {
-  const bench::TriangleMesh mesh = bench::waveletMesh(options.millions);
+  bench::TriangleMesh mesh = bench::waveletMesh(options.millions);
   std::list<Job> jobs;
   for (const std::string& text : options.jobs) jobs.emplace_back(text, mesh);
+  if (options.drops) handOver(jobs, mesh, options.samples);
   constexpr int kWarmUp = 3;  // structures, and costs of tiles
   int frame = 0;
   for (int round = -kWarmUp; round < options.frames; ++round) {
@@ -163,7 +191,10 @@ int main(int argc, char** argv) {
   app.add_option("--frames", options.frames)->check(CLI::Range(1, 1000));
   app.add_option("--samples", options.samples, "rays of ambient occlusion a pixel; 0: none")
       ->check(CLI::Range(0, 1024));
-  app.add_flag("--without-local", options.withoutLocal, "do not compare with a picture of this process");
+  CLI::Option* const withoutLocal =
+      app.add_flag("--without-local", options.withoutLocal, "do not compare with a picture of this process");
+  app.add_flag("--drop", options.drops, "keep no copy of the geometry, which the jobs have")
+      ->needs(withoutLocal);
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

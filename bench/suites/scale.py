@@ -103,7 +103,8 @@ def paged_row(options, millions, look, ranks, memory):
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder, \
             worker_jobs.job(worker, "paged", ranks, folder, "--memory", memory) as processes, worker_jobs.PeakMemory(processes) as peak:
         job = f"paged:{','.join(map(str, processes))}"
-        figures = figures_of(said_by([*bench, "--without-local", job], {"GLURAY_RUNTIME": folder}))
+        # The ranks' memory is that of one machine here, which may not hold another copy of the geometry.
+        figures = figures_of(said_by([*bench, "--without-local", "--drop", job], {"GLURAY_RUNTIME": folder}))
     row = {name.split(".", 1)[1]: value for name, value in figures.items()}
     # Only now: this machine may not hold both.
     local = figures_of(said_by(bench))["local.checksum"]

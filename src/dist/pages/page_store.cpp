@@ -66,8 +66,8 @@ class PageStore::Fetched final : public PageResidence {
 };
 
 PageStore::PageStore(const ArrayStore& arrays, Outbox& outbox, size_t memory,
-                     std::chrono::milliseconds patience)
-    : arrays_(arrays), outbox_(outbox), memory_(memory), patience_(patience) {}
+                     std::function<void(const std::string&)> say, std::chrono::milliseconds patience)
+    : arrays_(arrays), outbox_(outbox), memory_(memory), say_(std::move(say)), patience_(patience) {}
 
 PageSource::Made PageStore::make(const Hash128& identity, const PageName& name, size_t bytes) {
   const std::lock_guard lock(mutex_);
@@ -96,13 +96,20 @@ void PageStore::begin(std::function<bool()> stop) {
   const std::lock_guard lock(mutex_);
   stop_ = std::move(stop);
   failure_.clear(), failed_ = false;
+  traffic_.begin();
 }
 
 std::string PageStore::end() {
-  const std::lock_guard lock(mutex_);
-  stop_ = nullptr;
-  if (failed_ && failure_.empty()) failure_ = "out of memory while tracing";
-  return std::exchange(failure_, {});
+  std::string failure, slow;
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = nullptr;
+    if (failed_ && failure_.empty()) failure_ = "out of memory while tracing";
+    failure = std::exchange(failure_, {});
+    slow = traffic_.end(budget());
+  }
+  if (!slow.empty()) say_(slow);
+  return failure;
 }
 
 void PageStore::fail(const char* why) noexcept {
@@ -122,7 +129,7 @@ bool PageStore::fetch(const PageName& name, std::byte* to, size_t bytes) {
   outbox_.push(name.owner, forRanks(PageWanted{name.id}));
   const bool ended = came_.wait_for(lock, patience_, [&] { return page.came || page.gone || stops(); });
   awaited_.erase(at);
-  if (page.came) return true;
+  if (page.came) return traffic_.fetched(name.id, bytes), true;
   if (stops()) return false;
   failed_ = true;
   failure_ = "rank " + std::to_string(name.owner) +

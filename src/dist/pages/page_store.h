@@ -1,6 +1,7 @@
 // The pages that this rank traces in: gets them from their owners when rays meet them.
 #pragma once
 #include "dist/messages/page_messages.h"
+#include "dist/pages/page_traffic.h"
 #include "dist/stream/page.h"
 #include "dist/worker/array_store.h"
 #include "dist/worker/outbox.h"
@@ -24,9 +25,9 @@ class PageStore final : public PageSource {
   static constexpr std::chrono::milliseconds kPatience{10'000};
 
   /// `memory`: bytes that arrays, pages and structures may take. `patience`: how long an owner may take to
-  /// give a page. All must outlive it.
+  /// give a page. `say`: one line for the user, any thread. All must outlive it.
   PageStore(const ArrayStore& arrays, Outbox& outbox, size_t memory,
-            std::chrono::milliseconds patience = kPatience);
+            std::function<void(const std::string&)> say, std::chrono::milliseconds patience = kPatience);
 
   /// Any thread. The store must outlive the page.
   Made make(const Hash128& identity, const PageName& name, size_t bytes) override;
@@ -60,8 +61,10 @@ class PageStore final : public PageSource {
   const ArrayStore& arrays_;
   Outbox& outbox_;
   const size_t memory_;
+  const std::function<void(const std::string&)> say_;
   const std::chrono::milliseconds patience_;
   std::mutex mutex_;
+  PageTraffic traffic_;
   std::unordered_map<Hash128, std::weak_ptr<Fetched>> pages_;
   size_t pagesAtMost_ = 64;  // before those that are gone are removed
   std::condition_variable came_;

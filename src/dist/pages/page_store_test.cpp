@@ -21,7 +21,9 @@ constexpr int kOwner = 3;
 /// A page of two triangles over four vertices: the memory holds their six indices.
 class StoredPage : public testing::Test {
  protected:
-  explicit StoredPage(std::chrono::milliseconds patience = 10s) : store_(arrays_, outbox_, 1000, patience) {
+  explicit StoredPage(std::chrono::milliseconds patience = 10s)
+      : store_(
+            arrays_, outbox_, 1000, [this](const std::string& line) { said_ += line; }, patience) {
     made_ = store_.make(kId, {kId, kOwner, 0, {}}, kBytes);
     PageLimits limits;
     limits.indices = scene::Attribute{nullptr, made_.memory.get(), 4, scene::Format::uint32};
@@ -52,6 +54,7 @@ class StoredPage : public testing::Test {
   PageSource::Made made_;
   std::vector<Outbox::Letter> letters_;
   std::atomic<bool> stop_{false};
+  std::string said_;
 };
 
 TEST_F(StoredPage, ComesFromItsOwner) {
@@ -114,6 +117,18 @@ TEST_F(StoredPage, IsNotAskedForAfterAFailure) {
   // The next picture begins anew.
   store_.begin([] { return false; });
   EXPECT_FALSE(store_.hasFailed());
+}
+
+TEST_F(StoredPage, ThatComesOverAndOverIsReported) {
+  for (int i = 0; i < 5; ++i) {
+    letters_.clear();
+    std::future<bool> loaded = load();
+    store_.take({kId, indices({0, 1, 2, 2, 1, 3})});
+    EXPECT_TRUE(loaded.get());
+  }
+  EXPECT_EQ(said_, "");
+  EXPECT_EQ(store_.end(), "");
+  EXPECT_NE(said_.find("each part was fetched 5 times"), std::string::npos) << said_;
 }
 
 class PageOfASilentOwner : public StoredPage {

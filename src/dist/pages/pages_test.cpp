@@ -155,6 +155,15 @@ TEST_F(Pages, ReachRanksThatHadTheGeometryBefore) {
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
+TEST_F(Pages, ThatComeOverAndOverAreReported) {
+  scene::Snapshot s = largeScene(110, 48);
+  s.settings.ao.enabled = true, s.settings.ao.radius = 2;
+  test::WorkerJob job(folder_.directory(), 1, "job", 300'000);
+  test::Program program(folder_.directory());
+  expectSame(program.picture(s), expectedPicture(s));
+  EXPECT_NE(job.said().find("each part was fetched"), std::string::npos) << job.said();
+}
+
 /// Parts of the ranks of a sort-last program, each part larger than the memory of a rank.
 TEST_F(Pages, OfGatheredParts) {
   scene::Snapshot all = largeScene(100, 64);

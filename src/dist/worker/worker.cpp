@@ -29,7 +29,7 @@ Worker::Worker(Ranks& ranks, int threads, size_t memory, control::Descriptor lis
     : ranks_(ranks),
       threads_(threadsOf(threads)),
       intake_(store_, outbox_, ranks.rank(), threads_),
-      pages_(store_, outbox_, memory),
+      pages_(store_, outbox_, memory, say),
       pageMaker_(store_, outbox_, ranks.rank(), threads_),
       peers_(ranks, store_, outbox_, threads_, say),
       inquiry_(ranks, threads_),

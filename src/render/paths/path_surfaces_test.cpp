@@ -1,4 +1,5 @@
 // What paths meet on their way: impostors, translucent surfaces, what clip planes cut away, edges, textures.
+#include "base/sanitized.h"
 #include "render/paths/path_scenes.h"
 
 namespace gluray::render {
@@ -26,6 +27,7 @@ void shadeByProgram(scene::Snapshot& s, size_t i) {
 }
 
 TEST(PathSurfaces, ImpostorsAreSolids) {
+  GLURAY_RELEASE_ONLY();
   scene::Snapshot s = test::pathView({test::backWall(), impostor(scene::Shape::spheres, {0, 0, 1.5f}, 1)});
   shadeByProgram(s, 1);
   s.settings.path.depth = 64;
