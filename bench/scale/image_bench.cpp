@@ -28,7 +28,7 @@ using namespace gluray;
 struct Options {
   double millions = 1;
   int frames = 15, samples = 0;
-  bool withoutLocal = false, drops = false;
+  bool withoutLocal = false, drops = false, moves = false;
   std::vector<std::string> jobs;
 };
 
@@ -70,8 +70,16 @@ std::vector<bench::CpuSeconds> cpuOf(const Job& job) {
   return all;
 }
 
-void trace(Job& job, int frame, int samples, bool counts) {
-  bench::show(job.snapshot, frame, samples, 0);
+/// The view of that frame, and its light.
+void show(scene::Snapshot& s, int frame, const Options& options) {
+  bench::show(s, frame, options.samples, 0);
+  if (!options.moves) return;
+  s.lightSampling.mode = scene::LightSampling::Mode::moving;
+  s.settings.fps = 1000;  // never reached: from the second frame on a quarter of the pixels traces a ray
+}
+
+void trace(Job& job, int frame, const Options& options, bool counts) {
+  show(job.snapshot, frame, options);
   scene::TraceCost cost;
   std::string error;
   const std::vector<bench::CpuSeconds> before = cpuOf(job);
@@ -128,10 +136,10 @@ void printDifference(const Job& job, const Image& local) {
 }
 
 /// The picture without workers.
-Image localImage(const bench::TriangleMesh& mesh, int frame, int samples) {
+Image localImage(const bench::TriangleMesh& mesh, int frame, const Options& options) {
   frame::Renderer renderer;
   scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
-  bench::show(snapshot, frame, samples, 0);
+  show(snapshot, frame, options);
   Image image;
   scene::TraceCost cost;
   std::string error;
@@ -151,11 +159,11 @@ void drop(bench::LargeArray<T>& array) {
 
 /// The jobs get the geometry with a picture that looks past it; afterwards nobody reads the program's own
 /// copy.
-void handOver(std::list<Job>& jobs, bench::TriangleMesh& mesh, int samples) {
+void handOver(std::list<Job>& jobs, bench::TriangleMesh& mesh, const Options& options) {
   for (Job& job : jobs) {
     const glm::dmat4 lens = job.snapshot.camera.clipFromEye;
     job.snapshot.camera.clipFromEye[2] = -lens[2];  // backwards
-    trace(job, 0, samples, false);
+    trace(job, 0, options, false);
     job.snapshot.camera.clipFromEye = lens;
     job.figures.handedOver = std::exchange(job.figures.first, 0);
   }
@@ -166,17 +174,17 @@ void run(const Options& options) {
   bench::TriangleMesh mesh = bench::waveletMesh(options.millions);
   std::list<Job> jobs;
   for (const std::string& text : options.jobs) jobs.emplace_back(text, mesh);
-  if (options.drops) handOver(jobs, mesh, options.samples);
+  if (options.drops) handOver(jobs, mesh, options);
   constexpr int kWarmUp = 3;  // structures, and costs of tiles
   int frame = 0;
   for (int round = -kWarmUp; round < options.frames; ++round) {
     ++frame;
-    for (Job& job : jobs) trace(job, frame, options.samples, round >= 0);
+    for (Job& job : jobs) trace(job, frame, options, round >= 0);
     jobs.reverse();  // none is always the first
   }
   for (const Job& job : jobs) print(job);
   if (options.withoutLocal) return;
-  const Image local = localImage(mesh, frame, options.samples);
+  const Image local = localImage(mesh, frame, options);
   for (const Job& job : jobs) printDifference(job, local);
 }
 
@@ -193,6 +201,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 1024));
   CLI::Option* const withoutLocal =
       app.add_flag("--without-local", options.withoutLocal, "do not compare with a picture of this process");
+  app.add_flag("--moving", options.moves,
+               "frames of animations: a ray for four pixels, smoothed with what is known of earlier frames")
+      ->needs(withoutLocal);
   app.add_flag("--drop", options.drops, "keep no copy of the geometry, which the jobs have")
       ->needs(withoutLocal);
   CLI11_PARSE(app, argc, argv);

@@ -2,8 +2,8 @@
 
 The Wavelet's isosurfaces, 1024x1024, an orbit of one degree a frame. Needs no display. Parts:
 
-  image       ranks of gluray-worker as processes under Open MPI, one thread each, that share each picture of one program; in turn with a
-              job of one rank, frame by frame. The ranks share this machine's cores: frame times show no scaling, CPU times show what ranks
+  image       ranks of gluray-worker as processes under Open MPI, one thread each, that share each picture of one program, also of frames of
+              an animation with occlusion (one ray for four pixels, smoothed); in turn with a job of one rank, frame by frame. The ranks share this machine's cores: frame times show no scaling, CPU times show what ranks
               of their own cores would do. NAME_image.json
   pages       the same with less memory for each rank than the geometry takes (--pages MILLIONS:RANKS:MEMORY): the picture's checksum is that of a
               process of its own that has all of it. NAME_pages.json
@@ -26,6 +26,7 @@ from support.telling import status_of
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PARTS = ("image", "pages", "peers", "simulation", "figure")
 LOOKS = {"local": 0, "occlusion": 16}  # rays of ambient occlusion a pixel
+IMAGE_LOOKS = {**LOOKS, "moving": 16}
 LINK_RUNS = 8  # of which the least times count: other processes of the machine disturb the others
 SIMULATED_RANKS = [2**power for power in range(11)]
 
@@ -78,20 +79,23 @@ def image_rows(options, millions, look, ranks):
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
         with worker_jobs.job(worker, "one", 1, folder) as one, worker_jobs.job(worker, "many", ranks, folder) as many:
             jobs = [f"{name}:{','.join(map(str, processes))}" for name, processes in (("one", one), ("many", many))]
-            figures = figures_of(said_by([program(options, "gluray-bench-image"), "--triangles", millions, "--samples", LOOKS[look],
-                                          "--frames", options.frames * (1 if LOOKS[look] else 4), *jobs], {"GLURAY_RUNTIME": folder}))
+            moving = ["--moving", "--without-local"] if look == "moving" else []
+            figures = figures_of(said_by([program(options, "gluray-bench-image"), "--triangles", millions, "--samples", IMAGE_LOOKS[look],
+                                          "--frames", options.frames * (1 if look == "occlusion" else 4), *moving, *jobs],
+                                         {"GLURAY_RUNTIME": folder}))
     row = {name.split(".", 1)[1]: value for name, value in figures.items() if name.startswith("many.")}
     # What one core would take, over what so many cores would be busy for.
     row["one_rank_tracing_cpu_ms"] = figures["one.tracing_cpu_ms"]
     row["tracing_cpu_over_one_rank"] = row["tracing_cpu_ms"] / figures["one.tracing_cpu_ms"]
     row["tracing_cpu_ms_a_rank"] = row["tracing_cpu_ms"] / ranks
+    row["same_picture"] = int(figures["one.checksum"] == row["checksum"])
     row["efficiency_by_busiest_rank"] = figures["one.tracing_cpu_ms"] / (ranks * row["busiest_rank_cpu_ms"])
     return {"path": "image-parallel", "millions": millions, "look": look, "ranks": ranks, **row}
 
 
 def measure_image(options):
     for millions in map(float, options.sizes.split(",")):
-        for look in LOOKS:
+        for look in IMAGE_LOOKS:
             for ranks in map(int, options.ranks.split(",")):
                 yield image_rows(options, millions, look, ranks)
 

@@ -48,12 +48,12 @@ class Renderer::Engine {
     cost.blasRefinements = update.blasRefinements;
     cost.bvhBytes = world_->bytes();
     cost.blasRefining = world_->refining();
-    const bool moves = isMoving(snapshot);
+    const bool moves = isMoving(snapshot) && !options.film;
     const double built = nowSeconds();
     cost.buildSeconds = built - start;
     const timeline::Span span("trace");
-    const render::MovingRays rays = moves ? paces_[snapshot.view].rays() : render::MovingRays();
-    options.histories = &histories_, options.rays = rays;
+    if (moves) options.rays = paces_[snapshot.view].rays();
+    options.histories = &histories_;
     const bool whole = render::traceImage(snapshot, *world_, *arena_, image, options);
     cost.traceSeconds = nowSeconds() - built;
     if (moves) paces_[snapshot.view].took(cost.traceSeconds, 1 / static_cast<double>(snapshot.settings.fps));
@@ -185,6 +185,18 @@ bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene:
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.averages = averages, options.remote = remote;
+    engine_->render(snapshot, image, cost, options);
+  });
+}
+
+bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                            std::string& error, render::FilmSource& source, bool averages,
+                            const render::MovingRays& rays) noexcept {
+  return caught(error, [&] {
+    const InFront lock(*engine_);
+    render::TraceOptions options;
+    options.source = &source, options.film = &source;
+    options.averages = averages, options.rays = rays;
     engine_->render(snapshot, image, cost, options);
   });
 }

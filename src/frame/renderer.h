@@ -12,8 +12,10 @@
 #include <string>
 
 namespace gluray::render {
+class FilmSource;
 class RemoteSurfaces;
 class TileSource;
+struct MovingRays;
 }  // namespace gluray::render
 
 namespace gluray::frame {
@@ -48,6 +50,11 @@ class Renderer {
   bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                    render::TileSource& source, bool averages,
                    render::RemoteSurfaces* remote = nullptr) noexcept;
+
+  /// The same for a frame of an animation (scene::LightSampling::Mode::moving), whose light is smoothed with
+  /// what is known of the view's earlier frames.
+  bool renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                    render::FilmSource& source, bool averages, const render::MovingRays& rays) noexcept;
 
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.

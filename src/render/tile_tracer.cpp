@@ -100,20 +100,14 @@ template <class Work>
 void eachTileOf(TileSource& source, const Image& image, accel::PageCache& pages, const Work& work) {
   source.begin(image);
   const Tiles tiles(image, kTileSize);
-  tbb::parallel_for(
-      0, tbb::this_task_arena::max_concurrency(),
-      [&](int) {
-        const FloatGuard guard;
-        timeline::nameThread("tracing");
-        for (int index = source.next(); index >= 0; index = source.next()) {
-          const timeline::Span span("tiles", 1, true);
-          const double start = nowSeconds();
-          const accel::PageCache::Reader reader(pages);
-          const bool seenThrough = work(tiles.at(index));
-          source.done(index, nowSeconds() - start, seenThrough);
-        }
-      },
-      tbb::simple_partitioner());
+  eachTileFrom(
+      "tiles", [&] { return source.next(); },
+      [&](int index) {
+        const double start = nowSeconds();
+        const accel::PageCache::Reader reader(pages);
+        const bool seenThrough = work(tiles.at(index));
+        source.done(index, nowSeconds() - start, seenThrough);
+      });
 }
 
 Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
@@ -124,7 +118,8 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   if (wantsGuide(snapshot)) frame.tone.reset();
   frame.remote = options.remote;
   if (frame.remote) frame.remote->begin(frame);
-  if (!options.source && isMoving(frame) && traceMoving(frame, options.histories, options.rays))
+  const bool smooths = !options.source || options.film;
+  if (smooths && isMoving(frame) && traceMoving(frame, options.histories, options.rays, options.film))
     return Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();

@@ -24,8 +24,10 @@ struct TraceOptions {
   LightHistories* histories = nullptr;  // null: earlier frames are not used
   MovingRays rays;
   Interrupt interrupt = {};  // of all other frames
-  // Null: this process traces all tiles. Otherwise those that it hands out, moving frames like others.
+  // Null: this process traces all tiles. Otherwise those that it hands out, moving frames like others unless
+  // it is `film`, too.
   TileSource* source = nullptr;
+  FilmSource* film = nullptr;
   // Null: all surfaces of the view are here. Only with a source, and where the settings ask for light.
   RemoteSurfaces* remote = nullptr;
   bool averages = true;  // pixels average several samples where settings ask for it; only false with a source

@@ -6,12 +6,15 @@
 #include "render/frame_data.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <functional>
 
 namespace gluray::render {
+
+struct FactorFilm;
 
 /// Whether tracing must stop; asked before each tile, on all tracing threads.
 using Interrupt = std::function<bool()>;
@@ -44,6 +47,40 @@ class TileSource {
   /// as far as this process has seen: the image must be traced anew without them.
   virtual void done(int tile, double seconds, bool seenThrough) noexcept = 0;
 };
+
+/// Hands out the tiles of a moving frame (scene::LightSampling::Mode::moving) that several processes trace
+/// together. Each tile is collected first: its hits, and its surfaces and factors on the film. Once the film
+/// is whole, the process that collected a tile colours it. Frames that cannot be traced like that take the
+/// functions of a TileSource alone.
+class FilmSource : public TileSource {
+ public:
+  /// Of the frames of the view, which all processes number alike.
+  virtual uint32_t index() const noexcept = 0;
+  /// The tile, from next(), has been collected. All tracing threads.
+  virtual void collected(const FactorFilm& film, int tile, double seconds) noexcept = 0;
+  /// Waits until all tiles have been collected, and fills in what other processes have. False: the frame is
+  /// given up. One thread, once next() has no more tiles.
+  virtual bool complete(FactorFilm& film) noexcept = 0;
+  /// The next tile to colour, one that this process has collected; negative: there are no more. done() is
+  /// called afterwards. All tracing threads.
+  virtual int nextToColor() noexcept = 0;
+};
+
+/// Calls work(index) for the tiles that next() gives, on all threads, until it gives a negative number.
+template <class Next, class Work>
+void eachTileFrom(const char* name, const Next& next, const Work& work) {
+  tbb::parallel_for(
+      0, tbb::this_task_arena::max_concurrency(),
+      [&](int) {
+        const FloatGuard guard;
+        timeline::nameThread("tracing");
+        for (int index = next(); index >= 0; index = next()) {
+          const timeline::Span span(name, 1, true);
+          work(index);
+        }
+      },
+      tbb::simple_partitioner());
+}
 
 /// Calls work(tile) for all tiles, on all threads. False: interrupted before the last one.
 template <class Work>

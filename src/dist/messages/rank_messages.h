@@ -2,6 +2,7 @@
 // connected to is the head. Any thread.
 #pragma once
 #include "dist/messages/codec.h"
+#include "dist/stream/film_pixels.h"
 
 namespace gluray::dist {
 
@@ -46,6 +47,13 @@ struct Forget {
   static constexpr uint16_t kType = 3;
   std::vector<Hash128> names;
 };
+/// How to trace a frame of an animation, whose light is smoothed across tiles and ranks.
+struct FilmOrder {
+  bool moving = false;      // else the rest has no meaning
+  uint32_t index = 0;       // render::FilmSource::index
+  int32_t raysOfPixel = 1;  // render::MovingRays
+  bool quarter = false;
+};
 /// From a head: a picture to take part in.
 struct TraceOrder {
   static constexpr uint16_t kType = 4;
@@ -53,7 +61,8 @@ struct TraceOrder {
   bool shared = true;       // false: the head traces it alone
   bool averages = true;     // frame::Renderer::renderTiles
   bool meetsPeers = false;  // TraceRequest::meetsPeers
-  bool empty = false;       // nothing of the snapshot is shown but its backdrop
+  FilmOrder film;
+  bool empty = false;  // nothing of the snapshot is shown but its backdrop
   uint32_t missColor = 0;
   std::vector<Hash128> needs;  // arrays that may still be on their way
   std::vector<std::byte> snapshot;
@@ -79,6 +88,23 @@ struct TracedTile {
   float seconds = 0;
   bool seenThrough = false;  // render::TileSource::done
   std::vector<std::byte> pixels;
+};
+/// To a head: a tile of a moving frame has been collected (render::FilmSource).
+struct FilmTile {
+  static constexpr uint16_t kType = 16;
+  uint64_t id = 0;
+  FilmShape shape;
+  int32_t tile = 0;
+  float seconds = 0;
+  std::vector<std::byte> film;  // packFilm()
+};
+/// From a head: all tiles of the picture have been collected.
+struct FilmComes {
+  static constexpr uint16_t kType = 17;
+  uint64_t id = 0;
+  std::vector<int32_t> tiles;   // that the rank is to colour
+  Hash128 name;                 // of the array that holds the film
+  std::vector<std::byte> film;  // if it is not broadcast
 };
 /// To a head, after the end of the picture, or before where it cannot be traced.
 struct Finished {
@@ -117,9 +143,25 @@ void fields(auto& archive, Like<Forget> auto& value) {
   auto& [names] = value;
   archive(names);
 }
+void fields(auto& archive, Like<FilmOrder> auto& value) {
+  auto& [moving, index, raysOfPixel, quarter] = value;
+  archive(moving, index, raysOfPixel, quarter);
+}
 void fields(auto& archive, Like<TraceOrder> auto& value) {
-  auto& [id, shared, averages, meetsPeers, empty, missColor, needs, snapshot, parts] = value;
-  archive(id, shared, averages, meetsPeers, empty, missColor, needs, snapshot, parts);
+  auto& [id, shared, averages, meetsPeers, film, empty, missColor, needs, snapshot, parts] = value;
+  archive(id, shared, averages, meetsPeers, film, empty, missColor, needs, snapshot, parts);
+}
+void fields(auto& archive, Like<FilmShape> auto& value) {
+  auto& [width, height, factors] = value;
+  archive(width, height, factors);
+}
+void fields(auto& archive, Like<FilmTile> auto& value) {
+  auto& [id, shape, tile, seconds, film] = value;
+  archive(id, shape, tile, seconds, film);
+}
+void fields(auto& archive, Like<FilmComes> auto& value) {
+  auto& [id, tiles, name, film] = value;
+  archive(id, tiles, name, film);
 }
 void fields(auto& archive, Like<MoreTiles> auto& value) {
   auto& [id, tiles] = value;

@@ -18,10 +18,10 @@ constexpr int kFirstWelcomeMs = 2000, kWelcomeMs = 20;
 constexpr int kSendMs = 5000;
 constexpr double kTryAgain = 1, kSilence = 1.5, kWelcomePatience = 5;  // seconds
 
-/// Whether ranks may share the picture tile by tile: moving light is smoothed across tiles.
-bool isShared(const scene::Snapshot& snapshot) {
-  return snapshot.lightSampling.mode != scene::LightSampling::Mode::moving ||
-         !scene::wantsLight(snapshot.settings);
+/// Whether light is smoothed across tiles, with what is known of earlier frames.
+bool isMoving(const scene::Snapshot& snapshot) {
+  return snapshot.lightSampling.mode == scene::LightSampling::Mode::moving &&
+         scene::wantsLight(snapshot.settings);
 }
 
 /// Whether light falls on the picture that surfaces of other ranks may block.
@@ -155,7 +155,8 @@ bool WorkerLink::ask(const scene::Snapshot& snapshot, uint32_t missColor) {
   TraceRequest request;
   request.id = ++lastId_, request.view = snapshot.view;
   request.width = snapshot.region.width, request.height = snapshot.region.height;
-  request.shared = isShared(snapshot), request.layered = snapshot.layers != nullptr;
+  request.moving = isMoving(snapshot), request.fps = static_cast<float>(snapshot.settings.fps);
+  request.layered = snapshot.layers != nullptr;
   request.meetsPeers = place_.ranks > 1 && fallsOnSurfaces(snapshot);
   request.shown = {frameOf(snapshot), snapshot.camera.viewport};
   request.number = asked_ = snapshot.number;

@@ -137,10 +137,11 @@ void Head::gather(ProgramSide& program, double now) {
   if (!program.isGathering()) start(program, true, now);
 }
 
-TraceOrder Head::orderOf(const ProgramSide& program, bool averages) {
+TraceOrder Head::orderOf(ProgramSide& program, bool averages) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   TraceOrder order;
   order.id = lastPicture_, order.averages = averages, order.shared = request.shared;
+  if (program.picture->isMoving()) order.film = filmOrderOf(program);
   order.meetsPeers = request.meetsPeers && program.share == Share::own;
   order.empty = program.share == Share::nothing;
   order.missColor = request.missColor;
@@ -156,11 +157,13 @@ TraceOrder Head::orderOf(const ProgramSide& program, bool averages) {
 }
 
 void Head::start(ProgramSide& program, bool averages, double now) {
-  if (!program.isWhole()) program.request->shared = false;
+  // One rank smooths the light of animations by itself, without a film for others.
+  const bool isAlone = program.request->moving && !program.paged && ranks_.size() == 1;
+  if (!program.isWhole() || isAlone) program.request->shared = false;
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
-  if (program.costs.size() > kMostViews) program.costs.clear();
+  if (program.costs.size() > kMostViews) program.costs.clear(), program.animations.clear();
   program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view],
-                          program.isWhole() && program.paged, now);
+                          kindOf(program), now);
   const Picture& picture = *program.picture;
   const TraceOrder order = orderOf(program, averages);
   // What is not here yet may be missed by the next picture, too, if this one is cancelled.
@@ -198,13 +201,14 @@ void Head::take(int rank, const TracedTile& tile, double now) {
     if (grew) program->send(PictureMemory{program->memory.bytes}, program->memory.memory.get());
   } catch (const Malformed&) {
     picture.drop(rank);
-    giveTiles(*program);
+    return goOn(*program, now);
   }
   if (picture.isSeenThrough() && picture.averages()) {
     end(*program);
     return start(*program, false, now);
   }
   if (!picture.isTraced()) {
+    if (picture.isCollected()) return goOn(*program, now);
     // The other ranks have as much as before.
     if (program->isWhole()) giveTiles(picture, rank);
     return;
@@ -218,7 +222,7 @@ void Head::take(int rank, const Finished& result, double now) {
   ProgramSide* const program = programOf(result.id);
   if (!program) return;
   program->picture->finished(rank, result);
-  if (!program->picture->isTraced()) giveTiles(*program);  // it may have failed, and others have its tiles
+  if (!program->picture->isTraced()) goOn(*program, now);  // it may have failed, and others have its tiles
   finish(*program, now);
 }
 
@@ -228,6 +232,7 @@ void Head::take(int rank, const Alive& alive, double now) {
 }
 
 void Head::end(ProgramSide& program) {
+  forgetFilm(program);
   const Picture& picture = *program.picture;
   if (!program.isWhole()) return peers_.end(program.peer, picture.id());
   // Only to ranks that have it: a stopped rank would find the ends of all pictures made meanwhile.
@@ -248,6 +253,11 @@ void Head::finish(ProgramSide& program, double now) {
   if (picture.error().empty() && !picture.isDone()) return;
   program.costs[program.request->view] = picture.costs();
   PictureDone result = picture.result(now);
+  if (picture.hasFilm()) {
+    ProgramSide::Animation& animation = program.animations[program.request->view];
+    ++animation.frames;
+    animation.pace.took(result.cost.traceSeconds, 1 / static_cast<double>(program.request->fps));
+  }
   result.gathered = program.request->gathers && result.whole && program.share != Share::own;
   program.send(result);
   if (result.gathered) peers_.gatherer(program.peer).end(true);
@@ -273,7 +283,7 @@ void Head::tick(double now) {
       passedOn = true;
     }
     for (const int rank : picture.passOnSlow(now)) leaveOut(rank), passedOn = true;
-    if (passedOn) giveTiles(program);
+    if (passedOn) goOn(program, now);
     if (!picture.error().empty()) finish(program, now);
   }
 }

@@ -36,6 +36,7 @@ class Head {
   void take(const ArrayChecked& checked);
   void take(const PagesMade& made, double now);
   void take(int rank, const TracedTile& tile, double now);
+  void take(int rank, const FilmTile& tile, double now);
   void take(int rank, const Finished& result, double now);
   void take(int rank, const Alive& alive, double now);
   void takeCaughtUp(int rank, double now) { states_.heard(rank, now); }
@@ -46,6 +47,7 @@ class Head {
   size_t programs() const { return programs_.size(); }
 
  private:
+  static constexpr int kCoordinator = 0;  // the rank that orders broadcasts
   struct Holders {
     int programs = 0;
     uint64_t bytes = 0;
@@ -74,7 +76,17 @@ class Head {
   /// Starts the picture once the share that is this rank's is known.
   void gather(ProgramSide& program, double now);
   void start(ProgramSide& program, bool averages, double now);
-  TraceOrder orderOf(const ProgramSide& program, bool averages);
+  TraceOrder orderOf(ProgramSide& program, bool averages);
+  static Picture::Kind kindOf(const ProgramSide& program);
+  static FilmOrder filmOrderOf(ProgramSide& program);
+  /// Hands out what can be done once tiles have come, or their ranks are gone.
+  void goOn(ProgramSide& program, double now);
+  /// A moving picture has been collected: ranks colour its tiles.
+  void giveFilm(ProgramSide& program, double now);
+  void broadcastFilm(ProgramSide& program, const Array& film);
+  void forgetFilm(ProgramSide& program);
+  /// Traces the picture anew, by this rank alone.
+  void traceAlone(ProgramSide& program, double now);
   void giveTiles(ProgramSide& program);
   void giveTiles(Picture& picture, int rank);
   void end(ProgramSide& program);

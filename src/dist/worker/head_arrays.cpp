@@ -2,11 +2,6 @@
 #include "dist/worker/head.h"
 
 namespace gluray::dist {
-namespace {
-
-constexpr int kCoordinator = 0;  // the rank that orders broadcasts
-
-}  // namespace
 
 void Head::takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory) {
   if (program.arrays.contains(array.name)) return;

@@ -35,6 +35,11 @@ void Member::take(int head, const MoreTiles& tiles) {
     found->second->add(tiles.tiles);
 }
 
+void Member::take(int head, FilmComes film) {
+  if (const auto found = queues_.find({head, film.id}); found != queues_.end())
+    found->second->filmComes(std::move(film));
+}
+
 void Member::take(int head, const EndOfPicture& end) {
   const auto found = queues_.find({head, end.id});
   if (found == queues_.end()) return;

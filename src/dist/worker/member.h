@@ -25,6 +25,7 @@ class Member {
 
   void take(int head, TraceOrder order, double now);
   void take(int head, const MoreTiles& tiles);
+  void take(int head, FilmComes film);
   void take(int head, const EndOfPicture& end);
   void take(int head, const Forget& forget);
   /// As the rank that orders broadcasts.

@@ -31,12 +31,12 @@ size_t Picture::tilesOf(const TraceRequest& request) {
 }
 
 Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
-                 const std::vector<float>& costs, bool paged, double now)
+                 const std::vector<float>& costs, Kind kind, double now)
     : id_(id),
       programId_(request.id),
       averages_(averages),
       layered_(request.layered),
-      slowAfter_(paged ? kSlowInPages : kSlow),
+      slowAfter_(kind == Kind::paged ? kSlowInPages : kSlow),
       width_(request.width),
       height_(request.height),
       start_(now),
@@ -46,7 +46,9 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
       asked_(hereOf(ranks.tracers(!request.shared))),
       here_(asked_),
       ended_(here_.size()),
-      lastResult_(here_.size(), now) {}
+      lastResult_(here_.size(), now) {
+  if (kind == Kind::moving) film_.emplace(width_, height_);
+}
 
 void Picture::take(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now) {
   grew = false;
@@ -59,11 +61,28 @@ void Picture::take(int rank, const TracedTile& tile, WrittenMemory& memory, bool
   if (tile.shape != *shape_) throw Malformed("a tile of another picture");
   lastResult_[static_cast<size_t>(rank)] = now;
   shares_.resume(rank);
-  if (!shares_.finish(tile.tile)) return;
+  const bool isColored = film_ && film_->isAwaited(rank, tile.tile);
+  if (!isColored && !shares_.finish(tile.tile)) return;
   unpackTile(tile.pixels, *shape_, planesIn(memory.at.get(), *shape_),
              dist::tilesOf(width_, height_).at(tile.tile));
-  costs_[static_cast<size_t>(tile.tile)] = std::max(tile.seconds, 1e-6f);
+  if (isColored) film_->setColored(tile.tile);
+  float& cost = costs_[static_cast<size_t>(tile.tile)];
+  cost = std::max(tile.seconds + (isColored ? cost : 0), 1e-6f);
   seenThrough_ = seenThrough_ || tile.seenThrough;
+}
+
+void Picture::take(int rank, const FilmTile& tile, double now) {
+  if (!film_) throw Malformed("the picture has no film");
+  lastResult_[static_cast<size_t>(rank)] = now;
+  shares_.resume(rank);
+  if (!film_->take(rank, tile)) return;
+  shares_.finish(tile.tile);
+  costs_[static_cast<size_t>(tile.tile)] = std::max(tile.seconds, 1e-6f);
+}
+
+Array Picture::giveFilm(double now) {
+  lastResult_.assign(lastResult_.size(), now);
+  return film_->give();
 }
 
 void Picture::finished(int rank, const Finished& result) {
@@ -81,11 +100,24 @@ void Picture::finished(int rank, const Finished& result) {
 void Picture::drop(int rank) {
   shares_.drop(rank);
   here_[static_cast<size_t>(rank)] = false;
+  lost_ = lost_ || (film_ && film_->isAwaited(rank));
   // Its numbers of layers are lost.
   if (layered_) error_ = "a rank of the job is gone";
 }
 
+/// Of a moving picture whose tiles are being coloured: others cannot take them over.
+std::vector<int> Picture::dropSlow(double now) {
+  std::vector<int> slow;
+  for (int rank = 0; rank < static_cast<int>(here_.size()); ++rank)
+    if (rank != self_ && takesPart(rank) && film_->isAwaited(rank) &&
+        now - lastResult_[static_cast<size_t>(rank)] > slowAfter_)
+      slow.push_back(rank);
+  for (const int rank : slow) drop(rank);
+  return slow;
+}
+
 std::vector<int> Picture::passOnSlow(double now) {
+  if (hasFilm()) return dropSlow(now);
   bool idle = false;
   for (size_t rank = 0; rank < here_.size(); ++rank) idle = idle || shares_.isIdle(static_cast<int>(rank));
   // Numbers of layers are those of all that ranks have traced: nothing may be traced twice.
@@ -101,7 +133,7 @@ std::vector<int> Picture::passOnSlow(double now) {
 }
 
 bool Picture::isDone() const {
-  if (!shares_.done()) return false;
+  if (!isTraced()) return false;
   for (size_t rank = 0; rank < here_.size(); ++rank)
     if (here_[rank] && !ended_[rank] && (layered_ || static_cast<int>(rank) == self_)) return false;
   return true;

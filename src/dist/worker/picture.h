@@ -5,6 +5,7 @@
 #include "dist/messages/program_messages.h"
 #include "dist/messages/rank_messages.h"
 #include "dist/shares/tile_shares.h"
+#include "dist/worker/film_parts.h"
 #include "dist/worker/rank_states.h"
 
 #include <optional>
@@ -15,10 +16,15 @@ namespace gluray::dist {
 
 class Picture {
  public:
-  /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown. `paged`: the
-  /// geometry is in pages.
+  /// How its tiles come.
+  enum class Kind {
+    plain,
+    paged,   // the geometry is in pages
+    moving,  // first onto the film, then with their colours, from the same rank
+  };
+  /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown.
   Picture(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
-          const std::vector<float>& costs, bool paged, double now);
+          const std::vector<float>& costs, Kind kind, double now);
 
   uint64_t id() const { return id_; }
   bool averages() const { return averages_; }
@@ -32,15 +38,26 @@ class Picture {
   /// Puts the tile into `memory`, which it makes large enough (`grew`). Throws Malformed where the tile does
   /// not fit the picture; std::system_error.
   void take(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now);
+  /// The same of a moving picture's film.
+  void take(int rank, const FilmTile& tile, double now);
   void finished(int rank, const Finished& result);
   void drop(int rank);
+  bool isMoving() const { return film_.has_value(); }
+  /// Hits of a moving picture are lost: it must be traced anew.
+  bool isLost() const { return lost_; }
+  /// Whether all tiles of a moving picture have been collected and the ranks do not have the film yet.
+  bool isCollected() const { return film_ && shares_.done() && !film_->isColored() && !film_->isGiven(); }
+  /// The film, for the ranks.
+  Array giveFilm(double now);
+  bool hasFilm() const { return film_ && film_->isGiven(); }
+  std::vector<int32_t> toColor(int rank) const { return film_->tilesOf(rank); }
   /// Others take over what ranks have had for long without a result, once nothing else is left. Returns these
   /// ranks.
   std::vector<int> passOnSlow(double now);
 
   /// Averages cannot be composited: the picture must be traced anew without them.
   bool isSeenThrough() const { return seenThrough_; }
-  bool isTraced() const { return shares_.done(); }
+  bool isTraced() const { return shares_.done() && (!film_ || film_->isColored()); }
   /// Whether all that the program gets has come.
   bool isDone() const;
   /// Why it cannot be done; empty: it can.
@@ -52,6 +69,7 @@ class Picture {
 
  private:
   static size_t tilesOf(const TraceRequest& request);
+  std::vector<int> dropSlow(double now);
 
   const uint64_t id_, programId_;
   const bool averages_, layered_;
@@ -61,6 +79,8 @@ class Picture {
   const int self_;  // whose figures stand for the picture's
   std::vector<float> costs_;
   TileShares shares_;
+  std::optional<FilmParts> film_;  // of moving pictures
+  bool lost_ = false;
   const std::vector<bool> asked_;
   std::vector<bool> here_, ended_;
   std::vector<double> lastResult_;

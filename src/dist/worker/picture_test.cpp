@@ -25,10 +25,10 @@ class PictureOfASlowRank : public testing::Test {
         picture.take(0, traced, memory_, grew, now);
       }
   }
-  Picture started(bool paged) {
+  Picture started(Picture::Kind kind) {
     TraceRequest request;
     request.width = request.height = kSize;
-    Picture picture(request, 1, false, RankStates(2, 0, 1), {}, paged, 0);
+    Picture picture(request, 1, false, RankStates(2, 0, 1), {}, kind, 0);
     EXPECT_FALSE(picture.more(1).empty());
     trace(picture, 0.1);
     EXPECT_FALSE(picture.isTraced());
@@ -38,7 +38,7 @@ class PictureOfASlowRank : public testing::Test {
 };
 
 TEST_F(PictureOfASlowRank, PassesItsTilesOn) {
-  Picture picture = started(false);
+  Picture picture = started(Picture::Kind::plain);
   EXPECT_TRUE(picture.passOnSlow(0.4).empty());
   EXPECT_EQ(picture.passOnSlow(0.6), std::vector{1});
   trace(picture, 0.6);
@@ -46,7 +46,7 @@ TEST_F(PictureOfASlowRank, PassesItsTilesOn) {
 }
 
 TEST_F(PictureOfASlowRank, LeavesItTimeToFetchPages) {
-  Picture picture = started(true);
+  Picture picture = started(Picture::Kind::paged);
   EXPECT_TRUE(picture.passOnSlow(4.9).empty());
   EXPECT_EQ(picture.passOnSlow(5.1), std::vector{1});
   trace(picture, 5.1);

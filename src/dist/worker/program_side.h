@@ -5,6 +5,7 @@
 #include "dist/local/sealed_memory.h"
 #include "dist/messages/program_messages.h"
 #include "dist/worker/picture.h"
+#include "frame/pace.h"
 
 #include <atomic>
 #include <map>
@@ -57,6 +58,12 @@ class ProgramSide {
   std::optional<Picture> picture;
   WrittenMemory memory;
   std::map<uint64_t, std::vector<float>> costs;  // of tiles, by view
+  struct Animation {
+    frame::Pace pace;
+    uint32_t frames = 0;
+  };
+  std::map<uint64_t, Animation> animations;  // by view
+  std::optional<Hash128> film;               // array of the moving picture that is at work
   double saidAtWork = 0;
 
  private:

@@ -1,8 +1,7 @@
 #include "dist/worker/tile_queue.h"
 
-#include "dist/messages/rank_messages.h"
-
 #include <new>
+#include <utility>
 
 namespace gluray::dist {
 
@@ -22,14 +21,37 @@ void TileQueue::close() {
   more_.notify_all();
 }
 
+void TileQueue::filmComes(FilmComes comes) {
+  {
+    const std::lock_guard lock(mutex_);
+    film_ = std::move(comes);
+  }
+  more_.notify_all();
+}
+
+std::optional<FilmComes> TileQueue::waitForFilm() {
+  std::unique_lock lock(mutex_);
+  more_.wait(lock, [&] { return closed_ || film_; });
+  if (closed_) return std::nullopt;
+  return film_;
+}
+
+void TileQueue::collected(const render::FactorFilm& film, int tile, double seconds) noexcept {
+  try {
+    FilmTile collected{id_, shapeOf(film), tile, static_cast<float>(seconds), {}};
+    collected.film = packFilm(film, render::Tiles(*image_, render::kTileSize).at(tile));
+    outbox_.push(head_, forRanks(collected));
+  } catch (const std::bad_alloc&) {}  // the head gives the tile to another rank
+}
+
 int TileQueue::next() noexcept {
   std::unique_lock lock(mutex_);
   const int count = image_ ? render::Tiles(*image_, render::kTileSize).columns *
                                  render::Tiles(*image_, render::kTileSize).rows
                            : 0;
   for (;;) {
-    more_.wait(lock, [&] { return closed_ || !tiles_.empty(); });
-    if (closed_) return -1;
+    more_.wait(lock, [&] { return closed_ || film_ || !tiles_.empty(); });
+    if (closed_ || film_) return -1;
     const int tile = tiles_.front();
     tiles_.pop_front();
     if (tile >= 0 && tile < count) return tile;  // the head may be mistaken

@@ -1,5 +1,6 @@
 // The tiles that a head has given this rank of one picture, and the way of the traced ones back. Any thread.
 #pragma once
+#include "dist/messages/rank_messages.h"
 #include "dist/worker/outbox.h"
 #include "render/tiles.h"
 
@@ -8,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace gluray::dist {
@@ -21,6 +23,13 @@ class TileQueue final : public render::TileSource {
   /// Threads that wait for tiles end.
   void close();
   bool isClosed() const { return closed_.load(std::memory_order_relaxed); }
+
+  /// Of a moving frame: no tiles come any more.
+  void filmComes(FilmComes comes);
+  /// Waits until it comes. Nothing: the queue has been closed.
+  std::optional<FilmComes> waitForFilm();
+  /// Sends the tile of a moving frame.
+  void collected(const render::FactorFilm& film, int tile, double seconds) noexcept;
 
   void begin(const Image& image) noexcept override { image_ = &image; }
   int next() noexcept override;
@@ -36,6 +45,7 @@ class TileQueue final : public render::TileSource {
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<int32_t> tiles_;
+  std::optional<FilmComes> film_;
   std::atomic<bool> closed_{false};
 };
 

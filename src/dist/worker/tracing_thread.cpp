@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "dist/gather/merged.h"
 #include "dist/pages/paged_tiles.h"
+#include "dist/worker/film_tiles.h"
 
 #include <exception>
 #include <utility>
@@ -98,11 +99,19 @@ void TracingThread::send(const Task& task, Finished& result) {
 }
 
 void TracingThread::render(const Task& task, const scene::Snapshot& snapshot, Finished& result) {
+  if (task.order.film.moving) return renderMoving(task, snapshot, result);
   if (!pages_) return renderHere(task, snapshot, *task.tiles, result);
   pages_->begin([&] { return task.tiles->isClosed(); });
   PagedTiles tiles(*task.tiles, *pages_);
   renderHere(task, snapshot, tiles, result);
   if (const std::string why = pages_->end(); result.error.empty()) result.error = why;
+}
+
+void TracingThread::renderMoving(const Task& task, const scene::Snapshot& snapshot, Finished& result) {
+  const FilmOrder& order = task.order.film;
+  FilmTiles tiles(*task.tiles, store_, order.index);
+  renderer_.renderMoving(snapshot, image_, result.cost, result.error, tiles, task.order.averages,
+                         {order.raysOfPixel, order.quarter});
 }
 
 void TracingThread::renderHere(const Task& task, const scene::Snapshot& snapshot, render::TileSource& tiles,

@@ -42,6 +42,7 @@ class TracingThread {
   void render(const Task& task, const scene::Snapshot& snapshot, Finished& result);
   void renderHere(const Task& task, const scene::Snapshot& snapshot, render::TileSource& tiles,
                   Finished& result);
+  void renderMoving(const Task& task, const scene::Snapshot& snapshot, Finished& result);
   void send(const Task& task, Finished& result);
 
   ArrayStore& store_;

@@ -95,6 +95,8 @@ void Worker::handle(const RankMessage& message, double now) {
       case Forget::kType: return member_.take(from, as(Forget{}));
       case TraceOrder::kType: return member_.take(from, as(TraceOrder{}), now);
       case MoreTiles::kType: return member_.take(from, as(MoreTiles{}));
+      case FilmComes::kType: return member_.take(from, as(FilmComes{}));
+      case FilmTile::kType: return head_.take(from, as(FilmTile{}), now);
       case EndOfPicture::kType: return member_.take(from, as(EndOfPicture{}));
       case TracedTile::kType: return head_.take(from, as(TracedTile{}), now);
       case CaughtUp::kType: as(CaughtUp{}); return head_.takeCaughtUp(from, now);

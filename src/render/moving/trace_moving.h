@@ -10,8 +10,11 @@ namespace gluray::render {
 /// nearest hit each, so that factors can be smoothed.
 bool isMoving(const FrameData&);
 
+class FilmSource;
+
 /// Traces all factors, smooths them, and then colours the hits. `kept`: what earlier frames left; null:
-/// nothing. False, with nothing traced, if the settings ask for no factors or there is no memory.
-bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&);
+/// nothing. `source`: hands out the tiles; null: this process traces all of them. False, with nothing traced,
+/// if the settings ask for no factors or there is no memory.
+bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&, FilmSource* source);
 
 }  // namespace gluray::render
