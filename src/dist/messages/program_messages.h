@@ -39,7 +39,6 @@ struct TraceRequest {
   uint64_t id = 0;    // rises
   uint64_t view = 0;  // Snapshot::view
   int32_t width = 0, height = 0;
-  bool shared = true;       // whether ranks may share it tile by tile
   bool moving = false;      // a frame of an animation with light
   float fps = 24;           // frames a second that such frames aim at
   bool layered = false;     // Snapshot::layers is there
@@ -114,10 +113,10 @@ void fields(auto& archive, Like<ViewName> auto& value) {
   archive(frame, viewport);
 }
 void fields(auto& archive, Like<TraceRequest> auto& value) {
-  auto& [id, view, width, height, shared, moving, fps, layered, meetsPeers, shown, gathers, part, number,
-         arrays, missColor, wanted, snapshot] = value;
-  archive(id, view, width, height, shared, moving, fps, layered, meetsPeers, shown, gathers, part, number,
-          arrays, missColor, wanted, snapshot);
+  auto& [id, view, width, height, moving, fps, layered, meetsPeers, shown, gathers, part, number, arrays,
+         missColor, wanted, snapshot] = value;
+  archive(id, view, width, height, moving, fps, layered, meetsPeers, shown, gathers, part, number, arrays,
+          missColor, wanted, snapshot);
 }
 void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;

@@ -140,8 +140,9 @@ void Head::gather(ProgramSide& program, double now) {
 TraceOrder Head::orderOf(ProgramSide& program, bool averages) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   TraceOrder order;
-  order.id = lastPicture_, order.averages = averages, order.shared = request.shared;
-  if (program.picture->isMoving()) order.film = filmOrderOf(program);
+  order.id = lastPicture_, order.averages = averages;
+  order.shared = program.picture->kind() != Picture::Kind::alone;
+  if (program.picture->kind() == Picture::Kind::moving) order.film = filmOrderOf(program);
   order.meetsPeers = request.meetsPeers && program.share == Share::own;
   order.empty = program.share == Share::nothing;
   order.missColor = request.missColor;
@@ -157,13 +158,13 @@ TraceOrder Head::orderOf(ProgramSide& program, bool averages) {
 }
 
 void Head::start(ProgramSide& program, bool averages, double now) {
-  // One rank smooths the light of animations by itself, without a film for others.
-  const bool isAlone = program.request->moving && !program.paged && ranks_.size() == 1;
-  if (!program.isWhole() || isAlone) program.request->shared = false;
+  start(program, kindOf(program), averages, now);
+}
+
+void Head::start(ProgramSide& program, Picture::Kind kind, bool averages, double now) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   if (program.costs.size() > kMostViews) program.costs.clear(), program.animations.clear();
-  program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view],
-                          kindOf(program), now);
+  program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], kind, now);
   const Picture& picture = *program.picture;
   const TraceOrder order = orderOf(program, averages);
   // What is not here yet may be missed by the next picture, too, if this one is cancelled.

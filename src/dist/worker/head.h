@@ -76,8 +76,9 @@ class Head {
   /// Starts the picture once the share that is this rank's is known.
   void gather(ProgramSide& program, double now);
   void start(ProgramSide& program, bool averages, double now);
+  void start(ProgramSide& program, Picture::Kind kind, bool averages, double now);
   TraceOrder orderOf(ProgramSide& program, bool averages);
-  static Picture::Kind kindOf(const ProgramSide& program);
+  Picture::Kind kindOf(const ProgramSide& program) const;
   static FilmOrder filmOrderOf(ProgramSide& program);
   /// Hands out what can be done once tiles have come, or their ranks are gone.
   void goOn(ProgramSide& program, double now);

@@ -3,10 +3,13 @@
 
 namespace gluray::dist {
 
-Picture::Kind Head::kindOf(const ProgramSide& program) {
-  if (!program.isWhole()) return Picture::Kind::plain;
+Picture::Kind Head::kindOf(const ProgramSide& program) const {
+  if (!program.isWhole()) return Picture::Kind::alone;
+  // What earlier frames know is of no use where pages come and go.
   if (program.paged) return Picture::Kind::paged;
-  return program.request->moving && program.request->shared ? Picture::Kind::moving : Picture::Kind::plain;
+  if (!program.request->moving) return Picture::Kind::shared;
+  // One rank needs no film for others.
+  return ranks_.size() == 1 ? Picture::Kind::alone : Picture::Kind::moving;
 }
 
 FilmOrder Head::filmOrderOf(ProgramSide& program) {
@@ -70,8 +73,7 @@ void Head::forgetFilm(ProgramSide& program) {
 void Head::traceAlone(ProgramSide& program, double now) {
   const bool averages = program.picture->averages();
   end(program);
-  program.request->shared = false;
-  start(program, averages, now);
+  start(program, Picture::Kind::alone, averages, now);
 }
 
 }  // namespace gluray::dist

@@ -60,7 +60,6 @@ void Head::take(const PagesMade& made, double now) {
   }
   program.paged = program.request;
   program.paged->snapshot = made.snapshot, program.paged->arrays = made.arrays;
-  program.paged->shared = true;  // what earlier frames know is of no use where pages come and go
   spreadOnly(program, made.arrays);
   askNow(program, now);
 }

@@ -34,6 +34,7 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
                  const std::vector<float>& costs, Kind kind, double now)
     : id_(id),
       programId_(request.id),
+      kind_(kind),
       averages_(averages),
       layered_(request.layered),
       slowAfter_(kind == Kind::paged ? kSlowInPages : kSlow),
@@ -42,8 +43,8 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
       start_(now),
       self_(ranks.self()),
       costs_(knownCosts(costs, tilesOf(request))),
-      shares_(costs_, request.wanted.empty() ? nullptr : &request.wanted, ranks.tracers(!request.shared)),
-      asked_(hereOf(ranks.tracers(!request.shared))),
+      shares_(costs_, request.wanted.empty() ? nullptr : &request.wanted, ranks.tracers(kind == Kind::alone)),
+      asked_(hereOf(ranks.tracers(kind == Kind::alone))),
       here_(asked_),
       ended_(here_.size()),
       lastResult_(here_.size(), now) {

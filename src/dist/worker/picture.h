@@ -18,7 +18,8 @@ class Picture {
  public:
   /// How its tiles come.
   enum class Kind {
-    plain,
+    alone,  // all from this rank
+    shared,
     paged,   // the geometry is in pages
     moving,  // first onto the film, then with their colours, from the same rank
   };
@@ -27,6 +28,7 @@ class Picture {
           const std::vector<float>& costs, Kind kind, double now);
 
   uint64_t id() const { return id_; }
+  Kind kind() const { return kind_; }
   bool averages() const { return averages_; }
   bool takesPart(int rank) const { return here_[static_cast<size_t>(rank)]; }
   /// Whether the rank took part in the beginning.
@@ -42,7 +44,6 @@ class Picture {
   void take(int rank, const FilmTile& tile, double now);
   void finished(int rank, const Finished& result);
   void drop(int rank);
-  bool isMoving() const { return film_.has_value(); }
   /// Hits of a moving picture are lost: it must be traced anew.
   bool isLost() const { return lost_; }
   /// Whether all tiles of a moving picture have been collected and the ranks do not have the film yet.
@@ -72,6 +73,7 @@ class Picture {
   std::vector<int> dropSlow(double now);
 
   const uint64_t id_, programId_;
+  const Kind kind_;
   const bool averages_, layered_;
   const double slowAfter_;  // seconds
   const int width_, height_;

@@ -38,7 +38,7 @@ class PictureOfASlowRank : public testing::Test {
 };
 
 TEST_F(PictureOfASlowRank, PassesItsTilesOn) {
-  Picture picture = started(Picture::Kind::plain);
+  Picture picture = started(Picture::Kind::shared);
   EXPECT_TRUE(picture.passOnSlow(0.4).empty());
   EXPECT_EQ(picture.passOnSlow(0.6), std::vector{1});
   trace(picture, 0.6);
