@@ -31,21 +31,48 @@ struct PbrSurface {
   bool operator==(const PbrSurface&) const = default;
 };
 
+/// Colours by a coordinate of the point in object space: each channel is the power `exponent` of scale times
+/// (coordinate + offset), clamped to [0, 1]. Where an exponent is not 1, the base must not be negative.
+struct HeightColors {
+  int axis = 2;
+  glm::vec3 scale{1}, offset{0}, exponent{1};
+  bool operator==(const HeightColors&) const = default;
+};
+
+/// Colours mixed with another one towards silhouettes: its weight is x^2 + y^2 of the normal, to a power
+/// above 0.
+struct Rim {
+  bool on = false;
+  glm::vec3 color{1};
+  float exponent = 1;
+  bool operator==(const Rim&) const = default;
+};
+
 struct FragmentShading {
   enum class Model : uint8_t { off, unlit, phong, pbr };  // off: OpenGL's fixed function
   enum class Specular : uint8_t { reflect, half };
   enum class Normals : uint8_t { vertices, triangles, perTriangle };
-  enum class Color : uint8_t { material, vertices, map, perTriangle };
+  enum class Color : uint8_t { material, vertices, map, perTriangle, height };
+  /// Where vertex normals are made unit length: after interpolation, before (in the program's eye space), or
+  /// both.
+  enum class UnitNormals : uint8_t { pixels, vertices, both };
 
   Model model = Model::off;
   Specular specular = Specular::reflect;
   Normals normals = Normals::vertices;
   Color color = Color::material;  // source of the factor of the material's ambient and diffuse colours
   bool colorIsDiffuseOnly = false;
-  bool flipBackFaces = false;  // back faces use the reversed normal
-  bool parallelView = false;   // triangle normals face +z instead of the viewer's position
-  bool backMaterial = false;   // back faces use MaterialPair::back
-  bool texturesOnBack = true;  // back faces are textured
+  HeightColors height;  // Color::height
+  UnitNormals unitNormals = UnitNormals::pixels;
+  bool normalColors = false;      // red, green and blue of `color` are half the vertex normal plus a half
+  Rim rim;                        // of colours, by the vertex normal
+  bool clampsColors = false;      // vertex colours are clamped to [0, 1] before they are interpolated
+  bool twoSidedLights = false;    // Phong: the diffuse cosine's absolute value counts
+  bool highlightsInDark = false;  // Phong: also where the diffuse cosine is not positive
+  bool flipBackFaces = false;     // back faces use the reversed normal
+  bool parallelView = false;      // triangle normals face +z instead of the viewer's position
+  bool backMaterial = false;      // back faces use MaterialPair::back
+  bool texturesOnBack = true;     // back faces are textured
   std::vector<FragmentLight> lights;
   std::vector<Texture> map;  // Color::map: one texture, sampled at the coordinates of unit 0; its matrix
                              // applies to s and t only

@@ -33,7 +33,9 @@ inline constexpr auto kLast<scene::FragmentShading::Specular> = scene::FragmentS
 template <>
 inline constexpr auto kLast<scene::FragmentShading::Normals> = scene::FragmentShading::Normals::perTriangle;
 template <>
-inline constexpr auto kLast<scene::FragmentShading::Color> = scene::FragmentShading::Color::perTriangle;
+inline constexpr auto kLast<scene::FragmentShading::Color> = scene::FragmentShading::Color::height;
+template <>
+inline constexpr auto kLast<scene::FragmentShading::UnitNormals> = scene::FragmentShading::UnitNormals::both;
 template <>
 inline constexpr auto kLast<scene::TextureTarget> = scene::TextureTarget::rectangle;
 template <>

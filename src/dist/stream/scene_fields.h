@@ -88,11 +88,21 @@ void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
   auto& [metallic, roughness, baseF0, edgeTint, emissive] = value;
   archive(metallic, roughness, baseF0, edgeTint, emissive);
 }
+void fields(auto& archive, Like<scene::HeightColors> auto& value) {
+  auto& [axis, scale, offset, exponent] = value;
+  archive(axis, scale, offset, exponent);
+}
+void fields(auto& archive, Like<scene::Rim> auto& value) {
+  auto& [on, color, exponent] = value;
+  archive(on, color, exponent);
+}
 void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
-  auto& [model, specular, normals, color, colorIsDiffuseOnly, flipBackFaces, parallelView, backMaterial,
+  auto& [model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
+         clampsColors, twoSidedLights, highlightsInDark, flipBackFaces, parallelView, backMaterial,
          texturesOnBack, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor] =
       value;
-  archive(model, specular, normals, color, colorIsDiffuseOnly, flipBackFaces, parallelView, backMaterial,
+  archive(model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
+          clampsColors, twoSidedLights, highlightsInDark, flipBackFaces, parallelView, backMaterial,
           texturesOnBack, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {

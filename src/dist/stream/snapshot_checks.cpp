@@ -68,6 +68,7 @@ void checkShadings(const std::vector<scene::Shading>& shadings) {
     require(shading.textures.size() <= scene::kTextureUnits, "there are too many textures");
     for (const scene::Texture& texture : shading.textures) checkTexture(texture);
     for (const scene::Texture& texture : shading.fragment.map) checkTexture(texture);
+    require(shading.fragment.height.axis >= 0 && shading.fragment.height.axis <= 2, "colours by no axis");
     require(shading.fragment.color != scene::FragmentShading::Color::map || !shading.fragment.map.empty(),
             "a map is missing");
   }

@@ -37,8 +37,10 @@ std::string hexOf(const glm::vec3& color) {
 
 bool hasVertexColors(const scene::Instance& instance, const scene::Shading& shading) {
   using Color = FragmentShading::Color;
+  const Color color = shading.fragment.color;
   if (scene::isProgram(shading))
-    return shading.fragment.color == Color::vertices || shading.fragment.color == Color::perTriangle;
+    return (color != Color::material && color != Color::map) || shading.fragment.normalColors ||
+           shading.fragment.rim.on;
   return instance.mesh->colors && (!shading.lighting || shading.colorMaterial != scene::ColorMaterial{});
 }
 

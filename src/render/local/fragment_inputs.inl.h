@@ -45,6 +45,24 @@ struct Fragment {
   Float edge;       // weight of the edge colour, 0 .. 1; only if edges are painted
 };
 
+HWY_ATTR inline void clampRows(Row (&corner)[3][4]) {
+  for (auto& rows : corner)
+    for (Row& row : rows)
+      for (int i = 0; i < kLanes; i += lanesOfVector()) store(clamp01(load(row + i)), row + i);
+}
+
+HWY_ATTR inline void loadHeightColors(const scene::HeightColors& of, const Group& group, Row (&out)[4]) {
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const auto at = [&](int k) HWY_ATTR { return load(group.position[k][of.axis] + i); };
+    const Float height = Weights(group, i)(at(0), at(1), at(2));
+    for (int c = 0; c < 3; ++c) {
+      Float v = clamp01(hn::Mul(splat(of.scale[c]), hn::Add(height, splat(of.offset[c]))));
+      if (of.exponent[c] != 1) v = power(v, splat(of.exponent[c]));
+      store(v, out[c] + i);
+    }
+  }
+}
+
 /// Colour and alpha of the lanes from a texture, the vertices or an array per triangle; ones if only the
 /// material has a colour.
 HWY_ATTR inline void loadBaseColor(const Surface& s, const Group& group, Row (&out)[4]) {
@@ -57,11 +75,15 @@ HWY_ATTR inline void loadBaseColor(const Surface& s, const Group& group, Row (&o
           scene::fetch(s.instance->triangleColors, s.instance->triangleOffset + group.primitive[i]);
       for (int k = 0; k < 4; ++k) out[k][i] = c[k];
     }
+  } else if (f.color == Color::height) {
+    loadHeightColors(f.height, group, out);
   } else if (f.color == Color::vertices && !s.colorsVary) {
-    fillRows<4>(s.instance->color, out);
+    const glm::vec4& color = s.instance->color;
+    fillRows<4>(f.clampsColors ? glm::clamp(color, 0.0f, 1.0f) : color, out);
   } else if (f.color == Color::vertices) {
     alignas(64) Row corner[3][4];
     for (int k = 0; k < 3; ++k) loadVec4(s.mesh->colors, group.vertex[k], corner[k]);
+    if (f.clampsColors) clampRows(corner);
     for (int i = 0; i < kLanes; i += lanesOfVector()) {
       const Weights weights(group, i);
       for (int c = 0; c < 4; ++c)
@@ -186,6 +208,20 @@ HWY_ATTR inline void loadNormals(const Surface& s, const Group& group, Row (&out
     const Weights weights(group, i);
     for (int c = 0; c < 3; ++c)
       store(weights(load(corner[0][c] + i), load(corner[1][c] + i), load(corner[2][c] + i)), out[c] + i);
+  }
+}
+
+/// Vertex normals that the vertex shader transforms and makes unit length, interpolated.
+HWY_ATTR inline void loadUnitNormals(const Surface& s, const Group& group, Row (&out)[3]) {
+  const glm::mat3& matrix = s.instance->normalMatrix;
+  if (!s.mesh->normals) return fillRows<3>(glm::normalize(matrix * s.instance->normal), out);
+  alignas(64) Row corner[3][3];
+  for (int k = 0; k < 3; ++k) loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], corner[k]);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Weights weights(group, i);
+    const auto at = [&](int k) HWY_ATTR { return unit(transform(matrix, load3(corner[k], i))); };
+    const Float3 n = weights(at(0), at(1), at(2));
+    store(n.x, out[0] + i), store(n.y, out[1] + i), store(n.z, out[2] + i);
   }
 }
 

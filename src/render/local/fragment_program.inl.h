@@ -61,12 +61,13 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
   for (size_t l = 0; l < f.lights.size(); ++l) {
     const scene::FragmentLight& light = f.lights[l];
     const Incoming in = arriving(light, lighting.coneCosines[l], at.position);
-    const Float cosine = hn::Max(zero, hn::Neg(dot(at.normal, in.direction)));
+    const Float facing = hn::Neg(dot(at.normal, in.direction));
+    const Float cosine = f.twoSidedLights ? hn::Abs(facing) : hn::Max(zero, facing);
     const Float3 color = seen.arriving(l, splat(light.color));
     diffuse = add(diffuse, scaled(color, seen.diffuse(l, hn::Mul(cosine, in.factor), at.normal)));
     if (!shines) continue;
     const Float shine = highlight(f, light, in.direction, at, cosine, m.shininess);
-    const auto lit = hn::Gt(hn::Mul(cosine, in.factor), zero);
+    const auto lit = hn::Gt(f.highlightsInDark ? in.factor : hn::Mul(cosine, in.factor), zero);
     specular = add(specular, scaled(color, hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
   }
   diffuse = seen.withDome(diffuse, splat(glm::vec3(1)), at.normal);
@@ -144,6 +145,17 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   return {encoded(sum.x), encoded(sum.y), encoded(sum.z)};
 }
 
+/// A colour for a normal: half of it plus a half.
+HWY_INLINE Float3 halfway(const Float3& n) {
+  const auto half = [](Float v) HWY_ATTR { return hn::MulAdd(v, splat(0.5f), splat(0.5f)); };
+  return {half(n.x), half(n.y), half(n.z)};
+}
+
+HWY_INLINE Float3 rimmed(const scene::Rim& rim, const Float3& n, const Float3& color) {
+  const Float weight = power(clamp01(hn::MulAdd(n.x, n.x, hn::Mul(n.y, n.y))), splat(rim.exponent));
+  return add(color, scaled(sub(splat(rim.color), color), weight));
+}
+
 /// Colours of the group from its fragment program, before textures; bit i of `back`: lane i shows its back
 /// face.
 template <class Seen>
@@ -162,12 +174,18 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
   alignas(64) Row edges;
   if (f.edges) edgeShares(frame, s, group, x, y, edges);
   const bool lit = f.model != Shading::Model::unlit, impostors = s.mesh->shape != scene::Shape::triangles;
-  if (lit && !impostors && f.normals != Shading::Normals::triangles) loadNormals(s, group, normals);
+  const bool unitVertices = f.unitNormals != Shading::UnitNormals::pixels;
+  if (unitVertices || f.normalColors || f.rim.on)
+    loadUnitNormals(s, group, normals);
+  else if (lit && !impostors && f.normals != Shading::Normals::triangles)
+    loadNormals(s, group, normals);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
     Fragment at;
     at.color = load3(base, i);
     if (impostors) at.color = scaled(at.color, load(group.fade + i));
+    if (f.normalColors) at.color = halfway(load3(normals, i));
+    if (f.rim.on) at.color = rimmed(f.rim, load3(normals, i), at.color);
     at.edge = f.edges ? load(edges + i) : splat(0);
     Float3 color;
     if (lit) {
@@ -180,7 +198,8 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
       } else if (f.normals == Shading::Normals::triangles) {
         at.normal = triangleNormal(s, group, i, at.position);
       } else {
-        at.normal = unit(transform(s.instance->normalMatrix, load3(normals, i)));
+        at.normal = unitVertices ? load3(normals, i) : transform(s.instance->normalMatrix, load3(normals, i));
+        if (f.unitNormals != Shading::UnitNormals::vertices) at.normal = unit(at.normal);
         if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
       }
       color =
