@@ -64,8 +64,9 @@ void recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
 }
 
-/// Traces the draw if triage allows it; otherwise returns why not.
-Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
+}  // namespace
+
+Reason traceFixedArrays(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
   Reason reason = c.triage.of(classOf(mode));
   if (reason == Reason::traced) reason = c.shadow.arrays.reason;
@@ -79,6 +80,16 @@ Reason traceDraw(Context& c, GLenum mode, const Elements& e) {
     return fine;
   });
 }
+
+void meetFixedArrays(Context& c, PrimitiveClass kind, GLenum mode, const Elements& e) {
+  c.shadow.refresh(kModelview);
+  if (!c.raster.mayMeet(kind)) return;
+  c.shadow.refresh(kFixedArrays);
+  if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced)
+    c.protect([&] { c.raster.meet(sampleTriangles(c.real, c.shadow.arrays, mode, e)); });
+}
+
+namespace {
 
 void draw(Context& c, GLenum mode, const Elements& e) {
   if (!validate(c, mode, e) || e.first < 0) return;  // elements before the array are undefined
@@ -108,11 +119,10 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   c.immediate.closeRunIfOpen();
   // Without a position array the draw may use the current position: the real OpenGL decides.
   const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
-  const Reason reason = known ? traceDraw(c, mode, e) : Reason::arrayState;
+  const Reason reason = known ? traceFixedArrays(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = kindOf(mode);
-  if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced && c.raster.mayMeet(kind))
-    c.protect([&] { c.raster.meet(sampleTriangles(c.real, c.shadow.arrays, mode, e)); });
+  meetFixedArrays(c, kind, mode, e);
   if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced &&
       c.raster.isPass(kind, reason))
     c.protect([&] { c.raster.remember(meshOf(c, c.shadow.arrays, mode, e)); });

@@ -4,6 +4,7 @@
 #include "gl/arrays/elements.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/draws/draw_kinds.h"
+#include "gl/draws/reasons.h"
 
 #include <GL/gl.h>
 
@@ -31,6 +32,13 @@ struct Load {
   uint64_t triangles;
 };
 Load loadOf(Context& c, GLenum mode, const Elements& elements);
+
+/// Traces a draw of fixed function's arrays if triage allows it; otherwise returns why not. Call
+/// refresh(kDrawGroups | kFixedArrays) before.
+Reason traceFixedArrays(Context& c, GLenum mode, const Elements& elements);
+/// Has the real OpenGL draw the depth of traced surfaces that a draw of fixed function's arrays coincides
+/// with, before it is rasterised.
+void meetFixedArrays(Context& c, PrimitiveClass kind, GLenum mode, const Elements& elements);
 
 /// Draws with the current shader program: traced if triage allows it, else rasterised.
 void drawByProgram(Context& c, GLenum mode, const Elements& elements);

@@ -40,6 +40,14 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   });
 }
 
+/// The same for a program whose vertices are those of fixed function's arrays.
+Reason traceBuiltInVertices(Context& c, GLenum mode, const Elements& e) {
+  c.shadow.refresh(kDrawGroups | kFixedArrays);
+  // Attribute 0 takes the place of gl_Vertex. Without a position array the current position may be used.
+  const bool plain = c.shadow.attributes.generic.empty() && c.shadow.arrays.vertex.enabled;
+  return plain && e.instances < 0 ? traceFixedArrays(c, mode, e) : Reason::arrayState;
+}
+
 }  // namespace
 
 void drawByProgram(Context& c, GLenum mode, const Elements& e) {
@@ -56,7 +64,8 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     c.protect([&] { held = c.layers.holdLater(mode, e); });
     if (held) return;
   }
-  const Reason reason = traceProgram(c, mode, e);
+  const bool builtIn = readsBuiltIns(c.shadow.state.program);
+  const Reason reason = builtIn ? traceBuiltInVertices(c, mode, e) : traceProgram(c, mode, e);
   if (reason == Reason::traced) return;
   if (reason == Reason::programPass) {
     bool done = false;
@@ -67,6 +76,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   if (c.surfaces.objects.asked()) [[unlikely]]
     c.protect([&] { c.surfaces.objects.placed(placesOf(c.shadow, e)); });
   c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
+  if (!c.info().core && mode <= GL_POLYGON) meetFixedArrays(c, load.kind, mode, e);
   c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
   c.raster.before(load.kind);
   c.shadow.sendBuffers();

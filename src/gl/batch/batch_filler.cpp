@@ -100,6 +100,7 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   BatchKey key = Batch::keyOf(p_.shadow.state);
   clampToTarget(key.region);
   if (mesh->triangleCount == 0) return;
+  if (p_.shadow.state.raster.program != 0) return addByProgram(key, mesh, slots);
   const bool layer = p_.triage.isLayer(*mesh, materials);
   if (layer) p_.layers.describe(key);
   if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
@@ -108,6 +109,21 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   if (!layer || key.blending.writesDepth)
     p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
                              p_.triage.isPushedBack());
+  settleFailure();
+}
+
+void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, SlotMask slots) {
+  if (!open(key)) return;
+  const ProgramState& program = p_.shadow.state.program;
+  scene::Instance instance = instanceOf(mesh, slots, {});
+  ProgramDraw kept = captureBuiltInDraw(p_.shadow.real, *program.known, program.uniforms, instance);
+  instance.materials = {program.material};
+  instance.normalMatrix = program.normalMatrix;
+  if (program.eyeFromObject) instance.lightingFromObject = glm::mat4(*program.eyeFromObject);
+  p_.flusher.batch.add(std::move(instance), program.shading);
+  p_.flusher.batch.keep(std::move(kept));
+  p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
+                           p_.triage.isPushedBack());
   settleFailure();
 }
 

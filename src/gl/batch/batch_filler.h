@@ -24,8 +24,8 @@ class BatchFiller {
   };
   explicit BatchFiller(const Parts& parts) : p_(parts) {}
 
-  /// Adds a mesh with the current fixed-function state. `slots`: attributes that its vertices have.
-  /// `materials`: those that its vertices select beside the current one.
+  /// Adds a mesh with the current fixed-function state, and the program in use, if there is one. `slots`:
+  /// attributes that its vertices have. `materials`: those that its vertices select beside the current one.
   void add(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
 
   /// Opens a batch for `key`, and flushes a pending one of another key. False: the draw covers no pixel.
@@ -51,6 +51,8 @@ class BatchFiller {
                              const std::vector<MaterialChange>& materials) const;
   scene::Shading shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const;
 
+  /// Adds a surface of the program in use, which takes fixed function's vertices.
+  void addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, SlotMask slots);
   void addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
                  const std::vector<MaterialChange>& materials);
 

@@ -211,6 +211,8 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
     return p_.shadow.real.Materialfv(face, pname, params);
   }
   if (refused) return p_.lists.misuse(GL_INVALID_VALUE);
+  // Programs have materials as uniforms, one for all vertices of a run.
+  if (open_ && !insideBegin() && p_.shadow.state.raster.program != 0) closeRun();
   if (!open_ && !p_.lists.compiling()) {
     p_.shadow.syncCurrent();
     p_.shadow.dirty |= kMaterial;

@@ -4,7 +4,10 @@
 #include "gl/draws/affine.h"
 #include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
+#include "gl/programs/program_draws.h"
 #include "gl/textures/texture_env.h"
+
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +27,18 @@ bool usesVertexAlpha(const scene::Shading& shading) {
     return m == scene::ColorMaterial::diffuse || m == scene::ColorMaterial::ambientAndDiffuse;
   };
   return !shading.lighting || uses(shading.colorMaterial.front) || uses(shading.colorMaterial.back);
+}
+
+/// Whether no power of a negative number is asked for, which is undefined.
+bool hasDefinedColors(const scene::Mesh& mesh, const ProgramState& program) {
+  if (program.shading.fragment.color != scene::FragmentShading::Color::height) return true;
+  const scene::HeightColors& height = program.shading.fragment.height;
+  const auto base = [&](int c, const glm::vec3& corner) {
+    return height.scale[c] * (corner[height.axis] + height.offset[c]);
+  };
+  for (int c = 0; c < 3; ++c)
+    if (height.exponent[c] != 1 && std::min(base(c, mesh.lower), base(c, mesh.upper)) < 0) return false;
+  return true;
 }
 
 bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material) {
@@ -49,17 +64,52 @@ Reason Triage::of(PrimitiveClass kind) const {
   const bool solid = drawsSolids(p_.shadow.settings, kind);
   if (kind == PrimitiveClass::points && !solid) return Reason::points;
   if (kind == PrimitiveClass::lines && !solid) return Reason::lines;
-  if (state.target.wideColors) return Reason::framebuffer;  // fixed function clamps colours to [0, 1]
+  // Fixed function clamps colours to [0, 1].
+  if (state.target.wideColors && state.raster.program == 0) return Reason::framebuffer;
   if (solid) {
     if (const Reason reason = solidReason(p_.shadow, kind); reason != Reason::traced) return reason;
   } else if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) {
     return state.raster.reason;
   }
-  if (state.raster.program != 0) return Reason::program;
+  if (state.raster.program != 0) return solid ? Reason::program : ofProgram();
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
   if (state.textureReason != Reason::traced) return state.textureReason;
   if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
   return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+}
+
+/// The program in use may be one that computes what a family describes from gl_Vertex and other inputs of
+/// fixed function. These are read anew for each draw.
+Reason Triage::ofProgram() const {
+  if (readsBuiltIns(p_.shadow.state.program)) p_.shadow.touch(kProgram);
+  p_.shadow.refresh(kProgram | kProgramTextures);
+  const State& state = p_.shadow.state;
+  const ProgramState& program = state.program;
+  if (!program.known || !readsBuiltIns(program)) {
+    const bool told = program.known && program.reason != Reason::traced;
+    return told ? program.reason : Reason::program;
+  }
+  if (program.reason != Reason::traced) return program.reason;
+  if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  // Only where alpha is clamped to 1 it is that of the colour.
+  if (state.target.wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
+  if (!state.clipPlanes.empty()) return Reason::program;
+  if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
+  return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+}
+
+bool Triage::isOpaqueByProgram(const scene::Mesh& mesh) const {
+  p_.shadow.state.program.color = glm::make_vec4(p_.shadow.current[kColor]);
+  return drawsOpaque(p_.shadow.state.program, mesh);
+}
+
+Reason Triage::ofProgramsMesh(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
+  const State& state = p_.shadow.state;
+  if (!materials.empty()) return Reason::program;  // programs see them as uniforms
+  if (!hasDefinedColors(mesh, state.program)) return Reason::programValue;
+  if (isOpaqueByProgram(mesh)) return Reason::traced;
+  return state.program.known->family->opaqueColors ? Reason::programValue : state.raster.unlessOpaque;
 }
 
 Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
@@ -93,6 +143,7 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
       surfaces.passes.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
     return Reason::passes;
   if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
+  if (state.raster.program != 0) return ofProgramsMesh(*known.mesh, materials);
   if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
     return Reason::traced;
   if (isOpaque(*known.mesh, materials)) return Reason::traced;
@@ -121,7 +172,7 @@ SurfacePlace Triage::placeOf(const glm::dmat4& clipFromObject, scene::PolygonOff
 
 bool Triage::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
   const RasterState& raster = p_.shadow.state.raster;
-  if (scene::isSolid(mesh.shape)) return false;
+  if (scene::isSolid(mesh.shape) || raster.program != 0) return false;
   return raster.reason != Reason::traced ||
          (raster.unlessOpaque != Reason::traced && !isOpaque(mesh, materials));
 }

@@ -33,10 +33,10 @@ class Triage {
   /// Why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer), or
   /// Reason::traced.
   Reason ofContext() const;
-  /// Why a fixed-function draw of this primitive class cannot be traced now, or Reason::traced. Call
-  /// refresh(kDrawGroups) before.
+  /// Why a draw of fixed function's vertices, by fixed function or by a program, cannot be traced now, if it
+  /// is of this primitive class, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason of(PrimitiveClass kind) const;
-  /// The same for a fixed-function surface with this mesh, after of(kind).
+  /// The same for a surface with this mesh, after of(kind).
   Reason of(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether a surface that can be traced is a layer, blended in drawing order (LayerDraws::mayBeDrawn()).
   bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
@@ -49,6 +49,9 @@ class Triage {
   SurfacePlace placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;
 
  private:
+  Reason ofProgram() const;
+  bool isOpaqueByProgram(const scene::Mesh& mesh) const;
+  Reason ofProgramsMesh(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
   Reason whereEverythingIsTraced(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
   Reason ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
   bool isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;

@@ -15,6 +15,8 @@ class CodeReader : FamilyTable {
     std::vector<std::string> written;
     text("name", name), text("statements", statements), text("blocks", blocks), text("note", note);
     texts("written", written);
+    bool complete = false;
+    flag("complete", complete);
     if (name.empty()) fail(here(), "code needs a name");
     if (name == "any") fail(at("name"), "code cannot be named \"any\"");
     allKnown();
@@ -24,6 +26,7 @@ class CodeReader : FamilyTable {
     for (const std::string& variable : written) section.addWritten(variable);
     if (before == 0 && section.size() == 0) fail(here(), "code \"" + name + "\" needs statements or blocks");
     if (section.note.empty()) section.note = note;
+    section.complete = section.complete || complete;
   }
 
  private:

@@ -3,6 +3,7 @@
 // Files: spec/programs/*.toml (built in) and those of --program-families; format: docs/program-families.md.
 #pragma once
 #include "gl/families/known_code.h"
+#include "scene/fragment_shading.h"
 #include "scene/impostors.h"
 #include "scene/mesh.h"
 
@@ -28,6 +29,7 @@ struct FamilyValue {
 struct FamilyMaterial {
   FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity,
       specularColor;
+  FamilyValue emission;  // added to ambient light; only without colours from elsewhere
   FamilyValue shininess, opacity;
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
@@ -39,12 +41,14 @@ struct FamilyLights {
   enum class Headlight { infinite, viewer };
   std::string count;  // number of lights that are on; empty: all
   std::string color;
-  std::string direction;      // eye space, from the light to the surface
+  FamilyValue direction;      // eye space, from the light to the surface
   bool towardsLight = false;  // `direction` points from the surface to the light
   std::string position;       // eye space
   std::string positional;     // not 0: the light has a position; 0: only a direction
   std::string attenuation, coneAngle, exponent;
   Headlight headlight = Headlight::infinite;
+  bool twoSided = false;          // lights shine on both sides of surfaces
+  bool highlightsInDark = false;  // also where the diffuse cosine is negative
 };
 
 struct FamilyPbr {
@@ -76,6 +80,13 @@ using Alternatives = std::map<std::string, std::vector<std::string>, std::less<>
 /// none for the identity matrix.
 using NeutralValues = std::map<std::string, std::vector<float>, std::less<>>;
 
+/// Colours by a coordinate in object space (scene::HeightColors); not given: scale[0] is not.
+struct FamilyHeight {
+  int axis = 2;
+  FamilyValue scale[3], offset[3], exponent[3];
+  bool given() const { return scale[0].given(); }
+};
+
 struct Family {
   enum class Model { unlit, phong, pbr };
   /// The cosine that the highlight's exponent is applied to: between reflected ray and viewer, or between
@@ -103,16 +114,22 @@ struct Family {
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
-  std::string parallelView;    // uniform, not 0: the viewer is at infinity (for triangle normals)
+  scene::FragmentShading::UnitNormals unitNormals = scene::FragmentShading::UnitNormals::pixels;
+  std::string parallelView;  // uniform, not 0: the viewer is at infinity (for triangle normals)
 
   std::string colorMap;        // sampler: its colour at the texture coordinate is the surface's
   std::string mapTexcoord;     // attribute: the map's own texture coordinate; empty: `texcoord`
   std::string texcoordMatrix;  // uniform, applied to all texture coordinates before they are interpolated
   std::string triangleColors;  // buffer sampler: one colour per triangle
   std::string triangleNormals;
-  std::string triangleOffset;         // uniform, added to the triangle's number
-  std::string uniformColors;          // uniform; not 0: the material's colours replace all others
-  bool colorIsDiffuseOnly = false;    // false: the colour replaces the ambient colour, too
+  std::string triangleOffset;       // uniform, added to the triangle's number
+  std::string uniformColors;        // uniform; not 0: the material's colours replace all others
+  bool colorIsDiffuseOnly = false;  // false: the colour replaces the ambient colour, too
+  FamilyHeight height;
+  FamilyValue rimColor, rimExponent;  // scene::Rim; none without a colour
+  bool normalColors = false;          // red, green and blue are half the normal plus a half
+  bool clampedColors = false;         // vertex colours are clamped to [0, 1]
+  bool opaqueColors = false;          // describes draws whose vertex colours are opaque, no others
   std::string texturesOnBack;         // uniform; 0: back faces have no textures
   std::vector<std::string> textures;  // samplers; multiply the lit colour
   std::string anyTexture;  // one of `textures`; the program may have a sampler2D of any name for it
@@ -152,6 +169,8 @@ struct Family {
   std::set<std::string, std::less<>> mentioned;
   Alternatives alternatives;  // of names in `mentioned`
   bool mentions(std::string_view name) const;
+  /// Whether its programs take their vertices from fixed function's attributes (gl_Vertex ...).
+  bool hasBuiltInVertices() const;
 };
 
 /// Families, of which the first that fits wins, and their known code.

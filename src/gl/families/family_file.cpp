@@ -1,5 +1,6 @@
 // Parses family files: TOML to Family.
 #include "base/toml_text.h"
+#include "gl/families/built_in_variables.h"
 #include "gl/families/code_sections.h"
 #include "gl/families/family.h"
 #include "gl/families/family_table.h"
@@ -61,6 +62,8 @@ class FamilyReader : FamilyTable {
       fail(here(), "family \"" + family_.name + "\": impostors need clip.centers = true with clip.planes");
     if (family_.impostors.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
       fail(here(), "family \"" + family_.name + "\": impostors have neither textures nor edges");
+    checkBuiltIns();
+    checkVertexNormals();
     const bool pixels = scene::isSizedInPixels(family_.impostors.shape);
     if (scene::isInWindow(family_.impostors.shape) &&
         (family_.depthOffset.given() || family_.depthFactor.given()))
@@ -76,6 +79,29 @@ class FamilyReader : FamilyTable {
   }
 
  private:
+  /// Built-in variables: only known ones, and in programs whose statements are compared.
+  void checkBuiltIns() const {
+    const std::string of = "family \"" + family_.name + "\": ";
+    for (const std::string& name : family_.mentioned)
+      if (isBuiltIn(name) && !isBuiltInAttribute(name) && builtInUniformType(name) == 0)
+        fail(here(), of + "unknown built-in variable " + name);
+    if (family_.hasBuiltInVertices() && family_.code.empty())
+      fail(here(), of + "programs with gl_Vertex need match.code");
+    if (family_.hasBuiltInVertices() && (family_.impostors.given() || family_.pass != Family::Pass::none ||
+                                         !family_.textures.empty() || !family_.colorMap.empty()))
+      fail(here(), of + "programs with gl_Vertex have neither impostors nor passes nor textures");
+    if (family_.material.emission.given() && !family_.color.empty())
+      fail(here(), of + "emission_color is for families without vertex.color");
+  }
+  void checkVertexNormals() const {
+    const bool asked = family_.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
+                       family_.normalColors || family_.rimColor.given();
+    const bool others = family_.impostors.given() || !family_.triangleNormals.empty() ||
+                        family_.withoutNormals == Family::NoNormals::triangle || family_.normal.empty();
+    if (asked && others)
+      fail(here(), "family \"" + family_.name +
+                       "\": normals.unit, color.from_normals and color.rim are for vertex normals alone");
+  }
   /// Starts with a copy of the inherited family, if any.
   void inherit(const std::vector<std::shared_ptr<const Family>>& known) {
     std::string from;
@@ -122,6 +148,9 @@ class FamilyReader : FamilyTable {
     choice("without", {{"refuse", Family::NoNormals::refuse}, {"triangle", Family::NoNormals::triangle}},
            family_.withoutNormals);
     flag("flip_back_faces", family_.flipBackFaces);
+    using Unit = scene::FragmentShading::UnitNormals;
+    choice("unit", {{"pixels", Unit::pixels}, {"vertices", Unit::vertices}, {"both", Unit::both}},
+           family_.unitNormals);
     name("parallel_view", family_.parallelView);
     name("per_triangle", family_.triangleNormals);
   }
@@ -133,6 +162,17 @@ class FamilyReader : FamilyTable {
     name("triangle_offset", family_.triangleOffset);
     name("uniform_instead", family_.uniformColors);
     flag("diffuse_only", family_.colorIsDiffuseOnly);
+    flag("from_normals", family_.normalColors);
+    section("rim", [&] { value("color", family_.rimColor), value("exponent", family_.rimExponent); });
+    section("height", [&] {
+      choice("axis", {{"x", 0}, {"y", 1}, {"z", 2}}, family_.height.axis);
+      values("scale", family_.height.scale);
+      values("offset", family_.height.offset);
+      values("exponent", family_.height.exponent);
+      if (!family_.height.given()) fail(here(), "colours by height need a scale");
+    });
+    flag("clamped", family_.clampedColors);
+    flag("opaque_only", family_.opaqueColors);
     names("textures", family_.textures);
     name("any_texture", family_.anyTexture);
     if (!family_.anyTexture.empty() && std::ranges::count(family_.textures, family_.anyTexture) == 0)
@@ -146,6 +186,7 @@ class FamilyReader : FamilyTable {
     value("diffuse_color", m.diffuseColor);
     value("specular_intensity", m.specularIntensity);
     value("specular_color", m.specularColor);
+    value("emission_color", m.emission);
     value("shininess", m.shininess);
     value("opacity", m.opacity);
   }
@@ -158,11 +199,13 @@ class FamilyReader : FamilyTable {
     FamilyLights& l = family_.lights;
     name("count", l.count);
     name("color", l.color);
-    name("direction", l.direction);
+    value("direction", l.direction);
     flag("direction_towards_light", l.towardsLight);
     choice("headlight",
            {{"infinite", FamilyLights::Headlight::infinite}, {"viewer", FamilyLights::Headlight::viewer}},
            l.headlight);
+    flag("two_sided", l.twoSided);
+    choice("highlights", {{"lit", false}, {"everywhere", true}}, l.highlightsInDark);
     name("position", l.position);
     name("positional", l.positional);
     name("attenuation", l.attenuation);
@@ -242,6 +285,8 @@ class FamilyReader : FamilyTable {
 };
 
 }  // namespace
+
+bool Family::hasBuiltInVertices() const { return position == "gl_Vertex"; }
 
 bool Family::mentions(std::string_view name) const {
   if (mentioned.contains(name)) return true;

@@ -104,6 +104,16 @@ TEST(FamilyFile, NormalAndColourKeys) {
   EXPECT_TRUE(f.colorIsDiffuseOnly);
   EXPECT_EQ(f.textures, (Names{"t1", "t2"}));
   EXPECT_EQ(f.anyTexture, "t2");
+  const Family more = parsed(
+      "vertex.normal = \"n\"\nnormals.unit = \"both\"\ncolor.from_normals = true\ncolor.clamped = "
+      "true\ncolor.opaque_only = true\n");
+  EXPECT_EQ(more.unitNormals, scene::FragmentShading::UnitNormals::both);
+  EXPECT_TRUE(more.normalColors && more.clampedColors && more.opaqueColors);
+  EXPECT_EQ(f.unitNormals, scene::FragmentShading::UnitNormals::pixels);
+  EXPECT_FALSE(f.normalColors || f.clampedColors || f.opaqueColors);
+  EXPECT_EQ(
+      mistakeIn("normals.unit = \"vertices\""),
+      "x.toml:1: family \"f\": normals.unit, color.from_normals and color.rim are for vertex normals alone");
   EXPECT_EQ(mistakeIn("color.textures = \"t1\"\ncolor.any_texture = \"t3\"\n"),
             "x.toml:7: any_texture is none of the textures");
   for (const char* name : {"pv", "tn", "cm", "tc", "to", "ui", "t1", "t2"})
@@ -148,7 +158,7 @@ TEST(FamilyFile, LightKeys) {
   EXPECT_EQ(f.specular, Family::Specular::half);
   EXPECT_EQ(f.lights.count, "n");
   EXPECT_EQ(f.lights.color, "c{}");
-  EXPECT_EQ(f.lights.direction, "d{}");
+  EXPECT_EQ(f.lights.direction.uniform, "d{}");
   EXPECT_TRUE(f.lights.towardsLight);
   EXPECT_EQ(f.lights.position, "p[{}]");
   EXPECT_EQ(f.lights.positional, "l[{}].is");

@@ -102,6 +102,24 @@ void FamilyTable::value(const char* key, FamilyValue& out) {
   out.constant = numbersIn(key, *node, 4);
 }
 
+void FamilyTable::values(const char* key, FamilyValue (&out)[3]) {
+  const toml::node* node = get(key);
+  if (!node) return;
+  std::vector<FamilyValue> found;
+  eachOf(*node, [&](const toml::node& item) {
+    FamilyValue& value = found.emplace_back();
+    if (item.is_string()) {
+      value.uniform = nameIn(key, item);
+      mention(value.uniform.substr(0, value.uniform.rfind('[')));  // of an element: the array
+    } else {
+      value.constant = numbersIn(key, item, 1);
+    }
+  });
+  if (found.size() != 1 && found.size() != 3)
+    fail(*node, std::string(key) + " must have one or three values");
+  for (size_t i = 0; i < 3; ++i) out[i] = found[found.size() == 1 ? 0 : i];
+}
+
 std::vector<float> FamilyTable::numbersIn(const char* key, const toml::node& node, size_t most) {
   std::vector<float> numbers;
   eachOf(node, [&](const toml::node& item) {

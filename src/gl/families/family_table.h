@@ -35,6 +35,8 @@ class FamilyTable {
   void flag(const char* key, bool& out);
   /// A uniform's name or list of alternatives, a number, or a list of numbers.
   void value(const char* key, FamilyValue& out);
+  /// A list of three uniforms' names or numbers, or one for all three.
+  void values(const char* key, FamilyValue (&out)[3]);
   /// A section of uniforms with the values at which they have no effect.
   void neutralValues(const char* key, NeutralValues& out);
   /// One of several words.

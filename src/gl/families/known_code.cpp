@@ -48,6 +48,7 @@ void KnownCode::addBlocks(std::string_view text) {
 
 void KnownCode::add(const KnownCode& more) {
   if (note.empty()) note = more.note;
+  complete = complete || more.complete;
   blocks_.insert(blocks_.end(), more.blocks_.begin(), more.blocks_.end());
   written_.insert(more.written_.begin(), more.written_.end());
   statements_.insert(statements_.end(), more.statements_.begin(), more.statements_.end());
@@ -178,6 +179,23 @@ std::vector<std::string> unwrittenNames(const GlslStatements& statements, const 
     if (uses[static_cast<int>(Use::read)] && !uses[static_cast<int>(Use::written)]) unwritten.push_back(name);
   }
   return unwritten;
+}
+
+std::vector<std::string> incompleteSections(const GlslStatements& statements, const CodeSections& sections,
+                                            const std::vector<std::string>& names) {
+  std::vector<Hash128> hashes;
+  for (size_t i = 0; i < statements.size(); ++i) hashes.push_back(hashOf(statements[i]));
+  const auto stands = [&](const std::vector<Hash128>& block) {
+    return std::search(hashes.begin(), hashes.end(), block.begin(), block.end()) != hashes.end();
+  };
+  std::vector<std::string> incomplete;
+  for (const std::string& name : names) {
+    const auto it = sections.find(name);
+    if (it == sections.end() || !it->second.complete) continue;
+    const std::vector<std::vector<Hash128>>& blocks = it->second.blocks();
+    if (!std::all_of(blocks.begin(), blocks.end(), stands)) incomplete.push_back(name);
+  }
+  return incomplete;
 }
 
 std::string notesOn(const GlslStatements& statements, const CodeSections& sections,

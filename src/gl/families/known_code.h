@@ -26,6 +26,8 @@ class KnownCode {
   size_t size() const { return statements_.size(); }
   const std::vector<std::vector<Hash128>>& blocks() const { return blocks_; }
   const std::set<std::string>& written() const { return written_; }
+  /// Programs of families that name the section have all its blocks.
+  bool complete = false;
   /// Note for users about programs that have one of these statements; may be empty.
   std::string note;
 
@@ -54,6 +56,10 @@ std::vector<std::string_view> strayStatements(const GlslStatements& statements, 
 /// Names of addWritten() that some of `statements` reads and none writes.
 std::vector<std::string> unwrittenNames(const GlslStatements& statements, const CodeSections& sections,
                                         const std::vector<std::string>& names);
+
+/// Those of the sections `names` that are complete and have a block that `statements` lack.
+std::vector<std::string> incompleteSections(const GlslStatements& statements, const CodeSections& sections,
+                                            const std::vector<std::string>& names);
 
 /// The notes of those sections of `names` that have any of the statements, joined by "; ".
 std::string notesOn(const GlslStatements& statements, const CodeSections& sections,

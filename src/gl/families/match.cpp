@@ -1,6 +1,7 @@
 #include "gl/families/match.h"
 
 #include "gl/families/glsl_types.h"
+#include "gl/programs/built_in_uniforms.h"
 #include "gl/programs/program_source.h"
 
 #include <algorithm>
@@ -56,6 +57,8 @@ void needCode(const Program& program, ProgramSource& source, const Family& f, co
         about("has the statement ", std::string(statement), " twice, or without the rest of its block"));
   for (const std::string& name : unwrittenNames(statements, code, f.code))
     out.push_back(about("reads ", name, ", which it does not write"));
+  for (const std::string& section : incompleteSections(statements, code, f.code))
+    out.push_back(about("lacks statements of the code section ", section));
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
@@ -90,6 +93,9 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
     out.push_back(about(kind, name, after));
   };
   for (const auto& [name, uniform] : p.uniforms) check("has uniform ", name, uniform.type);
+  // Implementations list more of these than programs use; statements tell which ones they use.
+  if (!f.hasBuiltInVertices())
+    for (const auto& [name, type] : p.builtInUniforms) check("has uniform ", name, type);
   for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
 }
 
@@ -131,7 +137,7 @@ class TypeCheck {
   }
   void material(const FamilyMaterial& m) const {
     values({&m.ambientIntensity, &m.ambientColor, &m.diffuseIntensity, &m.diffuseColor, &m.specularIntensity,
-            &m.specularColor, &m.shininess, &m.opacity});
+            &m.specularColor, &m.emission, &m.shininess, &m.opacity});
   }
   /// Checks the first light's variable, or the array that holds all lights'.
   void light(const std::string& pattern, const Types& types) const {
@@ -168,13 +174,15 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniform(f.clipPlanes, kVector);
   check.uniform(f.texcoordMatrix, kMatrix);
   check.values({&f.edgeWidth, &f.edgeColor, &f.edgeOpacity});
+  check.values({&f.rimColor, &f.rimExponent});
+  for (int c = 0; c < 3; ++c) check.values({&f.height.scale[c], &f.height.offset[c], &f.height.exponent[c]});
   check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
   check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
   check.material(f.material), check.material(f.backMaterial);
   check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
                 &f.depthOffset, &f.depthFactor});
   const FamilyLights& l = f.lights;
-  for (const std::string* name : {&l.color, &l.direction, &l.position, &l.attenuation})
+  for (const std::string* name : {&l.color, &l.direction.uniform, &l.position, &l.attenuation})
     check.light(*name, kVector);
   for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
     check.light(*name, kNumber);
@@ -243,6 +251,7 @@ Renames renamedBy(const Program& program, const Family& family) {
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code) {
   program.renamed = renamedBy(program, family);
+  nameBuiltIns(program, family);
   ProgramSource source(real, program);
   bool unknown = false;
   return obstacles(real, program, family, code, source, unknown);
@@ -259,6 +268,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
   for (const auto& family : families) {
     bool unknown = false;
     known->program.renamed = renamedBy(known->program, *family);
+    nameBuiltIns(known->program, *family);
     std::vector<std::string> found = obstacles(real, known->program, *family, families.code, source, unknown);
     if (found.empty()) {
       known->family = family;
@@ -268,13 +278,16 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
         known->note = notesOn(statementsFor(*family, known->program, source), families.code, family->code);
       return known;
     }
-    // Name the nearest family: not one that is never traced, and best one that fits except for statements.
+    // Name the nearest family: not one that is never traced, or with other kinds of vertices, and best one
+    // that fits except for statements.
     if (!family->rasteriseBecause.empty()) continue;
+    if (family->hasBuiltInVertices() != known->program.attributes.contains("gl_Vertex")) continue;
     if (!nearest || unknown > known->unknownCode ||
         (unknown == known->unknownCode && found.size() < fewest.size()))
       nearest = family.get(), fewest = std::move(found), known->unknownCode = unknown;
   }
   known->program.renamed.clear();
+  dropBuiltIns(known->program);
   known->why = known->program.linked ? "no family fits" : "not linked";
   if (nearest && known->program.linked) {
     known->why.append("; nearest: ").append(nearest->name);

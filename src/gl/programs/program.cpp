@@ -1,5 +1,6 @@
 #include "gl/programs/program.h"
 
+#include "gl/families/built_in_variables.h"
 #include "gl/state/extensions.h"
 #include "gl/state/state_queries.h"
 
@@ -53,6 +54,10 @@ void readUniforms(const RealGl& real, Program& p) {
     real.GetActiveUniform(p.name, i, static_cast<GLsizei>(text.size()), &length, &u.count, &u.type,
                           text.data());
     const std::string full(text.data(), static_cast<size_t>(std::max(length, 0)));
+    if (isBuiltIn(full)) {
+      p.builtInUniforms[plainName(full)] = u.type;
+      continue;
+    }
     u.location = real.GetUniformLocation(p.name, full.c_str());
     if (u.location < 0) readBlockPlace(real, p.name, i, u);
     const std::string name = plainName(full);
@@ -61,10 +66,7 @@ void readUniforms(const RealGl& real, Program& p) {
     p.blocks = p.blocks || u.block >= 0;
     p.uniforms[name] = std::move(u);
   }
-  for (auto& [name, u] : p.uniforms) {
-    u.first = p.uniformElements;
-    p.uniformElements += static_cast<size_t>(u.count);
-  }
+  numberElements(p);
 }
 
 void readAttributes(const RealGl& real, Program& p) {
@@ -121,6 +123,14 @@ bool writesMemory(const RealGl& real, const Program& p) {
 }
 
 }  // namespace
+
+void numberElements(Program& program) {
+  program.uniformElements = 0;
+  for (auto& [name, u] : program.uniforms) {
+    u.first = program.uniformElements;
+    program.uniformElements += static_cast<size_t>(u.count);
+  }
+}
 
 Program reflect(const RealGl& real, GLuint name) {
   const DebugSilence silence(real);

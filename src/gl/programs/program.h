@@ -42,6 +42,7 @@ struct Program {
   bool writes = false;         // may write memory: atomic counters, shader storage, images
   size_t uniformElements = 0;  // sum over all uniforms
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
+  std::map<std::string, GLenum, std::less<>> builtInUniforms;  // those of GLSL that OpenGL lists, with types
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
   Renames renamed;                           // for its family
   std::shared_ptr<const ShaderTexts> texts;  // of its shaders when it was linked; null: not known
@@ -66,6 +67,8 @@ struct Program {
 /// Queries program `name` from the real OpenGL. Clears the errors that this raises; the caller must have
 /// saved pending ones.
 Program reflect(const RealGl& real, GLuint name);
+/// Sets ProgramUniform::first of all uniforms, and `uniformElements`.
+void numberElements(Program& program);
 
 /// Whether the fragment shader has an output `name`.
 bool hasOutput(const RealGl& real, const Program& program, const std::string& name);

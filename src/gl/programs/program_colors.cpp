@@ -17,6 +17,7 @@ Reason ProgramReader::readColor() {
   out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
   out_.overridden = uniforms_.integer(family_.uniformColors) != 0;
   if (out_.overridden) return readOpacityBeneath();
+  if (family_.height.given()) return readHeightColors();
   Reason reason = Reason::traced;
   if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
     f.color = Color::perTriangle;
@@ -47,6 +48,19 @@ Reason ProgramReader::readColor() {
   f.backMaterial = false;
   out_.material.back = out_.material.front;
   return reason;
+}
+
+Reason ProgramReader::readHeightColors() {
+  scene::HeightColors& height = out_.shading.fragment.height;
+  out_.shading.fragment.color = scene::FragmentShading::Color::height;
+  height.axis = family_.height.axis;
+  for (int c = 0; c < 3; ++c) {
+    height.scale[c] = uniforms_.number(family_.height.scale[c], 1);
+    height.offset[c] = uniforms_.number(family_.height.offset[c], 0);
+    height.exponent[c] = uniforms_.number(family_.height.exponent[c], 1);
+    if (!(height.exponent[c] > 0)) return refuse("an exponent of colours is not above 0");
+  }
+  return Reason::traced;
 }
 
 Reason ProgramReader::readOpacityBeneath() {

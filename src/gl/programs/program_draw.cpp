@@ -1,7 +1,15 @@
 #include "gl/programs/program_draw.h"
 
 #include "gl/arrays/arrays.h"
+#include "gl/families/built_in_variables.h"
+#include "gl/families/match.h"
+#include "gl/state/state.h"
 #include "gl/state/state_queries.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -27,19 +35,12 @@ void addArray(const RealGl& real, const ArraySource& source, std::vector<Program
   if (array.contents) arrays.push_back(std::move(array));
 }
 
-}  // namespace
-
-ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
-                               const ArrayState& attributes, GLenum mode, const Elements& elements) {
+/// The program's inputs other than vertices, and the state of polygons, lines and points.
+ProgramDraw captureInputs(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms) {
   ProgramDraw draw;
   draw.program = program.name;
-  draw.mode = mode;
-  draw.elements = elements;
   draw.uniforms = uniforms;
-  attributes.forEach([&](const ArraySource& source) { addArray(real, source, draw.arrays); });
-  for (const ArraySource& source : attributes.generic) addArray(real, source, draw.arrays);
   if (program.blocks) draw.blocks = readBlocks(real, program.name);
-  if (elements.type && attributes.elements) draw.indexContents = attributes.elements->read(real);
   const GLint active = integer(real, GL_ACTIVE_TEXTURE);
   for (const auto& [name, uniform] : program.uniforms) {
     const SamplerTarget target = samplerTarget(uniform.type);
@@ -62,6 +63,45 @@ ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const
   draw.cull = isOn(real, GL_CULL_FACE);
   draw.cullFace = static_cast<GLenum>(integer(real, GL_CULL_FACE_MODE));
   draw.frontFace = static_cast<GLenum>(integer(real, GL_FRONT_FACE));
+  return draw;
+}
+
+/// How many lights the family's programs may read.
+GLuint lightsOf(const Family& family) {
+  GLuint count = 0;
+  for (const std::string& name : family.mentioned) {
+    const BuiltInUniform u = builtInUniform(name);
+    if (u.of == BuiltInUniform::Of::light || u.of == BuiltInUniform::Of::product)
+      count = std::max(count, u.light + 1);
+  }
+  return count;
+}
+
+}  // namespace
+
+ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
+                               const ArrayState& attributes, GLenum mode, const Elements& elements) {
+  ProgramDraw draw = captureInputs(real, program, uniforms);
+  draw.mode = mode;
+  draw.elements = elements;
+  attributes.forEach([&](const ArraySource& source) { addArray(real, source, draw.arrays); });
+  for (const ArraySource& source : attributes.generic) addArray(real, source, draw.arrays);
+  if (elements.type && attributes.elements) draw.indexContents = attributes.elements->read(real);
+  return draw;
+}
+
+ProgramDraw captureBuiltInDraw(const RealGl& real, const KnownProgram& known,
+                               const UniformValuesPtr& uniforms, scene::Instance instance) {
+  ProgramDraw draw = captureInputs(real, known.program, uniforms);
+  auto inputs = std::make_shared<BuiltInInputs>();
+  inputs->instance = std::move(instance);
+  State state;
+  readMaterial(real, state);
+  inputs->instance.materials = {state.material};
+  for (GLuint i = 0; i < lightsOf(*known.family); ++i)
+    inputs->state.lights.push_back(readLight(real, GL_LIGHT0 + i));
+  real.GetFloatv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(inputs->state.globalAmbient));
+  draw.builtIn = std::move(inputs);
   return draw;
 }
 

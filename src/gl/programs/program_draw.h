@@ -7,6 +7,7 @@
 #include "gl/programs/samplers.h"
 #include "gl/programs/uniform_blocks.h"
 #include "gl/programs/uniforms.h"
+#include "scene/snapshot.h"
 
 #include <cstddef>
 #include <memory>
@@ -15,6 +16,14 @@
 namespace gluray::gl {
 
 struct ArrayState;
+struct KnownProgram;
+
+/// Fixed function's attributes and state for a draw of a program that reads them (gl_Vertex, gl_LightSource
+/// ...).
+struct BuiltInInputs {
+  scene::Instance instance;  // its mesh's triangles are drawn with its matrix, current values and materials
+  scene::Shading state;      // lights (from 0 on, enabled or not) and the light model's ambient colour
+};
 
 struct ProgramDraw {
   struct Array {
@@ -46,10 +55,14 @@ struct ProgramDraw {
   float pointSize = 1, lineWidth = 1;
   bool offset = false;  // GL_POLYGON_OFFSET_FILL
   float offsetFactor = 0, offsetUnits = 0;
+  std::shared_ptr<const BuiltInInputs> builtIn;  // in place of arrays and elements; null: neither is used
 };
 
 /// Captures the draw that is about to be made with the current state. All enabled arrays must be in buffers.
 ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
                                const ArrayState& attributes, GLenum mode, const Elements& elements);
+/// The same for a draw of fixed function's vertices: `instance` has the mesh, matrix and current values.
+ProgramDraw captureBuiltInDraw(const RealGl& real, const KnownProgram& known,
+                               const UniformValuesPtr& uniforms, scene::Instance instance);
 
 }  // namespace gluray::gl

@@ -72,7 +72,9 @@ bool haveUnreadableBuffers(const ArrayState& arrays) {
          arrays.reason == Reason::persistentMapping;
 }
 
-bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
+}  // namespace
+
+bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
   if (program.material.front.diffuse.a < 1) return false;
@@ -86,8 +88,6 @@ bool isOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   return std::all_of(program.shading.textures.begin(), program.shading.textures.end(),
                      [](const scene::Texture& t) { return t.image->opaque; });
 }
-
-}  // namespace
 
 Reason ProgramDraws::triage(const KnownMesh& known) const {
   Reason reason = triageAlways(known);
@@ -134,7 +134,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
   const bool opaque =
-      layersOf(p_.shadow.state.program) != BatchKey::Layers::none || gl::isOpaque(program, *known.mesh);
+      layersOf(p_.shadow.state.program) != BatchKey::Layers::none || drawsOpaque(program, *known.mesh);
   if (opaque) return Reason::traced;
   if (p_.shadow.state.raster.unlessOpaque != Reason::traced) return p_.shadow.state.raster.unlessOpaque;
   return Reason::traced;

@@ -16,6 +16,9 @@
 
 namespace gluray::gl {
 
+/// Whether the program's surface of this mesh has no alpha below 1.
+bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh);
+
 class ProgramDraws {
  public:
   struct Parts {

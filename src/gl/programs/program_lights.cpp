@@ -18,8 +18,10 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   const auto has = [&](const std::string& name) { return uniforms.has(numbered(name, i)); };
   scene::FragmentLight light;
   if (!names.color.empty()) light.color = vector(names.color);
-  if (has(names.direction)) {
-    const glm::vec3 direction = vector(names.direction) * (names.towardsLight ? -1.0f : 1.0f);
+  if (const bool constant = !names.direction.constant.empty(); constant || has(names.direction.uniform)) {
+    const glm::vec3 given =
+        constant ? glm::vec3(uniforms.value(names.direction, glm::vec4(0))) : vector(names.direction.uniform);
+    const glm::vec3 direction = given * (names.towardsLight ? -1.0f : 1.0f);
     light.kind = scene::FragmentLight::directional;
     if (direction != glm::vec3(0)) light.direction = glm::normalize(direction);
   }
@@ -42,9 +44,10 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
                                              const glm::vec3& viewer) {
   std::vector<scene::FragmentLight> lights;
-  const std::string& sign = !names.color.empty()       ? names.color
-                            : !names.direction.empty() ? names.direction
-                                                       : names.position;
+  const std::string& sign = !names.color.empty()               ? names.color
+                            : !names.direction.uniform.empty() ? names.direction.uniform
+                                                               : names.position;
+  if (sign.empty() && names.direction.given()) return {readLight(names, uniforms, viewer, 0)};
   const bool many = sign.find("{}") != std::string::npos;
   constexpr int kMostLights = 64;
   int most = many ? kMostLights : 1;

@@ -32,6 +32,8 @@ class ProgramReader {
   Reason refuse(std::string why) { return out_.why = std::move(why), Reason::programValue; }
   /// Checks the uniforms that must have neutral values (Family::neutral).
   Reason checkNeutral();
+  /// Checks fixed function's state that changes what programs with gl_Vertex draw.
+  Reason checkBuiltInState();
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readModel();
@@ -42,6 +44,7 @@ class ProgramReader {
   Reason readNormals();
   Reason readEdges();
   Reason readColor();
+  Reason readHeightColors();
   /// While the material overrides colours, their opacity still counts: refuses translucent ones. The mesh has
   /// that of vertex colours.
   Reason readOpacityBeneath();

@@ -1,5 +1,6 @@
 #include "gl/programs/program_state.h"
 
+#include "gl/families/built_in_variables.h"
 #include "gl/programs/program_lights.h"
 #include "gl/programs/program_reader.h"
 #include "gl/state/state_queries.h"
@@ -14,6 +15,7 @@ namespace gluray::gl {
 
 Reason ProgramReader::read() {
   if (const Reason reason = checkNeutral(); reason != Reason::traced) return reason;
+  if (const Reason reason = checkBuiltInState(); reason != Reason::traced) return reason;
   readTransform();
   readMaterial(family_.material, out_.material.front);
   out_.material.back = out_.material.front;
@@ -38,6 +40,23 @@ Reason ProgramReader::checkNeutral() {
       return refuse("uniform \"" + name + "\" is " + now + ", but the family covers only " +
                     (value.empty() ? "the identity" : inWords(value)));
   }
+  return Reason::traced;
+}
+
+Reason ProgramReader::checkBuiltInState() {
+  if (!family_.hasBuiltInVertices()) return Reason::traced;
+  if (integer(real_, GL_SHADE_MODEL) != GL_SMOOTH) return refuse("glShadeModel is GL_FLAT");
+  if (isOn(real_, GL_VERTEX_PROGRAM_TWO_SIDE)) return refuse("GL_VERTEX_PROGRAM_TWO_SIDE is on");
+  GLint clamps = GL_TRUE;  // before OpenGL 3.0 they are always clamped
+  if (family_.clampedColors) real_.GetIntegerv(GL_CLAMP_VERTEX_COLOR, &clamps);
+  if (clamps != GL_TRUE) return refuse("GL_CLAMP_VERTEX_COLOR is not GL_TRUE");
+  const auto isOfMaterial = [](const std::string& name) {
+    using Of = BuiltInUniform::Of;
+    const Of of = builtInUniform(name).of;
+    return of == Of::material || of == Of::product || of == Of::sceneColor;
+  };
+  if (isOn(real_, GL_COLOR_MATERIAL) && std::ranges::any_of(family_.mentioned, isOfMaterial))
+    return refuse("GL_COLOR_MATERIAL is on");
   return Reason::traced;
 }
 
@@ -68,6 +87,7 @@ void ProgramReader::readMaterial(const FamilyMaterial& m, scene::Material& mater
   };
   if (isOff(m.specularIntensity, m.specularColor)) material.specular = glm::vec4(0);
   if (isOff(m.ambientIntensity, m.ambientColor)) material.ambient = glm::vec4(0);
+  if (m.emission.given()) material.ambient += uniforms_.value(m.emission, glm::vec4(0));
   material.emission = glm::vec4(0, 0, 0, 1);
   material.shininess = uniforms_.number(m.shininess, 0);
   material.diffuse.a = uniforms_.number(m.opacity, 1);
@@ -82,6 +102,14 @@ void ProgramReader::readModel() {
   f.specular = family_.specular == Family::Specular::half ? scene::FragmentShading::Specular::half
                                                           : scene::FragmentShading::Specular::reflect;
   f.flipBackFaces = family_.flipBackFaces;
+  f.unitNormals = family_.unitNormals;
+  f.twoSidedLights = family_.lights.twoSided;
+  f.highlightsInDark = family_.lights.highlightsInDark;
+  f.normalColors = family_.normalColors;
+  f.rim.on = family_.rimColor.given();
+  f.rim.color = glm::vec3(uniforms_.value(family_.rimColor, glm::vec4(1)));
+  f.rim.exponent = uniforms_.number(family_.rimExponent, 1);
+  f.clampsColors = family_.clampedColors;
   f.parallelView = uniforms_.integer(family_.parallelView) != 0;
   if (!family_.pbr.given()) return;
   f.pbr.metallic = uniforms_.number(family_.pbr.metallic, 0);

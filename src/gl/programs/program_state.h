@@ -43,6 +43,11 @@ struct ProgramState {
   glm::vec4 texcoord{0, 0, 0, 1}, texcoordAbove{0, 0, 0, 1};  // the latter of hasTwoTexcoords()
 };
 
+/// Whether the program takes its vertices from fixed function's attributes.
+inline bool readsBuiltIns(const ProgramState& program) {
+  return program.known && program.known->family && program.known->family->hasBuiltInVertices();
+}
+
 /// Name of the attribute that has the colour map's texture coordinates.
 const std::string& mapTexcoord(const Program& program, const Family& family);
 /// Whether colour map and textures use different attributes: then the map uses texture coordinates 0 and the

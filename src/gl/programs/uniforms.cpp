@@ -1,5 +1,7 @@
 #include "gl/programs/uniforms.h"
 
+#include "gl/families/built_in_variables.h"
+#include "gl/programs/built_in_uniforms.h"
 #include "gl/programs/uniform_blocks.h"
 #include "gl/state/state_queries.h"
 
@@ -88,7 +90,10 @@ UniformValuesPtr readUniforms(const RealGl& real, const Program& program) {
         readFromBlock(real, program, uniform, i, value);
       } else {
         value.location = i == 0 ? uniform.location : uniform.more[static_cast<size_t>(i - 1)];
-        if (value.location >= 0) readPlain(real, program, value);
+        if (value.location >= 0)
+          readPlain(real, program, value);
+        else if (isBuiltIn(name))
+          readBuiltIn(real, name, value);
       }
       values->push_back(value);
     }
@@ -176,10 +181,10 @@ glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherw
     for (size_t i = 1; i < value.constant.size(); ++i) v[static_cast<int>(i)] = value.constant[i];
     return v;
   }
-  const ProgramUniform* u = value.uniform.empty() ? nullptr : program_.uniform(value.uniform);
-  if (!u) return otherwise;
+  const UniformValue* found = find(value.uniform, 0);
+  if (!found) return otherwise;
   const glm::vec4 v = vector(value.uniform);
-  const UniformShape shape = shapeOf(u->type);
+  const UniformShape shape = shapeOf(found->type);
   if (shape.rows == 1) return glm::vec4(v.x);
   return shape.rows == 3 ? glm::vec4(glm::vec3(v), 1) : v;
 }

@@ -78,23 +78,6 @@ void readViewport(const RealGl& real, State& state) {
 
 namespace {
 
-scene::Light readLight(const RealGl& real, GLenum name) {
-  scene::Light light;
-  real.GetLightfv(name, GL_AMBIENT, glm::value_ptr(light.ambient));
-  real.GetLightfv(name, GL_DIFFUSE, glm::value_ptr(light.diffuse));
-  real.GetLightfv(name, GL_SPECULAR, glm::value_ptr(light.specular));
-  real.GetLightfv(name, GL_POSITION, glm::value_ptr(light.position));
-  GLfloat direction[4] = {0, 0, -1, 0};
-  real.GetLightfv(name, GL_SPOT_DIRECTION, direction);
-  light.spotDirection = {direction[0], direction[1], direction[2]};
-  real.GetLightfv(name, GL_SPOT_EXPONENT, &light.spotExponent);
-  real.GetLightfv(name, GL_SPOT_CUTOFF, &light.spotCutoff);
-  real.GetLightfv(name, GL_CONSTANT_ATTENUATION, &light.attenuation.x);
-  real.GetLightfv(name, GL_LINEAR_ATTENUATION, &light.attenuation.y);
-  real.GetLightfv(name, GL_QUADRATIC_ATTENUATION, &light.attenuation.z);
-  return light;
-}
-
 scene::ColorMaterial readColorMaterial(const RealGl& real) {
   scene::ColorMaterial result;
   if (!isOn(real, GL_COLOR_MATERIAL)) return result;
@@ -113,6 +96,23 @@ scene::ColorMaterial readColorMaterial(const RealGl& real) {
 }
 
 }  // namespace
+
+scene::Light readLight(const RealGl& real, GLenum name) {
+  scene::Light light;
+  real.GetLightfv(name, GL_AMBIENT, glm::value_ptr(light.ambient));
+  real.GetLightfv(name, GL_DIFFUSE, glm::value_ptr(light.diffuse));
+  real.GetLightfv(name, GL_SPECULAR, glm::value_ptr(light.specular));
+  real.GetLightfv(name, GL_POSITION, glm::value_ptr(light.position));
+  GLfloat direction[4] = {0, 0, -1, 0};
+  real.GetLightfv(name, GL_SPOT_DIRECTION, direction);
+  light.spotDirection = {direction[0], direction[1], direction[2]};
+  real.GetLightfv(name, GL_SPOT_EXPONENT, &light.spotExponent);
+  real.GetLightfv(name, GL_SPOT_CUTOFF, &light.spotCutoff);
+  real.GetLightfv(name, GL_CONSTANT_ATTENUATION, &light.attenuation.x);
+  real.GetLightfv(name, GL_LINEAR_ATTENUATION, &light.attenuation.y);
+  real.GetLightfv(name, GL_QUADRATIC_ATTENUATION, &light.attenuation.z);
+  return light;
+}
 
 void readLighting(const RealGl& real, State& state) {
   scene::Shading& shading = state.shading;

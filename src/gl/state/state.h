@@ -112,6 +112,8 @@ void readViewport(const RealGl& real, State& state);
 void readRaster(const RealGl& real, State& state);
 void readLighting(const RealGl& real, State& state);
 void readMaterial(const RealGl& real, State& state);
+/// Light `name`, on or off.
+scene::Light readLight(const RealGl& real, GLenum name);
 void readClipPlanes(const RealGl& real, State& state);
 void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state);
 

@@ -80,9 +80,9 @@ std::vector<Mutant> mutantsOf(const std::string& text) {
 }
 
 void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
-                       const std::function<void(Gl, GLuint program)>& draw) {
-  const auto real = OsmesaContext::create(coreWish());
-  TracedContext ours(coreWish(), TracedContext::tracing());
+                       const std::function<void(Gl, GLuint program)>& draw, const ContextWish& wish) {
+  const auto real = OsmesaContext::create(wish);
+  TracedContext ours(wish, TracedContext::tracing());
   const auto drawn = [&](Gl gl, const ShaderTexts& texts) {
     const GLuint program = linked(gl, texts);
     if (!program) return Drawn{};

@@ -187,6 +187,26 @@ class OwnArrays {
 
 }  // namespace
 
+void drawWithInputs(const RealGl& real, const Features& features, const ProgramDraw& draw,
+                    const std::function<void()>& drawIt) {
+  StateGuard own(real, features);
+  own.program(draw.program);
+  own.capability(GL_CULL_FACE, draw.cull);
+  if (draw.offset)
+    own.polygonOffset(draw.offsetFactor, draw.offsetUnits);
+  else
+    own.capability(GL_POLYGON_OFFSET_FILL, false);
+  real.CullFace(draw.cullFace);
+  if (draw.mode == GL_POINTS) real.PointSize(draw.pointSize);
+  if (draw.mode != GL_POINTS && draw.mode <= GL_LINE_STRIP) real.LineWidth(draw.lineWidth);
+  real.FrontFace(draw.frontFace);
+  const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
+  for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
+  const KeptBlocks blocks(real, draw.blocks);
+  const KeptTextures textures(real, draw);
+  drawIt();
+}
+
 void replayProgramDraws(const RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                         GLenum depthFunc, const std::vector<ProgramDraw>& draws) {
   if (draws.empty()) return;
@@ -208,23 +228,11 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
   GLfloat lineWidth = 1;
   real.GetFloatv(GL_LINE_WIDTH, &lineWidth);
   for (const ProgramDraw& draw : draws) {
-    StateGuard own(real, features);
-    own.program(draw.program);
-    own.capability(GL_CULL_FACE, draw.cull);
-    if (draw.offset)
-      own.polygonOffset(draw.offsetFactor, draw.offsetUnits);
-    else
-      own.capability(GL_POLYGON_OFFSET_FILL, false);
-    real.CullFace(draw.cullFace);
-    if (draw.mode == GL_POINTS) real.PointSize(draw.pointSize);
-    if (draw.mode != GL_POINTS && draw.mode <= GL_LINE_STRIP) real.LineWidth(draw.lineWidth);
-    real.FrontFace(draw.frontFace);
-    const KeptUniforms uniforms(real, draw.program, *draw.uniforms);
-    for (const UniformValue& value : *draw.uniforms) setUniform(real, value);
-    const KeptBlocks blocks(real, draw.blocks);
-    const KeptTextures textures(real, draw);
-    const OwnArrays arrays(real, draw);
-    gl::drawReal(real, draw.mode, draw.elements);
+    if (draw.builtIn) continue;
+    drawWithInputs(real, features, draw, [&] {
+      const OwnArrays arrays(real, draw);
+      gl::drawReal(real, draw.mode, draw.elements);
+    });
   }
   real.FrontFace(static_cast<GLenum>(frontFace));
   real.PointSize(pointSize);

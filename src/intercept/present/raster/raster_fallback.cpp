@@ -150,7 +150,7 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
       setBlending(real, snapshot.layers->blending);
     ShadingTextures textures(real, features);
     for (const scene::Instance& instance : snapshot.instances) {
-      if (isByProgram(snapshot, instance)) continue;
+      if (!again && isByProgram(snapshot, instance)) continue;
       if (!again) setShading(real, features, snapshot.shadings[instance.shading], textures);
       drawInstance(real, instance, snapshot.camera);
     }
@@ -159,12 +159,43 @@ bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, con
   return true;
 }
 
+namespace {
+
+/// Replays the draws of programs that take their vertices from fixed function's attributes.
+void replayBuiltInDraws(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
+                        GLenum depthFunc, const std::vector<gl::ProgramDraw>& draws) {
+  StateGuard guard(real, features);
+  guard.drawInto(snapshot, depthFunc);
+  guard.lastVertexProvokes();
+  guard.activeTexture(GL_TEXTURE0);
+  real.PushAttrib(GL_ALL_ATTRIB_BITS);
+  real.Disable(GL_VERTEX_PROGRAM_TWO_SIDE);
+  {
+    const KeptMatrices matrices(real);
+    setUpCamera(real, snapshot);
+    ShadingTextures none(real, features);
+    for (const gl::ProgramDraw& draw : draws) {
+      if (!draw.builtIn) continue;
+      setShading(real, features, draw.builtIn->state, none);
+      drawWithInputs(real, features, draw,
+                     [&] { drawInstance(real, draw.builtIn->instance, snapshot.camera); });
+    }
+  }
+  real.PopAttrib();
+}
+
+}  // namespace
+
 bool drawByRealGl(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                   const gl::PresentTarget& target) {
   const bool fixedFunction =
       std::any_of(snapshot.instances.begin(), snapshot.instances.end(),
                   [&](const scene::Instance& instance) { return !isByProgram(snapshot, instance); });
+  const bool builtIn = std::any_of(target.programDraws.begin(), target.programDraws.end(),
+                                   [](const gl::ProgramDraw& draw) { return draw.builtIn != nullptr; });
+  if (builtIn && (!features.compatibility || !attribStackHasRoom(real))) return false;
   if (fixedFunction && !drawWithFixedFunction(real, features, snapshot, target.depthFunc)) return false;
+  if (builtIn) replayBuiltInDraws(real, features, snapshot, target.depthFunc, target.programDraws);
   replayProgramDraws(real, features, snapshot, target.depthFunc, target.programDraws);
   return true;
 }

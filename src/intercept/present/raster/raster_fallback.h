@@ -20,7 +20,7 @@ struct DepthPass {
   int sample = -1;                // the only sample to write; -1: all
 };
 
-/// Draws only the fixed-function instances; with `again`, only their depth. False as above.
+/// Draws only the fixed-function instances; with `again`, only the depth of all instances. False as above.
 bool drawWithFixedFunction(const gl::RealGl& real, const Features& features, const scene::Snapshot& snapshot,
                            GLenum depthFunc, const DepthPass* again = nullptr);
 

@@ -1,0 +1,41 @@
+// GLSL's built-in variables that families may name: fixed function's attributes and state (GLSL 1.20, 7.3 and
+// 7.5). Any thread.
+#pragma once
+#include <GL/gl.h>
+
+#include <string_view>
+
+namespace gluray::gl {
+
+inline bool isBuiltIn(std::string_view name) { return name.substr(0, 3) == "gl_"; }
+
+bool isBuiltInAttribute(std::string_view name);
+
+/// A built-in uniform such as gl_LightSource[0].position: which state it is. A last ".a" of a vec4 is its
+/// alpha.
+struct BuiltInUniform {
+  enum class Of {
+    none,
+    modelview,
+    projection,
+    clip,
+    normals,
+    lightModel,
+    sceneColor,
+    light,
+    product,
+    material
+  };
+  Of of = Of::none;
+  GLenum face = GL_FRONT;  // of product, sceneColor and material
+  GLuint light = 0;        // number, of light and product
+  GLenum what = 0;         // parameter of light, product and material: GL_AMBIENT, GL_POSITION ...
+  bool alpha = false;
+};
+/// What `name` is; Of::none if it is no built-in uniform that we know.
+BuiltInUniform builtInUniform(std::string_view name);
+
+/// Its type in GLSL, 0 if it is not known.
+GLenum builtInUniformType(std::string_view name);
+
+}  // namespace gluray::gl
