@@ -151,9 +151,12 @@ MORE = {
     "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
+    "ctmviewer": wide(lambda folder: ["ctmviewer", str(models.write_ply(folder / "knot.ply", **SMALL))],
+                      "GLUT; GLSL 1.10 that takes fixed function's state; buttons without depth test", 0.99),
+    "pyqtgraph": wide(script("pyqtgraph_scene.py"), "Qt 5; GLSL 1.10 that takes fixed function's arrays", 0.99, rest=3.0,
+                      needs=(module("pyqtgraph"),)),
     # Shaders of their own.
     "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object", culled=5, rest=3.0, needs=(module("vispy"),)),
-    "pyqtgraph": whole(script("pyqtgraph_scene.py"), "Qt 5; arrays in the program's memory", culled=5, rest=3.0, needs=(module("pyqtgraph"),)),
     "silx": whole(script("silx_scene.py"), "Qt 5; blending", rest=3.0, needs=(module("silx"),)),
     "pymol": whole(lambda folder: ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600",
                    str(HERE / "pymol_scene.py")], "Qt 5; blending, spheres that write depth", rest=4.0, needs=("pymol",)),
