@@ -19,10 +19,6 @@ namespace {
 
 bool isMode(GLenum mode) { return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_PATCHES); }
 
-bool isIndexType(GLenum type) {
-  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
-}
-
 /// Raises the error of an invalid draw: now, or in a list when that is called.
 void refuse(Context& c, GLenum error) {
   // Inside glBegin GL_INVALID_OPERATION comes first, except while a list is compiled.

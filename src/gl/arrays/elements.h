@@ -8,6 +8,10 @@
 
 namespace gluray::gl {
 
+inline bool isIndexType(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+}
+
 /// The vertices that a draw uses: `count` from `first`, or `count` indices of `type` at `indices`.
 struct Elements {
   GLint first = 0;

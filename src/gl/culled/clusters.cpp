@@ -38,83 +38,29 @@ struct Bounds4 {
   double diagonal() const { return glm::length(glm::dvec3(upper) - glm::dvec3(lower)); }
 };
 
-/// The test of clusters against one view.
-class View {
- public:
-  View(const ClipMatrix& matrix, const WindowMapping& window, const DepthPyramid* pyramid)
-      : pyramid_(pyramid), window_(window) {
-    const glm::dmat4 rows = glm::transpose(matrix.clipFromObject),
-                     magnitudes = glm::transpose(matrix.magnitudes);
-    for (int i = 0; i < 4; ++i) row_[i] = rows[i], magnitude_[i] = glm::max(glm::abs(rows[i]), magnitudes[i]);
-    margin_ = {pixels(window.viewport.z), pixels(window.viewport.w), 0};
-    depthScale_ = 0.5 * (window.depthFar - window.depthNear);
-    depthMiddle_ = 0.5 * (window.depthFar + window.depthNear);
-  }
-
-  bool mayShow(const glm::dvec4& center, const glm::dvec4& extent) const {
-    // Some thirty operations of a shader in single precision.
-    constexpr double kRounding = 32.0 / (1 << 24);
-    const glm::dvec4 reach = glm::abs(center) + extent;
-    glm::dvec4 clip, error;
-    for (int i = 0; i < 4; ++i)
-      clip[i] = glm::dot(row_[i], center), error[i] = kRounding * glm::dot(magnitude_[i], reach);
-    const double w = clip.w, wReach = radius(row_[3], extent) + error.w;
-    for (int i = 0; i < 3; ++i) {
-      const double slack = error[i] + error.w + margin_[i] * (std::abs(w) + wReach);
-      if (w + clip[i] + radius(row_[3] + row_[i], extent) + slack < 0) return false;
-      if (w - clip[i] + radius(row_[3] - row_[i], extent) + slack < 0) return false;
-    }
-    const double nearest = w - wReach;
-    // Boxes that reach behind the viewer have no finite rectangle.
-    if (!(nearest > 1e-6 * (std::abs(w) + wReach))) return true;
-    if (!pyramid_) return true;
-    glm::dvec3 at, reachAt;
-    for (int i = 0; i < 3; ++i) {
-      at[i] = clip[i] / w;
-      const double spread = radius(row_[i] - at[i] * row_[3], extent);
-      reachAt[i] = (spread + error[i] + std::abs(at[i]) * error.w) / nearest;
-    }
-    return isNearer(at, reachAt);
-  }
-
- private:
-  /// As far around the view samples may be covered.
-  double pixels(double size) const { return 4 * window_.sampleReach / std::max(size, 1.0); }
-  static double radius(const glm::dvec4& row, const glm::dvec4& extent) {
-    return glm::dot(glm::abs(row), extent);
-  }
-  /// Of a box around `at` in normalised device coordinates.
-  bool isNearer(const glm::dvec3& at, const glm::dvec3& reach) const {
-    // Pixels are covered at their samples, around the centres (1/2, 1/2), by vertices that snap to 1/256
-    // pixel.
-    const double slack = 1.0 / 64 + window_.sampleReach;
-    const glm::dvec4& v = window_.viewport;
-    const double x = v.x + (at.x + 1) * 0.5 * v.z - 0.5, xReach = reach.x * 0.5 * v.z + slack;
-    const double y = v.y + (at.y + 1) * 0.5 * v.w - 0.5, yReach = reach.y * 0.5 * v.w + slack;
-    const double x0 = std::ceil(x - xReach), x1 = std::floor(x + xReach);
-    const double y0 = std::ceil(y - yReach), y1 = std::floor(y + yReach);
-    if (!(x0 <= x1 && y0 <= y1)) return false;  // between the samples
-    if (!(x1 >= 0 && y1 >= 0 && x0 < pyramid_->width() && y0 < pyramid_->height())) return false;
-    // Depth planes are computed in single precision from snapped vertices.
-    constexpr double kDepth = 1.0 / (1 << 16);
-    const double depth = depthMiddle_ + depthScale_ * at.z - std::abs(depthScale_) * reach.z - kDepth;
-    const auto clamped = [](double value, int most) {
-      return static_cast<int>(std::clamp(value, 0.0, double(most)));
-    };
-    const float farthest =
-        pyramid_->farthest(clamped(x0, pyramid_->width() - 1), clamped(y0, pyramid_->height() - 1),
-                           clamped(x1, pyramid_->width() - 1), clamped(y1, pyramid_->height() - 1));
-    return depth <= double{farthest};
-  }
-
-  glm::dvec4 row_[4], magnitude_[4];
-  const DepthPyramid* pyramid_;
-  const WindowMapping window_;
-  glm::dvec3 margin_{0};  // of clip space, relative to w
-  double depthScale_ = 0.5, depthMiddle_ = 0.5;
-};
-
 }  // namespace
+
+void Clusters::all(std::vector<uint64_t>& visible) const {
+  visible.assign(words(), ~uint64_t{0});
+  if (count() % 64) visible.back() = (uint64_t{1} << count() % 64) - 1;
+}
+
+bool Clusters::anyMayShow(const BoxVisibility& view) const {
+  const auto shows = [&](const Box& box) {
+    return !box.isFinite() || view.mayShow(glm::dvec4(box.center), glm::dvec4(box.extent));
+  };
+  const auto anyIn = [&](const Boxes& boxes, size_t group, const auto& each) {
+    for (size_t i = kGroup * group; i < std::min(boxes.size(), kGroup * (group + 1)); ++i)
+      if (shows(boxes[i]) && each(i)) return true;
+    return false;
+  };
+  if (!shows(all_)) return false;
+  for (size_t large = 0; large < largeGroups_.size(); ++large) {
+    const auto anyOf = [&](size_t group) { return anyIn(boxes_, group, [](size_t) { return true; }); };
+    if (shows(largeGroups_[large]) && anyIn(groups_, large, anyOf)) return true;
+  }
+  return false;
+}
 
 glm::dvec4 Primitives::position(uint32_t vertex) const {
   const std::byte* const at = positions + size_t{vertex} * stride;
@@ -162,21 +108,25 @@ void Clusters::findBoxes(const Primitives& primitives) {
   });
   group(boxes_, groups_);
   group(groups_, largeGroups_);
+  all_ = groupOf(largeGroups_, 0, largeGroups_.size());
+}
+
+Clusters::Box Clusters::groupOf(const Boxes& boxes, size_t first, size_t last) {
+  Bounds4 bounds;
+  bool finite = true;
+  for (size_t k = first; k < last; ++k) {
+    const glm::dvec4 center(boxes[k].center), extent(boxes[k].extent);
+    finite = finite && boxes[k].isFinite();
+    bounds.add(center - extent), bounds.add(center + extent);
+  }
+  return finite ? boxAround(bounds.lower, bounds.upper) : Box{glm::vec4(0), glm::vec4(-1)};
 }
 
 void Clusters::group(const Boxes& boxes, Boxes& groups) {
   groups.resize((boxes.size() + kGroup - 1) / kGroup);
   forPieces(groups.size(), kClusterGrain, [&](size_t first, size_t last) {
-    for (size_t i = first; i < last; ++i) {
-      Bounds4 bounds;
-      bool finite = true;
-      for (size_t k = kGroup * i; k < std::min(kGroup * (i + 1), boxes.size()); ++k) {
-        const glm::dvec4 center(boxes[k].center), extent(boxes[k].extent);
-        finite = finite && boxes[k].isFinite();
-        bounds.add(center - extent), bounds.add(center + extent);
-      }
-      groups[i] = finite ? boxAround(bounds.lower, bounds.upper) : Box{glm::vec4(0), glm::vec4(-1)};
-    }
+    for (size_t i = first; i < last; ++i)
+      groups[i] = groupOf(boxes, kGroup * i, std::min(kGroup * (i + 1), boxes.size()));
   });
 }
 
@@ -231,8 +181,8 @@ void Clusters::sort(const Primitives& primitives) {
 
 void Clusters::mayShow(const ClipMatrix& matrix, const WindowMapping& window, const DepthPyramid* pyramid,
                        std::vector<uint64_t>& visible) const {
-  visible.assign((boxes_.size() + 63) / 64, 0);
-  const View view(matrix, window, pyramid);
+  visible.assign(words(), 0);
+  const BoxVisibility view(matrix, window, pyramid);
   forPieces(visible.size(), kClusterGrain / 64, [&](size_t first, size_t last) {
     for (size_t word = first; word < last; ++word) {
       const auto shows = [&](const Box& box) {
@@ -252,7 +202,7 @@ void Clusters::mayShow(const ClipMatrix& matrix, const WindowMapping& window, co
   });
 }
 
-size_t Clusters::write(const std::vector<uint64_t>& visible, const Primitives& p, uint32_t* out) const {
+size_t Clusters::write(std::span<const uint64_t> visible, const Primitives& p, uint32_t* out) const {
   uint32_t* const start = out;
   const auto copy = [&](uint32_t first, uint32_t count) {
     const size_t corners = size_t{count} * p.corners, from = size_t{first} * p.corners;
@@ -262,7 +212,7 @@ size_t Clusters::write(const std::vector<uint64_t>& visible, const Primitives& p
       for (size_t i = 0; i < corners; ++i) out[i] = p.first + static_cast<uint32_t>(from + i);
     out += corners;
   };
-  const auto each = [](const std::vector<uint64_t>& words, const auto& body) {
+  const auto each = [](std::span<const uint64_t> words, const auto& body) {
     for (size_t word = 0; word < words.size(); ++word)
       for (uint64_t bits = words[word]; bits != 0; bits &= bits - 1)
         body(static_cast<uint32_t>(64 * word) + static_cast<uint32_t>(std::countr_zero(bits)));
@@ -282,7 +232,7 @@ size_t Clusters::write(const std::vector<uint64_t>& visible, const Primitives& p
   return static_cast<size_t>(out - start);
 }
 
-uint64_t Clusters::primitivesIn(const std::vector<uint64_t>& visible) const {
+uint64_t Clusters::primitivesIn(std::span<const uint64_t> visible) const {
   uint64_t clusters = 0;
   for (const uint64_t word : visible) clusters += static_cast<uint64_t>(std::popcount(word));
   const uint32_t last = count() - 1;

@@ -2,12 +2,14 @@
 // own, and which of them may show in front of a depth picture. Loops run in the shared arena. Any thread, one
 // at a time for each object.
 #pragma once
+#include "gl/culled/box_visibility.h"
 #include "gl/culled/depth_pyramid.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace gluray::gl {
@@ -30,19 +32,6 @@ struct Primitives {
   glm::dvec4 position(uint32_t vertex) const;
 };
 
-/// From clip space to the pixels of a pyramid and to window depth.
-struct WindowMapping {
-  glm::dvec4 viewport{0};              // x, y, width, height in pixels, relative to the pyramid's corner
-  double depthNear = 0, depthFar = 1;  // glDepthRange
-  double sampleReach = 0;              // how far samples may be from a pixel's centre along each axis
-};
-
-/// Clip space from vertex positions, and how far rounding may be from it: errors grow with the magnitudes.
-struct ClipMatrix {
-  glm::dmat4 clipFromObject{1};
-  glm::dmat4 magnitudes{0};  // at least the absolute values of all that was added up to clipFromObject
-};
-
 class Clusters {
  public:
   static constexpr uint32_t kPrimitives = 8;  // of a cluster, but the last
@@ -52,6 +41,8 @@ class Clusters {
   explicit Clusters(const Primitives& primitives);
 
   uint32_t count() const { return static_cast<uint32_t>(boxes_.size()); }
+  /// Words of a set of clusters.
+  size_t words() const { return (boxes_.size() + 63) / 64; }
   size_t bytes() const {
     return (boxes_.size() + groups_.size() + largeGroups_.size()) * sizeof(Box) +
            numbers_.size() * sizeof(uint32_t);
@@ -64,12 +55,16 @@ class Clusters {
   /// pixel. Null pyramid: all that may lie in the view.
   void mayShow(const ClipMatrix& matrix, const WindowMapping& window, const DepthPyramid* pyramid,
                std::vector<uint64_t>& visible) const;
+  /// Sets the bits of all clusters.
+  void all(std::vector<uint64_t>& visible) const;
+  /// Whether any of them may.
+  bool anyMayShow(const BoxVisibility& view) const;
 
   /// Writes the vertex numbers of the primitives of all clusters in `visible`, in the order of the draw.
   /// `out` has room for them. Returns how many were written.
-  size_t write(const std::vector<uint64_t>& visible, const Primitives& primitives, uint32_t* out) const;
+  size_t write(std::span<const uint64_t> visible, const Primitives& primitives, uint32_t* out) const;
   /// Primitives of the clusters in `visible`.
-  uint64_t primitivesIn(const std::vector<uint64_t>& visible) const;
+  uint64_t primitivesIn(std::span<const uint64_t> visible) const;
 
  private:
   struct Box {
@@ -78,6 +73,7 @@ class Clusters {
   };
   using Boxes = std::vector<Box>;
   static Box boxAround(const glm::dvec4& lower, const glm::dvec4& upper);
+  static Box groupOf(const Boxes& boxes, size_t first, size_t last);
   static void group(const Boxes& boxes, Boxes& groups);
   uint32_t primitivesOf(uint32_t cluster) const;
   uint32_t primitiveAt(uint32_t cluster, uint32_t i) const {
@@ -91,6 +87,7 @@ class Clusters {
   uint32_t primitives_ = 0;
   std::vector<uint32_t> numbers_;  // of the primitives, cluster by cluster; empty: in the order of the draw
   Boxes boxes_, groups_, largeGroups_;
+  Box all_;
 };
 
 }  // namespace gluray::gl

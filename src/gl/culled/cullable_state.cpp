@@ -21,12 +21,11 @@ bool offsetsNearer(const RasterState& raster) {
 
 }  // namespace
 
-Reason cullableState(const ShadowState& shadow, GLenum mode, const Elements& e) {
+Reason cullableState(const ShadowState& shadow, GLenum mode) {
   const State& state = shadow.state;
   const RasterState& raster = state.raster;
   const RealGl& real = shadow.real;
   if (!isMode(mode, shadow.info.core)) return Reason::mode;
-  if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return Reason::instanced;
   if (shadow.activeQueries > 0) return Reason::query;
   // Fog changes colours only; a stipple discards pixels.
   const Reason reason = raster.butDepthFunc;

@@ -1,6 +1,5 @@
 // Whether a draw may be made in parts, as far as the state of OpenGL decides. GL thread, context current.
 #pragma once
-#include "gl/arrays/elements.h"
 #include "gl/draws/reasons.h"
 #include "gl/state/shadow_state.h"
 
@@ -8,8 +7,8 @@
 
 namespace gluray::gl {
 
-/// Why it may not, or Reason::traced. Blending is not looked at.
-Reason cullableState(const ShadowState& shadow, GLenum mode, const Elements& elements);
+/// Why it may not, or Reason::traced. Blending and instances are not looked at.
+Reason cullableState(const ShadowState& shadow, GLenum mode);
 
 /// Why blending shows what is hidden at the end where alpha is 1 or, if not `opaque`, whatever it is;
 /// Reason::traced: it does not.

@@ -1,6 +1,7 @@
 // What is found about a draw before anything of it is drawn.
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
+#include "gl/culled/instance_arrays.h"
 #include "gl/state/state_queries.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -14,32 +15,34 @@ namespace {
 constexpr uint64_t kUnusedFrames = 8;  // after which a mesh is forgotten
 constexpr int kSteadyFrames = 3;       // with the same data, before clusters are built
 
-/// The array that feeds the attribute; null: none does.
-const ArraySource* arrayOf(const ArrayState& arrays, GLint location) {
-  const ArraySource* found = nullptr;
-  const auto look = [&](const ArraySource& a) {
-    if (a.enabled && a.location == location) found = &a;
-  };
-  arrays.forEach(look);
-  for (const ArraySource& a : arrays.generic) look(a);
-  return found;
-}
-
 }  // namespace
 
 Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   ShadowState& shadow = p_.shadow;
-  if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
+  found.mode = mode, found.elements = e;
+  if (const Reason reason = cullableState(shadow, mode); reason != Reason::traced) return reason;
   mapWindow(found);
   if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
-  found.rehearsed = found.samples > 1 && !before_.isClear(found.region);
-  // A copy of a window may have its samples elsewhere in the pixels.
-  if (found.rehearsed && shadow.state.target.framebuffer == 0) return Reason::samplesInUse;
+  if (!choosePlace(found)) return Reason::samplesInUse;
+  if (e.repeats() > 1 && shadow.state.raster.program != 0 && programInUse().numbersInstances())
+    return Reason::instanceNumbers;
   Source from;
   if (const Reason reason = source(from); reason != Reason::traced) return reason;
   if (found.samples > 1 && from.program && from.program->usesCentroids()) return Reason::multisampleState;
   found.program = from.program, found.matrix = from.matrix;
-  return planMesh(from, mode, e, found);
+  if (e.repeats() > 1 || e.baseInstance != 0 || !from.position.terms.empty())
+    if (const Reason reason = planInstances(from, found); reason != Reason::traced) return reason;
+  return planMesh(from, found);
+}
+
+bool CulledDraws::choosePlace(Plan& plan) const {
+  plan.rehearsed = plan.samples > 1 && !before_.isClear(plan.region);
+  // A copy of a window may have its samples elsewhere in the pixels.
+  return !plan.rehearsed || p_.shadow.state.target.framebuffer != 0;
+}
+
+bool CulledDraws::takesParts() {
+  return p_.shadow.state.raster.program != 0 && programInUse().reason() == Reason::traced;
 }
 
 Reason CulledDraws::source(Source& found) {
@@ -54,16 +57,17 @@ Reason CulledDraws::sourceOfProgram(Source& found) {
   const bool core = shadow.info.core;
   const bool opaque = !isOn(shadow.real, GL_BLEND) || program.isOpaque(shadow.real, core);
   if (const Reason reason = cullableBlending(shadow, opaque); reason != Reason::traced) return reason;
-  const std::optional<LinearPosition> position = program.position(shadow.real, core);
+  const InstanceAttributes instances = instanceAttributes(program.known().program, shadow.attributes);
+  std::optional<LinearPosition> position = program.position(shadow.real, core, instances);
   if (!position) return Reason::positions;
   found.program = &program, found.matrix = {position->clipFromAttribute, position->magnitudes};
-  found.components = position->components;
-  if (position->attribute == "gl_Vertex") {
+  found.components = position->components, found.position = std::move(*position);
+  if (found.position.attribute == "gl_Vertex") {
     shadow.refresh(kFixedArrays);
     found.arrays = &shadow.arrays, found.positions = &shadow.arrays.vertex;
     return Reason::traced;
   }
-  const ProgramAttribute* attribute = program.known().program.attribute(position->attribute);
+  const ProgramAttribute* attribute = program.known().program.attribute(found.position.attribute);
   found.arrays = &shadow.attributes;
   found.positions = attribute ? arrayOf(shadow.attributes, attribute->location) : nullptr;
   return found.positions ? Reason::traced : Reason::arrayState;
@@ -84,8 +88,10 @@ Reason CulledDraws::sourceOfFixedFunction(Source& found) {
   return Reason::traced;
 }
 
-Reason CulledDraws::planMesh(const Source& from, GLenum mode, const Elements& e, Plan& found) {
+Reason CulledDraws::planMesh(const Source& from, Plan& found) {
   ShadowState& shadow = p_.shadow;
+  const GLenum mode = found.mode;
+  const Elements& e = found.elements;
   const ArrayState& arrays = *from.arrays;
   const ArraySource& positions = *from.positions;
   const int components = from.components;
@@ -96,6 +102,7 @@ Reason CulledDraws::planMesh(const Source& from, GLenum mode, const Elements& e,
   ArrayState content;
   content.vertex = positions, content.vertex.size = std::min(positions.size, components);
   content.elements = arrays.elements;
+  if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
   if (foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
   const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
   if (assembly.restart && !inBuffers) return Reason::arrayState;
@@ -115,6 +122,8 @@ Reason CulledDraws::planMesh(const Source& from, GLenum mode, const Elements& e,
   if (!known.mesh->isBuilt() || building_ == known.mesh) return Reason::smallDraw;
   known.mesh->forgetPositions();
   found.mesh = known.mesh, found.known = &known;
+  found.byClusters = found.instances && areFewAndLarge(*found.instances, *found.mesh);
+  found.history = &historyOf(known, found);
   return Reason::traced;
 }
 

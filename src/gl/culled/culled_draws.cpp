@@ -60,41 +60,51 @@ class EqualDepthTest {
 
 CulledDraws::~CulledDraws() { job_.stop(); }
 
-bool CulledDraws::draw(GLenum mode, const Elements& e) noexcept {
+bool CulledDraws::isActive() const {
+  const Culling how = p_.shadow.settings.cull.draws;
+  if (how == Culling::automatic && !p_.shadow.isSoftwareBelow()) return false;
+  return how != Culling::off && !p_.failsafe.aside() && !p_.shadow.info.off;
+}
+
+bool CulledDraws::isLarge(const Elements& e) const {
+  const auto least = static_cast<uint64_t>(std::max(p_.shadow.settings.cull.from, 1));
+  return static_cast<uint64_t>(std::max(e.count, 0)) * e.repeats() >= least;
+}
+
+bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void()>& first) noexcept {
   const Settings& settings = p_.shadow.settings;
-  if (settings.cull.draws == Culling::automatic && !p_.shadow.isSoftwareBelow()) return false;
-  if (settings.cull.draws == Culling::off || p_.failsafe.aside() || p_.shadow.info.off) return false;
-  const auto least = static_cast<uint64_t>(std::max(settings.cull.from, 1));
-  if (static_cast<uint64_t>(std::max(e.count, 0)) < least) return false;
+  if (!isActive() || !isLarge(e)) return false;
   return p_.failsafe.protect([&] {
     Plan found;
     const Reason why = plan(mode, e, found);
     if (why != Reason::traced) return p_.counts.notCulled(why), false;
+    if (first) first();
+    if (first && !choosePlace(found))
+      return drawWhole(found), p_.counts.notCulled(Reason::samplesInUse), true;
     p_.shadow.errors.keepPending();  // what reads pixels takes errors
     if (settings.cull.verify > 0 && p_.clock.frame % static_cast<uint64_t>(settings.cull.verify) == 0)
-      return drawVerified(found, mode, e);
+      return drawVerified(found);
     const bool always = settings.cull.draws == Culling::always;
-    const CullingTrials::Next next = found.known->trials.next(always);
+    History& history = *found.history;
+    const CullingTrials::Next next = history.trials.next(always);
     if (next.measured) p_.shadow.real.Finish();
     const double start = next.measured ? nowSeconds() : 0;
     const bool culled = next.way == CullingTrials::Way::culled && drawCulled(found);
-    if (!culled) drawReal(p_.shadow.real, mode, e), p_.counts.notCulled(Reason::mostShows);
+    if (!culled) drawWhole(found), p_.counts.notCulled(Reason::mostShows);
     if (next.measured) {
       p_.shadow.real.Finish();
-      found.known->trials.took(culled ? next.way : CullingTrials::Way::plain, nowSeconds() - start);
+      history.trials.took(culled ? next.way : CullingTrials::Way::plain, nowSeconds() - start);
     }
-    if (found.mesh->visible.empty() && (always || found.known->trials.pays()))
-      look(found, found.mesh->visible);
+    if (history.visible.empty() && (always || history.trials.pays())) look(found, history.visible);
     return true;
   });
 }
 
 bool CulledDraws::drawCulled(const Plan& plan) {
-  if (plan.rehearsed) return drawRehearsed(plan, std::nullopt);
-  CulledMesh& mesh = *plan.mesh;
-  const std::vector<uint64_t> guess = mesh.visible;
+  if (plan.rehearsed) return drawRehearsed(plan, false);
+  const std::vector<uint64_t> guess = plan.history->visible;
   if (guess.empty() || !before_.keep(plan.region)) return false;
-  drawClusters(mesh, guess);
+  drawParts(plan, guess);
   std::vector<uint64_t> visible;
   if (!look(plan, visible)) {  // all that was not drawn may show
     before_.putBack();
@@ -102,38 +112,38 @@ bool CulledDraws::drawCulled(const Plan& plan) {
   }
   std::vector<uint64_t> rest = visible;
   without(rest, guess);
-  uint64_t drawn = mesh.clusters().primitivesIn(guess);
+  uint64_t drawn = primitivesIn(plan, guess);
   if (any(rest)) {
-    drawn += mesh.clusters().primitivesIn(rest);
-    if (meetsEqual(mesh, rest)) {
+    drawn += primitivesIn(plan, rest);
+    if (meetsEqual(plan, rest)) {
       before_.putBack();
-      drawClusters(mesh, both(visible, guess));
+      drawParts(plan, both(visible, guess));
     } else {
-      drawClusters(mesh, rest);
+      drawParts(plan, rest);
     }
   }
-  mesh.visible = std::move(visible);
-  countLeft(mesh, drawn);
+  plan.history->visible = std::move(visible);
+  countLeft(plan, drawn);
   return true;
 }
 
-void CulledDraws::countLeft(const CulledMesh& mesh, uint64_t drawn) {
-  const uint64_t left = mesh.primitives() - std::min<uint64_t>(drawn, mesh.primitives());
-  p_.counts.culled(left * (mesh.corners() - 2));
+void CulledDraws::countLeft(const Plan& plan, uint64_t drawn) {
+  const CulledMesh& mesh = *plan.mesh;
+  const uint64_t all = uint64_t{mesh.primitives()} * plan.elements.repeats();
+  p_.counts.culled((all - std::min(drawn, all)) * (mesh.corners() - 2));
 }
 
-bool CulledDraws::drawVerified(const Plan& plan, GLenum mode, const Elements& e) {
-  const RealGl& real = p_.shadow.real;
+bool CulledDraws::drawVerified(const Plan& plan) {
   Pixels culled, whole;
-  if (plan.rehearsed && drawRehearsed(plan, Whole{mode, e})) return true;
+  if (plan.rehearsed && drawRehearsed(plan, true)) return true;
   if (plan.rehearsed || !drawCulled(plan)) {
-    drawReal(real, mode, e);
-    look(plan, plan.mesh->visible);
+    drawWhole(plan);
+    look(plan, plan.history->visible);
     return true;
   }
   const bool isRead = read(plan, culled);
   before_.putBack();
-  drawReal(real, mode, e);
+  drawWhole(plan);
   if (!isRead || !read(plan, whole) || culled == whole) return true;
   isDifferent(plan);
   return true;
@@ -168,11 +178,18 @@ bool CulledDraws::look(const Plan& plan, std::vector<uint64_t>& visible) {
   if (plan.reversed)
     for (float& depth : depths_) depth = 1 - depth;
   pyramid_.build(depths_.data(), plan.region.width, plan.region.height);
-  plan.mesh->clusters().mayShow(plan.matrix, plan.window, &pyramid_, visible);
+  const Clusters& clusters = plan.mesh->clusters();
+  if (plan.byClusters)
+    findClustersOfInstances(plan, pyramid_, visible);
+  else if (plan.instances)
+    plan.instances->mayShow(clusters, plan.window, &pyramid_, visible);
+  else
+    clusters.mayShow(plan.matrix, plan.window, &pyramid_, visible);
   return true;
 }
 
-void CulledDraws::drawClusters(const CulledMesh& mesh, const std::vector<uint64_t>& clusters) {
+void CulledDraws::drawClusters(const CulledMesh& mesh, std::span<const uint64_t> clusters,
+                               const Elements& as) {
   const RealGl& real = p_.shadow.real;
   indices_.resize(mesh.corners() * mesh.clusters().primitivesIn(clusters));
   const size_t count = mesh.write(clusters, indices_.data());
@@ -183,16 +200,17 @@ void CulledDraws::drawClusters(const CulledMesh& mesh, const std::vector<uint64_
   real.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indexBuffer_);
   real.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * sizeof(uint32_t)), indices_.data(),
                   GL_STREAM_DRAW);
-  real.DrawElements(mesh.mode(), static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr);
+  drawReal(real, mesh.mode(),
+           {0, static_cast<GLsizei>(count), GL_UNSIGNED_INT, nullptr, 0, as.instances, as.baseInstance});
   real.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLuint>(bound));
 }
 
-bool CulledDraws::meetsEqual(const CulledMesh& mesh, const std::vector<uint64_t>& clusters) {
+bool CulledDraws::meetsEqual(const Plan& plan, const std::vector<uint64_t>& parts) {
   const RealGl& real = p_.shadow.real;
   if (query_ == 0) real.GenQueries(1, &query_);
   const EqualDepthTest test(real);
   real.BeginQuery(GL_SAMPLES_PASSED, query_);
-  drawClusters(mesh, clusters);
+  drawParts(plan, parts);
   real.EndQuery(GL_SAMPLES_PASSED);
   GLuint samples = 0;
   real.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &samples);

@@ -9,6 +9,7 @@
 #include "gl/culled/culled_mesh.h"
 #include "gl/culled/culled_program.h"
 #include "gl/culled/culling_trials.h"
+#include "gl/culled/instances.h"
 #include "gl/culled/restore_point.h"
 #include "gl/draws/draw_counts.h"
 #include "gl/draws/reasons.h"
@@ -19,8 +20,10 @@
 #include <GL/gl.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -41,37 +44,59 @@ class CulledDraws {
 
   /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
   /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn.
-  /// Never throws.
-  bool draw(GLenum mode, const Elements& elements) noexcept;
+  /// Never throws. `first` is called before anything is drawn.
+  bool draw(GLenum mode, const Elements& elements, const std::function<void()>& first = {}) noexcept;
 
   /// Where a draw's vertices come from, and the matrix that puts them into clip space.
   struct Source {
     const ArrayState* arrays = nullptr;
     const ArraySource* positions = nullptr;  // one of `arrays`
     int components = 4;                      // of these that count
-    ClipMatrix matrix;
-    CulledProgram* program = nullptr;  // null: fixed function
+    ClipMatrix matrix;                       // without what numbers of the instance add
+    LinearPosition position;                 // by a program
+    CulledProgram* program = nullptr;        // null: fixed function
   };
   /// Finds it for draws with the current state. Reason::traced, or why it is not known, or why what is hidden
   /// at the end shows.
   Reason source(Source& source);
 
+  /// Whether the settings and the real OpenGL allow culled draws.
+  bool isActive() const;
+  /// Whether draws of the current shader program may be made in parts, whatever its uniforms are.
+  bool takesParts();
+  /// Whether the draw has enough vertices to be culled.
+  bool isLarge(const Elements& elements) const;
+
  private:
+  /// What is remembered of draws that have the same parts: clusters, or units of instances.
+  struct History {
+    std::vector<uint64_t> visible;  // parts that showed last; empty: not known
+    bool byClusters = false;        // as Plan has it
+    CullingTrials trials;
+    Hash128 arrays;          // that give instances their values
+    uint64_t lastFrame = 0;  // of instances, that drew them
+  };
   struct Known {
     std::shared_ptr<CulledMesh> mesh;
-    CullingTrials trials;
-    uint64_t lastFrame = 0;  // that drew it
-    int frames = 0;          // that drew it
-    bool refused = false;    // its positions cannot be read
-    bool different = false;  // a picture was not the same, without a shader program
+    History alone;                   // of draws without several instances
+    std::vector<History> instanced;  // of draws with them
+    uint64_t lastFrame = 0;          // that drew it
+    int frames = 0;                  // that drew it
+    bool refused = false;            // its positions cannot be read
+    bool different = false;          // a picture was not the same, without a shader program
   };
   /// What a draw needs, found before anything is drawn.
   struct Plan {
+    GLenum mode = GL_TRIANGLES;
+    Elements elements;
     CulledProgram* program = nullptr;  // null: fixed function
     std::shared_ptr<CulledMesh> mesh;
     Known* known = nullptr;
+    History* history = nullptr;
     ClipMatrix matrix;
-    scene::Region region;  // pixels that may be drawn
+    std::optional<Instances> instances;  // nothing: clusters of the mesh are the parts
+    bool byClusters = false;             // parts are clusters of each unit of instances, else units
+    scene::Region region;                // pixels that may be drawn
     WindowMapping window;
     int samples = 1;         // of a pixel
     bool rehearsed = false;  // what shows is found in a copy of the framebuffer, which cannot be put back
@@ -82,8 +107,14 @@ class CulledDraws {
   Reason plan(GLenum mode, const Elements& elements, Plan& plan);
   Reason sourceOfProgram(Source& source);
   Reason sourceOfFixedFunction(Source& source);
-  Reason planMesh(const Source& source, GLenum mode, const Elements& elements, Plan& plan);
+  Reason planInstances(const Source& source, Plan& plan);
+  Reason planMesh(const Source& source, Plan& plan);
+  static bool areFewAndLarge(const Instances& instances, const CulledMesh& mesh);
+  History& historyOf(Known& known, const Plan& plan);
+  History& historyOf(Known& known, const Hash128& arrays);
   void mapWindow(Plan& plan) const;
+  /// Decides whether what shows is found in a copy. False: nowhere.
+  bool choosePlace(Plan& plan) const;
   CulledProgram& programInUse();
   void prepare(const std::shared_ptr<CulledMesh>& mesh);
   void forgetOld();
@@ -91,20 +122,17 @@ class CulledDraws {
   /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
   /// copied.
   bool drawCulled(const Plan& plan);
-  struct Whole {
-    GLenum mode;
-    const Elements& elements;
-  };
-  /// The same with what shows found in a copy of the framebuffer. With `whole`, compares what both make of
-  /// copies; where they differ the whole draw is made.
-  bool drawRehearsed(const Plan& plan, const std::optional<Whole>& whole);
+  /// The same with what shows found in a copy of the framebuffer. If `verified`, compares what this and the
+  /// whole draw make of copies; where they differ the whole draw is made.
+  bool drawRehearsed(const Plan& plan, bool verified);
   bool rehearse(const Plan& plan, std::vector<uint64_t>& visible);
-  bool isSame(const Plan& plan, const std::vector<uint64_t>& visible, const Whole& whole);
+  bool isSame(const Plan& plan, const std::vector<uint64_t>& visible);
   /// The draw was not the same as a whole one.
   void isDifferent(const Plan& plan);
   /// So many of its primitives were drawn.
-  void countLeft(const CulledMesh& mesh, uint64_t drawn);
-  bool drawVerified(const Plan& plan, GLenum mode, const Elements& elements);
+  void countLeft(const Plan& plan, uint64_t drawn);
+  void drawWhole(const Plan& plan) { drawReal(p_.shadow.real, plan.mode, plan.elements); }
+  bool drawVerified(const Plan& plan);
   /// All that the region shows, to be compared.
   struct Pixels {
     std::vector<float> depths;
@@ -116,9 +144,21 @@ class CulledDraws {
   bool readFarthest(const Plan& plan);
   /// Reads the depth of the region and finds what may show. False: it cannot be read.
   bool look(const Plan& plan, std::vector<uint64_t>& visible);
-  void drawClusters(const CulledMesh& mesh, const std::vector<uint64_t>& clusters);
-  /// Whether a pixel of these clusters has the very depth that is there: then the order of drawing decides.
-  bool meetsEqual(const CulledMesh& mesh, const std::vector<uint64_t>& clusters);
+  void drawParts(const Plan& plan, const std::vector<uint64_t>& parts);
+  /// `as`: whose instances are drawn.
+  void drawClusters(const CulledMesh& mesh, std::span<const uint64_t> clusters, const Elements& as);
+  static uint64_t primitivesIn(const Plan& plan, const std::vector<uint64_t>& parts);
+  static void findClustersOfInstances(const Plan& plan, const DepthPyramid& pyramid,
+                                      std::vector<uint64_t>& visible);
+  /// Calls each(unit, its clusters), where all parts are.
+  template <class Each>
+  static void forClustersOfInstances(const Plan& plan, const std::vector<uint64_t>& parts, const Each& each) {
+    const size_t words = plan.mesh->clusters().words();
+    for (uint32_t unit = 0; unit < plan.instances->units(); ++unit)
+      each(unit, std::span(parts).subspan(words * unit, words));
+  }
+  /// Whether a pixel of these parts has the very depth that is there: then the order of drawing decides.
+  bool meetsEqual(const Plan& plan, const std::vector<uint64_t>& parts);
 
   Parts p_;
   RestorePoint before_;

@@ -1,5 +1,5 @@
-// The geometry of a draw that is culled: its clusters, built in the background, and what was last visible. A
-// part of CulledDraws, GL thread.
+// The geometry of a draw that is culled: its clusters, built in the background. A part of CulledDraws, GL
+// thread.
 #pragma once
 #include "base/background_job.h"
 #include "gl/arrays/arrays.h"
@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gluray::gl {
@@ -34,11 +35,9 @@ class CulledMesh {
   uint32_t corners() const { return primitives_.corners; }
   GLenum mode() const { return primitives_.corners == 4 ? GL_QUADS : GL_TRIANGLES; }
   /// Vertex numbers of the primitives of clusters, in the order of the draw.
-  size_t write(const std::vector<uint64_t>& clusters, uint32_t* out) const {
+  size_t write(std::span<const uint64_t> clusters, uint32_t* out) const {
     return clusters_->write(clusters, primitives_, out);
   }
-
-  std::vector<uint64_t> visible;  // clusters that showed last; empty: not known
 
  private:
   CulledMesh() = default;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -50,10 +51,10 @@ Reason obstacleIn(std::string_view text) {
   return Reason::traced;
 }
 
-bool hasWord(std::string_view text, std::string_view wanted) {
+bool hasWord(std::string_view text, std::initializer_list<std::string_view> wanted) {
   GlslTokens tokens(text);
   for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next())
-    if (word == wanted) return true;
+    if (std::ranges::find(wanted, word) != wanted.end()) return true;
   return false;
 }
 
@@ -143,17 +144,22 @@ Reason CulledProgram::check(const RealGl& real) {
   const std::string vertex = source.of(GL_VERTEX_SHADER), fragment = source.of(GL_FRAGMENT_SHADER);
   for (const std::string* text : {&vertex, &fragment})
     if (const Reason reason = obstacleIn(*text); reason != Reason::traced) return reason;
-  discards_ = hasWord(fragment, "discard");
-  for (const std::string* text : {&vertex, &fragment})
-    usesCentroids_ = usesCentroids_ || hasWord(*text, "centroid") || hasWord(*text, "interpolateAtCentroid");
+  discards_ = hasWord(fragment, {"discard"});
+  for (const std::string* text : {&vertex, &fragment}) {
+    usesCentroids_ = usesCentroids_ || hasWord(*text, {"centroid", "interpolateAtCentroid"});
+    numbersInstances_ =
+        numbersInstances_ || hasWord(*text, {"gl_InstanceID", "gl_InstanceIDARB", "gl_InstanceIDEXT",
+                                             "gl_InstanceIndex", "gl_BaseInstance", "gl_BaseInstanceARB"});
+  }
   slice_.emplace(vertex), alpha_.emplace(fragment);
   why_ = slice_->why();
   return why_.empty() ? Reason::traced : Reason::positions;
 }
 
-std::optional<LinearPosition> CulledProgram::position(const RealGl& real, bool core) {
+std::optional<LinearPosition> CulledProgram::position(const RealGl& real, bool core,
+                                                      const InstanceAttributes& instances) {
   if (reason_ != Reason::traced) return std::nullopt;
-  return slice_->evaluate(CurrentUniforms(real, known_->program, core), why_);
+  return slice_->evaluate(CurrentUniforms(real, known_->program, core), why_, instances);
 }
 
 bool CulledProgram::isOpaque(const RealGl& real, bool core) const {

@@ -23,8 +23,9 @@ class CulledProgram {
   Reason reason() const { return reason_; }
   /// The same in words for the user, more precisely; may be empty.
   const std::string& why() const { return why_; }
-  /// With the current values of its uniforms. Nothing: not linear; sets why().
-  std::optional<LinearPosition> position(const RealGl& real, bool core);
+  /// With the current values of its uniforms. `instances`: its attributes that have one value for an
+  /// instance. Nothing: not linear; sets why().
+  std::optional<LinearPosition> position(const RealGl& real, bool core, const InstanceAttributes& instances);
   /// Whether alpha is 1 in all that it draws, with the current values of its uniforms.
   bool isOpaque(const RealGl& real, bool core) const;
   /// Whether its fragment shader leaves out fragments.
@@ -32,6 +33,8 @@ class CulledProgram {
   /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the
   /// depth test, so that they depend on what was drawn before.
   bool usesCentroids() const { return usesCentroids_; }
+  /// Whether its shaders read numbers of instances, which are others where instances are left out.
+  bool numbersInstances() const { return numbersInstances_; }
   /// It is not culled from now on.
   void refuse(Reason reason) { reason_ = reason; }
   /// Whether nothing else knows the program any more.
@@ -47,6 +50,7 @@ class CulledProgram {
   Reason reason_ = Reason::traced;
   bool discards_ = false;
   bool usesCentroids_ = false;
+  bool numbersInstances_ = false;
   std::string why_;
 };
 

@@ -34,7 +34,8 @@ bool isClipped(const ShadowState& shadow) {
 /// Whether the draw may have written less than colours and depth. Fragments that it left out are found by
 /// their depth, unless the framebuffer is multisampled.
 Reason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
-  if (const Reason reason = cullableState(shadow, mode, e); reason != Reason::traced) return reason;
+  if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return Reason::instanced;
+  if (const Reason reason = cullableState(shadow, mode); reason != Reason::traced) return reason;
   const RasterState& raster = shadow.state.raster;
   if (raster.isReversed()) return Reason::depthFunc;
   if (!raster.colorWrites.all()) return Reason::colorMask;
@@ -87,6 +88,7 @@ Reason light(Context& c, GLenum mode, const Elements& e) {
   if (!c.flusher.canTrace()) return Reason::noGlsl;
   CulledDraws::Source from;
   if (const Reason reason = c.culled.source(from); reason != Reason::traced) return reason;
+  if (!from.position.terms.empty()) return Reason::instanced;
   if (from.program && from.program->discards() && shadow.state.target.samples > 1) return Reason::leavesOut;
   const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();
   if (!from.positions->enabled || restarts) return Reason::arrayState;

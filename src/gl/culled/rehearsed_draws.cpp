@@ -29,38 +29,37 @@ class FramebufferCopy {
 /// Depths that hide clusters of the guess are those of others, which are in `visible`: nothing of the guess
 /// need be added.
 bool CulledDraws::rehearse(const Plan& plan, std::vector<uint64_t>& visible) {
-  if (plan.mesh->visible.empty()) return false;
+  if (plan.history->visible.empty()) return false;
   const FramebufferCopy copy(p_.shadow.real, p_.flusher.presenter.reader(), plan.region, false);
   if (!copy.exists()) return false;
-  drawClusters(*plan.mesh, plan.mesh->visible);
+  drawParts(plan, plan.history->visible);
   return look(plan, visible);
 }
 
-bool CulledDraws::isSame(const Plan& plan, const std::vector<uint64_t>& visible, const Whole& whole) {
+bool CulledDraws::isSame(const Plan& plan, const std::vector<uint64_t>& visible) {
   Pixels pixels[2];
   for (const bool all : {false, true}) {
     const FramebufferCopy copy(p_.shadow.real, p_.flusher.presenter.reader(), plan.region, true);
     if (!copy.exists()) return true;
     if (all)
-      drawReal(p_.shadow.real, whole.mode, whole.elements);
+      drawWhole(plan);
     else
-      drawClusters(*plan.mesh, visible);
+      drawParts(plan, visible);
     if (!read(plan, pixels[all ? 1 : 0])) return true;
   }
   return pixels[0] == pixels[1];
 }
 
-bool CulledDraws::drawRehearsed(const Plan& plan, const std::optional<Whole>& whole) {
+bool CulledDraws::drawRehearsed(const Plan& plan, bool verified) {
   std::vector<uint64_t> visible;
   if (!rehearse(plan, visible)) return false;
-  if (whole && !isSame(plan, visible, *whole)) {
+  if (verified && !isSame(plan, visible)) {
     isDifferent(plan);
-    return drawReal(p_.shadow.real, whole->mode, whole->elements), true;
+    return drawWhole(plan), true;
   }
-  CulledMesh& mesh = *plan.mesh;
-  drawClusters(mesh, visible);
-  countLeft(mesh, mesh.clusters().primitivesIn(visible));
-  mesh.visible = std::move(visible);
+  drawParts(plan, visible);
+  countLeft(plan, primitivesIn(plan, visible));
+  plan.history->visible = std::move(visible);
   return true;
 }
 

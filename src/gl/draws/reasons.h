@@ -63,6 +63,9 @@ namespace gluray::gl {
   X(noSource, "shader whose source is not known")                            \
   X(positions, "positions that are no matrix times an attribute")            \
   X(instanced, "several instances, or a base instance")                      \
+  X(instanceNumbers, "shader that reads numbers of instances")               \
+  X(instanceArrays, "arrays of instances that cannot be drawn in parts")     \
+  X(indirect, "indirect draw whose commands are not known")                  \
   X(mode, "primitives other than triangles")                                 \
   X(offsetNearer, "polygon offset towards the viewer")                       \
   X(drawBuffers, "several draw buffers")                                     \

@@ -182,10 +182,6 @@ TEST(CulledDraws, AreNotMadeWhereTheyWouldNotBeExact) {
   EXPECT_EQ(compareShells("deep", deep, drawAll).drawsCulled, 0u);
   const std::string numbers = replacedIn(kCulledFragment, "wood(place)", "float(gl_PrimitiveID % 5) / 4.0");
   EXPECT_EQ(compareShells("numbers", numbers, drawAll).drawsCulled, 0u);
-  const auto instances = [](Gl gl, const ProgramMesh& mesh) {
-    gl.DrawElementsInstanced(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr, 2);
-  };
-  EXPECT_EQ(compareShells("instances", kCulledFragment, instances).drawsCulled, 0u);
 }
 
 /// Programs need their shaders no longer once they are linked.

@@ -1,30 +1,87 @@
 #include "gl/culled/shader_slice/linear_value.h"
 
+#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace gluray::gl::glsl {
 namespace {
 
-bool isFinite(const Linear& l) {
+using Factors = std::array<double, 5>;
+
+constexpr size_t kMostTerms = 128;
+
+double sizeOf(const Factors& factors, const Factors& magnitudes) {
   double sum = 0;
-  for (size_t i = 0; i < l.factors.size(); ++i) sum += std::abs(l.factors[i]) + l.magnitudes[i];
+  for (size_t i = 0; i < factors.size(); ++i) sum += std::abs(factors[i]) + magnitudes[i];
+  return sum;
+}
+
+bool isFinite(const Linear& l) {
+  double sum = sizeOf(l.factors, l.magnitudes);
+  for (const InstanceTerm& term : l.terms) sum += sizeOf(term.factors, term.magnitudes);
   return std::isfinite(sum) && sum < std::numeric_limits<float>::max();
 }
 
-Linear checked(const Linear& l) { return isFinite(l) ? l : Linear::unknown(); }
+Linear checked(Linear l) {
+  return isFinite(l) && l.terms.size() <= kMostTerms ? std::move(l) : Linear::unknown();
+}
+
+void addTimes(Factors& to, const Factors& more, double sign) {
+  for (size_t i = 0; i < to.size(); ++i) to[i] += sign * more[i];
+}
+
+/// The term of `product`, made if it is not there.
+InstanceTerm& termOf(Linear& l, InstanceProduct product) {
+  const auto at = std::ranges::lower_bound(l.terms, product, {}, &InstanceTerm::product);
+  if (at != l.terms.end() && at->product == product) return *at;
+  return *l.terms.insert(at, {product, {}, {}});
+}
+
+/// Nothing: of more than four numbers.
+std::optional<InstanceProduct> productOf(InstanceProduct a, InstanceProduct b) {
+  std::array<uint32_t, 8> numbers{};
+  for (size_t i = 0; i < 4; ++i) numbers[i] = (a >> (8 * i)) & 0xFF, numbers[4 + i] = (b >> (8 * i)) & 0xFF;
+  std::ranges::sort(numbers, std::greater<>());
+  if (numbers[4] != 0) return std::nullopt;
+  return numbers[0] | numbers[1] << 8 | numbers[2] << 16 | numbers[3] << 24;
+}
+
+/// Calls each(product, factors, magnitudes) for the part without numbers of the instance and for all terms.
+template <class Each>
+void forTerms(const Linear& l, const Each& each) {
+  each(InstanceProduct{0}, l.factors, l.magnitudes);
+  for (const InstanceTerm& term : l.terms) each(term.product, term.factors, term.magnitudes);
+}
+
+/// Adds form * factor to the term of `product`.
+void addProduct(Linear& to, InstanceProduct product, const Factors& form, const Factors& magnitudes,
+                double factor, double magnitude) {
+  InstanceTerm* const term = product ? &termOf(to, product) : nullptr;
+  Factors &factorsTo = term ? term->factors : to.factors,
+          &magnitudesTo = term ? term->magnitudes : to.magnitudes;
+  for (size_t i = 0; i < form.size(); ++i)
+    factorsTo[i] += form[i] * factor, magnitudesTo[i] += magnitudes[i] * magnitude;
+}
+
+bool isZero(const InstanceTerm& term) {
+  return std::ranges::all_of(term.magnitudes, [](double m) { return m == 0; });
+}
 
 }  // namespace
 
 Linear sum(const Linear& a, const Linear& b, double sign) {
   if (!a.known || !b.known) return Linear::unknown();
   if (a.attribute >= 0 && b.attribute >= 0 && a.attribute != b.attribute) return Linear::unknown();
-  Linear r;
+  Linear r = a;
   r.attribute = std::max(a.attribute, b.attribute), r.exact = false;
-  for (size_t i = 0; i < r.factors.size(); ++i) {
-    r.factors[i] = a.factors[i] + sign * b.factors[i];
-    r.magnitudes[i] = a.magnitudes[i] + b.magnitudes[i];
+  addTimes(r.factors, b.factors, sign), addTimes(r.magnitudes, b.magnitudes, 1);
+  for (const InstanceTerm& term : b.terms) {
+    InstanceTerm& to = termOf(r, term.product);
+    addTimes(to.factors, term.factors, sign), addTimes(to.magnitudes, term.magnitudes, 1);
   }
-  return checked(r);
+  return checked(std::move(r));
 }
 
 Linear product(const Linear& a, const Linear& b) {
@@ -35,11 +92,16 @@ Linear product(const Linear& a, const Linear& b) {
   const Linear& factor = a.attribute >= 0 ? b : a;
   Linear r;
   r.attribute = form.attribute, r.exact = false;
-  for (size_t i = 0; i < r.factors.size(); ++i) {
-    r.factors[i] = form.factors[i] * factor.value();
-    r.magnitudes[i] = form.magnitudes[i] * factor.magnitude();
-  }
-  return checked(r);
+  bool fits = true;
+  forTerms(form, [&](InstanceProduct x, const Factors& factors, const Factors& magnitudes) {
+    forTerms(factor, [&](InstanceProduct y, const Factors& by, const Factors& magnitudesOf) {
+      const std::optional<InstanceProduct> both = productOf(x, y);
+      fits = fits && both;
+      if (fits) addProduct(r, *both, factors, magnitudes, by[4], magnitudesOf[4]);
+    });
+  });
+  std::erase_if(r.terms, isZero);
+  return fits ? checked(std::move(r)) : Linear::unknown();
 }
 
 Linear quotient(const Linear& a, const Linear& b) {

@@ -1,19 +1,31 @@
 // Values of an abstract run of a shader: numbers that are linear in the components of one vertex attribute,
-// or not known. Any thread.
+// with factors that are polynomials in numbers that each instance has; or not known. Any thread.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
 namespace gluray::gl::glsl {
 
-/// factors[0..3] * attribute + factors[4].
+/// A product of up to four numbers of the instance: a byte each, largest first; 0: none.
+using InstanceProduct = uint32_t;
+
+/// (factors[0..3] * attribute + factors[4]) * product.
+struct InstanceTerm {
+  InstanceProduct product = 0;
+  std::array<double, 5> factors{};
+  std::array<double, 5> magnitudes{};  // as those of Linear
+};
+
+/// factors[0..3] * attribute + factors[4], and all terms.
 struct Linear {
   std::array<double, 5> factors{};
   std::array<double, 5> magnitudes{};  // sums of the absolute values that were added up
-  int attribute = -1;                  // -1: a constant
+  std::vector<InstanceTerm> terms;     // in ascending order of products
+  int attribute = -1;                  // of the vertex; -1: none
   bool known = true;
   bool exact = true;  // the constant is what the shader computes, to the bit
 
@@ -27,7 +39,15 @@ struct Linear {
     l.factors[4] = value, l.magnitudes[4] = std::abs(value), l.exact = exact;
     return l;
   }
-  bool isConstant() const { return known && attribute < 0; }
+  /// Number `number` of the instance, 1 to 255.
+  static Linear ofInstance(int number) {
+    Linear l;
+    l.exact = false;
+    l.terms.push_back({static_cast<InstanceProduct>(number), {0, 0, 0, 0, 1}, {0, 0, 0, 0, 1}});
+    return l;
+  }
+  /// The same for all vertices and instances.
+  bool isConstant() const { return known && attribute < 0 && terms.empty(); }
   double value() const { return factors[4]; }
   double magnitude() const { return magnitudes[4]; }
 };

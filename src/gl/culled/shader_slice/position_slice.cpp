@@ -3,6 +3,8 @@
 #include "gl/culled/shader_slice/glsl_preprocessor.h"
 #include "gl/culled/shader_slice/slice_run.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -29,33 +31,65 @@ ShaderSlice& ShaderSlice::operator=(ShaderSlice&&) noexcept = default;
 
 const std::string& PositionSlice::why() const { return parsed_->why; }
 
-std::optional<LinearPosition> PositionSlice::evaluate(const UniformSource& uniforms, std::string& why) const {
+namespace {
+
+using Factors = std::array<double, 5>;
+
+[[noreturn]] void giveUp(const char* why) { throw std::runtime_error(why); }
+
+/// Element `column` of a row; the last one multiplies a 1.
+double elementOf(const Factors& row, int column) {
+  return row[static_cast<size_t>(column)] + (column == 3 ? row[4] : 0);
+}
+
+/// The term of `product` for a column, made if it is not there.
+InstanceColumnTerm& termOf(LinearPosition& position, uint32_t product, int column) {
+  for (InstanceColumnTerm& term : position.terms)
+    if (term.product == product && term.column == column) return term;
+  return position.terms.emplace_back(InstanceColumnTerm{product, column});
+}
+
+void addRow(LinearPosition& position, const glsl::Linear& l, int row) {
+  for (int c = 0; c < 4; ++c) {
+    position.clipFromAttribute[c][row] = elementOf(l.factors, c);
+    position.magnitudes[c][row] = elementOf(l.magnitudes, c);
+    for (const glsl::InstanceTerm& term : l.terms) {
+      if (elementOf(term.magnitudes, c) == 0) continue;
+      InstanceColumnTerm& to = termOf(position, term.product, c);
+      to.factors[row] = elementOf(term.factors, c), to.magnitudes[row] = elementOf(term.magnitudes, c);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<LinearPosition> PositionSlice::evaluate(const UniformSource& uniforms, std::string& why,
+                                                      const InstanceAttributes& instances) const {
   why = parsed_->why;
   if (!why.empty()) return std::nullopt;
   try {
-    glsl::SliceRun run(parsed_->tree, uniforms, glsl::SliceRun::Stage::vertex);
+    glsl::SliceRun run(parsed_->tree, uniforms, glsl::SliceRun::Stage::vertex, instances);
     const glsl::Value position = run.run();
     LinearPosition result;
     int attribute = -1;
     bool usesW = false, usesOne = false;
-    if (position.components.size() != 4) throw std::runtime_error("gl_Position is not a vec4");
+    if (position.components.size() != 4) giveUp("gl_Position is not a vec4");
     for (int row = 0; row < 4; ++row) {
       const glsl::Linear& l = position.components[static_cast<size_t>(row)];
-      if (!l.known) throw std::runtime_error("gl_Position is not linear in an attribute, or not followed");
+      if (!l.known) giveUp("gl_Position is not linear in an attribute, or not followed");
       if (l.attribute >= 0 && attribute >= 0 && l.attribute != attribute)
-        throw std::runtime_error("gl_Position depends on several attributes");
+        giveUp("gl_Position depends on several attributes");
       if (l.attribute >= 0) attribute = l.attribute;
       usesW = usesW || l.magnitudes[3] != 0, usesOne = usesOne || l.magnitudes[4] != 0;
-      for (int c = 0; c < 4; ++c) {
-        const auto i = static_cast<size_t>(c);
-        result.clipFromAttribute[c][row] = l.factors[i] + (c == 3 ? l.factors[4] : 0);
-        result.magnitudes[c][row] = l.magnitudes[i] + (c == 3 ? l.magnitudes[4] : 0);
-      }
+      for (const glsl::InstanceTerm& term : l.terms)
+        usesW = usesW || term.magnitudes[3] != 0, usesOne = usesOne || term.magnitudes[4] != 0;
+      addRow(result, l, row);
     }
-    if (attribute < 0) throw std::runtime_error("gl_Position depends on no attribute");
-    if (usesW && usesOne) throw std::runtime_error("gl_Position is not linear in an attribute");
+    if (attribute < 0) giveUp("gl_Position depends on no attribute");
+    if (usesW && usesOne) giveUp("gl_Position is not linear in an attribute");
     result.attribute = run.attribute(attribute);
     result.components = usesW ? 4 : std::min(3, run.componentsOf(attribute));
+    result.columns = run.instanceColumns();
     return result;
   } catch (const std::runtime_error& error) { why = error.what(); }
   return std::nullopt;

@@ -1,10 +1,13 @@
-// Where a vertex shader puts its vertices, if that is a matrix times one attribute, and whether a fragment
-// shader's alpha is 1: follows what these depend on with the current values of uniforms. Any thread.
+// Where a vertex shader puts its vertices, if that is a matrix times one attribute, which may depend on
+// attributes of the instance, and whether a fragment shader's alpha is 1: follows what these depend on with
+// the current values of uniforms. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +24,24 @@ class UniformSource {
   virtual bool read(std::string_view name, std::vector<double>& components) const = 0;
 };
 
-/// gl_Position = clipFromAttribute * attribute.
+/// Names of the attributes that have one value for an instance, or for some: those of a divisor.
+using InstanceAttributes = std::set<std::string, std::less<>>;
+
+/// A column of an attribute of the instance (column 0 of a vector); its components are numbers of the
+/// instance.
+struct InstanceColumn {
+  std::string attribute;
+  int column = 0, rows = 4;
+};
+
+/// What a product of numbers of the instance adds to a column of the matrix.
+struct InstanceColumnTerm {
+  uint32_t product = 0;  // of the numbers in its bytes, which count from 1; 0: none
+  int column = 0;
+  glm::dvec4 factors{0}, magnitudes{0};  // times the product, and times its absolute value
+};
+
+/// gl_Position = (clipFromAttribute + all terms) * attribute.
 struct LinearPosition {
   std::string attribute;  // "gl_Vertex" included
   int components = 3;     // of the attribute that count; the others are (0, 0, 1)
@@ -29,6 +49,8 @@ struct LinearPosition {
   /// At least the absolute values of all products that were added up to each element: what rounding in single
   /// precision is relative to.
   glm::dmat4 magnitudes;
+  std::vector<InstanceColumnTerm> terms;
+  std::vector<InstanceColumn> columns;  // whose numbers `terms` has, one column after the other
 };
 
 /// A shader's text that is ready to be run.
@@ -51,8 +73,9 @@ class PositionSlice : public ShaderSlice {
 
   /// Why positions are not known whatever the uniforms are, in a few words; empty: they may be known.
   const std::string& why() const;
-  /// Nothing: not linear in one attribute with these values. Sets `why` then.
-  std::optional<LinearPosition> evaluate(const UniformSource& uniforms, std::string& why) const;
+  /// Nothing: not linear in one attribute of the vertex with these values. Sets `why` then.
+  std::optional<LinearPosition> evaluate(const UniformSource& uniforms, std::string& why,
+                                         const InstanceAttributes& instances = {}) const;
 };
 
 class AlphaSlice : public ShaderSlice {

@@ -367,7 +367,7 @@ Value construct(const Shape& shape, const std::vector<Value>& arguments) {
   const auto converted = [&](Linear l, Base from) {
     if (shape.base == from || !l.known) return l;
     if (shape.base == Base::floats) return l;
-    if (l.attribute >= 0) return Linear::unknown();
+    if (!l.isConstant()) return Linear::unknown();
     if (shape.base == Base::booleans)
       return l.exact || l.value() != 0 ? boolean(l.value() != 0) : Linear::unknown();
     if (from == Base::booleans) return l;

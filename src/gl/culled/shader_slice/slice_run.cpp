@@ -41,8 +41,8 @@ Value literal(std::string_view text) {
 
 }  // namespace
 
-SliceRun::SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage)
-    : tree_(tree), uniforms_(uniforms), stage_(stage) {}
+SliceRun::SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage, InstanceAttributes instances)
+    : tree_(tree), uniforms_(uniforms), stage_(stage), instances_(std::move(instances)) {}
 
 Value SliceRun::run() {
   frames_.emplace_back().scopes.emplace_back();
@@ -99,14 +99,26 @@ void SliceRun::declareGlobals() {
 Value SliceRun::attributeValue(const Global& global) {
   const Shape shape = shapeOfType(global.variable.type.name);
   Value v = defaultValue(global.variable.type);
-  if (shape.base != Base::floats || shape.isMatrix() || v.components.empty()) return v;
-  attributes_.push_back({std::string(global.variable.name), shape.rows});
+  if (shape.base != Base::floats || v.components.empty()) return v;
+  const std::string name(global.variable.name);
+  if (instances_.contains(name)) return instanceValue(name, shape);
+  if (shape.isMatrix()) return v;
+  attributes_.push_back({name, shape.rows});
   for (int i = 0; i < shape.rows; ++i) {
     Linear l;
     l.attribute = static_cast<int>(attributes_.size()) - 1, l.exact = false;
     l.factors[static_cast<size_t>(i)] = l.magnitudes[static_cast<size_t>(i)] = 1;
     v.components[static_cast<size_t>(i)] = l;
   }
+  return v;
+}
+
+Value SliceRun::instanceValue(const std::string& name, const Shape& shape) {
+  constexpr int kMostNumbers = 255;
+  Value v = Value::unknown(shape);
+  if (instanceNumbers_ + shape.size() > kMostNumbers) return v;
+  for (int c = 0; c < shape.columns; ++c) instanceColumns_.push_back({name, c, shape.rows});
+  for (Linear& l : v.components) l = Linear::ofInstance(++instanceNumbers_);
   return v;
 }
 

@@ -18,8 +18,8 @@ class SliceRun {
  public:
   enum class Stage { vertex, fragment };
 
-  /// All must outlive it.
-  SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage);
+  /// `tree` and `uniforms` must outlive it. `instances`: attributes that have one value for an instance.
+  SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage, InstanceAttributes instances = {});
 
   /// gl_Position, or the colour of a fragment that is not discarded, at the end of main(). Throws
   /// std::runtime_error with the reason why it cannot be known.
@@ -27,6 +27,8 @@ class SliceRun {
   /// Name of attribute number `i`; components that its declaration has.
   const std::string& attribute(int i) const { return attributes_[static_cast<size_t>(i)].name; }
   int componentsOf(int i) const { return attributes_[static_cast<size_t>(i)].components; }
+  /// Columns of attributes of the instance, whose numbers follow each other, from 1.
+  const std::vector<InstanceColumn>& instanceColumns() const { return instanceColumns_; }
 
  private:
   enum class Flow { on, leave, next, result };
@@ -47,6 +49,7 @@ class SliceRun {
   void declareGlobals();
   Value color() const;
   Value attributeValue(const Global& global);
+  Value instanceValue(const std::string& name, const Shape& shape);
   Value uniformValue(const std::string& path, const TypeName& type, size_t dimension, int depth);
   Value defaultValue(const TypeName& type, size_t dimension = 0, int depth = 0);
   const Struct* structNamed(std::string_view name) const;
@@ -83,10 +86,13 @@ class SliceRun {
   const Tree& tree_;
   const UniformSource& uniforms_;
   const Stage stage_;
+  const InstanceAttributes instances_;
   std::map<std::string_view, Value> globals_;
   std::map<std::string_view, const Global*> uniformGlobals_;
   std::map<std::string, Value> read_;
   std::vector<Attribute> attributes_;
+  std::vector<InstanceColumn> instanceColumns_;
+  int instanceNumbers_ = 0;
   std::vector<Frame> frames_;
   int steps_ = 0, depth_ = 0;
 };

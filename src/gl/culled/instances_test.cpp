@@ -1,0 +1,177 @@
+// Instances that may show are never left out, also where a shader rounds; those that cannot mostly are. Runs
+// are those of base instances.
+#include "gl/culled/instances.h"
+
+#include "gl/culled/test_pictures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl::culling_test {
+namespace {
+
+/// Four numbers of each instance: where it is moved to, and its size.
+using Moved = std::vector<glm::vec4>;
+
+class NoUniforms final : public UniformSource {
+ public:
+  glm::mat4 projection{1}, view{1};
+  bool read(std::string_view name, std::vector<double>& components) const override {
+    const glm::dmat4 m(name == "P" ? projection : view);
+    components.assign(&m[0][0], &m[0][0] + 16);
+    return name == "P" || name == "V";
+  }
+};
+
+constexpr const char* kMoved =
+    "uniform mat4 P, V; in vec3 p; in vec4 moved;\n"
+    "void main() { vec4 eye = V * vec4(p * moved.w + moved.xyz, 1.0); gl_Position = P * eye; }";
+
+ArrayReader readerOf(const Moved& values, GLuint divisor) {
+  static const RealGl kNone{};
+  ArraySource array;
+  array.enabled = true, array.stride = sizeof(glm::vec4), array.divisor = divisor;
+  array.pointer = reinterpret_cast<const std::byte*>(values.data());
+  return {kNone, array};
+}
+
+Instances instancesOf(const Moved& values, const NoUniforms& uniforms, const Instances::Range& range) {
+  std::string why;
+  const auto position = PositionSlice(kMoved).evaluate(uniforms, why, {"moved"});
+  EXPECT_TRUE(position) << why;
+  std::vector<Instances::Column> columns;
+  columns.push_back({readerOf(values, range.divisor), 1, 4});
+  return {*position, std::move(columns), range};
+}
+
+/// What a shader computes in single precision.
+glm::dvec4 placed(const NoUniforms& u, const glm::vec4& moved, const glm::vec3& p) {
+  const glm::vec4 eye = u.view * glm::vec4(p * moved.w + glm::vec3(moved), 1.0f);
+  return glm::dvec4(u.projection * eye);
+}
+
+/// Expects all pixels of the triangle to be farther than the picture; returns how many it has.
+uint64_t expectBehind(const WindowTriangle& triangle, const std::vector<float>& depths) {
+  const auto& c = triangle.corners;
+  glm::dvec2 lower(c[0]), upper(c[0]);
+  for (const glm::dvec3& corner : c)
+    lower = glm::min(lower, glm::dvec2(corner)), upper = glm::max(upper, glm::dvec2(corner));
+  uint64_t pixels = 0;
+  for (int y = static_cast<int>(std::max(lower.y, 0.0)); y < kHeight && y <= upper.y; ++y)
+    for (int x = static_cast<int>(std::max(lower.x, 0.0)); x < kWidth && x <= upper.x; ++x) {
+      const std::optional<double> depth = triangle.depthAt(x, y);
+      if (!depth || *depth < 0 || *depth > 1) continue;
+      EXPECT_GT(*depth, double{depths[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)]});
+      ++pixels;
+    }
+  return pixels;
+}
+
+Moved swarm(std::mt19937& random, size_t count, float far) {
+  std::uniform_real_distribution<float> place(-1, 1), size(0.02f, 0.2f);
+  Moved values(count);
+  for (glm::vec4& v : values) {
+    for (int c = 0; c < 3; ++c) v[c] = place(random);
+    v.x += far;
+    v.w = size(random);
+  }
+  return values;
+}
+
+TEST(Instances, NeverMissOneThatIsNearerThanThePicture) {
+  std::mt19937 random(6);
+  uint64_t tested = 0, hidden = 0;
+  for (int round = 0; round < 60; ++round) {
+    // Far from the origin, single precision moves instances by pixels.
+    const float far = round % 3 == 2 ? 2e5f : 0;
+    const TestMesh mesh = sheet(8, 8, false, random());
+    const Clusters clusters(mesh.primitives());
+    const Moved values = swarm(random, 150, far);
+    NoUniforms u;
+    u.view = glm::mat4(randomView(random) * glm::translate(glm::dmat4(1), glm::dvec3(-double{far}, 0, 0)));
+    const Instances instances = instancesOf(values, u, {0, 150, 1});
+    const std::vector<float> depths = depthPicture(random);
+    DepthPyramid pyramid;
+    pyramid.build(depths.data(), kWidth, kHeight);
+    std::vector<uint64_t> visible;
+    instances.mayShow(clusters, window(), &pyramid, visible);
+    const Primitives p = mesh.primitives();
+    for (uint32_t i = 0; i < 150; ++i) {
+      if (isSet(visible, i)) continue;
+      ++hidden;
+      for (uint32_t t = 0; t < p.count; ++t) {
+        std::array<glm::dvec4, 3> clip;
+        for (uint32_t c = 0; c < 3; ++c) clip[c] = placed(u, values[i], mesh.points[p.vertex(t, c)]);
+        if (std::ranges::any_of(clip, [](const glm::dvec4& corner) { return !(corner.w > 0); })) continue;
+        tested += expectBehind(WindowTriangle(clip), depths);
+      }
+    }
+  }
+  EXPECT_GT(tested, 20000u);
+  EXPECT_GT(hidden, 2000u);
+}
+
+TEST(Instances, LeaveOutAllBehindAWall) {
+  std::mt19937 random(2);
+  const TestMesh mesh = sheet(8, 8, false, 1);
+  const Clusters clusters(mesh.primitives());
+  const Moved values = swarm(random, 100, 0);
+  NoUniforms u;
+  u.projection = glm::perspective(1.0f, 1.3f, 0.5f, 20.0f);
+  u.view = glm::translate(glm::mat4(1), glm::vec3(0, 0, -5));
+  const Instances instances = instancesOf(values, u, {0, 100, 1});
+  const std::vector<float> wall(static_cast<size_t>(kWidth) * kHeight, 0.1f), nothing(wall.size(), 1.0f);
+  DepthPyramid near, far;
+  near.build(wall.data(), kWidth, kHeight), far.build(nothing.data(), kWidth, kHeight);
+  std::vector<uint64_t> visible;
+  instances.mayShow(clusters, window(), &near, visible);
+  EXPECT_EQ(instances.instancesIn(visible), 0u);
+  instances.mayShow(clusters, window(), &far, visible);
+  EXPECT_GT(instances.instancesIn(visible), 80u);  // some small ones are between the pixels' centres
+}
+
+TEST(Instances, AlwaysShowWhereNumbersAreTooLarge) {
+  const TestMesh mesh = sheet(8, 8, false, 1);
+  const Clusters clusters(mesh.primitives());
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  const Moved values{{0, 0, 0, 0.1f}, {none, 0, 0, 1}, {0, 0, 1e30f, 1}, {0, 0, 0, 0.1f}};
+  const NoUniforms u;
+  const Instances instances = instancesOf(values, u, {0, 4, 1});
+  DepthPyramid near;
+  const std::vector<float> wall(static_cast<size_t>(kWidth) * kHeight, 0.0f);
+  near.build(wall.data(), kWidth, kHeight);
+  std::vector<uint64_t> visible;
+  instances.mayShow(clusters, window(), &near, visible);
+  EXPECT_EQ(visible[0], 6u);
+  EXPECT_FALSE(instances.matrix(1));
+}
+
+/// Instances that share an element are drawn together; the last of them may be fewer.
+TEST(Instances, AreDrawnInRunsOfBaseInstances) {
+  const Moved values(200, glm::vec4(0, 0, 0, 1));
+  const NoUniforms u;
+  const Instances instances = instancesOf(values, u, {7, 388, 3});
+  ASSERT_EQ(instances.units(), 130u);
+  std::vector<uint64_t> visible(3, 0);
+  for (const uint32_t unit : {0u, 1u, 63u, 64u, 65u, 129u}) visible[unit / 64] |= uint64_t{1} << (unit & 63);
+  EXPECT_EQ(instances.instancesIn(visible), 5u * 3 + 1);
+  std::vector<std::array<uint32_t, 2>> parts;  // base instance, instances
+  instances.forRuns(visible, [&](uint32_t first, uint32_t end) {
+    const Elements part = instances.part({0, 30, 0, nullptr, 0, 388, 7}, first, end);
+    EXPECT_EQ(part.count, 30);
+    parts.push_back({part.baseInstance, static_cast<uint32_t>(part.instances)});
+  });
+  const std::vector<std::array<uint32_t, 2>> expected{{7, 6}, {70, 9}, {136, 1}};
+  EXPECT_EQ(parts, expected);
+}
+
+}  // namespace
+}  // namespace gluray::gl::culling_test
