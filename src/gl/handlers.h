@@ -51,6 +51,13 @@ void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
 void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
                                  const void* const* indices, GLsizei draws, const GLint* base);
 
+// draws whose parameters are in buffers (indirect_draws.cpp)
+void drawArraysIndirect(Context& c, GLenum mode, const void* indirect);
+void drawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect);
+void multiDrawArraysIndirect(Context& c, GLenum mode, const void* indirect, GLsizei draws, GLsizei stride);
+void multiDrawElementsIndirect(Context& c, GLenum mode, GLenum type, const void* indirect, GLsizei draws,
+                               GLsizei stride);
+
 // framebuffers (blits.cpp)
 void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint fromY1, GLint toX0,
                      GLint toY0, GLint toX1, GLint toY1, GLbitfield mask, GLenum filter);
