@@ -28,7 +28,7 @@ using namespace gluray;
 struct Options {
   double millions = 1;
   int frames = 15, samples = 0;
-  bool withoutLocal = false, drops = false, moves = false;
+  bool withoutLocal = false, drops = false, moves = false, isSmall = false;
   std::vector<std::string> jobs;
 };
 
@@ -140,6 +140,7 @@ Image localImage(const bench::TriangleMesh& mesh, int frame, const Options& opti
   frame::Renderer renderer;
   scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
   show(snapshot, frame, options);
+  if (options.isSmall) snapshot.settings.bvh = BvhQuality::least;
   Image image;
   scene::TraceCost cost;
   std::string error;
@@ -201,6 +202,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 1024));
   CLI::Option* const withoutLocal =
       app.add_flag("--without-local", options.withoutLocal, "do not compare with a picture of this process");
+  app.add_flag("--small", options.isSmall, "trace this process's picture in the smallest structure");
   app.add_flag("--moving", options.moves,
                "frames of animations: a ray for four pixels, smoothed with what is known of earlier frames")
       ->needs(withoutLocal);
