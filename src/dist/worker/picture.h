@@ -5,7 +5,7 @@
 #include "dist/messages/program_messages.h"
 #include "dist/messages/rank_messages.h"
 #include "dist/shares/tile_shares.h"
-#include "dist/worker/film_parts.h"
+#include "dist/worker/film/film_parts.h"
 #include "dist/worker/rank_states.h"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "dist/gather/merged.h"
 #include "dist/pages/paged_tiles.h"
-#include "dist/worker/film_tiles.h"
+#include "dist/worker/film/film_tiles.h"
 
 #include <exception>
 #include <utility>

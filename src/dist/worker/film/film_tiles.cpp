@@ -1,4 +1,4 @@
-#include "dist/worker/film_tiles.h"
+#include "dist/worker/film/film_tiles.h"
 
 #include <exception>
 

@@ -1,4 +1,4 @@
-#include "dist/worker/film_parts.h"
+#include "dist/worker/film/film_parts.h"
 
 #include <algorithm>
 

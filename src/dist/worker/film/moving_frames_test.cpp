@@ -1,6 +1,6 @@
 // Frames of animations with light: the ranks of a job smooth it together, as one process does.
 #include "dist/stream/film_pixels.h"
-#include "dist/worker/film_parts.h"
+#include "dist/worker/film/film_parts.h"
 #include "dist/worker/job_fixture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -43,7 +43,7 @@ class OneProcess {
   frame::Renderer renderer_;
 };
 
-constexpr int kFrames = 4;  // fast frames after which more rays would be tried: those that come too soon
+constexpr int kFrames = 4;  // after so many fast frames the next one takes more rays
 
 class MovingFrames : public testing::TestWithParam<int> {
  protected:
