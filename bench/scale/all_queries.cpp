@@ -11,11 +11,12 @@ namespace gluray::bench {
 namespace {
 
 /// A peer that is asked everything and blocks nothing, and the tiles of the picture. One thread.
-class Recorder final : public render::RemoteSurfaces, public render::TileSource {
+class Recorder final : public render::RemoteSurfaces, public render::FilmSource {
  public:
   void begin(const render::FrameData& frame) override { bounds_ = frame.world->lightBounds(); }
   void beginEmpty(const scene::Snapshot&) override {}
   accel::Bounds bounds() const noexcept override { return bounds_; }
+  bool changed() const noexcept override { return false; }
   uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked, render::Passing) noexcept override {
     dist::QueryPacket packet{0, query.kind, {}, query.rays};
     for (int i = 0; i < accel::kLanes; ++i) packet.lanes |= static_cast<uint32_t>(query.valid[i] != 0) << i;
@@ -29,7 +30,7 @@ class Recorder final : public render::RemoteSurfaces, public render::TileSource 
   }
   bool recall(uint32_t&) noexcept override { return false; }
   bool isReplaying() const noexcept override { return false; }
-  void hold() noexcept override {}
+  void hold(const std::function<void()>& whole) noexcept override { whole(); }
 
   void begin(const Image& image) noexcept override {
     const render::Tiles tiles(image, render::kTileSize);
@@ -41,6 +42,12 @@ class Recorder final : public render::RemoteSurfaces, public render::TileSource 
     all.bytes += writer_.take().size();
     writer_ = {};
   }
+  uint32_t index(uint32_t own) const noexcept override { return own; }
+  void collected(const render::FactorFilm&, int tile, double seconds) noexcept override {
+    done(tile, seconds, false);
+  }
+  bool complete(render::FactorFilm&) noexcept override { return true; }
+  int nextToColor() noexcept override { return colored_ < count_ ? colored_++ : -1; }
 
   AllQueries all;
 
@@ -48,7 +55,7 @@ class Recorder final : public render::RemoteSurfaces, public render::TileSource 
   dist::QueryWriter writer_;
   accel::Bounds bounds_;
   float length_ = 0;
-  int count_ = 0, next_ = 0;
+  int count_ = 0, next_ = 0, colored_ = 0;
 };
 
 }  // namespace
@@ -59,7 +66,7 @@ AllQueries allQueries(frame::Renderer& renderer, scene::Snapshot snapshot) {
   Image image;
   scene::TraceCost cost;
   std::string error;
-  if (!renderer.renderTiles(snapshot, image, cost, error, recorder, false, &recorder))
+  if (!renderer.renderPart(snapshot, image, cost, error, recorder, false, recorder))
     throw std::runtime_error(error);
   for (const float depth : image.depth) recorder.all.pixels += depth != Image::kMiss;
   return recorder.all;

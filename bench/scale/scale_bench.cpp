@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <future>
@@ -26,6 +27,7 @@ namespace {
 using namespace gluray;
 
 constexpr double kNearDistance = 60;  // of a camera within the data; world units
+constexpr int kAnimated = 8;          // frames of an animation before those that count
 
 struct Options {
   double millions = 1;
@@ -198,6 +200,57 @@ void print(const Figures& f) {
   print("gathered_differing_pixels", f.gatheredWrong);
 }
 
+/// Root of the mean square of the differences of red, 0 .. 255, over pixels that show surfaces.
+double errorOf(const std::list<const Image*>& parts, const Image& truth) {
+  double sum = 0, count = 0;
+  for (size_t i = 0; i < truth.depth.size(); ++i) {
+    if (truth.depth[i] == Image::kMiss) continue;
+    const Image* front = parts.front();
+    for (const Image* part : parts)
+      if (part->depth[i] < front->depth[i]) front = part;
+    const double d = static_cast<double>(front->color[i] & 255) - static_cast<double>(truth.color[i] & 255);
+    sum += d * d, ++count;
+  }
+  return std::sqrt(sum / count);
+}
+
+/// Frames of an animation after each other, by all ranks and by one process; the last one's noise.
+void animate(const Options& options, std::list<Rank>& ranks, frame::Renderer& renderer,
+             scene::Snapshot& whole) {
+  std::vector<double> together, togetherCpu, one, oneCpu;
+  Image image;
+  scene::TraceCost cost;
+  std::string error;
+  const auto show = [&](scene::Snapshot& s, int frame) {
+    bench::show(s, frame, options.samples, options.threads);
+    s.lightSampling.mode = scene::LightSampling::Mode::moving;
+    s.settings.fps = 1000;  // never reached: from the second frame on a quarter of the pixels traces a ray
+    s.settings.gather = false;
+  };
+  const int first = 3 * options.frames + 10;
+  for (int frame = first; frame < first + kAnimated + options.frames; ++frame) {
+    for (Rank& rank : ranks) show(rank.snapshot, frame);
+    show(whole, frame);
+    const Spent all = spentOn([&] { traceAll(ranks); });
+    const Spent alone = spentOn([&] { renderer.render(whole, image, cost, error); });
+    if (frame < first + kAnimated) continue;
+    together.push_back(all.ms), togetherCpu.push_back(all.cpuMs);
+    one.push_back(alone.ms), oneCpu.push_back(alone.cpuMs);
+  }
+  std::list<const Image*> parts;
+  for (const Rank& rank : ranks) parts.push_back(&rank.image);
+  const Image moving = image;
+  whole.lightSampling.mode = scene::LightSampling::Mode::full;
+  whole.settings.ao.samples = 64;
+  renderer.render(whole, image, cost, error);
+  const auto print = [](const char* name, double value) { std::printf("%s %.3f\n", name, value); };
+  print("moving_occlusion_ms", bench::median(together)),
+      print("moving_occlusion_cpu_ms", bench::median(togetherCpu));
+  print("one_process_moving_occlusion_ms", bench::median(one));
+  print("one_process_moving_occlusion_cpu_ms", bench::median(oneCpu));
+  print("moving_error", errorOf(parts, image)), print("one_process_moving_error", errorOf({&moving}, image));
+}
+
 void run(const Options& options) {
   const std::string directory =
       (std::filesystem::temp_directory_path() / ("gluray-scale-" + std::to_string(getpid()))).string();
@@ -212,8 +265,9 @@ void run(const Options& options) {
   Figures figures;
   for (int number = -1; number < options.frames; ++number)  // the first builds structures
     round(options, number, job, ranks, renderer, whole, figures);
-  std::filesystem::remove_all(directory);
   print(figures);
+  animate(options, ranks, renderer, whole);
+  std::filesystem::remove_all(directory);
   if (options.ranks == 1) printAllQueries(renderer, whole);
 }
 

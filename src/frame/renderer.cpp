@@ -48,15 +48,20 @@ class Renderer::Engine {
     cost.blasRefinements = update.blasRefinements;
     cost.bvhBytes = world_->bytes();
     cost.blasRefining = world_->refining();
-    const bool moves = isMoving(snapshot) && !options.film;
+    // The rays of frames that processes share are given.
+    const bool paced = isMoving(snapshot) && (!options.source || options.remote);
     const double built = nowSeconds();
     cost.buildSeconds = built - start;
     const timeline::Span span("trace");
-    if (moves) options.rays = paces_[snapshot.view].rays();
+    if (paced) options.rays = paces_[snapshot.view].rays();
     options.histories = &histories_;
+    const auto took = [&](double seconds) {
+      cost.traceSeconds = seconds;
+      if (paced) paces_[snapshot.view].took(seconds, 1 / static_cast<double>(snapshot.settings.fps));
+    };
+    if (options.remote) options.traced = took;
     const bool whole = render::traceImage(snapshot, *world_, *arena_, image, options);
-    cost.traceSeconds = nowSeconds() - built;
-    if (moves) paces_[snapshot.view].took(cost.traceSeconds, 1 / static_cast<double>(snapshot.settings.fps));
+    if (!options.remote) took(nowSeconds() - built);
     return whole;
   }
 
@@ -179,12 +184,11 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
 }
 
 bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                           std::string& error, render::TileSource& source, bool averages,
-                           render::RemoteSurfaces* remote) noexcept {
+                           std::string& error, render::TileSource& source, bool averages) noexcept {
   return caught(error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
-    options.source = &source, options.averages = averages, options.remote = remote;
+    options.source = &source, options.averages = averages;
     engine_->render(snapshot, image, cost, options);
   });
 }
@@ -197,6 +201,18 @@ bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene
     render::TraceOptions options;
     options.source = &source, options.film = &source;
     options.averages = averages, options.rays = rays;
+    engine_->render(snapshot, image, cost, options);
+  });
+}
+
+bool Renderer::renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                          std::string& error, render::FilmSource& source, bool averages,
+                          render::RemoteSurfaces& remote) noexcept {
+  return caught(error, [&] {
+    const InFront lock(*engine_);
+    render::TraceOptions options;
+    options.source = &source, options.film = &source;
+    options.averages = averages, options.remote = &remote;
     engine_->render(snapshot, image, cost, options);
   });
 }

@@ -45,16 +45,19 @@ class Renderer {
                     const std::function<bool()>& stop) noexcept;
 
   /// Traces the tiles that `source` hands out, for a picture that several processes trace together.
-  /// `averages` false: pixels hold one sample, whatever settings ask for. `remote`: surfaces of the view that
-  /// other processes hold; null: there are none, or the settings ask for no light.
+  /// `averages` false: pixels hold one sample, whatever settings ask for.
   bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
-                   render::TileSource& source, bool averages,
-                   render::RemoteSurfaces* remote = nullptr) noexcept;
+                   render::TileSource& source, bool averages) noexcept;
 
   /// The same for a frame of an animation (scene::LightSampling::Mode::moving), whose light is smoothed with
   /// what is known of the view's earlier frames.
   bool renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                     render::FilmSource& source, bool averages, const render::MovingRays& rays) noexcept;
+
+  /// Traces the picture of this process's part of a view: `remote` are the other parts, which block its
+  /// light. Settings ask for light. Frames of animations are smoothed with earlier ones of this part.
+  bool renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                  render::FilmSource& source, bool averages, render::RemoteSurfaces& remote) noexcept;
 
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.

@@ -110,6 +110,14 @@ void eachTileOf(TileSource& source, const Image& image, accel::PageCache& pages,
       });
 }
 
+/// All tiles are traced; what this process has of the view goes on lighting the parts of others.
+void holdRemote(const FrameData& frame, const TraceOptions& options, double start) {
+  const auto whole = [&] {
+    if (options.traced) options.traced(nowSeconds() - start);
+  };
+  if (frame.remote) frame.remote->hold(whole);
+}
+
 Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Image& image,
                   const TraceOptions& options) {
   std::optional<accel::PageCache::Reader> reader;  // tiles of a source have readers of their own
@@ -118,9 +126,10 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   if (wantsGuide(snapshot)) frame.tone.reset();
   frame.remote = options.remote;
   if (frame.remote) frame.remote->begin(frame);
+  const double start = nowSeconds();
   const bool smooths = !options.source || options.film;
   if (smooths && isMoving(frame) && traceMoving(frame, options.histories, options.rays, options.film))
-    return Traced::whole;
+    return holdRemote(frame, options, start), Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
@@ -139,7 +148,7 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   }
   for (size_t n = 0; n < LayerCounts::kMost; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
-  if (frame.remote) frame.remote->hold();
+  holdRemote(frame, options, start);
   return snapshot.layers || !frame.seenThrough.load() ? Traced::whole : Traced::seenThrough;
 }
 

@@ -30,6 +30,9 @@ struct TraceOptions {
   FilmSource* film = nullptr;
   // Null: all surfaces of the view are here. Only with a source, and where the settings ask for light.
   RemoteSurfaces* remote = nullptr;
+  // With remote surfaces: called when the picture is whole, before other processes get their last answers;
+  // `seconds`: since all processes had begun.
+  std::function<void(double seconds)> traced = {};
   bool averages = true;  // pixels average several samples where settings ask for it; only false with a source
 };
 

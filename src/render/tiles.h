@@ -54,8 +54,9 @@ class TileSource {
 /// functions of a TileSource alone.
 class FilmSource : public TileSource {
  public:
-  /// Of the frames of the view, which all processes number alike.
-  virtual uint32_t index() const noexcept = 0;
+  /// The frame's number among those of its view; `own`: as this process counts them. Processes that share one
+  /// film have the same number.
+  virtual uint32_t index(uint32_t own) const noexcept = 0;
   /// The tile, from next(), has been collected. All tracing threads.
   virtual void collected(const FactorFilm& film, int tile, double seconds) noexcept = 0;
   /// Waits until all tiles have been collected, and fills in what other processes have. False: the frame is

@@ -1,11 +1,12 @@
-"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.png [PORT], run by pvbatch, or by pvpython as the client of
-the pvserver at that port, which renders."""
+"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.png [PORT | orbit], run by pvbatch, or by pvpython as the client
+of the pvserver at that port, which renders. orbit: the picture is the last one of an animation in which the camera turns."""
 import sys
 
 import paraview.simple as pv
 
 pv._DisableFirstRenderCameraReset()
-if len(sys.argv) > 2:
+orbits = sys.argv[2:] == ["orbit"]
+if len(sys.argv) > 2 and not orbits:
     pv.Connect("127.0.0.1", int(sys.argv[2]))
     pv.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0  # MB from which on the server renders
 view = pv.CreateView("RenderView")
@@ -19,10 +20,22 @@ for sphere in spheres:
     pv.Show(sphere, view)
 view.CameraFocalPoint = [0, 0, 0]
 view.CameraViewUp = [0, 0, 1]
-for x in (2, -1, 0):
-    view.CameraPosition = [x, -6, 4]
+
+
+def drop(spheres):
+    for sphere in spheres:
+        sphere.Center = [sphere.Center[0], sphere.Center[1], 0]
+
+
+if orbits:
+    drop(spheres)
+    for step in range(12):
+        view.CameraPosition = [0.2 * (step - 11), -6, 4]
+        pv.Render(view)
+else:
+    for x in (2, -1, 0):
+        view.CameraPosition = [x, -6, 4]
+        pv.Render(view)
+    drop(spheres)  # the camera stays
     pv.Render(view)
-for sphere in spheres:  # the camera stays
-    sphere.Center = [sphere.Center[0], sphere.Center[1], 0]
-pv.Render(view)
 pv.SaveScreenshot(sys.argv[1], view)

@@ -44,11 +44,11 @@ class Pictures:
         root = ["--allow-run-as-root"] if os.getuid() == 0 else []
         return ["mpirun", *root, "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)]
 
-    def draw(self, name, ranks, *options):
+    def draw(self, name, ranks, *options, script=()):
         """The picture's file, and what was said."""
         path = self.folder / f"{name}.png"
-        done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *self.light, *options, "--", "pvbatch", HERE / "sort_last.py", path],
-                              env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
+        done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *self.light, *options, "--", "pvbatch", HERE / "sort_last.py", path,
+                               *script], env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
         assert done.returncode == 0 and path.exists(), done.stderr
         return path, done.stderr
 
@@ -88,6 +88,25 @@ def check_light(pictures, name="occlusion"):
     assert "does not" not in log.read_text() and "draws nothing" not in log.read_text(), log.read_text()
 
 
+def check_animation(pictures):
+    """The last frame of an animation is smooth, and all ranks' surfaces darken it, although few rays were traced."""
+    pictures.light = [word for setting in LIGHTS["occlusion"] for word in ("--set", setting)]
+    expected, _ = pictures.draw("one", 1, "--set", "refine.passes=16")
+    pictures.light += ["--set", "refine.offscreen=animated", "--set", "fps=1"]
+    alone, _ = pictures.draw("alone", 2, script=["orbit"])
+    job, log = pictures.job()
+    try:
+        together, said = pictures.draw("together", 2, "--workers", "test", script=["orbit"])
+        finished, _ = pictures.draw("finished", 2, "--workers", "test", "--set", "refine.offscreen=finished", script=["orbit"])
+    finally:
+        job.terminate()
+        job.wait()
+    without, across = (compare(pixels(expected), pixels(found)) for found in (alone, together))
+    assert pixels(together) != pixels(finished), "its frames were not animated"
+    print(f"animation: mean difference and share of pixels: without workers {without}, with workers {across}")
+    assert across[0] < 1.5 and across[0] < without[0] / 4, log.read_text() + said
+
+
 def main(gluray, worker):
     if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
         return 77
@@ -95,6 +114,7 @@ def main(gluray, worker):
         pictures = Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
         for name in LIGHTS:
             check_light(pictures, name)
+        check_animation(pictures)
     return 0
 
 

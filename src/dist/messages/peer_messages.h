@@ -37,6 +37,8 @@ struct SceneHeld {
   glm::ivec4 viewport{0};
   glm::dmat4 clipFromEye{1}, eyeFromWorld{1}, viewFromWorld{1};
   glm::vec3 lower{1}, upper{0};  // of what light meets, in the space of viewFromWorld; lower > upper: nothing
+  uint64_t changes = 0;          // as dist/peers/part_changes.h counts them
+  glm::dmat4 eyeFromLargest{1};  // of the surface with most triangles
 };
 /// Rays, in the receiver's world (dist/peers/query_stream.h).
 struct OcclusionQueries {
@@ -83,8 +85,10 @@ void fields(auto& archive, Like<PeerLeaves> auto& value) {
   archive(address);
 }
 void fields(auto& archive, Like<SceneHeld> auto& value) {
-  auto& [address, round, frame, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper] = value;
-  archive(address, round, frame, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper);
+  auto& [address, round, frame, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper, changes,
+         eyeFromLargest] = value;
+  archive(address, round, frame, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper, changes,
+          eyeFromLargest);
 }
 void fields(auto& archive, Like<OcclusionQueries> auto& value) {
   auto& [address, round, id, rays] = value;

@@ -7,6 +7,7 @@
 #include "dist/messages/program_messages.h"
 #include "dist/peers/meetings.h"
 #include "dist/peers/near_peer.h"
+#include "dist/peers/part_changes.h"
 #include "dist/peers/tile_ledger.h"
 #include "render/remote/occlusion_answers.h"
 #include "render/remote/remote_surfaces.h"
@@ -23,7 +24,7 @@
 
 namespace gluray::dist {
 
-class PeerExchange final : public render::TileSource, public render::RemoteSurfaces {
+class PeerExchange final : public render::FilmSource, public render::RemoteSurfaces {
  public:
   /// Sends to a peer. Any thread.
   using Send = std::function<void(int peer, std::vector<std::byte> message)>;
@@ -64,14 +65,19 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   void begin(const Image& image) noexcept override;
   int next() noexcept override;
   void done(int tile, double seconds, bool seenThrough) noexcept override;
+  uint32_t index(uint32_t own) const noexcept override { return own; }
+  void collected(const render::FactorFilm& film, int tile, double seconds) noexcept override;
+  bool complete(render::FactorFilm& film) noexcept override;
+  int nextToColor() noexcept override;
   void begin(const render::FrameData& frame) override;
   void beginEmpty(const scene::Snapshot& snapshot) override;
   accel::Bounds bounds() const noexcept override { return bounds_; }
+  bool changed() const noexcept override { return changes_; }
   uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked,
                     render::Passing passing) noexcept override;
   bool recall(uint32_t& blocked) noexcept override;
   bool isReplaying() const noexcept override;
-  void hold() noexcept override;
+  void hold(const std::function<void()>& whole) noexcept override;
 
  private:
   using Lock = std::unique_lock<std::mutex>;
@@ -85,13 +91,16 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
     for (int rank = 0; rank < meetings_.ranks(); ++rank)
       if (rank != self_) sendTo(rank, message);
   }
-  void meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds);
+  /// `frame` null: this rank has no surface of the view.
+  void meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds, const render::FrameData* frame);
   void addNear();
   void setScene(SceneHeld scene);
   void refuseAll();
   bool isSilent(int rank, double now) const;
   size_t nearOf(int rank) const;  // near_.size(): none
   void sendQueries(int tile, TileRecord& record, double now);
+  /// Answers one peer's queries, without the lock. False: there are none.
+  bool answersOne(Lock& lock) noexcept;
   void answer(const OcclusionQueries& queries) const noexcept;
   void answerAll(std::deque<OcclusionQueries> queries) const;
   void serve(Lock& lock);
@@ -128,7 +137,11 @@ class PeerExchange final : public render::TileSource, public render::RemoteSurfa
   std::vector<size_t> waiting_;  // beside near_: tiles that wait for answers
   uint64_t attempt_ = 0;
   int refusals_ = 0;
+  PartChanges parts_;
+  bool changes_ = false;
   TileLedger ledger_;
+  std::vector<int> tiles_;  // of the picture
+  size_t colored_ = 0;      // of them, or being coloured: of moving frames, once all are collected
 };
 
 }  // namespace gluray::dist

@@ -19,22 +19,25 @@ thread_local TileRecord* record = nullptr;  // of the tile that this thread trac
 }  // namespace
 
 void PeerExchange::beginEmpty(const scene::Snapshot& snapshot) {
-  meet(snapshot, {glm::vec3(1), glm::vec3(0)});
+  meet(snapshot, {glm::vec3(1), glm::vec3(0)}, nullptr);
 }
 
 void PeerExchange::begin(const render::FrameData& frame) {
-  meet(*frame.snapshot, frame.world->lightBounds());
+  meet(*frame.snapshot, frame.world->lightBounds(), &frame);
   answers_.emplace(frame);
   changed_.notify_all();  // queries may have come before
 }
 
-void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds) {
+void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds,
+                        const render::FrameData* frame) {
   SceneHeld scene;
   scene.address = {program_, self_, self_};
   scene.frame = frameOf(snapshot), scene.viewport = snapshot.camera.viewport;
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
   if (snapshot.surroundings) scene.viewFromWorld = snapshot.surroundings->viewFromWorld;
   scene.lower = bounds.lower, scene.upper = bounds.upper;
+  const PartState own = parts_.show(snapshot, frame);
+  scene.changes = own.changes, scene.eyeFromLargest = own.eyeFromLargest;
 
   Lock lock(mutex_);
   snapshot_ = &snapshot;
@@ -72,32 +75,42 @@ void PeerExchange::addNear() {
     bounds_.upper = glm::max(bounds_.upper, peer.bounds().upper);
   }
   waiting_.assign(near_.size(), 0);
+  std::vector<PartState> parts = {{self_, scene_.changes, scene_.eyeFromLargest}};
+  for (const NearPeer& peer : near_) {
+    const SceneHeld& scene = meetings_.sceneOf(peer.rank());
+    parts.push_back({peer.rank(), scene.changes, meetings_.eyeFromPeer(peer.rank()) * scene.eyeFromLargest});
+  }
+  changes_ = parts_.changed(std::move(parts));
 }
 
 void PeerExchange::begin(const Image& image) noexcept {
   const render::Tiles all(image, render::kTileSize);
   const auto* const wanted = snapshot_->lightSampling.tiles.get();
-  std::vector<int> tiles;
+  tiles_.clear();
   for (int tile = 0; tile < all.columns * all.rows; ++tile)
     if (!wanted || static_cast<size_t>(tile) >= wanted->size() || (*wanted)[static_cast<size_t>(tile)])
-      tiles.push_back(tile);
+      tiles_.push_back(tile);
   const std::lock_guard lock(mutex_);
   ++attempt_;
-  ledger_.reset(std::move(tiles), near_.size());
+  ledger_.reset(tiles_, near_.size());
+  colored_ = 0;
+}
+
+bool PeerExchange::answersOne(Lock& lock) noexcept {
+  if (queries_.empty() || !answers_) return false;
+  const OcclusionQueries queries = std::move(queries_.front());
+  queries_.pop_front();
+  lock.unlock();
+  answer(queries);
+  lock.lock();
+  return true;
 }
 
 int PeerExchange::next() noexcept {
   Lock lock(mutex_);
   for (;;) {
     if (ends()) return -1;
-    if (!queries_.empty() && answers_) {
-      const OcclusionQueries queries = std::move(queries_.front());
-      queries_.pop_front();
-      lock.unlock();
-      answer(queries);
-      lock.lock();
-      continue;
-    }
+    if (answersOne(lock)) continue;
     const TileLedger::Work work = ledger_.take();
     if (work.record) {
       record = work.record;
@@ -109,6 +122,7 @@ int PeerExchange::next() noexcept {
 }
 
 void PeerExchange::done(int tile, double, bool seenThrough) noexcept {
+  if (!record) return;  // coloured: its light was collected before
   TileRecord& traced = *std::exchange(record, nullptr);
   const std::lock_guard lock(mutex_);
   if (seenThrough && averages_) averages_ = false, again_ = true;
@@ -117,6 +131,22 @@ void PeerExchange::done(int tile, double, bool seenThrough) noexcept {
   else
     ledger_.finish(tile);
   changed_.notify_all();
+}
+
+void PeerExchange::collected(const render::FactorFilm&, int tile, double seconds) noexcept {
+  done(tile, seconds, false);
+}
+
+/// Each process has a film of its own: pixels of it are those of its surfaces.
+bool PeerExchange::complete(render::FactorFilm&) noexcept {
+  const std::lock_guard lock(mutex_);
+  return !ends();
+}
+
+int PeerExchange::nextToColor() noexcept {
+  Lock lock(mutex_);
+  while (!ends() && answersOne(lock)) {}
+  return ends() || colored_ == tiles_.size() ? -1 : tiles_[colored_++];
 }
 
 void PeerExchange::sendQueries(int tile, TileRecord& traced, double now) {
@@ -192,12 +222,14 @@ bool PeerExchange::isAsked(double now) const {
   return false;
 }
 
-void PeerExchange::hold() noexcept {
+void PeerExchange::hold(const std::function<void()>& whole) noexcept {
   try {
     Lock lock(mutex_);
     if (again_ && !isCancelled() && !closed_) return;
     if (!isCancelled() && !closed_) {
       lock.unlock();
+      whole();
+      if (snapshot_->lightSampling.mode == scene::LightSampling::Mode::moving) parts_.keep();
       traced_();
       lock.lock();
     }

@@ -121,7 +121,7 @@ void TracingThread::renderHere(const Task& task, const scene::Snapshot& snapshot
     result.layers = image_.layers;
   } else if (peers_ && task.order.meetsPeers) {
     do {
-      renderer_.renderTiles(snapshot, image_, result.cost, result.error, *peers_, peers_->averages(), peers_);
+      renderer_.renderPart(snapshot, image_, result.cost, result.error, *peers_, peers_->averages(), *peers_);
     } while (result.error.empty() && peers_->again());
   } else {
     renderer_.render(snapshot, image_, result.cost, result.error);

@@ -45,7 +45,12 @@ std::optional<scene::Backdrop> backdropWhere(const std::vector<uint32_t>& colors
 void Flusher::surround() {
   if (batch.key().layers != BatchKey::Layers::factors)
     p_.surfaces.objects.number(batch.key(), batch.unnumbered());
-  batch.setViewFrame(p_.surfaces.views.frameOf(batch.key(), batch.waiting()));
+  const uint64_t frame = p_.surfaces.views.frameOf(batch.key(), batch.waiting());
+  batch.setViewFrame(frame);
+  if (p_.clock.watchesOffscreen(batch.waiting().settings)) [[unlikely]] {
+    const scene::Region& region = batch.waiting().region;
+    batch.setLightMode(p_.clock.offscreenMode({region.width, region.height}, frame));
+  }
   batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting()));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());
 }

@@ -67,6 +67,7 @@ class Batch {
   }
   /// Sets which frame of its view it belongs to.
   void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
+  void setLightMode(scene::LightSampling::Mode mode) { snapshot_->lightSampling.mode = mode; }
   /// Sets what the settings `ground` and `background` add. Call before it is handed over.
   void stand(scene::GroundUse ground, std::shared_ptr<const scene::Backdrop> backdrop) {
     snapshot_->ground = ground, snapshot_->backdrop = std::move(backdrop);

@@ -85,6 +85,7 @@ void Flusher::present(Reason reason) {
 
 void Flusher::takeResult(const PresentResult& result, bool known) {
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
+  p_.clock.drawn();
   Statistics& statistics = p_.counts.statistics;
   statistics.presentSeconds += result.presentSeconds;
   if (!known) {

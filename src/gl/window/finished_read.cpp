@@ -6,7 +6,7 @@ namespace gluray::gl {
 
 void FinishedRead::bind(const scene::Region& region, GLenum format) noexcept {
   if (flushToRead(format) != Context::Flush::read || context_.clock.passesThrough() ||
-      context_.failsafe.aside())
+      context_.failsafe.aside() || context_.clock.animates())
     return;
   context_.protect([&] {
     const PresentResult result = context_.flusher.presenter.reader().bindFinished(context_.real, region);

@@ -9,10 +9,23 @@ FrameClock::FrameClock(const ContextInfo& info, const Settings& settings)
       info_(info),
       passesThrough_(!info.off && choice.way() == EngineChoice::Way::passthrough) {}
 
-scene::LightSampling::Mode FrameClock::lightMode(const Settings& settings) const {
+bool FrameClock::isShown() const { return info_.isShown && info_.isShown(); }
+
+scene::LightSampling::Mode FrameClock::lightMode(const Settings& settings) {
   using Sampling = scene::LightSampling;
-  return settings.changesPicture() && info_.isShown && info_.isShown() ? Sampling::Mode::moving
-                                                                       : Sampling::Mode::full;
+  isOffscreen_ = animates_ = false;
+  return settings.changesPicture() && isShown() ? Sampling::Mode::moving : Sampling::Mode::full;
+}
+
+bool FrameClock::watchesOffscreen(const Settings& settings) const {
+  return settings.refine.offscreen == RefineOffscreen::animated && settings.changesPicture() && !isShown();
+}
+
+scene::LightSampling::Mode FrameClock::offscreenMode(glm::ivec2 size, uint64_t viewFrame) {
+  using Sampling = scene::LightSampling;
+  isOffscreen_ = true;
+  animates_ = offscreen_.isAnimated(size, frame + viewFrame, nowSeconds());
+  return animates_ ? Sampling::Mode::moving : Sampling::Mode::full;
 }
 
 }  // namespace gluray::gl

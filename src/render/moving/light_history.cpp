@@ -1,5 +1,7 @@
 #include "render/moving/light_history.h"
 
+#include "render/remote/remote_surfaces.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,8 +21,8 @@ void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors
   constexpr float kMost = 16, kMostAfterChanges = 1;  // samples
   const scene::Snapshot& snapshot = *frame.snapshot;
   const int width = snapshot.region.width, height = snapshot.region.height;
-  const bool same = known_ && region_ == snapshot.region && settings_ == snapshot.settings &&
-                    isNear(meaning_, factors.meaning()) && channels_ == Channels{factors.used()};
+  same_ = known_ && region_ == snapshot.region && settings_ == snapshot.settings &&
+          isNear(meaning_, factors.meaning()) && channels_ == Channels{factors.used()};
   known_ = false;  // until it is finished
   settings_ = snapshot.settings, region_ = snapshot.region, meaning_ = factors.meaning();
   moving.channels = channels_ = {factors.used()};
@@ -32,10 +34,11 @@ void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors
   moving.space = now.space, moving.film = &now.film, moving.hits = &hits_;
   moving.mostSamples = kMost;
   moving.earlier = nullptr;
-  if (!same || !before.space.usable) return;
+  if (!same_ || !before.space.usable) return;
   moving.earlier = &before.film, moving.earlierSpace = before.space;
   moving.reprojection = Reprojection(before.placement, before.space, now.placement, frame);
-  if (moving.reprojection.changed) moving.mostSamples = kMostAfterChanges;
+  if (moving.reprojection.changed || (frame.remote && frame.remote->changed()))
+    moving.mostSamples = kMostAfterChanges;
 }
 
 size_t LightHistory::bytes() const {

@@ -18,6 +18,8 @@ class LightHistory {
   void begin(const FrameData&, const FactorIntegrator&, MovingFrame& moving);
   /// The frame is traced: the next one may use it.
   void finish() { now_ = 1 - now_, ++index_, known_ = true; }
+  /// The frame was given up: the next one may use what this one could.
+  void abandon() { known_ = same_; }
   /// Forgets earlier frames.
   void forget() { known_ = false; }
   uint32_t index() const { return index_; }
@@ -34,6 +36,7 @@ class LightHistory {
   int now_ = 0;  // frames_[now_]: the one to be traced
   uint32_t index_ = 0;
   bool known_ = false;
+  bool same_ = false;  // the frame before shows the same as the one to be traced
   std::vector<float> meaning_;
   Channels channels_;
   Settings settings_;

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 namespace gluray::render {
@@ -58,6 +59,26 @@ struct Animation {
   }
 };
 
+/// Gives a frame up when all its tiles have been collected.
+class GivesUp final : public FilmSource {
+ public:
+  void begin(const Image& image) noexcept override {
+    const Tiles tiles(image, kTileSize);
+    left_ = tiles.columns * tiles.rows;
+  }
+  int next() noexcept override { return --left_; }
+  void done(int, double, bool) noexcept override { ADD_FAILURE() << "no tile is coloured"; }
+  uint32_t index(uint32_t own) const noexcept override { return own; }
+  void collected(const FactorFilm&, int, double) noexcept override { ++tiles; }
+  bool complete(FactorFilm&) noexcept override { return false; }
+  int nextToColor() noexcept override { return -1; }
+
+  std::atomic<int> tiles{0};
+
+ private:
+  std::atomic<int> left_{0};
+};
+
 /// dB over pixels that both show.
 double psnr(const Image& a, const Image& b) {
   double sum = 0, count = 0;
@@ -99,6 +120,25 @@ TEST(Moving, FramesOfAnOrbitConverge) {
     const test::Traced truth = animation.converged(s);
     EXPECT_GT(psnr(last.image, truth.image), quarter ? 30.5 : 35);
     EXPECT_NEAR(meanOf(last.image), meanOf(truth.image), 0.6);
+  }
+}
+
+TEST(Moving, FramesGivenUpLeaveTheHistory) {
+  Animation one, other;
+  scene::Snapshot s = boards();
+  s.lightSampling.mode = Mode::moving;
+  for (int i = 0; i < 4; ++i) {
+    turn(s, i);
+    if (i == 2) {
+      GivesUp source;
+      Image image;
+      TraceOptions options;
+      options.histories = &other.histories, options.source = &source, options.film = &source;
+      other.world.update(s, other.arena);
+      traceImage(s, other.world, other.arena, image, options);
+      EXPECT_EQ(source.tiles, 9);
+    }
+    EXPECT_EQ(one.frame(s).image.color, other.frame(s).image.color) << i;
   }
 }
 

@@ -81,7 +81,7 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   LightHistories& histories = kept ? *kept : own;
   LightHistory& history = histories.of(frame.snapshot->view);
   MovingFrame moving;
-  moving.index = source ? source->index() : history.index(), moving.rays = rays;
+  moving.index = source ? source->index(history.index()) : history.index(), moving.rays = rays;
   frame.moving = &moving;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.moving = nullptr;
@@ -108,7 +108,10 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
     traceAll({frame, moving, collector});
   frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
   frame.collector = nullptr, frame.hits = nullptr;
-  if (whole) history.finish();
+  if (whole)
+    history.finish();
+  else
+    history.abandon();
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <functional>
 
 namespace gluray::render {
 
@@ -40,6 +41,9 @@ class RemoteSurfaces {
   virtual void beginEmpty(const scene::Snapshot&) = 0;
   /// After begin(): of what light meets in all processes, in the space of Surroundings::viewFromWorld.
   virtual accel::Bounds bounds() const noexcept = 0;
+  /// After begin(): whether surfaces of any process have moved against others, or changed, since the last
+  /// moving frame of the view.
+  virtual bool changed() const noexcept = 0;
   /// Bit i: surfaces elsewhere, or those of this process (`blocked`), block ray i. Multiplies what passes.
   /// A tile may be traced twice: answers are not there the first time, and its rays count as free.
   virtual uint32_t occluded(const RemoteQuery&, uint32_t blocked, Passing) noexcept = 0;
@@ -48,8 +52,9 @@ class RemoteSurfaces {
   virtual bool recall(uint32_t& blocked) noexcept = 0;
   /// Whether this thread traces its tile for the second time.
   virtual bool isReplaying() const noexcept = 0;
-  /// The picture is whole. Answers others until this process has something else to trace.
-  virtual void hold() noexcept = 0;
+  /// All tiles are traced. Calls `whole` unless the picture must be traced anew; then answers others until
+  /// this process has something else to trace.
+  virtual void hold(const std::function<void()>& whole) noexcept = 0;
 };
 
 /// What blocks a packet's rays, in this process and elsewhere: bit i, ray i. `filter` is asked about surfaces

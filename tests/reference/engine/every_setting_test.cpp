@@ -170,9 +170,23 @@ std::vector<Change> changes() {
 /// Settings of how pictures are made, of passes, of which these pictures have one, of ranks, of which there
 /// is one, and of opaque surfaces that are rasterised, of which there are none.
 const std::set<std::string> kElsewhere = {
-    "engine",        "bvh",         "shading",         "quirks",           "fps",    "noise",
-    "refine.passes", "refine.idle", "refine.adaptive", "denoise",          "preset", "gather",
-    "cull.draws",    "cull.from",   "cull.verify",     "light.rasterised",
+    "engine",
+    "bvh",
+    "shading",
+    "quirks",
+    "fps",
+    "noise",
+    "refine.passes",
+    "refine.idle",
+    "refine.adaptive",
+    "refine.offscreen",
+    "denoise",
+    "preset",
+    "gather",
+    "cull.draws",
+    "cull.from",
+    "cull.verify",
+    "light.rasterised",
 };
 
 /// One read is one pass: samples, not the wish for little noise, make the picture.

@@ -18,7 +18,7 @@ class FilmTiles final : public render::FilmSource {
   void done(int tile, double seconds, bool seenThrough) noexcept override {
     queue_.done(tile, seconds, seenThrough);
   }
-  uint32_t index() const noexcept override { return index_; }
+  uint32_t index(uint32_t) const noexcept override { return index_; }
   void collected(const render::FactorFilm& film, int tile, double seconds) noexcept override {
     queue_.collected(film, tile, seconds);
   }
