@@ -57,7 +57,7 @@ HeadCosts headCosts(const Image& image, const std::vector<float>& costs, int ran
   dist::WrittenMemory memory;  // new for the first picture, as in a program
   HeadCosts sum;
   for (int round = 0; round < 2; ++round) {
-    dist::Picture picture(request, 1, false, states, costs, false, 0);
+    dist::Picture picture(request, 1, false, states, costs, dist::Picture::Kind::shared, 0);
     sum = spentOn(picture, messages, ranks, memory);
   }
   const auto count = static_cast<double>(messages.size());
