@@ -1,5 +1,7 @@
 #include "base/background_job.h"
 
+#include "base/never_destroyed.h"
+
 #include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -28,7 +30,7 @@ struct RunningJobs {
   bool exiting = false;
 
   static RunningJobs& instance() {
-    static auto* running = new RunningJobs;
+    static NeverDestroyed<RunningJobs> running;
     return *running;
   }
 
@@ -162,9 +164,9 @@ void BackgroundJob::abandonAtExit() noexcept {
   // Gives the job's other threads time to park, too.
   if (!joined) usleep(kParkingMicroseconds);
   // Keep a joined thread's object: std::thread does not know that pthread_timedjoin_np() joined it.
-  static std::vector<std::thread>* ended = new std::vector<std::thread>;
+  static NeverDestroyed<std::vector<std::thread>> ended;
   if (joined)
-    ended->push_back(std::move(thread_));
+    (*ended).push_back(std::move(thread_));
   else
     thread_.detach();
 }

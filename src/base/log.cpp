@@ -1,6 +1,7 @@
 #include "base/log.h"
 
 #include "base/files.h"
+#include "base/never_destroyed.h"
 #include "base/printable.h"
 
 #include <unistd.h>
@@ -22,8 +23,8 @@ struct State {
 };
 
 State& state() {
-  static State* s = new State;  // never destroyed: hosts call us while they exit
-  return *s;
+  static NeverDestroyed<State> state;
+  return *state;
 }
 
 /// Writes a line in one piece, so that lines of several processes do not mix.

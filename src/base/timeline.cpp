@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/log.h"
+#include "base/never_destroyed.h"
 
 #include <unistd.h>
 
@@ -49,7 +50,7 @@ struct Recorder {
   std::atomic<int64_t> nextWrite{0};
 
   static Recorder& instance() {
-    static auto* recorder = new Recorder;
+    static NeverDestroyed<Recorder> recorder;
     return *recorder;
   }
 };

@@ -1,5 +1,6 @@
 #include "frame/idle_refiner.h"
 
+#include "base/never_destroyed.h"
 #include "base/timeline.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr auto kPatience = 1000ms;  // time without frames after which the threa
 }  // namespace
 
 IdleRefiner::Counts& IdleRefiner::counts() {
-  static auto* const counts = new Counts;  // never destroyed: reports are written while the process exits
+  static NeverDestroyed<Counts> counts;
   return *counts;
 }
 

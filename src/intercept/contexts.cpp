@@ -1,5 +1,6 @@
 #include "intercept/contexts.h"
 
+#include "base/never_destroyed.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
 #include "intercept/control/link.h"
@@ -87,8 +88,8 @@ std::shared_ptr<Record> newRecord(const Key& share) {
 }  // namespace
 
 Registry& registry() {
-  static auto* r = new Registry;
-  return *r;
+  static NeverDestroyed<Registry> registry;
+  return *registry;
 }
 
 namespace {

@@ -1,5 +1,7 @@
 #include "parallel/arena.h"
 
+#include "base/never_destroyed.h"
+
 #include <tbb/info.h>
 #include <tbb/task_scheduler_observer.h>
 
@@ -47,7 +49,7 @@ struct Arenas {
   std::atomic<int> usualThreads{0};
 };
 Arenas& arenas() {
-  static auto* all = new Arenas;  // never destroyed: hosts call us while they exit
+  static NeverDestroyed<Arenas> all;
   return *all;
 }
 

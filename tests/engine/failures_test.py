@@ -1,6 +1,6 @@
-"""Injected failures in a real process: failures_test.py GLURAY CLIENT FAILING_NEW (with an X server at hand).
+"""Injected failures in a real process: failures_test.py GLURAY CLIENT FAILING_NEW [every] (with an X server at hand).
 
-Loads the engine as installed into a program without C++ code. Each time another single allocation fails,
+Loads the engine as installed into a program without C++ code. Each time another single allocation fails, some of them or every one,
 on the program's thread or within TBB's: the program must go on with the same picture as without GLuRay, with one line on stderr.
 Tests that link the engine's code cannot replace this one: exceptions also pass through TBB, and through whichever
 C++ runtime that was loaded with."""
@@ -11,6 +11,7 @@ import unittest
 
 SCENE = ("20000", "3")  # triangles, frames
 NUMBERS = [1, 2, 5, 10, *range(30, 301, 15)]  # the start and these frames make about 300 allocations
+EVERY = range(1, 401)
 
 
 def run(path, fail_at=None, quirks=""):
@@ -29,7 +30,7 @@ class Failures(unittest.TestCase):
         for path, quirks in (("list", "software-show=off"), ("vbo", "software-show=on")):
             aside[path] = 0
             plain = run(path).stdout.split()
-            for number in NUMBERS:
+            for number in EVERY if EVERY_ONE else NUMBERS:
                 with self.subTest(path=path, number=number):
                     done = run(path, number, quirks)
                     self.assertEqual(done.returncode, 0, done.stderr)
@@ -43,4 +44,5 @@ class Failures(unittest.TestCase):
 
 if __name__ == "__main__":
     GLURAY, CLIENT, FAILING_NEW = sys.argv[1:4]
+    EVERY_ONE = sys.argv[4:] == ["every"]
     unittest.main(argv=sys.argv[:1], verbosity=2)

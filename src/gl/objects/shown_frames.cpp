@@ -1,9 +1,10 @@
 #include "gl/objects/shown_frames.h"
 
+#include "base/never_destroyed.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <exception>
-#include <new>
 #include <utility>
 
 namespace gluray::gl {
@@ -77,8 +78,7 @@ std::vector<glm::ivec4> ShownFrames::places() const {
 }
 
 ShownFrames& shownFrames() {
-  alignas(ShownFrames) static std::byte room[sizeof(ShownFrames)];
-  static auto* frames = new (room) ShownFrames;  // allocates nothing: callers may not throw
+  static NeverDestroyed<ShownFrames> frames;
   return *frames;
 }
 

@@ -1,5 +1,6 @@
 #include "intercept/control/shown_windows.h"
 
+#include "base/never_destroyed.h"
 #include "intercept/contexts.h"
 #include "intercept/control/link.h"
 #include "intercept/windows/present_without_swap.h"
@@ -13,14 +14,12 @@
 #include <exception>
 #include <map>
 #include <mutex>
-#include <new>
 
 namespace gluray::intercept {
 namespace {
 
 constexpr size_t kMostShown = 16;
 
-/// Never destroyed: programs swap while they exit.
 struct Shown {
   std::mutex mutex;
   std::vector<ShownWindow> windows;          // last first
@@ -29,8 +28,7 @@ struct Shown {
   std::atomic<_XDisplay*> display{nullptr};  // its display
 
   static Shown& instance() {
-    alignas(Shown) static std::byte room[sizeof(Shown)];
-    static auto* const shown = new (room) Shown;  // allocates nothing: callers may not throw
+    static NeverDestroyed<Shown> shown;
     return *shown;
   }
 };

@@ -1,5 +1,6 @@
 #include "intercept/reports/explanation.h"
 
+#include "base/never_destroyed.h"
 #include "frame/tracer_info.h"
 #include "gl/families/match.h"
 #include "intercept/session.h"
@@ -19,7 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-/// Never destroyed: programs call OpenGL while they exit.
 struct Notes {
   std::mutex mutex;
   std::set<std::string> unknownFunctions;
@@ -28,8 +28,8 @@ struct Notes {
 };
 
 Notes& notes() {
-  static auto* n = new Notes;
-  return *n;
+  static NeverDestroyed<Notes> notes;
+  return *notes;
 }
 
 double milliseconds(double seconds) { return 1000.0 * seconds; }

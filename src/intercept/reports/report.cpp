@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/files.h"
 #include "base/log.h"
+#include "base/never_destroyed.h"
 #include "frame/idle_refiner.h"
 #include "gl/buffers/buffer.h"
 #include "intercept/contexts.h"
@@ -156,8 +157,8 @@ struct Reporter {
 };
 
 Reporter& reporter() {
-  static auto* r = new Reporter;
-  return *r;
+  static NeverDestroyed<Reporter> reporter;
+  return *reporter;
 }
 
 /// Locks with a time limit: a signal handler may have called exit() in the middle of a report.

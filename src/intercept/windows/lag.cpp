@@ -1,6 +1,7 @@
 #include "intercept/windows/lag.h"
 
 #include "base/clock.h"
+#include "base/never_destroyed.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
 #include "intercept/control/window_pictures.h"
@@ -38,7 +39,7 @@ struct Displays {
   std::map<Display*, Closed> open;
 
   static Displays& instance() {
-    static auto* displays = new Displays;
+    static NeverDestroyed<Displays> displays;
     return *displays;
   }
 };

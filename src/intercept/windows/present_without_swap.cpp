@@ -1,5 +1,6 @@
 #include "intercept/windows/present_without_swap.h"
 
+#include "base/never_destroyed.h"
 #include "intercept/context_record.h"
 #include "intercept/control/window_pictures.h"
 #include "intercept/session.h"
@@ -7,7 +8,6 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
-#include <new>
 
 namespace gluray::intercept {
 namespace {
@@ -16,12 +16,9 @@ struct Names {
   std::mutex mutex;
   std::map<uintptr_t, uintptr_t> windows;
 };
-/// Never destroyed: programs call GLX while they exit. Allocates nothing: the first call may come when memory
-/// has run out.
 Names& names() {
-  alignas(Names) static std::byte memory[sizeof(Names)];
-  static Names* const n = new (memory) Names;
-  return *n;
+  static NeverDestroyed<Names> all;
+  return *all;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "intercept/windows/x_idle_window.h"
 
+#include "base/never_destroyed.h"
 #include "intercept/context_record.h"
 #include "intercept/control/window_pictures.h"
 #include "intercept/windows/background_window.h"
@@ -28,7 +29,7 @@ struct Watched {
   std::atomic<int> count{0};
 
   static Watched& instance() {
-    static auto* watched = new Watched;  // never destroyed: programs call GLX while they exit
+    static NeverDestroyed<Watched> watched;
     return *watched;
   }
 };

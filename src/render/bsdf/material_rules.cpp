@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/log.h"
+#include "base/never_destroyed.h"
 #include "base/toml_text.h"
 #include "render/bsdf/object_rules.h"
 #include "render/integrators/altered_look.h"
@@ -163,7 +164,7 @@ class LastRules {
 };
 
 LastRules& lastRules() {
-  static auto* last = new LastRules;  // never destroyed: threads may trace while the process exits
+  static NeverDestroyed<LastRules> last;
   return *last;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/log.h"
+#include "base/never_destroyed.h"
 #include "base/toml_text.h"
 
 #include <sys/stat.h>
@@ -217,7 +218,7 @@ std::vector<FileLight> parseLights(std::string_view text, const std::string& fil
 
 std::shared_ptr<const std::vector<FileLight>> lightsOf(const std::string& file) {
   static std::mutex mutex;
-  static auto* files = new std::map<std::string, Known>;  // read by threads that outlive static objects
+  static NeverDestroyed<std::map<std::string, Known>> files;
   if (file.empty()) return nullptr;
   const std::lock_guard lock(mutex);
   Known& known = (*files)[file];

@@ -1,6 +1,7 @@
 #include "render/lights/make_environment.h"
 
 #include "base/log.h"
+#include "base/never_destroyed.h"
 #include "render/lights/dome.h"
 #include "render/lights/picture_files.h"
 #include "render/lights/preetham.h"
@@ -40,7 +41,7 @@ class LastSky {
 };
 
 LastSky& lastSky() {
-  static auto* last = new LastSky;  // never destroyed: threads may trace while the process exits
+  static NeverDestroyed<LastSky> last;
   return *last;
 }
 

@@ -1,6 +1,7 @@
 #include "settings/live/settings_source.h"
 
 #include "base/clock.h"
+#include "base/never_destroyed.h"
 
 #include <algorithm>
 #include <utility>
@@ -8,7 +9,7 @@
 namespace gluray {
 
 SettingsSource& settingsSource() {
-  static auto* const source = new SettingsSource;  // never destroyed: programs call OpenGL while they exit
+  static NeverDestroyed<SettingsSource> source;
   return *source;
 }
 
