@@ -33,19 +33,19 @@ void PartChanges::find(uint64_t name) {
 PartState PartChanges::show(const scene::Snapshot& snapshot, const render::FrameData* frame) {
   find(snapshot.view);
   View& view = this->view();
+  if (snapshot.number != 0 && snapshot.number == view.number) return view.own;  // another pass over it
   render::Placement now;
   if (frame) now.take(snapshot);
   const bool both = !now.objects.empty() && !view.placement.objects.empty();
   const bool changed = both ? render::Reprojection(view.placement, view.space, now, *frame).changed
                             : now.objects.size() != view.placement.objects.size();
-  if (changed) ++view.changes;
+  if (changed) view.own.changes = ++changes_;  // views that were forgotten count on
+  using Object = render::Placement::Object;
+  const auto largest = std::ranges::max_element(now.objects, {}, &Object::triangles);
+  view.own.eyeFromLargest = largest == now.objects.end() ? glm::dmat4(1) : largest->eyeFromObject;
   view.space = frame ? render::FilmSpace(*frame) : render::FilmSpace();
-  view.placement = std::move(now);
-  PartState state{0, view.changes, glm::dmat4(1)};
-  const auto largest =
-      std::ranges::max_element(view.placement.objects, {}, &render::Placement::Object::triangles);
-  if (largest != view.placement.objects.end()) state.eyeFromLargest = largest->eyeFromObject;
-  return state;
+  view.placement = std::move(now), view.number = snapshot.number;
+  return view.own;
 }
 
 bool PartChanges::changed(std::vector<PartState> parts) {

@@ -15,7 +15,7 @@ namespace gluray::dist {
 /// What other ranks must know of a rank's surfaces in a view to notice that these move or change.
 struct PartState {
   int rank = 0;
-  uint64_t changes = 0;          // of its surfaces against each other, ever
+  uint64_t changes = 0;          // rises when its surfaces change, or move against each other
   glm::dmat4 eyeFromLargest{1};  // of the surface with most triangles; of others as this rank sees it
 };
 
@@ -33,9 +33,10 @@ class PartChanges {
   static constexpr size_t kMostViews = 4;
   struct View {
     uint64_t name = 0;
+    uint64_t number = 0;  // Snapshot::number of the last one; 0: none
     render::Placement placement;
     render::FilmSpace space;
-    uint64_t changes = 0;
+    PartState own;
     std::vector<PartState> kept;
   };
   View& view() { return views_.front(); }
@@ -43,6 +44,7 @@ class PartChanges {
 
   std::list<View> views_;  // the one that began last first
   std::vector<PartState> now_;
+  uint64_t changes_ = 0;
 };
 
 }  // namespace gluray::dist
