@@ -1,7 +1,7 @@
 // What is found about a draw before anything of it is drawn.
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
-#include "gl/culled/instance_arrays.h"
+#include "gl/culled/instances/instance_arrays.h"
 #include "gl/state/state_queries.h"
 
 #include <glm/gtc/type_ptr.hpp>

@@ -9,7 +9,7 @@
 #include "gl/culled/culled_mesh.h"
 #include "gl/culled/culled_program.h"
 #include "gl/culled/culling_trials.h"
-#include "gl/culled/instances.h"
+#include "gl/culled/instances/instances.h"
 #include "gl/culled/restore_point.h"
 #include "gl/draws/draw_counts.h"
 #include "gl/draws/reasons.h"

@@ -1,24 +1,14 @@
 #include "gl/families/match.h"
 
 #include "gl/families/glsl_types.h"
+#include "gl/families/variable_types.h"
 #include "gl/programs/built_in_uniforms.h"
 #include "gl/programs/program_source.h"
 
 #include <algorithm>
-#include <initializer_list>
 
 namespace gluray::gl {
 namespace {
-
-bool isDouble(GLenum type) {
-  return type == GL_DOUBLE || (type >= GL_DOUBLE_VEC2 && type <= GL_DOUBLE_VEC4) ||
-         (type >= GL_DOUBLE_MAT2 && type <= GL_DOUBLE_MAT4x3);
-}
-
-std::string about(const char* before, const std::string& name, const std::string& after = "") {
-  std::string text = before;
-  return text.append("\"").append(name).append("\"").append(after);
-}
 
 void needActive(const Program& p, const Family& f, std::vector<std::string>& out) {
   for (const std::string& name : f.active)
@@ -99,97 +89,6 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
   for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
 }
 
-/// A set of types that a variable may have in its role in a family.
-struct Types {
-  const char* what;
-  bool (*fit)(GLenum type);
-};
-const Types kNumber{"a number", [](GLenum t) {
-                      return t == GL_FLOAT || t == GL_INT || t == GL_UNSIGNED_INT || t == GL_BOOL;
-                    }};
-const Types kVector{"a vector",
-                    [](GLenum t) { return t == GL_FLOAT_VEC2 || t == GL_FLOAT_VEC3 || t == GL_FLOAT_VEC4; }};
-const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
-const Types kMatrix{"a mat4", [](GLenum t) { return t == GL_FLOAT_MAT4; }};
-const Types kPlain{"a number, vector or matrix", [](GLenum t) { return glslName(t).find("sampler") != 0; }};
-const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 || t == GL_FLOAT_MAT4; }};
-const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
-const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
-
-/// Reports variables of wrong types.
-class TypeCheck {
- public:
-  TypeCheck(const Program& p, std::vector<std::string>& out) : p_(p), out_(out) {}
-
-  void attribute(const std::string& name) const {
-    const ProgramAttribute* a = name.empty() ? nullptr : p_.attribute(name);
-    if (a && !kVector.fit(a->type)) refuse(name, kVector);
-  }
-  void uniform(const std::string& name, const Types& types) const {
-    const ProgramUniform* u = name.empty() ? nullptr : p_.uniform(name);
-    if (u && !types.fit(u->type)) refuse(name, types);
-  }
-  void uniforms(const std::vector<std::string>& names, const Types& types) const {
-    for (const std::string& name : names) uniform(name, types);
-  }
-  void values(std::initializer_list<const FamilyValue*> values) const {
-    for (const FamilyValue* v : values) uniform(v->uniform, kValue);
-  }
-  void material(const FamilyMaterial& m) const {
-    values({&m.ambientIntensity, &m.ambientColor, &m.diffuseIntensity, &m.diffuseColor, &m.specularIntensity,
-            &m.specularColor, &m.emission, &m.shininess, &m.opacity});
-  }
-  /// Checks the first light's variable, or the array that holds all lights'.
-  void light(const std::string& pattern, const Types& types) const {
-    if (pattern.ends_with("[{}]")) return uniform(pattern.substr(0, pattern.size() - 4), types);
-    const size_t at = pattern.find("{}");
-    if (at == std::string::npos) return uniform(pattern, types);
-    std::string name = pattern.substr(0, at);
-    uniform(name.append("0").append(pattern, at + 2), types);
-  }
-
- private:
-  void refuse(const std::string& name, const Types& types) const {
-    out_.push_back(about("has ", name, std::string(", which is not ") + types.what));
-  }
-  const Program& p_;
-  std::vector<std::string>& out_;
-};
-
-void needTypes(const Program& p, const Family& f, std::vector<std::string>& out) {
-  if (!f.rasteriseBecause.empty()) return;
-  const TypeCheck check(p, out);
-  for (const std::string* name :
-       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.impostors.axis})
-    check.attribute(*name);
-  for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
-  check.values({&f.impostors.radius, &f.impostors.inside, &f.impostors.radiusDivisor, &f.impostors.size,
-                &f.impostors.bulge, &f.impostors.bulgeDepth, &f.impostors.depthBias, &f.impostors.scale,
-                &f.impostors.billboardScale});
-  check.uniform(f.impostors.projection, kMatrix);
-  check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
-  check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
-  check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
-  check.uniform(f.uniformColors, kNumber), check.uniform(f.clipPlaneCount, kNumber);
-  check.uniform(f.clipPlanes, kVector);
-  check.uniform(f.texcoordMatrix, kMatrix);
-  check.values({&f.edgeWidth, &f.edgeColor, &f.edgeOpacity});
-  check.values({&f.rimColor, &f.rimExponent});
-  for (int c = 0; c < 3; ++c) check.values({&f.height.scale[c], &f.height.offset[c], &f.height.exponent[c]});
-  check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
-  check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
-  check.material(f.material), check.material(f.backMaterial);
-  check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
-                &f.depthOffset, &f.depthFactor});
-  const FamilyLights& l = f.lights;
-  for (const std::string* name : {&l.color, &l.direction.uniform, &l.position, &l.attenuation})
-    check.light(*name, kVector);
-  for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
-    check.light(*name, kNumber);
-  for (const auto& [name, uniform] : p.uniforms)
-    if (isDouble(uniform.type)) out.push_back(about("has ", name, " in double precision"));
-}
-
 /// Requires what tracing needs of any program.
 void needSources(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
@@ -208,10 +107,6 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
     out.push_back(about("lacks attribute ", f.normal));
 }
-
-}  // namespace
-
-namespace {
 
 /// `unknown`: set if the program fits except for its statements.
 std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,

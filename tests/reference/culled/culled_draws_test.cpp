@@ -182,6 +182,13 @@ TEST(CulledDraws, AreNotMadeWhereTheyWouldNotBeExact) {
   EXPECT_EQ(compareShells("deep", deep, drawAll).drawsCulled, 0u);
   const std::string numbers = replacedIn(kCulledFragment, "wood(place)", "float(gl_PrimitiveID % 5) / 4.0");
   EXPECT_EQ(compareShells("numbers", numbers, drawAll).drawsCulled, 0u);
+  // Discarded fragments write depth.
+  const std::string discards = replacedIn(kCulledFragment, "void main() {",
+                                          "void main() {\n  if (fract(6.0 * place.x) < 0.5) discard;");
+  const std::string early =
+      replacedIn(discards, "#version 150\n", "#version 420\nlayout(early_fragment_tests) in;\n");
+  EXPECT_GT(compareShells("discards", discards, drawAll).drawsCulled, 0u);
+  EXPECT_EQ(compareShells("early", early, drawAll).drawsCulled, 0u);
 }
 
 /// Programs need their shaders no longer once they are linked.

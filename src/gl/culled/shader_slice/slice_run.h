@@ -31,7 +31,10 @@ class SliceRun {
   const std::vector<InstanceColumn>& instanceColumns() const { return instanceColumns_; }
 
  private:
+  static constexpr int kDeepestCalls = 32;
   enum class Flow { on, leave, next, result };
+  /// A part of a function may or may not be executed, and ends the function.
+  struct Unfollowed {};
   struct Attribute {
     std::string name;
     int components;
@@ -46,6 +49,7 @@ class SliceRun {
     Value result;
   };
 
+  [[noreturn]] static void give(const std::string& why);
   void declareGlobals();
   Value color() const;
   Value attributeValue(const Global& global);

@@ -2,7 +2,7 @@
 // instances. A part of CulledDraws, GL thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
-#include "gl/culled/instances.h"
+#include "gl/culled/instances/instances.h"
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/draws/reasons.h"
 #include "gl/programs/program.h"

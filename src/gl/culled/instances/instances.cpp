@@ -1,4 +1,4 @@
-#include "gl/culled/instances.h"
+#include "gl/culled/instances/instances.h"
 
 #include "parallel/loops.h"
 

@@ -1,6 +1,6 @@
 // Instances that may show are never left out, also where a shader rounds; those that cannot mostly are. Runs
 // are those of base instances.
-#include "gl/culled/instances.h"
+#include "gl/culled/instances/instances.h"
 
 #include "gl/culled/test_pictures.h"
 

@@ -1,4 +1,4 @@
-#include "gl/culled/instance_arrays.h"
+#include "gl/culled/instances/instance_arrays.h"
 
 #include "gl/programs/uniforms.h"
 #include "gl/state/extensions.h"

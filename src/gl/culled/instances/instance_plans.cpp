@@ -1,6 +1,6 @@
 // Draws of instances: what is found about them before anything is drawn, and how their parts are drawn.
 #include "gl/culled/culled_draws.h"
-#include "gl/culled/instance_arrays.h"
+#include "gl/culled/instances/instance_arrays.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,126 @@
+// What the variables of a shader are before it runs: globals, attributes, uniforms.
+#include "gl/culled/shader_slice/slice_functions.h"
+#include "gl/culled/shader_slice/slice_run.h"
+
+#include <algorithm>
+
+namespace gluray::gl::glsl {
+namespace {
+
+using Base = Shape::Base;
+
+constexpr size_t kMostElements = 4096;
+constexpr size_t kDrawBuffers = 8;
+
+}  // namespace
+
+void SliceRun::declareGlobals() {
+  using Storage = Global::Storage;
+  const Value fourFloats = Value::unknown({Base::floats, 1, 4});
+  if (stage_ == Stage::vertex) {
+    globals_["gl_Position"] = fourFloats;
+  } else {
+    globals_["gl_FragColor"] = fourFloats;
+    Value& data = globals_["gl_FragData"];
+    data.isArray = true, data.items.assign(kDrawBuffers, fourFloats);
+  }
+  for (const Global& global : tree_.globals) {
+    const std::string_view name = global.variable.name;
+    if (global.storage == Storage::uniform)
+      uniformGlobals_[name] = &global;
+    else if (global.storage == Storage::attribute && stage_ == Stage::vertex)
+      globals_[name] = attributeValue(global);
+    else if (global.variable.value && global.storage != Storage::other)
+      globals_[name] = evaluate(*global.variable.value);
+    else
+      globals_[name] = defaultValue(global.variable.type);
+  }
+}
+
+Value SliceRun::attributeValue(const Global& global) {
+  const Shape shape = shapeOfType(global.variable.type.name);
+  Value v = defaultValue(global.variable.type);
+  if (shape.base != Base::floats || v.components.empty()) return v;
+  const std::string name(global.variable.name);
+  if (instances_.contains(name)) return instanceValue(name, shape);
+  if (shape.isMatrix()) return v;
+  attributes_.push_back({name, shape.rows});
+  for (int i = 0; i < shape.rows; ++i) {
+    Linear l;
+    l.attribute = static_cast<int>(attributes_.size()) - 1, l.exact = false;
+    l.factors[static_cast<size_t>(i)] = l.magnitudes[static_cast<size_t>(i)] = 1;
+    v.components[static_cast<size_t>(i)] = l;
+  }
+  return v;
+}
+
+Value SliceRun::instanceValue(const std::string& name, const Shape& shape) {
+  constexpr int kMostNumbers = 255;
+  Value v = Value::unknown(shape);
+  if (instanceNumbers_ + shape.size() > kMostNumbers) return v;
+  for (int c = 0; c < shape.columns; ++c) instanceColumns_.push_back({name, c, shape.rows});
+  for (Linear& l : v.components) l = Linear::ofInstance(++instanceNumbers_);
+  return v;
+}
+
+const Struct* SliceRun::structNamed(std::string_view name) const {
+  const auto found = std::ranges::find_if(tree_.structs, [&](const Struct& s) { return s.name == name; });
+  return found == tree_.structs.end() ? nullptr : &*found;
+}
+
+std::optional<size_t> SliceRun::sizeOf(const TypeName& type, size_t dimension) {
+  if (!type.sizes[dimension]) return std::nullopt;
+  const std::optional<long> size = integerOf(evaluate(*type.sizes[dimension]));
+  if (!size || *size < 1 || *size > static_cast<long>(kMostElements)) return std::nullopt;
+  return static_cast<size_t>(*size);
+}
+
+Value SliceRun::defaultValue(const TypeName& type, size_t dimension, int depth) {
+  if (depth > 8) return {};
+  tick();
+  if (dimension < type.sizes.size()) {
+    const std::optional<size_t> size = sizeOf(type, dimension);
+    if (!size) return {};
+    Value array;
+    array.isArray = true;
+    for (size_t i = 0; i < *size; ++i) array.items.push_back(defaultValue(type, dimension + 1, depth + 1));
+    return array;
+  }
+  const Struct* const structure = structNamed(type.name);
+  if (!structure) return Value::unknown(shapeOfType(type.name));
+  Value v;
+  v.structure = structure->name;
+  for (const Variable& field : structure->fields) v.items.push_back(defaultValue(field.type, 0, depth + 1));
+  return v;
+}
+
+Value SliceRun::uniformValue(const std::string& path, const TypeName& type, size_t dimension, int depth) {
+  tick();
+  if (depth > 8) return {};
+  if (dimension < type.sizes.size()) {
+    const std::optional<size_t> size = sizeOf(type, dimension);
+    if (!size) return {};
+    Value array;
+    array.isArray = true;
+    for (size_t i = 0; i < *size; ++i)
+      array.items.push_back(
+          uniformValue(path + "[" + std::to_string(i) + "]", type, dimension + 1, depth + 1));
+    return array;
+  }
+  if (const Struct* const structure = structNamed(type.name)) {
+    Value v;
+    v.structure = structure->name;
+    for (const Variable& field : structure->fields)
+      v.items.push_back(uniformValue(path + "." + std::string(field.name), field.type, 0, depth + 1));
+    return v;
+  }
+  const auto known = read_.find(path);
+  if (known != read_.end()) return known->second;
+  Value v = Value::unknown(shapeOfType(type.name));
+  std::vector<double> components;
+  if (!v.components.empty() && uniforms_.read(path, components) && components.size() == v.components.size())
+    for (size_t i = 0; i < components.size(); ++i) v.components[i] = Linear::constant(components[i]);
+  return read_[path] = v;
+}
+
+}  // namespace gluray::gl::glsl

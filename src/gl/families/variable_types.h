@@ -1,0 +1,17 @@
+// Whether the variables of a program have types that fit their roles in a family. Part of match.cpp.
+#pragma once
+#include "gl/families/family.h"
+#include "gl/programs/program.h"
+
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+
+/// One reason why a program does not fit, for the user, with a name in quotes.
+std::string about(const char* before, const std::string& name, const std::string& after = "");
+
+/// Adds a reason for each variable of a wrong type.
+void needTypes(const Program& p, const Family& f, std::vector<std::string>& out);
+
+}  // namespace gluray::gl
