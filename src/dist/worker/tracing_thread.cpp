@@ -4,6 +4,7 @@
 #include "dist/gather/merged.h"
 #include "dist/pages/paged_tiles.h"
 #include "dist/worker/film/film_tiles.h"
+#include "render/moving/moving_frame.h"
 
 #include <exception>
 #include <utility>

@@ -124,7 +124,7 @@ void SliceRun::declare(const Variable& variable) {
   if (variable.value) {
     Value given = evaluate(*variable.value);
     if (!given.isOpaque() && variable.type.sizes.empty() &&
-        shapeOfType(variable.type.name).base != Base::opaque)
+        shapeOfType(variable.type.name).base != Shape::Base::opaque)
       given = construct(shapeOfType(variable.type.name), {given});
     if (!given.isOpaque()) value = std::move(given);
   }
