@@ -129,7 +129,7 @@ TEST(CulledIndirectDraws, FollowChangesOfTheirCommands) {
     of.prepare = [](Gl gl, const ProgramMesh& mesh) { sendCommands(gl, shellsOf(mesh, 20)); };
     of.draw = [&](Gl gl, const ProgramMesh& mesh, int frame) {
       std::vector<ElementsCommand> commands = shellsOf(mesh, 20 + 3 * static_cast<GLuint>(frame));
-      std::ranges::rotate(commands, commands.begin() + frame % 4);
+      std::rotate(commands.begin(), commands.begin() + frame % 4, commands.end());
       const GLsizeiptr bytes = sizeof(ElementsCommand) * 4;
       GLint name = 0;
       gl.GetIntegerv(GL_DRAW_INDIRECT_BUFFER_BINDING, &name);
