@@ -51,8 +51,8 @@ const BuiltInStateCase kBuiltInStateCases[] = {
      [](Gl gl, GLuint) { gl.Enable(GL_BLEND), gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); }, 1},
     {"fixed_function_off", &kShaded,
      [](Gl gl, GLuint) {
+       // Not GL_COLOR_MATERIAL: in Mesa 25 materials keep their values until the next colour.
        gl.Enable(GL_FOG), gl.Enable(GL_LIGHTING), gl.Enable(GL_TEXTURE_2D), gl.Enable(GL_NORMALIZE);
-       gl.Enable(GL_COLOR_MATERIAL);
      },
      1},
 };
