@@ -23,7 +23,7 @@ scene::Snapshot movingPlates(int frame) {
   scene::Snapshot s = test::plates(96);
   s.lightSampling.mode = scene::LightSampling::Mode::moving;
   s.frame = static_cast<uint64_t>(frame + 1);
-  s.settings.fps = 1;  // time enough: the number of rays stays
+  s.settings.fps = 0.1f;  // time enough: the number of rays stays
   s.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), 0.02 * frame, {0.2, 1, 0.1});
   glm::vec4& light = s.shadings[0].lights[0].position;
   light = glm::vec4(s.eyeFromWorld * glm::dvec4(light));

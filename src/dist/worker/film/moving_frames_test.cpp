@@ -21,7 +21,7 @@ scene::Snapshot movingScene(int frame, int size = kSize) {
   scene::Snapshot s = frame::test::litScene(frame::test::Hides::some, size);
   s.lightSampling.mode = scene::LightSampling::Mode::moving;
   s.frame = static_cast<uint64_t>(frame + 1);
-  s.settings.fps = 1;  // time enough: the number of rays stays
+  s.settings.fps = 0.1f;  // time enough: the number of rays stays
   s.eyeFromWorld = s.eyeFromWorld * glm::rotate(glm::dmat4(1), 0.02 * frame, {0.2, 1.0, 0.1});
   for (scene::Instance& instance : s.instances)
     instance.eyeFromObject = s.eyeFromWorld * glm::dmat4(instance.worldFromObject);
