@@ -1,83 +1,19 @@
 // Frames of animations against full ones.
 #include "base/sanitized.h"
-#include "render/test_trace.h"
+#include "render/moving/test_animation.h"
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 
 namespace gluray::render {
 namespace {
 
-constexpr int kMovingSize = 96;
-using Mode = scene::LightSampling::Mode;
-
-/// A floor and three boards on edge, `size` times as large as they were made, white and unlit.
-scene::Snapshot boards(float size = 1) {
-  const auto at = [&](float x, float y, float z) { return glm::vec3(x, y, z) * size; };
-  scene::Snapshot s =
-      test::makeSnapshot({test::parallelogram(at(0, 0, 0), at(3, 0, 0), at(0, 3, 0)),
-                          test::parallelogram(at(-0.9f, 0, 0.4f), at(0, 0.8f, 0), at(0, 0, 0.4f)),
-                          test::parallelogram(at(0.1f, 0.3f, 0.3f), at(0.3f, 0.4f, 0), at(0, 0, 0.3f)),
-                          test::parallelogram(at(0.8f, -0.4f, 0.5f), at(0.2f, -0.1f, 0), at(0, 0, 0.5f))},
-                         kMovingSize);
-  s.view = 7;
-  s.settings.ao.enabled = true;
-  s.settings.ao.radius = 0.2f;
-  return s;
-}
-
-/// Looks at the boards from above, turned by `degrees`.
-void turn(scene::Snapshot& s, double degrees, double size = 1) {
-  s.camera.clipFromEye = glm::perspective(glm::radians(35.0), 1.0, 0.5 * size, 20 * size);
-  s.eyeFromWorld =
-      glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5 * size}), glm::radians(-40.0), {1, 0, 0}) *
-      glm::rotate(glm::dmat4(1), glm::radians(degrees), {0, 0, 1});
-  for (scene::Instance& i : s.instances) i.eyeFromObject = s.eyeFromWorld * glm::dmat4(i.worldFromObject);
-}
-
-/// Traces frames one after another.
-struct Animation {
-  Arena arena{2};
-  accel::World world;
-  LightHistories histories;
-  MovingRays rays;
-
-  test::Traced frame(scene::Snapshot s, Mode mode = Mode::moving) {
-    s.lightSampling.mode = mode;
-    world.update(s, arena);
-    test::Traced traced;
-    traceImage(s, world, arena, traced.image, {&histories, rays});
-    return traced;
-  }
-  /// The same with 256 samples.
-  test::Traced converged(scene::Snapshot s) {
-    s.settings.ao.samples = 256;
-    return frame(s, Mode::full);
-  }
-};
-
-/// Gives a frame up when all its tiles have been collected.
-class GivesUp final : public FilmSource {
- public:
-  void begin(const Image& image) noexcept override {
-    const Tiles tiles(image, kTileSize);
-    left_ = tiles.columns * tiles.rows;
-  }
-  int next() noexcept override { return --left_; }
-  void done(int, double, bool) noexcept override { ADD_FAILURE() << "no tile is coloured"; }
-  uint32_t index(uint32_t own) const noexcept override { return own; }
-  void collected(const FactorFilm&, int, double) noexcept override { ++tiles; }
-  bool complete(FactorFilm&) noexcept override { return false; }
-  int nextToColor() noexcept override { return -1; }
-
-  std::atomic<int> tiles{0};
-
- private:
-  std::atomic<int> left_{0};
-};
+using test::Animation;
+using test::boards;
+using test::kMovingSize;
+using test::Mode;
+using test::turn;
 
 /// dB over pixels that both show.
 double psnr(const Image& a, const Image& b) {
@@ -120,25 +56,6 @@ TEST(Moving, FramesOfAnOrbitConverge) {
     const test::Traced truth = animation.converged(s);
     EXPECT_GT(psnr(last.image, truth.image), quarter ? 30.5 : 35);
     EXPECT_NEAR(meanOf(last.image), meanOf(truth.image), 0.6);
-  }
-}
-
-TEST(Moving, FramesGivenUpLeaveTheHistory) {
-  Animation one, other;
-  scene::Snapshot s = boards();
-  s.lightSampling.mode = Mode::moving;
-  for (int i = 0; i < 4; ++i) {
-    turn(s, i);
-    if (i == 2) {
-      GivesUp source;
-      Image image;
-      TraceOptions options;
-      options.histories = &other.histories, options.source = &source, options.film = &source;
-      other.world.update(s, other.arena);
-      traceImage(s, other.world, other.arena, image, options);
-      EXPECT_EQ(source.tiles, 9);
-    }
-    EXPECT_EQ(one.frame(s).image.color, other.frame(s).image.color) << i;
   }
 }
 
