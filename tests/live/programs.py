@@ -156,8 +156,8 @@ MORE = {
     "pyqtgraph": wide(script("pyqtgraph_scene.py"), "Qt 5; GLSL 1.10 that takes fixed function's arrays", 0.99, rest=3.0,
                       needs=(module("pyqtgraph"),)),
     # Shaders of their own.
-    "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object", culled=5, rest=3.0, needs=(module("vispy"),)),
-    "silx": whole(script("silx_scene.py"), "Qt 5; blending", rest=3.0, needs=(module("silx"),)),
+    "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object; blending", culled=10, rest=3.0, needs=(module("vispy"),)),
+    "silx": whole(script("silx_scene.py"), "Qt 5; blending", culled=5, rest=3.0, needs=(module("silx"),)),
     "pymol": whole(lambda folder: ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600",
                    str(HERE / "pymol_scene.py")], "Qt 5; blending, spheres that write depth", rest=4.0, needs=("pymol",)),
     "view3dscene": whole(lambda folder: ["view3dscene", "--geometry", "600x600", "-H", str(models.write_x3d(folder / "knot.x3dv"))],

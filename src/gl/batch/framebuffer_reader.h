@@ -46,6 +46,10 @@ class FramebufferReader {
   }
   /// Binds the program's framebuffer again. Call after bindCopy() has bound one.
   virtual void unbindCopy(const RealGl&) noexcept {}
+  /// Whether blending by alpha, added up, leaves nothing of what was below where alpha is gl::Opacity::kLeast
+  /// or more, in framebuffers whose colours are normalised bytes; and whether shaders compute the number of
+  /// min(), max() and clamp() of a number and a NaN. No error may be pending. Never throws.
+  virtual bool replacesColors(const RealGl&) noexcept { return false; }
   /// Keeps a copy of the bound draw framebuffer's colours, depths and stencil values in `region`. False: it
   /// cannot. No error may be pending. Never throws.
   virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }

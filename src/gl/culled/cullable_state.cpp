@@ -40,6 +40,21 @@ Reason cullableState(const ShadowState& shadow, GLenum mode) {
   return Reason::traced;
 }
 
+bool hasByteColors(const ShadowState& shadow) {
+  const TargetState& target = shadow.state.target;
+  if (target.reason != Reason::traced || target.wideColors || target.encodes) return false;
+  if (shadow.state.rare.fixedFunction) return target.eightBits;
+  const GLenum buffer = target.framebuffer != 0 ? target.drawBuffer : GLenum{GL_BACK_LEFT};
+  const auto bits = [&](GLenum name) {
+    GLint value = 0;
+    shadow.real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer, name, &value);
+    return value;
+  };
+  const GLint alpha = bits(GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE);
+  return bits(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) == 8 && bits(GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE) == 8 &&
+         bits(GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE) == 8 && (alpha == 8 || alpha == 0);
+}
+
 Reason cullableBlending(const ShadowState& shadow, bool opaque) {
   if (!isOn(shadow.real, GL_BLEND)) return Reason::traced;
   // Colours that are floats may be infinite: then 0 times what was there is no number.

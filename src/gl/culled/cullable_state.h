@@ -14,4 +14,7 @@ Reason cullableState(const ShadowState& shadow, GLenum mode);
 /// Reason::traced: it does not.
 Reason cullableBlending(const ShadowState& shadow, bool opaque);
 
+/// Whether the colours of the framebuffer are normalised bytes, written as they are.
+bool hasByteColors(const ShadowState& shadow);
+
 }  // namespace gluray::gl

@@ -27,7 +27,7 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (e.repeats() > 1 && shadow.state.raster.program != 0 && programInUse().numbersInstances())
     return Reason::instanceNumbers;
   Source from;
-  if (const Reason reason = source(from); reason != Reason::traced) return reason;
+  if (const Reason reason = source(mode, e, from); reason != Reason::traced) return reason;
   if (found.samples > 1 && from.program && from.program->usesCentroids()) return Reason::multisampleState;
   found.program = from.program, found.matrix = from.matrix;
   if (e.repeats() > 1 || e.baseInstance != 0 || !from.position.terms.empty())
@@ -45,21 +45,35 @@ bool CulledDraws::takesParts() {
   return p_.shadow.state.raster.program != 0 && programInUse().reason() == Reason::traced;
 }
 
-Reason CulledDraws::source(Source& found) {
-  if (p_.shadow.state.raster.program != 0) return sourceOfProgram(found);
+Reason CulledDraws::source(GLenum mode, const Elements& e, Source& found) {
+  if (p_.shadow.state.raster.program != 0) return sourceOfProgram(mode, e, found);
   return p_.shadow.info.core ? Reason::program : sourceOfFixedFunction(found);
 }
 
-Reason CulledDraws::sourceOfProgram(Source& found) {
+Reason CulledDraws::blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
+                               const Elements& e) {
+  ShadowState& shadow = p_.shadow;
+  const Opacity opacity = program.opacity(shadow.real, shadow.info.core, varyings);
+  if (const Reason reason = cullableBlending(shadow, opacity.opaque); reason != Reason::traced) return reason;
+  if (opacity.exact) return Reason::traced;
+  const bool replaces = hasByteColors(shadow) && p_.flusher.presenter.reader().replacesColors(shadow.real) &&
+                        constants_.areOnes(shadow, program.known().program, opacity.ones, mode, e);
+  return replaces ? Reason::traced : Reason::blend;
+}
+
+Reason CulledDraws::sourceOfProgram(GLenum mode, const Elements& e, Source& found) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = programInUse();
   if (program.reason() != Reason::traced) return program.reason();
   const bool core = shadow.info.core;
-  const bool opaque = !isOn(shadow.real, GL_BLEND) || program.isOpaque(shadow.real, core);
-  if (const Reason reason = cullableBlending(shadow, opaque); reason != Reason::traced) return reason;
+  const bool blends = isOn(shadow.real, GL_BLEND);
   const InstanceAttributes instances = instanceAttributes(program.known().program, shadow.attributes);
-  std::optional<LinearPosition> position = program.position(shadow.real, core, instances);
+  Varyings varyings;
+  std::optional<LinearPosition> position =
+      program.position(shadow.real, core, instances, blends ? &varyings : nullptr);
   if (!position) return Reason::positions;
+  if (blends)
+    if (const Reason reason = blendingOf(program, varyings, mode, e); reason != Reason::traced) return reason;
   found.program = &program, found.matrix = {position->clipFromAttribute, position->magnitudes};
   found.components = position->components, found.position = std::move(*position);
   if (found.position.attribute == "gl_Vertex") {

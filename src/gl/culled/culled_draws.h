@@ -6,6 +6,7 @@
 #include "base/hash.h"
 #include "gl/arrays/elements.h"
 #include "gl/batch/flusher.h"
+#include "gl/culled/constant_attributes.h"
 #include "gl/culled/culled_mesh.h"
 #include "gl/culled/culled_program.h"
 #include "gl/culled/culling_trials.h"
@@ -58,7 +59,7 @@ class CulledDraws {
   };
   /// Finds it for draws with the current state. Reason::traced, or why it is not known, or why what is hidden
   /// at the end shows.
-  Reason source(Source& source);
+  Reason source(GLenum mode, const Elements& elements, Source& source);
 
   /// Whether the settings and the real OpenGL allow culled draws.
   bool isActive() const;
@@ -105,7 +106,9 @@ class CulledDraws {
 
   /// Why the draw is not culled, or Reason::traced.
   Reason plan(GLenum mode, const Elements& elements, Plan& plan);
-  Reason sourceOfProgram(Source& source);
+  Reason sourceOfProgram(GLenum mode, const Elements& elements, Source& source);
+  /// Why what is hidden at the end shows by blending, or Reason::traced.
+  Reason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode, const Elements& elements);
   Reason sourceOfFixedFunction(Source& source);
   Reason planInstances(const Source& source, Plan& plan);
   Reason planMesh(const Source& source, Plan& plan);
@@ -164,6 +167,7 @@ class CulledDraws {
   RestorePoint before_;
   std::unordered_map<const KnownProgram*, std::unique_ptr<CulledProgram>> programs_;
   std::unordered_map<Hash128, Known> meshes_;
+  ConstantAttributes constants_;
   BackgroundJob job_;
   std::shared_ptr<CulledMesh> building_;
   std::vector<float> depths_;

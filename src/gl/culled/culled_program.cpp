@@ -3,6 +3,7 @@
 #include "gl/families/glsl_tokens.h"
 #include "gl/programs/program_source.h"
 #include "gl/programs/uniforms.h"
+#include "gl/state/state_queries.h"
 
 #include <GL/glext.h>
 #include <glm/gtc/type_ptr.hpp>
@@ -127,6 +128,20 @@ class CurrentUniforms final : public UniformSource {
   const UniformValuesPtr values_;
 };
 
+/// gl_Color of fragments: that of the front, or of the front and the back, clamped.
+void passOnColor(const RealGl& real, Varyings& varyings) {
+  const auto front = varyings.find("gl_FrontColor"), back = varyings.find("gl_BackColor");
+  if (front == varyings.end() || back == varyings.end()) return;
+  std::vector<VaryingComponent> color = front->second;
+  for (size_t i = 0; i < color.size() && i < back->second.size(); ++i) {
+    const VaryingComponent& other = back->second[i];
+    const bool same = color[i].value == other.value && color[i].attribute == other.attribute;
+    const bool clamped = color[i].value && (*color[i].value < 0 || *color[i].value > 1);
+    if (clamped || (!same && isOn(real, GL_VERTEX_PROGRAM_TWO_SIDE))) color[i] = {};
+  }
+  varyings["gl_Color"] = std::move(color);
+}
+
 }  // namespace
 
 CulledProgram::CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known)
@@ -157,13 +172,16 @@ Reason CulledProgram::check(const RealGl& real) {
 }
 
 std::optional<LinearPosition> CulledProgram::position(const RealGl& real, bool core,
-                                                      const InstanceAttributes& instances) {
+                                                      const InstanceAttributes& instances,
+                                                      Varyings* varyings) {
   if (reason_ != Reason::traced) return std::nullopt;
-  return slice_->evaluate(CurrentUniforms(real, known_->program, core), why_, instances);
+  return slice_->evaluate(CurrentUniforms(real, known_->program, core), why_, instances, varyings);
 }
 
-bool CulledProgram::isOpaque(const RealGl& real, bool core) const {
-  return alpha_ && alpha_->isOpaque(CurrentUniforms(real, known_->program, core));
+Opacity CulledProgram::opacity(const RealGl& real, bool core, Varyings varyings) const {
+  if (!alpha_) return {};
+  if (!core) passOnColor(real, varyings);
+  return alpha_->opacity(CurrentUniforms(real, known_->program, core), varyings);
 }
 
 }  // namespace gluray::gl

@@ -24,10 +24,11 @@ class CulledProgram {
   /// The same in words for the user, more precisely; may be empty.
   const std::string& why() const { return why_; }
   /// With the current values of its uniforms. `instances`: its attributes that have one value for an
-  /// instance. Nothing: not linear; sets why().
-  std::optional<LinearPosition> position(const RealGl& real, bool core, const InstanceAttributes& instances);
-  /// Whether alpha is 1 in all that it draws, with the current values of its uniforms.
-  bool isOpaque(const RealGl& real, bool core) const;
+  /// instance. Nothing: not linear; sets why(). `varyings`: takes what fragments get.
+  std::optional<LinearPosition> position(const RealGl& real, bool core, const InstanceAttributes& instances,
+                                         Varyings* varyings = nullptr);
+  /// What is known of alpha in all that it draws, with the current values of its uniforms.
+  Opacity opacity(const RealGl& real, bool core, Varyings varyings) const;
   /// Whether its fragment shader leaves out fragments.
   bool discards() const { return discards_; }
   /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the

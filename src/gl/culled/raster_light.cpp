@@ -87,7 +87,7 @@ Reason light(Context& c, GLenum mode, const Elements& e) {
   if (const Reason reason = litState(shadow, mode, e); reason != Reason::traced) return reason;
   if (!c.flusher.canTrace()) return Reason::noGlsl;
   CulledDraws::Source from;
-  if (const Reason reason = c.culled.source(from); reason != Reason::traced) return reason;
+  if (const Reason reason = c.culled.source(mode, e, from); reason != Reason::traced) return reason;
   if (!from.position.terms.empty()) return Reason::instanced;
   if (from.program && from.program->discards() && shadow.state.target.samples > 1) return Reason::leavesOut;
   const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();

@@ -95,8 +95,8 @@ class Parser {
       if (word == "uniform") all.storage = Storage::uniform;
       if (word == "attribute") all.storage = Storage::attribute;
       if (word == "const") all.storage = Storage::constant, all.constant = true;
-      if (word == "varying" || word == "buffer" || word == "shared" || word == "subroutine")
-        all.storage = Storage::other;
+      if (word == "varying") all.storage = Storage::varying;
+      if (word == "buffer" || word == "shared" || word == "subroutine") all.storage = Storage::other;
       if (word == "in" || word == "inout") all.in = true;
       if (word == "out" || word == "inout") all.out = true;
     }

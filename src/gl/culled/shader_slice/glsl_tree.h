@@ -77,7 +77,7 @@ struct Function {
 };
 
 struct Global {
-  enum class Storage { plain, constant, uniform, attribute, output, other } storage = Storage::plain;
+  enum class Storage { plain, constant, uniform, attribute, varying, output, other } storage = Storage::plain;
   Variable variable;
   std::string path;  // of a uniform in a block: its name to OpenGL
 };

@@ -69,9 +69,7 @@ bool isZero(const InstanceTerm& term) {
   return std::ranges::all_of(term.magnitudes, [](double m) { return m == 0; });
 }
 
-}  // namespace
-
-Linear sum(const Linear& a, const Linear& b, double sign) {
+Linear sumOfForms(const Linear& a, const Linear& b, double sign) {
   if (!a.known || !b.known) return Linear::unknown();
   if (a.attribute >= 0 && b.attribute >= 0 && a.attribute != b.attribute) return Linear::unknown();
   Linear r = a;
@@ -84,7 +82,7 @@ Linear sum(const Linear& a, const Linear& b, double sign) {
   return checked(std::move(r));
 }
 
-Linear product(const Linear& a, const Linear& b) {
+Linear productOfForms(const Linear& a, const Linear& b) {
   if (!a.known || !b.known) return Linear::unknown();
   // Zero times anything that a shader computes may not be zero, but is where nothing overflows.
   if (a.attribute >= 0 && b.attribute >= 0) return Linear::unknown();
@@ -104,11 +102,60 @@ Linear product(const Linear& a, const Linear& b) {
   return fits ? checked(std::move(r)) : Linear::unknown();
 }
 
-Linear quotient(const Linear& a, const Linear& b) {
+Linear quotientOfForms(const Linear& a, const Linear& b) {
   if (!a.known || !b.isConstant() || b.value() == 0) return Linear::unknown();
   Linear inverse = Linear::constant(1 / b.value(), false);
   inverse.magnitudes[4] = 2 * b.magnitude() / (b.value() * b.value());
-  return product(a, inverse);
+  return productOfForms(a, inverse);
+}
+
+Linear withRange(Linear l, const Range& range) {
+  l.range = range;
+  return l;
+}
+
+bool isSame(const Linear& a, const Linear& b) {
+  return a.known && b.known && a.attribute == b.attribute && a.factors == b.factors && a.terms == b.terms;
+}
+
+}  // namespace
+
+Range rangeOf(const Linear& l) {
+  return l.isConstant() ? rangeAround(l.value(), l.exact ? 0 : kRounding * l.magnitude()) : l.range;
+}
+
+Linear within(const Range& range) { return withRange(Linear::unknown(), range); }
+
+Linear joined(const Linear& a, const Linear& b) {
+  if (!isSame(a, b)) return within(hull(rangeOf(a), rangeOf(b)));
+  Linear r = withRange(a, hull(a.range, b.range));
+  for (size_t i = 0; i < r.magnitudes.size(); ++i)
+    r.magnitudes[i] = std::max(a.magnitudes[i], b.magnitudes[i]);
+  r.exact = a.exact && b.exact;
+  return r;
+}
+
+Value joined(const Value& a, const Value& b) {
+  const bool alike = a.shape == b.shape && a.structure == b.structure && a.isArray == b.isArray &&
+                     a.components.size() == b.components.size() && a.items.size() == b.items.size();
+  if (!alike) return {};
+  Value r = a;
+  for (size_t i = 0; i < r.components.size(); ++i) r.components[i] = joined(a.components[i], b.components[i]);
+  for (size_t i = 0; i < r.items.size(); ++i) r.items[i] = joined(a.items[i], b.items[i]);
+  return r;
+}
+
+Linear sum(const Linear& a, const Linear& b, double sign) {
+  const Range other = rangeOf(b);
+  return withRange(sumOfForms(a, b, sign), sumOf(rangeOf(a), sign < 0 ? negated(other) : other));
+}
+
+Linear product(const Linear& a, const Linear& b) {
+  return withRange(productOfForms(a, b), productOf(rangeOf(a), rangeOf(b)));
+}
+
+Linear quotient(const Linear& a, const Linear& b) {
+  return withRange(quotientOfForms(a, b), quotientOf(rangeOf(a), rangeOf(b)));
 }
 
 Linear computed(double value, double error, double gain, const std::vector<Linear>& arguments) {

@@ -1,6 +1,8 @@
 // Values of an abstract run of a shader: numbers that are linear in the components of one vertex attribute,
 // with factors that are polynomials in numbers that each instance has; or not known. Any thread.
 #pragma once
+#include "gl/culled/shader_slice/value_range.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +12,9 @@
 
 namespace gluray::gl::glsl {
 
+inline constexpr double kRounding = 1.0 / (1 << 20);  // of a value that some operations have computed
+inline constexpr double kRough = 4096;  // roundings of transcendental functions of software OpenGLs
+
 /// A product of up to four numbers of the instance: a byte each, largest first; 0: none.
 using InstanceProduct = uint32_t;
 
@@ -18,6 +23,7 @@ struct InstanceTerm {
   InstanceProduct product = 0;
   std::array<double, 5> factors{};
   std::array<double, 5> magnitudes{};  // as those of Linear
+  bool operator==(const InstanceTerm&) const = default;
 };
 
 /// factors[0..3] * attribute + factors[4], and all terms.
@@ -28,6 +34,7 @@ struct Linear {
   int attribute = -1;                  // of the vertex; -1: none
   bool known = true;
   bool exact = true;  // the constant is what the shader computes, to the bit
+  Range range;        // of values that are not constant, known or not
 
   static Linear unknown() {
     Linear l;
@@ -51,6 +58,13 @@ struct Linear {
   double value() const { return factors[4]; }
   double magnitude() const { return magnitudes[4]; }
 };
+
+/// Where its value lies.
+Range rangeOf(const Linear& l);
+/// Not known but for its range.
+Linear within(const Range& range);
+/// Either of both: what they have in common.
+Linear joined(const Linear& a, const Linear& b);
 
 Linear sum(const Linear& a, const Linear& b, double sign = 1);
 Linear product(const Linear& a, const Linear& b);
@@ -97,11 +111,20 @@ struct Value {
     return !components.empty() &&
            std::ranges::all_of(components, [](const Linear& l) { return l.isConstant(); });
   }
+  /// Components of this value and of all that it is made of.
+  size_t size() const {
+    size_t all = components.size();
+    for (const Value& item : items) all += item.size();
+    return all;
+  }
   /// Forgets what it is, not its type.
   void forget() {
     std::ranges::fill(components, Linear::unknown());
     for (Value& item : items) item.forget();
   }
 };
+
+/// Either of both; opaque where their types differ.
+Value joined(const Value& a, const Value& b);
 
 }  // namespace gluray::gl::glsl

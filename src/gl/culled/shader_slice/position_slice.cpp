@@ -64,7 +64,8 @@ void addRow(LinearPosition& position, const glsl::Linear& l, int row) {
 }  // namespace
 
 std::optional<LinearPosition> PositionSlice::evaluate(const UniformSource& uniforms, std::string& why,
-                                                      const InstanceAttributes& instances) const {
+                                                      const InstanceAttributes& instances,
+                                                      Varyings* varyings) const {
   why = parsed_->why;
   if (!why.empty()) return std::nullopt;
   try {
@@ -90,19 +91,46 @@ std::optional<LinearPosition> PositionSlice::evaluate(const UniformSource& unifo
     result.attribute = run.attribute(attribute);
     result.components = usesW ? 4 : std::min(3, run.componentsOf(attribute));
     result.columns = run.instanceColumns();
+    if (varyings) *varyings = run.varyings();
     return result;
   } catch (const std::runtime_error& error) { why = error.what(); }
   return std::nullopt;
 }
 
-bool AlphaSlice::isOpaque(const UniformSource& uniforms) const {
-  if (!parsed_->why.empty()) return false;
+Opacity AlphaSlice::opacity(const UniformSource& uniforms, const Varyings& varyings,
+                            std::vector<AttributeComponent> ones) const {
+  Varyings given = varyings;
+  for (auto& [name, components] : given)
+    for (VaryingComponent& component : components)
+      if (std::ranges::find(ones, component.attribute) != ones.end()) component.value = 1;
+  Opacity result;
   try {
-    const glsl::Value color = glsl::SliceRun(parsed_->tree, uniforms, glsl::SliceRun::Stage::fragment).run();
-    if (color.shape.base != glsl::Shape::Base::floats || color.components.size() != 4) return false;
+    glsl::SliceRun run(parsed_->tree, uniforms, glsl::SliceRun::Stage::fragment, {}, std::move(given));
+    const glsl::Value color = run.run();
+    if (color.shape.base != glsl::Shape::Base::floats || color.components.size() != 4) return {};
     const glsl::Linear& alpha = color.components[3];
-    return alpha.isConstant() && alpha.exact && alpha.value() == 1;
-  } catch (const std::runtime_error&) { return false; }
+    const glsl::Range range = rangeOf(alpha);
+    result.exact = alpha.isConstant() && alpha.exact && alpha.value() == 1;
+    result.opaque = result.exact || (range.number && range.low >= Opacity::kLeast);
+  } catch (const std::runtime_error&) { return {}; }
+  if (result.opaque) result.ones = std::move(ones);
+  return result;
+}
+
+Opacity AlphaSlice::opacity(const UniformSource& uniforms, const Varyings& varyings) const {
+  if (!parsed_->why.empty()) return {};
+  Opacity result = opacity(uniforms, varyings, {});
+  if (result.opaque) return result;
+  // Alphas of vertices are single numbers, or the last ones of four.
+  std::set<AttributeComponent> alphas;
+  for (const auto& [name, components] : varyings)
+    for (const VaryingComponent& component : components)
+      if (!component.attribute.attribute.empty() &&
+          (component.attribute.component == 3 || components.size() == 1))
+        alphas.insert(component.attribute);
+  for (const AttributeComponent& alpha : alphas)
+    if (result = opacity(uniforms, varyings, {alpha}); result.opaque) return result;
+  return alphas.size() < 2 ? result : opacity(uniforms, varyings, {alphas.begin(), alphas.end()});
 }
 
 }  // namespace gluray::gl

@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -41,6 +43,32 @@ struct InstanceColumnTerm {
   glm::dvec4 factors{0}, magnitudes{0};  // times the product, and times its absolute value
 };
 
+/// A component of a vertex attribute: "color", 3.
+struct AttributeComponent {
+  std::string attribute;  // "gl_Color" included; empty: none
+  int component = 0;
+  auto operator<=>(const AttributeComponent&) const = default;
+};
+
+/// A component of what the vertex shader gives the fragment shader: one value at all vertices, or what an
+/// attribute's component is; or neither.
+struct VaryingComponent {
+  std::optional<double> value;
+  AttributeComponent attribute;
+};
+/// The components of each one; gl_FrontColor and gl_BackColor included.
+using Varyings = std::map<std::string, std::vector<VaryingComponent>, std::less<>>;
+
+/// What is known of the alpha of all fragments that are not discarded.
+struct Opacity {
+  /// At least kLeast, if max(), min() and clamp() of a NaN and a number return the number.
+  bool opaque = false;
+  bool exact = false;                    // 1, to the bit
+  std::vector<AttributeComponent> ones;  // where these are 1 at all vertices
+
+  static constexpr double kLeast = 0.999;  // 255 where a byte holds it
+};
+
 /// gl_Position = (clipFromAttribute + all terms) * attribute.
 struct LinearPosition {
   std::string attribute;  // "gl_Vertex" included
@@ -73,9 +101,11 @@ class PositionSlice : public ShaderSlice {
 
   /// Why positions are not known whatever the uniforms are, in a few words; empty: they may be known.
   const std::string& why() const;
-  /// Nothing: not linear in one attribute of the vertex with these values. Sets `why` then.
+  /// Nothing: not linear in one attribute of the vertex with these values. Sets `why` then. `varyings`: takes
+  /// what fragments get.
   std::optional<LinearPosition> evaluate(const UniformSource& uniforms, std::string& why,
-                                         const InstanceAttributes& instances = {}) const;
+                                         const InstanceAttributes& instances = {},
+                                         Varyings* varyings = nullptr) const;
 };
 
 class AlphaSlice : public ShaderSlice {
@@ -83,8 +113,13 @@ class AlphaSlice : public ShaderSlice {
   /// `source`: text of the fragment shaders of a program, as above.
   explicit AlphaSlice(std::string_view source) : ShaderSlice(source) {}
 
-  /// Whether each fragment that is not discarded has the alpha 1, to the bit. False: not known.
-  bool isOpaque(const UniformSource& uniforms) const;
+  /// `varyings`: what the vertex shader gives; "gl_Color" included.
+  Opacity opacity(const UniformSource& uniforms, const Varyings& varyings = {}) const;
+
+ private:
+  /// `ones`: components of attributes that are taken for 1.
+  Opacity opacity(const UniformSource& uniforms, const Varyings& varyings,
+                  std::vector<AttributeComponent> ones) const;
 };
 
 }  // namespace gluray::gl

@@ -1,5 +1,7 @@
 #include "gl/culled/shader_slice/position_slice.h"
 
+#include "gl/culled/shader_slice/test_uniforms.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
@@ -10,19 +12,7 @@
 namespace gluray::gl {
 namespace {
 
-class FakeUniforms final : public UniformSource {
- public:
-  std::map<std::string, std::vector<double>, std::less<>> values;
-  bool read(std::string_view name, std::vector<double>& components) const override {
-    const auto found = values.find(name);
-    if (found == values.end()) return false;
-    components = found->second;
-    return true;
-  }
-  void set(const std::string& name, const glm::dmat4& m) {
-    values[name].assign(glm::value_ptr(m), glm::value_ptr(m) + 16);
-  }
-};
+using test::FakeUniforms;
 
 glm::dmat4 matrix(int seed) {
   std::mt19937 random(static_cast<unsigned>(seed));
@@ -213,32 +203,6 @@ TEST(PositionSlice, SurvivesAnyText) {
     std::string why;
     PositionSlice(mutated).evaluate(u, why);
   }
-}
-
-bool isOpaque(const std::string& text) { return AlphaSlice(text).isOpaque(usual()); }
-
-TEST(AlphaSlice, KnowsAlphaOfOne) {
-  EXPECT_TRUE(isOpaque("void main() { gl_FragColor = vec4(gl_Color.rgb, 1.0); }"));
-  EXPECT_TRUE(
-      isOpaque("uniform sampler2D s; varying vec2 t;"
-               "void main() { gl_FragColor = vec4(texture2D(s, t).rgb, 1.0); }"));
-  EXPECT_TRUE(isOpaque("varying vec3 c; void main() { gl_FragData[0] = vec4(c, 1.0); }"));
-  EXPECT_TRUE(isOpaque("#version 330\nin vec3 c; out vec4 o; void main() { o.rgb = c; o.a = 1.0; }"));
-  EXPECT_TRUE(isOpaque("uniform float on; out vec4 o; in vec4 c; void main() { o = c; o.a = on; }"));
-  EXPECT_TRUE(isOpaque("out vec4 o; in vec4 c; void main() { if (c.x > 0.0) discard; o = vec4(1); }"));
-}
-
-TEST(AlphaSlice, KnowsNoOther) {
-  EXPECT_FALSE(isOpaque("void main() { gl_FragColor = gl_Color; }"));
-  EXPECT_FALSE(isOpaque("void main() { gl_FragColor = vec4(1.0, gl_Color.rgb); }"));
-  EXPECT_FALSE(isOpaque("void main() { gl_FragColor = vec4(gl_Color.rg, gl_TexCoord[0].x, 0.5 + 0.4); }"));
-  EXPECT_FALSE(isOpaque("void main() { gl_FragColor = vec4(gl_Color.rgb, 0.5); }"));
-  EXPECT_FALSE(isOpaque("uniform float scale; out vec4 o; void main() { o = vec4(1, 1, 1, scale); }"));
-  EXPECT_FALSE(isOpaque("out vec4 o; in vec4 c; void main() { o = vec4(1); if (c.x > 0.0) o = c; }"));
-  EXPECT_FALSE(isOpaque("out vec4 o, p; void main() { o = p = vec4(1); }"));
-  EXPECT_FALSE(isOpaque("out uvec4 o; void main() { o = uvec4(1); }"));
-  EXPECT_FALSE(isOpaque("in vec4 c; out vec4 o; void main() { o = c; return; o = vec4(1); }"));
-  EXPECT_FALSE(isOpaque("out vec4 o; void main() { if (c.x > 0.0) return; o = vec4(1); }"));
 }
 
 }  // namespace

@@ -71,10 +71,10 @@ Value SliceRun::name(std::string_view name) {
   if (const auto uniform = uniformGlobals_.find(name); uniform != uniformGlobals_.end())
     return uniformValue(uniform->second->path, uniform->second->variable.type, 0, 0);
   if (!isBuiltIn(name)) return {};
-  if (name == "gl_Vertex" && stage_ == Stage::vertex) {
-    Global vertex;
-    vertex.variable.type.name = "vec4", vertex.variable.name = "gl_Vertex";
-    return globals_["gl_Vertex"] = attributeValue(vertex);
+  if ((name == "gl_Vertex" || name == "gl_Color") && stage_ == Stage::vertex) {
+    Global attribute;
+    attribute.variable.type.name = "vec4", attribute.variable.name = name;
+    return globals_[name] = attributeValue(attribute);
   }
   TypeName type;
   type.name = name.starts_with("gl_NormalMatrix") ? "mat3" : name.find("Matrix") != name.npos ? "mat4" : "";
@@ -87,10 +87,13 @@ Value SliceRun::ternary(const Expression& e) {
   std::set<std::string_view> names;
   assignedBy(*e.parts[1], names, 0), assignedBy(*e.parts[2], names, 0);
   forget(names);
-  Value v = evaluate(*e.parts[1]);
+  const Value first = evaluate(*e.parts[1]);
   forget(names);
-  v.forget();
-  return v;
+  const Value second = evaluate(*e.parts[2]);
+  forget(names);
+  Value both = joined(first, second);
+  if (both.isOpaque()) both = first.isOpaque() ? second : first, both.forget();
+  return both;
 }
 
 Value SliceRun::assign(const Expression& e) {
@@ -166,6 +169,7 @@ Value SliceRun::call(const Function& function, std::vector<Value>& arguments, co
   const size_t depth = frames_.size();
   try {
     execute(*function.body);
+    joinEnds();
   } catch (const Unfollowed&) {
     frames_.resize(depth);
     unfollowed = true;

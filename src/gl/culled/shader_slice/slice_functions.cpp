@@ -1,11 +1,10 @@
 #include "gl/culled/shader_slice/slice_functions.h"
 
+#include "gl/culled/shader_slice/slice_components.h"
 #include "gl/culled/shader_slice/slice_matrices.h"
 
+#include <algorithm>
 #include <array>
-#include <functional>
-#include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -14,9 +13,6 @@ namespace {
 
 using Base = Shape::Base;
 using Linears = std::vector<Linear>;
-
-constexpr double kRounding = 1.0 / (1 << 20);  // of a value that some operations have computed
-constexpr double kRough = 4096;                // roundings of transcendental functions of software OpenGLs
 
 Linear boolean(bool b) { return Linear::constant(b ? 1 : 0); }
 
@@ -82,80 +78,6 @@ Linear arithmetic(std::string_view op, Base base, const Linear& a, const Linear&
   return Linear::unknown();
 }
 
-/// Component `i` of an argument that may be a scalar for all.
-const Linear& spread(const Value& v, size_t i) { return v.components[v.isScalar() ? 0 : i]; }
-
-using Each = std::function<Linear(const Linears&)>;
-
-Linear mixed(const Linears& x) {
-  return sum(product(x[0], sum(Linear::constant(1), x[2], -1)), product(x[1], x[2]));
-}
-
-Linear smaller(const Linears& x, int sign) {
-  if (!x[0].isConstant() || !x[1].isConstant()) return Linear::unknown();
-  Linear r = sign * (x[0].value() - x[1].value()) < 0 ? x[0] : x[1];
-  r.magnitudes[4] = std::max(x[0].magnitude(), x[1].magnitude()), r.exact = x[0].exact && x[1].exact;
-  return r;
-}
-
-Each ofConstants(double (*function)(double), double error, double (*gain)(double)) {
-  return [=](const Linears& x) {
-    if (!x[0].isConstant()) return Linear::unknown();
-    return computed(function(x[0].value()), error, gain(x[0].value()), x);
-  };
-}
-
-/// For functions that jump: not near a jump.
-Each stepping(double (*function)(double)) {
-  return [=](const Linears& x) {
-    if (!x[0].isConstant()) return Linear::unknown();
-    const double v = x[0].value(), slack = x[0].exact ? 0 : kRounding * x[0].magnitude();
-    if (function(v - slack) != function(v + slack)) return Linear::unknown();
-    return Linear::constant(function(v), x[0].exact);
-  };
-}
-
-double one(double) { return 1; }
-
-/// Functions that work component by component.
-const std::map<std::string_view, Each>& componentwise() {
-  static const std::map<std::string_view, Each> table{
-      {"mix", mixed},
-      {"min", [](const Linears& x) { return smaller(x, 1); }},
-      {"max", [](const Linears& x) { return smaller(x, -1); }},
-      {"clamp",
-       [](const Linears& x) {
-         return smaller({smaller({x[0], x[1]}, -1), x[2]}, 1);
-       }},
-      {"abs",
-       [](const Linears& x) {
-         return x[0].isConstant() && x[0].value() < 0 ? product(x[0], Linear::constant(-1))
-                : x[0].isConstant()                   ? x[0]
-                                                      : Linear::unknown();
-       }},
-      {"radians",
-       [](const Linears& x) { return product(x[0], Linear::constant(std::numbers::pi / 180, false)); }},
-      {"degrees",
-       [](const Linears& x) { return product(x[0], Linear::constant(180 / std::numbers::pi, false)); }},
-      {"sin", ofConstants([](double v) { return std::sin(v); }, kRough, one)},
-      {"cos", ofConstants([](double v) { return std::cos(v); }, kRough, one)},
-      {"exp",
-       ofConstants([](double v) { return std::exp(v); }, kRough, [](double v) { return std::exp(v); })},
-      {"exp2",
-       ofConstants([](double v) { return std::exp2(v); }, kRough, [](double v) { return std::exp2(v); })},
-      {"sqrt",
-       ofConstants([](double v) { return std::sqrt(v); }, kRough, [](double v) { return 1 / std::sqrt(v); })},
-      {"inversesqrt", ofConstants([](double v) { return 1 / std::sqrt(v); }, kRough,
-                                  [](double v) { return 1 / (v * std::sqrt(v)); })},
-      {"floor", stepping([](double v) { return std::floor(v); })},
-      {"ceil", stepping([](double v) { return std::ceil(v); })},
-      {"sign", stepping([](double v) { return v > 0   ? 1.0
-                                              : v < 0 ? -1.0
-                                                      : 0.0; })},
-  };
-  return table;
-}
-
 Value dot(const Value& a, const Value& b) {
   Linear total = Linear::constant(0);
   for (size_t i = 0; i < a.components.size(); ++i)
@@ -175,7 +97,8 @@ Value cross(const Value& a, const Value& b) {
 }
 
 Value length(const Value& v) {
-  if (!v.areConstants()) return Value::unknown({Base::floats, 1, 1});
+  const bool number = std::ranges::all_of(v.components, [](const Linear& l) { return rangeOf(l).number; });
+  if (!v.areConstants()) return Value::of(within({0, Range::kInfinity, number}));
   double squares = 0;
   for (const Linear& l : v.components) squares += l.value() * l.value();
   return Value::of(computed(std::sqrt(squares), kRough, 1, v.components));
@@ -323,27 +246,7 @@ Value callBuiltIn(std::string_view name, const std::vector<Value>& arguments) {
       return r;
     }
   const Shape shape = commonShape(arguments);
-  if (shape.base == Base::opaque) return {};
-  const auto found = componentwise().find(name);
-  if (found == componentwise().end()) {
-    const bool same = name != "determinant" && name != "outerProduct" && !name.starts_with("texture") &&
-                      !name.starts_with("texel") && !name.starts_with("shadow") &&
-                      shape.base == Base::floats && !name.starts_with("is") && !name.starts_with("pack") &&
-                      !name.starts_with("float") && !name.starts_with("noise");
-    return same ? Value::unknown(shape) : Value();
-  }
-  static const std::map<std::string_view, size_t> counts{{"mix", 3}, {"clamp", 3}, {"min", 2}, {"max", 2}};
-  const auto count = counts.find(name);
-  if (arguments.size() != (count == counts.end() ? 1 : count->second)) return {};
-  // mix() with booleans chooses.
-  if (arguments.back().shape.base == Base::booleans) return Value::unknown(shape);
-  Value r = valueOf(shape, {});
-  for (size_t i = 0; i < static_cast<size_t>(shape.size()); ++i) {
-    Linears x;
-    for (const Value& a : arguments) x.push_back(spread(a, i));
-    r.components.push_back(found->second(x));
-  }
-  return r;
+  return shape.base == Base::opaque ? Value() : callByComponents(name, shape, arguments);
 }
 
 /// A vector of which only the last components are known: those of single numbers after an argument of unknown
@@ -371,7 +274,7 @@ Value construct(const Shape& shape, const std::vector<Value>& arguments) {
     if (shape.base == Base::booleans)
       return l.exact || l.value() != 0 ? boolean(l.value() != 0) : Linear::unknown();
     if (from == Base::booleans) return l;
-    return stepping([](double v) { return std::trunc(v); })({l});
+    return truncated(l);
   };
   Value r = valueOf(shape, {});
   const auto size = static_cast<size_t>(shape.size());

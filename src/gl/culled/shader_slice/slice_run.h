@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,11 +20,15 @@ class SliceRun {
   enum class Stage { vertex, fragment };
 
   /// `tree` and `uniforms` must outlive it. `instances`: attributes that have one value for an instance.
-  SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage, InstanceAttributes instances = {});
+  /// `varyings`: what the vertex shader gives a fragment shader.
+  SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage, InstanceAttributes instances = {},
+           Varyings varyings = {});
 
   /// gl_Position, or the colour of a fragment that is not discarded, at the end of main(). Throws
   /// std::runtime_error with the reason why it cannot be known.
   Value run();
+  /// What a vertex shader gives fragments, after run().
+  Varyings varyings() const;
   /// Name of attribute number `i`; components that its declaration has.
   const std::string& attribute(int i) const { return attributes_[static_cast<size_t>(i)].name; }
   int componentsOf(int i) const { return attributes_[static_cast<size_t>(i)].components; }
@@ -32,9 +37,12 @@ class SliceRun {
 
  private:
   static constexpr int kDeepestCalls = 32;
+  static constexpr int kMostSteps = 200'000;
   enum class Flow { on, leave, next, result };
   /// A part of a function may or may not be executed, and ends the function.
   struct Unfollowed {};
+  /// A part that may or may not be executed takes more steps than it is worth.
+  struct TooLong {};
   struct Attribute {
     std::string name;
     int components;
@@ -44,15 +52,28 @@ class SliceRun {
     std::vector<size_t> components;  // of *value; empty: all of it
   };
   using Scope = std::map<std::string_view, Value>;
+  /// What may be where a function may have ended before.
+  struct Ended {
+    Scope globals, parameters;
+    Value result;
+  };
   struct Frame {
     std::vector<Scope> scopes;
     Value result;
+    std::shared_ptr<const Ended> ended;  // null: nowhere yet
+  };
+  /// All that statements of a function may change.
+  struct State {
+    Scope globals;
+    Frame frame;
   };
 
   [[noreturn]] static void give(const std::string& why);
   void declareGlobals();
   Value color() const;
   Value attributeValue(const Global& global);
+  Value varyingValue(std::string_view name, Value unknown) const;
+  VaryingComponent varyingComponent(const Linear& l) const;
   Value instanceValue(const std::string& name, const Shape& shape);
   Value uniformValue(const std::string& path, const TypeName& type, size_t dimension, int depth);
   Value defaultValue(const TypeName& type, size_t dimension = 0, int depth = 0);
@@ -62,6 +83,16 @@ class SliceRun {
   Flow execute(const Statement& statement);
   Flow executeAll(const std::vector<StatementPtr>& statements);
   Flow loop(const Statement& statement);
+  Flow branch(const StatementPtr& statement);
+  Flow conditional(const Statement& statement);
+  Flow bothBranches(const Statement& statement);
+  State keep();
+  void put(State state);
+  /// The values are those of `other`, or those that they are.
+  void joinWith(const State& other);
+  void mayEnd();
+  /// Joins the end of a function with where it may have ended before.
+  void joinEnds();
   void declare(const Variable& variable);
   /// Forgets all that the statements may assign. Throws Unfollowed where they may end the function.
   void forgetAssigned(const Statement& statement);
@@ -91,14 +122,15 @@ class SliceRun {
   const UniformSource& uniforms_;
   const Stage stage_;
   const InstanceAttributes instances_;
-  std::map<std::string_view, Value> globals_;
+  const Varyings varyings_;
+  Scope globals_;
   std::map<std::string_view, const Global*> uniformGlobals_;
   std::map<std::string, Value> read_;
   std::vector<Attribute> attributes_;
   std::vector<InstanceColumn> instanceColumns_;
   int instanceNumbers_ = 0;
   std::vector<Frame> frames_;
-  int steps_ = 0, depth_ = 0;
+  int steps_ = 0, mostSteps_ = kMostSteps;
 };
 
 }  // namespace gluray::gl::glsl

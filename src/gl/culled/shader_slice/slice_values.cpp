@@ -18,9 +18,10 @@ void SliceRun::declareGlobals() {
   using Storage = Global::Storage;
   const Value fourFloats = Value::unknown({Base::floats, 1, 4});
   if (stage_ == Stage::vertex) {
-    globals_["gl_Position"] = fourFloats;
+    for (const char* const name : {"gl_Position", "gl_FrontColor", "gl_BackColor"})
+      globals_[name] = fourFloats;
   } else {
-    globals_["gl_FragColor"] = fourFloats;
+    globals_["gl_FragColor"] = fourFloats, globals_["gl_Color"] = varyingValue("gl_Color", fourFloats);
     Value& data = globals_["gl_FragData"];
     data.isArray = true, data.items.assign(kDrawBuffers, fourFloats);
   }
@@ -30,6 +31,9 @@ void SliceRun::declareGlobals() {
       uniformGlobals_[name] = &global;
     else if (global.storage == Storage::attribute && stage_ == Stage::vertex)
       globals_[name] = attributeValue(global);
+    else if (stage_ == Stage::fragment &&
+             (global.storage == Storage::attribute || global.storage == Storage::varying))
+      globals_[name] = varyingValue(name, defaultValue(global.variable.type));
     else if (global.variable.value && global.storage != Storage::other)
       globals_[name] = evaluate(*global.variable.value);
     else
@@ -61,6 +65,47 @@ Value SliceRun::instanceValue(const std::string& name, const Shape& shape) {
   for (int c = 0; c < shape.columns; ++c) instanceColumns_.push_back({name, c, shape.rows});
   for (Linear& l : v.components) l = Linear::ofInstance(++instanceNumbers_);
   return v;
+}
+
+/// `unknown` with the components that are the same at all vertices. Interpolation may round them.
+Value SliceRun::varyingValue(std::string_view name, Value unknown) const {
+  const auto found = varyings_.find(name);
+  if (found == varyings_.end() || found->second.size() != unknown.components.size()) return unknown;
+  for (size_t i = 0; i < unknown.components.size(); ++i)
+    if (const VaryingComponent& component = found->second[i]; component.value)
+      unknown.components[i] = Linear::constant(*component.value, false);
+  return unknown;
+}
+
+Varyings SliceRun::varyings() const {
+  Varyings all;
+  const auto add = [&](std::string_view name, std::string_view as) {
+    const Value& value = globals_.find(name)->second;
+    if (value.shape.base != Base::floats || value.shape.isMatrix() || value.components.empty()) return;
+    std::vector<VaryingComponent>& components = all[std::string(as)];
+    for (const Linear& l : value.components) components.push_back(varyingComponent(l));
+  };
+  for (const Global& global : tree_.globals)
+    if (global.storage == Global::Storage::varying || global.storage == Global::Storage::output)
+      add(global.variable.name, global.variable.name);
+  add("gl_FrontColor", "gl_FrontColor"), add("gl_BackColor", "gl_BackColor");
+  return all;
+}
+
+VaryingComponent SliceRun::varyingComponent(const Linear& l) const {
+  VaryingComponent made;
+  if (l.isConstant()) {
+    made.value = l.value();
+  } else if (l.known && l.attribute >= 0 && l.terms.empty()) {
+    int component = -1;
+    for (int i = 0; i < 5; ++i) {
+      if (l.factors[static_cast<size_t>(i)] == 0) continue;
+      if (component >= 0 || l.factors[static_cast<size_t>(i)] != 1) return made;
+      component = i;
+    }
+    if (component >= 0 && component < 4) made.attribute = {attribute(l.attribute), component};
+  }
+  return made;
 }
 
 const Struct* SliceRun::structNamed(std::string_view name) const {

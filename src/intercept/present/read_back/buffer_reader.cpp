@@ -51,6 +51,12 @@ void BufferReader::putBack(const gl::RealGl& real) noexcept {
   } catch (const std::exception&) {}  // no memory for the state guard's list
 }
 
+bool BufferReader::replacesColors(const gl::RealGl& real) noexcept {
+  try {
+    return blending_.passes(real, shared_.features(real));
+  } catch (const std::exception&) { return false; }
+}
+
 bool BufferReader::readDepth(const gl::RealGl& real, const scene::Region& region,
                              std::vector<float>& out) noexcept {
   return makeRoom(region, out) && read(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/batch/framebuffer_reader.h"
 #include "intercept/present/presented_pictures.h"
+#include "intercept/present/read_back/blending_trial.h"
 #include "intercept/present/read_back/finished_framebuffer.h"
 #include "intercept/present/read_back/kept_framebuffer.h"
 
@@ -26,6 +27,7 @@ class BufferReader final : public gl::FramebufferReader {
   void unbindCopy(const gl::RealGl& real) noexcept override { shared_.samples.unbindCopy(real); }
   bool keep(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void putBack(const gl::RealGl& real) noexcept override;
+  bool replacesColors(const gl::RealGl& real) noexcept override;
   gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void unbindFinished(const gl::RealGl& real) noexcept override {
     finished_.unbind(real, shared_.features(real));
@@ -38,6 +40,7 @@ class BufferReader final : public gl::FramebufferReader {
   PresentedPictures& shared_;
   FinishedFramebuffer finished_;
   KeptFramebuffer kept_;
+  BlendingTrial blending_;
 };
 
 }  // namespace gluray::present

@@ -1,6 +1,7 @@
 #include "intercept/present/read_back/sample_depths.h"
 
 #include "gl/state/state_queries.h"
+#include "intercept/present/read_back/view_program.h"
 #include "intercept/present/write_back/state_guard.h"
 #include "intercept/present/write_back/texture_names.h"
 
@@ -14,16 +15,6 @@ namespace gluray::present {
 namespace {
 
 using gl::RealGl;
-
-constexpr const char* kGivenVertices =
-    "#version 150 compatibility\nvoid main() { gl_Position = gl_Vertex; }\n";
-
-/// A triangle around the view.
-constexpr const char* kTriangleAround = R"(#version 150
-void main() {
-  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
-}
-)";
 
 constexpr const char* kReduceSamples = R"(#version 150
 uniform sampler2DMS depths;
@@ -42,33 +33,6 @@ void main() {
 }
 )";
 
-GLuint buildReduction(const RealGl& real, bool compatibility) {
-  const GLuint program = real.CreateProgram();
-  const auto attach = [&](GLenum kind, const char* source) {
-    const GLuint shader = real.CreateShader(kind);
-    real.ShaderSource(shader, 1, &source, nullptr);
-    real.CompileShader(shader);
-    real.AttachShader(program, shader);
-    real.DeleteShader(shader);
-  };
-  attach(GL_VERTEX_SHADER, compatibility ? kGivenVertices : kTriangleAround);
-  attach(GL_FRAGMENT_SHADER, kReduceSamples);
-  real.LinkProgram(program);
-  GLint linked = GL_FALSE;
-  real.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return program;
-  real.DeleteProgram(program);
-  return 0;
-}
-
-void drawAroundView(const RealGl& real, bool compatibility) {
-  if (!compatibility) return real.DrawArrays(GL_TRIANGLES, 0, 3);
-  // glVertex changes no current value and needs no array state.
-  real.Begin(GL_TRIANGLES);
-  real.Vertex2f(-1, -1), real.Vertex2f(3, -1), real.Vertex2f(-1, 3);
-  real.End();
-}
-
 /// Of the bound draw framebuffer, in its pixels.
 std::vector<glm::vec2> samplePlaces(const RealGl& real, GLint samples) {
   std::vector<glm::vec2> places(static_cast<size_t>(samples));
@@ -84,7 +48,7 @@ bool SampleDepths::ready(const RealGl& real, const Features& has) {
   impossible_ = has.version < 32 || !has.readFramebuffers;
   if (impossible_) return false;
   StateGuard guard(real, has);
-  program_ = buildReduction(real, has.compatibility);
+  program_ = buildViewProgram(real, has.compatibility, kReduceSamples);
   impossible_ = program_ == 0;
   if (impossible_) return takeErrors(real), false;
   if (!has.compatibility) real.GenVertexArrays(1, &vertexArray_);

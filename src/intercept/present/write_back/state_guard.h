@@ -42,6 +42,8 @@ class StateGuard {
   void addUp();
   /// Sets "over" blending for premultiplied colours. After openFragmentPath().
   void blendOver();
+  /// The same for colours that are not. After openFragmentPath().
+  void blendByAlpha();
   void colorWrites(const scene::ColorWrites& on);  // to all draw buffers; after openFragmentPath()
   void encoding(bool on);                          // GL_FRAMEBUFFER_SRGB
   void depthWrites(bool on);

@@ -102,6 +102,11 @@ void StateGuard::blendOver() {
   blend(features_.maxDrawBuffers, {GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA});
 }
 
+void StateGuard::blendByAlpha() {
+  blend(features_.maxDrawBuffers,
+        {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
+}
+
 void StateGuard::blend(int drawBuffers, const std::array<GLint, 4>& factors) {
   for (GLuint i = 0; i < static_cast<GLuint>(drawBuffers); ++i) {
     if (features_.indexedDrawBuffers)

@@ -1,0 +1,31 @@
+// Whether components of vertex attributes are 1 at all vertices of a draw. A part of CulledDraws, GL thread,
+// context current.
+#pragma once
+#include "base/hash.h"
+#include "gl/arrays/elements.h"
+#include "gl/culled/shader_slice/position_slice.h"
+#include "gl/programs/program.h"
+#include "gl/state/shadow_state.h"
+
+#include <span>
+#include <unordered_map>
+
+namespace gluray::gl {
+
+class ConstantAttributes {
+ public:
+  /// Of draws by `program`, by its arrays or, where an attribute has none, by its current value. Answers are
+  /// kept by content. False: not all are, or not all can be read.
+  bool areOnes(ShadowState& shadow, const Program& program, std::span<const AttributeComponent> components,
+               GLenum mode, const Elements& elements);
+
+ private:
+  bool isOne(ShadowState& shadow, const Program& program, const AttributeComponent& component, GLenum mode,
+             const Elements& elements);
+  bool isOne(ShadowState& shadow, const ArraySource& array, int component, GLenum mode,
+             const Elements& elements);
+
+  std::unordered_map<Hash128, bool> known_;
+};
+
+}  // namespace gluray::gl

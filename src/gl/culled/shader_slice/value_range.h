@@ -1,0 +1,44 @@
+// Between which numbers a value of a shader lies, whatever its vertices, pixels and textures are. Any thread.
+#pragma once
+#include <limits>
+
+namespace gluray::gl::glsl {
+
+/// Bounds include the rounding of single precision; a bound that single precision cannot hold is infinite.
+/// Infinite values lie in ranges whose bound is infinite.
+struct Range {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  double low = -kInfinity, high = kInfinity;
+  bool number = false;  // the value is never NaN
+
+  bool isFinite() const { return number && low > -kInfinity && high < kInfinity; }
+  bool operator==(const Range&) const = default;
+};
+
+/// `slack`: how far the value may be from `value`.
+Range rangeAround(double value, double slack);
+/// Around both.
+Range hull(const Range& a, const Range& b);
+
+Range sumOf(const Range& a, const Range& b);
+Range negated(const Range& a);
+Range productOf(const Range& a, const Range& b);
+Range quotientOf(const Range& a, const Range& b);
+
+// GLSL leaves min() and max() of a NaN open. Of two arguments of which one is NaN, implementations of IEEE
+// 754's minNum and maxNum, or of comparisons, return one or the other; the ranges below need one that returns
+// the number (FramebufferReader::replacesColors finds out).
+Range smallerOf(const Range& a, const Range& b);
+Range largerOf(const Range& a, const Range& b);
+
+/// Of the built-in functions of these names.
+Range absoluteOf(const Range& a);
+Range squareRootOf(const Range& a);
+Range powerOf(const Range& base, const Range& exponent);
+Range exponentialOf(const Range& a);  // exp() and exp2()
+Range sineOf(const Range& a);         // sin() and cos()
+Range fractionOf(const Range& a);
+Range mixOf(const Range& a, const Range& b, const Range& weight);
+
+}  // namespace gluray::gl::glsl
