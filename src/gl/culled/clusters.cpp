@@ -34,9 +34,34 @@ glm::dvec4 middleOf(const Primitives& p, uint32_t primitive) {
 
 struct Bounds4 {
   glm::dvec4 lower{std::numeric_limits<double>::infinity()}, upper{-std::numeric_limits<double>::infinity()};
+  bool finite = true;
   void add(const glm::dvec4& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
   double diagonal() const { return glm::length(glm::dvec3(upper) - glm::dvec3(lower)); }
 };
+
+/// Around all vertices of primitives; `each` calls its argument with their numbers.
+template <class Each>
+Bounds4 boundsOf(const Primitives& primitives, const Each& each) {
+  Bounds4 bounds;
+  if (primitives.components == 4 && !primitives.doubles) {  // without a loop for each component
+    glm::vec4 lower(std::numeric_limits<float>::infinity()), upper(-lower), sum(0);
+    each([&](uint32_t vertex) {
+      glm::vec4 p;
+      std::memcpy(&p, primitives.positions + size_t{vertex - primitives.lowest} * primitives.stride,
+                  sizeof p);
+      lower = glm::min(lower, p), upper = glm::max(upper, p), sum += 0.0f * p;
+    });
+    bounds.lower = glm::dvec4(lower), bounds.upper = glm::dvec4(upper);
+    bounds.finite = sum == glm::vec4(0);
+    return bounds;
+  }
+  each([&](uint32_t vertex) {
+    const glm::dvec4 p = primitives.position(vertex);
+    bounds.finite = bounds.finite && std::isfinite(p.x + p.y + p.z + p.w);
+    bounds.add(p);
+  });
+  return bounds;
+}
 
 }  // namespace
 
@@ -63,7 +88,7 @@ bool Clusters::anyMayShow(const BoxVisibility& view) const {
 }
 
 glm::dvec4 Primitives::position(uint32_t vertex) const {
-  const std::byte* const at = positions + size_t{vertex} * stride;
+  const std::byte* const at = positions + size_t{vertex - lowest} * stride;
   glm::dvec4 p(0, 0, 0, 1);
   for (int c = 0; c < components; ++c) {
     if (doubles) {
@@ -95,15 +120,12 @@ void Clusters::findBoxes(const Primitives& primitives) {
   forPieces(boxes_.size(), kClusterGrain, [&](size_t first, size_t last) {
     for (size_t i = first; i < last; ++i) {
       const auto cluster = static_cast<uint32_t>(i);
-      Bounds4 bounds;
-      bool finite = true;
-      for (uint32_t k = 0; k < primitivesOf(cluster); ++k)
-        for (uint32_t c = 0; c < primitives.corners; ++c) {
-          const glm::dvec4 p = primitives.position(primitives.vertex(primitiveAt(cluster, k), c));
-          finite = finite && std::isfinite(p.x + p.y + p.z + p.w);
-          bounds.add(p);
-        }
-      boxes_[i] = finite ? boxAround(bounds.lower, bounds.upper) : Box{glm::vec4(0), glm::vec4(-1)};
+      const Bounds4 bounds = boundsOf(primitives, [&](const auto& add) {
+        for (uint32_t k = 0; k < primitivesOf(cluster); ++k)
+          for (uint32_t c = 0; c < primitives.corners; ++c)
+            add(primitives.vertex(primitiveAt(cluster, k), c));
+      });
+      boxes_[i] = bounds.finite ? boxAround(bounds.lower, bounds.upper) : Box{glm::vec4(0), glm::vec4(-1)};
     }
   });
   group(boxes_, groups_);
@@ -113,13 +135,12 @@ void Clusters::findBoxes(const Primitives& primitives) {
 
 Clusters::Box Clusters::groupOf(const Boxes& boxes, size_t first, size_t last) {
   Bounds4 bounds;
-  bool finite = true;
   for (size_t k = first; k < last; ++k) {
     const glm::dvec4 center(boxes[k].center), extent(boxes[k].extent);
-    finite = finite && boxes[k].isFinite();
+    bounds.finite = bounds.finite && boxes[k].isFinite();
     bounds.add(center - extent), bounds.add(center + extent);
   }
-  return finite ? boxAround(bounds.lower, bounds.upper) : Box{glm::vec4(0), glm::vec4(-1)};
+  return bounds.finite ? boxAround(bounds.lower, bounds.upper) : Box{glm::vec4(0), glm::vec4(-1)};
 }
 
 void Clusters::group(const Boxes& boxes, Boxes& groups) {

@@ -16,9 +16,10 @@ namespace gluray::gl {
 
 /// The primitives of a draw: separate triangles, or `corners` vertices each.
 struct Primitives {
-  const std::byte* positions = nullptr;  // of vertex 0: `components` (2, 3 or 4) floats or doubles
-  size_t stride = 0;                     // bytes between vertices
-  int components = 3;                    // the fourth one is 1 where it is not there
+  const std::byte* positions = nullptr;  // of vertex `lowest`: `components` (2, 3 or 4) floats or doubles
+  uint32_t lowest = 0;
+  size_t stride = 0;   // bytes between vertices
+  int components = 3;  // the fourth one is 1 where it is not there
   bool doubles = false;
   const uint32_t* indices = nullptr;  // null: vertices in order from `first`
   uint32_t first = 0;
@@ -39,6 +40,8 @@ class Clusters {
 
   /// Throws std::bad_alloc.
   explicit Clusters(const Primitives& primitives);
+  /// The vertices of the same primitives have moved.
+  void refit(const Primitives& primitives) { findBoxes(primitives); }
 
   uint32_t count() const { return static_cast<uint32_t>(boxes_.size()); }
   /// Words of a set of clusters.

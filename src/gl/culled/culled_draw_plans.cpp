@@ -27,7 +27,9 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (e.repeats() > 1 && shadow.state.raster.program != 0 && programInUse().numbersInstances())
     return Reason::instanceNumbers;
   Source from;
-  if (const Reason reason = source(mode, e, from); reason != Reason::traced) return reason;
+  const Reason reason = source(mode, e, from);
+  if (reason == Reason::positions && shadow.state.raster.program != 0) return planFeedback(found);
+  if (reason != Reason::traced) return reason;
   if (found.samples > 1 && from.program && from.program->usesCentroids()) return Reason::multisampleState;
   found.program = from.program, found.matrix = from.matrix;
   if (e.repeats() > 1 || e.baseInstance != 0 || !from.position.terms.empty())
@@ -121,13 +123,20 @@ Reason CulledDraws::planMesh(const Source& from, Plan& found) {
   const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
   if (assembly.restart && !inBuffers) return Reason::arrayState;
   const Hash128 name = assembly.added(contentOf(shadow.real, content, mode, e));
+  return planClusters(
+      name, [&] { return CulledMesh::of(shadow.real, positions, components, content, assembly, e); }, found);
+}
+
+Reason CulledDraws::planClusters(const Hash128& name,
+                                 const std::function<std::shared_ptr<CulledMesh>()>& make, Plan& found) {
+  const bool always = p_.shadow.settings.cull.draws == Culling::always;
   if (!meshes_.contains(name)) forgetOld();
   Known& known = meshes_[name];
   if (known.frames == 0 || known.lastFrame != p_.clock.frame) ++known.frames;
   known.lastFrame = p_.clock.frame;
   if (!always && known.frames < kSteadyFrames) return Reason::unsteady;
   if (!known.mesh && !known.refused) {
-    known.mesh = CulledMesh::of(shadow.real, positions, components, content, assembly, e);
+    known.mesh = make();
     known.refused = !known.mesh;
   }
   if (known.refused) return Reason::arrayState;
@@ -185,7 +194,11 @@ void CulledDraws::forgetOld() {
     const Known& known = entry.second;
     return (!building_ || known.mesh != building_) && known.lastFrame + kUnusedFrames < now;
   });
-  std::erase_if(programs_, [](const auto& entry) { return entry.second->isForgotten(); });
+  std::erase_if(programs_, [&](const auto& entry) {
+    const bool forgotten = entry.second->isForgotten();
+    if (forgotten) entry.second->feedback().release(p_.shadow.real);
+    return forgotten;
+  });
 }
 
 }  // namespace gluray::gl

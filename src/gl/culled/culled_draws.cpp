@@ -76,6 +76,7 @@ bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void(
   if (!isActive() || !isLarge(e)) return false;
   return p_.failsafe.protect([&] {
     Plan found;
+    placed_ = false;
     const Reason why = plan(mode, e, found);
     if (why != Reason::traced) return p_.counts.notCulled(why), false;
     if (first) first();
@@ -95,12 +96,14 @@ bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void(
       p_.shadow.real.Finish();
       history.trials.took(culled ? next.way : CullingTrials::Way::plain, nowSeconds() - start);
     }
-    if (history.visible.empty() && (always || history.trials.pays())) look(found, history.visible);
+    if (history.visible.empty() && (always || history.trials.pays()) && place(found))
+      look(found, history.visible);
     return true;
   });
 }
 
 bool CulledDraws::drawCulled(const Plan& plan) {
+  if (!place(plan)) return false;
   if (plan.rehearsed) return drawRehearsed(plan, false);
   const std::vector<uint64_t> guess = plan.history->visible;
   if (guess.empty() || !before_.keep(plan.region)) return false;
@@ -135,10 +138,11 @@ void CulledDraws::countLeft(const Plan& plan, uint64_t drawn) {
 
 bool CulledDraws::drawVerified(const Plan& plan) {
   Pixels culled, whole;
-  if (plan.rehearsed && drawRehearsed(plan, true)) return true;
-  if (plan.rehearsed || !drawCulled(plan)) {
+  const bool placed = place(plan);
+  if (placed && plan.rehearsed && drawRehearsed(plan, true)) return true;
+  if (!placed || plan.rehearsed || !drawCulled(plan)) {
     drawWhole(plan);
-    look(plan, plan.history->visible);
+    if (placed) look(plan, plan.history->visible);
     return true;
   }
   const bool isRead = read(plan, culled);

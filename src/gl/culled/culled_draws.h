@@ -10,6 +10,7 @@
 #include "gl/culled/culled_mesh.h"
 #include "gl/culled/culled_program.h"
 #include "gl/culled/culling_trials.h"
+#include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/instances/instances.h"
 #include "gl/culled/restore_point.h"
 #include "gl/draws/draw_counts.h"
@@ -101,7 +102,8 @@ class CulledDraws {
     WindowMapping window;
     int samples = 1;         // of a pixel
     bool rehearsed = false;  // what shows is found in a copy of the framebuffer, which cannot be put back
-    bool reversed = false;   // larger depths are nearer: `window` maps to 1 - depth
+    PositionFeedback* feedback = nullptr;  // gives positions, which are clip coordinates; null: arrays do
+    bool reversed = false;                 // larger depths are nearer: `window` maps to 1 - depth
   };
 
   /// Why the draw is not culled, or Reason::traced.
@@ -112,6 +114,12 @@ class CulledDraws {
   Reason sourceOfFixedFunction(Source& source);
   Reason planInstances(const Source& source, Plan& plan);
   Reason planMesh(const Source& source, Plan& plan);
+  /// For programs whose positions are not known without running them.
+  Reason planFeedback(Plan& plan);
+  Reason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
+                      Plan& plan);
+  /// Moves the clusters to where this draw's vertices are. False: that is not known.
+  bool place(const Plan& plan);
   static bool areFewAndLarge(const Instances& instances, const CulledMesh& mesh);
   History& historyOf(Known& known, const Plan& plan);
   History& historyOf(Known& known, const Hash128& arrays);
@@ -170,6 +178,7 @@ class CulledDraws {
   ConstantAttributes constants_;
   BackgroundJob job_;
   std::shared_ptr<CulledMesh> building_;
+  bool placed_ = false;  // what is drawn now
   std::vector<float> depths_;
   DepthPyramid pyramid_;
   std::vector<uint32_t> indices_;

@@ -28,11 +28,41 @@ std::shared_ptr<CulledMesh> CulledMesh::of(const RealGl& real, const ArraySource
   p.components = std::min(positions.size, components), p.doubles = positions.type == GL_DOUBLE;
   p.corners = assembly.mode == GL_QUADS ? 4 : 3;
   if (!p.positions || !mesh->readIndices(real, arrays, assembly, e) || p.count == 0) return nullptr;
-  uint32_t end = p.first + p.corners * p.count;  // past the last vertex
-  if (p.indices) end = 1 + *std::max_element(p.indices, p.indices + size_t{p.corners} * p.count);
-  if (end == 0 || end > reader.available()) return nullptr;
-  if (!mesh->positionStorage_) mesh->copyPositions(end);
+  mesh->findVertices();
+  p.lowest = 0;
+  if (mesh->end_ == 0 || mesh->end_ > reader.available()) return nullptr;
+  if (!mesh->positionStorage_) mesh->copyPositions(mesh->end_);
   return mesh;
+}
+
+std::shared_ptr<CulledMesh> CulledMesh::withoutPositions(const RealGl& real, const ArrayState& arrays,
+                                                         const Assembly& assembly, const Elements& e) {
+  std::shared_ptr<CulledMesh> mesh(new CulledMesh);
+  Primitives& p = mesh->primitives_;
+  p.stride = 4 * sizeof(float), p.components = 4;
+  p.corners = assembly.mode == GL_QUADS ? 4 : 3;
+  if (!mesh->readIndices(real, arrays, assembly, e) || p.count == 0) return nullptr;
+  mesh->findVertices();
+  return mesh->end_ > p.lowest ? mesh : nullptr;
+}
+
+void CulledMesh::findVertices() {
+  Primitives& p = primitives_;
+  p.lowest = p.first, end_ = p.first + p.corners * p.count;
+  if (!p.indices) return;
+  const auto [least, most] = std::minmax_element(p.indices, p.indices + size_t{p.corners} * p.count);
+  p.lowest = *least, end_ = 1 + *most;
+}
+
+void CulledMesh::takePositions(const std::byte* positions) {
+  copied_.assign(positions, positions + primitives_.stride * (end_ - primitives_.lowest));
+  primitives_.positions = copied_.data();
+}
+
+void CulledMesh::refit(const std::byte* positions) {
+  primitives_.positions = positions;
+  clusters_->refit(primitives_);
+  primitives_.positions = nullptr;
 }
 
 bool CulledMesh::readIndices(const RealGl& real, const ArrayState& arrays, const Assembly& assembly,

@@ -25,6 +25,17 @@ class CulledMesh {
                                         const ArrayState& arrays, const Assembly& assembly,
                                         const Elements& elements);
 
+  /// The same without positions, which takePositions() gives: clip coordinates.
+  static std::shared_ptr<CulledMesh> withoutPositions(const RealGl& real, const ArrayState& arrays,
+                                                      const Assembly& assembly, const Elements& elements);
+  /// The first vertex that the primitives use, and one past the last.
+  uint32_t firstVertex() const { return primitives_.lowest; }
+  uint32_t endVertex() const { return end_; }
+  /// Copies the positions of all vertices, four floats each, for build().
+  void takePositions(const std::byte* positions);
+  /// Moves the clusters to them. GL thread, after build().
+  void refit(const std::byte* positions);
+
   /// Builds the clusters. Any thread, once.
   void build();
   /// Of no use when the clusters are built. GL thread.
@@ -44,10 +55,12 @@ class CulledMesh {
   /// False: the real OpenGL would read beyond the indices.
   bool readIndices(const RealGl& real, const ArrayState& arrays, const Assembly& assembly,
                    const Elements& elements);
+  void findVertices();
   void copyPositions(uint32_t end);
 
   std::shared_ptr<const BufferStorage> positionStorage_, indexStorage_;
   std::vector<uint32_t> numbers_;
+  uint32_t end_ = 0;               // one past the last vertex
   std::vector<std::byte> copied_;  // positions in the program's memory, until the clusters are built
   Primitives primitives_;
   std::optional<Clusters> clusters_;

@@ -145,7 +145,7 @@ void passOnColor(const RealGl& real, Varyings& varyings) {
 }  // namespace
 
 CulledProgram::CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known)
-    : known_(std::move(known)) {
+    : known_(std::move(known)), feedback_(known_->program) {
   reason_ = check(real);
 }
 

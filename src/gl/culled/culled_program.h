@@ -1,6 +1,7 @@
 // Whether the draws of a shader program can be culled, and where it puts its vertices. GL thread, context
 // current.
 #pragma once
+#include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/draws/reasons.h"
 #include "gl/families/match.h"
@@ -29,6 +30,8 @@ class CulledProgram {
                                          Varyings* varyings = nullptr);
   /// What is known of alpha in all that it draws, with the current values of its uniforms.
   Opacity opacity(const RealGl& real, bool core, Varyings varyings) const;
+  /// Where it puts vertices whatever it computes.
+  PositionFeedback& feedback() { return feedback_; }
   /// Whether its fragment shader leaves out fragments.
   bool discards() const { return discards_; }
   /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the
@@ -46,6 +49,7 @@ class CulledProgram {
   Reason check(const RealGl& real);
 
   std::shared_ptr<const KnownProgram> known_;
+  PositionFeedback feedback_;
   std::optional<PositionSlice> slice_;
   std::optional<AlphaSlice> alpha_;
   Reason reason_ = Reason::traced;

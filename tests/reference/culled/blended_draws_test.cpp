@@ -26,7 +26,7 @@ const std::string kTinted = replacedIn(
 const std::string kCopied = replacedIn(
     replacedIn(kCulledFragment, "out vec4 color;", "in vec4 k;\nout vec4 color;"), "1.0);\n}", "k.a);\n}");
 
-struct Scene {
+struct BlendedScene {
   std::string vertex = kTinted, fragment = kCopied;
   std::function<void(Gl, GLuint vertices)> tint = [](Gl, GLuint) {};  // sends the attribute
   std::function<void(Gl, int frame)> before = [](Gl, int) {};         // each draw
@@ -34,7 +34,7 @@ struct Scene {
   std::function<void(Gl)> prepare = [](Gl) {};
 };
 
-gl::Statistics compareBlended(const std::string& name, const Scene& scene) {
+gl::Statistics compareBlended(const std::string& name, const BlendedScene& scene) {
   GLuint program = 0;
   const ProgramMesh mesh = shells(5, 100);
   return compareFrames(
@@ -70,8 +70,8 @@ void sendTints(Gl gl, GLuint vertices, float alpha, float oddAlpha, GLuint odd =
   gl.VertexAttribPointer(kTint, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
 }
 
-Scene tinted(float alpha, float oddAlpha) {
-  Scene scene;
+BlendedScene tinted(float alpha, float oddAlpha) {
+  BlendedScene scene;
   scene.tint = [=](Gl gl, GLuint vertices) { sendTints(gl, vertices, alpha, oddAlpha); };
   return scene;
 }
@@ -85,7 +85,7 @@ TEST(BlendedDraws, AreCulledWhereTheAlphaOfAllVerticesIsOne) {
 
 TEST(BlendedDraws, AreCulledWhateverTheTypeOfTheArray) {
   const auto send = [](GLint size, GLenum type, bool normalized, GLubyte value) {
-    Scene scene;
+    BlendedScene scene;
     scene.tint = [=](Gl gl, GLuint vertices) {
       const std::vector<GLubyte> bytes(size_t{vertices} * 4, value);
       GLuint buffer = 0;
@@ -104,7 +104,7 @@ TEST(BlendedDraws, AreCulledWhateverTheTypeOfTheArray) {
 
 TEST(BlendedDraws, LookAtCurrentValuesWhereThereIsNoArray) {
   const auto current = [](float alpha) {
-    Scene scene;
+    BlendedScene scene;
     scene.before = [=](Gl gl, int) { gl.VertexAttrib4f(kTint, 1, 1, 1, alpha); };
     return scene;
   };
@@ -113,7 +113,7 @@ TEST(BlendedDraws, LookAtCurrentValuesWhereThereIsNoArray) {
 }
 
 TEST(BlendedDraws, FollowArraysThatChange) {
-  Scene scene = tinted(1, 1);
+  BlendedScene scene = tinted(1, 1);
   scene.before = [](Gl gl, int frame) {
     GLint buffer = 0;
     gl.GetVertexAttribiv(kTint, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, &buffer);
@@ -130,7 +130,7 @@ TEST(BlendedDraws, FollowArraysThatChange) {
 
 TEST(BlendedDraws, FollowAlphaThroughFragmentShaders) {
   const auto with = [](const std::string& functions, const std::string& color) {
-    Scene scene = tinted(1, 1);
+    BlendedScene scene = tinted(1, 1);
     scene.fragment = replacedIn(kCopied, "void main() {", functions + "\nvoid main() {");
     const size_t at = scene.fragment.rfind("color = ");
     scene.fragment = scene.fragment.substr(0, at) + "color = " + color + ";\n}";
@@ -151,7 +151,7 @@ TEST(BlendedDraws, FollowAlphaThroughFragmentShaders) {
 /// Premultiplied colours; alpha of the framebuffer kept; functions that need what is below.
 TEST(BlendedDraws, OfAllFunctionsThatReplaceColors) {
   const auto by = [](const std::function<void(Gl)>& blend) {
-    Scene scene = tinted(1, 1);
+    BlendedScene scene = tinted(1, 1);
     scene.blend = blend;
     return scene;
   };
@@ -174,7 +174,7 @@ TEST(BlendedDraws, OfAllFunctionsThatReplaceColors) {
 /// In these, blending is not known to drop what is 1/1000 of a colour.
 TEST(BlendedDraws, AreWholeInFramebuffersWithoutBytes) {
   for (const GLenum format : {GL_RGBA8, GL_RGB8, GL_RGBA16F, GL_RGBA16, GL_RGB10_A2}) {
-    Scene scene = tinted(1, 1);
+    BlendedScene scene = tinted(1, 1);
     scene.prepare = [=](Gl gl) {
       std::array<GLuint, 2> images{};
       GLuint framebuffer = 0;

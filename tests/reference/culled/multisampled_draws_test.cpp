@@ -56,6 +56,13 @@ TEST(CulledSamples, AreThoseOfWholeDraws) {
   }
 }
 
+/// Positions come by feedback.
+TEST(CulledSamples, OfVerticesThatAreDisplaced) {
+  const std::string vertex = replacedIn(kCulledVertex, "vec4(position, 1.0)",
+                                        "vec4(position * (1.0 + 0.1 * sin(9.0 * position.y)), 1.0)");
+  EXPECT_EQ(compareCase({.name = "displaced", .vertex = vertex}).drawsCulled, 3u);
+}
+
 TEST(CulledSamples, KeepDiscardedFragmentsAndDerivatives) {
   const std::string holes = replacedIn(kCulledFragment, "vec3 light = vec3(0.1);",
                                        "if (fract(6.0 * place.x) < 0.5) discard;\n"

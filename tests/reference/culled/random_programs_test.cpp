@@ -39,7 +39,7 @@ struct RandomProgram {
   bool linear = true;  // gl_Position is a matrix times `position`
 };
 
-/// gl_Position by statements on `vec4 p`, all linear but one.
+/// gl_Position by statements on `vec4 p`, all linear or all but one: then positions come by feedback.
 std::string positions(Dice& dice, bool& linear) {
   std::string s = dice.of(std::array{
       "  vec4 p = vec4(position, 1.0);\n", "  vec4 p = vec4(position.xyz * scale, 1.0);\n",
@@ -59,7 +59,7 @@ std::string positions(Dice& dice, bool& linear) {
       "  p = vec4(dot(p, vec4(1, 0, 0, 0)), p.y, p.z, p.w);\n",
   };
   for (int n = dice.below(4); n > 0; --n) s += dice.of(steps);
-  linear = !dice.oneIn(7);
+  linear = !dice.oneIn(3);
   if (!linear)
     s += dice.of(std::array{"  p.y += 0.1 * sin(4.0 * position.x);\n", "  p.xyz += 0.05 * normal;\n",
                             "  if (position.x > 0.2) p.z += 0.3;\n",
@@ -222,7 +222,7 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
 
 TEST(RandomPrograms, AreTheSameCulled) {
   uint64_t culled = 0;
-  int culledPrograms = 0, linearPrograms = 0;
+  int culledPrograms = 0, linearPrograms = 0, others = 0;
   // GLURAY_SEEDS: more of them.
   const char* const wish = std::getenv("GLURAY_SEEDS");
   const unsigned seeds = wish ? static_cast<unsigned>(std::strtoul(wish, nullptr, 10)) : 25;
@@ -230,10 +230,11 @@ TEST(RandomPrograms, AreTheSameCulled) {
     bool linear = false;
     const gl::Statistics counts = compareRandom(seed, linear);
     culled += counts.drawsCulled, culledPrograms += counts.drawsCulled > 0, linearPrograms += linear;
-    EXPECT_TRUE(linear || counts.drawsCulled == 0) << seed;
+    others += !linear && counts.drawsCulled > 0;
   }
   EXPECT_GT(culledPrograms, linearPrograms / 3);
   EXPECT_GT(culled, 40u);
+  EXPECT_GT(others, 1);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// Where a program's vertex shader puts the vertices of a draw, whatever it computes: the real OpenGL runs the
+// shader, and feeds gl_Position back. One per program. GL thread, context current.
+#pragma once
+#include "gl/culled/feedback/program_copy.h"
+#include "gl/real.h"
+
+#include <GL/gl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+namespace gluray::gl {
+
+class PositionFeedback {
+ public:
+  static constexpr size_t kStride = 4 * sizeof(float);  // bytes of a position
+
+  explicit PositionFeedback(const Program& original) : original_(original) {}
+
+  /// Whether positions can be fed back. The first call links a copy of the program. No error may be pending.
+  bool works(const RealGl& real);
+  /// Calls `take` with the clip coordinates of vertices `first` to `end` - 1, four floats each, as a draw
+  /// with the current state gets them. False: it cannot. Changes no state. No error may be pending.
+  bool capture(const RealGl& real, uint32_t first, uint32_t end,
+               const std::function<void(const std::byte*)>& take);
+  /// Deletes what it has made.
+  void release(const RealGl& real);
+
+ private:
+  bool draw(const RealGl& real, uint32_t first, uint32_t count, GLsizeiptr bytes);
+
+  const Program& original_;
+  std::optional<ProgramCopy> copy_;
+  GLuint feedback_ = 0, buffer_ = 0;
+  GLsizeiptr size_ = 0;  // bytes of the buffer
+};
+
+}  // namespace gluray::gl

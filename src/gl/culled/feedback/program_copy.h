@@ -1,0 +1,46 @@
+// A copy of a program of the program under observation that feeds back gl_Position. GL thread, context
+// current.
+#pragma once
+#include "gl/programs/program.h"
+#include "gl/real.h"
+
+#include <GL/gl.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Built from the same texts of all shaders, with the same locations of attributes, so that the real OpenGL
+/// computes the same positions.
+class ProgramCopy {
+ public:
+  /// Links it. No error may be pending.
+  ProgramCopy(const RealGl& real, const Program& original);
+  /// Whether it can stand for the original.
+  bool works() const { return name_ != 0; }
+  GLuint name() const { return name_; }
+  /// Gives it the values that the original's uniforms have, in blocks, too. It is in use.
+  void copyUniforms(const RealGl& real) const;
+  /// Deletes it.
+  void release(const RealGl& real);
+
+ private:
+  struct Element {
+    size_t from = 0;  // among all elements of the original's uniforms
+    GLint location = -1;
+  };
+  bool link(const RealGl& real, const ShaderTexts& texts);
+  /// False: a uniform has a type that cannot be set.
+  bool findUniforms(const RealGl& real);
+  void findBlocks(const RealGl& real);
+
+  const Program& original_;
+  GLuint name_ = 0;
+  std::vector<Element> elements_;
+  std::vector<std::pair<GLuint, GLuint>> blocks_;  // the original's index, ours
+};
+
+}  // namespace gluray::gl
