@@ -21,6 +21,9 @@ struct FragmentLight {
   glm::vec3 attenuation{1, 0, 0};  // constant, linear, quadratic
   float coneAngle = 180;           // degrees from the axis; >= 90: no cone
   float exponent = 0;              // of the cosine within the cone
+  bool ownHighlight = false;       // `highlight`, without the material's specular colour, and `shininess`
+  glm::vec3 highlight{1};
+  float shininess = 0;
   bool operator==(const FragmentLight&) const = default;
 };
 
@@ -69,6 +72,9 @@ struct FragmentShading {
   bool clampsColors = false;      // vertex colours are clamped to [0, 1] before they are interpolated
   bool twoSidedLights = false;    // Phong: the diffuse cosine's absolute value counts
   bool highlightsInDark = false;  // Phong: also where the diffuse cosine is not positive
+  bool infiniteViewer = false;    // Phong: highlights as if the viewer were at infinity, along +z
+  bool clampsLight = false;       // Phong: ambient plus diffuse light, the factor of `color`, is at most 1
+  bool darkBackFaces = false;     // Phong: lights do not shine on back faces
   bool flipBackFaces = false;     // back faces use the reversed normal
   bool parallelView = false;      // triangle normals face +z instead of the viewer's position
   bool backMaterial = false;      // back faces use MaterialPair::back

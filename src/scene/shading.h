@@ -43,7 +43,8 @@ struct ColorMaterial {
   bool operator==(const ColorMaterial&) const = default;
 };
 
-/// GL_FOG (GL 2.1, 3.10): the fragment's colour fades into `color` with |z| in eye space.
+/// GL_FOG (GL 2.1, 3.10): the fragment's colour fades into `color` with |z| in eye space. Fog of shader
+/// programs: with -z in their eye space; colours are not clamped.
 struct Fog {
   enum Mode : uint8_t { off, linear, exp, exp2 };
   Mode mode = off;
@@ -52,6 +53,9 @@ struct Fog {
   glm::vec3 color{0};
   bool clampsSum = true;  // the sum of primary and secondary colour is clamped before fog (GL 2.1, 3.9)
   bool fromCoordinates = false;  // GL_FOG_COORD: uses fog coordinates instead of the distance
+  bool scaled = false;           // linear: `scale` replaces 1 / (end - start)
+  float scale = 0;
+  bool extrapolates = false;  // linear: the colour's weight may be below 0, beyond `end`
   bool operator==(const Fog&) const = default;
 };
 
@@ -82,7 +86,7 @@ struct Shading {
   Fog fog;
   AlphaTest alphaTest;
   FragmentShading
-      fragment;  // of shader programs; where it is on, only textures and alphaTest of the above apply
+      fragment;  // of shader programs; where it is on, only textures, fog and alphaTest of the above apply
   bool operator==(const Shading&) const = default;
 };
 

@@ -73,16 +73,18 @@ void fields(auto& archive, Like<scene::ColorMaterial> auto& value) {
   archive(front, back);
 }
 void fields(auto& archive, Like<scene::Fog> auto& value) {
-  auto& [mode, density, start, end, color, clampsSum, fromCoordinates] = value;
-  archive(mode, density, start, end, color, clampsSum, fromCoordinates);
+  auto& [mode, density, start, end, color, clampsSum, fromCoordinates, scaled, scale, extrapolates] = value;
+  archive(mode, density, start, end, color, clampsSum, fromCoordinates, scaled, scale, extrapolates);
 }
 void fields(auto& archive, Like<scene::AlphaTest> auto& value) {
   auto& [function, asBytes, reference] = value;
   archive(function, asBytes, reference);
 }
 void fields(auto& archive, Like<scene::FragmentLight> auto& value) {
-  auto& [kind, color, direction, position, attenuation, coneAngle, exponent] = value;
-  archive(kind, color, direction, position, attenuation, coneAngle, exponent);
+  auto& [kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
+         shininess] = value;
+  archive(kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
+          shininess);
 }
 void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
   auto& [metallic, roughness, baseF0, edgeTint, emissive] = value;
@@ -98,12 +100,13 @@ void fields(auto& archive, Like<scene::Rim> auto& value) {
 }
 void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
   auto& [model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
-         clampsColors, twoSidedLights, highlightsInDark, flipBackFaces, parallelView, backMaterial,
-         texturesOnBack, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor] =
-      value;
+         clampsColors, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight, darkBackFaces,
+         flipBackFaces, parallelView, backMaterial, texturesOnBack, lights, map, pbr, writesDepth, edges,
+         edgesGrow, edgeWidth, edgeOpacity, edgeColor] = value;
   archive(model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
-          clampsColors, twoSidedLights, highlightsInDark, flipBackFaces, parallelView, backMaterial,
-          texturesOnBack, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
+          clampsColors, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight, darkBackFaces,
+          flipBackFaces, parallelView, backMaterial, texturesOnBack, lights, map, pbr, writesDepth, edges,
+          edgesGrow, edgeWidth, edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;

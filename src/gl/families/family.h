@@ -6,6 +6,7 @@
 #include "scene/fragment_shading.h"
 #include "scene/impostors.h"
 #include "scene/mesh.h"
+#include "scene/shading.h"
 
 #include <array>
 #include <map>
@@ -39,7 +40,9 @@ struct FamilyMaterial {
 struct FamilyLights {
   /// Place of lights with neither direction nor position: at infinity behind the viewer, or at the viewer.
   enum class Headlight { infinite, viewer };
-  std::string count;  // number of lights that are on; empty: all
+  std::string count;          // number of lights that are on; empty: all
+  std::string countInSource;  // text that stands in the source once for each light; empty: none
+  std::string enabled;        // 0: the base colour is shown without lights
   std::string color;
   FamilyValue direction;      // eye space, from the light to the surface
   bool towardsLight = false;  // `direction` points from the surface to the light
@@ -49,11 +52,24 @@ struct FamilyLights {
   Headlight headlight = Headlight::infinite;
   bool twoSided = false;          // lights shine on both sides of surfaces
   bool highlightsInDark = false;  // also where the diffuse cosine is negative
+  /// Colours and exponents of the lights' highlights, in place of their colours times the material's specular
+  /// ones, and of its exponent. The last one is also that of all further lights.
+  std::vector<FamilyValue> specularColor, shininess;
+  bool infiniteViewer = false;  // highlights as if the viewer were at infinity
+  bool clamped = false;         // ambient plus diffuse light is at most 1
 };
 
 struct FamilyPbr {
   FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
   bool given() const { return roughness.given(); }
+};
+
+/// Fog by distance -z in eye space; not given: `color` is not.
+struct FamilyFog {
+  scene::Fog::Mode mode = scene::Fog::linear;
+  FamilyValue color, start, end, scale, density;
+  bool extrapolated = false;  // linear: the weight of the surface's colour may be below 0
+  bool given() const { return color.given(); }
 };
 
 /// Impostors that the program's shaders cut out of billboards.
@@ -114,6 +130,8 @@ struct Family {
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
+  std::string flipsBackFaces;  // uniform; not 0: the same
+  bool darkBackFaces = false;  // otherwise no light shines on back faces
   scene::FragmentShading::UnitNormals unitNormals = scene::FragmentShading::UnitNormals::pixels;
   std::string parallelView;  // uniform, not 0: the viewer is at infinity (for triangle normals)
 
@@ -139,6 +157,7 @@ struct Family {
   FamilyMaterial material, backMaterial;
   FamilyLights lights;
   FamilyPbr pbr;
+  FamilyFog fog;
 
   /// Passes that we can make ourselves. fxaa: full-screen anti-aliasing. Dual depth peeling: peelDepths finds
   /// the nearest and farthest depths of layers; peel composites them, peel by peel (all are traced in the

@@ -38,6 +38,7 @@ class FamilyReader : FamilyTable {
     section("back_material", [&] { readMaterial(family_.backMaterial); });
     section("lights", [&] { readLights(); });
     section("pbr", [&] { readPbr(); });
+    section("fog", [&] { readFog(); });
     section(has("figures") ? "figures" : "impostors", [&] { readImpostors(); });  // figures: the older word
     section("clip", [&] {
       name("planes", family_.clipPlanes), name("count", family_.clipPlaneCount);
@@ -64,6 +65,7 @@ class FamilyReader : FamilyTable {
       fail(here(), "family \"" + family_.name + "\": impostors have neither textures nor edges");
     checkBuiltIns();
     checkVertexNormals();
+    checkLook();
     const bool pixels = scene::isSizedInPixels(family_.impostors.shape);
     if (scene::isInWindow(family_.impostors.shape) &&
         (family_.depthOffset.given() || family_.depthFactor.given()))
@@ -92,6 +94,21 @@ class FamilyReader : FamilyTable {
       fail(here(), of + "programs with gl_Vertex have neither impostors nor passes nor textures");
     if (family_.material.emission.given() && !family_.color.empty())
       fail(here(), of + "emission_color is for families without vertex.color");
+  }
+  void checkLook() const {
+    const std::string of = "family \"" + family_.name + "\": ";
+    const std::string& colors = family_.color.empty() ? family_.instanceColor : family_.color;
+    if (family_.fog.given() && (family_.eyeFromObject.empty() || !family_.viewer.empty()))
+      fail(here(), of + "fog needs transform.eye_from_object, without transform.viewer");
+    if (family_.lights.clamped && (colors.empty() || family_.colorIsDiffuseOnly))
+      fail(here(), of + "lights.clamped needs vertex.color, without color.diffuse_only");
+    if (!family_.lights.enabled.empty() && colors.empty())
+      fail(here(), of + "lights.enabled needs vertex.color");
+    if (!family_.lights.countInSource.empty() && family_.code.empty())
+      fail(here(), of + "lights.count_in_source needs match.code");
+    const bool phong = family_.model == Family::Model::phong;
+    if (!phong && (family_.lights.clamped || family_.lights.infiniteViewer || family_.darkBackFaces))
+      fail(here(), of + "lights.clamped, lights.viewer and normals.dark_back_faces are for the model phong");
   }
   void checkVertexNormals() const {
     const bool asked = family_.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
@@ -147,7 +164,8 @@ class FamilyReader : FamilyTable {
   void readNormals() {
     choice("without", {{"refuse", Family::NoNormals::refuse}, {"triangle", Family::NoNormals::triangle}},
            family_.withoutNormals);
-    flag("flip_back_faces", family_.flipBackFaces);
+    flagOrName("flip_back_faces", family_.flipBackFaces, family_.flipsBackFaces);
+    flag("dark_back_faces", family_.darkBackFaces);
     using Unit = scene::FragmentShading::UnitNormals;
     choice("unit", {{"pixels", Unit::pixels}, {"vertices", Unit::vertices}, {"both", Unit::both}},
            family_.unitNormals);
@@ -198,6 +216,8 @@ class FamilyReader : FamilyTable {
            family_.specular);
     FamilyLights& l = family_.lights;
     name("count", l.count);
+    text("count_in_source", l.countInSource);
+    name("enabled", l.enabled);
     name("color", l.color);
     value("direction", l.direction);
     flag("direction_towards_light", l.towardsLight);
@@ -206,6 +226,10 @@ class FamilyReader : FamilyTable {
            l.headlight);
     flag("two_sided", l.twoSided);
     choice("highlights", {{"lit", false}, {"everywhere", true}}, l.highlightsInDark);
+    lightValues("specular_color", l.specularColor);
+    lightValues("shininess", l.shininess);
+    choice("viewer", {{"here", false}, {"infinite", true}}, l.infiniteViewer);
+    flag("clamped", l.clamped);
     name("position", l.position);
     name("positional", l.positional);
     name("attenuation", l.attenuation);
@@ -279,6 +303,22 @@ class FamilyReader : FamilyTable {
     value("base_f0", p.baseF0);
     value("edge_tint", p.edgeTint);
     value("emissive", p.emissive);
+  }
+
+  void readFog() {
+    using Fog = scene::Fog;
+    FamilyFog& f = family_.fog;
+    choice("mode", {{"linear", Fog::linear}, {"exp", Fog::exp}, {"exp2", Fog::exp2}}, f.mode);
+    value("color", f.color), value("start", f.start), value("end", f.end), value("scale", f.scale);
+    value("density", f.density);
+    flag("extrapolated", f.extrapolated);
+    if (!f.given()) fail(here(), "fog needs a color");
+    const bool linear = f.mode == Fog::linear;
+    if (linear && !(f.end.given() && f.start.given() != f.scale.given()))
+      fail(here(), "linear fog needs end, and start or scale");
+    if (linear == f.density.given()) fail(here(), "exponential fog, and no other, needs density");
+    if (!linear && (f.start.given() || f.end.given() || f.scale.given() || f.extrapolated))
+      fail(here(), "start, end, scale and extrapolated are for linear fog");
   }
 
   Family& family_;

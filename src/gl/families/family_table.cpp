@@ -1,5 +1,7 @@
 #include "gl/families/family_table.h"
 
+#include "gl/families/components.h"
+
 #include <algorithm>
 
 namespace gluray::gl {
@@ -26,6 +28,7 @@ std::string FamilyTable::placeOf(const toml::node& node) const {
 void FamilyTable::mention(const std::string& name) {
   if (name.empty()) return;
   mentioned_.insert(name);
+  if (componentIn(name) >= 0) mention(name.substr(0, name.size() - 2));
   if (name.ends_with("[{}]")) mentioned_.insert(name.substr(0, name.size() - 4));
 }
 
@@ -93,13 +96,35 @@ void FamilyTable::flag(const char* key, bool& out) {
 }
 
 void FamilyTable::value(const char* key, FamilyValue& out) {
+  if (const toml::node* node = get(key)) out = valueIn(key, *node);
+}
+
+FamilyValue FamilyTable::valueIn(const char* key, const toml::node& node) {
+  FamilyValue value;
+  const toml::array* list = node.as_array();
+  if (list ? !list->empty() && list->front().is_string() : node.is_string())
+    value.uniform = nameIn(key, node);
+  else
+    value.constant = numbersIn(key, node, 4);
+  return value;
+}
+
+void FamilyTable::lightValues(const char* key, std::vector<FamilyValue>& out) {
   const toml::node* node = get(key);
   if (!node) return;
-  out = {};
-  const toml::array* list = node->as_array();
-  if (list ? !list->empty() && list->front().is_string() : node->is_string())
-    return void(out.uniform = nameIn(key, *node));
-  out.constant = numbersIn(key, *node, 4);
+  out.clear();
+  eachOf(*node, [&](const toml::node& item) { out.push_back(valueIn(key, item)); });
+  if (out.empty()) fail(*node, std::string(key) + " needs a value");
+}
+
+void FamilyTable::flagOrName(const char* key, bool& flag, std::string& name) {
+  const toml::node* node = get(key);
+  if (!node) return;
+  flag = false, name.clear();
+  if (const auto value = node->value_exact<bool>())
+    flag = *value;
+  else
+    name = nameIn(key, *node);
 }
 
 void FamilyTable::values(const char* key, FamilyValue (&out)[3]) {

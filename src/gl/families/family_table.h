@@ -33,10 +33,16 @@ class FamilyTable {
   void name(const char* key, std::string& out);
   void names(const char* key, std::vector<std::string>& out);
   void flag(const char* key, bool& out);
-  /// A uniform's name or list of alternatives, a number, or a list of numbers.
+  /// A uniform's name or list of alternatives, a number, or a list of numbers. A name may end with a
+  /// component
+  /// ("ambient.r").
   void value(const char* key, FamilyValue& out);
   /// A list of three uniforms' names or numbers, or one for all three.
   void values(const char* key, FamilyValue (&out)[3]);
+  /// A list of uniforms' names or numbers for the lights, or one for all of them.
+  void lightValues(const char* key, std::vector<FamilyValue>& out);
+  /// true, false or a uniform's name.
+  void flagOrName(const char* key, bool& flag, std::string& name);
   /// A section of uniforms with the values at which they have no effect.
   void neutralValues(const char* key, NeutralValues& out);
   /// One of several words.
@@ -72,6 +78,7 @@ class FamilyTable {
 
  private:
   void mention(const std::string& name);
+  FamilyValue valueIn(const char* key, const toml::node& node);
   std::string nameIn(const char* key, const toml::node& node);
   std::vector<float> numbersIn(const char* key, const toml::node& node, size_t most);
   const toml::node* get(const char* key);

@@ -126,6 +126,12 @@ std::vector<std::string> obstacles(const RealGl& real, const Program& program, c
   return out;
 }
 
+int occurrences(const std::string& part, const std::string& text) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
 }  // namespace
 
 Renames renamedBy(const Program& program, const Family& family) {
@@ -169,6 +175,8 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
       known->family = family;
       known->why = family->rasteriseBecause;
       known->unknownCode = false;
+      if (!family->lights.countInSource.empty())
+        known->lightCount = occurrences(family->lights.countInSource, source.text());
       if (!family->code.empty())
         known->note = notesOn(statementsFor(*family, known->program, source), families.code, family->code);
       return known;

@@ -90,6 +90,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
+  check.uniform(f.flipsBackFaces, kNumber), check.uniform(f.lights.enabled, kNumber);
+  check.values({&f.fog.color, &f.fog.start, &f.fog.end, &f.fog.scale, &f.fog.density});
   check.uniform(f.uniformColors, kNumber), check.uniform(f.clipPlaneCount, kNumber);
   check.uniform(f.clipPlanes, kVector);
   check.uniform(f.texcoordMatrix, kMatrix);
@@ -106,6 +108,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
     check.light(*name, kVector);
   for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
     check.light(*name, kNumber);
+  for (const auto* values : {&l.specularColor, &l.shininess})
+    for (const FamilyValue& value : *values) check.light(value.uniform, kValue);
   for (const auto& [name, uniform] : p.uniforms)
     if (isDouble(uniform.type)) out.push_back(about("has ", name, " in double precision"));
 }

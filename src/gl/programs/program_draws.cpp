@@ -40,6 +40,12 @@ Reason ProgramDraws::triage(PrimitiveClass kind) {
     return p_.shadow.state.raster.reason;
   }
   if (p_.shadow.state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  // Their colours may pass through gl_FrontColor.
+  if (ProgramState& program = p_.shadow.state.program;
+      !p_.shadow.info.core && program.known->family->clampedColors) {
+    program.why = builtInColorObstacle(p_.shadow.real, *program.known->family);
+    if (!program.why.empty()) return Reason::programValue;
+  }
   if (p_.shadow.state.program.known->program.blocks)
     p_.shadow.dirty |= kProgram;  // we do not track changes of uniform buffers
   if (!p_.shadow.info.core && !p_.shadow.state.clipPlanes.empty())

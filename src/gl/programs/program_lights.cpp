@@ -17,7 +17,8 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   const auto vector = [&](const std::string& name) { return glm::vec3(uniforms.vector(numbered(name, i))); };
   const auto has = [&](const std::string& name) { return uniforms.has(numbered(name, i)); };
   scene::FragmentLight light;
-  if (!names.color.empty()) light.color = vector(names.color);
+  if (!names.color.empty())
+    light.color = glm::vec3(uniforms.value({numbered(names.color, i), {}}, glm::vec4(0)));
   if (const bool constant = !names.direction.constant.empty(); constant || has(names.direction.uniform)) {
     const glm::vec3 given =
         constant ? glm::vec3(uniforms.value(names.direction, glm::vec4(0))) : vector(names.direction.uniform);
@@ -39,21 +40,42 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   return light;
 }
 
+/// The value of light `i`; `otherwise` if the family has none. Inactive uniforms are 0.
+glm::vec4 ofLight(const std::vector<FamilyValue>& values, const UniformReader& uniforms, int i,
+                  const glm::vec4& otherwise) {
+  if (values.empty()) return otherwise;
+  FamilyValue value = values[std::min(static_cast<size_t>(i), values.size() - 1)];
+  value.uniform = numbered(value.uniform, i);
+  return uniforms.value(value, glm::vec4(0));
+}
+
+void readHighlight(const FamilyLights& names, const UniformReader& uniforms, float shininess, int i,
+                   scene::FragmentLight& light) {
+  light.ownHighlight = !names.specularColor.empty() || !names.shininess.empty();
+  if (!light.ownHighlight) return;
+  light.highlight = glm::vec3(ofLight(names.specularColor, uniforms, i, glm::vec4(light.color, 1)));
+  light.shininess = ofLight(names.shininess, uniforms, i, glm::vec4(shininess)).x;
+}
+
 }  // namespace
 
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
-                                             const glm::vec3& viewer) {
+                                             const glm::vec3& viewer, float shininess, int most) {
   std::vector<scene::FragmentLight> lights;
   const std::string& sign = !names.color.empty()               ? names.color
                             : !names.direction.uniform.empty() ? names.direction.uniform
                                                                : names.position;
-  if (sign.empty() && names.direction.given()) return {readLight(names, uniforms, viewer, 0)};
+  const auto read = [&](int i) {
+    scene::FragmentLight light = readLight(names, uniforms, viewer, i);
+    readHighlight(names, uniforms, shininess, i, light);
+    return light;
+  };
+  if (sign.empty() && names.direction.given()) return {read(0)};
   const bool many = sign.find("{}") != std::string::npos;
   constexpr int kMostLights = 64;
-  int most = many ? kMostLights : 1;
+  most = std::min(most < 0 ? kMostLights : most, many ? kMostLights : 1);
   if (uniforms.has(names.count)) most = std::min(most, uniforms.integer(names.count));
-  for (int i = 0; i < most && uniforms.has(numbered(sign, i)); ++i)
-    lights.push_back(readLight(names, uniforms, viewer, i));
+  for (int i = 0; i < most && uniforms.has(numbered(sign, i)); ++i) lights.push_back(read(i));
   return lights;
 }
 

@@ -8,7 +8,8 @@
 namespace gluray::gl {
 
 /// The lights that are on. Positions are relative to `viewer`; directions go from light to surface.
+/// `shininess`: the material's. `most`: how many lights the program has; -1: not known.
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
-                                             const glm::vec3& viewer);
+                                             const glm::vec3& viewer, float shininess, int most);
 
 }  // namespace gluray::gl

@@ -37,6 +37,9 @@ class ProgramReader {
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readModel();
+  void readFog();
+  /// Colours without lights, where the program's lights are switched off (FamilyLights::enabled).
+  Reason readEnabled();
   Reason readImpostors();
   Reason readSplats();
   void readClipPlanes();

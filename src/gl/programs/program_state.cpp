@@ -22,7 +22,9 @@ Reason ProgramReader::read() {
   out_.shading.fragment.backMaterial = uniforms_.has(family_.backMaterial.diffuseColor.uniform);
   if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
   readModel();
-  out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_));
+  out_.shading.fragment.lights = readLights(family_.lights, uniforms_, glm::vec3(viewer_),
+                                            out_.material.front.shininess, out_.known->lightCount);
+  readFog();
   if (const Reason reason = readImpostors(); reason != Reason::traced) return reason;
   readClipPlanes();
   readDepthOffset();
@@ -30,6 +32,7 @@ Reason ProgramReader::read() {
   if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
   if (const Reason reason = readTexcoordMatrix(); reason != Reason::traced) return reason;
   if (const Reason reason = readColor(); reason != Reason::traced) return reason;
+  if (const Reason reason = readEnabled(); reason != Reason::traced) return reason;
   return readTextures();
 }
 
@@ -43,13 +46,17 @@ Reason ProgramReader::checkNeutral() {
   return Reason::traced;
 }
 
+std::string builtInColorObstacle(const RealGl& real, const Family& family) {
+  if (integer(real, GL_SHADE_MODEL) != GL_SMOOTH) return "glShadeModel is GL_FLAT";
+  if (isOn(real, GL_VERTEX_PROGRAM_TWO_SIDE)) return "GL_VERTEX_PROGRAM_TWO_SIDE is on";
+  GLint clamps = GL_TRUE;  // before OpenGL 3.0 they are always clamped
+  if (family.clampedColors) real.GetIntegerv(GL_CLAMP_VERTEX_COLOR, &clamps);
+  return clamps == GL_TRUE ? "" : "GL_CLAMP_VERTEX_COLOR is not GL_TRUE";
+}
+
 Reason ProgramReader::checkBuiltInState() {
   if (!family_.hasBuiltInVertices()) return Reason::traced;
-  if (integer(real_, GL_SHADE_MODEL) != GL_SMOOTH) return refuse("glShadeModel is GL_FLAT");
-  if (isOn(real_, GL_VERTEX_PROGRAM_TWO_SIDE)) return refuse("GL_VERTEX_PROGRAM_TWO_SIDE is on");
-  GLint clamps = GL_TRUE;  // before OpenGL 3.0 they are always clamped
-  if (family_.clampedColors) real_.GetIntegerv(GL_CLAMP_VERTEX_COLOR, &clamps);
-  if (clamps != GL_TRUE) return refuse("GL_CLAMP_VERTEX_COLOR is not GL_TRUE");
+  if (std::string why = builtInColorObstacle(real_, family_); !why.empty()) return refuse(std::move(why));
   const auto isOfMaterial = [](const std::string& name) {
     using Of = BuiltInUniform::Of;
     const Of of = builtInUniform(name).of;
@@ -101,10 +108,13 @@ void ProgramReader::readModel() {
                                                     : Model::unlit;
   f.specular = family_.specular == Family::Specular::half ? scene::FragmentShading::Specular::half
                                                           : scene::FragmentShading::Specular::reflect;
-  f.flipBackFaces = family_.flipBackFaces;
+  f.flipBackFaces = family_.flipBackFaces || uniforms_.integer(family_.flipsBackFaces) != 0;
+  f.darkBackFaces = family_.darkBackFaces && !f.flipBackFaces;
   f.unitNormals = family_.unitNormals;
   f.twoSidedLights = family_.lights.twoSided;
   f.highlightsInDark = family_.lights.highlightsInDark;
+  f.infiniteViewer = family_.lights.infiniteViewer;
+  f.clampsLight = family_.lights.clamped;
   f.normalColors = family_.normalColors;
   f.rim.on = family_.rimColor.given();
   f.rim.color = glm::vec3(uniforms_.value(family_.rimColor, glm::vec4(1)));
@@ -117,6 +127,34 @@ void ProgramReader::readModel() {
   f.pbr.baseF0 = uniforms_.number(family_.pbr.baseF0, 0.04f);
   f.pbr.edgeTint = glm::vec3(uniforms_.value(family_.pbr.edgeTint, glm::vec4(1)));
   f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
+}
+
+void ProgramReader::readFog() {
+  out_.shading.fog = {};
+  const FamilyFog& names = family_.fog;
+  const auto active = [&](const FamilyValue& v) { return !v.constant.empty() || uniforms_.has(v.uniform); };
+  if (!active(names.color)) return;  // what has no effect is not active
+  scene::Fog& fog = out_.shading.fog;
+  fog.mode = names.mode;
+  fog.color = glm::vec3(uniforms_.value(names.color, glm::vec4(0)));
+  fog.density = uniforms_.number(names.density, 0);
+  fog.start = uniforms_.number(names.start, 0), fog.end = uniforms_.number(names.end, 0);
+  fog.scaled = names.scale.given(), fog.scale = uniforms_.number(names.scale, 0);
+  fog.extrapolates = names.extrapolated;
+}
+
+Reason ProgramReader::readEnabled() {
+  scene::FragmentShading& f = out_.shading.fragment;
+  const bool ownColors = f.color != scene::FragmentShading::Color::material;
+  if (f.clampsLight && !ownColors) return refuse("it has no vertex colours, but clamps their light");
+  if (!uniforms_.has(family_.lights.enabled) || uniforms_.integer(family_.lights.enabled) != 0)
+    return Reason::traced;
+  if (!ownColors) return refuse("it has no vertex colours to show without lights");
+  f.model = scene::FragmentShading::Model::unlit;
+  f.backMaterial = false;
+  for (scene::Material* m : {&out_.material.front, &out_.material.back})
+    m->ambient = glm::vec4(0, 0, 0, 1), m->diffuse = glm::vec4(1, 1, 1, m->diffuse.a);
+  return Reason::traced;
 }
 
 Reason ProgramReader::readImpostors() {

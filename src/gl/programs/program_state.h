@@ -48,6 +48,10 @@ inline bool readsBuiltIns(const ProgramState& program) {
   return program.known && program.known->family && program.known->family->hasBuiltInVertices();
 }
 
+/// Why fixed function's state keeps draws with gl_FrontColor from being traced; empty: nothing does. Not for
+/// core profiles.
+std::string builtInColorObstacle(const RealGl& real, const Family& family);
+
 /// Name of the attribute that has the colour map's texture coordinates.
 const std::string& mapTexcoord(const Program& program, const Family& family);
 /// Whether colour map and textures use different attributes: then the map uses texture coordinates 0 and the

@@ -1,6 +1,7 @@
 #include "gl/programs/uniforms.h"
 
 #include "gl/families/built_in_variables.h"
+#include "gl/families/components.h"
 #include "gl/programs/built_in_uniforms.h"
 #include "gl/programs/uniform_blocks.h"
 #include "gl/state/state_queries.h"
@@ -101,33 +102,45 @@ UniformValuesPtr readUniforms(const RealGl& real, const Program& program) {
   return values;
 }
 
-const UniformValue* UniformReader::find(const std::string& name, int element) const {
+UniformReader::Found UniformReader::find(const std::string& name, int element) const {
+  if (const UniformValue* whole = findWhole(name, element)) return {whole};
+  const int component = componentIn(name);
+  if (component < 0) return {};
+  const UniformValue* vector = findWhole(std::string_view(name).substr(0, name.size() - 2), element);
+  const UniformShape shape = vector ? shapeOf(vector->type) : UniformShape{};
+  return shape.columns == 1 && component < shape.rows ? Found{vector, component} : Found{};
+}
+
+const UniformValue* UniformReader::findWhole(std::string_view name, int element) const {
   const ProgramUniform* u = name.empty() ? nullptr : program_.uniform(name);
-  if (const size_t bracket = name.rfind('['); !u && bracket != std::string::npos && name.ends_with(']')) {
+  if (const size_t bracket = name.rfind('[');
+      !u && bracket != std::string_view::npos && name.ends_with(']')) {
     const char *number = name.data() + bracket + 1, *end = name.data() + name.size() - 1;
     const auto [stop, error] = std::from_chars(number, end, element);
-    if (error == std::errc() && stop == end) u = program_.uniform(std::string_view(name).substr(0, bracket));
+    if (error == std::errc() && stop == end) u = program_.uniform(name.substr(0, bracket));
   }
   if (!u || element < 0 || element >= u->count) return nullptr;
   return &values_[u->first + static_cast<size_t>(element)];
 }
 
 glm::vec4 UniformReader::vector(const std::string& name, int element) const {
-  const UniformValue* v = find(name, element);
+  const auto [v, component] = find(name, element);
   if (!v) return glm::vec4(0);
-  if (shapeOf(v->type).integers) return {v->integers[0], v->integers[1], v->integers[2], v->integers[3]};
-  return {v->floats[0], v->floats[1], v->floats[2], v->floats[3]};
+  const glm::vec4 all = shapeOf(v->type).integers
+                            ? glm::vec4(v->integers[0], v->integers[1], v->integers[2], v->integers[3])
+                            : glm::vec4(v->floats[0], v->floats[1], v->floats[2], v->floats[3]);
+  return component < 0 ? all : glm::vec4(all[component], 0, 0, 0);
 }
 
 int UniformReader::integer(const std::string& name) const {
-  const UniformValue* v = find(name, 0);
+  const UniformValue* v = findWhole(name, 0);
   if (!v) return 0;
   return shapeOf(v->type).integers ? v->integers[0] : static_cast<int>(v->floats[0]);
 }
 
 glm::mat4 UniformReader::matrix4(const std::string& name) const {
   glm::mat4 m(1);
-  const UniformValue* v = find(name, 0);
+  const UniformValue* v = findWhole(name, 0);
   const UniformShape shape = v ? shapeOf(v->type) : UniformShape{};
   if (shape.columns < 2) return m;
   for (int c = 0; c < shape.columns; ++c)
@@ -158,7 +171,7 @@ std::string inWords(const std::vector<float>& numbers) {
 std::string UniformReader::unlike(const std::string& name, const std::vector<float>& neutral) const {
   const ProgramUniform* u = name.empty() ? nullptr : program_.uniform(name);
   for (int element = 0; u && element < u->count; ++element) {
-    const UniformValue& v = *find(name, element);
+    const UniformValue& v = *findWhole(name, element);
     const UniformShape shape = shapeOf(v.type);
     std::vector<float> now;
     bool same = neutral.size() <= 1 || neutral.size() == static_cast<size_t>(shape.columns * shape.rows);
@@ -181,11 +194,11 @@ glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherw
     for (size_t i = 1; i < value.constant.size(); ++i) v[static_cast<int>(i)] = value.constant[i];
     return v;
   }
-  const UniformValue* found = find(value.uniform, 0);
-  if (!found) return otherwise;
+  const Found found = find(value.uniform, 0);
+  if (!found.value) return otherwise;
   const glm::vec4 v = vector(value.uniform);
-  const UniformShape shape = shapeOf(found->type);
-  if (shape.rows == 1) return glm::vec4(v.x);
+  const UniformShape shape = shapeOf(found.value->type);
+  if (shape.rows == 1 || found.component >= 0) return glm::vec4(v.x);
   return shape.rows == 3 ? glm::vec4(glm::vec3(v), 1) : v;
 }
 

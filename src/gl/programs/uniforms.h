@@ -43,8 +43,9 @@ class UniformReader {
  public:
   UniformReader(const Program& program, const UniformValues& values) : program_(program), values_(values) {}
 
-  /// Whether the uniform is active. Here and below, names may end with an element: "lightColor[2]".
-  bool has(const std::string& name) const { return find(name, 0) != nullptr; }
+  /// Whether the uniform is active. Here and below, names may end with an element, "lightColor[2]", or with a
+  /// component of a vector, "ambient.r", which is a number.
+  bool has(const std::string& name) const { return find(name, 0).value != nullptr; }
   /// Components of element `element`, integers and booleans as numbers; 0 if it is not active.
   glm::vec4 vector(const std::string& name, int element = 0) const;
   float number(const std::string& name, int element = 0) const { return vector(name, element).x; }
@@ -62,7 +63,12 @@ class UniformReader {
   float number(const FamilyValue& v, float otherwise) const { return value(v, glm::vec4(otherwise)).x; }
 
  private:
-  const UniformValue* find(const std::string& name, int element) const;
+  struct Found {
+    const UniformValue* value = nullptr;  // null: not active
+    int component = -1;                   // that the name ends with; -1: none
+  };
+  Found find(const std::string& name, int element) const;
+  const UniformValue* findWhole(std::string_view name, int element) const;
   const Program& program_;
   const UniformValues& values_;
 };

@@ -65,8 +65,9 @@ HWY_INLINE Float3 transformPoint(const glm::mat4& m, const Float3& p) {
 HWY_INLINE Float fogFactor(const scene::Fog& fog, Float distance) {
   const FloatTag d;
   if (fog.mode == scene::Fog::linear) {
-    const float scale = 1 / (fog.end - fog.start);
-    return clamp01(hn::Mul(hn::Sub(splat(fog.end), distance), splat(scale)));
+    const float scale = fog.scaled ? fog.scale : 1 / (fog.end - fog.start);
+    const Float factor = hn::Mul(hn::Sub(splat(fog.end), distance), splat(scale));
+    return fog.extrapolates ? hn::Min(factor, splat(1)) : clamp01(factor);
   }
   Float thickness = hn::Mul(distance, splat(fog.density));
   if (fog.mode == scene::Fog::exp2) thickness = hn::Mul(thickness, thickness);
@@ -81,10 +82,13 @@ HWY_ATTR inline void loadFogCoords(const Surface& s, const Group& group, Row (&o
       out[k][i] = a ? scene::fetch(a, group.vertex[k][i]).x : s.instance->fogCoord;
 }
 
-// Applies fog to colours; alpha is unchanged.
-HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Group& group, LitRows& rows) {
-  const glm::vec4 eyeZ(s.eyeFromObject[0].z, s.eyeFromObject[1].z, s.eyeFromObject[2].z,
-                       s.eyeFromObject[3].z);
+// Applies the surface's fog to colours; alpha is unchanged.
+HWY_ATTR inline void applyFog(const Surface& s, const Group& group, LitRows& rows) {
+  const scene::Fog& fog = s.lighting->shading->fog;
+  const bool program = scene::isProgram(*s.lighting->shading);
+  const glm::mat4& eye = program ? s.instance->lightingFromObject : s.eyeFromObject;
+  const glm::vec4 eyeZ(eye[0].z, eye[1].z, eye[2].z, eye[3].z);
+  const bool impostors = program ? s.mesh->shape != scene::Shape::triangles : scene::isSolid(s.mesh->shape);
   alignas(64) Row coordinates[3];
   if (fog.fromCoordinates) loadFogCoords(s, group, coordinates);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
@@ -93,14 +97,16 @@ HWY_ATTR inline void applyFog(const scene::Fog& fog, const Surface& s, const Gro
         weights(load3(group.position[0], i), load3(group.position[1], i), load3(group.position[2], i));
     const Float z = hn::MulAdd(p.x, splat(eyeZ.x),
                                hn::MulAdd(p.y, splat(eyeZ.y), hn::MulAdd(p.z, splat(eyeZ.z), splat(eyeZ.w))));
-    Float distance = hn::Abs(scene::isSolid(s.mesh->shape) ? load(group.point[2] + i) : z);
+    const Float seen = impostors ? load(group.point[2] + i) : z;
+    Float distance = program ? hn::Neg(seen) : hn::Abs(seen);
     if (fog.fromCoordinates)
       distance = weights(load(coordinates[0] + i), load(coordinates[1] + i), load(coordinates[2] + i));
     const Float factor = fogFactor(fog, distance);
     for (int c = 0; c < 3; ++c) {
       const Float color = load(rows.value[c] + i), background = splat(fog.color[c]);
-      const Float kept = fog.clampsSum ? clamp01(color) : color;
-      store(clamp01(hn::MulAdd(factor, hn::Sub(kept, background), background)), rows.value[c] + i);
+      const Float kept = fog.clampsSum && !program ? clamp01(color) : color;
+      const Float mixed = hn::MulAdd(factor, hn::Sub(kept, background), background);
+      store(program ? mixed : clamp01(mixed), rows.value[c] + i);
     }
   }
 }

@@ -43,6 +43,7 @@ struct Fragment {
   Float3 normal;    // unit length, on the lit side
   Float3 color;     // factor of the material's colours
   Float edge;       // weight of the edge colour, 0 .. 1; only if edges are painted
+  Float front;      // 0 on back faces that no light shines on, otherwise 1
 };
 
 HWY_ATTR inline void clampRows(Row (&corner)[3][4]) {

@@ -34,11 +34,12 @@ HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::Fragmen
                            const Float3& way, const Fragment& at, Float cosine, float shininess) {
   if (light.kind == scene::FragmentLight::headlight) return power(cosine, splat(shininess));
   Float base;
+  const Float3 toViewer = f.infiniteViewer ? splat(glm::vec3(0, 0, 1)) : at.toViewer;
   if (f.specular == scene::FragmentShading::Specular::half) {
-    base = hn::Max(dot(at.normal, unit(sub(at.toViewer, way))), splat(0));
+    base = hn::Max(dot(at.normal, unit(sub(toViewer, way))), splat(0));
   } else {
     const Float twice = hn::Mul(splat(2), dot(at.normal, way));
-    base = hn::Max(dot(sub(way, scaled(at.normal, twice)), at.toViewer), splat(1e-5f));
+    base = hn::Max(dot(sub(way, scaled(at.normal, twice)), toViewer), splat(1e-5f));
   }
   return power(base, splat(shininess));
 }
@@ -51,12 +52,18 @@ HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, F
   ambient = add(scaled(ambient, rest), scaled(splat(f.edgeColor), at.edge));
 }
 
+HWY_INLINE Float3 atMostOne(const Float3& v) {
+  const Float one = splat(1);
+  return {hn::Min(v.x, one), hn::Min(v.y, one), hn::Min(v.z, one)};
+}
+
 template <class Seen>
 HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at, const Seen& seen) {
   const Lighting& lighting = *s.lighting;
   const scene::FragmentShading& f = lighting.shading->fragment;
   const Float zero = splat(0);
-  Float3 diffuse{zero, zero, zero}, specular{zero, zero, zero};
+  Float3 diffuse{zero, zero, zero}, specular{zero, zero, zero}, own{zero, zero, zero};
+  bool owns = false;  // some lights have their own highlights
   const bool shines = glm::vec3(m.specular) != glm::vec3(0);
   for (size_t l = 0; l < f.lights.size(); ++l) {
     const scene::FragmentLight& light = f.lights[l];
@@ -65,17 +72,26 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
     const Float cosine = f.twoSidedLights ? hn::Abs(facing) : hn::Max(zero, facing);
     const Float3 color = seen.arriving(l, splat(light.color));
     diffuse = add(diffuse, scaled(color, seen.diffuse(l, hn::Mul(cosine, in.factor), at.normal)));
-    if (!shines) continue;
-    const Float shine = highlight(f, light, in.direction, at, cosine, m.shininess);
+    if (!shines && !light.ownHighlight) continue;
+    const float shininess = light.ownHighlight ? light.shininess : m.shininess;
+    const Float shine = highlight(f, light, in.direction, at, cosine, shininess);
     const auto lit = hn::Gt(f.highlightsInDark ? in.factor : hn::Mul(cosine, in.factor), zero);
-    specular = add(specular, scaled(color, hn::IfThenElseZero(lit, hn::Mul(in.factor, shine))));
+    const Float weight = hn::IfThenElseZero(lit, hn::Mul(in.factor, shine));
+    if (light.ownHighlight)
+      own = add(own, scaled(seen.arriving(l, splat(light.highlight)), weight)), owns = true;
+    else
+      specular = add(specular, scaled(color, weight));
   }
+  specular = times(specular, splat(glm::vec3(m.specular)));
+  if (owns) specular = add(specular, own);
+  if (f.darkBackFaces) diffuse = scaled(diffuse, at.front), specular = scaled(specular, at.front);
   diffuse = seen.withDome(diffuse, splat(glm::vec3(1)), at.normal);
-  Float3 ambient = splat(glm::vec3(m.ambient));
+  Float3 ambient = splat(glm::vec3(m.ambient)), reflected = times(diffuse, splat(glm::vec3(m.diffuse)));
+  if (f.clampsLight) reflected = atMostOne(add(ambient, reflected)), ambient = {zero, zero, zero};
   if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
-  Float3 reflected = times(times(diffuse, splat(glm::vec3(m.diffuse))), at.color);
+  reflected = times(reflected, at.color);
   if (f.edges) paintEdge(f, at, ambient, reflected);
-  return add(add(ambient, reflected), times(specular, splat(glm::vec3(m.specular))));
+  return add(add(ambient, reflected), specular);
 }
 
 HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& m, const Fragment& at) {
@@ -187,6 +203,7 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
     if (f.normalColors) at.color = halfway(load3(normals, i));
     if (f.rim.on) at.color = rimmed(f.rim, load3(normals, i), at.color);
     at.edge = f.edges ? load(edges + i) : splat(0);
+    at.front = f.darkBackFaces ? hn::IfThenZeroElse(lanesAt(back, i), splat(1)) : splat(1);
     Float3 color;
     if (lit) {
       at.position = impostors

@@ -243,6 +243,7 @@ HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, co
   }
   const uint32_t textured = s.lighting->shading->fragment.texturesOnBack ? group.lanes : group.lanes & ~back;
   if (!s.lighting->shading->textures.empty()) multiplyByTextures(frame, s, group, textured, x, y, rows);
+  if (s.lighting->shading->fog.mode != scene::Fog::off) applyFog(s, group, rows);
 }
 
 /// Colours (the first four rows) of the group's lanes at window positions x, y; bit i of `back`: lane i shows
@@ -272,7 +273,7 @@ HWY_ATTR inline uint32_t shade(const FrameData& frame, const Surface& s, const G
   if (!shading.textures.empty()) textureLanes(frame, s, group, x, y, rows);
   const bool fogged = shading.fog.mode != scene::Fog::off;
   if (shading.separateSpecular || shading.colorSum) addSecondary(!fogged || shading.fog.clampsSum, rows);
-  if (fogged) applyFog(shading.fog, s, group, rows);
+  if (fogged) applyFog(s, group, rows);
   return failingLanes(shading.alphaTest, rows) & group.lanes;
 }
 

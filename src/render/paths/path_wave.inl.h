@@ -286,9 +286,7 @@ HWY_ATTR inline void finishColors(const Path& path, const ColoredHits& hits, con
     if (encoded) mean = glm::pow(mean, glm::vec3(1 / 2.2f));
     for (int c = 0; c < 3; ++c) colors.value[c][i] = mean[c];
   }
-  const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
-  if (!program && shading.fog.mode != scene::Fog::off)
-    applyFog(shading.fog, hits.surface, hits.group, colors);
+  if (shading.fog.mode != scene::Fog::off) applyFog(hits.surface, hits.group, colors);
   for (int c = 0; c < 3; ++c) std::copy_n(colors.value[c], kLanes, rows.value[c]);
 }
 

@@ -147,6 +147,29 @@ class OwnArrays {
   std::vector<GLuint> buffers_;
 };
 
+/// State of gl_FrontColor under which draws are traced; the destructor restores the program's.
+class BuiltInColors {
+ public:
+  BuiltInColors(const RealGl& real, const Features& features) : real_(real), exists_(features.compatibility) {
+    if (!exists_) return;
+    real.GetIntegerv(GL_SHADE_MODEL, &shadeModel_);
+    twoSided_ = real.IsEnabled(GL_VERTEX_PROGRAM_TWO_SIDE) == GL_TRUE;
+    if (shadeModel_ != GL_SMOOTH) real.ShadeModel(GL_SMOOTH);
+    if (twoSided_) real.Disable(GL_VERTEX_PROGRAM_TWO_SIDE);
+  }
+  ~BuiltInColors() {
+    if (exists_ && shadeModel_ != GL_SMOOTH) real_.ShadeModel(static_cast<GLenum>(shadeModel_));
+    if (twoSided_) real_.Enable(GL_VERTEX_PROGRAM_TWO_SIDE);
+  }
+  BuiltInColors(const BuiltInColors&) = delete;
+  BuiltInColors& operator=(const BuiltInColors&) = delete;
+
+ private:
+  const RealGl& real_;
+  bool exists_, twoSided_ = false;
+  GLint shadeModel_ = GL_SMOOTH;
+};
+
 }  // namespace
 
 void drawWithInputs(const RealGl& real, const Features& features, const ProgramDraw& draw,
@@ -189,6 +212,7 @@ void replayProgramDraws(const RealGl& real, const Features& features, const std:
   real.GetFloatv(GL_POINT_SIZE, &pointSize);
   GLfloat lineWidth = 1;
   real.GetFloatv(GL_LINE_WIDTH, &lineWidth);
+  const BuiltInColors colors(real, features);
   for (const ProgramDraw& draw : draws) {
     if (draw.builtIn) continue;
     drawWithInputs(real, features, draw, [&] {
