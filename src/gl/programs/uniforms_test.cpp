@@ -52,6 +52,15 @@ TEST(UniformShapes, OfEveryType) {
     expectShape(sampler, 1, 1, true);
 }
 
+TEST_F(Uniforms, ComponentsOfVectors) {
+  add("v", GL_FLOAT_VEC3), add("l", GL_FLOAT_VEC4, 2), add("m", GL_FLOAT_MAT4), add("s.r", GL_FLOAT_VEC2);
+  EXPECT_EQ(reader().number("v.g"), 2);
+  EXPECT_EQ(reader().value({"l[1].b", {}}, glm::vec4(9)), glm::vec4(23)) << "a number for all channels";
+  EXPECT_EQ(glm::vec2(reader().vector("s.r")), glm::vec2(1, 2)) << "a member of that name comes first";
+  EXPECT_FALSE(reader().has("v.a") || reader().has("m.r") || reader().has("w.r") || reader().has("v.x"));
+  EXPECT_EQ(reader().value({"v.a", {}}, glm::vec4(9)), glm::vec4(9));
+}
+
 TEST_F(Uniforms, VectorsAndNumbers) {
   add("v", GL_FLOAT_VEC3), add("i", GL_INT), add("f", GL_FLOAT);
   EXPECT_EQ(glm::vec3(reader().vector("v")), glm::vec3(1, 2, 3));

@@ -1,0 +1,114 @@
+// Family files: keys of fog, of the lights' highlights and of back faces.
+#include "gl/families/components.h"
+#include "gl/families/family.h"
+#include "gl/families/test_family_text.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+using Numbers = std::vector<float>;
+const std::string kEye = "transform.eye_from_object = \"v\"\n", kPaint = "vertex.color = \"c\"\n";
+
+TEST(FamilyFileLook, FogKeys) {
+  const Family f =
+      parsed(kEye + "fog.color = \"bg\"\nfog.end = \"fe\"\nfog.scale = \"fs\"\nfog.extrapolated = true\n");
+  EXPECT_TRUE(f.fog.given() && f.fog.extrapolated);
+  EXPECT_EQ(f.fog.mode, scene::Fog::linear);
+  EXPECT_EQ(f.fog.color.uniform, "bg");
+  EXPECT_EQ(f.fog.end.uniform, "fe");
+  EXPECT_EQ(f.fog.scale.uniform, "fs");
+  for (const char* name : {"bg", "fe", "fs"}) EXPECT_TRUE(f.mentions(name)) << name;
+  const Family range =
+      parsed(kEye + "fog.color = [1, 0, 0]\nfog.start = \"range.r\"\nfog.end = \"range.g\"\n");
+  EXPECT_EQ(range.fog.color.constant, (Numbers{1, 0, 0}));
+  EXPECT_EQ(range.fog.start.uniform, "range.r");
+  EXPECT_TRUE(range.mentions("range")) << "a component mentions its vector";
+  EXPECT_FALSE(range.fog.extrapolated);
+  const Family exp2 = parsed(kEye + "fog.mode = \"exp2\"\nfog.color = 0\nfog.density = 2\n");
+  EXPECT_EQ(exp2.fog.mode, scene::Fog::exp2);
+  EXPECT_EQ(exp2.fog.density.constant, Numbers{2});
+  EXPECT_FALSE(parsed().fog.given());
+}
+
+TEST(FamilyFileLook, FogMistakes) {
+  const auto inFog = [](const std::string& lines) { return mistake(kLeast + kEye + lines); };
+  EXPECT_EQ(inFog("fog.end = 1\n"), "x.toml:7: fog needs a color");
+  EXPECT_EQ(inFog("fog.color = 1\nfog.end = 1\n"), "x.toml:7: linear fog needs end, and start or scale");
+  EXPECT_EQ(inFog("fog.color = 1\nfog.end = 1\nfog.start = 0\nfog.scale = 1\n"),
+            "x.toml:7: linear fog needs end, and start or scale");
+  EXPECT_EQ(inFog("fog.color = 1\nfog.end = 1\nfog.start = 0\nfog.density = 1\n"),
+            "x.toml:7: exponential fog, and no other, needs density");
+  EXPECT_EQ(inFog("fog.color = 1\nfog.mode = \"exp\"\n"),
+            "x.toml:7: exponential fog, and no other, needs density");
+  EXPECT_EQ(inFog("fog.color = 1\nfog.mode = \"exp\"\nfog.density = 1\nfog.end = 1\n"),
+            "x.toml:7: start, end, scale and extrapolated are for linear fog");
+  EXPECT_EQ(mistakeIn("fog = { color = 1, start = 0, end = 1 }"),
+            "x.toml:1: family \"f\": fog needs transform.eye_from_object, without transform.viewer");
+  EXPECT_EQ(inFog("transform.viewer = \"e\"\nfog = { color = 1, start = 0, end = 1 }\n"),
+            "x.toml:1: family \"f\": fog needs transform.eye_from_object, without transform.viewer");
+}
+
+TEST(FamilyFileLook, LightKeys) {
+  const Family f = parsed(kPaint +
+                          "lights.specular_color = [\"s0\", 0.5, [\"s2\", \"t2\"]]\nlights.shininess = "
+                          "\"e{}\"\nlights.viewer = \"infinite\"\nlights.clamped = true\n"
+                          "lights.enabled = \"on\"\nlights.color = \"l[{}].diffuse.r\"\n");
+  ASSERT_EQ(f.lights.specularColor.size(), 3u);
+  EXPECT_EQ(f.lights.specularColor[0].uniform, "s0");
+  EXPECT_EQ(f.lights.specularColor[1].constant, Numbers{0.5f});
+  EXPECT_EQ(f.lights.specularColor[2].uniform, "s2");
+  EXPECT_EQ(f.alternatives.at("s2"), std::vector<std::string>{"t2"});
+  ASSERT_EQ(f.lights.shininess.size(), 1u);
+  EXPECT_EQ(f.lights.shininess[0].uniform, "e{}");
+  EXPECT_TRUE(f.lights.infiniteViewer && f.lights.clamped);
+  EXPECT_EQ(f.lights.enabled, "on");
+  EXPECT_TRUE(f.mentions("e7") && f.mentions("l[3].diffuse") && f.mentions("on"));
+  EXPECT_FALSE(f.mentions("l[3].ambient"));
+  const Family none = parsed();
+  EXPECT_TRUE(none.lights.specularColor.empty() && none.lights.shininess.empty());
+  EXPECT_FALSE(none.lights.infiniteViewer || none.lights.clamped);
+}
+
+TEST(FamilyFileLook, LightMistakes) {
+  EXPECT_EQ(mistakeIn("lights.clamped = true"),
+            "x.toml:1: family \"f\": lights.clamped needs vertex.color, without color.diffuse_only");
+  EXPECT_EQ(mistakeIn(kPaint + "lights.clamped = true\ncolor.diffuse_only = true"),
+            "x.toml:1: family \"f\": lights.clamped needs vertex.color, without color.diffuse_only");
+  EXPECT_EQ(mistakeIn("lights.enabled = \"on\""),
+            "x.toml:1: family \"f\": lights.enabled needs vertex.color");
+  EXPECT_EQ(mistakeIn("lights.count_in_source = \"x\""),
+            "x.toml:1: family \"f\": lights.count_in_source needs match.code");
+  EXPECT_EQ(mistakeIn("lights.model = \"pbr\"\nlights.viewer = \"infinite\""),
+            "x.toml:1: family \"f\": lights.clamped, lights.viewer and normals.dark_back_faces are for the "
+            "model phong");
+  EXPECT_EQ(mistakeIn("lights.shininess = []"), "x.toml:6: shininess needs a value");
+}
+
+TEST(FamilyFileLook, BackFaces) {
+  const Family f = parsed("normals.flip_back_faces = \"both\"\nnormals.dark_back_faces = true\n");
+  EXPECT_FALSE(f.flipBackFaces);
+  EXPECT_EQ(f.flipsBackFaces, "both");
+  EXPECT_TRUE(f.darkBackFaces && f.mentions("both"));
+  const Family always = parsed("normals.flip_back_faces = true\n");
+  EXPECT_TRUE(always.flipBackFaces);
+  EXPECT_EQ(always.flipsBackFaces, "");
+  EXPECT_EQ(mistakeIn("normals.flip_back_faces = 1"),
+            "x.toml:6: flip_back_faces must be a name in quotes, or a list of such names");
+}
+
+TEST(FamilyFileLook, ComponentsOfNames) {
+  EXPECT_EQ(componentIn("light.diffuse.r"), 0);
+  EXPECT_EQ(componentIn("v.a"), 3);
+  EXPECT_EQ(componentIn("light.diffuse"), -1);
+  EXPECT_EQ(componentIn("v.x"), -1);
+  EXPECT_EQ(componentIn(".r"), -1);
+  EXPECT_EQ(componentIn("colour"), -1);
+}
+
+}  // namespace
+}  // namespace gluray::gl
