@@ -83,6 +83,23 @@ const LookCase kLookCases[] = {
     {"dark_back_faces", kLampsFragment, kLampsFamily, setLamps, true},
     {"flipped_back_faces", kLampsFragment, kLampsFamily,
      [](Gl gl, GLuint program) { setLamps(gl, program), setInteger(gl, program, "turned", 1); }, true},
+    // The array's last element is no light; the source says how many there are.
+    {"unrolled",
+     "uniform vec3 glow[3], way[2]; in vec3 n, p; in vec4 c; out vec4 color;\n"
+     "void main() {\nvec3 m = normalize(n), sum = glow[2];\nsum += glow[0] * max(dot(m, -way[0]), 0.0);\n"
+     "sum += glow[1] * max(dot(m, -way[1]), 0.0);\ncolor = vec4(c.rgb * sum, 1);\n}\n",
+     "lights.color = \"glow[{}]\"\nlights.direction = \"way[{}]\"\nlights.count_in_source = \"sum += \"\n"
+     "material.ambient_intensity = \"glow[2]\"\nmatch.code = \"lamps\"\n[[code]]\nname = \"lamps\"\n"
+     "statements = \"\"\"\nn = turn * normalMC; p = (modelview * vec4(vertexMC, 1)).xyz; c = scalarColor;\n"
+     "gl_Position = mvp * vec4(vertexMC, 1);\nvec3 m = normalize(n), sum = glow[2];\n"
+     "sum += glow[0] * max(dot(m, -way[0]), 0.0);\nsum += glow[1] * max(dot(m, -way[1]), 0.0);\n"
+     "color = vec4(c.rgb * sum, 1);\n\"\"\"\n",
+     [](Gl gl, GLuint program) {
+       setVec3(gl, program, "glow[0]", {0.8f, 0.6f, 0.5f}),
+           setVec3(gl, program, "glow[1]", {0.1f, 0.3f, 0.5f});
+       setVec3(gl, program, "glow[2]", glm::vec3(0.2f));
+       setVec3(gl, program, "way[0]", {0, 0, -1}), setVec3(gl, program, "way[1]", {0.6f, -0.8f, 0});
+     }},
     // Highlights by the reflected ray of a viewer at infinity, with the lamp's colour and the lamp's
     // exponent.
     {"mirror",
