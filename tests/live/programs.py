@@ -98,6 +98,10 @@ def mayavi(folder):
     return ["env", f"PYTHONPATH={unpacked.stdout.strip()}", *script]
 
 
+def pymol(folder):
+    return ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600", str(HERE / "pymol_scene.py")]
+
+
 def f3d(folder):
     """Without configuration files; the option has two names."""
     own_look = "--no-config" if "--no-config" in subprocess.run(["f3d", "--help"], capture_output=True, text=True).stdout else "--dry-run"
@@ -155,11 +159,11 @@ MORE = {
                       "GLUT; GLSL 1.10 that takes fixed function's state; buttons without depth test", 0.99),
     "pyqtgraph": wide(script("pyqtgraph_scene.py"), "Qt 5; GLSL 1.10 that takes fixed function's arrays", 0.99, rest=3.0,
                       needs=(module("pyqtgraph"),)),
+    "pymol": wide(pymol, "Qt 5; GLSL 1.20, a depth cue; sticks are impostors", 0.98, rest=4.0, needs=("pymol",)),
+    "pymol_clear": wide(pymol, "the same without depth cue", 0.98, rest=4.0, needs=("pymol",), environment={"LIVE_DEPTH_CUE": "0"}),
     # Shaders of their own.
     "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object; blending", culled=10, rest=3.0, needs=(module("vispy"),)),
     "silx": whole(script("silx_scene.py"), "Qt 5; blending", culled=5, rest=3.0, needs=(module("silx"),)),
-    "pymol": whole(lambda folder: ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600",
-                   str(HERE / "pymol_scene.py")], "Qt 5; blending, spheres that write depth", rest=4.0, needs=("pymol",)),
     "view3dscene": whole(lambda folder: ["view3dscene", "--geometry", "600x600", "-H", str(models.write_x3d(folder / "knot.x3dv"))],
                          "GTK 2; one light", culled=2, rest=3.0),
     "wings3d": whole(lambda folder: ["wings3d"], "wxWidgets; a grid that a shader makes of a rectangle", rest=4.0),
