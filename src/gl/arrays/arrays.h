@@ -37,7 +37,8 @@ struct ArrayState {
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
   // Of shader programs: enabled arrays that are none of the above, including per-instance ones.
   std::vector<ArraySource> generic;
-  std::vector<ArraySource> instanceTransform, instanceNormal;  // columns of per-instance matrices
+  // Columns of per-instance matrices. The former may also be one array with x, y, z of a place, and a scale.
+  std::vector<ArraySource> instanceTransform, instanceNormal;
   ArraySource instanceColor;
   bool others = false;             // arrays that only the real OpenGL handles are enabled (edge flags ...)
   Reason reason = Reason::traced;  // why these arrays cannot be traced

@@ -35,11 +35,13 @@ struct FamilyMaterial {
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
 
-/// Lights are numbered from 0; {} in a name stands for the number. Light n is on if its `color` is active or,
-/// if the family names no colour (then it is white), its direction or position.
+/// Lights are numbered from 0; {} in a name stands for the number or, if there are `names`, for one of these.
+/// Light n is on if its `color` is active or, if the family names no colour (then it is white), its direction
+/// or position.
 struct FamilyLights {
   /// Place of lights with neither direction nor position: at infinity behind the viewer, or at the viewer.
   enum class Headlight { infinite, viewer };
+  std::vector<std::string> names;
   std::string count;          // number of lights that are on; empty: all
   std::string countInSource;  // text that stands in the source once for each light; empty: none
   std::string enabled;        // 0: the base colour is shown without lights
@@ -58,6 +60,9 @@ struct FamilyLights {
   bool infiniteViewer = false;  // highlights as if the viewer were at infinity
   bool clamped = false;         // ambient plus diffuse light is at most 1
 };
+
+/// The name of a light's variable; `pattern` has {} for the light.
+std::string ofLight(const std::string& pattern, const FamilyLights& lights, int number);
 
 struct FamilyPbr {
   FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
@@ -118,13 +123,15 @@ struct Family {
   std::vector<std::string> absentOutputs;           // fragment shader outputs that must not exist
   std::vector<std::string> ignored;                 // may be active, but do not affect the picture
   NeutralValues neutral;                            // do not affect the picture at these values
-  std::vector<std::string> code;  // sections that hold all of its statements; empty: any code
-  std::string codeAt;             // file and line that name them
+  std::vector<std::string> code;    // sections that hold all of its statements; empty: any code
+  bool resolvesConditions = false;  // statements are compared after #ifdef and the like
+  std::string codeAt;               // file and line that name them
   bool onlySolids = false;  // describes draws of lines and points alone, where settings turn them into solids
   bool strict = true;       // programs with active variables that the family does not mention do not fit
 
   std::string position, normal, color, texcoord;                 // attributes
   std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes
+  std::string instanceShift;                                     // likewise: x, y, z of a place, and a scale
   std::vector<std::string> clipFromObject, eyeFromObject;        // uniforms, multiplied from left to right
   std::string viewer;        // uniform: viewer position in the space of eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject

@@ -30,6 +30,9 @@ class FamilyReader : FamilyTable {
       name("transform", family_.instanceTransform);
       name("normal_matrix", family_.instanceNormal);
       name("color", family_.instanceColor);
+      name("shift_and_scale", family_.instanceShift);
+      if (!family_.instanceShift.empty() && !family_.instanceTransform.empty())
+        fail(here(), "instances have transform or shift_and_scale, not both");
     });
     section("transform", [&] { readTransform(); });
     section("normals", [&] { readNormals(); });
@@ -147,6 +150,7 @@ class FamilyReader : FamilyTable {
   void readCode() {
     texts("code", family_.code);
     if (has("code")) family_.codeAt = placeOf(at("code"));
+    flag("resolve_conditions", family_.resolvesConditions);
     if (family_.code == std::vector<std::string>{"any"}) family_.code.clear();
   }
   void readVertex() {
@@ -215,6 +219,7 @@ class FamilyReader : FamilyTable {
     choice("specular", {{"reflect", Family::Specular::reflect}, {"half", Family::Specular::half}},
            family_.specular);
     FamilyLights& l = family_.lights;
+    texts("names", l.names);
     name("count", l.count);
     text("count_in_source", l.countInSource);
     name("enabled", l.enabled);
@@ -235,6 +240,7 @@ class FamilyReader : FamilyTable {
     name("attenuation", l.attenuation);
     name("cone_angle", l.coneAngle);
     name("exponent", l.exponent);
+    mentionNamedLights();
   }
   void readImpostors() {
     using scene::Shape;
@@ -305,6 +311,16 @@ class FamilyReader : FamilyTable {
     value("emissive", p.emissive);
   }
 
+  /// Mentions the variables of lights with names.
+  void mentionNamedLights() {
+    const FamilyLights& l = family_.lights;
+    std::vector<std::string> patterns = {l.color,       l.direction.uniform, l.position, l.positional,
+                                         l.attenuation, l.coneAngle,         l.exponent};
+    for (const auto* values : {&l.specularColor, &l.shininess})
+      for (const FamilyValue& value : *values) patterns.push_back(value.uniform);
+    for (const std::string& pattern : patterns)
+      for (size_t i = 0; i < l.names.size(); ++i) mention(ofLight(pattern, l, static_cast<int>(i)));
+  }
   void readFog() {
     using Fog = scene::Fog;
     FamilyFog& f = family_.fog;
@@ -325,6 +341,16 @@ class FamilyReader : FamilyTable {
 };
 
 }  // namespace
+
+std::string ofLight(const std::string& pattern, const FamilyLights& lights, int number) {
+  const size_t at = pattern.find("{}");
+  if (at == std::string::npos) return pattern;
+  const auto i = static_cast<size_t>(number);
+  const std::string name = lights.names.empty()      ? std::to_string(number)
+                           : i < lights.names.size() ? lights.names[i]
+                                                     : "";
+  return pattern.substr(0, at) + name + pattern.substr(at + 2);
+}
 
 bool Family::hasBuiltInVertices() const { return position == "gl_Vertex"; }
 

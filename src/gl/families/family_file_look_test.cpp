@@ -89,6 +89,28 @@ TEST(FamilyFileLook, LightMistakes) {
   EXPECT_EQ(mistakeIn("lights.shininess = []"), "x.toml:6: shininess needs a value");
 }
 
+TEST(FamilyFileLook, LightsWithNames) {
+  const Family f = parsed(
+      "lights.names = [\"key\", \"fill\"]\nlights.color = \"{}_glow\"\nlights.direction = \"l.{}\"\n"
+      "lights.shininess = \"{}_shine.r\"\n");
+  EXPECT_EQ(f.lights.names, (std::vector<std::string>{"key", "fill"}));
+  for (const char* name : {"key_glow", "fill_glow", "l.key", "l.fill", "key_shine"})
+    EXPECT_TRUE(f.mentions(name)) << name;
+  EXPECT_FALSE(f.mentions("back_glow"));
+  EXPECT_EQ(ofLight("{}_glow", f.lights, 1), "fill_glow");
+  EXPECT_EQ(ofLight("glow", f.lights, 1), "glow");
+  EXPECT_EQ(ofLight("glow[{}]", {}, 12), "glow[12]");
+}
+
+TEST(FamilyFileLook, ShiftedInstancesAndConditions) {
+  const Family f = parsed("instance.shift_and_scale = \"ss\"\nmatch.resolve_conditions = true\n");
+  EXPECT_EQ(f.instanceShift, "ss");
+  EXPECT_TRUE(f.mentions("ss") && f.resolvesConditions);
+  EXPECT_FALSE(parsed().resolvesConditions);
+  EXPECT_EQ(mistakeIn("instance = { shift_and_scale = \"ss\", transform = \"t\" }"),
+            "x.toml:6: instances have transform or shift_and_scale, not both");
+}
+
 TEST(FamilyFileLook, BackFaces) {
   const Family f = parsed("normals.flip_back_faces = \"both\"\nnormals.dark_back_faces = true\n");
   EXPECT_FALSE(f.flipBackFaces);

@@ -33,6 +33,8 @@ class FamilyTable {
   void name(const char* key, std::string& out);
   void names(const char* key, std::vector<std::string>& out);
   void flag(const char* key, bool& out);
+  /// Adds a name to those that are mentioned; of an element or a component, also the whole.
+  void mention(const std::string& name);
   /// A uniform's name or list of alternatives, a number, or a list of numbers. A name may end with a
   /// component
   /// ("ambient.r").
@@ -77,7 +79,6 @@ class FamilyTable {
   void allKnown() const;
 
  private:
-  void mention(const std::string& name);
   FamilyValue valueIn(const char* key, const toml::node& node);
   std::string nameIn(const char* key, const toml::node& node);
   std::vector<float> numbersIn(const char* key, const toml::node& node, size_t most);

@@ -30,7 +30,9 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
 /// The program's statements, with its texture renamed to the family's name.
 const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
   const auto other = p.renamed.find(f.anyTexture);
-  return other == p.renamed.end() ? source.statements() : source.statements({other->second, other->first});
+  GlslStatements::Renamed renamed;
+  if (other != p.renamed.end()) renamed = {other->second, other->first};
+  return source.statements(renamed, f.resolvesConditions);
 }
 
 /// Requires all statements to be in the family's sections of code.

@@ -25,6 +25,7 @@ const Types kVector{"a vector",
 const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
 const Types kMatrix{"a mat4", [](GLenum t) { return t == GL_FLOAT_MAT4; }};
 const Types kPlain{"a number, vector or matrix", [](GLenum t) { return glslName(t).find("sampler") != 0; }};
+const Types kVec4{"a vec4", [](GLenum t) { return t == GL_FLOAT_VEC4; }};
 const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 || t == GL_FLOAT_MAT4; }};
 const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
 const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
@@ -34,9 +35,9 @@ class TypeCheck {
  public:
   TypeCheck(const Program& p, std::vector<std::string>& out) : p_(p), out_(out) {}
 
-  void attribute(const std::string& name) const {
+  void attribute(const std::string& name, const Types& types = kVector) const {
     const ProgramAttribute* a = name.empty() ? nullptr : p_.attribute(name);
-    if (a && !kVector.fit(a->type)) refuse(name, kVector);
+    if (a && !types.fit(a->type)) refuse(name, types);
   }
   void uniform(const std::string& name, const Types& types) const {
     const ProgramUniform* u = name.empty() ? nullptr : p_.uniform(name);
@@ -82,6 +83,7 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   for (const std::string* name :
        {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.impostors.axis})
     check.attribute(*name);
+  check.attribute(f.instanceShift, kVec4);
   for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
   check.values({&f.impostors.radius, &f.impostors.inside, &f.impostors.radiusDivisor, &f.impostors.size,
                 &f.impostors.bulge, &f.impostors.bulgeDepth, &f.impostors.depthBias, &f.impostors.scale,

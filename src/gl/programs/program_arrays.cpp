@@ -57,6 +57,15 @@ ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
   return source;
 }
 
+/// Whether the attribute for colours, of vertices or instances, has an element for each instance.
+bool hasInstanceColors(const RealGl& real, ShareGroup& group, const Program& program, const Family& family) {
+  if (family.instanceColor.empty() || family.instanceColor != family.color) return false;
+  const ProgramAttribute* a = program.attribute(family.color);
+  if (!a || a->location < 0) return false;
+  const ArraySource source = readGeneric(real, group, a->location);
+  return source.enabled && source.divisor > 0;
+}
+
 }  // namespace
 
 const std::string& mapTexcoord(const Program& program, const Family& family) {
@@ -82,10 +91,11 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     named.push_back(a->location);
     plain = plain && isReadable(source) && source.divisor == 0;
   };
+  const bool colorsInstances = family && hasInstanceColors(real, group, program->program, *family);
   if (family) {
     take(family->position, arrays.vertex);
     take(family->normal, arrays.normal);
-    take(family->color, arrays.color);
+    if (!colorsInstances) take(family->color, arrays.color);
     const bool two = hasTwoTexcoords(program->program, *family);
     const bool mapped = two || !program->program.attribute(family->texcoord);
     take(mapped ? mapTexcoord(program->program, *family) : family->texcoord, arrays.texcoord);
@@ -113,8 +123,10 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
   if (family) {
     std::vector<ArraySource> color;
     ofInstances(family->instanceTransform, 4, arrays.instanceTransform);
+    ofInstances(family->instanceShift, 1, arrays.instanceTransform);
     ofInstances(family->instanceNormal, 3, arrays.instanceNormal);
-    ofInstances(family->instanceColor, 1, color);
+    if (colorsInstances || family->instanceColor != family->color)
+      ofInstances(family->instanceColor, 1, color);
     if (!color.empty()) arrays.instanceColor = color.front();
   }
   // Client memory may change before the draw is replayed.

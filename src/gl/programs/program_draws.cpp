@@ -141,9 +141,12 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
     return Reason::program;
   const bool opaque =
       layersOf(p_.shadow.state.program) != BatchKey::Layers::none || drawsOpaque(program, *known.mesh);
-  if (opaque) return Reason::traced;
-  if (p_.shadow.state.raster.unlessOpaque != Reason::traced) return p_.shadow.state.raster.unlessOpaque;
-  return Reason::traced;
+  return opaque ? Reason::traced : unlessOpaque();
+}
+
+Reason ProgramDraws::unlessOpaque() const {
+  const bool never = p_.shadow.state.program.known->family->opaqueColors;
+  return never ? Reason::programValue : p_.shadow.state.raster.unlessOpaque;
 }
 
 bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {

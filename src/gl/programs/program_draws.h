@@ -50,6 +50,8 @@ class ProgramDraws {
 
  private:
   Reason triageAlways(const KnownMesh& mesh) const;  // as if engine = always
+  /// Why a surface with an alpha below 1 is not traced, or Reason::traced.
+  Reason unlessOpaque() const;
   bool isOneOfPasses(const scene::Mesh& mesh) const;
   /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;

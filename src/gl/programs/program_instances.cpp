@@ -31,6 +31,13 @@ struct InstanceReaders {
   /// The matrix of instance i; nullopt beyond an array's end.
   std::optional<glm::mat4> matrix(const Elements& elements, uint32_t i) const {
     glm::mat4 m(1);
+    if (transform.size() == 1) {
+      glm::vec4 place(0, 0, 0, 1);
+      if (!readOfInstance(transform[0], elements, i, &place[0])) return std::nullopt;
+      m = glm::mat4(glm::mat3(place.w));
+      m[3] = {glm::vec3(place), 1};
+      return m;
+    }
     for (size_t c = 0; c < transform.size(); ++c)
       if (!readOfInstance(transform[c], elements, i, &m[static_cast<int>(c)][0])) return std::nullopt;
     return m;
@@ -43,11 +50,11 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
   const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
   const bool mayBeTranslucent = layersOf(p_.shadow.state.program) == BatchKey::Layers::none &&
                                 readers.color.enabled() && p_.shadow.attributes.instanceColor.size == 4 &&
-                                p_.shadow.state.raster.unlessOpaque != Reason::traced;
+                                unlessOpaque() != Reason::traced;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
-      return p_.shadow.state.raster.unlessOpaque;
+      return unlessOpaque();
     const auto m = readers.matrix(elements, i);
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;

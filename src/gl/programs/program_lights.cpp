@@ -6,19 +6,15 @@
 namespace gluray::gl {
 namespace {
 
-std::string numbered(const std::string& pattern, int number) {
-  const size_t at = pattern.find("{}");
-  if (at == std::string::npos) return pattern;
-  return pattern.substr(0, at) + std::to_string(number) + pattern.substr(at + 2);
-}
-
 scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& uniforms,
                                const glm::vec3& viewer, int i) {
-  const auto vector = [&](const std::string& name) { return glm::vec3(uniforms.vector(numbered(name, i))); };
-  const auto has = [&](const std::string& name) { return uniforms.has(numbered(name, i)); };
+  const auto vector = [&](const std::string& name) {
+    return glm::vec3(uniforms.vector(ofLight(name, names, i)));
+  };
+  const auto has = [&](const std::string& name) { return uniforms.has(ofLight(name, names, i)); };
   scene::FragmentLight light;
   if (!names.color.empty())
-    light.color = glm::vec3(uniforms.value({numbered(names.color, i), {}}, glm::vec4(0)));
+    light.color = glm::vec3(uniforms.value({ofLight(names.color, names, i), {}}, glm::vec4(0)));
   if (const bool constant = !names.direction.constant.empty(); constant || has(names.direction.uniform)) {
     const glm::vec3 given =
         constant ? glm::vec3(uniforms.value(names.direction, glm::vec4(0))) : vector(names.direction.uniform);
@@ -26,8 +22,9 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
     light.kind = scene::FragmentLight::directional;
     if (direction != glm::vec3(0)) light.direction = glm::normalize(direction);
   }
-  const bool positional =
-      names.positional.empty() ? has(names.position) : uniforms.integer(numbered(names.positional, i)) != 0;
+  const bool positional = names.positional.empty()
+                              ? has(names.position)
+                              : uniforms.integer(ofLight(names.positional, names, i)) != 0;
   const bool atViewer = names.headlight == FamilyLights::Headlight::viewer &&
                         light.kind == scene::FragmentLight::headlight && !has(names.position);
   if (!positional && !atViewer) return light;
@@ -35,17 +32,17 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   if (atViewer) return light;  // the viewer is the origin
   light.position = vector(names.position) - viewer;
   if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
-  if (has(names.coneAngle)) light.coneAngle = uniforms.number(numbered(names.coneAngle, i));
-  if (has(names.exponent)) light.exponent = uniforms.number(numbered(names.exponent, i));
+  if (has(names.coneAngle)) light.coneAngle = uniforms.number(ofLight(names.coneAngle, names, i));
+  if (has(names.exponent)) light.exponent = uniforms.number(ofLight(names.exponent, names, i));
   return light;
 }
 
 /// The value of light `i`; `otherwise` if the family has none. Inactive uniforms are 0.
-glm::vec4 ofLight(const std::vector<FamilyValue>& values, const UniformReader& uniforms, int i,
-                  const glm::vec4& otherwise) {
+glm::vec4 valueOf(const std::vector<FamilyValue>& values, const FamilyLights& names,
+                  const UniformReader& uniforms, int i, const glm::vec4& otherwise) {
   if (values.empty()) return otherwise;
   FamilyValue value = values[std::min(static_cast<size_t>(i), values.size() - 1)];
-  value.uniform = numbered(value.uniform, i);
+  value.uniform = ofLight(value.uniform, names, i);
   return uniforms.value(value, glm::vec4(0));
 }
 
@@ -53,8 +50,8 @@ void readHighlight(const FamilyLights& names, const UniformReader& uniforms, flo
                    scene::FragmentLight& light) {
   light.ownHighlight = !names.specularColor.empty() || !names.shininess.empty();
   if (!light.ownHighlight) return;
-  light.highlight = glm::vec3(ofLight(names.specularColor, uniforms, i, glm::vec4(light.color, 1)));
-  light.shininess = ofLight(names.shininess, uniforms, i, glm::vec4(shininess)).x;
+  light.highlight = glm::vec3(valueOf(names.specularColor, names, uniforms, i, glm::vec4(light.color, 1)));
+  light.shininess = valueOf(names.shininess, names, uniforms, i, glm::vec4(shininess)).x;
 }
 
 }  // namespace
@@ -73,9 +70,10 @@ std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const Un
   if (sign.empty() && names.direction.given()) return {read(0)};
   const bool many = sign.find("{}") != std::string::npos;
   constexpr int kMostLights = 64;
+  if (!names.names.empty()) most = static_cast<int>(names.names.size());
   most = std::min(most < 0 ? kMostLights : most, many ? kMostLights : 1);
   if (uniforms.has(names.count)) most = std::min(most, uniforms.integer(names.count));
-  for (int i = 0; i < most && uniforms.has(numbered(sign, i)); ++i) lights.push_back(read(i));
+  for (int i = 0; i < most && uniforms.has(ofLight(sign, names, i)); ++i) lights.push_back(read(i));
   return lights;
 }
 

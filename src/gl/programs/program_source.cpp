@@ -1,6 +1,9 @@
 #include "gl/programs/program_source.h"
 
+#include "gl/families/glsl_conditions.h"
+
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace gluray::gl {
@@ -63,15 +66,18 @@ const std::string& ProgramSource::text() {
   return text_;
 }
 
-const GlslStatements& ProgramSource::statements(const GlslStatements::Renamed& renamed) {
-  if (hasStatements_ && renamed_ == renamed) return statements_;
+const GlslStatements& ProgramSource::statements(const GlslStatements::Renamed& renamed, bool resolved) {
+  if (hasStatements_ && renamed_ == renamed && resolved_ == resolved) return statements_;
   const bool clear = renamed.to.empty() || text().find(renamed.to) == std::string::npos;
   read();
   statements_ = {};
-  for (const Shader& s : shaders_)
-    statements_.cut(std::string_view(source_).substr(s.begin, s.end - s.begin),
-                    clear ? renamed : GlslStatements::Renamed{});
-  hasStatements_ = true, renamed_ = renamed;
+  hasStatements_ = true, renamed_ = renamed, resolved_ = resolved;
+  for (const Shader& s : shaders_) {
+    const std::string_view text = std::string_view(source_).substr(s.begin, s.end - s.begin);
+    const std::optional<std::string> rest = resolved ? resolveConditions(text) : std::nullopt;
+    if (resolved && !rest) return statements_ = {};
+    statements_.cut(rest ? *rest : text, clear ? renamed : GlslStatements::Renamed{});
+  }
   return statements_;
 }
 

@@ -21,8 +21,9 @@ class ProgramSource {
   /// The concatenated texts of the shaders, without comments.
   const std::string& text();
   /// The same as statements; empty if there is none. `renamed` replaces one name, unless the text has
-  /// the new name already. Valid until the next call with another `renamed`.
-  const GlslStatements& statements(const GlslStatements::Renamed& renamed = {});
+  /// the new name already. `resolved`: without what conditions leave out (glsl_conditions.h); empty if they
+  /// cannot be resolved. Valid until the next call with other arguments.
+  const GlslStatements& statements(const GlslStatements::Renamed& renamed = {}, bool resolved = false);
   /// The texts of the shaders of one type, one after the other.
   std::string of(GLenum type);
   /// Whether the texts of all shaders could be read, among them a vertex and a fragment shader and,
@@ -41,6 +42,7 @@ class ProgramSource {
   GLuint program_;
   std::shared_ptr<const ShaderTexts> linked_;
   bool isRead_ = false, allRead_ = false, hasText_ = false, hasStatements_ = false;
+  bool resolved_ = false;      // of statements_
   std::string source_, text_;  // source_: the original texts, concatenated
   std::vector<Shader> shaders_;
   GlslStatements statements_;
