@@ -65,7 +65,10 @@ scene::Shading shading() {
   s.textures[1].unit = 2, s.textures[1].combine.rgb.arguments[1].source = scene::Combine::constant;
   s.textures[1].texGen.coordinates[2] = {scene::TexGen::eyeLinear, {1, 2, 3, 4}};
   s.fog.mode = scene::Fog::exp2;
+  s.fog.scaled = s.fog.extrapolates = true, s.fog.scale = 0.5f;
   s.fragment.lights.resize(1);
+  s.fragment.lights[0].ownHighlight = s.fragment.clampsLight = s.fragment.darkBackFaces = true;
+  s.fragment.lights[0].highlight = {1, 2, 3}, s.fragment.lights[0].shininess = 4;
   s.fragment.edgeColor = {1, 0, 0.5f};
   return s;
 }

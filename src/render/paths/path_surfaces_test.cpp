@@ -133,6 +133,31 @@ TEST(PathSurfaces, FogLiesOnTheWayFromTheViewerToWhatItSees) {
   }
 }
 
+TEST(PathSurfaces, ProgramsHaveFogOfTheirOwnEyeSpace) {
+  scene::Snapshot s = test::pathView({test::backWall()});
+  s.settings.environment.strength = 0, s.settings.path.samples = 4;
+  scene::Shading& shading = s.shadings[0];
+  shading.fragment.model = scene::FragmentShading::Model::unlit;
+  shading.fragment.color = scene::FragmentShading::Color::vertices;
+  shading.fog.mode = scene::Fog::linear;
+  shading.fog.end = 20, shading.fog.scaled = true, shading.fog.scale = 0.05f;
+  shading.fog.color = {0, 1, 0};
+  s.instances[0].color = {1, 0, 0, 1};
+  s.instances[0].materials[0].front.ambient = {0, 0, 0, 1};
+  // The wall at distance 5 is at distance 10 in the program's eye space.
+  s.instances[0].lightingFromObject =
+      glm::mat4(glm::scale(glm::dmat4(1), glm::dvec3(2)) * s.instances[0].eyeFromObject);
+  for (const LightIntegrator integrator : {LightIntegrator::local, LightIntegrator::path}) {
+    s.settings.integrator = integrator;
+    const glm::vec3 mean = radiances(s).mean();
+    EXPECT_NEAR(mean.r, 0.5f, 1e-3f);
+    EXPECT_NEAR(mean.g, 0.5f, 1e-3f);
+    shading.fog.end = 5, shading.fog.extrapolates = true;
+    EXPECT_NEAR(radiances(s).mean().g, 1.25f, 1e-3f) << "beyond the end of the fog";
+    shading.fog.end = 20, shading.fog.extrapolates = false;
+  }
+}
+
 TEST(PathSurfaces, BackFacesHaveTheirOwnMaterial) {
   scene::Snapshot s = test::pathView({test::backWall()});
   s.settings.path.samples = 4;
