@@ -146,10 +146,12 @@ void World::readBounds() {
 }
 
 void World::readOrder(const scene::Snapshot& snapshot) {
-  // Programs draw points and lines that cells share once per cell, each in its own colour; splats are flat
+  // Programs draw points and lines that cells share once per cell, each in its own colour; sticks share the
+  // round ends at their joints; splats are flat
   // and overlap at equal distance.
   const auto repeated = [](const scene::Instance& i) {
-    return scene::isInWindow(i.mesh->shape) || scene::isSolid(i.mesh->shape);
+    return scene::isInWindow(i.mesh->shape) || scene::isSolid(i.mesh->shape) ||
+           i.mesh->shape == scene::Shape::sticks;
   };
   const bool known = !alone_ && apart_;
   const bool paged = std::any_of(snapshot.instances.begin(), snapshot.instances.end(), isPage);

@@ -11,6 +11,7 @@
 #include "render/integrators/factors.h"
 #include "render/integrators/integrator.h"
 #include "render/visibility/capsule.inl.h"
+#include "render/visibility/stick.inl.h"
 #include "render/work.inl.h"
 
 #include <algorithm>
@@ -100,6 +101,8 @@ HWY_ATTR inline void locateHits(const FrameData& frame, uint32_t instance, const
     computePixelImpostors(surface, frame.world->impostorsOf(instance), x, y, group, seen);
   else if (scene::isSolid(surface.mesh->shape))
     computeCapsules(surface, frame.world->impostorsOf(instance), frame.depth, x, y, group, seen);
+  else if (surface.mesh->shape == scene::Shape::sticks)
+    computeSticks(surface, frame.world->impostorsOf(instance), frame.depth, x, y, true, group, seen);
   else
     computeImpostors(surface, frame.depth, Pinhole(), x, y, group, seen);
 }
@@ -118,6 +121,10 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
   if (scene::isSolid(surface.mesh->shape)) {
     seePoints(frame, work.packet, group.lanes, x, y);
     return computeCapsules(surface, frame.world->impostorsOf(instance), frame.depth, x, y, group, seen);
+  }
+  if (surface.mesh->shape == scene::Shape::sticks) {
+    seePoints(frame, work.packet, group.lanes, x, y);
+    return computeSticks(surface, frame.world->impostorsOf(instance), frame.depth, x, y, false, group, seen);
   }
   if (!scene::isInWindow(surface.mesh->shape))
     return computeImpostors(surface, frame.depth, OpenLens{lens.lightings[instance], work.lensPoints}, x, y,

@@ -15,7 +15,9 @@ struct Impostors {
   /// The billboard's shape. silhouette: covers the whole impostor. triangle: circumscribes the circle of the
   /// impostor's radius in the plane through its centre that faces the viewer, one corner upwards. faces: two
   /// faces of the box about a cylinder, the side towards the viewer and the end that `axis` points to.
-  enum class Billboards : uint8_t { silhouette, triangle, faces };
+  /// square: of spheres, in the plane of constant z through the centre; for a viewer at the origin wider than
+  /// the sphere, by about as much as its silhouette is (accel/impostors/impostors.cpp).
+  enum class Billboards : uint8_t { silhouette, triangle, faces, square };
   Billboards billboards = Billboards::silhouette;
   bool parallelView = false;  // the viewer is at infinity
   bool inside = false;        // spheres show their far side, from within
@@ -51,6 +53,12 @@ struct Impostors {
   // distance from the viewer. They exist where no `centerPlanes` cut their points and lines away.
   float radius = 0;
   bool unlit = false;  // the program draws them without light: the light that shades them is not its own
+
+  // Sticks: whether ends that are marked as round are, and how the colours of two halves change: smoothly
+  // around the middle, over twice the share clamp(-halvesBlend * z, 0, 0.5) of the length, by the z of the
+  // point where the line of sight enters the cylinder.
+  bool roundEnds = true;
+  float halvesBlend = 0;
   bool operator==(const Impostors&) const = default;
 };
 

@@ -58,17 +58,37 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
 /// (one vertex) and tubes (a line between two) have a size in pixels. Splats (one vertex with a radius) are
 /// ellipses in the window. Balls (one vertex) and capsules (the convex hull of balls about the ends of a
 /// line) are the points and lines of programs that draw them flat: they are solid, and every ray meets them
-/// where they are.
-enum class Shape : uint8_t { triangles, spheres, discs, cylinders, beads, tubes, splats, balls, capsules };
+/// where they are. Sticks (a line between two vertices, with a radius) are cylinders around the line, round in
+/// the space of Instance::lightingFromObject, whose ends are open, flat or round (StickEnd).
+enum class Shape : uint8_t {
+  triangles,
+  spheres,
+  discs,
+  cylinders,
+  beads,
+  tubes,
+  splats,
+  balls,
+  capsules,
+  sticks
+};
 
 /// Vertices per primitive.
 constexpr uint32_t cornersOf(Shape shape) {
-  return shape == Shape::triangles ? 3 : shape == Shape::tubes || shape == Shape::capsules ? 2 : 1;
+  if (shape == Shape::triangles) return 3;
+  return shape == Shape::tubes || shape == Shape::capsules || shape == Shape::sticks ? 2 : 1;
 }
 constexpr bool isSizedInPixels(Shape shape) { return shape == Shape::beads || shape == Shape::tubes; }
 constexpr bool isSolid(Shape shape) { return shape == Shape::balls || shape == Shape::capsules; }
 /// Whether coverage is computed in the window (accel/impostors/pixel_impostor.h).
 constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape == Shape::splats; }
+
+/// Bits of Mesh::ends.
+enum StickEnd : uint32_t {
+  kClosedEnd = 1,   // otherwise nothing is visible there
+  kRoundEnd = 2,    // closed by half a ball, where Impostors::roundEnds allows it; otherwise flat
+  kTwoHalves = 4,   // of the first vertex: colours change in the middle, otherwise they are interpolated
+};
 
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
 /// provoking vertex (flat shading) is always the last one. Without `indices` it is a triangle soup: vertices
@@ -83,6 +103,7 @@ struct Mesh {
   Attribute indices;         // uint32, cornersOf(shape) per primitive, tightly packed (stride 4), or absent
   Attribute radii;           // of impostors: float1; absent: all have `radius`
   Attribute axes;            // of cylinders: float3, of the cylinder's length
+  Attribute ends;            // of sticks: uint32, bits of StickEnd
   float radius = 1;
   Attribute normals;                      // float3, not necessarily of unit length
   Attribute colors;                       // float4, float3 or unorm8x4
@@ -106,6 +127,9 @@ struct Mesh {
   uint32_t corner(uint32_t triangle, uint32_t k) const {
     const uint32_t corners = cornersOf(shape), i = triangle * corners + (k < corners ? k : corners - 1);
     return indices ? reinterpret_cast<const uint32_t*>(indices.data)[i] : i;
+  }
+  uint32_t endAt(uint32_t vertex) const {
+    return ends ? *reinterpret_cast<const uint32_t*>(ends.data + static_cast<size_t>(vertex) * ends.stride) : 0;
   }
   glm::vec3 position(uint32_t vertex) const {
     const auto* f =

@@ -70,6 +70,11 @@ HWY_INLINE Mask onTriangle(const Impostor& f, const OnBillboard& c) {
   return hn::And(inside, c.seen);
 }
 
+/// Whether the rays hit the square of constant z.
+HWY_INLINE Mask onSquare(const Impostor& f, const OnBillboard& c) {
+  return hn::And(c.seen, hn::And(within(c.from.x, f.square.x), within(c.from.y, f.square.y)));
+}
+
 /// Clamps t to the depth range: at least the near plane's; behind the viewer: just before the far end.
 HWY_INLINE Float bounded(const Rays& r, Float t) {
   const Float end = hn::Mul(hn::Min(r.tFar, splat(1e30f)), splat(1 - 0x1p-20f));
@@ -87,6 +92,8 @@ HWY_INLINE Mask meetSphere(const Impostor& f, const Rays& r, const Rays& sample,
     met = hn::And(met, onTriangle(f, onPlane(sample, f.toViewer, 0)));
   else
     met = hn::And(met, hn::And(hn::Ge(t, hn::Zero(Tag())), hn::Le(t, r.tFar)));
+  if (f.billboards == scene::Impostors::Billboards::square)
+    met = hn::And(met, onSquare(f, onPlane(sample, f.toViewer, 0)));
   return met;
 }
 

@@ -5,6 +5,7 @@
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/impostors/solid.h"
 #include "accel/impostors/solid_guess.h"
+#include "accel/impostors/stick.h"
 #include "accel/occlusion_state.h"
 #include "accel/query_state.h"
 
@@ -31,8 +32,11 @@ uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t prim
   if (scene::isInWindow(placed.mesh->shape)) return meet(placed, primitive, rays, state.around, lanes, t);
   Impostor impostor;
   Capsule capsule;
-  const bool solid = scene::isSolid(placed.mesh->shape);
-  if (!(solid ? Capsule::make(placed, primitive, capsule) : Impostor::make(placed, primitive, impostor)))
+  Stick stick;
+  const bool solid = scene::isSolid(placed.mesh->shape), isStick = placed.mesh->shape == scene::Shape::sticks;
+  if (!(isStick ? Stick::make(placed, primitive, stick)
+        : solid ? Capsule::make(placed, primitive, capsule)
+                : Impostor::make(placed, primitive, impostor)))
     return 0;
   const bool apart = rays.samples != rays.centers;
   if (state.raysOf != instance) {
@@ -40,6 +44,7 @@ uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t prim
     if (apart) toLighting(placed, *rays.samples, state.samples);
     state.raysOf = instance;
   }
+  if (isStick) return meet(stick, state.centers, lanes, t);
   if (solid) return meet(placed, capsule, apart ? state.samples : state.centers, lanes, t);
   return meet(impostor, state.centers, apart ? state.samples : state.centers, lanes, t);
 }

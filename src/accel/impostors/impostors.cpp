@@ -16,6 +16,23 @@ glm::vec3 axisOf(const scene::Mesh& mesh, uint32_t vertex) {
   return mesh.axes ? glm::vec3(scene::fetch(mesh.axes, vertex)) : glm::vec3(0, 0, 1);
 }
 
+/// Half the sides of Billboards::square. The silhouette is wider than the sphere, by an angle whose sine is
+/// radius / distance; the square, by the angle of that tangent. So it cuts a little off spheres that are near
+/// and far from the middle of the view.
+glm::vec2 squareAbout(const glm::vec3& center, float radius, bool parallelView) {
+  if (parallelView) return glm::vec2(radius);
+  const glm::vec2 distance(std::hypot(center.x, center.z), std::hypot(center.y, center.z));
+  glm::vec2 half;
+  for (int c = 0; c < 2; ++c) {
+    const float cosA = std::clamp(center.z / distance[c], -1.0f, 1.0f);
+    const float cosB = distance[c] / std::sqrt(radius * radius + distance[c] * distance[c]);
+    const float cosAB = cosA * cosB + std::sqrt((1 - cosA * cosA) * (1 - cosB * cosB));
+    constexpr float kMost = 10;
+    half[c] = radius * std::min(1 / std::abs(cosAB), kMost);
+  }
+  return half;
+}
+
 }  // namespace
 
 float roundedUp(double length) {
@@ -106,7 +123,10 @@ bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor&
   f.cardRadius = radiusOf(mesh, vertex);
   f.radius = f.cardRadius / placed.look.radiusDivisor;
   f.toViewer = f.parallelView ? glm::vec3(0, 0, 1) : glm::normalize(-f.center);
-  if (mesh.shape == scene::Shape::cylinders) {
+  if (f.billboards == scene::Impostors::Billboards::square) {
+    f.toViewer = {0, 0, 1}, f.right = {1, 0, 0}, f.up = {0, 1, 0};
+    f.square = squareAbout(f.center, f.radius, f.parallelView);
+  } else if (mesh.shape == scene::Shape::cylinders) {
     const glm::vec3 axis = axisOf(mesh, vertex);
     f.halfLength = 0.5f * glm::length(axis);
     f.axis = placed.look.axisMatrix * glm::normalize(axis);

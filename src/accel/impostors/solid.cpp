@@ -2,6 +2,7 @@
 
 #include "accel/impostors/capsule.h"
 #include "accel/impostors/solid_guess.h"
+#include "accel/impostors/stick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -188,9 +189,18 @@ std::optional<Hit> meetCapsule(const PlacedImpostors& placed, uint32_t primitive
   return cone.meet(ray);
 }
 
+std::optional<Hit> meetStick(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {
+  Stick stick;
+  if (!Stick::make(placed, primitive, stick)) return std::nullopt;
+  const std::optional<StickHit> hit = meetSolid(stick, ray.org, ray.dir, ray.tNear, ray.tFar);
+  if (!hit) return std::nullopt;
+  return Hit{hit->t, hit->normal};
+}
+
 std::optional<Hit> meetInLighting(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {
   const scene::Mesh& mesh = *placed.mesh;
   if (scene::isSolid(mesh.shape)) return meetCapsule(placed, primitive, ray);
+  if (mesh.shape == scene::Shape::sticks) return meetStick(placed, primitive, ray);
   if (mesh.shape == scene::Shape::tubes) return meetTube(placed, primitive, ray);
   if (mesh.shape == scene::Shape::beads) {
     const uint32_t vertex = mesh.corner(primitive, 0);
@@ -213,6 +223,12 @@ std::optional<RoundHull> hullOf(const PlacedImpostors& placed, uint32_t primitiv
     Capsule c;
     if (!Capsule::make(placed, primitive, c)) return std::nullopt;
     return RoundHull{{c.end[0], c.end[1]}, {c.radius[0], c.radius[1]}};
+  }
+  if (mesh.shape == scene::Shape::sticks) {
+    Stick s;
+    if (!Stick::make(placed, primitive, s)) return std::nullopt;
+    const bool round = s.ends[0] == Stick::End::round && s.ends[1] == Stick::End::round;
+    return RoundHull{{s.end[0], s.end[1]}, {s.radius, s.radius}, round};
   }
   if (mesh.shape == scene::Shape::tubes || mesh.shape == scene::Shape::beads) {
     const int last = mesh.shape == scene::Shape::tubes ? 1 : 0;

@@ -29,6 +29,7 @@ struct SolidHit {
 ///   bead      the sphere as wide as the point is in the window
 ///   tube      the cone between two such spheres about the line's ends, and the spheres
 ///   ball, capsule  themselves
+///   stick     itself; open ends are closed
 ///   splat     the ball that the program flattens into an ellipse
 /// Nothing where the ray misses it or the instance's planes cut it away. Computed in double precision: radii
 /// and distances may differ by any factor.

@@ -14,7 +14,7 @@ namespace gluray::accel {
 struct RoundHull {
   glm::vec3 end[2];
   float radius[2];
-  bool whole = true;  // no plane cuts through it
+  bool whole = true;  // the solid fills it
 };
 
 /// The hull that an impostor is for rays from anywhere (solid.h); nothing for other solids and for those that

@@ -59,9 +59,9 @@ inline constexpr auto kLast<scene::TexGen::Mode> = scene::TexGen::reflectionMap;
 template <>
 inline constexpr auto kLast<scene::Format> = scene::Format::bits8;
 template <>
-inline constexpr auto kLast<scene::Shape> = scene::Shape::capsules;
+inline constexpr auto kLast<scene::Shape> = scene::Shape::sticks;
 template <>
-inline constexpr auto kLast<scene::Impostors::Billboards> = scene::Impostors::Billboards::faces;
+inline constexpr auto kLast<scene::Impostors::Billboards> = scene::Impostors::Billboards::square;
 
 template <class E>
 constexpr bool isKnown(E value) {

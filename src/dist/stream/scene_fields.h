@@ -143,9 +143,9 @@ void fields(auto& archive, Like<scene::Shading> auto& value) {
 
 void fields(auto& archive, Like<scene::Impostors> auto& value) {
   auto& [billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows, bulge,
-         bulgeDepth, depthBias, radius, unlit] = value;
+         bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend] = value;
   archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows,
-          bulge, bulgeDepth, depthBias, radius, unlit);
+          bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
 }
 void fields(auto& archive, Like<scene::Surroundings> auto& value) {
   auto& [shadings, instances, blended, viewFromWorld] = value;

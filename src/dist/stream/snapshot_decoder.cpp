@@ -81,6 +81,7 @@ void Decoding::readAttributes(scene::Mesh& mesh) {
   const uint32_t count = mesh.vertexCount;
   mesh.radii = attribute(count, {Format::float1});
   mesh.axes = attribute(count, {Format::float3});
+  mesh.ends = attribute(count, {Format::uint32});
   mesh.normals = attribute(count, {Format::float3});
   mesh.colors = attribute(count, kColorFormats);
   mesh.texcoords = attribute(count, kTexcoordFormats);

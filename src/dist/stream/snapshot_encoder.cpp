@@ -63,7 +63,7 @@ void Encoding::writePage(const scene::Mesh& mesh) {
 
 void Encoding::write(const scene::Mesh& mesh) {
   // Neither the identity of the geometry nor the bytes that it takes: the receiver has its own.
-  auto& [geometryId, shape, triangleCount, vertexCount, positions, indices, radii, axes, radius, normals,
+  auto& [geometryId, shape, triangleCount, vertexCount, positions, indices, radii, axes, ends, radius, normals,
          colors, texcoords, texcoordsAbove, secondaryColors, fogCoords, materials, triangleNumbers, lower,
          upper, opaqueColors, sizeBytes, residence] = mesh;
   (*this)(residence != nullptr);
@@ -72,7 +72,7 @@ void Encoding::write(const scene::Mesh& mesh) {
   write(positions, vertexCount);
   write(indices, triangleCount * scene::cornersOf(shape));
   for (const scene::Attribute* a :
-       {&radii, &axes, &normals, &colors, &texcoords, &secondaryColors, &fogCoords, &materials})
+       {&radii, &axes, &ends, &normals, &colors, &texcoords, &secondaryColors, &fogCoords, &materials})
     write(*a, vertexCount);
   out_.put(static_cast<uint64_t>(texcoordsAbove.size()));
   for (const scene::Attribute& a : texcoordsAbove) write(a, vertexCount);

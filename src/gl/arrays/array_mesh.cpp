@@ -238,7 +238,8 @@ Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, con
                           e.base,
                           buffers,
                           static_cast<int64_t>(arrays.shape),
-                          std::bit_cast<int32_t>(arrays.impostorRadius)};
+                          std::bit_cast<int32_t>(arrays.impostorRadius),
+                          std::bit_cast<int32_t>(arrays.impostorCaps)};
   Hash128 h = hashBytes(form, sizeof form);
   Range range;
   if (e.type && arrays.elements) {

@@ -31,8 +31,12 @@ struct ArraySource {
 struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
   ArraySource radius, axis;  // of impostors (scene/impostors.h)
+  ArraySource corners, end, endColor, caps;  // of impostors whose billboards the program sends
+  bool sentBillboards = false;               // these, and:
+  bool radiusInPosition = false;
   scene::Shape shape = scene::Shape::triangles;
   float impostorRadius = 1;                 // if no array gives radii
+  float impostorCaps = 0;                   // if no array gives `caps`
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
   // Of shader programs: enabled arrays that are none of the above, including per-instance ones.
@@ -47,7 +51,8 @@ struct ArrayState {
   template <class Each>
   void forEach(Each&& each) const {
     for (const ArraySource* source :
-         {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord, &radius, &axis})
+         {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord, &radius, &axis, &corners, &end,
+          &endColor, &caps})
       each(*source);
     for (const ArraySource& source : texcoordsAbove) each(source);
   }
@@ -98,7 +103,8 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 /// Builds the mesh of a surface draw; buffers are read in place if their format allows it.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// The same for a draw of points or separate lines that the program shows as impostors.
+/// The same for a draw of points or separate lines that the program shows as impostors, or of billboards. Null
+/// if billboards are not whole (gl/programs/sent_billboards.h).
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements);
 

@@ -22,7 +22,8 @@ Reason triageByPass(Context& c, PrimitiveClass kind) {
 /// Traces a draw of the current shader program if triage allows it; otherwise returns why not.
 Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return Reason::program;
-  const bool impostors = c.shadow.program.drawsImpostors(mode);
+  const bool sent = c.shadow.attributes.sentBillboards && (mode == GL_TRIANGLES || mode == GL_QUADS);
+  const bool impostors = sent || c.shadow.program.drawsImpostors(mode);
   const PrimitiveClass kind = impostors ? PrimitiveClass::surfaces : classOf(mode);
   Reason reason = triageByPass(c, kind);
   if (reason == Reason::traced && impostors) reason = c.programs.triageImpostors();

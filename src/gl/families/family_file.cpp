@@ -75,10 +75,13 @@ class FamilyReader : FamilyTable {
       fail(here(), "family \"" + family_.name +
                        "\": beads, tubes and splats have impostors.depth_bias instead of depth");
     const bool splats = family_.impostors.shape == scene::Shape::splats;
-    if (splats == family_.impostors.projection.empty())
-      fail(here(), "family \"" + family_.name + "\": splats, and only splats, need impostors.projection");
-    if (family_.impostors.given() && !pixels && !family_.impostors.radius.given())
+    if ((splats || family_.impostors.sent) == family_.impostors.projection.empty())
+      fail(here(), "family \"" + family_.name +
+                       "\": splats and sent billboards, and only these, need impostors.projection");
+    if (family_.impostors.given() && !pixels && !family_.impostors.radius.given() &&
+        !family_.impostors.radiusInPosition)
       fail(here(), "family \"" + family_.name + "\" needs impostors.radius");
+    checkSentBillboards();
     if (family_.impostors.shape == scene::Shape::cylinders && family_.impostors.axis.empty())
       fail(here(), "family \"" + family_.name + "\" needs impostors.axis");
   }
@@ -112,6 +115,31 @@ class FamilyReader : FamilyTable {
     const bool phong = family_.model == Family::Model::phong;
     if (!phong && (family_.lights.clamped || family_.lights.infiniteViewer || family_.darkBackFaces))
       fail(here(), of + "lights.clamped, lights.viewer and normals.dark_back_faces are for the model phong");
+  }
+  void checkSentBillboards() const {
+    const FamilyImpostors& f = family_.impostors;
+    const std::string of = "family \"" + family_.name + "\": ";
+    const bool sticks = f.shape == scene::Shape::sticks;
+    if (sticks && !f.sent) fail(here(), of + "sticks need impostors.billboards = \"sent\"");
+    if (sticks && f.end.empty()) fail(here(), of + "sticks need impostors.end");
+    const bool others = !f.end.empty() || !f.endColor.empty() || !f.caps.empty() || !f.roundCaps.empty() ||
+                        !f.halvesBlend.empty();
+    if (!sticks && others)
+      fail(here(), of + "end, end_color, caps, round_caps and halves_blend are for sticks alone");
+    if (!f.sent) {
+      if (!f.corners.empty() || f.parallelView || f.radiusInPosition || f.radiusInObject || f.zeroScaleIsOne)
+        fail(here(), of +
+                         "corners, viewer, radius_in_position, radius_in_object_space and zero_scale_is_one need "
+                         "impostors.billboards = \"sent\"");
+      return;
+    }
+    if (f.shape != scene::Shape::spheres && !sticks)
+      fail(here(), of + "billboards = \"sent\" is for spheres and sticks only");
+    if (f.corners.empty()) fail(here(), of + "sent billboards need impostors.corners");
+    if (family_.eyeFromObject.empty()) fail(here(), of + "sent billboards need transform.eye_from_object");
+    if (family_.code.empty()) fail(here(), of + "sent billboards need match.code");
+    if (family_.geometryShader || !family_.clipPlanes.empty() || !family_.instanceTransform.empty())
+      fail(here(), of + "sent billboards have neither geometry shaders nor clip planes nor instances");
   }
   void checkVertexNormals() const {
     const bool asked = family_.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
@@ -252,15 +280,18 @@ class FamilyReader : FamilyTable {
             {"cylinders", Shape::cylinders},
             {"beads", Shape::beads},
             {"tubes", Shape::tubes},
-            {"splats", Shape::splats}},
+            {"splats", Shape::splats},
+            {"sticks", Shape::sticks}},
            f.shape);
     if (!f.given()) fail(here(), "impostors need a shape");
     const char* const billboards = has("cards") ? "cards" : "billboards";  // cards: the older word
     choice(billboards,
            {{"silhouette", Billboards::silhouette},
             {"triangle", Billboards::triangle},
-            {"faces", Billboards::faces}},
+            {"faces", Billboards::faces},
+            {"sent", Billboards::square}},
            f.billboards);
+    f.sent = f.billboards == Billboards::square;
     if ((f.billboards == Billboards::faces) && f.shape != Shape::cylinders)
       fail(at(billboards), "billboards = \"faces\" is for cylinders only");
     if (f.billboards == Billboards::triangle && f.shape == Shape::cylinders)
@@ -278,10 +309,23 @@ class FamilyReader : FamilyTable {
     value("scale", f.scale);
     value(has("card_scale") ? "card_scale" : "billboard_scale", f.billboardScale);
     name("projection", f.projection);
+    readSentBillboards(f);
     const bool pixels = scene::isSizedInPixels(f.shape);
     if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
       fail(here(), "beads and tubes need bulge and bulge_depth");
     if (f.size.given() != (f.shape == Shape::tubes)) fail(here(), "tubes, and only tubes, need size");
+  }
+  void readSentBillboards(FamilyImpostors& f) {
+    name("corners", f.corners);
+    choice("viewer", {{"origin", false}, {"infinite", true}}, f.parallelView);
+    flag("radius_in_position", f.radiusInPosition);
+    flag("radius_in_object_space", f.radiusInObject);
+    flag("zero_scale_is_one", f.zeroScaleIsOne);
+    name("end", f.end);
+    name("end_color", f.endColor);
+    name("caps", f.caps);
+    name("round_caps", f.roundCaps);
+    eachValue("halves_blend", f.halvesBlend);
   }
   void readPass() {
     choice("does",

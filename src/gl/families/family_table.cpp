@@ -127,12 +127,12 @@ void FamilyTable::flagOrName(const char* key, bool& flag, std::string& name) {
     name = nameIn(key, *node);
 }
 
-void FamilyTable::values(const char* key, FamilyValue (&out)[3]) {
+void FamilyTable::eachValue(const char* key, std::vector<FamilyValue>& out) {
   const toml::node* node = get(key);
   if (!node) return;
-  std::vector<FamilyValue> found;
+  out.clear();
   eachOf(*node, [&](const toml::node& item) {
-    FamilyValue& value = found.emplace_back();
+    FamilyValue& value = out.emplace_back();
     if (item.is_string()) {
       value.uniform = nameIn(key, item);
       mention(value.uniform.substr(0, value.uniform.rfind('[')));  // of an element: the array
@@ -140,6 +140,13 @@ void FamilyTable::values(const char* key, FamilyValue (&out)[3]) {
       value.constant = numbersIn(key, item, 1);
     }
   });
+}
+
+void FamilyTable::values(const char* key, FamilyValue (&out)[3]) {
+  const toml::node* node = get(key);
+  if (!node) return;
+  std::vector<FamilyValue> found;
+  eachValue(key, found);
   if (found.size() != 1 && found.size() != 3)
     fail(*node, std::string(key) + " must have one or three values");
   for (size_t i = 0; i < 3; ++i) out[i] = found[found.size() == 1 ? 0 : i];

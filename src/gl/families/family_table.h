@@ -39,6 +39,8 @@ class FamilyTable {
   /// component
   /// ("ambient.r").
   void value(const char* key, FamilyValue& out);
+  /// A list of uniforms' names or numbers, or one.
+  void eachValue(const char* key, std::vector<FamilyValue>& out);
   /// A list of three uniforms' names or numbers, or one for all three.
   void values(const char* key, FamilyValue (&out)[3]);
   /// A list of uniforms' names or numbers for the lights, or one for all of them.

@@ -103,8 +103,8 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
     if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
   if (!f.impostors.projection.empty() && !p.uniform(f.impostors.projection))
     out.push_back(about("lacks uniform ", f.impostors.projection));
-  if (!f.impostors.axis.empty() && !p.attribute(f.impostors.axis))
-    out.push_back(about("lacks attribute ", f.impostors.axis));
+  for (const std::string* name : {&f.impostors.axis, &f.impostors.corners, &f.impostors.end})
+    if (!name->empty() && !p.attribute(*name)) out.push_back(about("lacks attribute ", *name));
   const bool normals = f.impostors.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
     out.push_back(about("lacks attribute ", f.normal));

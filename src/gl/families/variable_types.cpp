@@ -20,6 +20,7 @@ struct Types {
 const Types kNumber{"a number", [](GLenum t) {
                       return t == GL_FLOAT || t == GL_INT || t == GL_UNSIGNED_INT || t == GL_BOOL;
                     }};
+const Types kFloat{"a float", [](GLenum t) { return t == GL_FLOAT; }};
 const Types kVector{"a vector",
                     [](GLenum t) { return t == GL_FLOAT_VEC2 || t == GL_FLOAT_VEC3 || t == GL_FLOAT_VEC4; }};
 const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
@@ -89,6 +90,10 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
                 &f.impostors.bulge, &f.impostors.bulgeDepth, &f.impostors.depthBias, &f.impostors.scale,
                 &f.impostors.billboardScale});
   check.uniform(f.impostors.projection, kMatrix);
+  check.attribute(f.impostors.end), check.attribute(f.impostors.endColor);
+  for (const std::string* name : {&f.impostors.corners, &f.impostors.caps}) check.attribute(*name, kFloat);
+  check.uniform(f.impostors.roundCaps, kNumber);
+  for (const FamilyValue& factor : f.impostors.halvesBlend) check.values({&factor});
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);

@@ -21,6 +21,7 @@ bool CurrentProgram::drawsImpostors(GLenum mode) const {
   if (inUse == 0) return false;
   const auto program = known(inUse);
   if (!program || !program->family || !program->family->impostors.given()) return false;
+  if (program->family->impostors.sent) return false;
   return (mode == GL_LINES) == (program->family->impostors.shape == scene::Shape::tubes);
 }
 

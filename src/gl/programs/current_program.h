@@ -20,7 +20,7 @@ class CurrentProgram {
   std::shared_ptr<const KnownProgram> known(GLuint name) const;
   /// Name of the program in use; 0: none.
   GLuint name() const;
-  /// Whether the program in use turns the primitives of a draw of this mode into impostors.
+  /// Whether the program in use turns the points or lines of a draw of this mode into impostors.
   bool drawsImpostors(GLenum mode) const;
 
  private:

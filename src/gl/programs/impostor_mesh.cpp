@@ -1,6 +1,7 @@
 // Builds meshes of impostors from the points or separate lines that a draw sends.
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
+#include "gl/programs/sent_billboards.h"
 
 #include <algorithm>
 #include <cstring>
@@ -40,6 +41,7 @@ Hash128 hashOf(const scene::Attribute& a, uint32_t count, Hash128 seed) {
 
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements) {
+  if (arrays.sentBillboards) return buildSentImpostors(real, arrays, mode, elements);
   const ArrayReader centers(real, arrays.vertex), radii(real, arrays.radius), axes(real, arrays.axis),
       colors(real, arrays.color), texcoords(real, arrays.texcoord);
   uint32_t available = centers.available();

@@ -103,6 +103,10 @@ void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* p
     arrays.shape = family->impostors.shape;
     take(family->impostors.radius.uniform, arrays.radius);
     take(family->impostors.axis, arrays.axis);
+    arrays.sentBillboards = family->impostors.sent;
+    arrays.radiusInPosition = family->impostors.radiusInPosition;
+    take(family->impostors.corners, arrays.corners), take(family->impostors.end, arrays.end);
+    take(family->impostors.endColor, arrays.endColor), take(family->impostors.caps, arrays.caps);
   }
   const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
   for (GLint i = 0; i < most; ++i) {

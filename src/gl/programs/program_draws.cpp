@@ -6,6 +6,7 @@
 #include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/programs/pixel_impostors.h"
+#include "gl/programs/sent_billboards.h"
 #include "gl/state/state_queries.h"
 
 #include <algorithm>
@@ -15,8 +16,13 @@ namespace gluray::gl {
 Reason ProgramDraws::triageImpostors() {
   p_.shadow.attributes.impostorRadius = p_.shadow.state.program.impostorRadius;
   if (p_.shadow.attributes.shape == scene::Shape::triangles) return Reason::traced;
-  // Culling may remove billboards, which have two sides, but not points.
+  p_.shadow.attributes.impostorCaps = p_.shadow.state.program.impostorCaps;
+  if (p_.shadow.attributes.sentBillboards &&
+      (p_.shadow.state.depthNear != 0 || p_.shadow.state.depthFar != 1))
+    return Reason::program;
+  // Culling may remove billboards, which have two sides, but neither points nor both sides of boxes.
   if (p_.shadow.attributes.shape != scene::Shape::beads &&
+      p_.shadow.attributes.shape != scene::Shape::sticks &&
       p_.shadow.state.raster.cull != scene::CullFace::none)
     return Reason::program;
   if (scene::isInWindow(p_.shadow.attributes.shape))
@@ -113,7 +119,10 @@ Reason ProgramDraws::triage(const KnownMesh& known) const {
 
 Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (known.homogeneous) return Reason::homogeneous;
-  if (!known.mesh) return Reason::lines;  // with adjacent vertices
+  if (!known.mesh)  // billboards that are not whole; lines with adjacent vertices
+    return p_.shadow.attributes.sentBillboards ? Reason::arrayState : Reason::lines;
+  if (known.mesh->shape == scene::Shape::sticks && !showsSticks(p_.shadow.real, p_.shadow.state, *known.mesh))
+    return Reason::program;
   if (isFarAway(*known.mesh)) return Reason::farAway;
   if (offsetsProgramDepth(p_.shadow.state, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.state.program;

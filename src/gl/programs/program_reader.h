@@ -42,6 +42,7 @@ class ProgramReader {
   Reason readEnabled();
   Reason readImpostors();
   Reason readSplats();
+  Reason readSentBillboards();
   void readClipPlanes();
   void readDepthOffset();
   Reason readNormals();

@@ -175,6 +175,7 @@ Reason ProgramReader::readImpostors() {
   constexpr float kUnit = 1.0f / 65000.0f;  // VTK's unit of depth bias
   out_.impostors.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
   out_.impostorRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
+  if (f.sent) return readSentBillboards();
   return f.shape == scene::Shape::splats ? readSplats() : Reason::traced;
 }
 

@@ -33,6 +33,7 @@ struct ProgramState {
   scene::PolygonOffset depthOffset;
   scene::Impostors impostors;
   float impostorRadius = 1;  // if no array gives it
+  float impostorCaps = 0;
   scene::Attribute triangleColors, triangleNormals, triangleEdges;
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;

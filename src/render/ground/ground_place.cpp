@@ -23,16 +23,19 @@ struct Box {
 
 /// The largest radius of figures around the mesh's vertices that does not depend on the camera, in the
 /// program's eye space; 0: there is none.
-double radiusOf(const scene::Mesh& mesh) {
+double radiusOf(const scene::Instance& instance) {
+  const scene::Mesh& mesh = *instance.mesh;
   const bool known = mesh.shape == scene::Shape::spheres || mesh.shape == scene::Shape::discs ||
-                     mesh.shape == scene::Shape::cylinders;
+                     mesh.shape == scene::Shape::cylinders || mesh.shape == scene::Shape::sticks;
   if (!known) return 0;
   double most = mesh.radii ? 0 : double{std::abs(mesh.radius)};
   for (uint32_t i = 0; mesh.radii && i < mesh.vertexCount; ++i) {
     const double radius = double{std::abs(scene::fetch(mesh.radii, i).x)};
     if (std::isfinite(radius)) most = std::max(most, radius);
   }
-  return most;
+  const bool isScaled = instance.impostors.billboards == scene::Impostors::Billboards::square ||
+                        mesh.shape == scene::Shape::sticks;
+  return isScaled ? most / double{instance.impostors.radiusDivisor} : most;
 }
 
 glm::dvec3 axesOf(const glm::dmat4& m) {
@@ -49,7 +52,7 @@ Box boundsOf(const scene::Snapshot& s, const glm::dmat4& viewFromWorld, const gl
     const scene::Mesh& mesh = *instance.mesh;
     if (mesh.triangleCount == 0 || instance.ground) continue;
     const glm::dmat4 place = viewFromWorld * glm::dmat4(instance.worldFromObject);
-    const double radius = radiusOf(mesh);
+    const double radius = radiusOf(instance);
     glm::dvec3 around(0);
     if (radius > 0)
       around = radius / axes *
