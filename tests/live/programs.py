@@ -98,8 +98,12 @@ def mayavi(folder):
     return ["env", f"PYTHONPATH={unpacked.stdout.strip()}", *script]
 
 
-def pymol(folder):
-    return ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600", str(HERE / "pymol_scene.py")]
+def pymol(folder, scene="pymol_scene.py"):
+    return ["/usr/bin/python3", "-m", "pymol.__init__", "-q", "-x", "-i", "-W", "600", "-H", "600", str(HERE / scene)]
+
+
+def pymol_sticks(folder):
+    return pymol(folder, "pymol_sticks_scene.py")
 
 
 def f3d(folder):
@@ -161,6 +165,10 @@ MORE = {
                       needs=(module("pyqtgraph"),)),
     "pymol": wide(pymol, "Qt 5; GLSL 1.20, a depth cue; sticks are impostors", 0.98, rest=4.0, needs=("pymol",)),
     "pymol_clear": wide(pymol, "the same without depth cue", 0.98, rest=4.0, needs=("pymol",), environment={"LIVE_DEPTH_CUE": "0"}),
+    "pymol_sticks": wide(pymol_sticks, "spheres and sticks as impostors, whose billboards it sends; few triangles beside its text",
+                         0.85, rest=4.0, needs=("pymol",)),
+    "pymol_ortho": wide(pymol_sticks, "the same, seen in parallel, with smaller balls, four lights and no depth cue", 0.9, rest=4.0,
+                        needs=("pymol",), environment={"PYMOL_SETTINGS": "ortho 1,depth_cue 0,stick_ball 1,light_count 4"}),
     # Shaders of their own.
     "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object; blending", culled=10, rest=3.0, needs=(module("vispy"),)),
     "silx": whole(script("silx_scene.py"), "Qt 5; blending", culled=5, rest=3.0, needs=(module("silx"),)),
