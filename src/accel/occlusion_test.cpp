@@ -79,6 +79,12 @@ std::shared_ptr<scene::Mesh> impostors(Shape shape) {
   mesh->lower = glm::vec3(-1), mesh->upper = glm::vec3(1);
   mesh->geometryId = hashBytes(&shape, sizeof shape);
   mesh->positions = test::makeAttribute(centers, scene::Format::float3);
+  if (shape == Shape::sticks) {
+    std::vector<uint32_t> ends(centers.size());
+    for (uint32_t i = 0; i < ends.size(); ++i)
+      ends[i] = i % 5 < 2 ? scene::kClosedEnd | scene::kRoundEnd : i % 2;
+    mesh->ends = test::makeAttribute(ends, scene::Format::uint32);
+  }
   if (shape == Shape::cylinders) mesh->axes = test::makeAttribute(axes, scene::Format::float3);
   if (!scene::isSizedInPixels(shape)) mesh->radii = test::makeAttribute(radii, scene::Format::float1);
   return mesh;
@@ -139,13 +145,14 @@ uint32_t lanesThatHit(const World& world, const int32_t* valid, const OcclusionR
   return hits;
 }
 
-enum class Geometry { triangles, grid, spheres, discs, cylinders, beads, tubes, splats };
-constexpr const char* kNames[] = {"triangles", "grid",  "spheres", "discs",
-                                  "cylinders", "beads", "tubes",   "splats"};
+enum class Geometry { triangles, grid, spheres, discs, cylinders, beads, tubes, splats, sticks };
+constexpr const char* kNames[] = {"triangles", "grid",  "spheres", "discs", "cylinders",
+                                  "beads",     "tubes", "splats",  "sticks"};
 
 scene::MeshPtr meshOf(Geometry geometry) {
   if (geometry == Geometry::triangles) return triangles();
   if (geometry == Geometry::grid) return grid();
+  if (geometry == Geometry::sticks) return impostors(Shape::sticks);
   return impostors(static_cast<Shape>(static_cast<int>(geometry) - 1));
 }
 
@@ -185,7 +192,8 @@ TEST_P(Occlusion, IsWhereRaysHitSomething) {
 INSTANTIATE_TEST_SUITE_P(
     All, Occlusion,
     testing::Combine(testing::Values(Geometry::triangles, Geometry::grid, Geometry::spheres, Geometry::discs,
-                                     Geometry::cylinders, Geometry::beads, Geometry::tubes, Geometry::splats),
+                                     Geometry::cylinders, Geometry::beads, Geometry::tubes, Geometry::splats,
+                                     Geometry::sticks),
                      testing::Values(BvhQuality::fast, BvhQuality::full, BvhQuality::compact,
                                      BvhQuality::least),
                      testing::Range(0, 3)),

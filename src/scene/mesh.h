@@ -58,8 +58,8 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
 /// (one vertex) and tubes (a line between two) have a size in pixels. Splats (one vertex with a radius) are
 /// ellipses in the window. Balls (one vertex) and capsules (the convex hull of balls about the ends of a
 /// line) are the points and lines of programs that draw them flat: they are solid, and every ray meets them
-/// where they are. Sticks (a line between two vertices, with a radius) are cylinders around the line, round in
-/// the space of Instance::lightingFromObject, whose ends are open, flat or round (StickEnd).
+/// where they are. Sticks (a line between two vertices, with a radius) are cylinders around the line, round
+/// in the space of Instance::lightingFromObject, whose ends are open, flat or round (StickEnd).
 enum class Shape : uint8_t {
   triangles,
   spheres,
@@ -85,9 +85,9 @@ constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape 
 
 /// Bits of Mesh::ends.
 enum StickEnd : uint32_t {
-  kClosedEnd = 1,   // otherwise nothing is visible there
-  kRoundEnd = 2,    // closed by half a ball, where Impostors::roundEnds allows it; otherwise flat
-  kTwoHalves = 4,   // of the first vertex: colours change in the middle, otherwise they are interpolated
+  kClosedEnd = 1,  // otherwise nothing is visible there
+  kRoundEnd = 2,   // closed by half a ball, where Impostors::roundEnds allows it; otherwise flat
+  kTwoHalves = 4,  // of the first vertex: colours change in the middle, otherwise they are interpolated
 };
 
 /// Triangles in object space. Triangle t has the vertices corner(t, 0..2), in winding order; OpenGL's
@@ -129,7 +129,8 @@ struct Mesh {
     return indices ? reinterpret_cast<const uint32_t*>(indices.data)[i] : i;
   }
   uint32_t endAt(uint32_t vertex) const {
-    return ends ? *reinterpret_cast<const uint32_t*>(ends.data + static_cast<size_t>(vertex) * ends.stride) : 0;
+    return ends ? *reinterpret_cast<const uint32_t*>(ends.data + static_cast<size_t>(vertex) * ends.stride)
+                : 0;
   }
   glm::vec3 position(uint32_t vertex) const {
     const auto* f =

@@ -64,7 +64,7 @@ struct Impostor {
   bool parallelView, inside;
   glm::vec3 center;
   float radius, cardRadius;
-  glm::vec2 square{0};  // Billboards::square: half of its width and height
+  glm::vec2 square{0};      // Billboards::square: half of its width and height
   glm::vec3 toViewer;       // unit: the billboard's normal
   glm::vec3 right, up;      // unit: the billboard's axes; of cylinders: across, and towards the box's back
   glm::vec3 axis{0, 0, 1};  // unit

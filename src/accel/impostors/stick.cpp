@@ -73,8 +73,8 @@ bool Stick::make(const PlacedImpostors& placed, uint32_t primitive, Stick& s) {
   s.halves = (bits[0] & scene::kTwoHalves) != 0;
   const uint32_t first = mesh.corner(primitive, 0);
   s.radius = (mesh.radii ? scene::fetch(mesh.radii, first).x : mesh.radius) / placed.look.radiusDivisor;
-  const glm::dvec3 line = glm::dmat3(glm::mat3(placed.lightingFromObject)) *
-                          (glm::dvec3(object[1]) - glm::dvec3(object[0]));
+  const glm::dvec3 line =
+      glm::dmat3(glm::mat3(placed.lightingFromObject)) * (glm::dvec3(object[1]) - glm::dvec3(object[0]));
   const double length = glm::length(line);
   s.axis = glm::vec3(line / length);
   s.halfLength = static_cast<float>(0.5 * length);
@@ -136,8 +136,8 @@ std::optional<StickHit> meetSolid(const Stick& s, const glm::dvec3& org, const g
     const glm::dvec3 out = line.aside + t * line.across;
     if (s.ends[place < 0 ? 0 : 1] == Stick::End::round)
       return StickHit{there, std::abs(place) > half ? line.at(t) - side * half * line.axis : out};
-    const bool onEnd = std::abs(std::abs(place) - half) < 1e-6 * half &&
-                       glm::dot(out, out) < radius * radius * (1 - 1e-6);
+    const bool onEnd =
+        std::abs(std::abs(place) - half) < 1e-6 * half && glm::dot(out, out) < radius * radius * (1 - 1e-6);
     return StickHit{there, onEnd ? side * line.axis : out};
   }
   return std::nullopt;

@@ -174,6 +174,23 @@ TEST(SnapshotStream, ValuesArrive) {
   EXPECT_EQ(read->surroundings->blended, s.surroundings->blended);
 }
 
+TEST(SnapshotStream, SticksArrive) {
+  Ends ends;
+  scene::Snapshot s = snapshot();
+  auto mesh = std::make_shared<scene::Mesh>(*twoTriangles());
+  mesh->shape = scene::Shape::sticks;
+  mesh->indices = {};
+  mesh->ends = attributeOf<uint32_t>({1, 2, 3, 7}, scene::Format::uint32);
+  s.instances[1].mesh = mesh;
+  s.instances[1].impostors.roundEnds = false, s.instances[1].impostors.halvesBlend = 0.5f;
+  const scene::SnapshotPtr read = ends.sent(s);
+  const scene::Instance& got = read->instances[1];
+  EXPECT_EQ(got.mesh->shape, scene::Shape::sticks);
+  EXPECT_EQ(got.mesh->endAt(3), 7u);
+  EXPECT_EQ(got.impostors, s.instances[1].impostors);
+  EXPECT_EQ(read->instances[0].mesh->endAt(0), 0u);
+}
+
 TEST(SnapshotStream, EqualContentIsSentAndKeptOnce) {
   Ends ends;
   const scene::Snapshot s = snapshot();

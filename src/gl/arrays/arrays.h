@@ -30,7 +30,7 @@ struct ArraySource {
 
 struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
-  ArraySource radius, axis;  // of impostors (scene/impostors.h)
+  ArraySource radius, axis;                  // of impostors (scene/impostors.h)
   ArraySource corners, end, endColor, caps;  // of impostors whose billboards the program sends
   bool sentBillboards = false;               // these, and:
   bool radiusInPosition = false;
@@ -50,9 +50,8 @@ struct ArrayState {
   /// All per-vertex arrays except `generic`, in a fixed order.
   template <class Each>
   void forEach(Each&& each) const {
-    for (const ArraySource* source :
-         {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord, &radius, &axis, &corners, &end,
-          &endColor, &caps})
+    for (const ArraySource* source : {&vertex, &normal, &color, &secondaryColor, &fogCoord, &texcoord,
+                                      &radius, &axis, &corners, &end, &endColor, &caps})
       each(*source);
     for (const ArraySource& source : texcoordsAbove) each(source);
   }
@@ -103,8 +102,8 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 /// Builds the mesh of a surface draw; buffers are read in place if their format allows it.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// The same for a draw of points or separate lines that the program shows as impostors, or of billboards. Null
-/// if billboards are not whole (gl/programs/sent_billboards.h).
+/// The same for a draw of points or separate lines that the program shows as impostors, or of billboards.
+/// Null if billboards are not whole (gl/programs/sent_billboards.h).
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements);
 

@@ -93,14 +93,15 @@ struct FamilyImpostors {
   std::string projection;                          // uniform: projection matrix of splats and sent billboards
   /// The program sends the billboards' corners, each with all values of its impostor.
   bool sent = false;
-  std::string corners;          // attribute: which corner a vertex is, a bit for each direction
-  bool parallelView = false;    // the viewer is at infinity; otherwise at the origin
+  std::string corners;            // attribute: which corner a vertex is, a bit for each direction
+  bool parallelView = false;      // the viewer is at infinity; otherwise at the origin
   bool radiusInPosition = false;  // the position's fourth component is the radius
-  bool radiusInObject = false;  // radii are in object space: divided by the length of normalMatrix's first column
-  bool zeroScaleIsOne = false;  // a `scale` of 0 has no effect
-  std::string end, endColor;    // of sticks: attributes of their second ends
-  std::string caps;             // of sticks: attribute, bits
-  std::string roundCaps;        // of sticks: uniform; 0: round ends are flat
+  bool radiusInObject =
+      false;  // radii are in object space: divided by the length of normalMatrix's first column
+  bool zeroScaleIsOne = false;           // a `scale` of 0 has no effect
+  std::string end, endColor;             // of sticks: attributes of their second ends
+  std::string caps;                      // of sticks: attribute, bits
+  std::string roundCaps;                 // of sticks: uniform; 0: round ends are flat
   std::vector<FamilyValue> halvesBlend;  // of sticks: factors of scene::Impostors::halvesBlend
   bool given() const { return shape != scene::Shape::triangles; }
 };

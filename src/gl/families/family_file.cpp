@@ -128,9 +128,9 @@ class FamilyReader : FamilyTable {
       fail(here(), of + "end, end_color, caps, round_caps and halves_blend are for sticks alone");
     if (!f.sent) {
       if (!f.corners.empty() || f.parallelView || f.radiusInPosition || f.radiusInObject || f.zeroScaleIsOne)
-        fail(here(), of +
-                         "corners, viewer, radius_in_position, radius_in_object_space and zero_scale_is_one need "
-                         "impostors.billboards = \"sent\"");
+        fail(here(),
+             of + "corners, viewer, radius_in_position, radius_in_object_space and zero_scale_is_one need "
+                  "impostors.billboards = \"sent\"");
       return;
     }
     if (f.shape != scene::Shape::spheres && !sticks)

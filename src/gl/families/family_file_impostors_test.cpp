@@ -78,5 +78,60 @@ TEST(FamilyFile, Splats) {
             std::string::npos);
 }
 
+const std::string kSent =
+    "impostors.shape = \"spheres\"\nimpostors.billboards = \"sent\"\nimpostors.corners = \"k\"\n"
+    "impostors.projection = \"pm\"\ntransform.eye_from_object = \"mv\"\nmatch.code = \"c\"\n";
+const std::string kStick =
+    "impostors.shape = \"sticks\"\nimpostors.billboards = \"sent\"\nimpostors.corners = \"k\"\n"
+    "impostors.projection = \"pm\"\ntransform.eye_from_object = \"mv\"\nmatch.code = \"c\"\n"
+    "impostors.radius = \"r\"\n";
+
+TEST(FamilyFile, SentBillboards) {
+  const Family f = parsed(kStick +
+                          "impostors.end = \"e\"\nimpostors.end_color = \"ec\"\nimpostors.caps = \"c\"\n"
+                          "impostors.round_caps = \"rc\"\nimpostors.halves_blend = [\"hb\", 0.5]\n"
+                          "impostors.viewer = \"infinite\"\nimpostors.zero_scale_is_one = true\n"
+                          "impostors.radius_in_object_space = true\nimpostors.scale = \"s\"\n");
+  EXPECT_EQ(f.impostors.shape, scene::Shape::sticks);
+  EXPECT_EQ(f.impostors.corners, "k");
+  EXPECT_EQ(f.impostors.end, "e");
+  EXPECT_EQ(f.impostors.endColor, "ec");
+  EXPECT_EQ(f.impostors.caps, "c");
+  EXPECT_EQ(f.impostors.roundCaps, "rc");
+  ASSERT_EQ(f.impostors.halvesBlend.size(), 2u);
+  EXPECT_EQ(f.impostors.halvesBlend[0].uniform, "hb");
+  EXPECT_EQ(f.impostors.halvesBlend[1].constant, Numbers{0.5f});
+  EXPECT_TRUE(f.impostors.sent && f.impostors.parallelView && f.impostors.radiusInObject);
+  EXPECT_TRUE(f.impostors.zeroScaleIsOne && !f.impostors.radiusInPosition);
+  EXPECT_TRUE(f.mentions("k") && f.mentions("e") && f.mentions("ec") && f.mentions("rc") && f.mentions("hb"));
+  const Family sphere = parsed(kSent + "impostors.radius_in_position = true\n");
+  EXPECT_TRUE(sphere.impostors.sent && sphere.impostors.radiusInPosition && !sphere.impostors.parallelView);
+}
+
+TEST(FamilyFile, MistakesInSentBillboards) {
+  const auto has = [](const std::string& line, const char* text) {
+    EXPECT_NE(mistakeIn(line).find(text), std::string::npos) << mistakeIn(line);
+  };
+  const auto without = [](std::string text, const std::string& key) {
+    const size_t at = text.find(key);
+    return text.erase(at, text.find('\n', at) + 1 - at);
+  };
+  const std::string inPosition = "impostors.radius_in_position = true\n", end = "impostors.end = \"e\"\n";
+  EXPECT_EQ(mistakeIn(kSent + inPosition), "none");
+  EXPECT_EQ(mistakeIn(kStick + end), "none");
+  has(kSent, "needs impostors.radius");
+  has(without(kSent + inPosition, "impostors.corners"), "sent billboards need impostors.corners");
+  has(without(kSent + inPosition, "impostors.projection"), "need impostors.projection");
+  has(without(kSent + inPosition, "transform.eye"), "need transform.eye_from_object");
+  has(without(kSent + inPosition, "match.code"), "sent billboards need match.code");
+  has(without(kSent + inPosition, "impostors.billboards"), "impostors.projection");
+  has(kSent + inPosition + end, "are for sticks alone");
+  has(kStick, "sticks need impostors.end");
+  has(without(kStick + end, "impostors.billboards"), "need impostors.projection");
+  has(kSent + inPosition + "match.geometry_shader = true", "neither geometry shaders");
+  has(kSent + inPosition + "impostors.viewer = \"here\"", "origin, infinite");
+  has("impostors.shape = \"spheres\"\nimpostors.radius = 1\nimpostors.corners = \"k\"\n", "need ");
+}
+
 }  // namespace
 }  // namespace gluray::gl

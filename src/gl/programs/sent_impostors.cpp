@@ -21,7 +21,8 @@ constexpr size_t kMostCorners = 36;  // of a box: two triangles for each side
 
 /// What all corners of a billboard have in common.
 struct CornerValues {
-  float position[4] = {0, 0, 0, 1}, radius[4] = {}, color[4] = {}, end[4] = {}, endColor[4] = {}, caps[4] = {};
+  float position[4] = {0, 0, 0, 1}, radius[4] = {}, color[4] = {}, end[4] = {}, endColor[4] = {},
+        caps[4] = {};
   bool operator==(const CornerValues& o) const { return std::memcmp(this, &o, sizeof o) == 0; }
 };
 
@@ -68,7 +69,7 @@ class Billboards {
 
 /// All vertex numbers of the draw; empty if one does not exist.
 std::vector<uint32_t> allNumbersOf(const RealGl& real, const ArrayState& arrays, const Elements& e,
-                                uint32_t available) {
+                                   uint32_t available) {
   std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
   const bool whole = numbers.size() == static_cast<size_t>(std::max(e.count, 0)) &&
                      std::ranges::all_of(numbers, [&](uint32_t n) { return n < available; });
@@ -102,7 +103,8 @@ bool isSphere(const CornerValues& v) {
 bool isStick(const CornerValues& v) {
   const glm::vec3 a(v.position[0], v.position[1], v.position[2]), b(v.end[0], v.end[1], v.end[2]);
   const float length = glm::distance(a, b), caps = v.caps[0];
-  return isSphere(v) && std::isfinite(length) && length > 0 && caps >= 0 && caps < 32 && caps == std::floor(caps);
+  return isSphere(v) && std::isfinite(length) && length > 0 && caps >= 0 && caps < 32 &&
+         caps == std::floor(caps);
 }
 
 /// Bits of scene::StickEnd, for the first and the second end, from those of the attribute.
@@ -217,8 +219,8 @@ bool showsSticks(const RealGl& real, const State& state, const scene::Mesh& mesh
             scale * double{mesh.radius});
   // The program's depths are clamped, not discarded, beyond the far plane: a test for less refuses these.
   const glm::dmat4 clipFromEye = program.clipFromObject * glm::inverse(eye);
-  const double farthest = (clipFromEye[2].z * all.low + clipFromEye[3].z) /
-                          (clipFromEye[2].w * all.low + clipFromEye[3].w);
+  const double farthest =
+      (clipFromEye[2].z * all.low + clipFromEye[3].z) / (clipFromEye[2].w * all.low + clipFromEye[3].w);
   if (integer(real, GL_DEPTH_FUNC) != GL_LESS && !(farthest < 1)) return false;
   if (!program.impostors.parallelView && all.high < 0) return true;
   const glm::dmat3 turn(eye);

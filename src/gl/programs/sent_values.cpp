@@ -15,10 +15,12 @@ bool isProjectionFrom(const glm::mat4& m, bool parallel) {
   return rows[3].z == -1 && rows[3].w == 0 && rows[0].w == 0 && rows[1].w == 0;
 }
 
-/// Whether the matrix turns, moves and scales alike in all directions, and `normals` is its inverse transpose.
+/// Whether the matrix turns, moves and scales alike in all directions, and `normals` is its inverse
+/// transpose.
 bool isSimilar(const glm::dmat4& matrix, const glm::mat3& normals) {
   constexpr double kRounding = 1e-4;
-  const glm::dmat3 m(matrix), product = glm::transpose(m) * m, turned = glm::transpose(m) * glm::dmat3(normals);
+  const glm::dmat3 m(matrix), product = glm::transpose(m) * m,
+                              turned = glm::transpose(m) * glm::dmat3(normals);
   const double squared = product[0][0];
   if (!(squared > 0)) return false;
   for (int c = 0; c < 3; ++c)

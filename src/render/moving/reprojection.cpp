@@ -15,7 +15,8 @@ void Placement::take(const scene::Snapshot& s) {
     const scene::Instance& instance = scene::instanceOf(s, i);
     Object& object = objects[i];
     object.geometry = instance.mesh->geometryId, object.triangles = instance.mesh->triangleCount;
-    object.eyeFromObject = instance.eyeFromObject, object.radius = instance.mesh->radius;
+    object.eyeFromObject = instance.eyeFromObject;
+    object.radius = instance.mesh->radius / instance.impostors.radiusDivisor;
     object.clipPlanes.clear();
     for (const glm::dvec4& plane : instance.clipPlanes)
       object.clipPlanes.push_back(plane * instance.eyeFromObject);

@@ -44,6 +44,33 @@ TEST(PathSurfaces, ImpostorsAreSolids) {
   EXPECT_NEAR(radiances(s).mean().g, 36.0f / 144, 0.004f);
 }
 
+TEST(PathSurfaces, SticksShineInTheColorsOfBothEnds) {
+  GLURAY_RELEASE_ONLY();
+  float brightness[2];
+  for (int k = 0; k < 2; ++k) {
+    auto mesh = std::make_shared<scene::Mesh>();
+    mesh->shape = scene::Shape::sticks;
+    mesh->triangleCount = 1, mesh->vertexCount = 2, mesh->radius = 3;
+    mesh->positions = test::makeAttribute<glm::vec3>({{-6, 0, 8}, {6, 0, 8}}, scene::Format::float3);
+    const glm::vec4 black(0, 0, 0, 1), white(1);
+    mesh->colors = test::makeAttribute<glm::vec4>({k == 0 ? black : white, k == 0 ? white : black},
+                                                  scene::Format::float4);
+    mesh->ends = test::makeAttribute<uint32_t>({scene::kClosedEnd | scene::kTwoHalves, scene::kClosedEnd},
+                                               scene::Format::uint32);
+    mesh->lower = {-6, 0, 8}, mesh->upper = {6, 0, 8};
+    mesh->geometryId = hashBytes(&k, sizeof k);
+    scene::Snapshot s = test::pathView({test::backWall(), mesh});
+    shadeByProgram(s, 1);
+    s.shadings[s.instances[1].shading].fragment.color = scene::FragmentShading::Color::vertices;
+    s.instances[1].materials[0].front.ambient = {1, 1, 1, 1};
+    s.camera.clipFromEye = glm::perspective(glm::radians(0.5), 1.0, 0.1, 1000.0);
+    s.settings.environment.strength = 0;
+    brightness[k] = radiances(s).mean().g;
+  }
+  EXPECT_GT(brightness[0], 0.02f);
+  EXPECT_NEAR(brightness[0], brightness[1], 0.01f);
+}
+
 /// A wall under a black lid that hides all of its sky.
 scene::Snapshot underLid() {
   scene::Snapshot s =

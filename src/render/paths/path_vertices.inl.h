@@ -194,6 +194,21 @@ inline void bouncedSolids(const Path& path, const Surface& s, const accel::RayPa
   }
 }
 
+/// Places along sticks, for the colours of their two ends. `point`: eye space.
+inline void placeOnSticks(const Surface& s, const Row (&point)[3], Group& group) {
+  const glm::dmat4 objectFromEye = glm::inverse(s.instance->eyeFromObject);
+  const auto corner = [&](int k, int i) {
+    return glm::dvec3(group.position[k][0][i], group.position[k][1][i], group.position[k][2][i]);
+  };
+  for (int i = 0; i < kLanes; ++i) {
+    const glm::dvec3 line = corner(1, i) - corner(0, i);
+    const glm::dvec3 at(objectFromEye * glm::dvec4(point[0][i], point[1][i], point[2][i], 1));
+    const double share = glm::dot(at - corner(0, i), line) / glm::dot(line, line);
+    const bool halves = (s.mesh->endAt(group.vertex[0][i]) & scene::kTwoHalves) != 0;
+    group.u[i] = static_cast<float>(halves ? (share < 0.5 ? 0.0 : 1.0) : std::clamp(share, 0.0, 1.0));
+  }
+}
+
 /// How wide pixels are on the triangles of the group. `cones`: of the packet's rays.
 inline void footprintsOf(const Surface& s, const Group& group, const accel::RayPacket& packet,
                          const Row (&from)[3], const RayCone (&cones)[kLanes], WeightSteps (&out)[kLanes]) {
@@ -229,6 +244,7 @@ HWY_ATTR inline void bouncedVertices(const Path& path, const accel::RayPacket& p
       group.steps = nullptr;
       bouncedSolids(path, s, packet, group, from, rows);
       finishSolids(path.metric, s, rows);
+      if (s.mesh->shape == scene::Shape::sticks) placeOnSticks(s, rows.point, group);
     }
     colorVertices(path, path.bounced(), instance, group, from, rows, x, y, out);
   }

@@ -106,8 +106,8 @@ HWY_ATTR inline void locate(const FrameData& frame, uint32_t instance, size_t fi
     computeCapsules(s, frame.world->impostorsOf(instance), frame.depth, centers.x, centers.y, shown.group,
                     shown.seen);
   else if (s.mesh->shape == scene::Shape::sticks)
-    computeSticks(s, frame.world->impostorsOf(instance), frame.depth, centers.x, centers.y, true,
-                  shown.group, shown.seen);
+    computeSticks(s, frame.world->impostorsOf(instance), frame.depth, centers.x, centers.y, true, shown.group,
+                  shown.seen);
   else
     computeImpostors(s, frame.depth, Pinhole(), centers.x, centers.y, shown.group, shown.seen);
 }

@@ -31,9 +31,8 @@ HWY_ATTR inline void computeSticks(const Surface& surface, const accel::PlacedIm
                                    Group& group, DepthAndFacing& out) {
   const ImpostorSpace& space = surface.impostors;
   const int leader = std::countr_zero(group.lanes);
-  const auto position = [&](float at) HWY_ATTR {
-    return atCenters ? std::floor(double{at}) + 0.5 : double{at};
-  };
+  const auto position = [&](float at)
+                            HWY_ATTR { return atCenters ? std::floor(double{at}) + 0.5 : double{at}; };
   const auto compute = [&](int i) HWY_ATTR {
     accel::Stick stick;
     accel::Stick::make(placed, group.primitive[i], stick);

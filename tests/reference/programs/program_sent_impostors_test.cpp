@@ -54,8 +54,8 @@ INSTANTIATE_TEST_SUITE_P(Cases, SentBillboards, testing::ValuesIn(kSentCases),
 View viewFrom(double distance, double scale) {
   View view = perspectiveView(35);
   const glm::dmat4 turned = glm::rotate(glm::dmat4(1), 0.6, glm::dvec3(1, 2, 0.5));
-  view.eyeFromObject =
-      glm::translate(glm::dmat4(1), {0, 0, -distance}) * turned * glm::scale(glm::dmat4(1), glm::dvec3(scale));
+  view.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -distance}) * turned *
+                       glm::scale(glm::dmat4(1), glm::dvec3(scale));
   return view;
 }
 

@@ -29,7 +29,8 @@ const std::string kBoxVertex =
     "void main() { vec3 w = normalize(tip - place.xyz);\n"
     "  vec3 u = normalize(cross(w, abs(w.x) < 0.9 ? vec3(1, 0, 0) : vec3(0, 1, 0))), v = cross(u, w);\n"
     "  float wide = place.w * (scale != 0.0 ? scale : 1.0);\n"
-    "  vec3 p = (side(2.0) > 0.0 ? tip : place.xyz) + wide * (side(4.0) * u + side(1.0) * v + side(2.0) * w);\n"
+    "  vec3 p = (side(2.0) > 0.0 ? tip : place.xyz) + wide * (side(4.0) * u + side(1.0) * v + side(2.0) * "
+    "w);\n"
     "  at = (modelview * vec4(p, 1)).xyz; foot = (modelview * vec4(place.xyz, 1)).xyz;\n"
     "  head = (modelview * vec4(tip, 1)).xyz; way = normalize(turn * w); r = wide / length(turn[0]);\n"
     "  tint = paint, tipTint = tipPaint, kinds = caps; gl_Position = projection * vec4(at, 1);\n"
@@ -53,7 +54,8 @@ const std::string kBoxFragment =
     "  vec3 m = o - foot; float h = distance(foot, head), dz = dot(d, way), mz = dot(m, way);\n"
     "  vec3 e = d - dz * way, f = m - mz * way; float a = dot(e, e), s = -dot(e, f) / a;\n"
     "  vec3 beside = f + s * e; float q = r * r - dot(beside, beside); if (q < 0.0) discard;\n"
-    "  float t = s - sqrt(q / a), z = mz + t * dz, share = clamp(z / h, 0.0, 1.0), bits = floor(kinds + 0.5);\n"
+    "  float t = s - sqrt(q / a), z = mz + t * dz, share = clamp(z / h, 0.0, 1.0), bits = floor(kinds + "
+    "0.5);\n"
     "  if (mod(floor(bits / 16.0), 2.0) < 0.5) {\n"
     "    float around = clamp(-blend * (o + t * d).z, 0.0, 0.5);\n"
     "    share = smoothstep(0.5 - around, 0.5 + around, share); }\n"
@@ -74,9 +76,10 @@ std::string vertexTextOf(bool sticks, bool parallel) {
 }
 
 std::string fragmentTextOf(bool sticks, bool parallel) {
-  const std::string inputs = sticks ? "in vec3 foot, head, way, tipTint; in float kinds; uniform float blend;\n"
-                                      "uniform int roundCaps;\n"
-                                    : "in vec3 center;\n";
+  const std::string inputs = sticks
+                                 ? "in vec3 foot, head, way, tipTint; in float kinds; uniform float blend;\n"
+                                   "uniform int roundCaps;\n"
+                                 : "in vec3 center;\n";
   return kSentFragmentHead + inputs + "void main() {" + (parallel ? kParallelLine : kPerspectiveLine) +
          (sticks ? kBoxFragment : kSquareFragment);
 }
@@ -95,7 +98,8 @@ void SentImpostors::addCorners() {
   const auto first = static_cast<GLushort>(corners.size());
   for (uint32_t k = 0; k < cornersEach(); ++k) corners.push_back(static_cast<float>(k));
   const auto square = [&](int zero, int a, int b) {
-    for (const int k : {0, a, a | b, 0, a | b, b}) numbers.push_back(static_cast<GLushort>(first + (zero | k)));
+    for (const int k : {0, a, a | b, 0, a | b, b})
+      numbers.push_back(static_cast<GLushort>(first + (zero | k)));
   };
   if (!sticks) return square(0, 1, 2);
   for (int side = 0; side < 3; ++side) {
@@ -134,7 +138,8 @@ SentImpostors manySticks() {
     const auto t = static_cast<float>(i);
     const glm::vec3 at(std::sin(1.7f * t), std::sin(2.3f * t + 1), std::cos(0.9f * t));
     s.addStick(at, at + 0.5f * glm::vec3(std::sin(t), std::cos(3 * t), std::sin(2 * t)),
-               0.07f + 0.03f * std::sin(5 * t), i % 32, {1, 0.5f + 0.5f * std::sin(t), 0.3f}, {0.2f, 0.4f, 1});
+               0.07f + 0.03f * std::sin(5 * t), i % 32, {1, 0.5f + 0.5f * std::sin(t), 0.3f},
+               {0.2f, 0.4f, 1});
   }
   return s;
 }
