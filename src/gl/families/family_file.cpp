@@ -4,6 +4,7 @@
 #include "gl/families/code_sections.h"
 #include "gl/families/family.h"
 #include "gl/families/family_table.h"
+#include "gl/families/sent_billboard_keys.h"
 
 #include <algorithm>
 
@@ -81,7 +82,8 @@ class FamilyReader : FamilyTable {
     if (family_.impostors.given() && !pixels && !family_.impostors.radius.given() &&
         !family_.impostors.radiusInPosition)
       fail(here(), "family \"" + family_.name + "\" needs impostors.radius");
-    checkSentBillboards();
+    if (const std::string mistake = mistakeInSentBillboards(family_); !mistake.empty())
+      fail(here(), "family \"" + family_.name + "\": " + mistake);
     if (family_.impostors.shape == scene::Shape::cylinders && family_.impostors.axis.empty())
       fail(here(), "family \"" + family_.name + "\" needs impostors.axis");
   }
@@ -115,31 +117,6 @@ class FamilyReader : FamilyTable {
     const bool phong = family_.model == Family::Model::phong;
     if (!phong && (family_.lights.clamped || family_.lights.infiniteViewer || family_.darkBackFaces))
       fail(here(), of + "lights.clamped, lights.viewer and normals.dark_back_faces are for the model phong");
-  }
-  void checkSentBillboards() const {
-    const FamilyImpostors& f = family_.impostors;
-    const std::string of = "family \"" + family_.name + "\": ";
-    const bool sticks = f.shape == scene::Shape::sticks;
-    if (sticks && !f.sent) fail(here(), of + "sticks need impostors.billboards = \"sent\"");
-    if (sticks && f.end.empty()) fail(here(), of + "sticks need impostors.end");
-    const bool others = !f.end.empty() || !f.endColor.empty() || !f.caps.empty() || !f.roundCaps.empty() ||
-                        !f.halvesBlend.empty();
-    if (!sticks && others)
-      fail(here(), of + "end, end_color, caps, round_caps and halves_blend are for sticks alone");
-    if (!f.sent) {
-      if (!f.corners.empty() || f.parallelView || f.radiusInPosition || f.radiusInObject || f.zeroScaleIsOne)
-        fail(here(),
-             of + "corners, viewer, radius_in_position, radius_in_object_space and zero_scale_is_one need "
-                  "impostors.billboards = \"sent\"");
-      return;
-    }
-    if (f.shape != scene::Shape::spheres && !sticks)
-      fail(here(), of + "billboards = \"sent\" is for spheres and sticks only");
-    if (f.corners.empty()) fail(here(), of + "sent billboards need impostors.corners");
-    if (family_.eyeFromObject.empty()) fail(here(), of + "sent billboards need transform.eye_from_object");
-    if (family_.code.empty()) fail(here(), of + "sent billboards need match.code");
-    if (family_.geometryShader || !family_.clipPlanes.empty() || !family_.instanceTransform.empty())
-      fail(here(), of + "sent billboards have neither geometry shaders nor clip planes nor instances");
   }
   void checkVertexNormals() const {
     const bool asked = family_.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
