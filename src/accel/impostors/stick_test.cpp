@@ -70,7 +70,8 @@ TEST(Sticks, PacketsMeetWhatSingleRaysMeet) {
   for (int i = 0; i < 20000; ++i) {
     const glm::vec3 a = inCube(random, 1) - glm::vec3(0, 0, 4), b = inCube(random, 1) - glm::vec3(0, 0, 4);
     const End kinds[] = {End::flat, End::round};
-    const StickStage stage(a, b, 0.05f + 0.001f * static_cast<float>(i % 300), kinds[i % 2], kinds[i / 2 % 2]);
+    const StickStage stage(a, b, 0.05f + 0.001f * static_cast<float>(i % 300), kinds[i % 2],
+                           kinds[i / 2 % 2]);
     const glm::vec3 org = inCube(random, 0.5f), dir = inCube(random, 1) - glm::vec3(0, 0, 4) - org;
     float t = 0;
     const uint32_t met = stage.meet(org, dir, t);

@@ -79,9 +79,8 @@ TEST_F(InstalledPyMolImpostors, Fit) {
 
 TEST_F(InstalledPyMolImpostors, WithOtherEffectsDoNotFit) {
   for (const bool sticks : {false, true}) {
-    for (const char* effect :
-         {"chromadepth", "ray_trace_mode_3", "transparency_mode_3", "precomputed_lighting", "ANAGLYPH",
-          "ray_transparency_oblique"})
+    for (const char* effect : {"chromadepth", "ray_trace_mode_3", "transparency_mode_3",
+                               "precomputed_lighting", "ANAGLYPH", "ray_transparency_oblique"})
       EXPECT_EQ(familyOf(sticks, {"depth_cue", "bg_image_mode_solid", effect}), "") << effect;
     EXPECT_EQ(familyOf(sticks, {"bg_image_mode_solid", "transparency_mode_3", "NO_ORDER_TRANSP"}), "");
     EXPECT_EQ(familyOf(sticks, {"bg_image_mode_solid", "chromadepth", "chromadepth_postlighting"}), "");
@@ -97,7 +96,8 @@ class PyMolImpostorStatements : public PyMolImpostorFamilies {
     const char* const section = sticks ? "PyMOL sticks" : "PyMOL spheres";
     const std::string mains = textOf(section, "blocks"), own = textOf(section, "statements"),
                       lights = textOf("PyMOL lights", "statements");
-    const size_t between = mains.find("\n\n"), half = sticks ? own.find("bool get_bit_and_shift") : own.size(),
+    const size_t between = mains.find("\n\n"),
+                 half = sticks ? own.find("bool get_bit_and_shift") : own.size(),
                  second = lights.find("vec4 ApplyLighting", lights.find("vec4 ApplyLighting") + 1);
     std::string vertex = own.substr(0, half) + "void main() {\n" + mains.substr(0, between) + "\n}\n";
     std::string fragment = own.substr(half) + textOf("PyMOL effects", "statements") +

@@ -1,4 +1,5 @@
-// PyMOL's shader sources: as it is installed, and as spec/programs has their statements. For tests of their families.
+// PyMOL's shader sources: as it is installed, and as spec/programs has their statements. For tests of their
+// families.
 #pragma once
 #include "base/toml_text.h"
 #include "gl/families/built_in_families.gen.h"

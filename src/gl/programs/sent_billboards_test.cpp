@@ -56,7 +56,8 @@ TEST(SentBillboards, BoxesHaveSixSides) {
     std::swap(turned[i], turned[i + 1]);
     EXPECT_FALSE(coversBillboard(turned, GL_TRIANGLES, 3)) << "triangle " << i / 3 << " the other way round";
     Corners lacking = box();
-    lacking.erase(lacking.begin() + static_cast<ptrdiff_t>(i), lacking.begin() + static_cast<ptrdiff_t>(i) + 3);
+    lacking.erase(lacking.begin() + static_cast<ptrdiff_t>(i),
+                  lacking.begin() + static_cast<ptrdiff_t>(i) + 3);
     EXPECT_FALSE(coversBillboard(lacking, GL_TRIANGLES, 3));
   }
   for (size_t i = 0; i < 36; ++i) {
@@ -147,9 +148,17 @@ TEST(SentBillboards, ThatAreNotWholeBecomeNothing) {
       {"a part", [](SentDraw& d) { d.numbers.resize(d.numbers.size() - 3); }},
       {"no vertices", [](SentDraw& d) { d.numbers.clear(); }},
       {"corners of two", [](SentDraw& d) { d.numbers[0] = d.sticks ? 8 : 4; }},
-      {"not a number", [](SentDraw& d) { for (auto& p : d.places) p[0] = std::nanf(""); }},
-      {"far away", [=](SentDraw& d) { for (auto& p : d.places) p[2] = kInfinity; }},
-      {"negative radii", [](SentDraw& d) { for (auto& p : d.places) p[3] = -1; }}};
+      {"not a number",
+       [](SentDraw& d) {
+         for (auto& p : d.places) p[0] = std::nanf("");
+       }},
+      {"far away",
+       [=](SentDraw& d) {
+         for (auto& p : d.places) p[2] = kInfinity;
+       }},
+      {"negative radii", [](SentDraw& d) {
+         for (auto& p : d.places) p[3] = -1;
+       }}};
   for (const bool sticks : {false, true})
     for (const auto& [name, damage] : damages) {
       SentDraw draw(sticks);
@@ -164,7 +173,10 @@ TEST(SentBillboards, ThatAreNotWholeBecomeNothing) {
       {"other caps", [](SentDraw& d) { d.caps[4] = 0; }},
       {"unknown caps", [](SentDraw& d) { d.caps.assign(16, 32); }},
       {"half a cap", [](SentDraw& d) { d.caps.assign(16, 1.5f); }},
-      {"no length", [](SentDraw& d) { for (auto& t : d.tips) t = {0, 2, 3}; }},
+      {"no length",
+       [](SentDraw& d) {
+         for (auto& t : d.tips) t = {0, 2, 3};
+       }},
   };
   for (const auto& [name, damage] : ofSticks) {
     SentDraw draw(true);

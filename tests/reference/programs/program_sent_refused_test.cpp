@@ -9,8 +9,9 @@
 namespace gluray::test {
 namespace {
 
-void expectRefused(const std::string& name, const SentImpostors& sent, const SentView& look,
-                   const std::function<void(Gl)>& change = [](Gl) {}) {
+void expectRefused(
+    const std::string& name, const SentImpostors& sent, const SentView& look,
+    const std::function<void(Gl)>& change = [](Gl) {}) {
   expectSame(
       "sent_refused_" + name,
       [&](Gl gl) {
@@ -77,7 +78,8 @@ TEST(SentRefused, StateThatTheProgramDoesNotExpect) {
   expectRefused("culled", manySpheres(), {}, [](Gl gl) { gl.Enable(GL_CULL_FACE), gl.FrontFace(GL_CW); });
   expectRefused("depth_range", manySpheres(), {}, [](Gl gl) { gl.DepthRange(0, 0.5); });
   SentView far;
-  far.view.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -10}) * glm::dmat4(glm::dmat3(far.view.eyeFromObject));
+  far.view.eyeFromObject =
+      glm::translate(glm::dmat4(1), {0, 0, -10}) * glm::dmat4(glm::dmat3(far.view.eyeFromObject));
   expectRefused("beyond_far", manySticks(), far, [](Gl gl) { gl.DepthFunc(GL_LEQUAL); });
 }
 
