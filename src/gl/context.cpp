@@ -59,7 +59,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
               passthrough, immediate, lists}),
       fullscreen({shadow, failsafe, cleared, flusher, resolves}),
       programs({shadow, failsafe, clock, surfaces, flusher, triage, filler, raster, layers}),
-      culled({shadow, failsafe, clock, counts, flusher, raster}),
+      culled({shadow, failsafe, clock, counts, flusher, raster, cleared}),
       immediate(
           {shadow, failsafe, clock, counts, triage, filler, raster, window, passthrough, lists, attention},
           weldingOf(settings.now())),

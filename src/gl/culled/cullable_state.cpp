@@ -1,8 +1,11 @@
 #include "gl/culled/cullable_state.h"
 
+#include "gl/state/output_state.h"
 #include "gl/state/state_queries.h"
 
 #include <GL/glext.h>
+
+#include <array>
 
 namespace gluray::gl {
 namespace {
@@ -19,7 +22,40 @@ bool offsetsNearer(const RasterState& raster) {
                              : raster.offsetFactor < 0 || raster.offsetUnits < 0;
 }
 
+/// Whether vertices are kept of all primitives that are drawn.
+bool feedsBack(const ShadowState& shadow) {
+  return shadow.state.rare.feedbackActive && integer(shadow.real, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
+}
+
+/// Whether something else than fixed function draws while no program is in use.
+bool hasOtherPrograms(const ShadowState& shadow) {
+  const RealGl& real = shadow.real;
+  if (isPresent(real.BindProgramPipeline) && integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0) return true;
+  return shadow.state.rare.assemblyPrograms &&
+         (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB));
+}
+
 }  // namespace
+
+Reason hideableState(const ShadowState& shadow, GLenum mode, bool& isTested) {
+  const RasterState& raster = shadow.state.raster;
+  const RealGl& real = shadow.real;
+  isTested = isOn(real, GL_DEPTH_TEST) && (raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL ||
+                                           raster.depthFunc == GL_EQUAL || raster.isReversed());
+  if (!isMode(mode, shadow.info.core)) return Reason::mode;
+  if (shadow.activeQueries > 0) return Reason::query;
+  if (!shadow.info.core && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
+  if (feedsBack(shadow)) return Reason::transformFeedback;
+  if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
+  if (raster.program == 0 && hasOtherPrograms(shadow)) return Reason::program;
+  if (const Reason rare = rareReason(real, shadow.state.rare); rare != Reason::traced) return rare;
+  std::array<GLint, 2> polygons{GL_FILL, GL_FILL};
+  real.GetIntegerv(GL_POLYGON_MODE, polygons.data());
+  if (polygons[0] != GL_FILL || polygons[1] != GL_FILL) return Reason::polygonMode;
+  if (isOn(real, GL_POLYGON_SMOOTH)) return Reason::polygonSmooth;
+  if (shadow.state.target.samples > 1 && !raster.multisample) return Reason::multisampleState;
+  return offsetsNearer(raster) ? Reason::offsetNearer : Reason::traced;
+}
 
 Reason cullableState(const ShadowState& shadow, GLenum mode) {
   const State& state = shadow.state;
@@ -27,6 +63,7 @@ Reason cullableState(const ShadowState& shadow, GLenum mode) {
   const RealGl& real = shadow.real;
   if (!isMode(mode, shadow.info.core)) return Reason::mode;
   if (shadow.activeQueries > 0) return Reason::query;
+  if (feedsBack(shadow)) return Reason::transformFeedback;
   // Fog changes colours only; a stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
   if (reason != Reason::traced && reason != Reason::fog && reason != Reason::polygonStipple) return reason;

@@ -78,20 +78,32 @@ Reason CulledDraws::sourceOfProgram(GLenum mode, const Elements& e, Source& foun
     if (const Reason reason = blendingOf(program, varyings, mode, e); reason != Reason::traced) return reason;
   found.program = &program, found.matrix = {position->clipFromAttribute, position->magnitudes};
   found.components = position->components, found.position = std::move(*position);
-  if (found.position.attribute == "gl_Vertex") {
+  return findPositions(program, found.position.attribute, found.arrays, found.positions) ? Reason::traced
+                                                                                         : Reason::arrayState;
+}
+
+bool CulledDraws::findPositions(CulledProgram& program, const std::string& attribute,
+                                const ArrayState*& arrays, const ArraySource*& positions) {
+  ShadowState& shadow = p_.shadow;
+  if (attribute == "gl_Vertex") {
     shadow.refresh(kFixedArrays);
-    found.arrays = &shadow.arrays, found.positions = &shadow.arrays.vertex;
-    return Reason::traced;
+    arrays = &shadow.arrays, positions = &shadow.arrays.vertex;
+    return true;
   }
-  const ProgramAttribute* attribute = program.known().program.attribute(found.position.attribute);
-  found.arrays = &shadow.attributes;
-  found.positions = attribute ? arrayOf(shadow.attributes, attribute->location) : nullptr;
-  return found.positions ? Reason::traced : Reason::arrayState;
+  const ProgramAttribute* found = program.known().program.attribute(attribute);
+  arrays = &shadow.attributes;
+  positions = found ? arrayOf(shadow.attributes, found->location) : nullptr;
+  return positions != nullptr;
 }
 
 Reason CulledDraws::sourceOfFixedFunction(Source& found) {
+  const Reason reason = cullableBlending(p_.shadow, false);
+  return reason == Reason::traced ? placeByFixedFunction(found) : reason;
+}
+
+Reason CulledDraws::placeByFixedFunction(Source& found) {
   const ShadowState& shadow = p_.shadow;
-  if (const Reason reason = cullableBlending(shadow, false); reason != Reason::traced) return reason;
+  if (fixedDiffers_) return Reason::notTheSame;
   glm::dmat4 projection(1), modelview(1);
   shadow.real.GetDoublev(GL_PROJECTION_MATRIX, glm::value_ptr(projection));
   shadow.real.GetDoublev(GL_MODELVIEW_MATRIX, glm::value_ptr(modelview));

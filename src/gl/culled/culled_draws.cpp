@@ -73,7 +73,8 @@ bool CulledDraws::isLarge(const Elements& e) const {
 
 bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void()>& first) noexcept {
   const Settings& settings = p_.shadow.settings;
-  if (!isActive() || !isLarge(e)) return false;
+  if (!isActive()) return false;
+  if (!isLarge(e)) return p_.failsafe.protect([&] { return small_.leavesOut(mode, e); });
   return p_.failsafe.protect([&] {
     Plan found;
     placed_ = false;
@@ -154,12 +155,17 @@ bool CulledDraws::drawVerified(const Plan& plan) {
 }
 
 void CulledDraws::isDifferent(const Plan& plan) {
-  if (plan.program)
-    plan.program->refuse(Reason::notTheSame);
+  if (!plan.program) plan.known->different = true;
+  refuseDifferent(plan.program);
+}
+
+void CulledDraws::refuseDifferent(CulledProgram* program) {
+  if (program)
+    program->refuse(Reason::notTheSame);
   else
-    plan.known->different = true;
+    fixedDiffers_ = true;
   log::write(log::Level::warning, std::string("culled draws ") +
-                                      (plan.program ? "of a shader program" : "by fixed function") +
+                                      (program ? "of a shader program" : "by fixed function") +
                                       " were not the same as whole ones: from now on they are made whole");
 }
 

@@ -13,6 +13,7 @@
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/instances/instances.h"
 #include "gl/culled/restore_point.h"
+#include "gl/culled/small/small_draws.h"
 #include "gl/draws/draw_counts.h"
 #include "gl/draws/reasons.h"
 #include "gl/failsafe.h"
@@ -26,6 +27,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -40,13 +42,17 @@ class CulledDraws {
     DrawCounts& counts;
     Flusher& flusher;
     const RasterDraws& raster;
+    const ClearedFramebuffers& cleared;
   };
-  explicit CulledDraws(const Parts& parts) : p_(parts), before_(parts.shadow, parts.flusher, parts.raster) {}
+  explicit CulledDraws(const Parts& parts)
+      : p_(parts),
+        before_(parts.shadow, parts.flusher, parts.raster),
+        small_({parts.shadow, parts.clock, parts.counts, parts.flusher, parts.cleared, *this}) {}
   ~CulledDraws();
 
   /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
-  /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn.
-  /// Never throws. `first` is called before anything is drawn.
+  /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn,
+  /// and it is to be made. Never throws. `first` is called before anything is drawn.
   bool draw(GLenum mode, const Elements& elements, const std::function<void()>& first = {}) noexcept;
 
   /// Where a draw's vertices come from, and the matrix that puts them into clip space.
@@ -61,6 +67,17 @@ class CulledDraws {
   /// Finds it for draws with the current state. Reason::traced, or why it is not known, or why what is hidden
   /// at the end shows.
   Reason source(GLenum mode, const Elements& elements, Source& source);
+
+  /// What is known of the program in use, which there must be.
+  CulledProgram& programInUse();
+  /// Where fixed function puts vertices. Reason::traced, or why such draws are whole.
+  Reason placeByFixedFunction(Source& source);
+  /// The array that an attribute of a program is read from. False: there is none.
+  bool findPositions(CulledProgram& program, const std::string& attribute, const ArrayState*& arrays,
+                     const ArraySource*& positions);
+  /// A draw of the program, or by fixed function if null, showed and was to be left out: such draws are whole
+  /// from now on, with one line in the log.
+  void refuseDifferent(CulledProgram* program);
 
   /// Whether the settings and the real OpenGL allow culled draws.
   bool isActive() const;
@@ -126,7 +143,6 @@ class CulledDraws {
   void mapWindow(Plan& plan) const;
   /// Decides whether what shows is found in a copy. False: nowhere.
   bool choosePlace(Plan& plan) const;
-  CulledProgram& programInUse();
   void prepare(const std::shared_ptr<CulledMesh>& mesh);
   void forgetOld();
 
@@ -183,6 +199,8 @@ class CulledDraws {
   DepthPyramid pyramid_;
   std::vector<uint32_t> indices_;
   GLuint indexBuffer_ = 0, query_ = 0;
+  SmallDraws small_;
+  bool fixedDiffers_ = false;  // a small draw by fixed function was not the same
 };
 
 }  // namespace gluray::gl

@@ -1,19 +1,17 @@
 #include "gl/culled/culled_program.h"
 
+#include "gl/culled/small/current_uniforms.h"
 #include "gl/families/glsl_tokens.h"
 #include "gl/programs/program_source.h"
-#include "gl/programs/uniforms.h"
 #include "gl/state/state_queries.h"
 
 #include <GL/glext.h>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 namespace gluray::gl {
 namespace {
@@ -58,75 +56,6 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> want
     if (std::ranges::find(wanted, word) != wanted.end()) return true;
   return false;
 }
-
-/// The values that the real OpenGL has now.
-class CurrentUniforms final : public UniformSource {
- public:
-  CurrentUniforms(const RealGl& real, const Program& program, bool core)
-      : real_(real), program_(program), core_(core), values_(readUniforms(real, program)) {}
-
-  bool read(std::string_view name, std::vector<double>& components) const override {
-    const auto [uniform, element] = find(name);
-    if (!uniform) return !core_ && name.starts_with("gl_") && readBuiltIn(name, components);
-    if (uniform->location < 0 && uniform->block < 0)
-      return !core_ && name.starts_with("gl_") && readBuiltIn(name, components);
-    const UniformValue& value = (*values_)[uniform->first + static_cast<size_t>(element)];
-    const UniformShape shape = shapeOf(value.type);
-    const auto count = static_cast<size_t>(shape.columns * shape.rows);
-    if (count == 0 || count > value.floats.size()) return false;
-    components.clear();
-    for (size_t i = 0; i < count; ++i)
-      components.push_back(shape.integers ? value.integers[i] : double{value.floats[i]});
-    return true;
-  }
-
- private:
-  std::pair<const ProgramUniform*, int> find(std::string_view name) const {
-    if (const auto it = program_.uniforms.find(name); it != program_.uniforms.end()) return {&it->second, 0};
-    const size_t bracket = name.rfind('[');
-    if (bracket == std::string_view::npos || !name.ends_with(']')) return {nullptr, 0};
-    int element = 0;
-    for (const char digit : name.substr(bracket + 1, name.size() - bracket - 2)) {
-      if (!isDigit(digit) || element > 1 << 20) return {nullptr, 0};
-      element = 10 * element + (digit - '0');
-    }
-    const auto it = program_.uniforms.find(name.substr(0, bracket));
-    const bool exists = it != program_.uniforms.end() && element < it->second.count;
-    return {exists ? &it->second : nullptr, element};
-  }
-
-  glm::dmat4 matrix(GLenum name) const {
-    glm::dmat4 m(1);
-    real_.GetDoublev(name, glm::value_ptr(m));
-    return m;
-  }
-  bool readBuiltIn(std::string_view name, std::vector<double>& components) const {
-    const auto take = [&](std::string_view start) {
-      if (!name.starts_with(start)) return false;
-      name.remove_prefix(start.size());
-      return true;
-    };
-    glm::dmat4 m(1);
-    if (take("gl_ModelViewProjectionMatrix"))
-      m = matrix(GL_PROJECTION_MATRIX) * matrix(GL_MODELVIEW_MATRIX);
-    else if (take("gl_ModelViewMatrix"))
-      m = matrix(GL_MODELVIEW_MATRIX);
-    else if (take("gl_ProjectionMatrix"))
-      m = matrix(GL_PROJECTION_MATRIX);
-    else
-      return false;
-    if (take("Inverse")) m = glm::inverse(m);
-    if (take("Transpose")) m = glm::transpose(m);
-    if (!name.empty()) return false;
-    components.assign(glm::value_ptr(m), glm::value_ptr(m) + 16);
-    return true;
-  }
-
-  const RealGl& real_;
-  const Program& program_;
-  const bool core_;
-  const UniformValuesPtr values_;
-};
 
 /// gl_Color of fragments: that of the front, or of the front and the back, clamped.
 void passOnColor(const RealGl& real, Varyings& varyings) {
@@ -182,6 +111,12 @@ Opacity CulledProgram::opacity(const RealGl& real, bool core, Varyings varyings)
   if (!alpha_) return {};
   if (!core) passOnColor(real, varyings);
   return alpha_->opacity(CurrentUniforms(real, known_->program, core), varyings);
+}
+
+bool CulledProgram::place(const RealGl& real, bool core, PlacedPosition& found) {
+  if (reason_ != Reason::traced) return false;
+  if (!positions_) positions_.emplace(*slice_);
+  return positions_->find(CurrentUniforms(real, known_->program, core), found);
 }
 
 }  // namespace gluray::gl

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/shader_slice/position_slice.h"
+#include "gl/culled/small/placed_positions.h"
 #include "gl/draws/reasons.h"
 #include "gl/families/match.h"
 #include "gl/real.h"
@@ -32,6 +33,9 @@ class CulledProgram {
   Opacity opacity(const RealGl& real, bool core, Varyings varyings) const;
   /// Where it puts vertices whatever it computes.
   PositionFeedback& feedback() { return feedback_; }
+  /// The same as position() without attributes of instances, for many draws: runs of the shader are
+  /// remembered by the uniforms that they read. False: not linear.
+  bool place(const RealGl& real, bool core, PlacedPosition& found);
   /// Whether its fragment shader leaves out fragments.
   bool discards() const { return discards_; }
   /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the
@@ -52,6 +56,7 @@ class CulledProgram {
   PositionFeedback feedback_;
   std::optional<PositionSlice> slice_;
   std::optional<AlphaSlice> alpha_;
+  std::optional<PlacedPositions> positions_;
   Reason reason_ = Reason::traced;
   bool discards_ = false;
   bool usesCentroids_ = false;

@@ -33,6 +33,7 @@ void RasterDraws::meet(std::span<const Triangle> triangles) {
 void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
   if (meeting == MultipassSurfaces::Meeting::pending) p_.flusher.present(Reason::passes);
   for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
+    p_.cleared.forget();
     p_.shadow.syncCurrent();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};
     if (redraw.clipFromObject) target.byMatrix = {redraw.mesh, *redraw.clipFromObject};
@@ -68,8 +69,17 @@ void RasterDraws::before(PrimitiveClass kind) {
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }
   clearBelow_ = p_.cleared.target();
-  p_.cleared.forget();
+  noteDepths();
   p_.shadow.syncCurrent();
+}
+
+void RasterDraws::noteDepths() {
+  const RasterState& raster = p_.shadow.state.raster;
+  if (p_.shadow.dirty & kRaster) return p_.cleared.forget();
+  const bool writes = raster.writesDepth && raster.butDepthFunc != Reason::noDepthTest;
+  const bool keeps = !writes || raster.depthFunc == GL_EQUAL || raster.depthFunc == GL_NEVER;
+  const bool smaller = raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL;
+  p_.cleared.drawing(!keeps && !raster.isReversed(), !keeps && !smaller);
 }
 
 }  // namespace gluray::gl

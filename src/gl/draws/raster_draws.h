@@ -44,6 +44,9 @@ class RasterDraws {
   void remember(const KnownMesh& known);
 
  private:
+  /// Which way the next draw may change depths.
+  void noteDepths();
+
   Parts p_;
   std::optional<ClearedTarget> clearBelow_;
 };

@@ -80,25 +80,27 @@ void readFromBlock(const RealGl& real, const Program& program, const ProgramUnif
 
 }  // namespace
 
+UniformValue readUniform(const RealGl& real, const Program& program, std::string_view name,
+                         const ProgramUniform& uniform, int element) {
+  UniformValue value;
+  value.type = uniform.type;
+  if (uniform.block >= 0) {
+    readFromBlock(real, program, uniform, element, value);
+    return value;
+  }
+  value.location = element == 0 ? uniform.location : uniform.more[static_cast<size_t>(element - 1)];
+  if (value.location >= 0)
+    readPlain(real, program, value);
+  else if (isBuiltIn(name))
+    readBuiltIn(real, name, value);
+  return value;
+}
+
 UniformValuesPtr readUniforms(const RealGl& real, const Program& program) {
   auto values = std::make_shared<UniformValues>();
   values->reserve(program.uniformElements);
-  for (const auto& [name, uniform] : program.uniforms) {
-    for (int i = 0; i < uniform.count; ++i) {
-      UniformValue value;
-      value.type = uniform.type;
-      if (uniform.block >= 0) {
-        readFromBlock(real, program, uniform, i, value);
-      } else {
-        value.location = i == 0 ? uniform.location : uniform.more[static_cast<size_t>(i - 1)];
-        if (value.location >= 0)
-          readPlain(real, program, value);
-        else if (isBuiltIn(name))
-          readBuiltIn(real, name, value);
-      }
-      values->push_back(value);
-    }
-  }
+  for (const auto& [name, uniform] : program.uniforms)
+    for (int i = 0; i < uniform.count; ++i) values->push_back(readUniform(real, program, name, uniform, i));
   return values;
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -34,6 +35,10 @@ UniformShape shapeOf(GLenum type);
 
 /// Numbers as shown to the user: "2" or "(1, 0.5)".
 std::string inWords(const std::vector<float>& numbers);
+
+/// Element `element` of the active uniform `name`.
+UniformValue readUniform(const RealGl& real, const Program& program, std::string_view name,
+                         const ProgramUniform& uniform, int element);
 
 /// Every element of every active uniform, in the order of Program::uniforms.
 UniformValuesPtr readUniforms(const RealGl& real, const Program& program);

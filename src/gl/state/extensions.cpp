@@ -53,6 +53,7 @@ RareState readRareState(const RealGl& real) {
   rare.asked = true;
   rare.framebufferObjects = has(30, "GL_ARB_framebuffer_object") || has(30, "GL_EXT_framebuffer_object");
   rare.rasterizerDiscard = has(30, "GL_EXT_transform_feedback");
+  rare.feedbackActive = has(40, "GL_ARB_transform_feedback2");
   rare.framebufferSrgb = has(30, "GL_ARB_framebuffer_sRGB") || has(30, "GL_EXT_framebuffer_sRGB");
   rare.depthClamp = has(32, "GL_ARB_depth_clamp");
   rare.depthBounds = hasExtension(real, version, "GL_EXT_depth_bounds_test");

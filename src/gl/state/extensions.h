@@ -21,7 +21,7 @@ bool hasExtension(const RealGl& real, int version, std::string_view name);
 struct RareState {
   bool asked = false;
   bool fixedFunction = true;  // not in core profiles
-  bool framebufferObjects = false, rasterizerDiscard = false, framebufferSrgb = false;
+  bool framebufferObjects = false, rasterizerDiscard = false, feedbackActive = false, framebufferSrgb = false;
   bool depthClamp = false, depthBounds = false, clipControl = false, provokingVertex = false;
   bool offsetClamp = false, fogDistance = false, sampleMask = false, rectangles = false;
   bool textureTypes = false, textureSwizzle = false, textureStorage = false, textureSrgb = false;

@@ -78,6 +78,7 @@ void ShadowState::read(uint32_t stale) {
   }
   while (real.GetError() != GL_NO_ERROR) {}
   dirty &= ~stale;
+  readBack |= stale;
 }
 
 void ShadowState::readProgramInUse() {

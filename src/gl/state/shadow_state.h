@@ -35,12 +35,13 @@ class ShadowState {
   const Settings& settings;  // of this frame
   Errors& errors;
 
-  uint32_t dirty = kAllGroups;  // StateGroups to read back when a draw needs them
-  State state;                  // valid where not dirty; use refresh()
-  ArrayState arrays;            // the same for kFixedArrays
-  ArrayState attributes;        // the same for kAttributes
-  Attachments attachments;      // buffers in vertex array objects
-  CurrentValues current;        // current attributes; valid after refresh(kCurrent)
+  uint32_t dirty = kAllGroups;     // StateGroups to read back when a draw needs them
+  uint32_t readBack = kAllGroups;  // those that were read back since SmallDraws has cleared them
+  State state;                     // valid where not dirty; use refresh()
+  ArrayState arrays;               // the same for kFixedArrays
+  ArrayState attributes;           // the same for kAttributes
+  Attachments attachments;         // buffers in vertex array objects
+  CurrentValues current;           // current attributes; valid after refresh(kCurrent)
   MaterialLatch latch;
   TextureCache textures;
   CurrentProgram program;

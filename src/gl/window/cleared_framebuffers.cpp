@@ -12,7 +12,7 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   const RealGl& real = shadow_.real;
   const RareState& rare = shadow_.state.rare;
-  cleared_.reset();
+  forgetClear();
   if (mask & GL_COLOR_BUFFER_BIT && samplesPerPixel(shadow_.settings) > 1 && !clock_.passesThrough())
     antialiased_.clear(real, rare);
   if ((mask & kBoth) != kBoth || clock_.passesThrough() || failsafe_.aside() || shadow_.activeQueries > 0 ||
@@ -42,8 +42,14 @@ void ClearedFramebuffers::wroteAntialiased(const AntialiasedPicture& before, con
   antialiased_.wrote(key.framebuffer, key.drawBuffer);
 }
 
+void ClearedFramebuffers::drawing(bool smaller, bool larger) {
+  cleared_.reset(), antialiased_ = {};
+  if (larger) ++depthEpochs_[0];
+  if (smaller) ++depthEpochs_[1];
+}
+
 void ClearedFramebuffers::imageSent(GLenum target) {
-  cleared_.reset();
+  forgetClear();
   antialiased_.send(shadow_.real, shadow_.textures, target);
 }
 

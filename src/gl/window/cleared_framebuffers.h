@@ -1,5 +1,5 @@
-// Tracks whether the draw framebuffer holds only a clear, and whether pictures in it are anti-aliased
-// already. A part of each Context, GL thread.
+// Tracks whether the draw framebuffer holds only a clear, how its depths may have changed, and whether
+// pictures in it are anti-aliased already. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/cleared_target.h"
@@ -11,6 +11,8 @@
 #include <GL/gl.h>
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 
 namespace gluray::gl {
@@ -29,7 +31,12 @@ class ClearedFramebuffers {
   /// The draw framebuffer may have been drawn or copied into.
   void forget() { forgetClear(), antialiased_ = {}; }
   /// Draws may go to another buffer of the framebuffer.
-  void forgetClear() { cleared_.reset(); }
+  void forgetClear() { cleared_.reset(), nextDepths(); }
+  /// The real OpenGL draws into it next: depths may become smaller or larger, or neither.
+  void drawing(bool smaller, bool larger);
+  /// While this is the same number, no depth of the draw framebuffer, which is the same, has become larger
+  /// or, if `reversed`, smaller.
+  uint64_t depthEpoch(bool reversed) const { return depthEpochs_[reversed ? 1 : 0]; }
   void forgetAntialiased() { antialiased_ = {}; }
   /// The texture bound to `target`, which may be attached to the framebuffer, was written.
   void imageSent(GLenum target);
@@ -41,11 +48,14 @@ class ClearedFramebuffers {
   void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
 
  private:
+  void nextDepths() { ++depthEpochs_[0], ++depthEpochs_[1]; }
+
   ShadowState& shadow_;
   const FrameClock& clock_;
   const Failsafe& failsafe_;
   std::optional<ClearedTarget> cleared_;
   AntialiasedPicture antialiased_;
+  std::array<uint64_t, 2> depthEpochs_{};
 };
 
 }  // namespace gluray::gl

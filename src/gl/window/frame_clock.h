@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "gl/batch/picture_wish.h"
 #include "gl/context_info.h"
+#include "gl/culled/small/frame_trials.h"
 #include "gl/window/engine_choice.h"
 #include "gl/window/offscreen_animation.h"
 #include "scene/light_sampling.h"
@@ -19,6 +20,7 @@ class FrameClock {
   uint64_t frame = 1;
   double beganSeconds = 0;  // time of this frame's first known clear or draw; 0: none yet
   EngineChoice choice;
+  FrameTrials smallDraws;
 
   /// Whether draws pass through to the real OpenGL. Then only lists are captured, and no state is read.
   bool passesThrough() const { return passesThrough_; }

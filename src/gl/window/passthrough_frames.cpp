@@ -1,5 +1,6 @@
 #include "gl/window/passthrough_frames.h"
 
+#include "base/clock.h"
 #include "gl/attention.h"
 #include "gl/buffers/buffer.h"
 #include "gl/window/frame_settings.h"
@@ -14,6 +15,10 @@ void PassthroughFrames::startMeasuring() {
 }
 
 void PassthroughFrames::stopMeasuring() {
+  if (p_.clock.smallDraws.wantsStop()) {
+    p_.shadow.real.Finish();
+    p_.clock.smallDraws.stop(nowSeconds());
+  }
   if (!p_.clock.measured()) return;
   p_.shadow.real.Finish();
   p_.clock.choice.stop();

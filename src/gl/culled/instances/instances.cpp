@@ -12,7 +12,6 @@ namespace gluray::gl {
 namespace {
 
 constexpr size_t kUnitGrain = 512;
-constexpr double kLargestNumber = 1e9, kLargestProduct = 1e18;  // numbers of an instance
 
 }  // namespace
 
@@ -20,29 +19,15 @@ Instances::Instances(const LinearPosition& position, std::vector<Column> columns
     : position_(position), columns_(std::move(columns)), range_(range) {}
 
 std::optional<ClipMatrix> Instances::matrix(uint32_t unit) const {
-  std::array<double, kNumbers> numbers;
-  numbers[0] = 1;
-  bool fits = true;
+  std::array<double, LinearPosition::kNumbers> numbers{1};
   for (const Column& column : columns_) {
     float values[4];
     column.array.read(range_.first + unit, values);
-    for (int r = 0; r < column.rows; ++r) {
-      const double value{values[r]};
-      numbers[static_cast<size_t>(column.firstNumber + r)] = value;
-      fits = fits && std::abs(value) <= kLargestNumber;
-    }
+    for (int r = 0; r < column.rows; ++r) numbers[static_cast<size_t>(column.firstNumber + r)] = values[r];
   }
-  ClipMatrix matrix{position_.clipFromAttribute, position_.magnitudes};
-  for (const InstanceColumnTerm& term : position_.terms) {
-    double product = 1;
-    for (int shift = 0; shift < 32; shift += 8) product *= numbers[(term.product >> shift) & 0xFF];
-    fits = fits && std::abs(product) <= kLargestProduct;
-    matrix.clipFromObject[term.column] += product * term.factors;
-    matrix.magnitudes[term.column] += std::abs(product) * term.magnitudes;
-  }
-  // Shaders compute it in more operations than a matrix of uniforms alone.
-  matrix.magnitudes *= 2;
-  return fits ? std::optional(matrix) : std::nullopt;
+  ClipMatrix matrix;
+  return position_.at(numbers, matrix.clipFromObject, matrix.magnitudes) ? std::optional(matrix)
+                                                                         : std::nullopt;
 }
 
 void Instances::mayShow(const Clusters& mesh, const WindowMapping& window, const DepthPyramid* pyramid,

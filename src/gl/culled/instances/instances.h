@@ -62,8 +62,6 @@ class Instances {
   }
 
  private:
-  static constexpr size_t kNumbers = 256;
-
   LinearPosition position_;
   std::vector<Column> columns_;
   Range range_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -28,6 +29,27 @@ ShaderSlice::ShaderSlice(std::string_view source) {
 ShaderSlice::~ShaderSlice() = default;
 ShaderSlice::ShaderSlice(ShaderSlice&&) noexcept = default;
 ShaderSlice& ShaderSlice::operator=(ShaderSlice&&) noexcept = default;
+
+bool LinearPosition::at(const std::array<double, kNumbers>& numbers, glm::dmat4& matrix,
+                        glm::dmat4& magnitudesThere) const {
+  constexpr double kLargestNumber = 1e9, kLargestProduct = 1e18;
+  int count = 1;
+  bool fits = true;
+  for (const InstanceColumn& column : columns)
+    for (int r = 0; r < column.rows; ++r, ++count)
+      fits = fits && std::abs(numbers[static_cast<size_t>(count)]) <= kLargestNumber;
+  matrix = clipFromAttribute, magnitudesThere = magnitudes;
+  for (const InstanceColumnTerm& term : terms) {
+    double product = 1;
+    for (int shift = 0; shift < 32; shift += 8) product *= numbers[(term.product >> shift) & 0xFF];
+    fits = fits && std::abs(product) <= kLargestProduct;
+    matrix[term.column] += product * term.factors;
+    magnitudesThere[term.column] += std::abs(product) * term.magnitudes;
+  }
+  // Shaders compute it in more operations than a matrix of uniforms alone.
+  magnitudesThere *= 2;
+  return fits;
+}
 
 const std::string& PositionSlice::why() const { return parsed_->why; }
 

@@ -4,6 +4,8 @@
 #pragma once
 #include <glm/glm.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -24,13 +26,16 @@ class UniformSource {
   /// of a block without instance name; built-in state such as "gl_ModelViewProjectionMatrix"), matrices
   /// column by column; booleans 0 or 1. False: not known.
   virtual bool read(std::string_view name, std::vector<double>& components) const = 0;
+  /// Whether the components of uniform `name`, if they are floats, stay unknown numbers, like those of
+  /// instances: then LinearPosition::columns names it in place of an attribute.
+  virtual bool isSymbolic(std::string_view /*name*/) const { return false; }
 };
 
 /// Names of the attributes that have one value for an instance, or for some: those of a divisor.
 using InstanceAttributes = std::set<std::string, std::less<>>;
 
-/// A column of an attribute of the instance (column 0 of a vector); its components are numbers of the
-/// instance.
+/// A column of an attribute of the instance, or of a symbolic uniform (column 0 of a vector); its components
+/// are numbers of the instance.
 struct InstanceColumn {
   std::string attribute;
   int column = 0, rows = 4;
@@ -79,6 +84,10 @@ struct LinearPosition {
   glm::dmat4 magnitudes;
   std::vector<InstanceColumnTerm> terms;
   std::vector<InstanceColumn> columns;  // whose numbers `terms` has, one column after the other
+
+  static constexpr size_t kNumbers = 256;
+  /// With these values of the numbers; numbers[0] is 1. False: they are too large for single precision.
+  bool at(const std::array<double, kNumbers>& numbers, glm::dmat4& matrix, glm::dmat4& magnitudesThere) const;
 };
 
 /// A shader's text that is ready to be run.

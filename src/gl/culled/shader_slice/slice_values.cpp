@@ -161,7 +161,10 @@ Value SliceRun::uniformValue(const std::string& path, const TypeName& type, size
   }
   const auto known = read_.find(path);
   if (known != read_.end()) return known->second;
-  Value v = Value::unknown(shapeOfType(type.name));
+  const Shape shape = shapeOfType(type.name);
+  Value v = Value::unknown(shape);
+  if (shape.base == Base::floats && uniforms_.isSymbolic(path))
+    return read_[path] = instanceValue(path, shape);
   std::vector<double> components;
   if (!v.components.empty() && uniforms_.read(path, components) && components.size() == v.components.size())
     for (size_t i = 0; i < components.size(); ++i) v.components[i] = Linear::constant(components[i]);

@@ -1,0 +1,291 @@
+// gluray-bench-objects: a program of many objects, each one a draw of its own by a shader program, with a
+// model matrix and a colour as uniforms. Prints frame times as a line of JSON.
+#include "bench/client/window.h"
+#include "bench/data/orbit.h"
+#include "bench/data/report.h"
+
+#include <CLI/CLI.hpp>
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace gluray::bench;
+using Seconds = std::chrono::duration<double>;
+using Clock = std::chrono::steady_clock;
+using Matrix = std::array<float, 16>;  // column by column
+
+struct Options {
+  std::string order = "random";
+  int count = 4000, side = 23, frames = 20;
+  double radius = 12;           // of the objects, in a ball of radius 150
+  double distance = kDistance;  // of the viewer from its middle
+  double step = 1.5;            // degrees a frame
+  double settleSeconds = 0;
+};
+
+constexpr double kReach = 150;
+constexpr int kMeshes = 64;
+
+constexpr const char* kVertexShader = R"(#version 130
+uniform mat4 clipFromWorld, worldFromObject;
+uniform vec3 viewer;
+in vec3 position, normal;
+out vec3 place, toEye, direction;
+void main() {
+  vec4 world = worldFromObject * vec4(position, 1.0);
+  place = 0.3 * position;
+  toEye = viewer - world.xyz;
+  direction = mat3(worldFromObject) * normal;
+  gl_Position = clipFromWorld * world;
+})";
+constexpr const char* kFragmentShader = R"(#version 130
+uniform vec3 paint;
+in vec3 place, toEye, direction;
+out vec4 color;
+void main() {
+  vec3 n = normalize(direction), v = normalize(toEye);
+  vec3 base = paint * (0.8 + 0.2 * fract(place.x + place.z));
+  vec3 sum = 0.1 * base;
+  for (int i = 0; i < 3; ++i) {
+    vec3 l = normalize(v + vec3(float(i) - 1.0, 0.6, 0.5));
+    sum += 0.3 * (base * max(dot(n, l), 0.0) + pow(max(dot(n, normalize(l + v)), 0.0), 40.0));
+  }
+  color = vec4(sum, 1.0);
+})";
+
+struct Object {
+  std::array<double, 3> center;
+  int mesh;
+  std::array<float, 3> paint;
+};
+
+/// Balls of 2 * side * (side - 1) triangles with waves.
+class Balls {
+ public:
+  explicit Balls(int side) : count_(6 * side * (side - 1)) {
+    std::vector<unsigned short> indices;
+    for (int row = 0; row < side; ++row)
+      for (int column = 0; column < side; ++column) {
+        const auto at = [&](int r, int c) { return static_cast<unsigned short>(r * (side + 1) + c); };
+        const auto add = [&](auto... all) { (indices.push_back(all), ...); };
+        if (row > 0) add(at(row, column), at(row + 1, column), at(row, column + 1));
+        if (row + 1 < side) add(at(row, column + 1), at(row + 1, column), at(row + 1, column + 1));
+      }
+    glGenVertexArrays(kMeshes, arrays_.data());
+    glGenBuffers(kMeshes, buffers_.data());
+    GLuint elements = 0;
+    glGenBuffers(1, &elements);
+    for (int i = 0; i < kMeshes; ++i) {
+      glBindVertexArray(arrays_[size_t(i)]);
+      glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, elements);
+      if (i == 0)
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(2 * indices.size()), indices.data(), GL_STATIC_DRAW);
+      send(buffers_[size_t(i)], side, 0.1 * i);
+    }
+  }
+  void draw(int mesh) const {
+    glBindVertexArray(arrays_[size_t(mesh)]);
+    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
+  }
+  GLsizei triangles() const { return count_ / 3; }
+
+ private:
+  static void send(GLuint buffer, int side, double phase) {
+    std::vector<float> values;
+    for (int row = 0; row <= side; ++row)
+      for (int column = 0; column <= side; ++column) {
+        const double theta = M_PI * row / side, phi = 2 * M_PI * column / side;
+        const double n[] = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                            std::cos(theta)};
+        const double r = 0.9 + 0.1 * std::sin(5 * theta + phase) * std::cos(3 * phi);
+        for (const double c : n) values.push_back(float(r * c));
+        for (const double c : n) values.push_back(float(c));
+      }
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(4 * values.size()), values.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0), glEnableVertexAttribArray(1);
+    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 24, nullptr);
+    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 24, reinterpret_cast<const void*>(12));
+  }
+
+  GLsizei count_;
+  std::array<GLuint, kMeshes> arrays_{}, buffers_{};
+};
+
+GLuint makeProgram() {
+  const GLuint program = glCreateProgram();
+  for (const auto& [type, text] :
+       {std::pair(GL_VERTEX_SHADER, kVertexShader), std::pair(GL_FRAGMENT_SHADER, kFragmentShader)}) {
+    const GLuint shader = glCreateShader(GLenum(type));
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+  }
+  glBindAttribLocation(program, 0, "position");
+  glBindAttribLocation(program, 1, "normal");
+  glLinkProgram(program);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (!linked) throw std::runtime_error("OpenGL does not link the shaders");
+  return program;
+}
+
+std::vector<Object> makeObjects(int count) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<Object> all;
+  while (int(all.size()) < count) {
+    const std::array<double, 3> p{number(random), number(random), number(random)};
+    if (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] > 1) continue;
+    const auto channel = [&] { return float(0.6 + 0.4 * number(random)); };
+    all.push_back({{kReach * p[0], kReach * p[1], kReach * p[2]},
+                   int(all.size()) % kMeshes,
+                   {channel(), channel(), channel()}});
+  }
+  return all;
+}
+
+/// Clip space from world space: eyeFromWorld under the frustum of the benchmark's window.
+Matrix clipFromWorld(const CameraPose& pose, double distance) {
+  const std::array<double, 16> view = eyeFromWorld(pose);
+  const double f = 1 / std::tan(kViewAngle * M_PI / 360);
+  const double reach = kReach + 40, near = std::max(distance - reach, 1.0), far = distance + reach;
+  const double a = (far + near) / (near - far), b = 2 * far * near / (near - far);
+  Matrix m{};
+  for (size_t c = 0; c < 4; ++c) {
+    const double *from = &view[4 * c], last = c == 3 ? 1 : 0;
+    m[4 * c] = float(f * from[0]), m[4 * c + 1] = float(f * from[1]);
+    m[4 * c + 2] = float(a * from[2] + b * last), m[4 * c + 3] = float(-from[2]);
+  }
+  return m;
+}
+
+class Scene {
+ public:
+  explicit Scene(const Options& options)
+      : options_(options),
+        balls_(options.side),
+        program_(makeProgram()),
+        objects_(makeObjects(options.count)) {
+    glUseProgram(program_);
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(kBackground[0], kBackground[1], kBackground[2], 1);
+  }
+  size_t triangles() const { return objects_.size() * size_t(balls_.triangles()); }
+
+  void draw(int frame) {
+    const CameraPose pose = orbitPose(frame, int(std::lround(360 / options_.step)), options_.distance);
+    sort(pose);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glUniformMatrix4fv(place("clipFromWorld"), 1, GL_FALSE, clipFromWorld(pose, options_.distance).data());
+    glUniform3f(place("viewer"), float(pose.eye[0]), float(pose.eye[1]), float(pose.eye[2]));
+    const GLint matrix = place("worldFromObject"), paint = place("paint");
+    const auto size = float(options_.radius);
+    for (const Object& o : objects_) {
+      const Matrix m{size,
+                     0,
+                     0,
+                     0,
+                     0,
+                     size,
+                     0,
+                     0,
+                     0,
+                     0,
+                     size,
+                     0,
+                     float(o.center[0]),
+                     float(o.center[1]),
+                     float(o.center[2]),
+                     1};
+      glUniformMatrix4fv(matrix, 1, GL_FALSE, m.data());
+      glUniform3fv(paint, 1, o.paint.data());
+      balls_.draw(o.mesh);
+    }
+  }
+
+ private:
+  GLint place(const char* name) const { return glGetUniformLocation(program_, name); }
+  void sort(const CameraPose& pose) {
+    if (options_.order == "random") return;
+    const double sign = options_.order == "front" ? 1 : -1;
+    const auto nearness = [&](const Object& o) {
+      const auto &b = pose.backward, &c = o.center;
+      return -sign * (b[0] * c[0] + b[1] * c[1] + b[2] * c[2]);
+    };
+    std::ranges::sort(objects_, {}, nearness);
+  }
+
+  const Options options_;
+  Balls balls_;
+  GLuint program_;
+  std::vector<Object> objects_;
+};
+
+void run(const Options& options) {
+  Window window(kImageSize);
+  Scene scene(options);
+  Measurement m{.program = "objects",
+                .path = options.order,
+                .renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER)),
+                .triangles = scene.triangles(),
+                .frameSeconds = {}};
+  m.ownBytes = residentBytes().now;
+  Clock::time_point last = Clock::now();
+  int number = 0;
+  const auto frame = [&] {
+    scene.draw(number++);
+    window.swapAndFinish();
+    return Seconds(Clock::now() - last).count();
+  };
+  m.firstImageSeconds = frame();
+  while (frame() < options.settleSeconds) {}
+  for (int i = 0; i < options.frames; ++i) {
+    last = Clock::now();
+    m.frameSeconds.push_back(frame());
+  }
+  if (const GLenum error = glGetError()) throw std::runtime_error("OpenGL error " + std::to_string(error));
+  std::printf("%s\n", jsonLine(m, residentBytes()).c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app("Draws many objects by a shader program and prints its frame times as JSON.");
+  app.add_option("--order", options.order, "of the draws")->check(CLI::IsMember({"random", "front", "back"}));
+  app.add_option("--count", options.count, "objects")->check(CLI::Range(1, 1'000'000));
+  app.add_option("--rows", options.side, "of the balls, of 2 * rows * (rows - 1) triangles")
+      ->check(CLI::Range(3, 200));
+  app.add_option("--radius", options.radius, "of the balls, which fill a ball of radius 150")
+      ->check(CLI::Range(0.1, 150.0));
+  app.add_option("--distance", options.distance, "of the viewer from the middle of that ball")
+      ->check(CLI::Range(1.0, 1e4));
+  app.add_option("--step", options.step, "degrees that the camera turns in a frame")
+      ->check(CLI::Range(0.01, 90.0));
+  app.add_option("--frames", options.frames, "frames to measure")->check(CLI::Range(0, 100000));
+  app.add_option("--settle", options.settleSeconds, "seconds of drawing before frames are measured");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    run(options);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gluray-bench-objects: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

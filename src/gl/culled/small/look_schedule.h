@@ -1,0 +1,57 @@
+// When to look at the depths of a framebuffer while many small draws are made: looks cost time, and draws
+// between two looks may be hidden by each other. Calls no OpenGL. A part of SmallDraws, GL thread.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace gluray::gl {
+
+class LookSchedule {
+ public:
+  /// A frame begins: its first look is next. `adapts`: looks come more or less often as it pays; else after
+  /// each eighth of the work of the depth epoch.
+  void beginFrame(bool adapts = true) {
+    adapts_ = adapts;
+    // What pays may change slowly, also where looks have become so rare that nothing is found out any more.
+    if (++frames_ % kForgotten == 0) work_ = {};
+    next_ = 0;
+    beginEpoch();
+  }
+  /// Depths are other ones: what was seen is of no use any more.
+  void beginEpoch() { since_ = 0, inEpoch_ = 0; }
+  /// So many vertices were drawn.
+  void drew(double vertices) { since_ += vertices, inEpoch_ += vertices; }
+  bool isDue() const { return since_ >= due(); }
+  /// Vertices after which the next look is made.
+  double due() const {
+    if (!adapts_) return std::max(kFirst, inEpoch_ / 8);
+    size_t at = std::min(next_, kLooks - 1);
+    while (work_[at] == 0 && at > 0) --at;
+    return work_[at] > 0 ? work_[at] : kFirst;
+  }
+  /// A look was made, which took `lookSeconds`. `wastedSeconds`: time in which draws were made since the last
+  /// one that are hidden now.
+  void looked(double wastedSeconds, double lookSeconds) {
+    if (!adapts_) return void(since_ = 0);
+    double& work = work_[std::min(next_, kLooks - 1)];
+    work = due();
+    if (wastedSeconds > kFactor * lookSeconds) work = std::max(work / 2, kLeast);
+    if (wastedSeconds < lookSeconds / kFactor) work = std::min(2 * work, kMost);
+    ++next_, since_ = 0;
+  }
+
+ private:
+  static constexpr size_t kLooks = 32;                               // of a frame, that are told apart
+  static constexpr double kFirst = 4096, kLeast = 512, kMost = 1e9;  // vertices
+  static constexpr double kFactor = 2;
+  static constexpr unsigned kForgotten = 128;  // frames
+
+  std::array<double, kLooks> work_{};  // vertices before each look; 0: as before the one before
+  size_t next_ = 0;
+  double since_ = 0, inEpoch_ = 0;  // vertices, since the last look and in this depth epoch
+  bool adapts_ = true;
+  unsigned frames_ = 0;
+};
+
+}  // namespace gluray::gl

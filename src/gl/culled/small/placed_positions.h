@@ -1,0 +1,54 @@
+// Where a program puts its vertices, found for many draws that differ in the values of some uniforms: the
+// vertex shader runs with these as unknown numbers, once. A part of CulledProgram, GL thread, context
+// current.
+#pragma once
+#include "gl/culled/box_visibility.h"
+#include "gl/culled/shader_slice/position_slice.h"
+#include "gl/culled/small/noted_uniforms.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gluray::gl {
+
+/// With the current values of uniforms.
+struct PlacedPosition {
+  const LinearPosition* position = nullptr;  // its attribute; valid until the next call
+  ClipMatrix matrix;
+};
+
+class PlacedPositions {
+ public:
+  /// `slice` must outlive it.
+  explicit PlacedPositions(const PositionSlice& slice) : slice_(slice) {}
+
+  /// False: not linear in one attribute of the vertex, or it costs too much to find out.
+  bool find(const CurrentUniforms& uniforms, PlacedPosition& found);
+  /// Runs of the shader so far.
+  uint64_t runs() const { return runs_; }
+
+ private:
+  using Names = std::set<std::string, std::less<>>;
+  struct Entry {
+    std::vector<ReadUniform> read;                // whose values must be the same
+    std::vector<CurrentUniforms::Place> symbols;  // of the position's columns, in their order
+    std::optional<LinearPosition> position;       // nothing: not linear
+  };
+
+  Entry* known(const CurrentUniforms& uniforms);
+  Entry& runAgain(const CurrentUniforms& uniforms);
+  Entry run(const CurrentUniforms& uniforms, const Names& symbolic);
+  static bool evaluate(const Entry& entry, const CurrentUniforms& uniforms, ClipMatrix& matrix);
+
+  const PositionSlice& slice_;
+  std::vector<Entry> entries_;
+  Names symbolic_;  // uniforms that have changed between draws, and are unknown numbers
+  Names constant_;  // uniforms that positions do not depend on as polynomials
+  uint64_t runs_ = 0, calls_ = 0;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,114 @@
+// Small draws that are not traced, left out as a whole where they cannot show: they lie outside of the view,
+// or behind depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL
+// thread.
+#pragma once
+#include "base/hash.h"
+#include "gl/arrays/elements.h"
+#include "gl/culled/box_visibility.h"
+#include "gl/culled/culled_mesh.h"
+#include "gl/culled/depth_pyramid.h"
+#include "gl/culled/small/look_schedule.h"
+#include "gl/draws/reasons.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::gl {
+
+class ClearedFramebuffers;
+class CulledDraws;
+class CulledProgram;
+class DrawCounts;
+class Flusher;
+class FrameClock;
+class ShadowState;
+struct ArrayState;
+struct ArraySource;
+
+class SmallDraws {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    FrameClock& clock;
+    DrawCounts& counts;
+    Flusher& flusher;
+    const ClearedFramebuffers& cleared;
+    CulledDraws& culled;
+  };
+  explicit SmallDraws(const Parts& parts) : p_(parts) {}
+
+  /// Whether the draw, which is rasterised, cannot show: then it is counted and need not be made. Call
+  /// RasterDraws::before() and ShadowState::sendBuffers() before. May throw std::bad_alloc.
+  bool leavesOut(GLenum mode, const Elements& elements);
+
+ private:
+  struct Known {
+    std::shared_ptr<CulledMesh> mesh;
+    uint64_t lastFrame = 0;  // that drew it
+    int frames = 0;          // that drew it
+    bool refused = false;    // its positions cannot be read
+  };
+  /// What decides whether a draw shows.
+  struct Candidate {
+    std::shared_ptr<CulledMesh> mesh;
+    ClipMatrix matrix;
+    CulledProgram* program = nullptr;
+    double vertices = 0;
+  };
+  /// What draws have in common until state changes.
+  struct Common {
+    Reason reason = Reason::traced;  // why draws are not left out
+    scene::Region drawn, seen;       // pixels that draws may change; the same without scissor test
+    WindowMapping window;            // relative to the lower corner of `seen`
+    int samples = 1;
+    bool reversed = false;
+    bool isTested = false;  // depths decide whether they show
+  };
+  /// Depths that the framebuffer has had.
+  struct Seen {
+    DepthPyramid pyramid;
+    scene::Region region;
+    bool reversed = false;
+    uint64_t epoch = 0;
+    bool any = false;
+  };
+
+  void beginFrame();
+  void beginEpoch();
+  void readCommon(GLenum mode);
+  bool find(GLenum mode, const Elements& elements, Candidate& candidate);
+  bool findByProgram(Candidate& candidate, const ArrayState*& arrays, const ArraySource*& positions,
+                     int& components);
+  bool findMesh(GLenum mode, const Elements& elements, const ArrayState& arrays, const ArraySource& positions,
+                int components, Candidate& candidate);
+  bool build(Known& known);
+  bool mayShow(const Candidate& candidate) const;
+  bool isSeen() const;
+  void look();
+  /// Makes the draw after all, to see whether it shows. False: it does, and was to be left out.
+  bool verify(const Candidate& candidate, GLenum mode, const Elements& elements);
+  void forgetOld();
+
+  Parts p_;
+  bool culls_ = false;  // in this frame
+  uint64_t frame_ = 0, forgotIn_ = 0;
+  double draws_ = 0, vertices_ = 0;  // of small draws in this frame
+  double buildSeconds_ = 0;          // in this frame
+  uint64_t epoch_ = 0;               // of the depths since which draws are counted
+  GLenum mode_ = 0;                  // that common_ was read for
+  Common common_;
+  Seen seen_;
+  std::vector<Candidate> drawn_;  // since the last look
+  double lookedAt_ = 0;           // seconds
+  LookSchedule schedule_;
+  std::unordered_map<Hash128, Known> meshes_;
+  std::vector<float> depths_;
+  GLuint query_ = 0;
+};
+
+}  // namespace gluray::gl
