@@ -38,7 +38,8 @@ class RandomFrame {
   int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
 
   void thing() {
-    if (oneIn(8)) return scene_.wall(gl_, number(0.6f, 9), number(0.3f, 4));
+    if (oneIn(20)) return scene_.wall(gl_, number(0.6f, 9), number(0.3f, 4));
+    if (oneIn(12)) return scene_.board(gl_, number(0.6f, 9), number(0.3f, 4));
     const float radius = oneIn(5) ? number(0.5f, 5) : number(0.02f, 0.5f);
     scene_.ballAt(gl_, {number(-3, 3), number(-3, 3), number(-10, 1)}, radius);
   }

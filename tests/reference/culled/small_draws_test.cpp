@@ -53,7 +53,7 @@ struct Between {
 };
 
 void farWall(Gl gl, const SmallScene& s, GLenum func) {
-  gl.DepthFunc(func), s.wall(gl, 9, 4), gl.DepthFunc(GL_LESS);
+  gl.DepthFunc(func), s.board(gl, 9, 4), gl.DepthFunc(GL_LESS);
 }
 
 std::vector<Between> changesOfDepths() {

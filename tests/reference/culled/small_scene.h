@@ -19,8 +19,9 @@ class SmallScene {
   void prepare(Gl gl, const std::string& vertex = kCulledVertex,
                const std::string& fragment = kCulledFragment) {
     program = makeProgram(gl, vertex, fragment);
-    wallMesh_ = sheet(40), ballMesh_ = ball(10);
-    wall_ = send(gl, wallMesh_, program), ball_ = send(gl, ballMesh_, program);
+    wallMesh_ = sheet(40), boardMesh_ = sheet(4), ballMesh_ = ball(10);
+    wall_ = send(gl, wallMesh_, program), board_ = send(gl, boardMesh_, program);
+    ball_ = send(gl, ballMesh_, program);
   }
   void begin(Gl gl) const {
     clear(gl);
@@ -29,6 +30,10 @@ class SmallScene {
   }
   void wall(Gl gl, float distance, float size = 1.6f) const {
     draw(gl, wall_.array, wallMesh_.count(), glm::vec3(0, 0, -distance), glm::vec3(size, size, 0.05f));
+  }
+  /// A wall of so few vertices that no look follows.
+  void board(Gl gl, float distance, float size) const {
+    draw(gl, board_.array, boardMesh_.count(), glm::vec3(0, 0, -distance), glm::vec3(size, size, 0.05f));
   }
   void ballAt(Gl gl, const glm::vec3& place, float radius = 0.4f) const {
     draw(gl, ball_.array, ballMesh_.count(), place, glm::vec3(radius));
@@ -56,8 +61,8 @@ class SmallScene {
     gl.DrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr);
   }
 
-  ProgramMesh wallMesh_, ballMesh_;
-  Buffers wall_, ball_;
+  ProgramMesh wallMesh_, boardMesh_, ballMesh_;
+  Buffers wall_, board_, ball_;
 };
 
 }  // namespace gluray::test::culled
