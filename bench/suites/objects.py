@@ -1,0 +1,80 @@
+"""frames of a program of many objects, each one a draw by a shader program: plain, and with small draws left out
+
+4,000 balls of 1,012 triangles (or of 84) in a ball, each drawn with a model matrix and a colour of its own as uniforms, by a program with three lights; the
+camera turns by 1.5 degrees a frame. Draws come in a random order, from front to back or from back to front; "inside": the camera is among the
+objects, of which most are out of its view. The plain program and the program with cull.draws = off, always and auto take turns, round by round.
+Medians. Results go to bench/results/NAME.json.
+"""
+import argparse
+import itertools
+import pathlib
+import shlex
+
+from support import machine, programs
+from support.display import display
+from support.telling import status_of
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SCENES = {"random": ["--order", "random"], "front": ["--order", "front"], "back": ["--order", "back"],
+          "inside": ["--order", "random", "--distance", "100"], "open": ["--order", "random", "--radius", "4"]}
+WAYS = ["off", "always", "auto"]
+
+
+def arguments(argv):
+    parser = argparse.ArgumentParser(prog="scripts/bench objects", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--scenes", default=",".join(SCENES), help=f"of {', '.join(SCENES)} (all)")
+    parser.add_argument("--rows", default="23,7", help="rows of the balls, of 2 * rows * (rows - 1) triangles (23,7)")
+    parser.add_argument("--frames", type=int, default=20, help="frames to measure in each run (20)")
+    parser.add_argument("--settle", type=float, default=20, help="seconds of drawing before they are measured with GLuRay, in which auto decides (20)")
+    parser.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
+    parser.add_argument("--threads", type=int, default=2, help="of llvmpipe and GLuRay (2)")
+    parser.add_argument("--name", default="objects", help="name of the result file")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
+    options = parser.parse_args(argv)
+    options.rows = [int(rows) for rows in options.rows.split(",")]
+    options.scenes = options.scenes.split(",")
+    if unknown := set(options.scenes) - set(SCENES):
+        parser.error(f"no scene {', '.join(sorted(unknown))}")
+    return options
+
+
+def measured(options, scene, rows, environment):
+    """Measurements of each way."""
+    client = [options.build / "bench" / "client" / "gluray-bench-objects", "--rows", rows, "--frames", options.frames, *SCENES[scene]]
+    gluray = options.build / "apps" / "gluray" / "gluray"
+    programs.require(client[0], gluray)
+    rounds = {way: [] for way in ["plain", *WAYS]}
+    for _ in range(options.rounds):
+        rounds["plain"].append(programs.measure(client, environment))
+        for way in WAYS:
+            extra = ["--threads", str(options.threads), "--set", f"cull.draws={way}"]
+            settle = options.settle if way == "auto" else 1
+            rounds[way].append(programs.measure_with_gluray(gluray, extra, [*client, "--settle", settle], environment))
+    return {way: programs.combined(all_) | {"report": all_[-1].get("report")} for way, all_ in rounds.items()}
+
+
+def row_of(scene, rows, ways):
+    row = {"scene": scene, "rows": rows, "triangles": ways["plain"]["triangles"]}
+    for way, m in ways.items():
+        row[f"{way}_ms"] = 1000 * m["frame_s"]
+    for way in WAYS:
+        report = ways[way]["report"] or {}
+        culled = report.get("culled", {}).get("draws", 0)
+        row |= {f"{way}_times_plain": row["plain_ms"] / row[f"{way}_ms"], f"{way}_left_out_a_frame": culled / max(report.get("frames", 1), 1)}
+    return row
+
+
+def run(options, argv):
+    result = {"suite": "objects", "command": ("scripts/bench objects " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
+    with display() as name:
+        for rows, scene in itertools.product(options.rows, options.scenes):
+            row = row_of(scene, rows, measured(options, scene, rows, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
+            result["rows"].append(row)
+            print(f"{scene:7} {row['triangles']:9,}  plain {row['plain_ms']:7.1f} ms  off {row['off_ms']:7.1f} ms  always {row['always_ms']:7.1f} ms "
+                  f"({row['always_left_out_a_frame']:.0f} of 4,000 left out)  auto {row['auto_ms']:7.1f} ms ({row['auto_times_plain']:.2f}x)", flush=True)
+    machine.write(ROOT, options.name, result)
+
+
+def main(argv):
+    options = arguments(argv)
+    return status_of(lambda: run(options, argv))
