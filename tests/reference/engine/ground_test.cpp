@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kGroundSize = 64;
 using Gl = const gl::RealGl&;
-using Step = std::function<void(Gl)>;
+using GroundStep = std::function<void(Gl)>;
 
 /// A white level plate about (x, 0.5, 0), lit from above.
 void plateAt(Gl gl, float x, float half = 0.5f) {
@@ -53,7 +53,7 @@ class GroundProgram {
     gl().MatrixMode(GL_MODELVIEW);
   }
   Gl gl() const { return context_.gl(); }
-  Picture frame(const std::vector<Step>& steps, const glm::vec4& clear = {0, 0, 1, 1}, float turn = 0) {
+  Picture frame(const std::vector<GroundStep>& steps, const glm::vec4& clear = {0, 0, 1, 1}, float turn = 0) {
     context_.makeCurrent();
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(15.0f), {1, 0, 0});
     const glm::mat4 camera =
@@ -64,7 +64,7 @@ class GroundProgram {
     gl().Viewport(0, 0, kGroundSize, kGroundSize);
     gl().ClearColor(clear.r, clear.g, clear.b, clear.a);
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (const Step& step : steps) step(gl());
+    for (const GroundStep& step : steps) step(gl());
     gl().Finish();
     return context_.read();
   }
@@ -106,14 +106,14 @@ TEST(GroundInPrograms, FillsTheViewBelowTheScene) {
 }
 
 TEST(GroundInPrograms, ALayerOverTheSceneAndAnInsetHaveNone) {
-  const Step layer = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), plateAt(gl, 0.9f, 0.1f); };
+  const GroundStep layer = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), plateAt(gl, 0.9f, 0.1f); };
   const Picture one = GroundProgram(with(GroundKind::plane)).frame({plate}),
                 two = GroundProgram(with(GroundKind::plane)).frame({plate, layer});
   int same = 0;
   for (size_t i = 0; i < one.colors.size(); ++i) same += one.colors[i] == two.colors[i];
   EXPECT_GT(same, kGroundSize * kGroundSize - 60) << "all but the small plate";
   EXPECT_LT(same, kGroundSize * kGroundSize);
-  const Step inset = [](Gl gl) {
+  const GroundStep inset = [](Gl gl) {
     gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, 16, 16), gl.Viewport(0, 0, 16, 16);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     plate(gl);
@@ -125,7 +125,7 @@ TEST(GroundInPrograms, ALayerOverTheSceneAndAnInsetHaveNone) {
 }
 
 TEST(GroundInPrograms, SeveralBatchesOfAViewShowOne) {
-  const Step flushed = [](Gl gl) {
+  const GroundStep flushed = [](Gl gl) {
     uint32_t pixel = 0;
     gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
     plateAt(gl, 1.2f, 0.2f);
@@ -141,7 +141,7 @@ TEST(GroundInPrograms, SeveralBatchesOfAViewShowOne) {
 }
 
 TEST(GroundInPrograms, PicturesToPickFromHaveNone) {
-  const Step flat = [](Gl gl) {
+  const GroundStep flat = [](Gl gl) {
     gl.Color3ub(7, 0, 0), quad(gl, {-1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0});
   };
   const Picture picture =
@@ -201,7 +201,7 @@ TEST(BackgroundInPrograms, OverlaysDrawnLaterStay) {
 }
 
 TEST(BackgroundInPrograms, AProgramsOwnBackgroundStays) {
-  const Step own = [](Gl gl) {
+  const GroundStep own = [](Gl gl) {
     overlay(gl);
     gl.Disable(GL_DEPTH_TEST);
     gl.PushMatrix(), gl.LoadIdentity(), gl.MatrixMode(GL_PROJECTION), gl.PushMatrix(), gl.LoadIdentity();
