@@ -10,18 +10,22 @@ class FrameTrials {
  public:
   enum class Way : uint8_t { plain, culled };
 
-  /// A frame begins that makes small draws; the one before had so many of them, of `vertices` vertices.
-  /// `always`: culled, and nothing is measured.
-  Way next(bool always, double draws, double vertices) {
+  /// What a frame has drawn.
+  struct Load {
+    double draws = 0, vertices = 0;  // small ones
+    double leftOut = 0;              // vertices, of them
+    bool unknown = false;            // some were drawn because there was no time for their boxes
+  };
+  /// A frame begins that makes small draws; `last`: what the one before has drawn. `always`: culled, and
+  /// nothing is measured.
+  Way next(bool always, const Load& last) {
     running_ = measured_ = false;
     if (always) return Way::culled;
-    if (draws < kFewDraws || vertices < kFewVertices) return Way::plain;
-    if (vertices > kSame * load_ || load_ > kSame * vertices) startAnew(vertices);
+    if (last.draws < kFewDraws || last.vertices < kFewVertices) return Way::plain;
+    if (last.vertices > kSame * load_ || load_ > kSame * last.vertices) startAnew(last.vertices);
     switch (phase_) {
       case Phase::plain: measured_ = true; return Way::plain;
-      case Phase::settling:
-        if (--left_ <= 0) phase_ = Phase::culled, left_ = kTries;
-        return Way::culled;
+      case Phase::settling: return settle(last);
       case Phase::culled: measured_ = true; return Way::culled;
       case Phase::holding:
         if (--left_ <= 0) phase_ = Phase::plain, left_ = kTries, plain_ = culled_ = -1;
@@ -46,13 +50,18 @@ class FrameTrials {
       conclude();
   }
   bool pays() const { return better_ == Way::culled; }
+  /// Whether it is about to be measured: what it needs may be made at once.
+  bool settles() const { return phase_ == Phase::settling; }
 
  private:
   enum class Phase : uint8_t { plain, settling, culled, holding };
   static constexpr double kFewDraws = 64, kFewVertices = 20'000;  // of frames that are never culled
   static constexpr double kSame = 2;             // ratio of vertices of frames that are alike
   static constexpr int kTries = 3, kSettle = 8;  // frames; boxes are made while they settle
-  static constexpr double kGain = 0.93;          // of the plain time, which culled frames must stay below
+  static constexpr int kLongSettle = 32,
+                       kSeen = 4;          // at most; after which it shows whether anything is hidden
+  static constexpr double kHidden = 0.04;  // share of vertices left out, below which it cannot pay
+  static constexpr double kGain = 0.93;    // of the plain time, which culled frames must stay below
   static constexpr int kHold = 64, kLongHold = 2048;  // frames until the next trial
 
   void startAnew(double vertices) {
@@ -62,8 +71,17 @@ class FrameTrials {
     if (phase_ == Phase::holding && better_ == Way::plain) return;
     phase_ = Phase::plain, left_ = kTries, plain_ = culled_ = -1;
   }
-  void conclude() {
-    const bool pays = culled_ < kGain * plain_;
+  Way settle(const Load& last) {
+    if (last.unknown && settled_ < kLongSettle) return ++settled_, left_ = kSettle, Way::culled;
+    ++settled_;
+    if (left_ <= kSettle - kSeen && last.leftOut < kHidden * last.vertices)
+      return conclude(false), Way::plain;
+    if (--left_ <= 0) phase_ = Phase::culled, left_ = kTries, settled_ = 0;
+    return Way::culled;
+  }
+  void conclude() { conclude(culled_ < kGain * plain_); }
+  void conclude(bool pays) {
+    settled_ = 0;
     interval_ = pays ? kHold : std::min(2 * interval_, kLongHold);
     phase_ = Phase::holding, left_ = pays ? kLongHold : interval_;
     better_ = pays ? Way::culled : Way::plain;
@@ -72,7 +90,7 @@ class FrameTrials {
   Phase phase_ = Phase::plain;
   Way better_ = Way::plain;
   bool measured_ = false, running_ = false;
-  int left_ = kTries, interval_ = kHold / 2;
+  int left_ = kTries, interval_ = kHold / 2, settled_ = 0;
   double load_ = 0;                                  // vertices of the frames that are compared
   double plain_ = -1, culled_ = -1, startedAt_ = 0;  // seconds; negative: not measured
 };

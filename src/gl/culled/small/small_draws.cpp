@@ -17,12 +17,12 @@
 namespace gluray::gl {
 namespace {
 
-constexpr int kFewVertices = 24;          // of draws that are made sooner than tested
-constexpr int kKnownFrames = 2;           // with the same data, before boxes are made of it
-constexpr double kBuildSeconds = 3e-3;    // in which boxes are made in a frame
-constexpr uint64_t kForgottenAfter = 64;  // frames in which a mesh was not drawn
-constexpr double kVerticesOfDraw = 200;   // what a draw costs beside its vertices
-constexpr double kReadSeconds = 1e-9;     // per pixel, to read depths
+constexpr int kFewVertices = 24;  // of draws that are made sooner than tested
+constexpr int kKnownFrames = 2;   // with the same data, before boxes are made of it
+constexpr double kBuildSeconds = 3e-3, kTrialBuildSeconds = 25e-3;  // in which boxes are made in a frame
+constexpr uint64_t kForgottenAfter = 64;                            // frames in which a mesh was not drawn
+constexpr double kVerticesOfDraw = 200;                             // what a draw costs beside its vertices
+constexpr double kReadSeconds = 1e-9;                               // per pixel, to read depths
 constexpr uint32_t kCommonGroups = kViewport | kRaster | kTarget;
 
 bool isInstanced(const ArrayState& arrays) {
@@ -41,7 +41,7 @@ scene::Region between(glm::ivec2 lower, glm::ivec2 upper) {
 
 bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
   if (frame_ != p_.clock.frame) beginFrame();
-  ++draws_, vertices_ += e.count;
+  ++load_.draws, load_.vertices += e.count;
   if (p_.clock.smallDraws.isMeasured() && !p_.clock.smallDraws.wantsStop()) {
     p_.shadow.real.Finish();
     p_.clock.smallDraws.start(nowSeconds());
@@ -52,6 +52,7 @@ bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
   if (epoch_ != p_.cleared.depthEpoch(common_.reversed)) beginEpoch();
   if (schedule_.isDue()) look();
   if (!mayShow(candidate)) {
+    load_.leftOut += e.count;
     const int every = p_.shadow.settings.cull.verify;
     if (every > 0 && p_.clock.frame % static_cast<uint64_t>(every) == 0 && !verify(candidate, mode, e))
       return true;  // it was made
@@ -66,9 +67,9 @@ bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
 
 void SmallDraws::beginFrame() {
   const bool always = p_.shadow.settings.cull.draws == Culling::always;
-  culls_ = p_.clock.smallDraws.next(always, draws_, vertices_) == FrameTrials::Way::culled;
+  culls_ = p_.clock.smallDraws.next(always, load_) == FrameTrials::Way::culled;
   frame_ = p_.clock.frame;
-  draws_ = vertices_ = buildSeconds_ = 0;
+  load_ = {}, buildSeconds_ = 0;
   seen_.any = false, drawn_.clear();
   if (!culls_) return;
   schedule_.beginFrame(!always);
@@ -161,7 +162,8 @@ bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arra
   known.lastFrame = frame_;
   if (known.refused || (!always && known.frames < kKnownFrames)) return false;
   if (!known.mesh) {
-    if (!always && buildSeconds_ > kBuildSeconds) return false;
+    const double most = p_.clock.smallDraws.settles() ? kTrialBuildSeconds : kBuildSeconds;
+    if (!always && buildSeconds_ > most) return load_.unknown = true, false;
     const double start = nowSeconds();
     known.mesh = CulledMesh::of(shadow.real, positions, components, content, assembly, e);
     known.refused = !known.mesh;

@@ -7,6 +7,7 @@
 #include "gl/culled/box_visibility.h"
 #include "gl/culled/culled_mesh.h"
 #include "gl/culled/depth_pyramid.h"
+#include "gl/culled/small/frame_trials.h"
 #include "gl/culled/small/look_schedule.h"
 #include "gl/draws/reasons.h"
 #include "scene/snapshot.h"
@@ -97,10 +98,10 @@ class SmallDraws {
   Parts p_;
   bool culls_ = false;  // in this frame
   uint64_t frame_ = 0, forgotIn_ = 0;
-  double draws_ = 0, vertices_ = 0;  // of small draws in this frame
-  double buildSeconds_ = 0;          // in this frame
-  uint64_t epoch_ = 0;               // of the depths since which draws are counted
-  GLenum mode_ = 0;                  // that common_ was read for
+  FrameTrials::Load load_;   // of this frame
+  double buildSeconds_ = 0;  // in this frame
+  uint64_t epoch_ = 0;       // of the depths since which draws are counted
+  GLenum mode_ = 0;          // that common_ was read for
   Common common_;
   Seen seen_;
   std::vector<Candidate> drawn_;  // since the last look

@@ -10,11 +10,12 @@ namespace {
 using Way = FrameTrials::Way;
 
 /// Draws frames that take so long each way; returns how many of them were culled.
-int cull(FrameTrials& trials, int frames, double plain, double culled, double vertices = 1e6) {
+int cull(FrameTrials& trials, int frames, double plain, double culled, double vertices = 1e6,
+         double leftOut = 0.5) {
   int count = 0;
   double now = 0;
   for (int i = 0; i < frames; ++i) {
-    const Way way = trials.next(false, 1000, vertices);
+    const Way way = trials.next(false, {1000, vertices, leftOut * vertices});
     count += way == Way::culled;
     if (!trials.isMeasured()) continue;
     trials.start(now);
@@ -49,12 +50,34 @@ TEST(FrameTrials, FindThatItPaysLater) {
 TEST(FrameTrials, LeaveFewOrLightDrawsAlone) {
   FrameTrials trials;
   for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(trials.next(false, 20, 1e6), Way::plain);
+    EXPECT_EQ(trials.next(false, {20, 1e6}), Way::plain);
     EXPECT_FALSE(trials.isMeasured());
-    EXPECT_EQ(trials.next(false, 1000, 1e4), Way::plain);
+    EXPECT_EQ(trials.next(false, {1000, 1e4}), Way::plain);
     EXPECT_FALSE(trials.isMeasured());
   }
-  EXPECT_EQ(trials.next(true, 1, 3), Way::culled) << "always";
+  EXPECT_EQ(trials.next(true, {1, 3}), Way::culled) << "always";
+}
+
+TEST(FrameTrials, GiveUpEarlyWhereNothingIsHidden) {
+  FrameTrials trials;
+  EXPECT_LT(cull(trials, 60, 0.1, 0.05, 1e6, 0.01), 6);
+  EXPECT_FALSE(trials.pays());
+}
+
+TEST(FrameTrials, WaitForBoxes) {
+  FrameTrials trials;
+  int culled = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Way way = trials.next(false, {1000, 1e6, 0, true});
+    culled += way == Way::culled;
+    if (!trials.isMeasured()) continue;
+    EXPECT_EQ(way, Way::plain);
+    trials.start(i), trials.stop(i + 0.1);
+  }
+  EXPECT_EQ(culled, 17) << "all after those that were measured plain";
+  EXPECT_TRUE(trials.settles());
+  EXPECT_GT(cull(trials, 100, 0.1, 0.05), 90);
+  EXPECT_TRUE(trials.pays());
 }
 
 TEST(FrameTrials, MeasureScenesAnewThatHaveChanged) {
