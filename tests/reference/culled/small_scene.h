@@ -3,6 +3,9 @@
 #include "tests/reference/culled/culled_frames.h"
 #include "tests/reference/culled/culled_programs.h"
 
+#include <functional>
+#include <string>
+
 namespace gluray::test::culled {
 
 /// All draws are small.
@@ -64,5 +67,17 @@ class SmallScene {
   ProgramMesh wallMesh_, boardMesh_, ballMesh_;
   Buffers wall_, board_, ball_;
 };
+
+using Step = std::function<void(Gl, const SmallScene&)>;
+
+/// Three frames of the scene, whole and culled.
+inline gl::Statistics compareScene(
+    const std::string& name, const Step& draw, const Step& prepare = [](Gl, const SmallScene&) {},
+    const Settings& settings = smallDraws()) {
+  SmallScene scene;
+  return compareFrames(
+      "small_" + name, 3, [&](Gl gl) { scene.prepare(gl), prepare(gl, scene); },
+      [&](Gl gl, int) { scene.begin(gl), draw(gl, scene); }, &settings, kCompatible);
+}
 
 }  // namespace gluray::test::culled

@@ -28,8 +28,6 @@ class PlacedPositions {
 
   /// False: not linear in one attribute of the vertex, or it costs too much to find out.
   bool find(const CurrentUniforms& uniforms, PlacedPosition& found);
-  /// Runs of the shader so far.
-  uint64_t runs() const { return runs_; }
 
  private:
   using Names = std::set<std::string, std::less<>>;
