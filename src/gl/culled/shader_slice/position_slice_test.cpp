@@ -114,6 +114,25 @@ TEST(PositionSlice, FollowsWhatIsKnown) {
   expectMatrix(kHead + "void main() { gl_Position = P * vec4(mix(p, p + offset, 0.0), 1.0); }", P);
 }
 
+/// The real OpenGL multiplies both matrices: rounding is relative to what is added up in that.
+TEST(PositionSlice, KnowsHowBuiltInMatricesAreMade) {
+  FakeUniforms u;
+  const glm::dmat4 projection = matrix(1), view = matrix(2);
+  u.set("gl_ProjectionMatrix", projection), u.set("gl_ModelViewMatrix", view);
+  glm::dmat4 sizes[] = {projection, view};
+  for (glm::dmat4& m : sizes)
+    for (int c = 0; c < 4; ++c) m[c] = glm::abs(m[c]);
+  const glm::dmat4 most = sizes[0] * sizes[1];
+  for (const char* const position : {"ftransform()", "gl_ModelViewProjectionMatrix * gl_Vertex"}) {
+    const std::string text = "void main() { gl_Position = " + std::string(position) + "; }";
+    expectMatrix(text, projection * view, "gl_Vertex", u);
+    const auto got = positionOf(text, u);
+    ASSERT_TRUE(got);
+    for (int c = 0; c < 4; ++c)
+      for (int r = 0; r < 4; ++r) EXPECT_GE(got->magnitudes[c][r], most[c][r] * (1 - 1e-9));
+  }
+}
+
 TEST(PositionSlice, FollowsBlocksStructsAndArrays) {
   FakeUniforms u = usual();
   const glm::dmat4 A = matrix(7);
@@ -131,7 +150,7 @@ TEST(PositionSlice, FollowsBlocksStructsAndArrays) {
       "struct Place { mat4 m; }; struct Light { vec3 color; Place place; }; uniform Light lights[2]; in vec3 "
       "p; void main() { gl_Position = lights[1].place.m * vec4(p, 1.0); }",
       A, "p", u);
-  u.set("gl_ModelViewProjectionMatrix", A);
+  u.set("gl_ProjectionMatrix", A), u.set("gl_ModelViewMatrix", glm::dmat4(1));
   expectMatrix("varying vec3 n; void main() { n = gl_NormalMatrix * gl_Normal; gl_Position = ftransform(); }",
                A, "gl_Vertex", u);
   expectMatrix("void main() { gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex; }", A, "gl_Vertex", u);

@@ -76,6 +76,9 @@ Value SliceRun::name(std::string_view name) {
     attribute.variable.type.name = "vec4", attribute.variable.name = name;
     return globals_[name] = attributeValue(attribute);
   }
+  // A product of matrices in single precision.
+  if (name == "gl_ModelViewProjectionMatrix")
+    return binaryOperator("*", this->name("gl_ProjectionMatrix"), this->name("gl_ModelViewMatrix"));
   TypeName type;
   type.name = name.starts_with("gl_NormalMatrix") ? "mat3" : name.find("Matrix") != name.npos ? "mat4" : "";
   return type.name.empty() ? Value() : uniformValue(std::string(name), type, 0, 0);
