@@ -93,16 +93,18 @@ TEST_F(InstalledPyMolImpostors, WithOtherEffectsDoNotFit) {
 class PyMolImpostorStatements : public PyMolImpostorFamilies {
  protected:
   std::string familyWith(bool sticks, const std::string& from = "", const std::string& to = "") const {
-    const char* const section = sticks ? "PyMOL sticks" : "PyMOL spheres";
-    const std::string mains = textOf(section, "blocks"), own = textOf(section, "statements"),
-                      lights = textOf("PyMOL lights", "statements");
-    const size_t between = mains.find("\n\n"),
-                 half = sticks ? own.find("bool get_bit_and_shift") : own.size(),
+    const std::string name = sticks ? "PyMOL sticks" : "PyMOL spheres", common = textOf(name, "blocks"),
+                      perspective = textOf(name + ", perspective", "blocks"),
+                      own = textOf(name, "statements"), lights = textOf("PyMOL lights", "statements");
+    const std::string& both = sticks ? common : perspective;  // the one with both shaders' statements
+    const size_t between = both.find("\n\n"), half = sticks ? own.find("bool get_bit_and_shift") : own.size(),
                  second = lights.find("vec4 ApplyLighting", lights.find("vec4 ApplyLighting") + 1);
-    std::string vertex = own.substr(0, half) + "void main() {\n" + mains.substr(0, between) + "\n}\n";
+    std::string vertex = own.substr(0, half) + "void main() {\n" + both.substr(0, between) + "\n}\n";
+    const std::string main =
+        sticks ? perspective + common.substr(between) : perspective.substr(between) + common;
     std::string fragment = own.substr(half) + textOf("PyMOL effects", "statements") +
                            textOf("PyMOL no depth cue", "blocks") + lights.substr(0, second) +
-                           "void main() {\n" + mains.substr(between) + "}\n";
+                           "void main() {\n" + main + "}\n";
     bool found = from.empty();
     for (std::string* text : {&vertex, &fragment})
       if (const size_t at = text->find(from); !from.empty() && at != std::string::npos)

@@ -4,6 +4,7 @@
 #include "base/toml_text.h"
 #include "gl/families/built_in_families.gen.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
