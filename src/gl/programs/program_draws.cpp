@@ -20,6 +20,9 @@ Reason ProgramDraws::triageImpostors() {
   if (p_.shadow.attributes.sentBillboards &&
       (p_.shadow.state.depthNear != 0 || p_.shadow.state.depthFar != 1))
     return Reason::program;
+  // Boxes cut off samples of pixels whose centre shows the stick, each program's in its own way.
+  if (p_.shadow.attributes.shape == scene::Shape::sticks && p_.shadow.state.target.samples > 1)
+    return Reason::program;
   // Culling may remove billboards, which have two sides, but neither points nor both sides of boxes.
   if (p_.shadow.attributes.shape != scene::Shape::beads &&
       p_.shadow.attributes.shape != scene::Shape::sticks &&

@@ -1,4 +1,5 @@
 // Impostors whose billboards the program sends: what the program computes is what is traced.
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/programs/sent_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -125,6 +126,23 @@ TEST(SentBillboard, QuadsAreBillboardsToo) {
         drawNumbered(gl, GL_QUADS, numbers);
       },
       1, {kProgramWidth, kProgramHeight}, kProgramTolerance, sentFamily(false, false));
+}
+
+TEST(SentBillboard, SpheresAreComputedOnceAPixelWithFourSamplesAndSticksLeft) {
+  for (const bool sticks : {false, true}) {
+    const SentImpostors sent = sticks ? manySticks() : manySpheres();
+    expectBoth(
+        sticks ? "sent_sticks_4x" : "sent_spheres_4x",
+        [&](Gl gl) {
+          const glm::ivec2 size(kProgramWidth, kProgramHeight);
+          bindNewFramebuffer(gl, size, GL_RGBA8, GL_DEPTH24_STENCIL8, 4);
+          prepareSent(gl, sent, {}), drawSent(gl, sent);
+          gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+          gl.BlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+          gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+        },
+        sticks ? 0 : 1, {}, kProgramTolerance, sentFamily(sticks, false));
+  }
 }
 
 TEST(SentBillboard, TheViewerTurnsAndNothingIsBuilt) {
