@@ -88,6 +88,37 @@ TEST(AmbientOcclusion, IsAsDarkAsItsStrength) {
   EXPECT_EQ(meanOfHits(test::trace(s)), 1);
 }
 
+/// Fog lies between the viewer and the surface: it is not darkened.
+TEST(AmbientOcclusion, ActsBehindFog) {
+  for (const bool program : {false, true})
+    for (const AmbientOcclusionOn on : {AmbientOcclusionOn::look, AmbientOcclusionOn::ambient}) {
+      scene::Snapshot s =
+          occludedView({backWall(), test::parallelogram({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})});
+      s.camera.clipFromEye = glm::perspective(glm::radians(0.5), 1.0, 0.1, 1000.0);
+      s.settings.ao.on = on;
+      scene::Shading& shading = s.shadings[0];
+      shading.globalAmbient = {1, 1, 1, 1};
+      shading.lighting = !program;
+      if (program) shading.fragment.model = scene::FragmentShading::Model::unlit;
+      for (scene::Instance& instance : s.instances) {
+        instance.lightingFromObject = glm::mat4(instance.eyeFromObject);
+        scene::Material white;
+        white.ambient = white.diffuse = {1, 1, 1, 1};
+        if (program) white.diffuse = {0, 0, 0, 1};
+        instance.materials = {{white, white}};
+      }
+      shading.fog.mode = scene::Fog::linear;
+      shading.fog.color = glm::vec3(0.8f);
+      shading.fog.start = 0;
+      for (const float end : {5.0f, 10.0f, 20.0f}) {  // the wall is at 5
+        shading.fog.end = end;
+        const float seen = 1 - 5 / end;
+        EXPECT_NEAR(meanOfHits(test::trace(s)), seen * 0.5f + (1 - seen) * 0.8f, 0.01f)
+            << program << " " << static_cast<int>(on) << " " << end;
+      }
+    }
+}
+
 TEST(AmbientOcclusion, IgnoresWhatClipPlanesCutAway) {
   scene::Snapshot s = occludedView({backWall(), test::parallelogram({0, 0, 50}, {500, 0, 0}, {0, 500, 0})});
   EXPECT_LT(meanOfHits(test::trace(s)), 0.1f);

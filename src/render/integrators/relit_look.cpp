@@ -66,6 +66,12 @@ HWY_ATTR void shadeArriving(const FrameData& frame, const Surface& surface, cons
   rows = lit;
 }
 
+HWY_ATTR void fogBlack(const ColoredHits& hits, ColorRows& rows) {
+  LitRows black{};
+  applyFog(hits.surface, hits.group, black);
+  rows = black;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace gluray::render
 HWY_AFTER_NAMESPACE();
@@ -74,11 +80,14 @@ HWY_AFTER_NAMESPACE();
 namespace gluray::render {
 
 HWY_EXPORT(shadeArriving);
+HWY_EXPORT(fogBlack);
 
 void shadeAgain(const FrameData& frame, const Surface& surface, const ColoredHits& hits,
                 const Arrival& arrival, ColorRows& rows) {
   HWY_DYNAMIC_DISPATCH(shadeArriving)(frame, surface, hits, arrival, rows);
 }
+
+void fogAlone(const ColoredHits& hits, ColorRows& rows) { HWY_DYNAMIC_DISPATCH(fogBlack)(hits, rows); }
 
 }  // namespace gluray::render
 #endif

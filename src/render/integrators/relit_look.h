@@ -24,5 +24,7 @@ struct Arrival {
 
 /// Shades the hits as the local look does, on `surface`, with what arrives of its lights.
 void shadeAgain(const FrameData&, const Surface& surface, const ColoredHits&, const Arrival&, ColorRows&);
+/// What fog adds to the hits' colours: those of black surfaces. For surfaces with fog.
+void fogAlone(const ColoredHits&, ColorRows&);
 
 }  // namespace gluray::render

@@ -76,12 +76,16 @@ std::vector<float> SurfaceLight::meaning() const {
 
 void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const noexcept {
   const ColorRows* direct = hits.direct;
-  ColorRows relitDirect;
+  ColorRows relitDirect, fog;
   if (relight(hits, factors, rows) && occlusion_ && direct) {
     shadeArriving(frame_.direct->surfaces[hits.instance], hits, factors, nullptr, relitDirect);
     direct = &relitDirect;
   }
-  if (occlusion_) occlude(hits, factors, direct, rows);
+  if (!occlusion_) return;
+  // Fog lies before the surface. It is in the direct look, too.
+  if (!direct && hits.surface.lighting->shading->fog.mode != scene::Fog::off)
+    fogAlone(hits, fog), direct = &fog;
+  occlude(hits, factors, direct, rows);
 }
 
 bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
@@ -101,11 +105,12 @@ void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits
   shadeAgain(frame_, surface, hits, arrival, rows);
 }
 
-void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const ColorRows* direct,
+/// `kept`: the part of the colours that stays as it is; null: none.
+void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const ColorRows* kept,
                            ColorRows& rows) const {
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < kLanes; ++i) {
-      const float ambient = rows.value[c][i] - (direct ? direct->value[c][i] : 0);
+      const float ambient = rows.value[c][i] - (kept ? kept->value[c][i] : 0);
       rows.value[c][i] -= occlusion_->strength * (1 - factors.occlusion[i]) * ambient;
     }
   }

@@ -28,7 +28,7 @@ class SurfaceLight final : public FactorIntegrator {
   bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
   void shadeArriving(const Surface&, const ColoredHits&, const Factors&, const scene::Dome*,
                      ColorRows&) const;
-  void occlude(const ColoredHits&, const Factors&, const ColorRows* direct, ColorRows&) const;
+  void occlude(const ColoredHits&, const Factors&, const ColorRows* kept, ColorRows&) const;
 
   const FrameData& frame_;
   Metric metric_;
