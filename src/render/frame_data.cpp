@@ -5,6 +5,7 @@
 #include "render/film/pixel_filter.h"
 #include "render/lights/lamps.h"
 #include "render/lights/relit.h"
+#include "scene/catcher_offset.h"
 #include "scene/effects.h"
 #include "scene/surroundings.h"
 #include "settings/samples.h"
@@ -165,7 +166,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
 
   const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
   const bool atCenters = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), writesDepth);
-  leastDepth = (depth.slopeFactor != 0 || atCenters) && depth.scale != 0 && !s.layers;
+  leastDepth = (scene::ordersBySlope(s) || atCenters) && depth.scale != 0 && !s.layers;
   if (leastDepth) {
     leastDepthReach = reachOfLeastDepth(*this, atCenters);
     const glm::dmat4 rows = glm::transpose(s.camera.clipFromEye * s.eyeFromWorld);

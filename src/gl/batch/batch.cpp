@@ -1,6 +1,7 @@
 #include "gl/batch/batch.h"
 
 #include "base/hash.h"
+#include "scene/catcher_offset.h"
 #include "scene/world.h"
 
 #include <algorithm>
@@ -97,10 +98,8 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
 
 /// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
 void Batch::startFactors(const State& state) {
-  // A twentieth of a pixel along the surface, and depth steps. Samples are up to half a pixel away from the
-  // centre along each axis.
-  constexpr float kSlope = -0.05f, kToSamples = -1.05f, kUnits = -16;
-  const float slope = state.target.samples > 1 ? kToSamples : kSlope;
+  constexpr float kUnits = -16;  // depth steps
+  const float slope = state.target.samples > 1 ? scene::kCatcherSlopeToSamples : scene::kCatcherSlope;
   constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
   snapshot_->catches = true;
   snapshot_->view ^= kOther;  // what earlier frames know of light is that of the same surfaces

@@ -1,5 +1,7 @@
 #include "intercept/present/write_back/seen_catchers.h"
 
+#include "parallel/loops.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -24,20 +26,23 @@ float stepAlong(const Image& image, size_t pixel, bool before, bool after, size_
 
 Image seenCatchers(const Image& image, const scene::Snapshot& snapshot, const std::vector<float>& depths) {
   constexpr float kHalfPixel = 0.5f, kFloatUnit = 1.0f / (1 << 23);
+  constexpr size_t kRows = 32;  // of a piece
   const scene::PolygonOffset& offset = snapshot.polygonOffset;
   const float unit = offset.floats ? kFloatUnit : offset.resolution;
   Image seen = image;
   const auto width = static_cast<size_t>(image.width), height = static_cast<size_t>(image.height);
-  for (size_t y = 0; y < height; ++y)
-    for (size_t x = 0; x < width; ++x) {
-      const size_t i = y * width + x;
-      if (image.depth[i] == Image::kMiss) continue;
-      const float slope = std::max(stepAlong(image, i, x > 0, x + 1 < width, 1),
-                                   stepAlong(image, i, y > 0, y + 1 < height, width));
-      const float behind = 2 * (std::abs(offset.factor) * slope + std::abs(offset.units) * unit);
-      if (depths[i] <= image.depth[i] + behind + kHalfPixel * slope) continue;
-      seen.depth[i] = Image::kMiss;
-    }
+  const auto look = [&](size_t x, size_t y) {
+    const size_t i = y * width + x;
+    if (image.depth[i] == Image::kMiss) return;
+    const float slope = std::max(stepAlong(image, i, x > 0, x + 1 < width, 1),
+                                 stepAlong(image, i, y > 0, y + 1 < height, width));
+    const float behind = 2 * (std::abs(offset.factor) * slope + std::abs(offset.units) * unit);
+    if (!(depths[i] <= image.depth[i] + behind + kHalfPixel * slope)) seen.depth[i] = Image::kMiss;
+  };
+  forPieces(height, kRows, [&](size_t first, size_t last) {
+    for (size_t y = first; y < last; ++y)
+      for (size_t x = 0; x < width; ++x) look(x, y);
+  });
   return seen;
 }
 
