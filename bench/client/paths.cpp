@@ -123,13 +123,20 @@ class BufferPath : public DrawPath {
   GLuint buffers_[3] = {};
 };
 
-constexpr const char* kVertexShader = R"(#version 120
+/// Follows a function that moves vertices.
+constexpr const char* kVertexShader = R"(
 varying vec3 place, toEye, normal;
 void main() {
-  place = 0.05 * gl_Vertex.xyz;
-  toEye = -(gl_ModelViewMatrix * gl_Vertex).xyz;
+  vec4 vertex = moved(gl_Vertex);
+  place = 0.05 * vertex.xyz;
+  toEye = -(gl_ModelViewMatrix * vertex).xyz;
   normal = gl_NormalMatrix * gl_Normal;
-  gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;
+  gl_Position = gl_ModelViewProjectionMatrix * vertex;
+})";
+constexpr const char* kAtRest = "#version 120\nvec4 moved(vec4 vertex) { return vertex; }";
+constexpr const char* kInWaves = R"(#version 120
+vec4 moved(vec4 vertex) {
+  return vec4(vertex.xyz + 0.2 * sin(0.7 * vertex.yzx) * sin(0.9 * vertex.zxy), 1.0);
 })";
 constexpr const char* kFragmentShader = R"(#version 120
 varying vec3 place, toEye, normal;
@@ -146,11 +153,13 @@ void main() {
   gl_FragColor = vec4(color, 1.0);
 })";
 
-/// The buffers drawn by a program whose fragments have three lights and a pattern.
+/// The buffers drawn by a program whose fragments have three lights and a pattern, and which may move
+/// vertices.
 class ShaderPath : public DrawPath {
  public:
-  explicit ShaderPath(TriangleMesh mesh) : buffers_(std::move(mesh)), program_(glCreateProgram()) {
-    attach(GL_VERTEX_SHADER, kVertexShader);
+  ShaderPath(TriangleMesh mesh, const std::string& moved)
+      : buffers_(std::move(mesh)), program_(glCreateProgram()) {
+    attach(GL_VERTEX_SHADER, (moved + kVertexShader).c_str());
     attach(GL_FRAGMENT_SHADER, kFragmentShader);
     glLinkProgram(program_);
     GLint linked = 0;
@@ -180,7 +189,8 @@ std::unique_ptr<DrawPath> makeUnchecked(const std::string& name, TriangleMesh&& 
   if (name == "list") return std::make_unique<ListPath>(std::move(mesh), sendCorners);
   if (name == "elements") return std::make_unique<ListPath>(std::move(mesh), sendIndexed);
   if (name == "vbo") return std::make_unique<BufferPath>(std::move(mesh));
-  if (name == "shader") return std::make_unique<ShaderPath>(std::move(mesh));
+  if (name == "shader") return std::make_unique<ShaderPath>(std::move(mesh), kAtRest);
+  if (name == "waves") return std::make_unique<ShaderPath>(std::move(mesh), kInWaves);
   if (name == "arrays") return std::make_unique<MemoryPath>(std::move(mesh), sendIndexed);
   if (name == "immediate") return std::make_unique<MemoryPath>(std::move(mesh), sendCorners);
   throw std::runtime_error("no path '" + name + "'");
@@ -194,8 +204,8 @@ std::unique_ptr<DrawPath> checked(std::unique_ptr<DrawPath> path) {
 }  // namespace
 
 const std::vector<std::string>& pathNames() {
-  static const std::vector<std::string> names{"list",      "elements", "vbo",        "arrays",
-                                              "immediate", "shader",   "vbo-pieces", "list-pieces"};
+  static const std::vector<std::string> names{"list",   "elements", "vbo",        "arrays",     "immediate",
+                                              "shader", "waves",    "vbo-pieces", "list-pieces"};
   return names;
 }
 

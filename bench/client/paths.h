@@ -22,6 +22,7 @@ class DrawPath {
 ///   vbo        glDrawElements from buffer objects
 ///   arrays     glDrawElements from client arrays, every frame
 ///   shader     as vbo, by a shader program with three lights and a pattern
+///   waves      as shader, with vertices that the program's vertex shader moves
 ///   immediate  glBegin, glNormal3fv, glVertex3fv for every corner, every frame
 /// and, of a mesh that never lies in the program's memory as a whole:
 ///   vbo-pieces   glBufferData without data, then glBufferSubData for each piece

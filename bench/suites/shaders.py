@@ -26,6 +26,7 @@ def arguments(argv):
     parser.add_argument("--scenes", default="spheres", help=f"of {', '.join(SCENES)} (spheres)")
     parser.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
     parser.add_argument("--threads", type=int, default=2, help="of llvmpipe and GLuRay (2)")
+    parser.add_argument("--path", default="shader", choices=("shader", "waves"), help="waves: the vertex shader moves vertices, so that positions come by feedback")
     parser.add_argument("--light", action="store_true", help="what ambient occlusion costs over culled and over traced surfaces")
     parser.add_argument("--name", default="shaders", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
@@ -65,7 +66,7 @@ def row_of_light(scene, size, ways):
 
 def measured(options, scene, size, environment):
     """Measurements of each way: plain, always, auto."""
-    client = client_of(options, scene, size, "shader")
+    client = client_of(options, scene, size, options.path)
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
     rounds = {"plain": [], "always": [], "auto": []}
