@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def number(token):
-    """As src/gl/families/glsl_tokens.cpp writes it."""
+    """As src/gl/glsl/glsl_tokens.cpp writes it."""
     if not re.fullmatch(r"\d*\.\d*[fF]?", token):
         return token
     whole, fraction = token.rstrip("fF").split(".")
@@ -54,7 +54,7 @@ def joined(parts):
 
 
 def statements(text):
-    """Statements as src/gl/families/glsl_statements.h cuts them, lights numbered 0."""
+    """Statements as src/gl/glsl/glsl_statements.h cuts them, lights numbered 0."""
     parts, current, at = list(tokens(text)), [], 0
     main, function, parentheses, braces, loops = False, False, 0, 0, 0
     while at < len(parts):

@@ -103,7 +103,7 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// The same for a draw of points or separate lines that the program shows as impostors, or of billboards.
-/// Null if billboards are not whole (gl/programs/sent_billboards.h).
+/// Null if billboards are not whole (gl/programs/impostors/sent_billboards.h).
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements);
 

@@ -1,8 +1,8 @@
 #include "gl/culled/culled_program.h"
 
 #include "gl/culled/small/current_uniforms.h"
-#include "gl/families/glsl_tokens.h"
-#include "gl/programs/program_source.h"
+#include "gl/glsl/glsl_tokens.h"
+#include "gl/glsl/program_source.h"
 #include "gl/state/state_queries.h"
 
 #include <GL/glext.h>

@@ -1,10 +1,9 @@
 // Parses family files: TOML to Family.
 #include "base/toml_text.h"
-#include "gl/families/built_in_variables.h"
 #include "gl/families/code_sections.h"
 #include "gl/families/family.h"
+#include "gl/families/family_mistakes.h"
 #include "gl/families/family_table.h"
-#include "gl/families/sent_billboard_keys.h"
 
 #include <algorithm>
 
@@ -59,74 +58,11 @@ class FamilyReader : FamilyTable {
     });
     section("pass", [&] { readPass(); });
     allKnown();
-    const bool traced = family_.rasteriseBecause.empty();
-    if (traced && (family_.position.empty() || family_.clipFromObject.empty()))
-      fail(here(), "family \"" + family_.name +
-                       "\" needs vertex.position and transform.clip_from_object, or match.rasterise");
-    if (family_.impostors.given() && !family_.clipPlanes.empty() && !family_.clipCenters)
-      fail(here(), "family \"" + family_.name + "\": impostors need clip.centers = true with clip.planes");
-    if (family_.impostors.given() && !(family_.textures.empty() && family_.edgeFlags.empty()))
-      fail(here(), "family \"" + family_.name + "\": impostors have neither textures nor edges");
-    checkBuiltIns();
-    checkVertexNormals();
-    checkLook();
-    const bool pixels = scene::isSizedInPixels(family_.impostors.shape);
-    if (scene::isInWindow(family_.impostors.shape) &&
-        (family_.depthOffset.given() || family_.depthFactor.given()))
-      fail(here(), "family \"" + family_.name +
-                       "\": beads, tubes and splats have impostors.depth_bias instead of depth");
-    const bool splats = family_.impostors.shape == scene::Shape::splats;
-    if ((splats || family_.impostors.sent) == family_.impostors.projection.empty())
-      fail(here(), "family \"" + family_.name +
-                       "\": splats and sent billboards, and only these, need impostors.projection");
-    if (family_.impostors.given() && !pixels && !family_.impostors.radius.given() &&
-        !family_.impostors.radiusInPosition)
-      fail(here(), "family \"" + family_.name + "\" needs impostors.radius");
-    if (const std::string mistake = mistakeInSentBillboards(family_); !mistake.empty())
-      fail(here(), "family \"" + family_.name + "\": " + mistake);
-    if (family_.impostors.shape == scene::Shape::cylinders && family_.impostors.axis.empty())
-      fail(here(), "family \"" + family_.name + "\" needs impostors.axis");
+    if (const std::string mistake = mistakeIn(family_); !mistake.empty())
+      fail(here(), "family \"" + family_.name + "\"" + mistake);
   }
 
  private:
-  /// Built-in variables: only known ones, and in programs whose statements are compared.
-  void checkBuiltIns() const {
-    const std::string of = "family \"" + family_.name + "\": ";
-    for (const std::string& name : family_.mentioned)
-      if (isBuiltIn(name) && !isBuiltInAttribute(name) && builtInUniformType(name) == 0)
-        fail(here(), of + "unknown built-in variable " + name);
-    if (family_.hasBuiltInVertices() && family_.code.empty())
-      fail(here(), of + "programs with gl_Vertex need match.code");
-    if (family_.hasBuiltInVertices() && (family_.impostors.given() || family_.pass != Family::Pass::none ||
-                                         !family_.textures.empty() || !family_.colorMap.empty()))
-      fail(here(), of + "programs with gl_Vertex have neither impostors nor passes nor textures");
-    if (family_.material.emission.given() && !family_.color.empty())
-      fail(here(), of + "emission_color is for families without vertex.color");
-  }
-  void checkLook() const {
-    const std::string of = "family \"" + family_.name + "\": ";
-    const std::string& colors = family_.color.empty() ? family_.instanceColor : family_.color;
-    if (family_.fog.given() && (family_.eyeFromObject.empty() || !family_.viewer.empty()))
-      fail(here(), of + "fog needs transform.eye_from_object, without transform.viewer");
-    if (family_.lights.clamped && (colors.empty() || family_.colorIsDiffuseOnly))
-      fail(here(), of + "lights.clamped needs vertex.color, without color.diffuse_only");
-    if (!family_.lights.enabled.empty() && colors.empty())
-      fail(here(), of + "lights.enabled needs vertex.color");
-    if (!family_.lights.countInSource.empty() && family_.code.empty())
-      fail(here(), of + "lights.count_in_source needs match.code");
-    const bool phong = family_.model == Family::Model::phong;
-    if (!phong && (family_.lights.clamped || family_.lights.infiniteViewer || family_.darkBackFaces))
-      fail(here(), of + "lights.clamped, lights.viewer and normals.dark_back_faces are for the model phong");
-  }
-  void checkVertexNormals() const {
-    const bool asked = family_.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
-                       family_.normalColors || family_.rimColor.given();
-    const bool others = family_.impostors.given() || !family_.triangleNormals.empty() ||
-                        family_.withoutNormals == Family::NoNormals::triangle || family_.normal.empty();
-    if (asked && others)
-      fail(here(), "family \"" + family_.name +
-                       "\": normals.unit, color.from_normals and color.rim are for vertex normals alone");
-  }
   /// Starts with a copy of the inherited family, if any.
   void inherit(const std::vector<std::shared_ptr<const Family>>& known) {
     std::string from;

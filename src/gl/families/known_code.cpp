@@ -1,6 +1,6 @@
 #include "gl/families/known_code.h"
 
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 
 #include <algorithm>
 #include <map>

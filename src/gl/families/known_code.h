@@ -2,7 +2,7 @@
 // computes something that we do not know. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
-#include "gl/families/glsl_statements.h"
+#include "gl/glsl/glsl_statements.h"
 
 #include <map>
 #include <set>

@@ -1,9 +1,9 @@
 #include "gl/families/match.h"
 
-#include "gl/families/glsl_types.h"
 #include "gl/families/variable_types.h"
+#include "gl/glsl/glsl_types.h"
+#include "gl/glsl/program_source.h"
 #include "gl/programs/built_in_uniforms.h"
-#include "gl/programs/program_source.h"
 
 #include <algorithm>
 

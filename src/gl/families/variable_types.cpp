@@ -1,6 +1,6 @@
 #include "gl/families/variable_types.h"
 
-#include "gl/families/glsl_types.h"
+#include "gl/glsl/glsl_types.h"
 
 #include <initializer_list>
 

@@ -1,7 +1,7 @@
 // A linked shader program as the real OpenGL describes it: names, locations and types of its active
 // variables. Read once per link. GL thread, context current.
 #pragma once
-#include "gl/programs/shader_texts.h"
+#include "gl/glsl/shader_texts.h"
 #include "gl/real.h"
 
 #include <GL/gl.h>

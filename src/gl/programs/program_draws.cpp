@@ -5,8 +5,8 @@
 #include "gl/draws/affine.h"
 #include "gl/draws/solid_draws.h"
 #include "gl/layers/layer_draws.h"
-#include "gl/programs/pixel_impostors.h"
-#include "gl/programs/sent_billboards.h"
+#include "gl/programs/impostors/pixel_impostors.h"
+#include "gl/programs/impostors/sent_billboards.h"
 #include "gl/state/state_queries.h"
 
 #include <algorithm>

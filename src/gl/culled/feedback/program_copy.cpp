@@ -1,6 +1,7 @@
 #include "gl/culled/feedback/program_copy.h"
 
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/build_program.h"
+#include "gl/glsl/glsl_tokens.h"
 #include "gl/programs/set_uniform.h"
 
 #include <GL/glext.h>
@@ -41,31 +42,21 @@ ProgramCopy::ProgramCopy(const RealGl& real, const Program& original) : original
   const std::shared_ptr<const ShaderTexts> texts =
       original.texts ? original.texts : readShaderTexts(real, original.name);
   if (!texts || !canBeCopied(*texts) || original.writes) return;
-  name_ = real.CreateProgram();
-  const bool linked = name_ != 0 && link(real, *texts) && findUniforms(real);
+  const bool linked = link(real, *texts) && findUniforms(real);
   if (linked) findBlocks(real);
   if (!linked) release(real);
   drainErrors(real);
 }
 
 bool ProgramCopy::link(const RealGl& real, const ShaderTexts& texts) {
-  for (const ShaderTexts::Shader& each : texts.shaders) {
-    const GLuint shader = real.CreateShader(each.type);
-    const char* const text = each.text.c_str();
-    real.ShaderSource(shader, 1, &text, nullptr);
-    real.CompileShader(shader);
-    real.AttachShader(name_, shader);
-    real.DeleteShader(shader);
-  }
-  for (const auto& [name, attribute] : original_.attributes)
-    if (attribute.location >= 0 && !name.starts_with("gl_"))
-      real.BindAttribLocation(name_, static_cast<GLuint>(attribute.location), name.c_str());
-  const char* const position = "gl_Position";
-  real.TransformFeedbackVaryings(name_, 1, &position, GL_INTERLEAVED_ATTRIBS);
-  real.LinkProgram(name_);
-  GLint linked = GL_FALSE;
-  real.GetProgramiv(name_, GL_LINK_STATUS, &linked);
-  return linked == GL_TRUE;
+  name_ = buildProgram(real, texts.shaders, [&](GLuint program) {
+    for (const auto& [name, attribute] : original_.attributes)
+      if (attribute.location >= 0 && !name.starts_with("gl_"))
+        real.BindAttribLocation(program, static_cast<GLuint>(attribute.location), name.c_str());
+    const char* const position = "gl_Position";
+    real.TransformFeedbackVaryings(program, 1, &position, GL_INTERLEAVED_ATTRIBS);
+  });
+  return name_ != 0;
 }
 
 bool ProgramCopy::findUniforms(const RealGl& real) {

@@ -1,5 +1,5 @@
 #include "gl/culled/shader_slice/glsl_tree.h"
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "gl/culled/shader_slice/glsl_preprocessor.h"
 
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 
 #include <cstdint>
 #include <cstdlib>

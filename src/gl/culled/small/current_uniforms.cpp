@@ -1,6 +1,6 @@
 #include "gl/culled/small/current_uniforms.h"
 
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 #include "gl/programs/uniforms.h"
 
 #include <glm/glm.hpp>

@@ -1,5 +1,6 @@
 #include "intercept/present/raster/depth_redraw.h"
 
+#include "gl/glsl/build_program.h"
 #include "gl/state/state_queries.h"
 #include "intercept/present/raster/raster_fallback.h"
 #include "intercept/present/raster/triangle_array.h"
@@ -7,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace gluray::present {
 namespace {
@@ -65,23 +67,12 @@ void main() {
 )";
 
 /// `vertex`: null for vertices of fixed function.
-GLuint buildProgram(const RealGl& real, const char* vertex, const std::string& fragment) {
-  const GLuint program = real.CreateProgram();
-  const auto attach = [&](GLenum kind, const char* source) {
-    const GLuint shader = real.CreateShader(kind);
-    real.ShaderSource(shader, 1, &source, nullptr);
-    real.CompileShader(shader);
-    real.AttachShader(program, shader);
-    real.DeleteShader(shader);
-  };
-  if (vertex) attach(GL_VERTEX_SHADER, vertex), real.BindAttribLocation(program, 0, "vertexMC");
-  attach(GL_FRAGMENT_SHADER, fragment.c_str());
-  real.LinkProgram(program);
-  GLint linked = GL_FALSE;
-  real.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return program;
-  real.DeleteProgram(program);
-  return 0;
+GLuint buildSeenAlone(const RealGl& real, const char* vertex, const std::string& fragment) {
+  std::vector<gl::ShaderTexts::Shader> shaders{{GL_FRAGMENT_SHADER, fragment}};
+  if (vertex) shaders.push_back({GL_VERTEX_SHADER, vertex});
+  return gl::buildProgram(real, shaders, [&](GLuint program) {
+    if (vertex) real.BindAttribLocation(program, 0, "vertexMC");
+  });
 }
 
 /// Copies the depth of the region into a new texture; 0 if the real OpenGL refuses.
@@ -176,9 +167,9 @@ bool drawAgain(const RealGl& real, const Features& features, const scene::Snapsh
                                    : copyDepth(real, features, snapshot.region);
   if (!again.depth) return false;
   bool drawn = false;
-  again.program =
-      buildProgram(real, drawer.vertex,
-                   again.multisampled ? std::string(drawer.samplesHead) + kSamplesSeenAlone : drawer.single);
+  again.program = buildSeenAlone(
+      real, drawer.vertex,
+      again.multisampled ? std::string(drawer.samplesHead) + kSamplesSeenAlone : drawer.single);
   if (again.program) {
     tell(real, features, again.program, snapshot.region);
     drawn = again.multisampled ? drawSamples(real, features, snapshot, drawer.draw, again)

@@ -1,5 +1,9 @@
 #include "intercept/present/read_back/view_program.h"
 
+#include "gl/glsl/build_program.h"
+
+#include <GL/glext.h>
+
 namespace gluray::present {
 namespace {
 
@@ -18,22 +22,8 @@ void main() {
 }  // namespace
 
 GLuint buildViewProgram(const RealGl& real, bool compatibility, const char* fragmentShader) {
-  const GLuint program = real.CreateProgram();
-  const auto attach = [&](GLenum kind, const char* source) {
-    const GLuint shader = real.CreateShader(kind);
-    real.ShaderSource(shader, 1, &source, nullptr);
-    real.CompileShader(shader);
-    real.AttachShader(program, shader);
-    real.DeleteShader(shader);
-  };
-  attach(GL_VERTEX_SHADER, compatibility ? kGivenVertices : kTriangleAround);
-  attach(GL_FRAGMENT_SHADER, fragmentShader);
-  real.LinkProgram(program);
-  GLint linked = GL_FALSE;
-  real.GetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return program;
-  real.DeleteProgram(program);
-  return 0;
+  return gl::buildProgram(real, {{GL_VERTEX_SHADER, compatibility ? kGivenVertices : kTriangleAround},
+                                 {GL_FRAGMENT_SHADER, fragmentShader}});
 }
 
 void drawAroundView(const RealGl& real, bool compatibility) {

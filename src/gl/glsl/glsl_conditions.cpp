@@ -1,6 +1,6 @@
-#include "gl/families/glsl_conditions.h"
+#include "gl/glsl/glsl_conditions.h"
 
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 
 #include <algorithm>
 #include <set>

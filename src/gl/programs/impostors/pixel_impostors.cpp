@@ -1,4 +1,4 @@
-#include "gl/programs/pixel_impostors.h"
+#include "gl/programs/impostors/pixel_impostors.h"
 
 #include "gl/state/state.h"
 #include "gl/state/state_queries.h"

@@ -1,4 +1,4 @@
-#include "tests/reference/programs/sent_impostors.h"
+#include "tests/reference/programs/sent/sent_impostors.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

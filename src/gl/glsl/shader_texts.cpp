@@ -1,4 +1,4 @@
-#include "gl/programs/shader_texts.h"
+#include "gl/glsl/shader_texts.h"
 
 #include <GL/glext.h>
 

@@ -1,7 +1,7 @@
 // Builds meshes of impostors from the points or separate lines that a draw sends.
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
-#include "gl/programs/sent_billboards.h"
+#include "gl/programs/impostors/sent_billboards.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "gl/programs/program_source.h"
+#include "gl/glsl/program_source.h"
 
-#include "gl/families/glsl_conditions.h"
+#include "gl/glsl/glsl_conditions.h"
 
 #include <algorithm>
 #include <optional>

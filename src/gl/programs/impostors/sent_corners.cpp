@@ -1,5 +1,5 @@
 // Which corners a billboard must have.
-#include "gl/programs/sent_billboards.h"
+#include "gl/programs/impostors/sent_billboards.h"
 
 #include <array>
 #include <bit>

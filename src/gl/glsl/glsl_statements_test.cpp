@@ -1,5 +1,5 @@
 // GLSL cut into statements: where they end, which are omitted, and which count as equal.
-#include "gl/families/glsl_statements.h"
+#include "gl/glsl/glsl_statements.h"
 
 #include <gtest/gtest.h>
 

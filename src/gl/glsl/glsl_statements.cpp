@@ -1,7 +1,7 @@
-#include "gl/families/glsl_statements.h"
+#include "gl/glsl/glsl_statements.h"
 
 #include "base/hash.h"
-#include "gl/families/glsl_tokens.h"
+#include "gl/glsl/glsl_tokens.h"
 
 #include <algorithm>
 #include <cstring>

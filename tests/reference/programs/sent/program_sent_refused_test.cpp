@@ -1,5 +1,5 @@
 // Impostors whose billboards the program sends: what is left to the real OpenGL.
-#include "tests/reference/programs/sent_impostors.h"
+#include "tests/reference/programs/sent/sent_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

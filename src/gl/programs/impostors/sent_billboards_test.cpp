@@ -1,5 +1,5 @@
 // Which billboards are whole, and the meshes that draws of them become.
-#include "gl/programs/sent_billboards.h"
+#include "gl/programs/impostors/sent_billboards.h"
 
 #include "gl/families/test_match.h"
 

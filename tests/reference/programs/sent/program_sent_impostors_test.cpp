@@ -1,6 +1,6 @@
 // Impostors whose billboards the program sends: what the program computes is what is traced.
 #include "tests/reference/framebuffer.h"
-#include "tests/reference/programs/sent_impostors.h"
+#include "tests/reference/programs/sent/sent_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Which lines of GLSL conditions leave.
-#include "gl/families/glsl_conditions.h"
+#include "gl/glsl/glsl_conditions.h"
 
-#include "gl/families/glsl_statements.h"
+#include "gl/glsl/glsl_statements.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // The source of a program's shaders. GL thread, context current.
 #pragma once
-#include "gl/families/glsl_statements.h"
+#include "gl/glsl/glsl_statements.h"
+#include "gl/glsl/shader_texts.h"
 #include "gl/programs/program.h"
-#include "gl/programs/shader_texts.h"
 #include "gl/real.h"
 
 #include <memory>

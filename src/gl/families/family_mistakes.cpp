@@ -1,0 +1,109 @@
+#include "gl/families/family_mistakes.h"
+
+#include "gl/families/built_in_variables.h"
+
+namespace gluray::gl {
+namespace {
+
+bool hasKeysOfSticks(const FamilyImpostors& f) {
+  return !f.end.empty() || !f.endColor.empty() || !f.caps.empty() || !f.roundCaps.empty() ||
+         !f.halvesBlend.empty();
+}
+
+bool hasKeysOfSent(const FamilyImpostors& f) {
+  return !f.corners.empty() || f.parallelView || f.radiusInPosition || f.radiusInObject || f.zeroScaleIsOne;
+}
+
+std::string mistakeInSentBillboards(const Family& family) {
+  const FamilyImpostors& f = family.impostors;
+  const bool sticks = f.shape == scene::Shape::sticks;
+  if (sticks && !f.sent) return "sticks need impostors.billboards = \"sent\"";
+  if (sticks && f.end.empty()) return "sticks need impostors.end";
+  if (!sticks && hasKeysOfSticks(f))
+    return "end, end_color, caps, round_caps and halves_blend are for sticks alone";
+  if (!f.sent && hasKeysOfSent(f))
+    return "corners, viewer, radius_in_position, radius_in_object_space and zero_scale_is_one need "
+           "impostors.billboards = \"sent\"";
+  if (!f.sent) return "";
+  if (f.shape != scene::Shape::spheres && !sticks)
+    return "billboards = \"sent\" is for spheres and sticks only";
+  if (f.corners.empty()) return "sent billboards need impostors.corners";
+  if (family.eyeFromObject.empty()) return "sent billboards need transform.eye_from_object";
+  if (!family.viewer.empty()) return "sent billboards have no transform.viewer";
+  if (family.code.empty()) return "sent billboards need match.code";
+  if (family.geometryShader || !family.clipPlanes.empty() || !family.instanceTransform.empty())
+    return "sent billboards have neither geometry shaders nor clip planes nor instances";
+  return "";
+}
+
+/// Built-in variables: only known ones, and in programs whose statements are compared.
+std::string mistakeInBuiltIns(const Family& family) {
+  for (const std::string& name : family.mentioned)
+    if (isBuiltIn(name) && !isBuiltInAttribute(name) && builtInUniformType(name) == 0)
+      return "unknown built-in variable " + name;
+  if (family.hasBuiltInVertices() && family.code.empty()) return "programs with gl_Vertex need match.code";
+  if (family.hasBuiltInVertices() && (family.impostors.given() || family.pass != Family::Pass::none ||
+                                      !family.textures.empty() || !family.colorMap.empty()))
+    return "programs with gl_Vertex have neither impostors nor passes nor textures";
+  if (family.material.emission.given() && !family.color.empty())
+    return "emission_color is for families without vertex.color";
+  return "";
+}
+
+std::string mistakeInLook(const Family& family) {
+  const std::string& colors = family.color.empty() ? family.instanceColor : family.color;
+  if (family.fog.given() && (family.eyeFromObject.empty() || !family.viewer.empty()))
+    return "fog needs transform.eye_from_object, without transform.viewer";
+  if (family.lights.clamped && (colors.empty() || family.colorIsDiffuseOnly))
+    return "lights.clamped needs vertex.color, without color.diffuse_only";
+  if (!family.lights.enabled.empty() && colors.empty()) return "lights.enabled needs vertex.color";
+  if (!family.lights.countInSource.empty() && family.code.empty())
+    return "lights.count_in_source needs match.code";
+  const bool phong = family.model == Family::Model::phong;
+  if (!phong && (family.lights.clamped || family.lights.infiniteViewer || family.darkBackFaces))
+    return "lights.clamped, lights.viewer and normals.dark_back_faces are for the model phong";
+  return "";
+}
+
+std::string mistakeInVertexNormals(const Family& family) {
+  const bool asked = family.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
+                     family.normalColors || family.rimColor.given();
+  const bool others = family.impostors.given() || !family.triangleNormals.empty() ||
+                      family.withoutNormals == Family::NoNormals::triangle || family.normal.empty();
+  return asked && others ? "normals.unit, color.from_normals and color.rim are for vertex normals alone" : "";
+}
+
+std::string mistakeInImpostors(const Family& family) {
+  const FamilyImpostors& f = family.impostors;
+  if (f.given() && !family.clipPlanes.empty() && !family.clipCenters)
+    return "impostors need clip.centers = true with clip.planes";
+  if (f.given() && !(family.textures.empty() && family.edgeFlags.empty()))
+    return "impostors have neither textures nor edges";
+  if (scene::isInWindow(f.shape) && (family.depthOffset.given() || family.depthFactor.given()))
+    return "beads, tubes and splats have impostors.depth_bias instead of depth";
+  if ((f.shape == scene::Shape::splats || f.sent) == f.projection.empty())
+    return "splats and sent billboards, and only these, need impostors.projection";
+  return mistakeInSentBillboards(family);
+}
+
+/// A key that must be there; empty: none is missing.
+std::string missingKey(const Family& family) {
+  const FamilyImpostors& f = family.impostors;
+  const bool traced = family.rasteriseBecause.empty();
+  if (traced && (family.position.empty() || family.clipFromObject.empty()))
+    return "vertex.position and transform.clip_from_object, or match.rasterise";
+  if (f.given() && !scene::isSizedInPixels(f.shape) && !f.radius.given() && !f.radiusInPosition)
+    return "impostors.radius";
+  return f.shape == scene::Shape::cylinders && f.axis.empty() ? "impostors.axis" : "";
+}
+
+}  // namespace
+
+std::string mistakeIn(const Family& family) {
+  if (const std::string key = missingKey(family); !key.empty()) return " needs " + key;
+  for (const auto& look : {mistakeInBuiltIns, mistakeInVertexNormals, mistakeInLook, mistakeInImpostors})
+    if (const std::string mistake = look(family); !mistake.empty()) return ": " + mistake;
+  return "";
+}
+
+}  // namespace gluray::gl
