@@ -8,7 +8,7 @@
 #endif
 
 #include "accel/impostors/stick.h"
-#include "render/visibility/depth.inl.h"
+#include "render/visibility/solid_lanes.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -29,37 +29,17 @@ HWY_ATTR inline float shareOfSecond(const scene::Impostors& look, const accel::S
 HWY_ATTR inline void computeSticks(const Surface& surface, const accel::PlacedImpostors& placed,
                                    const DepthMap& map, const float* x, const float* y, bool atCenters,
                                    Group& group, DepthAndFacing& out) {
-  const ImpostorSpace& space = surface.impostors;
-  const int leader = std::countr_zero(group.lanes);
   const auto position = [&](float at)
                             HWY_ATTR { return atCenters ? std::floor(double{at}) + 0.5 : double{at}; };
-  const auto compute = [&](int i) HWY_ATTR {
+  const auto seeLane = [&](int i) HWY_ATTR {
     accel::Stick stick;
     accel::Stick::make(placed, group.primitive[i], stick);
-    const glm::dvec4 start = space.start + position(x[i]) * space.startX + position(y[i]) * space.startY;
-    const glm::dvec3 org = glm::dvec3(start) / start.w;
-    const accel::StickPoint seen =
-        see(stick, org, glm::normalize(glm::dvec3(space.step) - space.step.w * org));
-    for (int c = 0; c < 3; ++c)
-      group.point[c][i] = static_cast<float>(seen.point[c]), group.normal[c][i] = seen.normal[c];
-    group.u[i] = shareOfSecond(surface.instance->impostors, stick, seen);
-    const glm::dvec4 point(seen.point, 1);
-    const double ndc = glm::dot(space.clipZ, point) / glm::dot(space.clipW, point);
-    out.depth[i] = static_cast<float>(std::clamp(ndc, -1.0, 1.0) * map.scale + map.offset);
+    const Sight sight = sightAt(surface.impostors, position(x[i]), position(y[i]));
+    const accel::StickPoint seen = see(stick, sight.org, sight.dir);
+    const float share = shareOfSecond(surface.instance->impostors, stick, seen);
+    return SolidPoint{seen.point, seen.normal, share, 1};
   };
-  for (int i = 0; i < kLanes; ++i) group.v[i] = 0, group.fade[i] = 1;
-  compute(leader);
-  for (int i = 0; i < kLanes; ++i) {
-    if (i == leader) continue;
-    if (group.lanes >> i & 1) {
-      compute(i);
-      continue;
-    }
-    for (int c = 0; c < 3; ++c)
-      group.point[c][i] = group.point[c][leader], group.normal[c][i] = group.normal[c][leader];
-    group.u[i] = group.u[leader], out.depth[i] = out.depth[leader];
-  }
-  out.ccw = surface.frontIsCcw ? ~0u : 0;
+  computeSolidLanes(surface, map, seeLane, group, out);
 }
 
 }  // namespace HWY_NAMESPACE
