@@ -1,5 +1,5 @@
-// What balls, capsules and sticks have in common at pixels: lines of sight, depths, lanes. Part of kernels.cpp
-// (compiled once for each instruction set).
+// What balls, capsules and sticks have in common at pixels: lines of sight, depths, lanes. Part of
+// kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_SOLID_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SOLID_LANES_INL_H_
 #undef GLURAY_RENDER_SOLID_LANES_INL_H_
