@@ -58,6 +58,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       frames({settings, shadow, failsafe, clock, counts, surfaces, cleared, flusher, resolves, window,
               passthrough, immediate, lists}),
       fullscreen({shadow, failsafe, cleared, flusher, resolves}),
+      untraced(shadow, clock),
       programs({shadow, failsafe, clock, surfaces, flusher, triage, filler, raster, layers}),
       culled({shadow, failsafe, clock, counts, flusher, raster, cleared}),
       immediate(
@@ -110,7 +111,7 @@ Gate Context::gate(bool anywhere, bool compiled) noexcept {
   return lists.compiling() ? Gate::compile : Gate::run;
 }
 
-void Context::beforeForward(Flush how) noexcept {
+void Context::prepareToForward(Flush how) noexcept {
   // A vertex that we cannot capture, for instance an evaluator's: the real OpenGL draws the whole primitive.
   if (immediate.inside() == Immediate::Inside::captured) protect([&] { immediate.surrender(); });
   if (immediate.inside() == Immediate::Inside::captured) return;

@@ -14,6 +14,7 @@
 #include "gl/layers/layer_draws.h"
 #include "gl/lists/list_compiler.h"
 #include "gl/programs/program_draws.h"
+#include "gl/programs/untraced_programs.h"
 #include "gl/state/attrib_stack.h"
 #include "gl/state/shadow_state.h"
 #include "gl/thread_state.h"
@@ -66,6 +67,7 @@ class Context {
   PassthroughFrames passthrough;
   FrameEnds frames;
   FullscreenPasses fullscreen;
+  UntracedPrograms untraced;
   ProgramDraws programs;
   CulledDraws culled;
   Immediate immediate;
@@ -81,7 +83,10 @@ class Context {
   /// same, and the program gets the colours; leave: binds another framebuffer, reads nothing; redirect: sends
   /// later draws elsewhere, or changes what pending draws need, and reads nothing; all: may do anything.
   enum class Flush { none, look, read, leave, redirect, all };
-  void beforeForward(Flush flush) noexcept;
+  void beforeForward(Flush flush) noexcept {
+    if (flush != Flush::none || attention || shadow.current.anyUnsent()) [[unlikely]]
+      prepareToForward(flush);
+  }
   void count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
   void touch(uint32_t groups) { shadow.touch(groups); }
   void syncCurrent() { shadow.syncCurrent(); }
@@ -102,6 +107,7 @@ class Context {
   Context(const RealGl& real, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
           Presenter& presenter);
   void drawHeld();
+  void prepareToForward(Flush flush) noexcept;
 
   std::vector<Counter<uint64_t>> unknownCalls_;
 };

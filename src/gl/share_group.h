@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace gluray::gl {
@@ -94,15 +95,25 @@ class ShareGroup {
   std::atomic<bool> stencilsSet =
       false;  // some image may hold stencil values; until then OpenGL leaves them undefined
 
-  bool anyBuffersHeldBack() const;
+  const std::shared_ptr<std::atomic<int>> heldBackBuffers = std::make_shared<std::atomic<int>>(0);
+  bool anyBuffersHeldBack() const { return *heldBackBuffers > 0; }
 
   /// The program with its family, which is determined once per link. A context of the group must be current.
   std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
-  /// The program was deleted or got a binary: its family is determined anew.
+  /// The program got a binary, or was deleted: its family is determined anew, if it is still used.
   void programChanged(GLuint name);
+  void programDeleted(GLuint name);
   /// The same for a program that was linked: keeps the texts of its shaders, which it may detach. A context
   /// of the group must be current.
   void programLinked(const RealGl& real, GLuint name);
+  /// Counts programs that were linked, deleted or recognised.
+  uint64_t programChanges() const { return programChanges_; }
+  /// What program() has found for the program; null: it was not asked yet.
+  std::shared_ptr<const KnownProgram> recognised(GLuint name);
+  /// Some program that was linked or got a binary, for which program() was not asked since; 0: none.
+  GLuint unrecognised();
+  /// Whether a family describes one of the recognised programs.
+  bool tracesPrograms();
 
   /// A real list whose owner is gone: the next current context of the group deletes it.
   void discardRealList(GLuint id);
@@ -116,6 +127,8 @@ class ShareGroup {
   std::mutex programsMutex_;
   std::unordered_map<GLuint, std::shared_ptr<const KnownProgram>> programs_;
   std::unordered_map<GLuint, std::shared_ptr<const ShaderTexts>> texts_;
+  std::unordered_set<GLuint> unrecognised_;
+  std::atomic<uint64_t> programChanges_ = 0;
 };
 
 }  // namespace gluray::gl

@@ -15,11 +15,13 @@
 #include <span>
 
 namespace gluray::gl {
+
 namespace {
 
 bool isMode(GLenum mode) { return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_PATCHES); }
 
-/// Raises the error of an invalid draw: now, or in a list when that is called.
+}  // namespace
+
 void refuse(Context& c, GLenum error) {
   // Inside glBegin GL_INVALID_OPERATION comes first, except while a list is compiled.
   if (c.immediate.insideBegin()) return c.lists.misuse(c.lists.compiling() ? error : GL_INVALID_OPERATION);
@@ -27,7 +29,6 @@ void refuse(Context& c, GLenum error) {
   c.lists.record([error](Context& x) { x.errors.set(error); });
 }
 
-/// Whether the draw is valid; raises its error if not.
 bool validate(Context& c, GLenum mode, const Elements& e) {
   if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
   if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
@@ -35,6 +36,8 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
   if (c.immediate.insideBegin()) return c.lists.misuse(), false;
   return true;
 }
+
+namespace {
 
 constexpr GLsizei kSmall = 192;  // most vertices of a draw that joins a run instead of becoming a mesh
 
@@ -100,6 +103,11 @@ void draw(Context& c, GLenum mode, const Elements& e) {
     if (c.passthrough.takes(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
   }
   c.passthrough.works();
+  if (drawsUntraced(c) && !c.culled.mayCull(e)) {
+    c.culled.count(e);
+    beforeUntraced(c, mode, pathOf(e), trianglesOf(mode, e));
+    return drawReal(c.real, mode, e);
+  }
   c.shadow.refresh(kRaster);
   if (c.shadow.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
   c.shadow.refresh(kDrawGroups | kFixedArrays);
@@ -189,36 +197,6 @@ void drawElementsInstancedBaseVertexBaseInstance(Context& c, GLenum mode, GLsize
   if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
   if (instances < 0) return refuse(c, GL_INVALID_VALUE);
   draw(c, mode, {0, count, type, indices, base, instances, baseInstance});
-}
-
-namespace {
-
-/// The same for a multi-draw: checks the mode even if there are no draws.
-bool validate(Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
-  if (draws < 0 || std::any_of(count, count + draws, [](GLsizei n) { return n < 0; }))
-    return refuse(c, GL_INVALID_VALUE), false;
-  return validate(c, mode, Elements{});
-}
-
-}  // namespace
-
-void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
-  if (!validate(c, mode, count, draws)) return;
-  for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
-}
-
-void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
-                       GLsizei draws) {
-  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
-  if (!validate(c, mode, count, draws)) return;
-  for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
-}
-
-void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
-                                 const void* const* indices, GLsizei draws, const GLint* base) {
-  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
-  if (!validate(c, mode, count, draws)) return;
-  for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
 }
 
 }  // namespace gluray::gl

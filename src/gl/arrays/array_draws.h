@@ -20,6 +20,11 @@ inline PrimitiveClass kindOf(GLenum mode) {
   return mode <= GL_POLYGON ? classOf(mode) : PrimitiveClass::lines;
 }
 
+/// Raises the error of an invalid draw: now, or in a list when that is called.
+void refuse(Context& c, GLenum error);
+/// Whether the draw is valid; raises its error if not.
+bool validate(Context& c, GLenum mode, const Elements& elements);
+
 /// Number of triangles of the draw, in all instances together.
 uint64_t trianglesOf(GLenum mode, const Elements& elements);
 
@@ -39,6 +44,12 @@ Reason traceFixedArrays(Context& c, GLenum mode, const Elements& elements);
 /// Has the real OpenGL draw the depth of traced surfaces that a draw of fixed function's arrays coincides
 /// with, before it is rasterised.
 void meetFixedArrays(Context& c, PrimitiveClass kind, GLenum mode, const Elements& elements);
+
+/// Whether the real OpenGL makes the draws of the program in use, whatever the state and their vertices are,
+/// and nothing waits for them or asks about them.
+bool drawsUntraced(Context& c);
+/// Call before such a draw, or several together, of `triangles` triangles: counts it and prepares for it.
+void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles);
 
 /// Draws with the current shader program: traced if triage allows it, else rasterised.
 void drawByProgram(Context& c, GLenum mode, const Elements& elements);

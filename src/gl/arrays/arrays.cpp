@@ -118,7 +118,7 @@ bool genericArrayOn(const RealGl& real, GLuint index) {
 std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name) {
   if (name == 0) return nullptr;
   auto buffer = group.buffers.find(name);
-  if (!buffer) group.buffers.put(name, buffer = std::make_shared<Buffer>(name));
+  if (!buffer) group.buffers.put(name, buffer = std::make_shared<Buffer>(name, group.heldBackBuffers));
   return buffer;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -23,7 +24,7 @@ BufferStorage::BufferStorage(size_t sizeBytes)
 
 BufferStorage::~BufferStorage() { std::free(data); }
 
-Buffer::Buffer(GLuint name) : name_(name) {
+Buffer::Buffer(GLuint name, SharedCount heldBack) : name_(name), heldBack_(std::move(heldBack)) {
   static std::atomic<uint64_t> next{1};
   serial_ = next++;
 }
@@ -106,6 +107,11 @@ void Buffer::fetch(const RealGl& real) {
 }
 
 std::shared_ptr<const BufferStorage> Buffer::read(const RealGl& real) {
+  sent_ = 0;
+  return readToWrite(real);
+}
+
+std::shared_ptr<const BufferStorage> Buffer::readToWrite(const RealGl& real) {
   const std::lock_guard lock(mutex_);
   if (!storage_ || (foreign && !heldBack_ && !mapped_)) fetch(real);
   return storage_;
@@ -121,7 +127,10 @@ void Buffer::sendTo(const RealGl& real) {
   // A mapped buffer gets memory, because drivers have been seen to read at null when a program draws from it.
   real.BufferData(binding.target(), static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
                   usage_);
-  if (!mapped_) g_bytesSent.fetch_add(size_, std::memory_order_relaxed);
+  if (!mapped_) {
+    g_bytesSent.fetch_add(size_, std::memory_order_relaxed);
+    sent_ = std::min(sent_ + 1, kOften);
+  }
   memoryBelow_ = true;
   heldBack_ = mapped_ != nullptr;
 }

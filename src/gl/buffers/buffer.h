@@ -27,27 +27,29 @@ struct BufferStorage {
   size_t size;
 };
 
-/// A flag that also counts how many flags of the process are set.
+using SharedCount = std::shared_ptr<std::atomic<int>>;
+
+/// A flag that also counts in `set` how many flags of a share group are set.
 class CountedFlag {
  public:
-  CountedFlag() = default;
+  explicit CountedFlag(SharedCount set) : set_(std::move(set)) {}
   ~CountedFlag() { *this = false; }
   CountedFlag(const CountedFlag&) = delete;
   CountedFlag& operator=(bool on) {
-    if (on_.exchange(on) != on) set_ += on ? 1 : -1;
+    if (on_.exchange(on) != on) *set_ += on ? 1 : -1;
     return *this;
   }
   operator bool() const { return on_; }
-  static bool anySet() { return set_ > 0; }
 
  private:
   std::atomic<bool> on_ = false;
-  static inline std::atomic<int> set_ = 0;
+  SharedCount set_;
 };
 
 class Buffer {
  public:
-  explicit Buffer(GLuint name);
+  /// `heldBack` counts the buffers of the share group whose contents are held back.
+  Buffer(GLuint name, SharedCount heldBack);
 
   /// glBufferData: new contents (null: undefined), held back until the real OpenGL needs them.
   void setData(size_t size, const void* data, GLenum usage);
@@ -59,6 +61,8 @@ class Buffer {
   }
   /// The bytes, fetched from the real OpenGL if it has changed them. Null for an empty buffer.
   std::shared_ptr<const BufferStorage> read(const RealGl& real);
+  /// The same because the program writes a part of it, not because a draw needs it (isSentOften).
+  std::shared_ptr<const BufferStorage> readToWrite(const RealGl& real);
   /// Sends the real OpenGL our contents if they are held back. Drawing from a mapped buffer is an error: then
   /// this only allocates memory there, so that a program that draws all the same does no harm.
   void sendTo(const RealGl& real);
@@ -75,8 +79,8 @@ class Buffer {
   bool immutable = false;  // glBufferStorage: the real OpenGL's storage cannot be replaced
   GLenum usage() const { return usage_; }
   bool heldBack() const { return heldBack_; }
-  /// Whether the contents of any buffer of the process are held back.
-  static bool anyHeldBack() { return CountedFlag::anySet(); }
+  /// Whether new contents were sent again and again and never read, so that holding back is in vain.
+  bool isSentOften() const { return sent_ >= kOften; }
   /// Bytes that sendTo() has sent since the process began. Any thread.
   static uint64_t bytesSent();
   uint64_t version() const { return version_; }
@@ -99,6 +103,7 @@ class Buffer {
   bool mappedBelow = false;
 
  private:
+  static constexpr int kOften = 3;
   /// Storage that may be written: copied first if a mesh still refers to it.
   BufferStorage& writable();
   void fetch(const RealGl& real);
@@ -110,6 +115,7 @@ class Buffer {
   size_t size_ = 0;
   GLenum usage_ = GL_STATIC_DRAW;
   CountedFlag heldBack_;               // our copy is newer than the real OpenGL's
+  std::atomic<int> sent_ = 0;          // by sendTo() since the last read(), up to kOften
   bool memoryBelow_ = false;           // the real OpenGL has memory of this size
   std::atomic<uint64_t> version_ = 1;  // counts changes of content
   void* mapped_ = nullptr;

@@ -24,7 +24,7 @@ bool usesAreSeen(GLenum target) {
 /// Whether contents sent to `target` are held back until a draw of the real OpenGL reads them. Never in
 /// passthrough frames.
 bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
-  if (buffer && (buffer->readBelow || buffer->foreign)) return false;
+  if (buffer && (buffer->readBelow || buffer->foreign || buffer->isSentOften())) return false;
   return !c.clock.passesThrough() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
 }
 
@@ -36,7 +36,7 @@ bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
 /// Whether to map the real OpenGL's memory instead of our copy; it then has our contents.
 bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
   if (buffer && !buffer->immutable && !buffer->mappedBelow && isHeldBack(c, target, buffer)) {
-    if (!buffer->heldBack()) buffer->read(c.real);
+    if (!buffer->heldBack()) buffer->readToWrite(c.real);
     if (buffer->size() > 0) return false;  // empty: the real OpenGL raises the error
   }
   if (buffer && !buffer->mapped()) buffer->sendTo(c.real), buffer->changedBelow();
@@ -106,7 +106,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // it knows the range
   try {
     const bool ours = buffer->mapped() || (!buffer->immutable && isHeldBack(c, target, buffer.get()));
-    if (ours && buffer->read(c.real)) {
+    if (ours && buffer->readToWrite(c.real)) {
       if (!isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
       if (size > 0 && data) buffer->setSubData(static_cast<size_t>(offset), static_cast<size_t>(size), data);
       return;

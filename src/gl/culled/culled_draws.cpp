@@ -71,6 +71,12 @@ bool CulledDraws::isLarge(const Elements& e) const {
   return static_cast<uint64_t>(std::max(e.count, 0)) * e.repeats() >= least;
 }
 
+bool CulledDraws::mayCull(const Elements& e) { return isActive() && (isLarge(e) || small_.isOn()); }
+
+void CulledDraws::count(const Elements& e) {
+  if (isActive()) small_.count(e);
+}
+
 bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void()>& first) noexcept {
   const Settings& settings = p_.shadow.settings;
   if (!isActive()) return false;

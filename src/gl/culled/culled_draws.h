@@ -50,6 +50,10 @@ class CulledDraws {
         small_({parts.shadow, parts.clock, parts.counts, parts.flusher, parts.cleared, *this}) {}
   ~CulledDraws();
 
+  /// Whether draw() may leave out something of a draw, depending on the state. If not, call count() in its
+  /// place.
+  bool mayCull(const Elements& elements);
+  void count(const Elements& elements);
   /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
   /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn,
   /// and it is to be made. Never throws. `first` is called before anything is drawn.

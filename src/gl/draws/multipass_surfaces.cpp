@@ -106,10 +106,12 @@ std::vector<DepthRedraw> MultipassSurfaces::takeTraced() {
 }
 
 void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
-  if (framebuffer)
+  if (framebuffer) {
     std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return r.framebuffer == *framebuffer; });
-  else
-    rasterisedByProgram_.clear();
+    std::erase(unseen_, *framebuffer);
+  } else {
+    rasterisedByProgram_.clear(), unseen_.clear();
+  }
   if (surfaces_.empty()) return;
   ++epoch_;
   if (!byProgram_ || !framebuffer) {
@@ -216,8 +218,13 @@ void MultipassSurfaces::rasterisedByProgram(uint32_t framebuffer, uint64_t count
   rasterisedByProgram_.push_back(std::move(r));
 }
 
+void MultipassSurfaces::rasterisedUnseen(uint32_t framebuffer) {
+  if (std::ranges::find(unseen_, framebuffer) == unseen_.end()) unseen_.push_back(framebuffer);
+}
+
 bool MultipassSurfaces::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh,
                                         const glm::dmat4& clipFromObject, bool pushedBack) {
+  if (std::ranges::find(unseen_, framebuffer) != unseen_.end()) return true;
   const auto meets = [&](const Rasterised& r) {
     return r.framebuffer == framebuffer && r.count == mesh.triangleCount && (pushedBack || !r.pushedBack) &&
            (!r.clipFromObject || *r.clipFromObject == clipFromObject) && holdsSome(mesh, r.triangles);

@@ -69,9 +69,11 @@ class MultipassSurfaces {
   /// Forgets the depth epoch if it has more than 65,536 surfaces: its depth may never be cleared.
   void forgetMany();
   /// Whether shader programs have drawn surfaces in this depth epoch.
-  bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty(); }
+  bool anyByProgram() const { return byProgram_ || !rasterisedByProgram_.empty() || !unseen_.empty(); }
   /// Whether one of these that was not rasterised at once has this framebuffer and number of triangles.
   bool anyByProgram(uint32_t framebuffer, uint64_t triangles) const;
+  /// Whether surfaces were drawn in this depth epoch, beside those of rasterisedByProgram().
+  bool any() const { return !surfaces_.empty(); }
   /// Whether any surface of the depth epoch was drawn with this modelview matrix.
   bool anyUnder(const glm::dmat4& eyeFromObject) const;
 
@@ -92,6 +94,9 @@ class MultipassSurfaces {
   /// `framebuffer` and writes depth.
   void rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
                            const glm::dmat4* clipFromObject, bool pushedBack);
+  /// The same for a draw of which no sample was taken, because no program was traced: all surfaces that
+  /// shader programs draw later in the depth epoch count as coinciding with it.
+  void rasterisedUnseen(uint32_t framebuffer);
   /// Whether a surface that a shader program is about to draw coincides with one of these; it is then
   /// remembered as multipass.
   bool meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
@@ -132,6 +137,7 @@ class MultipassSurfaces {
   bool rasterised_ = false;                                            // some surfaces were rasterised
   bool byProgram_ = false;                                             // shader programs drew some
   std::vector<Rasterised> rasterisedByProgram_;
+  std::vector<uint32_t> unseen_;  // framebuffers of rasterisedUnseen()
   uint64_t epoch_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch with several passes
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry

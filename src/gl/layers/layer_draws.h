@@ -41,6 +41,8 @@ class LayerDraws {
 
   /// Whether draws are held back, or more surfaces may join those traced.
   bool pending() const { return peeling_.stage != Peeling::Stage::none; }
+  /// Whether draws need not ask about layers.
+  bool idle() const { return !pending() && !peeling_.emptied; }
   bool holdsDepths() const { return peeling_.stage == Peeling::Stage::depths; }
   /// Whether traced layers wait until we know how many peels the program draws. Its clears and draws are held
   /// back meanwhile.

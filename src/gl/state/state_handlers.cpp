@@ -245,6 +245,12 @@ uint32_t programChanged(Context& c, GLuint program) {
   return kRaster | kProgram | kAttributes;
 }
 
+uint32_t programDeleted(Context& c, GLuint program) {
+  c.layers.programChanges(program);
+  c.shadow.group.programDeleted(program);
+  return kRaster | kProgram | kAttributes;
+}
+
 uint32_t programLinked(Context& c, GLuint program) {
   const uint32_t changed = programChanged(c, program);
   if (isPresent(c.real.IsProgram) && c.real.IsProgram(program))

@@ -98,6 +98,28 @@ TEST(ProgramPasses, TheRasterisedPassComesFirst) {
           0);
 }
 
+/// Until the program was linked, no draw was compared with others.
+TEST(ProgramPasses, TheProgramIsLinkedAfterTheRasterisedPass) {
+  const Outcome o = expectSame(
+      "passes_linked_between",
+      [&](Gl gl) {
+        const ProgramMesh round = ball(24);
+        const GLuint before = makeUnknownProgram(gl);
+        const Upload beforeUp = upload(gl, round, before);
+        GLuint program = 0;
+        Upload up;
+        for (int i = 0; i < 5; ++i) {
+          beginFrame(gl);
+          drawByUnknown(gl, before, beforeUp, round, perspectiveView(20));
+          if (i == 2) program = makeProgram(gl, Surface{}), up = upload(gl, round, program);
+          if (program != 0) drawSurface(gl, program, up, round, perspectiveView(20), {});
+        }
+      },
+      0);
+  EXPECT_EQ(o.statistics.drawsRasterised, 8u);
+  EXPECT_GE(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 3u);
+}
+
 TEST(ProgramPasses, AnotherSurfaceStaysTraced) {
   const Outcome o = expectSame(
       "passes_other", [&](Gl gl) { drawFrames(gl, 4, false, GL_LEQUAL); }, -1);

@@ -39,14 +39,23 @@ scene::Region between(glm::ivec2 lower, glm::ivec2 upper) {
 
 }  // namespace
 
-bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
+bool SmallDraws::isOn() {
   if (frame_ != p_.clock.frame) beginFrame();
+  return culls_;
+}
+
+void SmallDraws::count(const Elements& e) {
   ++load_.draws, load_.vertices += e.count;
   if (p_.clock.smallDraws.isMeasured() && !p_.clock.smallDraws.wantsStop()) {
     p_.shadow.real.Finish();
     p_.clock.smallDraws.start(nowSeconds());
   }
-  if (!culls_ || e.count < kFewVertices || e.repeats() != 1 || e.baseInstance != 0) return false;
+}
+
+bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
+  const bool on = isOn();
+  count(e);
+  if (!on || e.count < kFewVertices || e.repeats() != 1 || e.baseInstance != 0) return false;
   Candidate candidate;
   if (!find(mode, e, candidate)) return false;
   if (epoch_ != p_.cleared.depthEpoch(common_.reversed)) beginEpoch();

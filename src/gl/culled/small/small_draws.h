@@ -43,6 +43,10 @@ class SmallDraws {
   };
   explicit SmallDraws(const Parts& parts) : p_(parts) {}
 
+  /// Whether draws may be left out in this frame.
+  bool isOn();
+  /// Counts a draw that is made without asking leavesOut(), while !isOn().
+  void count(const Elements& elements);
   /// Whether the draw, which is rasterised, cannot show: then it is counted and need not be made. Call
   /// RasterDraws::before() and ShadowState::sendBuffers() before. May throw std::bad_alloc.
   bool leavesOut(GLenum mode, const Elements& elements);

@@ -1,0 +1,27 @@
+// Draws that are certain to be rasterised, by programs that no family describes. Little is asked about them:
+// programs make thousands of them in a frame.
+#include "gl/arrays/array_draws.h"
+#include "gl/handlers.h"
+
+namespace gluray::gl {
+
+bool drawsUntraced(Context& c) {
+  if (c.untraced.inUse() == Reason::traced) return false;
+  const bool isAsked = c.counts.kinds() || c.surfaces.objects.asked() || c.shadow.settings.light.rasterised;
+  if (isAsked || !c.flusher.batch.empty() || !c.layers.idle()) return false;
+  // Surfaces of several passes are recognised by their vertices.
+  return !c.surfaces.passes.any() && c.untraced.areAll();
+}
+
+void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) {
+  c.immediate.closeRunIfOpen();
+  c.shadow.refresh(kViewport | kTarget);
+  const Reason ofContext = c.triage.ofContext();
+  const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? c.untraced.inUse() : ofContext;
+  c.counts.rasterised(reason, path, kindOf(mode), triangles);
+  c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
+  c.raster.before(kindOf(mode));
+  c.shadow.sendBuffers();
+}
+
+}  // namespace gluray::gl

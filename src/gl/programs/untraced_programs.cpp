@@ -1,0 +1,46 @@
+#include "gl/programs/untraced_programs.h"
+
+#include "gl/errors.h"
+
+#include <algorithm>
+#include <string>
+
+namespace gluray::gl {
+
+Reason UntracedPrograms::inUse() {
+  const GLuint name = shadow_.dirty & kRaster ? shadow_.program.name() : shadow_.state.raster.program;
+  if (name == 0) return Reason::traced;
+  if (name != name_ || changes_ != shadow_.group.programChanges()) find(name);
+  return reason_;
+}
+
+void UntracedPrograms::find(GLuint name) {
+  const std::shared_ptr<const KnownProgram> known = recognise(name);
+  name_ = name, changes_ = shadow_.group.programChanges();
+  reason_ = known->family ? Reason::traced : known->unknownCode ? Reason::programCode : Reason::program;
+  const auto& texts = known->program.texts;
+  const auto numbers = [](const auto& shader) { return shader.text.find("gl_DrawID") != std::string::npos; };
+  numbersDraws_ = !texts || !texts->all || std::ranges::any_of(texts->shaders, numbers);
+}
+
+std::shared_ptr<const KnownProgram> UntracedPrograms::recognise(GLuint name) {
+  if (auto known = shadow_.group.recognised(name)) return known;
+  shadow_.errors.keepPending();
+  auto known = shadow_.program.known(name);
+  while (shadow_.real.GetError() != GL_NO_ERROR) {}
+  return known;
+}
+
+bool UntracedPrograms::areAll() {
+  if (allChanges_ == shadow_.group.programChanges() && areAll_) return true;
+  if (shadow_.group.tracesPrograms()) return false;
+  if (const GLuint name = shadow_.group.unrecognised(); name != 0) {
+    if (recognisedIn_ != clock_.frame) recognise(name);
+    recognisedIn_ = clock_.frame;
+    return areAll_ = false;
+  }
+  allChanges_ = shadow_.group.programChanges();
+  return areAll_ = true;
+}
+
+}  // namespace gluray::gl
