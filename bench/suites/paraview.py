@@ -2,7 +2,7 @@
 
 Contours of the Wavelet source, coloured by value, in a window of 1024x1024 with ParaView's own settings (FXAA on, orientation
 axes), the camera in orbit. Measures with and without GLuRay in turn, round by round; results are medians. With GLuRay the orbit runs
-for 2 seconds and 2 more for each million triangles before frames are measured, so that the better structure is in use; the
+for 5 seconds and 5 more for each million triangles before frames are measured, so that the better structure is in use; the
 frames until then are the column "early". Results go to bench/results/NAME.json. Needs python3-paraview (scripts/setup installs it).
 """
 import shutil
@@ -36,7 +36,7 @@ def main(argv):
         def command(frames, warm=0):
             return ["pvbatch", SCRIPT, ISOVALUES[size], frames[size], options.size, "-", options.look, warm]
         label = f"{size}M triangles"
-        both = pairs.measure_size(options, label, command(GL_FRAMES), command(RAY_FRAMES, 2 + 2 * size), environment)
+        both = pairs.measure_size(options, label, command(GL_FRAMES), command(RAY_FRAMES, 5 + 5 * size), environment)
         pairs.add_stub_time(options, label, lambda n: command({size: n}), RAY_FRAMES[size], environment, both[1])
         return both
     return pairs.run("paraview", options, argv, measure)

@@ -31,7 +31,7 @@ class BackgroundJob {
   bool busy() const { return static_cast<bool>(work_); }
   /// Whether poll() would report Outcome::done.
   bool done() const { return work_ && !cancelled_ && state_.load(std::memory_order_acquire) == State::done; }
-  enum class Priority { low, usual };  // low: tracing threads come first
+  enum class Priority { low, usual };  // low: a quarter of a core that a tracing thread uses, too
   /// Starts `work`. Requires !busy(). False if no thread can be started.
   bool start(Work work, Priority priority = Priority::low) noexcept;
   /// Asks the job to end early. It stays busy until poll() reports it.
