@@ -47,6 +47,7 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   if (entry.around && !(entry.around->shadings == s.surroundings->shadings &&
                         entry.around->blended == s.surroundings->blended &&
                         entry.around->viewFromWorld == s.surroundings->viewFromWorld &&
+                        scene::isSamePictured(*entry.around, *s.surroundings) &&
                         areSame(entry.around->instances, entry.meshes.data() + s.instances.size(),
                                 s.surroundings->instances)))
     return false;

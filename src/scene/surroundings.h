@@ -2,11 +2,14 @@
 // reflect its light. Made by gl/views/view_scenes, shared, immutable.
 #pragma once
 #include "scene/effects.h"
+#include "scene/framebuffer_picture.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace gluray::scene {
@@ -18,8 +21,18 @@ struct Surroundings {
   std::vector<Instance> instances;
   std::vector<uint8_t> blended;  // one an instance; not 0: the program blends it, so that its alpha counts
   glm::dmat4 viewFromWorld{1};   // to the world of the view's first batch, from that of the snapshot
+  /// One an instance, or fewer where the rest is not pictured: surfaces whose colours are those of a picture.
+  std::vector<Pictured> pictured;
+  std::vector<std::shared_ptr<const FramebufferPicture>> pictures;
   bool operator==(const Surroundings&) const = default;
 };
+
+/// Whether two surroundings picture their surfaces alike.
+inline bool isSamePictured(const Surroundings& a, const Surroundings& b) {
+  const auto alike = [](const auto& one, const auto& other) { return one->content == other->content; };
+  return a.pictured == b.pictured &&
+         std::equal(a.pictures.begin(), a.pictures.end(), b.pictures.begin(), b.pictures.end(), alike);
+}
 
 /// Whether the settings ask for light that other surfaces block or reflect, or for a ground below them all.
 /// Snapshots have surroundings only then.

@@ -92,8 +92,12 @@ std::vector<PageMaker::MeshPtr> PageMaker::divide(scene::Snapshot& snapshot, con
   if (!snapshot.surroundings) return meshes;
   auto around = std::make_shared<scene::Surroundings>(*snapshot.surroundings);
   const std::vector<size_t> from = divide(around->instances, around->shadings, job, meshes);
-  around->blended.clear();
-  for (const size_t i : from) around->blended.push_back(snapshot.surroundings->blended[i]);
+  around->blended.clear(), around->pictured.clear();
+  const std::vector<scene::Pictured>& pictured = snapshot.surroundings->pictured;
+  for (const size_t i : from) {
+    around->blended.push_back(snapshot.surroundings->blended[i]);
+    if (!pictured.empty()) around->pictured.push_back(i < pictured.size() ? pictured[i] : scene::Pictured{});
+  }
   snapshot.surroundings = std::move(around);
   return meshes;
 }

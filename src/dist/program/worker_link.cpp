@@ -34,6 +34,7 @@ bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
 
 bool hasBlended(const scene::Snapshot& snapshot) {
   return snapshot.layers || snapshot.catches ||
+         (snapshot.surroundings && !snapshot.surroundings->pictures.empty()) ||
          (snapshot.surroundings &&
           std::ranges::any_of(snapshot.surroundings->blended, [](uint8_t b) { return b; }));
 }

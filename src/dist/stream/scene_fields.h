@@ -147,9 +147,17 @@ void fields(auto& archive, Like<scene::Impostors> auto& value) {
   archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows,
           bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
 }
+void fields(auto& archive, Like<scene::FramebufferPicture> auto& value) {
+  auto& [viewport, depthNear, depthFar, region, offset, colors, depths, content] = value;
+  archive(viewport, depthNear, depthFar, region, offset, colors, depths, content.low, content.high);
+}
+void fields(auto& archive, Like<scene::Pictured> auto& value) {
+  auto& [picture, clipFromObject] = value;
+  archive(picture, clipFromObject);
+}
 void fields(auto& archive, Like<scene::Surroundings> auto& value) {
-  auto& [shadings, instances, blended, viewFromWorld] = value;
-  archive(shadings, instances, blended, viewFromWorld);
+  auto& [shadings, instances, blended, viewFromWorld, pictured, pictures] = value;
+  archive(shadings, instances, blended, viewFromWorld, pictured, pictures);
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,

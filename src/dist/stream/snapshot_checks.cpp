@@ -88,6 +88,15 @@ void checkInstances(const std::vector<scene::Instance>& instances,
   }
 }
 
+void checkPicture(const scene::FramebufferPicture* picture) {
+  require(picture, "a picture is missing");
+  const scene::Region& region = picture->region;
+  require(region.width >= 0 && region.height >= 0, "a picture has no shape");
+  const auto pixels = static_cast<uint64_t>(region.width) * static_cast<uint64_t>(region.height);
+  require(picture->colors.size() == pixels && picture->depths.size() == pixels,
+          "a picture has other pixels than its shape says");
+}
+
 }  // namespace
 
 void check(const scene::Snapshot& snapshot) {
@@ -97,6 +106,11 @@ void check(const scene::Snapshot& snapshot) {
   if (!snapshot.surroundings) return;
   const scene::Surroundings& around = *snapshot.surroundings;
   require(around.blended.size() == around.instances.size(), "surroundings do not fit each other");
+  require(around.pictured.size() <= around.instances.size(), "more surfaces are pictured than there are");
+  for (const scene::Pictured& one : around.pictured)
+    require(one.picture == scene::Pictured::kNone || one.picture < around.pictures.size(),
+            "a surface has no picture");
+  for (const auto& picture : around.pictures) checkPicture(picture.get());
   checkShadings(around.shadings);
   checkInstances(around.instances, around.shadings);
 }

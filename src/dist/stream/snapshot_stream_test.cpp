@@ -113,6 +113,12 @@ scene::Snapshot snapshot() {
   around->shadings = {shading()};
   around->instances = {instanceOf(mesh)};
   around->blended = {1};
+  auto picture = std::make_shared<scene::FramebufferPicture>();
+  picture->region = {1, 2, 2, 1}, picture->depthFar = 0.5f, picture->offset.units = 3;
+  picture->colors = {1, 2}, picture->depths = {0.25f, scene::FramebufferPicture::kNothing};
+  picture->content = {5, 6};
+  around->pictures = {picture};
+  around->pictured = {{0, glm::dmat4(2)}};
   s.surroundings = around;
   s.backdrop = std::make_shared<const scene::Backdrop>(scene::Backdrop{std::vector<uint8_t>(6, 1)});
   s.settings.ao.enabled = true;
@@ -172,6 +178,14 @@ TEST(SnapshotStream, ValuesArrive) {
   EXPECT_EQ(scene::fetch(got.triangleColors, got.triangleOffset + 1), scene::fetch(wanted.triangleColors, 4));
   EXPECT_EQ(got.triangleEdges.data[got.triangleOffset + 1], std::byte{5});
   EXPECT_EQ(read->surroundings->blended, s.surroundings->blended);
+  EXPECT_TRUE(scene::isSamePictured(*read->surroundings, *s.surroundings));
+  const scene::FramebufferPicture &seen = *read->surroundings->pictures[0],
+                                  &sent = *s.surroundings->pictures[0];
+  EXPECT_EQ(seen.region, sent.region);
+  EXPECT_EQ(seen.offset, sent.offset);
+  EXPECT_EQ(seen.depthFar, sent.depthFar);
+  EXPECT_EQ(seen.colors, sent.colors);
+  EXPECT_EQ(seen.depths, sent.depths);
 }
 
 TEST(SnapshotStream, SticksArrive) {

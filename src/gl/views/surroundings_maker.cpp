@@ -44,6 +44,7 @@ void SurroundingsMaker::skip(const scene::Snapshot& part) {
 }
 
 void SurroundingsMaker::add(const scene::Snapshot& part, const glm::dmat4& eyeFromPart,
+                            const std::shared_ptr<const scene::FramebufferPicture>& picture,
                             const glm::dmat4& moved) {
   const auto shadings = static_cast<uint32_t>(made_->shadings.size());
   const bool inPlace = eyeFromPart == glm::dmat4(1) && moved == glm::dmat4(1);
@@ -55,8 +56,13 @@ void SurroundingsMaker::add(const scene::Snapshot& part, const glm::dmat4& eyeFr
     added.shading += shadings;
     added.worldFromObject = scene::worldFromObject(added, of_.eyeFromWorld, worldFromEye_);
     made_->blended.push_back(part.layers != nullptr);
+    if (!picture) continue;
+    made_->pictured.resize(made_->instances.size());
+    made_->pictured.back() = {static_cast<uint32_t>(made_->pictures.size()),
+                              part.camera.clipFromEye * instance.eyeFromObject};
   }
   if (made_->instances.size() == before) return;
+  if (picture) made_->pictures.push_back(picture);
   made_->shadings.insert(made_->shadings.end(), part.shadings.begin(), part.shadings.end());
 }
 

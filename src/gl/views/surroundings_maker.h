@@ -19,8 +19,9 @@ class SurroundingsMaker {
   /// Leaves out what equals a surface of `part`, of the same frame as later parts.
   void skip(const scene::Snapshot& part);
   /// Adds the surfaces of `part`. `eyeFromPart`: from its eye space to that of the snapshot. `moved`: how
-  /// what it shows has moved in its eye space since.
+  /// what it shows has moved in its eye space since. `picture`: of its surfaces, if they are pictured.
   void add(const scene::Snapshot& part, const glm::dmat4& eyeFromPart,
+           const std::shared_ptr<const scene::FramebufferPicture>& picture,
            const glm::dmat4& moved = glm::dmat4(1));
   /// Parts from here on were drawn in another frame than those before: equal places mean nothing.
   void nextFrame() { seen_.clear(); }

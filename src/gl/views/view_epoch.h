@@ -2,6 +2,7 @@
 // Kept by ViewScenes, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
+#include "scene/framebuffer_picture.h"
 
 #include <glm/glm.hpp>
 
@@ -16,6 +17,8 @@ struct ViewEpoch {
   struct Drawn {
     scene::SnapshotPtr snapshot;
     bool still = false;  // in eye space, since the frame before; false if unknown
+    // Of surfaces that the real OpenGL has drawn; null: of others, or their colours are not known.
+    std::shared_ptr<const scene::FramebufferPicture> picture;
   };
   GLuint framebuffer = 0;
   GLenum drawBuffer = 0;

@@ -53,7 +53,7 @@ void addLater(const ViewEpoch& last, const Repetition& now, const glm::dmat4& mo
     const glm::dmat4 inPart = inView == glm::dmat4(1) || *viewFromPart == glm::dmat4(1)
                                   ? inView
                                   : glm::inverse(*viewFromPart) * inView * *viewFromPart;
-    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, inPart);
+    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, later.picture, inPart);
   }
 }
 
@@ -107,7 +107,7 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
     if (epoch)
       for (const ViewEpoch::Drawn& earlier : epoch->batches)
         if (const auto eyeFromPart = eyeFromEye(s, *earlier.snapshot))
-          maker.add(*earlier.snapshot, *eyeFromPart);
+          maker.add(*earlier.snapshot, *eyeFromPart, earlier.picture);
     if (last) {
       const Repetition now = repetitionOf(*last, epoch ? epoch->repeated : 0, s);
       addLater(*last, now, movementOf(*last, epoch, now, s), first, s, maker);
@@ -160,7 +160,8 @@ scene::GroundUse ViewScenes::groundOf(const BatchKey& key, const scene::Snapshot
   return seen && holdsLitSurface(s) && shown_.mayStand(key, s.frame) ? GroundUse::drawn : GroundUse::none;
 }
 
-void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
+void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
+                        const std::shared_ptr<const scene::FramebufferPicture>& picture) noexcept {
   try {
     if (wantsShownViews(snapshot->settings)) shown_.traced(key, *snapshot);
     if (!scene::needsSurroundings(snapshot->settings)) return;
@@ -173,7 +174,7 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot)
         fresh.last = *found, ended_.erase(found);
       epoch = &open_.emplace_back(std::move(fresh));
     }
-    ViewEpoch::Drawn drawn{snapshot};
+    ViewEpoch::Drawn drawn{snapshot, false, picture};
     if (epoch->last) {
       const Repetition now = repetitionOf(*epoch->last, epoch->repeated, *snapshot);
       drawn.still = now.of && isStill(*now.of->snapshot, *snapshot);

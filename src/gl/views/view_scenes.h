@@ -26,8 +26,10 @@ class ViewScenes {
   /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
   /// shows it.
   scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
-  /// The batch was traced, or surely will be: it belongs to its view.
-  void traced(const BatchKey&, const scene::SnapshotPtr&) noexcept;
+  /// The batch was traced, or surely will be: it belongs to its view. `picture`: of surfaces that the real
+  /// OpenGL has drawn, instead.
+  void traced(const BatchKey&, const scene::SnapshotPtr&,
+              const std::shared_ptr<const scene::FramebufferPicture>& picture = nullptr) noexcept;
   /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
   void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.

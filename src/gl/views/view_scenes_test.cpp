@@ -118,6 +118,32 @@ TEST_F(ViewScenesTest, ShadingsAndBlendingComeAlong) {
   EXPECT_FALSE(scene::isBlended(*last_, 0));
 }
 
+/// Pictures come along with the matrices of the draws, in later frames, too, although their surfaces have
+/// moved.
+TEST_F(ViewScenesTest, PicturesComeAlong) {
+  const auto picture = std::make_shared<const scene::FramebufferPicture>();
+  glm::dmat4 clipFromObject(1);
+  for (int frame = 0; frame < 2; ++frame) {
+    trace(keyOf(), {surfaceOf(1, frame)});
+    if (frame == 0) {
+      auto drawn = snapshotOf({surfaceOf(2), surfaceOf(3, 4)});
+      clipFromObject = drawn->instances[1].eyeFromObject;
+      views_.traced(keyOf(), drawn, picture);
+      trace(keyOf(), {surfaceOf(4)});
+    }
+    const scene::Surroundings& around = *last_->surroundings;
+    const size_t first = frame == 0 ? 1 : 0;  // of the pictured ones
+    ASSERT_EQ(around.pictures.size(), 1u);
+    EXPECT_EQ(around.pictures[0], picture);
+    ASSERT_EQ(around.pictured.size(), first + 2);
+    if (first) { EXPECT_EQ(around.pictured[0].picture, scene::Pictured::kNone); }
+    EXPECT_EQ(around.pictured[first + 1].picture, 0u);
+    EXPECT_EQ(around.pictured[first + 1].clipFromObject, clipFromObject);
+    EXPECT_EQ(around.instances[first + 1].eyeFromObject[3].x, 4 + frame);
+    clear();
+  }
+}
+
 TEST_F(ViewScenesTest, LaterBatchesComeFromTheFrameBefore) {
   for (int frame = 0; frame < 3; ++frame) {
     const bool known = frame > 0;

@@ -1,0 +1,34 @@
+// What a framebuffer shows of surfaces that the real OpenGL has drawn (docs/adr/0074): the colours that other
+// surfaces reflect. Made by gl/batch/pictured_surfaces, shared, immutable.
+#pragma once
+#include "base/hash.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::scene {
+
+struct FramebufferPicture {
+  static constexpr float kNothing = 2;  // a depth: none of the surfaces is there
+
+  glm::ivec4 viewport{0, 0, 1, 1};
+  float depthNear = 0, depthFar = 1;  // glDepthRange
+  Region region;                      // of the pixels; empty where the surfaces lie outside the view
+  PolygonOffset offset;               // that the surfaces were drawn with; `resolution`: a step of depth
+  std::vector<uint32_t> colors;       // RGBA8 as stored, red in the lowest byte; bottom row first
+  std::vector<float> depths;          // of the same pixels, window depths, or kNothing
+  Hash128 content;                    // of all the above
+};
+
+/// Where a surface is in such a picture.
+struct Pictured {
+  static constexpr uint32_t kNone = ~0u;
+  uint32_t picture = kNone;        // index into Surroundings::pictures; kNone: the surface is not pictured
+  glm::dmat4 clipFromObject{1};    // of the draw
+  bool operator==(const Pictured&) const = default;
+};
+
+}  // namespace gluray::scene
