@@ -8,6 +8,7 @@
 #include "render/lights/added_lights.h"
 #include "render/lights/environment.h"
 #include "render/lights/program_lights.h"
+#include "render/paths/pictured_colors.h"
 
 #include <memory>
 #include <vector>
@@ -44,8 +45,9 @@ class Path final : public Integrator {
   Occluders occluders;
   ProgramLights lights;
   AddedLights added;
-  std::vector<MaterialModel> materials;  // as FrameData::surfaces
-  SurfaceColors seen, unseen;            // of hits of the camera, of others where they differ
+  std::vector<MaterialModel> materials;            // as FrameData::surfaces
+  SurfaceColors seen, unseen;                      // of hits of the camera, of others where they differ
+  std::shared_ptr<const PicturedColors> pictured;  // null: no surface is pictured
   std::shared_ptr<const Environment> environment;
   float lightScale;    // of the lights
   int samples;         // paths a pixel's sample
