@@ -43,6 +43,7 @@ std::optional<scene::Backdrop> backdropWhere(const std::vector<uint32_t>& colors
 }
 
 void Flusher::surround() {
+  pictured.collect(batch);
   if (batch.key().layers != BatchKey::Layers::factors)
     p_.surfaces.objects.number(batch.key(), batch.unnumbered());
   const uint64_t frame = p_.surfaces.views.frameOf(batch.key(), batch.waiting());

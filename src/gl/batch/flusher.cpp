@@ -42,6 +42,7 @@ void Flusher::flushBatch() {
 
 void Flusher::present(Reason reason) {
   p_.window.showLagged();
+  pictured.collect(batch);
   if (batch.empty()) return;
   timeline::writeIfDue();
   const timeline::Span span("batch", batch.waiting().instances.size());
@@ -117,6 +118,7 @@ void Flusher::settleBelow(int samples) {
 
 void Flusher::leave() {
   p_.window.showLagged();
+  pictured.collect(batch);
   if (!batch.empty() && !p_.resolves.hold()) present();
 }
 

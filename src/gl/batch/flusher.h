@@ -2,6 +2,7 @@
 // or delayed earlier ("settles" them). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
+#include "gl/batch/pictured_surfaces.h"
 #include "gl/batch/presenter.h"
 #include "gl/batch/unresolved_picture.h"
 #include "gl/draws/draw_counts.h"
@@ -37,10 +38,12 @@ class Flusher {
     ResolveDraws& resolves;
     WindowFrames& window;
   };
-  Flusher(const Parts& parts, Presenter& with) : presenter(with), p_(parts) {}
+  Flusher(const Parts& parts, Presenter& with)
+      : presenter(with), pictured({parts.shadow, parts.clock, parts.surfaces, with}), p_(parts) {}
 
   Batch batch;
   Presenter& presenter;
+  PicturedSurfaces pictured;
 
   /// Whether this OpenGL can show traced pictures (Presenter::supports()).
   bool canTrace();
@@ -54,9 +57,10 @@ class Flusher {
   /// The program begins to draw what will be traced: how light is sampled for it.
   scene::LightSampling::Mode begin();
   /// flush() for a command that sends later draws elsewhere and reads nothing: held peels may wait on.
+  /// Rasterised surfaces, too, wait on to be pictured.
   void redirect() {
     settle();
-    present();
+    if (!batch.empty()) present();
   }
   /// The same for a glBindFramebuffer: the batch may stay pending until it is resolved (ResolveDraws).
   void leave();

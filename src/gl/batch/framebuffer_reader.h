@@ -25,7 +25,12 @@ class FramebufferReader {
                           std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
-  /// The same of a multisampled framebuffer: of each pixel's samples the largest depth or, if `least`, the
+  /// readColors() of a multisampled framebuffer: the mean of each pixel's samples.
+  virtual bool readResolved(const RealGl&, const scene::Region& /*region*/,
+                            std::vector<uint32_t>& /*out*/) noexcept {
+    return false;
+  }
+  /// readDepth() of a multisampled framebuffer: of each pixel's samples the largest depth or, if `least`, the
   /// smallest, rounded to 23 bits.
   virtual bool readFarthest(const RealGl&, const scene::Region& /*region*/, bool /*least*/,
                             std::vector<float>& /*out*/) noexcept {

@@ -20,8 +20,7 @@ namespace {
 constexpr GLenum kClipDistances = 8;  // OpenGL's minimum; llvmpipe has no more
 
 bool isWanted(const Settings& settings) {
-  return settings.light.rasterised && settings.look == Look::program &&
-         (scene::wantsOcclusion(settings) || scene::wantsShadows(settings));
+  return settings.light.rasterised && settings.look == Look::program && scene::wantsLight(settings);
 }
 
 bool isClipped(const ShadowState& shadow) {
@@ -58,7 +57,20 @@ void makeMatte(scene::Instance& instance, scene::Shading& shading) {
   instance.materials = {{material, material}};
 }
 
+/// What mirrors and paths see has the colours that were drawn, whatever light reaches it.
+void makeUnlit(scene::Instance& instance, scene::Shading& shading) {
+  makeMatte(instance, shading);
+  shading.fragment.model = scene::FragmentShading::Model::unlit;
+}
+
+/// A key with the camera of surfaces that wait already, so that they wait together.
+std::optional<BatchKey> likelyKey(const Flusher& flusher, bool paths) {
+  if (const BatchKey* key = paths ? flusher.pictured.likely(flusher.batch) : nullptr) return *key;
+  return paths || flusher.batch.empty() ? std::nullopt : std::optional(flusher.batch.key());
+}
+
 void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject) {
+  const bool paths = scene::wantsPaths(c.shadow.settings);
   State& state = c.shadow.state;
   state.projection = clipFromObject;
   c.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
@@ -67,18 +79,21 @@ void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFr
   key.depthFunc = GL_LEQUAL;
   c.filler.clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0) return;
-  Batch& batch = c.flusher.batch;
-  const std::optional<BatchKey> there = batch.empty() ? std::nullopt : std::optional(batch.key());
-  c.filler.factor(clipFromObject, reachOf(*mesh), there ? &*there : nullptr, key);
-  if (!c.filler.open(key)) return;
+  const std::optional<BatchKey> there = likelyKey(c.flusher, paths);
+  c.filler.factor(clipFromObject, reachOf(*mesh), there ? &*there : nullptr, key, !paths);
+  if (!paths && !c.filler.open(key)) return;
   scene::Instance instance;
   instance.mesh = mesh;
   instance.eyeFromObject = state.modelview;
   instance.cull = state.raster.cull;
   instance.frontFaceCcw = state.raster.frontFaceCcw;
   scene::Shading shading;
+  if (paths) {
+    makeUnlit(instance, shading);
+    return c.flusher.pictured.add(key, std::move(instance), std::move(shading), c.flusher.batch);
+  }
   makeMatte(instance, shading);
-  batch.add(std::move(instance), std::move(shading));
+  c.flusher.batch.add(std::move(instance), std::move(shading));
   c.filler.settleFailure();
 }
 

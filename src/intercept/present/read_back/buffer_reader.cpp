@@ -70,6 +70,13 @@ bool BufferReader::readFarthest(const gl::RealGl& real, const scene::Region& reg
   } catch (const std::exception&) { return false; }
 }
 
+bool BufferReader::readResolved(const gl::RealGl& real, const scene::Region& region,
+                                std::vector<uint32_t>& out) noexcept {
+  try {
+    return makeRoom(region, out) && shared_.samples.resolve(real, shared_.features(real), region, out.data());
+  } catch (const std::exception&) { return false; }
+}
+
 bool BufferReader::readSamples(const gl::RealGl& real, const scene::Region& region,
                                std::vector<uint32_t>& out) noexcept {
   try {

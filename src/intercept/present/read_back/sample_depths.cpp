@@ -6,6 +6,7 @@
 #include "intercept/present/write_back/texture_names.h"
 
 #include <GL/glext.h>
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <array>
@@ -131,6 +132,15 @@ bool SampleDepths::resolveColors(const RealGl& real, const Features& has, const 
   }
   real.DeleteRenderbuffers(1, &colors);
   return takeErrors(real).empty();
+}
+
+bool SampleDepths::resolve(const RealGl& real, const Features& has, const scene::Region& region,
+                           uint32_t* out) {
+  if (!ready(real, has) || gl::integer(real, GL_SAMPLES) < 2) return false;
+  std::vector<glm::vec4> wide(static_cast<size_t>(region.width) * static_cast<size_t>(region.height));
+  if (!resolveColors(real, has, region, wide.data())) return false;
+  for (size_t i = 0; i < wide.size(); ++i) out[i] = glm::packUnorm4x8(wide[i]);
+  return true;
 }
 
 bool SampleDepths::readAll(const RealGl& real, const Features& has, const scene::Region& region,

@@ -19,6 +19,8 @@ class SampleDepths {
   /// FramebufferReader::readFarthest(). `out` has room for the pixels of the region.
   bool readFarthest(const gl::RealGl& real, const Features& features, const scene::Region& region, bool least,
                     float* out);
+  /// FramebufferReader::readResolved(). `out` has room for the pixels of the region.
+  bool resolve(const gl::RealGl& real, const Features& features, const scene::Region& region, uint32_t* out);
   /// FramebufferReader::readSamples().
   bool readAll(const gl::RealGl& real, const Features& features, const scene::Region& region,
                std::vector<uint32_t>& out);
