@@ -2,7 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
-#include "gl/culled/assembly.h"
+#include "gl/culled/clusters/assembly.h"
 #include "gl/errors.h"
 #include "gl/state/state_queries.h"
 

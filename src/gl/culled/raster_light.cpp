@@ -2,7 +2,7 @@
 
 #include "gl/arrays/array_draws.h"
 #include "gl/context.h"
-#include "gl/culled/assembly.h"
+#include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
 #include "gl/draws/affine.h"
 #include "gl/state/state_queries.h"

@@ -1,6 +1,6 @@
 #include "gl/culled/feedback/position_feedback.h"
 
-#include "gl/culled/assembly.h"
+#include "gl/culled/clusters/assembly.h"
 #include "gl/state/extensions.h"
 #include "gl/state/state_queries.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/arrays/elements.h"
-#include "gl/culled/clusters.h"
+#include "gl/culled/clusters/clusters.h"
 #include "gl/culled/shader_slice/position_slice.h"
 
 #include <cstddef>

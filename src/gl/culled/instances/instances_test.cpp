@@ -2,7 +2,7 @@
 // are those of base instances.
 #include "gl/culled/instances/instances.h"
 
-#include "gl/culled/test_pictures.h"
+#include "gl/culled/clusters/test_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // vertex shader runs with these as unknown numbers, once. A part of CulledProgram, GL thread, context
 // current.
 #pragma once
-#include "gl/culled/box_visibility.h"
+#include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/culled/small/noted_uniforms.h"
 

@@ -1,7 +1,7 @@
 #include "gl/culled/small/small_draws.h"
 
 #include "base/clock.h"
-#include "gl/culled/assembly.h"
+#include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
 #include "gl/errors.h"

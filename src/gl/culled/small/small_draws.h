@@ -4,9 +4,9 @@
 #pragma once
 #include "base/hash.h"
 #include "gl/arrays/elements.h"
-#include "gl/culled/box_visibility.h"
-#include "gl/culled/culled_mesh.h"
-#include "gl/culled/depth_pyramid.h"
+#include "gl/culled/clusters/box_visibility.h"
+#include "gl/culled/clusters/culled_mesh.h"
+#include "gl/culled/clusters/depth_pyramid.h"
 #include "gl/culled/small/frame_trials.h"
 #include "gl/culled/small/look_schedule.h"
 #include "gl/draws/reasons.h"

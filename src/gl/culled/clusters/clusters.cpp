@@ -1,4 +1,4 @@
-#include "gl/culled/clusters.h"
+#include "gl/culled/clusters/clusters.h"
 
 #include "parallel/loops.h"
 

@@ -1,4 +1,4 @@
-#include "gl/culled/depth_pyramid.h"
+#include "gl/culled/clusters/depth_pyramid.h"
 
 #include "parallel/arena.h"
 

@@ -4,8 +4,8 @@
 #include "base/background_job.h"
 #include "gl/arrays/arrays.h"
 #include "gl/buffers/buffer.h"
-#include "gl/culled/assembly.h"
-#include "gl/culled/clusters.h"
+#include "gl/culled/clusters/assembly.h"
+#include "gl/culled/clusters/clusters.h"
 #include "gl/real.h"
 
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "gl/culled/box_visibility.h"
+#include "gl/culled/clusters/box_visibility.h"
 
 #include <algorithm>
 #include <cmath>

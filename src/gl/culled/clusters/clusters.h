@@ -2,8 +2,8 @@
 // own, and which of them may show in front of a depth picture. Loops run in the shared arena. Any thread, one
 // at a time for each object.
 #pragma once
-#include "gl/culled/box_visibility.h"
-#include "gl/culled/depth_pyramid.h"
+#include "gl/culled/clusters/box_visibility.h"
+#include "gl/culled/clusters/depth_pyramid.h"
 
 #include <glm/glm.hpp>
 

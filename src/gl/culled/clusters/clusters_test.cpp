@@ -1,9 +1,9 @@
 // What may show is never left out, whatever the matrix; what cannot is mostly left out; the order of the draw
 // is kept.
-#include "gl/culled/clusters.h"
+#include "gl/culled/clusters/clusters.h"
 
 #include "base/sanitized.h"
-#include "gl/culled/test_pictures.h"
+#include "gl/culled/clusters/test_pictures.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

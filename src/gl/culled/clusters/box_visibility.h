@@ -1,6 +1,6 @@
 // Whether boxes of positions may show in front of a depth picture, as one matrix places them. Any thread.
 #pragma once
-#include "gl/culled/depth_pyramid.h"
+#include "gl/culled/clusters/depth_pyramid.h"
 
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-#include "gl/culled/culled_mesh.h"
+#include "gl/culled/clusters/culled_mesh.h"
 
 #include "gl/arrays/array_indices.h"
 

@@ -1,6 +1,6 @@
 // Meshes, views and pictures for tests of what may show.
 #pragma once
-#include "gl/culled/clusters.h"
+#include "gl/culled/clusters/clusters.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

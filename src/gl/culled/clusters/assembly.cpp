@@ -1,4 +1,4 @@
-#include "gl/culled/assembly.h"
+#include "gl/culled/clusters/assembly.h"
 
 #include "gl/state/extensions.h"
 #include "gl/state/state_queries.h"
