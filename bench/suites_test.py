@@ -6,10 +6,11 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from suites import compare, micro, versions  # noqa: E402
+from suites import compare, first, micro, versions  # noqa: E402
 from support import programs  # noqa: E402
 
 OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
@@ -99,6 +100,33 @@ class Versions(unittest.TestCase):
         with contextlib.redirect_stderr(io.StringIO()):
             versions.measure(program, versions.arguments(["old", "new", "--rounds", "3"]))
         self.assertEqual(program.ran, ["old", "new", "new", "old", "old", "new"])
+
+
+class First(unittest.TestCase):
+    @staticmethod
+    def said(*seconds):
+        return [{"first_image_s": s, "triangles": 12} for s in seconds]
+
+    def test_ratios_are_those_of_rounds(self):
+        row = first.row_of(4, {"plain": self.said(1.0, 2.0, 4.0), "gluray": self.said(1.5, 2.0, 4.4)})
+        self.assertEqual((row["plain_first_image_s"], row["gluray_first_image_s"], row["rounds"]), (2.0, 2.0, 3))
+        self.assertAlmostEqual(row["gluray_times_plain"], 1.1)
+        self.assertAlmostEqual(row["gluray_times_plain_low"], 1.0)
+        self.assertAlmostEqual(row["gluray_times_plain_high"], 1.5)
+
+    def test_both_take_turns_in_being_the_first(self):
+        ran = []
+
+        def plain(*_):
+            ran.append("plain")
+            return self.said(1.0)[0]
+
+        def traced(*_):
+            ran.append("gluray")
+            return self.said(1.0)[0]
+        with unittest.mock.patch.multiple(programs, measure=plain, measure_with_gluray=traced, require=lambda *_: None):
+            first.measured(first.arguments(["--rounds", "3"]), 1.0, {})
+        self.assertEqual(ran, ["plain", "gluray", "gluray", "plain", "plain", "gluray"])
 
 
 if __name__ == "__main__":
