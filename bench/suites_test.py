@@ -108,7 +108,7 @@ class First(unittest.TestCase):
         return [{"first_image_s": s, "triangles": 12} for s in seconds]
 
     def test_ratios_are_those_of_rounds(self):
-        row = first.row_of(4, {"plain": self.said(1.0, 2.0, 4.0), "gluray": self.said(1.5, 2.0, 4.4)})
+        row = first.row_of(4, "shader", {"plain": self.said(1.0, 2.0, 4.0), "gluray": self.said(1.5, 2.0, 4.4)})
         self.assertEqual((row["plain_first_image_s"], row["gluray_first_image_s"], row["rounds"]), (2.0, 2.0, 3))
         self.assertAlmostEqual(row["gluray_times_plain"], 1.1)
         self.assertAlmostEqual(row["gluray_times_plain_low"], 1.0)

@@ -19,6 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 def arguments(argv):
     parser = argparse.ArgumentParser(prog="scripts/bench first", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sizes", default="0.1,1,4,16", help="millions of triangles (0.1,1,4,16)")
+    parser.add_argument("--path", default="shader", choices=("shader", "waves"), help="waves: the vertex shader moves vertices")
     parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring both once (5)")
     parser.add_argument("--threads", type=int, default=2, help="of llvmpipe and GLuRay (2)")
     parser.add_argument("--name", default="first_images", help="name of the result file")
@@ -30,7 +31,7 @@ def arguments(argv):
 
 def measured(options, size, environment):
     """Measurements of both, round by round."""
-    client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--path", "shader", "--spheres", "12", "--frames", "1"]
+    client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--path", options.path, "--spheres", "12", "--frames", "1"]
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
     ways = {"plain": lambda: programs.measure(client, environment),
@@ -42,11 +43,11 @@ def measured(options, size, environment):
     return rounds
 
 
-def row_of(size, rounds):
+def row_of(size, path, rounds):
     """Medians over the rounds; ratios are those of runs of the same round."""
     seconds = {way: [m["first_image_s"] for m in all_] for way, all_ in rounds.items()}
     ratios = [ours / plain for ours, plain in zip(seconds["gluray"], seconds["plain"])]
-    return {"scene": "spheres", "millions": size, "triangles": rounds["plain"][0]["triangles"], "rounds": len(ratios),
+    return {"scene": "spheres", "path": path, "millions": size, "triangles": rounds["plain"][0]["triangles"], "rounds": len(ratios),
             **{f"{way}_first_image_s": statistics.median(all_) for way, all_ in seconds.items()},
             "gluray_times_plain": statistics.median(ratios), "gluray_times_plain_low": min(ratios), "gluray_times_plain_high": max(ratios)}
 
@@ -55,7 +56,7 @@ def run(options, argv):
     result = {"suite": "first", "command": ("scripts/bench first " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
     with display() as name:
         for size in options.sizes:
-            row = row_of(size, measured(options, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
+            row = row_of(size, options.path, measured(options, size, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
             result["rows"].append(row)
             print(f"{size:5g}M  plain {row['plain_first_image_s']:6.3f} s  GLuRay {row['gluray_first_image_s']:6.3f} s  "
                   f"{row['gluray_times_plain']:.3f} times ({row['gluray_times_plain_low']:.3f} to {row['gluray_times_plain_high']:.3f})", flush=True)
