@@ -24,8 +24,6 @@ Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   mapWindow(found);
   if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
   if (!choosePlace(found)) return Reason::samplesInUse;
-  if (e.repeats() > 1 && shadow.state.raster.program != 0 && programInUse().numbersInstances())
-    return Reason::instanceNumbers;
   Source from;
   const Reason reason = source(mode, e, from);
   if (reason == Reason::positions && shadow.state.raster.program != 0) return planFeedback(found);
@@ -157,7 +155,8 @@ Reason CulledDraws::planClusters(const Hash128& name,
   if (!known.mesh->isBuilt() || building_ == known.mesh) return Reason::smallDraw;
   known.mesh->forgetPositions();
   found.mesh = known.mesh, found.known = &known;
-  found.byClusters = found.instances && areFewAndLarge(*found.instances, *found.mesh);
+  found.byClusters = found.units && areFewAndLarge(*found.units, *found.mesh);
+  if (found.together() && !found.byClusters) return found.apart;
   found.history = &historyOf(known, found);
   return Reason::traced;
 }

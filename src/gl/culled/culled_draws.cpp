@@ -197,8 +197,10 @@ bool CulledDraws::look(const Plan& plan, std::vector<uint64_t>& visible) {
   const Clusters& clusters = plan.mesh->clusters();
   if (plan.byClusters)
     findClustersOfInstances(plan, pyramid_, visible);
-  else if (plan.instances)
+  else if (plan.instances && plan.units)
     plan.instances->mayShow(clusters, plan.window, &pyramid_, visible);
+  else if (plan.units)
+    plan.mesh->units().mayShow(plan.window, &pyramid_, visible);
   else
     clusters.mayShow(plan.matrix, plan.window, &pyramid_, visible);
   return true;

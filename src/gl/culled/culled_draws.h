@@ -12,6 +12,7 @@
 #include "gl/culled/culling_trials.h"
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/instances/instances.h"
+#include "gl/culled/instances/signed_fractions.h"
 #include "gl/culled/restore_point.h"
 #include "gl/culled/small/small_draws.h"
 #include "gl/draws/draw_counts.h"
@@ -117,9 +118,13 @@ class CulledDraws {
     Known* known = nullptr;
     History* history = nullptr;
     ClipMatrix matrix;
-    std::optional<Instances> instances;  // nothing: clusters of the mesh are the parts
-    bool byClusters = false;             // parts are clusters of each unit of instances, else units
-    scene::Region region;                // pixels that may be drawn
+    std::optional<InstanceUnits> units;  // nothing: clusters of the mesh are the parts
+    std::optional<Instances> instances;  // where units are; nothing: `feedback` says so
+    bool byClusters = false;             // parts are clusters of each unit, else units
+    Reason apart = Reason::traced;       // why instances cannot be drawn without the others:
+    /// Then parts are clusters, which are drawn in all instances if they show in any.
+    bool together() const { return apart != Reason::traced; }
+    scene::Region region;  // pixels that may be drawn
     WindowMapping window;
     int samples = 1;         // of a pixel
     bool rehearsed = false;  // what shows is found in a copy of the framebuffer, which cannot be put back
@@ -134,6 +139,8 @@ class CulledDraws {
   Reason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode, const Elements& elements);
   Reason sourceOfFixedFunction(Source& source);
   Reason planInstances(const Source& source, Plan& plan);
+  /// Finds which instances can be drawn without the others. Reason::traced, or why nothing can be left out.
+  Reason planUnits(const CulledProgram& program, Plan& plan);
   Reason planMesh(const Source& source, Plan& plan);
   /// For programs whose positions are not known without running them.
   Reason planFeedback(Plan& plan);
@@ -141,7 +148,7 @@ class CulledDraws {
                       Plan& plan);
   /// Moves the clusters to where this draw's vertices are. False: that is not known.
   bool place(const Plan& plan);
-  static bool areFewAndLarge(const Instances& instances, const CulledMesh& mesh);
+  static bool areFewAndLarge(const InstanceUnits& units, const CulledMesh& mesh);
   History& historyOf(Known& known, const Plan& plan);
   History& historyOf(Known& known, const Hash128& arrays);
   void mapWindow(Plan& plan) const;
@@ -185,7 +192,7 @@ class CulledDraws {
   template <class Each>
   static void forClustersOfInstances(const Plan& plan, const std::vector<uint64_t>& parts, const Each& each) {
     const size_t words = plan.mesh->clusters().words();
-    for (uint32_t unit = 0; unit < plan.instances->units(); ++unit)
+    for (uint32_t unit = 0; unit < plan.units->units(); ++unit)
       each(unit, std::span(parts).subspan(words * unit, words));
   }
   /// Whether a pixel of these parts has the very depth that is there: then the order of drawing decides.
@@ -196,6 +203,7 @@ class CulledDraws {
   std::unordered_map<const KnownProgram*, std::unique_ptr<CulledProgram>> programs_;
   std::unordered_map<Hash128, Known> meshes_;
   ConstantAttributes constants_;
+  SignedFractions fractions_;
   BackgroundJob job_;
   std::shared_ptr<CulledMesh> building_;
   bool placed_ = false;  // what is drawn now

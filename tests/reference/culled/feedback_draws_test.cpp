@@ -168,8 +168,7 @@ TEST(FeedbackDraws, OfAllForms) {
                     gl.Disable(GL_CULL_FACE);
                   }),
             0u);
-  // Not without instances.
-  EXPECT_EQ(drawn("feedback_instances",
+  EXPECT_GT(drawn("feedback_instances",
                   [](Gl gl, const ProgramMesh& mesh) {
                     gl.DrawElementsInstanced(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr, 2);
                   }),

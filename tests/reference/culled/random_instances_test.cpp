@@ -20,7 +20,8 @@ struct RandomSwarm {
   Swarm swarm;
   ProgramMesh mesh;
   Placing placing;
-  GLuint divisor = 1, baseInstance = 0;
+  std::string vertex;
+  GLuint divisor = 1, tintDivisor = 1, baseInstance = 0;
   GLsizei instances = 0;
   GLenum function = GL_LESS, mode = GL_TRIANGLES;
   bool cullsFaces = false, changes = false, below = false;
@@ -31,12 +32,17 @@ struct RandomSwarm {
     const auto upTo = [&](unsigned end) { return static_cast<unsigned>(random() % end); };
     swarm = culled::swarm(4 + static_cast<int>(upTo(4)), seed);
     mesh = upTo(2) ? ball(4 + static_cast<int>(upTo(14))) : shells(2, 4 + static_cast<int>(upTo(8)));
-    placing = kPlacings[upTo(static_cast<unsigned>(std::size(kPlacings)))];
+    const bool fed = !upTo(3);
+    placing = fed ? kFedPlacings[upTo(static_cast<unsigned>(std::size(kFedPlacings)))]
+                  : kPlacings[upTo(static_cast<unsigned>(std::size(kPlacings)))];
+    vertex = vertexOf(placing);
     const std::array<GLuint, 4> divisors{1, 1, 2, 5};
     divisor = divisors[upTo(4)];
     baseInstance = upTo(3) ? 0 : upTo(30);
     const auto most = static_cast<GLuint>(swarm.count()) - baseInstance;
     instances = static_cast<GLsizei>(2 + upTo(divisor * most - 2));
+    tintDivisor = upTo(2) ? divisor : 1 + upTo(9);
+    if (!upTo(5)) readNumbers(random);
     const std::array<GLenum, 3> functions{GL_LESS, GL_LEQUAL, GL_GREATER};
     function = functions[upTo(3)];
     if (!upTo(4)) mode = GL_TRIANGLE_STRIP;
@@ -47,6 +53,13 @@ struct RandomSwarm {
   }
 
  private:
+  /// Few large instances, whose numbers the shader reads.
+  void readNumbers(std::mt19937& random) {
+    vertex = random() % 2
+                 ? replacedIn(vertex, "color = tint;", "color = tint + 0.1 * float(gl_InstanceID % 4);")
+                 : replacedIn(vertex, "vec4(world, 1.0)", "vec4(world + 0.03 * float(gl_InstanceID), 1.0)");
+    mesh = shells(4, 40), instances = static_cast<GLsizei>(2 + random() % 20);
+  }
   /// Instances at the places of others: the order decides which ones show.
   void makeTwins(std::mt19937& random) {
     for (size_t i = 0; i < swarm.count(); i += 1 + random() % 5) {
@@ -68,7 +81,8 @@ struct RandomSwarm {
 
 gl::Statistics compareRandomSwarm(unsigned seed) {
   const RandomSwarm of(seed);
-  SCOPED_TRACE(std::string(of.placing.name) + ", divisor " + std::to_string(of.divisor));
+  SCOPED_TRACE(std::string(of.placing.name) + ", divisors " + std::to_string(of.divisor) + " and " +
+               std::to_string(of.tintDivisor) + "\n" + of.vertex);
   SCOPED_TRACE(std::to_string(of.samples) + " samples, seed " + std::to_string(seed));
   Settings settings = culling(Culling::always);
   settings.cull.verify = of.verify;
@@ -76,9 +90,10 @@ gl::Statistics compareRandomSwarm(unsigned seed) {
   return compareSamples(
       "random_instances" + std::to_string(seed), 4, of.samples, GL_DEPTH24_STENCIL8,
       [&](Gl gl) {
-        program = makeProgram(gl, vertexOf(of.placing), tintedFragment());
+        program = makeProgram(gl, of.vertex, tintedFragment());
         array = send(gl, of.mesh, program).array;
         sendSwarm(gl, program, of.swarm, of.divisor);
+        gl.VertexAttribDivisor(static_cast<GLuint>(gl.GetAttribLocation(program, "tint")), of.tintDivisor);
       },
       [&](Gl gl, int frame) {
         clear(gl);

@@ -1,5 +1,5 @@
 // Random shader programs, meshes and states: pictures of culled draws are those of whole ones to the bit.
-#include "tests/reference/culled/sampled_framebuffer.h"
+#include "tests/reference/culled/swarm.h"
 
 #include <gtest/gtest.h>
 
@@ -36,11 +36,26 @@ class Dice {
 
 struct RandomProgram {
   std::string vertex, fragment;
-  bool linear = true;  // gl_Position is a matrix times `position`
+  bool linear = true;      // gl_Position is a matrix times `position`
+  bool instanced = false;  // by attributes of instances: `where` and `other`
 };
 
+/// A statement on `vec4 p` that places instances; the first two are polynomials.
+std::string placesOfInstances(Dice& dice, bool& linear) {
+  const std::array ways{
+      "  p.xyz = 0.5 * p.xyz + where.xyz;\n",
+      "  p.xyz *= where.w, p.xyz += 0.7 * where.xyz;\n",
+      "  p.xyz = 0.6 * p.xyz + 0.5 * normalize(where.xyz + 0.01);\n",
+      "  p.xyz = 0.5 * p.xyz + 0.5 * sin(3.0 * where.zxy);\n",
+      "  p.xyz = 0.5 * p.xyz + 0.04 * float(gl_InstanceID) * where.xyz;\n",
+  };
+  const int way = dice.below(int(ways.size()));
+  linear = linear && way < 2;
+  return ways[static_cast<size_t>(way)];
+}
+
 /// gl_Position by statements on `vec4 p`, all linear or all but one: then positions come by feedback.
-std::string positions(Dice& dice, bool& linear) {
+std::string positions(Dice& dice, bool instanced, bool& linear) {
   std::string s = dice.of(std::array{
       "  vec4 p = vec4(position, 1.0);\n", "  vec4 p = vec4(position.xyz * scale, 1.0);\n",
       "  vec4 p = vec4(position.x, position.yz, 1.0);\n", "  vec4 p;\n  p.xyz = position;\n  p.w = 1.0;\n",
@@ -64,6 +79,7 @@ std::string positions(Dice& dice, bool& linear) {
     s += dice.of(std::array{"  p.y += 0.1 * sin(4.0 * position.x);\n", "  p.xyz += 0.05 * normal;\n",
                             "  if (position.x > 0.2) p.z += 0.3;\n",
                             "  p.x += 0.01 * float(gl_VertexID % 3);\n"});
+  if (instanced) s += placesOfInstances(dice, linear);
   return s + dice.of(std::array{
                  "  gl_Position = clipFromEye * (eyeFromObject * p);\n",
                  "  gl_Position = clipFromEye * eyeFromObject * p;\n",
@@ -75,15 +91,17 @@ RandomProgram randomProgram(Dice& dice) {
   RandomProgram made;
   const std::string how = dice.of(std::array{"", "centroid ", "noperspective "});
   const bool flat = dice.oneIn(2), block = dice.oneIn(2);
+  made.instanced = dice.oneIn(2);
   made.vertex =
       std::string("#version 150\nin vec3 position, normal;\nuniform mat4 clipFromEye, eyeFromObject;\n") +
       "uniform mat4 turns[2];\nuniform vec3 shift;\nuniform float scale;\nuniform int rounds;\n" +
       (block ? "out Surface { " + how + "vec3 place; vec3 n; } s;\n" : how + "out vec3 place, n;\n") +
-      (flat ? "flat out int number;\n" : "") +
+      (flat ? "flat out int number;\n" : "") + (made.instanced ? "in vec4 where, other;\n" : "") +
       "vec4 moved(in vec4 v) { v.xyz = 0.9 * v.xyz - 0.1 * v.zyx; return v; }\nvoid main() {\n";
-  made.vertex += positions(dice, made.linear);
+  made.vertex += positions(dice, made.instanced, made.linear);
   const std::string in = block ? "s." : "";
-  made.vertex += "  " + in + "place = position;\n  " + in + "n = mat3(eyeFromObject) * normal;\n";
+  made.vertex += "  " + in + "place = position" + (made.instanced ? " + 0.3 * other.xyz" : "") + ";\n  " +
+                 in + "n = mat3(eyeFromObject) * normal;\n";
   if (flat) made.vertex += "  number = gl_VertexID;\n";
   made.vertex += "}\n";
 
@@ -131,6 +149,32 @@ ProgramMesh randomMesh(Dice& dice) {
   return mesh;
 }
 
+/// How many instances of a mesh are drawn: few of all of it, or many of a part.
+struct RandomCopies {
+  std::vector<glm::vec4> places;
+  std::array<GLuint, 2> divisors{1, 1};
+  GLsizei instances = 0, vertices = 0;
+  GLuint base = 0;
+
+  RandomCopies(Dice& dice, const ProgramMesh& mesh) {
+    for (int i = 0; i < 80; ++i)
+      places.emplace_back(dice.number(-1, 1), dice.number(-1, 1), dice.number(-1, 1), dice.number(0.2f, 1));
+    for (GLuint& divisor : divisors) divisor = dice.oneIn(2) ? 1 : 1 + static_cast<GLuint>(dice.below(5));
+    const bool many = dice.oneIn(2);
+    instances = many ? 20 + dice.below(40) : 2 + dice.below(8);
+    vertices = many ? mesh.count() / 60 * 3 : mesh.count();
+    base = dice.oneIn(2) ? 0 : static_cast<GLuint>(dice.below(9));
+  }
+  /// Into the bound vertex array object.
+  void send(Gl gl, GLuint program) const {
+    sendOfInstances(gl, program, "where", 1, 4, places, divisors[0]);
+    sendOfInstances(gl, program, "other", 1, 4, places, divisors[1]);
+  }
+  void draw(Gl gl, GLenum mode) const {
+    gl.DrawElementsInstancedBaseInstance(mode, vertices, GL_UNSIGNED_INT, nullptr, instances, base);
+  }
+};
+
 struct RandomState {
   GLenum function, cull;
   bool blend, scissor, offset, flipped;
@@ -177,6 +221,7 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
   Dice dice(seed);
   const std::array<RandomProgram, 2> texts{randomProgram(dice), randomProgram(dice)};
   const std::array<ProgramMesh, 2> meshes{randomMesh(dice), randomMesh(dice)};
+  const std::array<RandomCopies, 2> copies{RandomCopies(dice, meshes[0]), RandomCopies(dice, meshes[1])};
   const RandomState state(dice);
   const int draws = 1 + dice.below(2);
   linear = texts[0].linear || (draws == 2 && texts[1].linear);
@@ -199,6 +244,7 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
         for (size_t i = 0; i < 2; ++i) {
           programs[i] = makeProgram(gl, texts[i].vertex, texts[i].fragment);
           buffers[i] = send(gl, meshes[i], programs[i]);
+          if (texts[i].instanced) copies[i].send(gl, programs[i]);
         }
       },
       [&](Gl gl, int frame) {
@@ -214,10 +260,14 @@ gl::Statistics compareRandom(unsigned seed, bool& linear) {
           setUniforms(gl, programs[at], turns, scale);
           if (restart) gl.Enable(GL_PRIMITIVE_RESTART), gl.PrimitiveRestartIndex(11);
           gl.ProvokingVertex(first ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
-          gl.DrawElements(mode, meshes[at].count(), GL_UNSIGNED_INT, nullptr);
+          if (texts[at].instanced)
+            copies[at].draw(gl, mode);
+          else
+            gl.DrawElements(mode, meshes[at].count(), GL_UNSIGNED_INT, nullptr);
         }
         RandomState::reset(gl);
-      });
+      },
+      nullptr, {kSide, kSide, true, 3, 3});
 }
 
 TEST(RandomPrograms, AreTheSameCulled) {

@@ -25,6 +25,14 @@ inline constexpr Placing kPlacings[]{
     {"turned", "in vec4 q, moved;",
      "moved.w * (position + 2.0 * cross(q.xyz, cross(q.xyz, position) + q.w * position)) + moved.xyz"}};
 
+/// The same by functions that are no polynomials: positions come by feedback.
+inline constexpr Placing kFedPlacings[]{
+    {"waving", "in vec4 moved;",
+     "position * moved.w * (1.0 + 0.2 * sin(9.0 * moved.x + 5.0 * position.y)) + moved.xyz"},
+    {"facing", "in vec4 moved;",
+     "moved.w * (0.8 * position + 0.2 * normalize(moved.xyz + vec3(0.01))) + moved.xyz"},
+    {"divided", "in vec3 shift; in vec4 moved;", "0.2 * position / (1.0 + moved.w) + shift"}};
+
 /// With a colour for each instance.
 inline std::string vertexOf(const Placing& how) {
   const std::string at = std::string("vec3 world = ") + how.world + ";\n  ";

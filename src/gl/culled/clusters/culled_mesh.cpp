@@ -65,6 +65,12 @@ void CulledMesh::refit(const std::byte* positions) {
   primitives_.positions = nullptr;
 }
 
+void CulledMesh::refit(const std::byte* positions, size_t step, uint32_t units) {
+  primitives_.positions = positions;
+  units_.find(*clusters_, primitives_, step, units);
+  primitives_.positions = nullptr;
+}
+
 bool CulledMesh::readIndices(const RealGl& real, const ArrayState& arrays, const Assembly& assembly,
                              const Elements& e) {
   const GLenum mode = assembly.mode;

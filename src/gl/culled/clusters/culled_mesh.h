@@ -6,6 +6,7 @@
 #include "gl/buffers/buffer.h"
 #include "gl/culled/clusters/assembly.h"
 #include "gl/culled/clusters/clusters.h"
+#include "gl/culled/clusters/unit_clusters.h"
 #include "gl/real.h"
 
 #include <atomic>
@@ -35,6 +36,10 @@ class CulledMesh {
   void takePositions(const std::byte* positions);
   /// Moves the clusters to them. GL thread, after build().
   void refit(const std::byte* positions);
+  /// The same for clusters of each of so many units of instances, `step` bytes after each other.
+  void refit(const std::byte* positions, size_t step, uint32_t units);
+  /// Clusters of units, after that.
+  const UnitClusters& units() const { return units_; }
 
   /// Builds the clusters. Any thread, once.
   void build();
@@ -64,6 +69,7 @@ class CulledMesh {
   std::vector<std::byte> copied_;  // positions in the program's memory, until the clusters are built
   Primitives primitives_;
   std::optional<Clusters> clusters_;
+  UnitClusters units_;
 };
 
 }  // namespace gluray::gl

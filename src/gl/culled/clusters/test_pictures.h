@@ -3,6 +3,7 @@
 #include "gl/culled/clusters/clusters.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
@@ -104,5 +105,22 @@ struct WindowTriangle {
   }
   std::array<glm::dvec3, 3> corners;
 };
+
+/// Expects all pixels of the triangle to be farther than the picture; returns how many it has.
+inline uint64_t expectBehind(const WindowTriangle& triangle, const std::vector<float>& depths) {
+  const auto& c = triangle.corners;
+  glm::dvec2 lower(c[0]), upper(c[0]);
+  for (const glm::dvec3& corner : c)
+    lower = glm::min(lower, glm::dvec2(corner)), upper = glm::max(upper, glm::dvec2(corner));
+  uint64_t pixels = 0;
+  for (int y = static_cast<int>(std::max(lower.y, 0.0)); y < kHeight && y <= upper.y; ++y)
+    for (int x = static_cast<int>(std::max(lower.x, 0.0)); x < kWidth && x <= upper.x; ++x) {
+      const std::optional<double> depth = triangle.depthAt(x, y);
+      if (!depth || *depth < 0 || *depth > 1) continue;
+      EXPECT_GT(*depth, double{depths[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)]});
+      ++pixels;
+    }
+  return pixels;
+}
 
 }  // namespace gluray::gl::culling_test

@@ -23,7 +23,6 @@ Reason CulledDraws::planFeedback(Plan& found) {
   ShadowState& shadow = p_.shadow;
   const Elements& e = found.elements;
   CulledProgram& program = programInUse();
-  if (e.repeats() > 1 || e.baseInstance != 0) return Reason::positions;
   if (found.samples > 1 && program.usesCentroids()) return Reason::multisampleState;
   if (isOn(shadow.real, GL_BLEND))
     if (const Reason reason = blendingOf(program, {}, found.mode, e); reason != Reason::traced) return reason;
@@ -36,27 +35,41 @@ Reason CulledDraws::planFeedback(Plan& found) {
   content.elements = arrays.elements;
   if (e.type && foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
   shadow.errors.keepPending();
-  if (!program.feedback().works(shadow.real)) return Reason::positions;
   found.program = &program, found.feedback = &program.feedback();
+  if (e.repeats() > 1)
+    if (const Reason reason = planUnits(program, found); reason != Reason::traced) return reason;
   const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, found.mode, e);
   const auto make = [&]() -> std::shared_ptr<CulledMesh> {
     auto mesh = CulledMesh::withoutPositions(shadow.real, content, assembly, e);
     const auto take = [&](const std::byte* positions) { mesh->takePositions(positions); };
+    Elements one = e;
+    one.instances = std::min(e.instances, 1);
     const bool taken =
-        mesh && found.feedback->capture(shadow.real, mesh->firstVertex(), mesh->endVertex(), take);
+        mesh && found.feedback->capture(shadow.real, mesh->firstVertex(), mesh->endVertex(), one, take);
     return taken ? mesh : nullptr;
   };
   // Where vertices are may change in every frame; which primitives they form does not.
   const auto known = reinterpret_cast<uintptr_t>(&program.known());
   const Hash128 order = contentOf(shadow.real, content, found.mode, e);
-  return planClusters(hashBytes(&known, sizeof known, assembly.added(order)), make, found);
+  const Reason reason = planClusters(hashBytes(&known, sizeof known, assembly.added(order)), make, found);
+  // A copy of the program is linked when it is first needed.
+  if (reason == Reason::arrayState && !program.feedback().works(shadow.real)) return Reason::positions;
+  if (reason != Reason::traced) return reason;
+  const CulledMesh& mesh = *found.mesh;
+  return PositionFeedback::isPossible(mesh.firstVertex(), mesh.endVertex(), e.repeats()) ? Reason::traced
+                                                                                         : Reason::positions;
 }
 
 bool CulledDraws::place(const Plan& plan) {
   if (!plan.feedback || placed_) return true;
   CulledMesh& mesh = *plan.mesh;
-  placed_ = plan.feedback->capture(p_.shadow.real, mesh.firstVertex(), mesh.endVertex(),
-                                   [&](const std::byte* positions) { mesh.refit(positions); });
+  const auto take = [&](const std::byte* positions) {
+    if (!plan.units) return mesh.refit(positions);
+    const size_t vertices = mesh.endVertex() - mesh.firstVertex();
+    const size_t step = PositionFeedback::kStride * vertices * plan.units->size();
+    mesh.refit(positions, step, plan.units->units());
+  };
+  placed_ = plan.feedback->capture(p_.shadow.real, mesh.firstVertex(), mesh.endVertex(), plan.elements, take);
   if (!placed_) plan.known->refused = true;
   return placed_;
 }

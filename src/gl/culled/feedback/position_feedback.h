@@ -1,6 +1,7 @@
 // Where a program's vertex shader puts the vertices of a draw, whatever it computes: the real OpenGL runs the
 // shader, and feeds gl_Position back. One per program. GL thread, context current.
 #pragma once
+#include "gl/arrays/elements.h"
 #include "gl/culled/feedback/program_copy.h"
 #include "gl/real.h"
 
@@ -21,15 +22,18 @@ class PositionFeedback {
 
   /// Whether positions can be fed back. The first call links a copy of the program. No error may be pending.
   bool works(const RealGl& real);
+  /// Whether so many positions are few enough for a buffer.
+  static bool isPossible(uint32_t first, uint32_t end, uint32_t instances);
   /// Calls `take` with the clip coordinates of vertices `first` to `end` - 1, four floats each, as a draw
-  /// with the current state gets them. False: it cannot. Changes no state. No error may be pending.
-  bool capture(const RealGl& real, uint32_t first, uint32_t end,
+  /// with the current state and the instances of `as` gets them, instance after instance. False: it cannot.
+  /// Changes no state. No error may be pending.
+  bool capture(const RealGl& real, uint32_t first, uint32_t end, const Elements& as,
                const std::function<void(const std::byte*)>& take);
   /// Deletes what it has made.
   void release(const RealGl& real);
 
  private:
-  bool draw(const RealGl& real, uint32_t first, uint32_t count, GLsizeiptr bytes);
+  bool draw(const RealGl& real, uint32_t first, uint32_t count, const Elements& as);
 
   const Program& original_;
   std::optional<ProgramCopy> copy_;

@@ -1,28 +1,12 @@
 #include "gl/culled/instances/instance_arrays.h"
 
 #include "gl/programs/uniforms.h"
-#include "gl/state/extensions.h"
 
 #include <algorithm>
 #include <bitset>
 
 namespace gluray::gl {
 namespace {
-
-template <class Each>
-void forEnabled(const ArrayState& arrays, const Each& each) {
-  const auto look = [&](const ArraySource& a) {
-    if (a.enabled) each(a);
-  };
-  arrays.forEach(look);
-  for (const ArraySource& a : arrays.generic) look(a);
-}
-
-bool hasBaseInstance(const RealGl& real) {
-  if (!isPresent(real.DrawArraysInstancedBaseInstance)) return false;
-  const int version = versionOf(real);
-  return version >= 42 || hasExtension(real, version, "GL_ARB_base_instance");
-}
 
 /// Numbers of the instance that terms have.
 std::bitset<256> numbersIn(const LinearPosition& position) {
@@ -32,10 +16,14 @@ std::bitset<256> numbersIn(const LinearPosition& position) {
   return used;
 }
 
-/// Whether its elements are read as the real OpenGL does. Versions of OpenGL differ in signed fractions.
-bool isRead(const ArraySource& array) {
-  const bool isSigned = array.type == GL_BYTE || array.type == GL_SHORT || array.type == GL_INT;
-  return array.buffer && isReadable(array) && !(array.normalized && isSigned);
+bool isSignedFraction(const ArraySource& array) {
+  return array.normalized && (array.type == GL_BYTE || array.type == GL_SHORT || array.type == GL_INT);
+}
+
+/// Whether its elements are read as the real OpenGL does.
+bool isRead(const ArraySource& array, const std::function<bool()>& fractions) {
+  if (!array.buffer || !isReadable(array)) return false;
+  return !isSignedFraction(array) || (array.type != GL_INT && fractions());
 }
 
 }  // namespace
@@ -64,25 +52,9 @@ InstanceAttributes instanceAttributes(const Program& program, const ArrayState& 
   return names;
 }
 
-Reason instanceRange(const RealGl& real, const ArrayState& arrays, const Elements& e,
-                     Instances::Range& range) {
-  range = {e.baseInstance, e.repeats(), 0};
-  bool same = true;
-  forEnabled(arrays, [&](const ArraySource& a) {
-    if (a.divisor == 0) return;
-    same = same && (range.divisor == 0 || range.divisor == a.divisor);
-    range.divisor = a.divisor;
-  });
-  range.divisor = std::max(range.divisor, uint32_t{1});
-  if (range.instances == 1) range.divisor = 1;
-  const bool inParts = range.instances == 1 || same;
-  const bool based = range.instances > 1 || e.baseInstance != 0;
-  return inParts && (!based || hasBaseInstance(real)) ? Reason::traced : Reason::instanceArrays;
-}
-
 Reason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
-                       const LinearPosition& position, const Instances::Range& range,
-                       std::vector<Instances::Column>& columns) {
+                       const LinearPosition& position, const InstanceUnits& units,
+                       const std::function<bool()>& fractions, std::vector<Instances::Column>& columns) {
   if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
   const std::bitset<256> used = numbersIn(position);
   int first = 1;
@@ -93,10 +65,10 @@ Reason instanceColumns(const RealGl& real, const Program& program, const ArraySt
     if (any && attribute == program.attributes.end()) return Reason::instanceArrays;
     const ArraySource* const array =
         any ? arrayOf(arrays, attribute->second.location + column.column) : nullptr;
-    if (any && (!array || !isRead(*array)))
+    if (any && (!array || !isRead(*array, fractions)))
       return array && isForeign(*array) ? Reason::foreignBuffer : Reason::instanceArrays;
-    if (any) columns.push_back({ArrayReader(real, *array), first, column.rows});
-    if (any && uint64_t{range.first} + range.units() > columns.back().array.available())
+    if (any) columns.push_back({ArrayReader(real, *array), first, column.rows, isSignedFraction(*array)});
+    if (any && units.endElement(std::max(array->divisor, 1u)) > columns.back().array.available())
       return Reason::instanceArrays;
     first += column.rows;
   }

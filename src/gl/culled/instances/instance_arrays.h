@@ -1,5 +1,5 @@
-// The arrays that give instances their values: which attributes they feed, and how draws can be made of some
-// instances. A part of CulledDraws, GL thread, context current.
+// The arrays that give instances their values, and which attributes they feed. A part of CulledDraws, GL
+// thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/culled/instances/instances.h"
@@ -7,9 +7,20 @@
 #include "gl/draws/reasons.h"
 #include "gl/programs/program.h"
 
+#include <functional>
 #include <vector>
 
 namespace gluray::gl {
+
+/// Calls each(array) for all that are enabled.
+template <class Each>
+void forEnabled(const ArrayState& arrays, const Each& each) {
+  const auto look = [&](const ArraySource& a) {
+    if (a.enabled) each(a);
+  };
+  arrays.forEach(look);
+  for (const ArraySource& a : arrays.generic) look(a);
+}
 
 /// The array that feeds the attribute; null: none does.
 const ArraySource* arrayOf(const ArrayState& arrays, GLint location);
@@ -17,14 +28,10 @@ const ArraySource* arrayOf(const ArrayState& arrays, GLint location);
 /// Attributes of the program all of whose columns come from arrays with a divisor.
 InstanceAttributes instanceAttributes(const Program& program, const ArrayState& arrays);
 
-/// Finds what the draw's instances read. Reason::traced, or why that cannot be drawn in parts: the real
-/// OpenGL has no base instance, or arrays advance at different rates.
-Reason instanceRange(const RealGl& real, const ArrayState& arrays, const Elements& elements,
-                     Instances::Range& range);
-
 /// Finds the arrays of the numbers that `position` depends on. Reason::traced, or why they cannot be read.
+/// `fractions`: whether signed fractions of bytes and shorts can be (SignedFractions); asked if needed.
 Reason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
-                       const LinearPosition& position, const Instances::Range& range,
-                       std::vector<Instances::Column>& columns);
+                       const LinearPosition& position, const InstanceUnits& units,
+                       const std::function<bool()>& fractions, std::vector<Instances::Column>& columns);
 
 }  // namespace gluray::gl

@@ -1,5 +1,4 @@
-// Instances that may show are never left out, also where a shader rounds; those that cannot mostly are. Runs
-// are those of base instances.
+// Instances that may show are never left out, also where a shader rounds; those that cannot mostly are.
 #include "gl/culled/instances/instances.h"
 
 #include "gl/culled/clusters/test_pictures.h"
@@ -43,13 +42,13 @@ ArrayReader readerOf(const Moved& values, GLuint divisor) {
   return {kNone, array};
 }
 
-Instances instancesOf(const Moved& values, const NoUniforms& uniforms, const Instances::Range& range) {
+Instances instancesOf(const Moved& values, const NoUniforms& uniforms, bool fractions = false) {
   std::string why;
   const auto position = PositionSlice(kMoved).evaluate(uniforms, why, {"moved"});
   EXPECT_TRUE(position) << why;
   std::vector<Instances::Column> columns;
-  columns.push_back({readerOf(values, range.divisor), 1, 4});
-  return {*position, std::move(columns), range};
+  columns.push_back({readerOf(values, 1), 1, 4, fractions});
+  return {*position, std::move(columns), InstanceUnits(0, static_cast<uint32_t>(values.size()), {1})};
 }
 
 /// What a shader computes in single precision.
@@ -58,21 +57,8 @@ glm::dvec4 placed(const NoUniforms& u, const glm::vec4& moved, const glm::vec3& 
   return glm::dvec4(u.projection * eye);
 }
 
-/// Expects all pixels of the triangle to be farther than the picture; returns how many it has.
-uint64_t expectBehind(const WindowTriangle& triangle, const std::vector<float>& depths) {
-  const auto& c = triangle.corners;
-  glm::dvec2 lower(c[0]), upper(c[0]);
-  for (const glm::dvec3& corner : c)
-    lower = glm::min(lower, glm::dvec2(corner)), upper = glm::max(upper, glm::dvec2(corner));
-  uint64_t pixels = 0;
-  for (int y = static_cast<int>(std::max(lower.y, 0.0)); y < kHeight && y <= upper.y; ++y)
-    for (int x = static_cast<int>(std::max(lower.x, 0.0)); x < kWidth && x <= upper.x; ++x) {
-      const std::optional<double> depth = triangle.depthAt(x, y);
-      if (!depth || *depth < 0 || *depth > 1) continue;
-      EXPECT_GT(*depth, double{depths[static_cast<size_t>(y) * kWidth + static_cast<size_t>(x)]});
-      ++pixels;
-    }
-  return pixels;
+uint64_t shown(const std::vector<uint64_t>& visible) {
+  return InstanceUnits(0, 100, {}).instancesIn(visible);
 }
 
 Moved swarm(std::mt19937& random, size_t count, float far) {
@@ -97,7 +83,7 @@ TEST(Instances, NeverMissOneThatIsNearerThanThePicture) {
     const Moved values = swarm(random, 150, far);
     NoUniforms u;
     u.view = glm::mat4(randomView(random) * glm::translate(glm::dmat4(1), glm::dvec3(-double{far}, 0, 0)));
-    const Instances instances = instancesOf(values, u, {0, 150, 1});
+    const Instances instances = instancesOf(values, u);
     const std::vector<float> depths = depthPicture(random);
     DepthPyramid pyramid;
     pyramid.build(depths.data(), kWidth, kHeight);
@@ -127,15 +113,15 @@ TEST(Instances, LeaveOutAllBehindAWall) {
   NoUniforms u;
   u.projection = glm::perspective(1.0f, 1.3f, 0.5f, 20.0f);
   u.view = glm::translate(glm::mat4(1), glm::vec3(0, 0, -5));
-  const Instances instances = instancesOf(values, u, {0, 100, 1});
+  const Instances instances = instancesOf(values, u);
   const std::vector<float> wall(static_cast<size_t>(kWidth) * kHeight, 0.1f), nothing(wall.size(), 1.0f);
   DepthPyramid near, far;
   near.build(wall.data(), kWidth, kHeight), far.build(nothing.data(), kWidth, kHeight);
   std::vector<uint64_t> visible;
   instances.mayShow(clusters, window(), &near, visible);
-  EXPECT_EQ(instances.instancesIn(visible), 0u);
+  EXPECT_EQ(shown(visible), 0u);
   instances.mayShow(clusters, window(), &far, visible);
-  EXPECT_GT(instances.instancesIn(visible), 80u);  // some small ones are between the pixels' centres
+  EXPECT_GT(shown(visible), 80u);  // some small ones are between the pixels' centres
 }
 
 TEST(Instances, AlwaysShowWhereNumbersAreTooLarge) {
@@ -144,7 +130,7 @@ TEST(Instances, AlwaysShowWhereNumbersAreTooLarge) {
   const float none = std::numeric_limits<float>::quiet_NaN();
   const Moved values{{0, 0, 0, 0.1f}, {none, 0, 0, 1}, {0, 0, 1e30f, 1}, {0, 0, 0, 0.1f}};
   const NoUniforms u;
-  const Instances instances = instancesOf(values, u, {0, 4, 1});
+  const Instances instances = instancesOf(values, u);
   DepthPyramid near;
   const std::vector<float> wall(static_cast<size_t>(kWidth) * kHeight, 0.0f);
   near.build(wall.data(), kWidth, kHeight);
@@ -154,23 +140,15 @@ TEST(Instances, AlwaysShowWhereNumbersAreTooLarge) {
   EXPECT_FALSE(instances.matrix(1));
 }
 
-/// Instances that share an element are drawn together; the last of them may be fewer.
-TEST(Instances, AreDrawnInRunsOfBaseInstances) {
-  const Moved values(200, glm::vec4(0, 0, 0, 1));
+/// The lowest number of signed integers may be -1 or less.
+TEST(Instances, AlwaysShowWhereFractionsAreTheLowest) {
+  const Moved values{{0, 0, 0, 0.5f}, {0, -1, 0, 0.5f}, {-0.99f, 0, 0, 0.5f}};
   const NoUniforms u;
-  const Instances instances = instancesOf(values, u, {7, 388, 3});
-  ASSERT_EQ(instances.units(), 130u);
-  std::vector<uint64_t> visible(3, 0);
-  for (const uint32_t unit : {0u, 1u, 63u, 64u, 65u, 129u}) visible[unit / 64] |= uint64_t{1} << (unit & 63);
-  EXPECT_EQ(instances.instancesIn(visible), 5u * 3 + 1);
-  std::vector<std::array<uint32_t, 2>> parts;  // base instance, instances
-  instances.forRuns(visible, [&](uint32_t first, uint32_t end) {
-    const Elements part = instances.part({0, 30, 0, nullptr, 0, 388, 7}, first, end);
-    EXPECT_EQ(part.count, 30);
-    parts.push_back({part.baseInstance, static_cast<uint32_t>(part.instances)});
-  });
-  const std::vector<std::array<uint32_t, 2>> expected{{7, 6}, {70, 9}, {136, 1}};
-  EXPECT_EQ(parts, expected);
+  const Instances known = instancesOf(values, u), fractions = instancesOf(values, u, true);
+  EXPECT_TRUE(known.matrix(1));
+  EXPECT_TRUE(fractions.matrix(0));
+  EXPECT_FALSE(fractions.matrix(1));
+  EXPECT_TRUE(fractions.matrix(2));
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#include "gl/culled/feedback/feedback_stage.h"
+
+#include "gl/state/extensions.h"
+#include "gl/state/state_queries.h"
+
+namespace gluray::gl {
+
+bool hasFeedbackObjects(const RealGl& real) {
+  if (!isPresent(real.BindTransformFeedback) || !isPresent(real.TransformFeedbackVaryings)) return false;
+  const int version = versionOf(real);
+  return version >= 40 || (version >= 30 && hasExtension(real, version, "GL_ARB_transform_feedback2"));
+}
+
+FeedbackStage::FeedbackStage(const RealGl& real, GLuint program, GLuint feedback)
+    : real_(real),
+      program_(integer(real, GL_CURRENT_PROGRAM)),
+      feedback_(integer(real, GL_TRANSFORM_FEEDBACK_BINDING)),
+      buffer_(integer(real, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING)) {
+  real.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
+  real.UseProgram(program);
+  real.Enable(GL_RASTERIZER_DISCARD);
+}
+
+FeedbackStage::~FeedbackStage() {
+  real_.Disable(GL_RASTERIZER_DISCARD);
+  real_.UseProgram(static_cast<GLuint>(program_));
+  real_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, static_cast<GLuint>(feedback_));
+  real_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(buffer_));
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,45 @@
+// Transform feedback of our own, beside that of the program. GL thread, context current.
+#pragma once
+#include "gl/real.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace gluray::gl {
+
+/// Whether the real OpenGL has objects of transform feedback, so that the program's state can stay as it is.
+bool hasFeedbackObjects(const RealGl& real);
+
+/// While it lives, another program is in use, nothing is rasterised, and feedback goes elsewhere.
+class FeedbackStage {
+ public:
+  FeedbackStage(const RealGl& real, GLuint program, GLuint feedback);
+  ~FeedbackStage();
+  FeedbackStage(const FeedbackStage&) = delete;
+  FeedbackStage& operator=(const FeedbackStage&) = delete;
+
+ private:
+  const RealGl& real_;
+  const GLint program_, feedback_, buffer_;
+};
+
+/// A buffer that is mapped for reading, unmapped when this ends. It stays bound to
+/// GL_TRANSFORM_FEEDBACK_BUFFER.
+class MappedFeedback {
+ public:
+  MappedFeedback(const RealGl& real, GLsizeiptr bytes)
+      : real_(real), data_(real.MapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, GL_MAP_READ_BIT)) {}
+  ~MappedFeedback() {
+    if (data_) real_.UnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+  }
+  MappedFeedback(const MappedFeedback&) = delete;
+  MappedFeedback& operator=(const MappedFeedback&) = delete;
+  /// Null: it cannot be mapped.
+  const void* data() const { return data_; }
+
+ private:
+  const RealGl& real_;
+  const void* const data_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,59 @@
+// Draws of some instances of a draw, by a base instance, or by arrays that begin with later elements. A part
+// of CulledDraws, GL thread, context current.
+#pragma once
+#include "gl/arrays/arrays.h"
+#include "gl/arrays/elements.h"
+#include "gl/culled/instances/instance_units.h"
+#include "gl/draws/reasons.h"
+#include "gl/real.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Finds the units of a draw's instances. Reason::traced, or why some of them cannot be drawn without the
+/// others.
+Reason findUnits(const RealGl& real, const ArrayState& arrays, const Elements& elements,
+                 std::optional<InstanceUnits>& units);
+
+/// While it lives, parts of a draw can be made; then the arrays are as they were.
+class InstanceDraws {
+ public:
+  /// `units`: as findUnits() has found them for the same arrays and draw.
+  InstanceDraws(const RealGl& real, const ArrayState& arrays, const InstanceUnits& units);
+  ~InstanceDraws() { moveTo(0); }
+  InstanceDraws(const InstanceDraws&) = delete;
+  InstanceDraws& operator=(const InstanceDraws&) = delete;
+
+  /// `elements` with only these instances, to be drawn before the next call.
+  Elements of(Elements elements, const InstancePart& part);
+
+ private:
+  /// A vertex buffer binding, or an attribute with its array where OpenGL has no bindings.
+  struct Moved {
+    GLuint index = 0, buffer = 0;
+    GLintptr offset = 0;
+    GLsizei stride = 0;    // as the program has set it; 0 means: no gap, without bindings
+    GLsizei distance = 0;  // between elements
+    uint32_t divisor = 1;
+    GLint size = 4;
+    GLenum type = GL_FLOAT;
+    bool normalized = false, integers = false;
+  };
+  void find(const ArrayState& arrays);
+  Moved attributeOf(const ArraySource& array) const;
+  Moved bindingOf(const ArraySource& array) const;
+  /// Arrays begin with the elements of instance `first`.
+  void moveTo(uint32_t first);
+
+  const RealGl& real_;
+  const bool byArrays_;  // else by a base instance
+  bool hasBindings_ = false;
+  const InstanceUnits& units_;
+  std::vector<Moved> moved_;
+  uint32_t at_ = 0;  // the instance that arrays begin with
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,20 @@
+// Whether the real OpenGL reads signed fractions of vertex arrays as ArrayReader does. A part of CulledDraws,
+// GL thread, context current.
+#pragma once
+#include "gl/real.h"
+
+#include <optional>
+
+namespace gluray::gl {
+
+class SignedFractions {
+ public:
+  /// Versions and drivers of OpenGL differ. Found out by a draw when first asked: whether all signed bytes
+  /// and shorts but the lowest ones are c / (2^(b-1) - 1), GL 4.2's equation 2.2. No error may be pending.
+  bool areSymmetric(const RealGl& real, bool core);
+
+ private:
+  std::optional<bool> symmetric_;
+};
+
+}  // namespace gluray::gl
