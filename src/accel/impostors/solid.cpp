@@ -158,6 +158,16 @@ bool isCutAway(const PlacedImpostors& placed, const glm::dvec3& object) {
   return false;
 }
 
+/// Whether the program shows the sphere. Its billboard has a constant z, so that near and far plane clip it
+/// as a whole, by the sphere's centre.
+bool isShown(const PlacedImpostors& placed, uint32_t primitive) {
+  const scene::Mesh& mesh = *placed.mesh;
+  if (mesh.shape != scene::Shape::spheres || placed.look.billboards != scene::Impostors::Billboards::square)
+    return true;
+  const glm::dvec4 clip = placed.clipFromObject * glm::dvec4(mesh.position(mesh.corner(primitive, 0)), 1);
+  return std::abs(clip.z) <= clip.w;
+}
+
 std::optional<Hit> meetTube(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {
   const scene::Mesh& mesh = *placed.mesh;
   const uint32_t vertex[] = {mesh.corner(primitive, 0), mesh.corner(primitive, 1)};
@@ -209,7 +219,7 @@ std::optional<Hit> meetInLighting(const PlacedImpostors& placed, uint32_t primit
                     halfWidth(placed, vertex));
   }
   Impostor impostor;
-  if (!Impostor::make(placed, primitive, impostor)) return std::nullopt;
+  if (!isShown(placed, primitive) || !Impostor::make(placed, primitive, impostor)) return std::nullopt;
   if (mesh.shape == scene::Shape::discs) return meetDisc(ray, impostor);
   if (mesh.shape == scene::Shape::cylinders) return meetCylinder(ray, impostor);
   return meetBall(ray, impostor.center, impostor.radius);
@@ -242,7 +252,8 @@ std::optional<RoundHull> hullOf(const PlacedImpostors& placed, uint32_t primitiv
     return hull;
   }
   Impostor ball;
-  if (mesh.shape != scene::Shape::spheres || !Impostor::make(placed, primitive, ball)) return std::nullopt;
+  if (mesh.shape != scene::Shape::spheres || !isShown(placed, primitive)) return std::nullopt;
+  if (!Impostor::make(placed, primitive, ball)) return std::nullopt;
   return RoundHull{{ball.center, ball.center}, {ball.radius, ball.radius}};
 }
 

@@ -23,7 +23,7 @@ struct SolidHit {
 };
 
 /// The nearest hit of an impostor:
-///   sphere    its sphere
+///   sphere    its sphere, if the program shows it
 ///   disc      the disc that faces the viewer, from both sides
 ///   cylinder  with both of its ends
 ///   bead      the sphere as wide as the point is in the window

@@ -3,6 +3,7 @@
 #include "accel/impostors/solid.h"
 
 #include "accel/impostors/pixel_impostor.h"
+#include "accel/impostors/solid_guess.h"
 #include "accel/test_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -94,6 +95,25 @@ TEST(Solid, SpheresAreBalls) {
   const glm::dvec3 center = inLighting({1, 0, 0});
   expectAgrees(
       scene, [&](const glm::dvec3& p) { return glm::distance(p, center) - 0.8f; }, center, 0.8);
+}
+
+/// Billboards of constant z are clipped as a whole: spheres beyond near and far plane block nothing.
+TEST(Solid, SpheresWithSquaresAreThereOnlyBetweenNearAndFarPlane) {
+  constexpr float kRadius = 2;
+  const auto blocks = [&](float z, scene::Impostors::Billboards billboards) {
+    SolidScene scene(Shape::spheres, {{0, 0, z}}, kRadius, glm::dmat4(1));
+    scene.instance.impostors.billboards = billboards;
+    scene.place();
+    const ObjectRay across{{-10, 0, z}, {1, 0, 0}, 0, 100};
+    EXPECT_EQ(meetSolid(scene.placed, 0, across).has_value(), hullOf(scene.placed, 0).has_value());
+    return meetSolid(scene.placed, 0, across).has_value();
+  };
+  using Billboards = scene::Impostors::Billboards;
+  for (const float z : {-2.0f, -50.0f, -99.0f}) EXPECT_TRUE(blocks(z, Billboards::square)) << z;
+  for (const float z : {1.0f, -0.9f, -101.0f}) {
+    EXPECT_FALSE(blocks(z, Billboards::square)) << z;
+    EXPECT_TRUE(blocks(z, Billboards::silhouette)) << z;
+  }
 }
 
 TEST(Solid, CylindersAreClosedAtBothEnds) {
