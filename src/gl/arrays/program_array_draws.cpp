@@ -32,11 +32,14 @@ Reason traceProgram(Context& c, GLenum mode, const Elements& e) {
   if (!impostors && c.shadow.attributes.shape != scene::Shape::triangles) return Reason::program;
   return c.failsafe.attempt([&] {
     const KnownMesh known = meshOf(c, c.shadow.attributes, mode, e);
-    Reason fine = c.programs.triage(known);
+    // An impostor is as much work for the real OpenGL as the triangles of its billboard.
+    const uint64_t drawn = known.mesh ? uint64_t{known.mesh->triangleCount} * e.repeats() : 0;
+    const uint64_t load = sent ? trianglesOf(mode, e) : drawn;
+    Reason fine = c.programs.triage(known, load);
     if (fine == Reason::traced) fine = c.programs.triageInstances(*known.mesh, e);
     if (fine == Reason::traced) fine = c.programs.add(known.mesh, mode, e);
     if (fine != Reason::traced) return fine;
-    c.counts.traced(pathOf(e), uint64_t{known.mesh->triangleCount} * e.repeats());
+    c.counts.traced(pathOf(e), drawn, load);
     return fine;
   });
 }

@@ -32,6 +32,8 @@ struct BatchKey {
   enum class Layers : uint8_t { none, peeled, summed, drawn, factors } layers = Layers::none;
   scene::Blending blending;  // of layers of kind `drawn`
   double depthSteps = 0;     // the same: scene::Layers::depthSteps
+  /// The same: what draws them. Draws of one kind can be made again in their order if tracing fails.
+  enum class DrawnBy : uint8_t { fixedFunction, builtIns, arrays } drawnBy = DrawnBy::fixedFunction;
   bool operator==(const BatchKey&) const = default;
 };
 

@@ -100,9 +100,11 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   BatchKey key = Batch::keyOf(p_.shadow.state);
   clampToTarget(key.region);
   if (mesh->triangleCount == 0) return;
-  if (p_.shadow.state.raster.program != 0) return addByProgram(key, mesh, slots);
+  const bool program = p_.shadow.state.raster.program != 0;
   const bool layer = p_.triage.isLayer(*mesh, materials);
-  if (layer) p_.layers.describe(key);
+  if (layer)
+    p_.layers.describe(key, program ? BatchKey::DrawnBy::builtIns : BatchKey::DrawnBy::fixedFunction);
+  if (program) return addByProgram(key, mesh, slots);
   if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
   if (!open(key)) return;
   p_.flusher.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
@@ -122,8 +124,9 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
   if (program.eyeFromObject) instance.lightingFromObject = glm::mat4(*program.eyeFromObject);
   p_.flusher.batch.add(std::move(instance), program.shading);
   p_.flusher.batch.keep(std::move(kept));
-  p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
-                           p_.triage.isPushedBack());
+  if (key.layers == BatchKey::Layers::none || key.blending.writesDepth)
+    p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
+                             p_.triage.isPushedBack());
   settleFailure();
 }
 

@@ -35,13 +35,13 @@ void DrawCounts::lit(Reason reason) {
     kinds()->notLit(reason);
 }
 
-void DrawCounts::traced(DrawPath path, uint64_t triangles) {
+void DrawCounts::traced(DrawPath path, uint64_t triangles, uint64_t sent) {
   if (kinds()) [[unlikely]]
     kinds()->record(shadow_.real, shadow_.state.target, Reason::traced, path, PrimitiveClass::surfaces,
                     triangles, shadow_.programInUse());
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
-  load(triangles);
+  load(sent);
   shadow_.current.drawn();
 }
 

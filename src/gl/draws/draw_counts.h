@@ -19,7 +19,9 @@ class DrawCounts {
   DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
 
   void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
-  void traced(DrawPath path, uint64_t triangles);
+  void traced(DrawPath path, uint64_t triangles) { traced(path, triangles, triangles); }
+  /// The same for impostors, which are counted one by one: `sent` triangles would be drawn without tracing.
+  void traced(DrawPath path, uint64_t triangles, uint64_t sent);
   /// The draw counted last by rasterised() was made without so many of its triangles, which cannot be seen.
   void culled(uint64_t leftOut);
   /// Why it was not, where it was large enough.

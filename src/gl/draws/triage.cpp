@@ -90,7 +90,7 @@ Reason Triage::ofProgram() const {
     return told ? program.reason : Reason::program;
   }
   if (program.reason != Reason::traced) return program.reason;
-  if (state.raster.reason != Reason::traced) return state.raster.reason;
+  if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return state.raster.reason;
   if (state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   // Only where alpha is clamped to 1 it is that of the colour.
   if (state.target.wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
@@ -109,7 +109,8 @@ Reason Triage::ofProgramsMesh(const scene::Mesh& mesh, const std::vector<Materia
   if (!materials.empty()) return Reason::program;  // programs see them as uniforms
   if (!hasDefinedColors(mesh, state.program)) return Reason::programValue;
   if (isOpaqueByProgram(mesh)) return Reason::traced;
-  return state.program.known->family->opaqueColors ? Reason::programValue : state.raster.unlessOpaque;
+  if (state.program.known->family->opaqueColors) return Reason::programValue;
+  return p_.layers.mayBeDrawn() ? Reason::traced : state.raster.unlessOpaque;
 }
 
 Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
@@ -172,9 +173,10 @@ SurfacePlace Triage::placeOf(const glm::dmat4& clipFromObject, scene::PolygonOff
 
 bool Triage::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
   const RasterState& raster = p_.shadow.state.raster;
-  if (scene::isSolid(mesh.shape) || raster.program != 0) return false;
-  return raster.reason != Reason::traced ||
-         (raster.unlessOpaque != Reason::traced && !isOpaque(mesh, materials));
+  if (scene::isSolid(mesh.shape)) return false;
+  if (raster.reason != Reason::traced) return true;
+  if (raster.unlessOpaque == Reason::traced) return false;
+  return raster.program != 0 ? !isOpaqueByProgram(mesh) : !isOpaque(mesh, materials);
 }
 
 bool Triage::isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {

@@ -1,5 +1,6 @@
-// Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038): fixed function with
-// blending on, or without depth writes. Colour and depth beneath are read when the batch is presented.
+// Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038), with blending on or
+// without depth writes: those of fixed function, and those of shader programs that families describe. Colour
+// and depth beneath are read when the batch is presented.
 #include "gl/draws/affine.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
@@ -14,6 +15,7 @@ namespace {
 
 /// The pixels of the snapshot's region that the bounds of the instance's mesh may cover.
 scene::Region reachedBy(const scene::Snapshot& s, const scene::Instance& instance) {
+  if (instance.mesh->shape != scene::Shape::triangles) return s.region;  // bounds are those of centres
   glm::dvec2 lower(INFINITY), upper(-INFINITY);
   for (const glm::dvec4& clip : boundsInClip(*instance.mesh, s.camera.clipFromEye * instance.eyeFromObject)) {
     if (!(clip.w > 0)) return s.region;  // behind the viewer
@@ -45,8 +47,9 @@ bool LayerDraws::mayBeDrawn() const {
   return p_.shadow.state.raster.layers.has_value() && p_.shadow.state.target.blendable;
 }
 
-void LayerDraws::describe(BatchKey& key) const {
+void LayerDraws::describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const {
   key.layers = BatchKey::Layers::drawn;
+  key.drawnBy = drawnBy;
   key.blending = *p_.shadow.state.raster.layers;
   key.blending.hasAlpha = p_.shadow.state.target.alpha;
   key.depthSteps = p_.shadow.state.target.depthSteps;

@@ -66,13 +66,14 @@ class LayerDraws {
   /// Has the real OpenGL draw all that was held back.
   void giveUp();
 
-  /// Whether fixed-function surfaces that are not opaque, or write no depth, can now be traced as layers.
+  /// Whether surfaces that are not opaque, or write no depth, can now be traced as layers that are blended in
+  /// the order of drawing.
   bool mayBeDrawn() const;
   /// Whether such a surface of `triangles` triangles, about to be drawn, is left to the real OpenGL because
   /// that is faster.
   bool leavesDrawn(uint64_t triangles);
   /// Sets the fields of `key` that such surfaces need.
-  void describe(BatchKey& key) const;
+  void describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const;
   /// Call before such a batch is taken: reads the colour and depth beneath it. False if they cannot be read.
   bool readUnder();
 

@@ -45,7 +45,7 @@ Reason ProgramDraws::triage(PrimitiveClass kind) {
   if (solid) {
     if (layersOf(p_.shadow.state.program) != BatchKey::Layers::none) return Reason::lines;
     if (const Reason reason = programSolidReason(p_.shadow, kind); reason != Reason::traced) return reason;
-  } else if (p_.shadow.state.raster.reason != Reason::traced) {
+  } else if (p_.shadow.state.raster.reason != Reason::traced && !mayBeBlended()) {
     return p_.shadow.state.raster.reason;
   }
   if (p_.shadow.state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
@@ -89,22 +89,7 @@ bool haveUnreadableBuffers(const ArrayState& arrays) {
 
 }  // namespace
 
-bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh) {
-  using Color = scene::FragmentShading::Color;
-  const scene::FragmentShading& f = program.shading.fragment;
-  if (program.material.front.diffuse.a < 1) return false;
-  if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
-  if (program.overridden && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
-  if (f.color == Color::vertices && !program.instanceColors &&
-      !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1))
-    return false;
-  if (f.color == Color::map && !f.map.front().image->opaque) return false;
-  if (f.color == Color::perTriangle && !program.opaqueTriangleColors) return false;
-  return std::all_of(program.shading.textures.begin(), program.shading.textures.end(),
-                     [](const scene::Texture& t) { return t.image->opaque; });
-}
-
-Reason ProgramDraws::triage(const KnownMesh& known) const {
+Reason ProgramDraws::triage(const KnownMesh& known, uint64_t load) {
   Reason reason = triageAlways(known);
   const ProgramState& program = p_.shadow.state.program;
   if (layersOf(program) == BatchKey::Layers::peeled) return reason;
@@ -114,9 +99,10 @@ Reason ProgramDraws::triage(const KnownMesh& known) const {
                     known.mesh,
                     p_.triage.placeOf(program.clipFromObject, offsetOf(p_.shadow.state, known.mesh->shape))))
     reason = Reason::coincident;
+  if (reason != Reason::traced) return reason;
+  if (isBlended(*known.mesh)) return p_.layers.leavesDrawn(load) ? Reason::smallScene : reason;
   // Judged draw by draw, not by their sum, so that a surface drawn again is drawn in the same way.
-  const bool leave =
-      reason == Reason::traced && p_.clock.leavesAlone(known.mesh->triangleCount, p_.shadow.viewportPixels());
+  const bool leave = p_.clock.leavesAlone(load, p_.shadow.viewportPixels());
   return leave ? Reason::smallScene : reason;
 }
 
@@ -151,14 +137,8 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
       offsetOf(p_.shadow.state, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
-  const bool opaque =
-      layersOf(p_.shadow.state.program) != BatchKey::Layers::none || drawsOpaque(program, *known.mesh);
-  return opaque ? Reason::traced : unlessOpaque();
-}
-
-Reason ProgramDraws::unlessOpaque() const {
-  const bool never = p_.shadow.state.program.known->family->opaqueColors;
-  return never ? Reason::programValue : p_.shadow.state.raster.unlessOpaque;
+  if (layersOf(program) != BatchKey::Layers::none) return Reason::traced;
+  return ofBlending(*known.mesh);
 }
 
 bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
@@ -169,13 +149,16 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
 }
 
 /// Prepares batch, camera and matrix for the current program's instance. Placed::nowhere: it covers no pixel.
-ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& reach) {
+ProgramDraws::Placed ProgramDraws::place(const scene::Mesh& mesh, const glm::dvec3& reach) {
+  const scene::Shape shape = mesh.shape;
   const ProgramState& program = p_.shadow.state.program;
   p_.shadow.state.projection = program.eyeFromObject
                                    ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
                                    : program.clipFromObject;
   BatchKey key = Batch::keyOf(p_.shadow.state);
   key.layers = layersOf(p_.shadow.state.program);
+  const bool blended = isBlended(mesh);
+  if (blended) p_.layers.describe(key, BatchKey::DrawnBy::arrays);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   key.offset = peeled ? scene::PolygonOffset{} : offsetOf(p_.shadow.state, shape);
   p_.filler.clampToTarget(key.region);
@@ -185,7 +168,7 @@ ProgramDraws::Placed ProgramDraws::place(scene::Shape shape, const glm::dvec3& r
                           : peeled                  ? p_.layers.tracedKey()
                                                     : nullptr;
   p_.filler.factor(program.clipFromObject, reach, there, key, !peeled);
-  if (key.layers != BatchKey::Layers::none)
+  if (key.layers != BatchKey::Layers::none && !blended)
     return p_.layers.start(key) ? Placed::inBatch : Placed::otherCamera;
   p_.filler.open(key);
   return Placed::inBatch;
@@ -232,7 +215,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
       !p_.shadow.attributes.instanceTransform.empty() || p_.shadow.attributes.instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
   if (mesh->triangleCount == 0) return Reason::traced;
-  if (const Placed placed = place(mesh->shape, reach); placed != Placed::inBatch)
+  if (const Placed placed = place(*mesh, reach); placed != Placed::inBatch)
     return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
   const ProgramState& program = p_.shadow.state.program;
   scene::Instance instance;
@@ -263,7 +246,10 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
     addInstancesOf(instance, program.shading, elements);
   } else {
     p_.flusher.batch.add(std::move(instance), program.shading);
-    if (p_.flusher.batch.key().layers == BatchKey::Layers::none && mesh->shape == scene::Shape::triangles)
+    const BatchKey& key = p_.flusher.batch.key();
+    const bool seenAgain = key.layers == BatchKey::Layers::none ||
+                           (key.layers == BatchKey::Layers::drawn && key.blending.writesDepth);
+    if (seenAgain && mesh->shape == scene::Shape::triangles)
       p_.surfaces.passes.drawnByProgram(mesh, p_.shadow.state.modelview, program.clipFromObject,
                                         p_.shadow.state.target.framebuffer,
                                         p_.flusher.batch.key().offset.pushesBack());

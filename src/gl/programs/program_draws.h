@@ -35,9 +35,9 @@ class ProgramDraws {
   explicit ProgramDraws(const Parts& parts) : p_(parts) {}
 
   /// Why a surface of the current program cannot be traced now, or Reason::traced. Call
-  /// refresh(kProgramGroups) before.
+  /// refresh(kProgramGroups) before. `load`: triangles that the real OpenGL would draw.
   Reason triage(PrimitiveClass kind);
-  Reason triage(const KnownMesh& mesh) const;
+  Reason triage(const KnownMesh& mesh, uint64_t load);
   /// The same for further conditions of impostors, and of the instances of a draw.
   Reason triageImpostors();
   Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
@@ -50,13 +50,18 @@ class ProgramDraws {
 
  private:
   Reason triageAlways(const KnownMesh& mesh) const;  // as if engine = always
-  /// Why a surface with an alpha below 1 is not traced, or Reason::traced.
+  /// Why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
+  Reason ofBlending(const scene::Mesh& mesh) const;
+  /// Whether surfaces can now be blended in the order of drawing; whether this one would be.
+  bool mayBeBlended() const;
+  bool isBlended(const scene::Mesh& mesh) const;
+  /// Why a surface with an alpha below 1 is not traced, or Reason::traced; of instances.
   Reason unlessOpaque() const;
   bool isOneOfPasses(const scene::Mesh& mesh) const;
   /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
   enum class Placed { nowhere, inBatch, otherCamera };
-  Placed place(scene::Shape shape, const glm::dvec3& reach);
+  Placed place(const scene::Mesh& mesh, const glm::dvec3& reach);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   Parts p_;

@@ -51,6 +51,8 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
   const bool mayBeTranslucent = layersOf(p_.shadow.state.program) == BatchKey::Layers::none &&
                                 readers.color.enabled() && p_.shadow.attributes.instanceColor.size == 4 &&
                                 unlessOpaque() != Reason::traced;
+  if (const RasterState& raster = p_.shadow.state.raster; elements.repeats() != 1 && isBlended(mesh))
+    return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)

@@ -30,7 +30,8 @@ const BuiltInStateCase kBuiltInStateCases[] = {
      [](Gl gl, GLuint) {
        gl.Enable(GL_BLEND), gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
        gl.Color4f(0.9f, 0.5f, 0.3f, 0.5f);
-     }},
+     },
+     1},
     {"no_depth", &kShaded, [](Gl gl, GLuint) { gl.Disable(GL_DEPTH_TEST); }},
     {"lines", &kShaded, [](Gl gl, GLuint) { gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE); }},
     {"translucent_sum", &kOpenCtm, [](Gl gl, GLuint) { gl.Color4f(0.9f, 0.5f, 0.3f, 0.5f); }},

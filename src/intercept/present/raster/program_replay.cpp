@@ -200,6 +200,8 @@ void replayProgramDraws(const RealGl& real, const Features& features, const scen
   if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums) {
     guard.addUp();
     guard.depthWrites(false);
+  } else if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn) {
+    guard.blendAs(snapshot.layers->blending);
   }
   replayProgramDraws(real, features, draws);
 }

@@ -173,6 +173,8 @@ void replayBuiltInDraws(const gl::RealGl& real, const Features& features, const 
   {
     const KeptMatrices matrices(real);
     setUpCamera(real, snapshot);
+    if (snapshot.layers && snapshot.layers->of == scene::Layers::Of::drawn)
+      setBlending(real, snapshot.layers->blending);
     ShadingTextures none(real, features);
     for (const gl::ProgramDraw& draw : draws) {
       if (!draw.builtIn) continue;

@@ -40,6 +40,9 @@ class StateGuard {
   void depthTest(GLenum func);  // enables test and writes
   /// Sets the blending of layer sums, as in gl::addsUp: adds RGB, multiplies alpha. After openFragmentPath().
   void addUp();
+  /// Sets the blending and the depth mask of layers that are blended in the order of drawing, into one draw
+  /// buffer. After openFragmentPath() and depthTest().
+  void blendAs(const scene::Blending& blending);
   /// Sets "over" blending for premultiplied colours. After openFragmentPath().
   void blendOver();
   /// The same for colours that are not. After openFragmentPath().
@@ -86,7 +89,8 @@ class StateGuard {
   void texture(int unit, GLenum target, GLenum binding, GLuint texture);
   void unbindBuffer(GLenum target, GLenum binding);
   GLint ofDrawBuffer(GLenum name, GLuint buffer) const;
-  void blendEquation(GLuint buffer);
+  void blendEquation(GLuint buffer, GLenum rgb, GLenum alpha);
+  void blendConstant(const glm::vec4& color);
   void blendFactors(GLuint buffer, const std::array<GLint, 4>& wanted);
   void blend(int drawBuffers, const std::array<GLint, 4>& factors);  // source, target; of RGB, of alpha
   void colorMasks();

@@ -107,6 +107,29 @@ void StateGuard::blendByAlpha() {
         {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
 }
 
+void StateGuard::blendAs(const scene::Blending& blending) {
+  const auto &rgb = blending.rgb, &alpha = blending.alpha;
+  const auto factor = [](scene::BlendFactor f) { return static_cast<GLint>(f); };
+  blend(1, {factor(rgb.source), factor(rgb.destination), factor(alpha.source), factor(alpha.destination)});
+  blendEquation(0, static_cast<GLenum>(rgb.equation), static_cast<GLenum>(alpha.equation));
+  if (gl::isPresent(real_.BlendColor)) blendConstant(blending.constant);
+  depthWrites(blending.writesDepth);
+}
+
+void StateGuard::blendConstant(const glm::vec4& color) {
+  GLfloat was[4] = {};
+  real_.GetFloatv(GL_BLEND_COLOR, was);
+  keep({[](const RealGl& r, const Undo& u) {
+          const auto v = [&](size_t i) { return static_cast<GLfloat>(u.d[i]); };
+          r.BlendColor(v(0), v(1), v(2), v(3));
+        },
+        0,
+        0,
+        {},
+        {was[0], was[1], was[2], was[3]}});
+  real_.BlendColor(color.r, color.g, color.b, color.a);
+}
+
 void StateGuard::blend(int drawBuffers, const std::array<GLint, 4>& factors) {
   for (GLuint i = 0; i < static_cast<GLuint>(drawBuffers); ++i) {
     if (features_.indexedDrawBuffers)
@@ -114,7 +137,7 @@ void StateGuard::blend(int drawBuffers, const std::array<GLint, 4>& factors) {
     else if (i == 0)
       capability(GL_BLEND, true);
     if (i > 0 && !features_.indexedBlending) continue;
-    blendEquation(i);
+    blendEquation(i, GL_FUNC_ADD, GL_FUNC_ADD);
     blendFactors(i, factors);
   }
 }
@@ -143,26 +166,26 @@ GLint StateGuard::ofDrawBuffer(GLenum name, GLuint buffer) const {
   return value;
 }
 
-void StateGuard::blendEquation(GLuint buffer) {
-  const GLint rgb = ofDrawBuffer(GL_BLEND_EQUATION_RGB, buffer),
-              alpha = ofDrawBuffer(GL_BLEND_EQUATION_ALPHA, buffer);
-  if (rgb == GL_FUNC_ADD && alpha == GL_FUNC_ADD) return;
+void StateGuard::blendEquation(GLuint buffer, GLenum rgb, GLenum alpha) {
+  const GLint wasRgb = ofDrawBuffer(GL_BLEND_EQUATION_RGB, buffer),
+              wasAlpha = ofDrawBuffer(GL_BLEND_EQUATION_ALPHA, buffer);
+  if (wasRgb == static_cast<GLint>(rgb) && wasAlpha == static_cast<GLint>(alpha)) return;
   if (features_.indexedBlending) {
     keep({[](const RealGl& r, const Undo& u) {
             r.BlendEquationSeparatei(u.index, static_cast<GLenum>(u.i[0]), static_cast<GLenum>(u.i[1]));
           },
           0,
           buffer,
-          {rgb, alpha}});
-    real_.BlendEquationi(buffer, GL_FUNC_ADD);
+          {wasRgb, wasAlpha}});
+    real_.BlendEquationSeparatei(buffer, rgb, alpha);
   } else {
     keep({[](const RealGl& r, const Undo& u) {
             r.BlendEquationSeparate(static_cast<GLenum>(u.i[0]), static_cast<GLenum>(u.i[1]));
           },
           0,
           0,
-          {rgb, alpha}});
-    real_.BlendEquation(GL_FUNC_ADD);
+          {wasRgb, wasAlpha}});
+    real_.BlendEquationSeparate(rgb, alpha);
   }
 }
 

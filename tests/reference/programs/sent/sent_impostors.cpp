@@ -38,10 +38,11 @@ const std::string kBoxVertex =
 
 /// Light, depth, and the line of sight o + t d.
 const std::string kSentFragmentHead =
-    "#version 150\nin vec3 at, tint; in float r; uniform mat4 projection; uniform vec3 sun; out vec4 pixel;\n"
+    "#version 150\nin vec3 at, tint; in float r; uniform mat4 projection; uniform vec3 sun; uniform float "
+    "opacity;\nout vec4 pixel;\n"
     "void show(vec3 p, vec3 n, vec3 base) { vec4 clip = projection * vec4(0, 0, p.z, 1);\n"
     "  float depth = 0.5 * clip.z / clip.w + 0.5; if (depth <= 0.0) discard; gl_FragDepth = depth;\n"
-    "  pixel = vec4(base * (0.2 + 0.8 * max(dot(n, -sun), 0.0)), 1); }\n";
+    "  pixel = vec4(base * (0.2 + 0.8 * max(dot(n, -sun), 0.0)), opacity); }\n";
 const std::string kPerspectiveLine = "vec3 o = vec3(0), d = normalize(at);\n";
 const std::string kParallelLine = "vec3 o = vec3(at.xy, 0), d = vec3(0, 0, -1);\n";
 
@@ -163,7 +164,7 @@ void prepareSent(Gl gl, const SentImpostors& sent, const SentView& look) {
   lookAtImpostors(gl, program, look.view, look.parallel);
   setMat3(gl, program, "turn", glm::mat3(glm::transpose(glm::inverse(glm::dmat3(look.view.eyeFromObject)))));
   setFloat(gl, program, "scale", look.scale), setFloat(gl, program, "blend", look.blend);
-  setInteger(gl, program, "roundCaps", look.roundCaps);
+  setInteger(gl, program, "roundCaps", look.roundCaps), setFloat(gl, program, "opacity", look.opacity);
 }
 
 void drawSent(Gl gl, const SentImpostors& sent) { drawNumbered(gl, GL_TRIANGLES, sent.numbers); }
@@ -179,7 +180,8 @@ std::string sentFamily(bool sticks, bool parallel) {
       "material.ambient_intensity = 0.2\nmaterial.ambient_color = 1\nmaterial.diffuse_intensity = 0.8\n"
       "lights.direction = \"sun\"\nimpostors.billboards = \"sent\"\nimpostors.corners = \"corner\"\n"
       "impostors.projection = \"projection\"\nimpostors.radius_in_position = true\n"
-      "impostors.radius_in_object_space = true\nimpostors.scale = \"scale\"\n";
+      "impostors.radius_in_object_space = true\nimpostors.scale = \"scale\"\nmaterial.opacity = "
+      "\"opacity\"\n";
   const std::string own =
       sticks ? "impostors.shape = \"sticks\"\nimpostors.end = \"tip\"\nimpostors.end_color = \"tipPaint\"\n"
                "impostors.caps = \"caps\"\nimpostors.round_caps = \"roundCaps\"\n"

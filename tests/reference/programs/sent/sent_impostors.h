@@ -39,7 +39,7 @@ struct SentView {
   bool parallel = false;
   float scale = 1;
   bool roundCaps = true;
-  float blend = 0;
+  float blend = 0, opacity = 1;
 };
 
 /// Makes the program, uploads all, sets the view; draw with drawSent().
