@@ -26,8 +26,8 @@ struct FramebufferPicture {
 /// Where a surface is in such a picture.
 struct Pictured {
   static constexpr uint32_t kNone = ~0u;
-  uint32_t picture = kNone;        // index into Surroundings::pictures; kNone: the surface is not pictured
-  glm::dmat4 clipFromObject{1};    // of the draw
+  uint32_t picture = kNone;      // index into Surroundings::pictures; kNone: the surface is not pictured
+  glm::dmat4 clipFromObject{1};  // of the draw
   bool operator==(const Pictured&) const = default;
 };
 

@@ -38,8 +38,10 @@ Extent extentOf(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
   const auto pixel = [](double ndc, int first, int size) {
     return static_cast<int>(std::floor(first + std::clamp((ndc + 1) / 2, -1.0, 2.0) * size));
   };
-  all.x0 = std::max(all.x0, pixel(lower.x, v.x, v.z)), all.x1 = std::min(all.x1, pixel(upper.x, v.x, v.z) + 1);
-  all.y0 = std::max(all.y0, pixel(lower.y, v.y, v.w)), all.y1 = std::min(all.y1, pixel(upper.y, v.y, v.w) + 1);
+  all.x0 = std::max(all.x0, pixel(lower.x, v.x, v.z)),
+  all.x1 = std::min(all.x1, pixel(upper.x, v.x, v.z) + 1);
+  all.y0 = std::max(all.y0, pixel(lower.y, v.y, v.w)),
+  all.y1 = std::min(all.y1, pixel(upper.y, v.y, v.w) + 1);
   if (!(picture.offset.factor == 0 && picture.offset.units == 0)) return all;
   const double n = double{picture.depthNear}, f = double{picture.depthFar};
   const auto depth = [&](double ndc) { return 0.5 * (f - n) * ndc + 0.5 * (f + n); };
@@ -130,7 +132,8 @@ bool PicturedSurfaces::readPixels(bool samples, scene::FramebufferPicture& p) {
   const RealGl& real = p_.shadow.real;
   FramebufferReader& reader = p_.presenter.reader();
   p_.shadow.errors.keepPending();
-  if (!samples) return reader.readDepth(real, p.region, p.depths) && reader.readColors(real, p.region, p.colors);
+  if (!samples)
+    return reader.readDepth(real, p.region, p.depths) && reader.readColors(real, p.region, p.colors);
   std::vector<float> farthest;
   if (!reader.readFarthest(real, p.region, true, p.depths) ||
       !reader.readFarthest(real, p.region, false, farthest) || !reader.readResolved(real, p.region, p.colors))

@@ -25,8 +25,8 @@ class PicturedSurfaces {
   };
   explicit PicturedSurfaces(const Parts& parts) : p_(parts) {}
 
-  /// A key with the camera that the next ones are likely to have: of those that wait, of the pending batch, or
-  /// of the last one that was traced beside such surfaces. Null: none is known.
+  /// A key with the camera that the next ones are likely to have: of those that wait, of the pending batch,
+  /// or of the last one that was traced beside such surfaces. Null: none is known.
   const BatchKey* likely(const Batch& pending) const {
     if (!batch_.empty()) return &batch_.key();
     return !pending.empty() ? &pending.key() : last_ ? &*last_ : nullptr;
@@ -35,8 +35,8 @@ class PicturedSurfaces {
   void add(const BatchKey& key, scene::Instance instance, scene::Shading shading, const Batch& pending);
   /// Reads what those that wait have drawn, and adds them to their view. Call before anything else is drawn
   /// over them that writes no depth, and before the framebuffer is cleared or another one is bound. Those
-  /// whose framebuffer cannot be read, or has another draw buffer by now, are in no view. `beside`: the batch that is traced next; they take its
-  /// eye space if that is possible, so that they are in its view.
+  /// whose framebuffer cannot be read, or has another draw buffer by now, are in no view. `beside`: the batch
+  /// that is traced next; they take its eye space if that is possible, so that they are in its view.
   void collect(const Batch& beside) noexcept {
     if (!batch_.empty()) read(beside.empty() ? nullptr : &beside.key());
   }
@@ -54,7 +54,8 @@ class PicturedSurfaces {
 
 /// One depth a pixel of those of its samples: their middle, or kNothing where they are of several surfaces.
 /// `nearest` becomes the result. Any thread.
-void mergeSamples(int width, const std::vector<float>& farthest, float resolution, std::vector<float>& nearest);
+void mergeSamples(int width, const std::vector<float>& farthest, float resolution,
+                  std::vector<float>& nearest);
 
 /// Where surfaces drawn with `key` may be in the framebuffer: leaves a picture their pixels, and makes all
 /// others nothing. `picture` has all pixels of its region. Any thread.

@@ -19,9 +19,7 @@ namespace {
 using scene::FramebufferPicture;
 using scene::Pictured;
 
-glm::vec3 colorOf(uint32_t rgba) {
-  return glm::vec3(rgba & 255, rgba >> 8 & 255, rgba >> 16 & 255) / 255.0f;
-}
+glm::vec3 colorOf(uint32_t rgba) { return glm::vec3(rgba & 255, rgba >> 8 & 255, rgba >> 16 & 255) / 255.0f; }
 
 size_t pixelsOf(const FramebufferPicture& p) { return p.depths.size(); }
 
@@ -203,7 +201,8 @@ void PicturedColors::spread(const FrameData& frame, Shown& shown) {
     const uint32_t instance = shown.instances[i];
     if (instance == accel::kNoHit) continue;
     Seen& seen = seen_[instance];
-    if (instance != last) objectFromClip = seen.objectFromEye * glm::inverse(seen.clipFromEye), last = instance;
+    if (instance != last)
+      objectFromClip = seen.objectFromEye * glm::inverse(seen.clipFromEye), last = instance;
     const double x = p.region.x + static_cast<double>(i % width) + 0.5,
                  y = p.region.y + static_cast<double>(i / width) + 0.5;
     const glm::dvec4 object = objectFromClip * ndcAt(p, x, y, double{p.depths[i]});
@@ -232,8 +231,7 @@ float PicturedColors::addPixels(const Shown& shown, uint32_t instance, const glm
   for (int k = 0; k < 4; ++k) {
     const int column = x0 + (k & 1), row = y0 + (k >> 1);
     if (column < 0 || row < 0 || column >= r.width || row >= r.height) continue;
-    const size_t i =
-        static_cast<size_t>(row) * static_cast<size_t>(r.width) + static_cast<size_t>(column);
+    const size_t i = static_cast<size_t>(row) * static_cast<size_t>(r.width) + static_cast<size_t>(column);
     if (shown.instances[i] != instance) continue;
     if (!(std::abs(p.depths[i] - depth) <= 2 * shown.tolerances[i])) continue;
     const float weight = (k & 1 ? shareX : 1 - shareX) * (k >> 1 ? shareY : 1 - shareY);

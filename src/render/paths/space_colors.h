@@ -7,8 +7,8 @@
 
 namespace gluray::render {
 
-/// Each level has cells of twice the size of the one before, with the sum of all colours in them. A point gets
-/// the interpolated mean of the finest cells around it that hold enough, and of coarser ones for what is
+/// Each level has cells of twice the size of the one before, with the sum of all colours in them. A point
+/// gets the interpolated mean of the finest cells around it that hold enough, and of coarser ones for what is
 /// missing (push and pull, Gortler and others 1996, "The Lumigraph").
 class SpaceColors {
  public:

@@ -230,7 +230,8 @@ TEST(PicturedSurfaces, SurfacesHaveMatricesOfTheirOwn) {
       drawBoard(gl, flat, board(), glm::translate(view(), glm::vec3(1.6f, 0, 0)));
       if (!floorFirst) drawFloor(gl);
     });
-    expectNear(at(got.picture, mirrored({0.25f, 0.5f, -1})), glm::ivec3(255 * 0.7f, 127, 51), 6, "scaled, " + std::to_string(floorFirst));
+    expectNear(at(got.picture, mirrored({0.25f, 0.5f, -1})), glm::ivec3(255 * 0.7f, 127, 51), 6,
+               "scaled, " + std::to_string(floorFirst));
     EXPECT_EQ(at(got.picture, mirrored({1, 0.6f, -1})), glm::ivec3(255, 0, 0)) << "moved, " << floorFirst;
     EXPECT_EQ(at(got.picture, mirrored({0.55f, 0.6f, -1})), glm::ivec3(0)) << "between them";
   }
