@@ -41,10 +41,15 @@ struct Rates {
   GLuint places = 1, tints = 1;
 };
 
-class InstanceParts : public ::testing::Test {
+/// With a vertex array object, or with the default one (true).
+class InstanceParts : public ::testing::TestWithParam<bool> {
  protected:
-  InstanceParts() : context_(OsmesaContext::create({kSide, kSide, true, 3, 3})) {
-    const gl::RealGl& real = context_->real();
+  InstanceParts()
+      : context_(OsmesaContext::create(GetParam() ? ContextWish{kSide, kSide}
+                                                  : ContextWish{kSide, kSide, true, 3, 3})) {
+    gl::RealGl real = context_->real();
+    if (GetParam())
+      real.BindVertexArray = reinterpret_cast<decltype(real.BindVertexArray)>(gl::missingCommand());
     program_ = makeProgram(real, vertexOf(kPlacings[0]), tintedFragment());
     send(real, mesh_, program_);
   }
@@ -89,12 +94,13 @@ class InstanceParts : public ::testing::Test {
   Swarm swarm_ = swarm(5);
 };
 
-TEST_F(InstanceParts, AreTheWholeDraw) {
+TEST_P(InstanceParts, AreTheWholeDraw) {
   for (const Rates& rates : {Rates{1, 1}, Rates{2, 2}, Rates{1, 3}, Rates{4, 6}, Rates{1, 1000}}) {
     sendPlaces(rates);
     begin();
     gl::drawReal(context_->real(), GL_TRIANGLES, whole());
     const Picture expected = picture();
+    EXPECT_GT(std::ranges::count_if(expected.depths, [](float depth) { return depth < 1; }), 5000);
     for (const Older& older : {Older{}, Older{true, false}, Older{true, true}, Older{false, true}}) {
       SCOPED_TRACE(std::to_string(rates.places) + " " + std::to_string(rates.tints) +
                    (older.baseInstance ? " no base instance" : "") + (older.bindings ? " no bindings" : ""));
@@ -112,7 +118,7 @@ TEST_F(InstanceParts, AreTheWholeDraw) {
 }
 
 /// Arrays that end before the draw does, that are in memory, or of types that are not read.
-TEST_F(InstanceParts, AreNotMadeWhereArraysCannotBeginLater) {
+TEST_P(InstanceParts, AreNotMadeWhereArraysCannotBeginLater) {
   const gl::RealGl& real = context_->real();
   const gl::RealGl older = without({true, false}, real);
   const auto reasonOf = [&](const gl::RealGl& by, GLsizei instances) {
@@ -136,6 +142,8 @@ TEST_F(InstanceParts, AreNotMadeWhereArraysCannotBeginLater) {
   EXPECT_EQ(reasonOf(older, countOf(swarm_)), gl::Reason::instanceArrays);
   EXPECT_EQ(reasonOf(real, countOf(swarm_)), gl::Reason::traced);
 }
+
+INSTANTIATE_TEST_SUITE_P(Arrays, InstanceParts, ::testing::Bool());
 
 /// The real OpenGL of the tests has GL 4.2's rule; state and errors stay as they are.
 TEST(SignedFractions, AreThoseOfTheRealOpenGl) {
