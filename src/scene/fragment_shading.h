@@ -24,6 +24,7 @@ struct FragmentLight {
   bool ownHighlight = false;       // `highlight`, without the material's specular colour, and `shininess`
   glm::vec3 highlight{1};
   float shininess = 0;
+  glm::vec3 half{0};  // Specular::ofLight
   bool operator==(const FragmentLight&) const = default;
 };
 
@@ -42,18 +43,21 @@ struct HeightColors {
   bool operator==(const HeightColors&) const = default;
 };
 
-/// Colours mixed with another one towards silhouettes: its weight is x^2 + y^2 of the normal, to a power
-/// above 0.
+/// What changes towards silhouettes, by a weight that is x^2 + y^2 of the normal, to a power above 0.
 struct Rim {
   bool on = false;
+  bool mixes = true;  // colours are mixed with `color`
   glm::vec3 color{1};
   float exponent = 1;
+  float opacity = 0;  // alpha is multiplied by 1 + opacity times the weight; it is at most 1
   bool operator==(const Rim&) const = default;
 };
 
 struct FragmentShading {
   enum class Model : uint8_t { off, unlit, phong, pbr };  // off: OpenGL's fixed function
-  enum class Specular : uint8_t { reflect, half };
+  /// The cosine of highlights: of the reflected ray and the viewer, or of the normal and a vector: halfway
+  /// between light and viewer, or that of the light.
+  enum class Specular : uint8_t { reflect, half, ofLight };
   enum class Normals : uint8_t { vertices, triangles, perTriangle };
   enum class Color : uint8_t { material, vertices, map, perTriangle, height };
   /// Where vertex normals are made unit length: after interpolation, before (in the program's eye space), or
@@ -70,6 +74,7 @@ struct FragmentShading {
   bool normalColors = false;      // red, green and blue of `color` are half the vertex normal plus a half
   Rim rim;                        // of colours, by the vertex normal
   bool clampsColors = false;      // vertex colours are clamped to [0, 1] before they are interpolated
+  bool ignoresAlpha = false;      // the alpha of vertex colours is taken to be 1
   bool twoSidedLights = false;    // Phong: the diffuse cosine's absolute value counts
   bool highlightsInDark = false;  // Phong: also where the diffuse cosine is not positive
   bool infiniteViewer = false;    // Phong: highlights as if the viewer were at infinity, along +z
@@ -78,7 +83,10 @@ struct FragmentShading {
   bool flipBackFaces = false;     // back faces use the reversed normal
   bool parallelView = false;      // triangle normals face +z instead of the viewer's position
   bool backMaterial = false;      // back faces use MaterialPair::back
-  bool texturesOnBack = true;     // back faces are textured
+  bool paintsBack = false;        // back faces show `backColor`, without lights, textures and fog
+  glm::vec3 backColor{0};
+  bool texturesOnBack = true;  // back faces are textured
+  bool texturesFirst = false;  // textures multiply `color` before it is lit, not the lit colour
   std::vector<FragmentLight> lights;
   std::vector<Texture> map;  // Color::map: one texture, sampled at the coordinates of unit 0; its matrix
                              // applies to s and t only

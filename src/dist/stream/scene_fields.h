@@ -82,9 +82,9 @@ void fields(auto& archive, Like<scene::AlphaTest> auto& value) {
 }
 void fields(auto& archive, Like<scene::FragmentLight> auto& value) {
   auto& [kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
-         shininess] = value;
+         shininess, half] = value;
   archive(kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
-          shininess);
+          shininess, half);
 }
 void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
   auto& [metallic, roughness, baseF0, edgeTint, emissive] = value;
@@ -95,18 +95,19 @@ void fields(auto& archive, Like<scene::HeightColors> auto& value) {
   archive(axis, scale, offset, exponent);
 }
 void fields(auto& archive, Like<scene::Rim> auto& value) {
-  auto& [on, color, exponent] = value;
-  archive(on, color, exponent);
+  auto& [on, mixes, color, exponent, opacity] = value;
+  archive(on, mixes, color, exponent, opacity);
 }
 void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
   auto& [model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
-         clampsColors, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight, darkBackFaces,
-         flipBackFaces, parallelView, backMaterial, texturesOnBack, lights, map, pbr, writesDepth, edges,
-         edgesGrow, edgeWidth, edgeOpacity, edgeColor] = value;
+         clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight,
+         darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor, texturesOnBack,
+         texturesFirst, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor] =
+      value;
   archive(model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
-          clampsColors, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight, darkBackFaces,
-          flipBackFaces, parallelView, backMaterial, texturesOnBack, lights, map, pbr, writesDepth, edges,
-          edgesGrow, edgeWidth, edgeOpacity, edgeColor);
+          clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight,
+          darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor, texturesOnBack,
+          texturesFirst, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;

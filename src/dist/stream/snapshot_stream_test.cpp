@@ -69,6 +69,10 @@ scene::Shading shading() {
   s.fragment.lights.resize(1);
   s.fragment.lights[0].ownHighlight = s.fragment.clampsLight = s.fragment.darkBackFaces = true;
   s.fragment.lights[0].highlight = {1, 2, 3}, s.fragment.lights[0].shininess = 4;
+  s.fragment.lights[0].half = {0.5f, 0.25f, 2};
+  s.fragment.rim = {true, false, {1, 2, 3}, 4, 5};
+  s.fragment.texturesFirst = s.fragment.ignoresAlpha = true;
+  s.fragment.paintsBack = true, s.fragment.backColor = {0.5f, 0.25f, 1};
   s.fragment.edgeColor = {1, 0, 0.5f};
   return s;
 }

@@ -41,6 +41,25 @@ bool hasDefinedColors(const scene::Mesh& mesh, const ProgramState& program) {
   return true;
 }
 
+/// Whether all texture coordinates have q = 1: programs take s and t without a division by q.
+bool hasPlainTexcoords(const scene::Mesh& mesh, const float* current) {
+  if (!mesh.texcoords) return current[3] == 1;
+  if (mesh.texcoords.format != scene::Format::float4) return true;
+  for (uint32_t i = 0; i < mesh.vertexCount; ++i)
+    if (scene::fetch(mesh.texcoords, i).w != 1) return false;
+  return true;
+}
+
+/// Whether the mesh lies before the viewer's plane, where -z is the absolute value of z in eye space.
+bool isBeforeViewersPlane(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject) {
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 p(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
+                       corner & 4 ? mesh.upper.z : mesh.lower.z);
+    if ((eyeFromObject * glm::dvec4(p, 1)).z > 0) return false;
+  }
+  return true;
+}
+
 bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material) {
   if (!shading.lighting) return true;
   return faceAlpha(material.front, shading.colorMaterial.front) >= 1.0f &&
@@ -108,6 +127,12 @@ Reason Triage::ofProgramsMesh(const scene::Mesh& mesh, const std::vector<Materia
   const State& state = p_.shadow.state;
   if (!materials.empty()) return Reason::program;  // programs see them as uniforms
   if (!hasDefinedColors(mesh, state.program)) return Reason::programValue;
+  const scene::Shading& shading = state.program.shading;
+  if (!shading.textures.empty() && !hasPlainTexcoords(mesh, p_.shadow.current[kTexCoord0]))
+    return Reason::programValue;
+  if (shading.fog.mode != scene::Fog::off && state.program.known->family->fog.absolute &&
+      !isBeforeViewersPlane(mesh, state.modelview))
+    return Reason::programValue;
   if (isOpaqueByProgram(mesh)) return Reason::traced;
   if (state.program.known->family->opaqueColors) return Reason::programValue;
   return p_.layers.mayBeDrawn() ? Reason::traced : state.raster.unlessOpaque;

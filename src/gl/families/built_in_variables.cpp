@@ -58,13 +58,19 @@ BuiltInUniform ofFace(std::string_view name, BuiltInUniform u) {
   return u;
 }
 
-constexpr std::pair<std::string_view, Of> kPlainUniforms[] = {{"gl_ModelViewMatrix", Of::modelview},
-                                                              {"gl_ProjectionMatrix", Of::projection},
-                                                              {"gl_ModelViewProjectionMatrix", Of::clip},
-                                                              {"gl_NormalMatrix", Of::normals},
-                                                              {"gl_LightModel.ambient", Of::lightModel}};
+constexpr std::pair<std::string_view, Of> kPlainUniforms[] = {
+    {"gl_ModelViewMatrix", Of::modelview},      {"gl_ProjectionMatrix", Of::projection},
+    {"gl_ModelViewProjectionMatrix", Of::clip}, {"gl_NormalMatrix", Of::normals},
+    {"gl_TextureMatrix[0]", Of::textureMatrix}, {"gl_Fog.scale", Of::fogScale},
+    {"gl_LightModel.ambient", Of::lightModel}};
+
+constexpr std::pair<std::string_view, GLenum> kFogFields[] = {{"gl_Fog.color", GL_FOG_COLOR},
+                                                              {"gl_Fog.density", GL_FOG_DENSITY},
+                                                              {"gl_Fog.start", GL_FOG_START},
+                                                              {"gl_Fog.end", GL_FOG_END}};
 
 bool isVectorUniform(const BuiltInUniform& u) {
+  if (u.of == Of::fog) return u.what == GL_FOG_COLOR;
   return u.of >= Of::lightModel && !(u.of == Of::material && u.what == GL_SHININESS);
 }
 
@@ -88,6 +94,8 @@ BuiltInUniform builtInUniform(std::string_view name) {
   BuiltInUniform u;
   for (const auto& [plain, of] : kPlainUniforms)
     if (name == plain) return u.of = of, u;
+  for (const auto& [field, what] : kFogFields)
+    if (name == field) return u.of = Of::fog, u.what = what, u;
   if (takePrefix(name, "gl_LightSource[")) {
     if (takeNumber(name, u.light)) u.what = name == "position" ? GL_POSITION : colorNamed(name);
     if (u.what) u.of = Of::light;
@@ -102,6 +110,7 @@ GLenum builtInUniformType(std::string_view name) {
     case Of::none: return 0;
     case Of::modelview:
     case Of::projection:
+    case Of::textureMatrix:
     case Of::clip: return GL_FLOAT_MAT4;
     case Of::normals: return GL_FLOAT_MAT3;
     default: return u.alpha || !isVectorUniform(u) ? GL_FLOAT : GL_FLOAT_VEC4;

@@ -20,6 +20,9 @@ struct BuiltInUniform {
     projection,
     clip,
     normals,
+    textureMatrix,  // of unit 0
+    fog,
+    fogScale,  // 1 / (end - start)
     lightModel,
     sceneColor,
     light,
@@ -29,7 +32,7 @@ struct BuiltInUniform {
   Of of = Of::none;
   GLenum face = GL_FRONT;  // of product, sceneColor and material
   GLuint light = 0;        // number, of light and product
-  GLenum what = 0;         // parameter of light, product and material: GL_AMBIENT, GL_POSITION ...
+  GLenum what = 0;         // parameter of light, product, material and fog: GL_AMBIENT, GL_FOG_END ...
   bool alpha = false;
 };
 /// What `name` is; Of::none if it is no built-in uniform that we know.

@@ -33,9 +33,10 @@ TEST(BuiltInVariables, Uniforms) {
 
 TEST(BuiltInVariables, UnknownOnes) {
   for (const char* name :
-       {"gl_Fog.color", "gl_LightSource[8].position", "gl_LightSource[0].halfVector", "gl_LightSource[0]",
-        "gl_FrontMaterial.shininess.a", "gl_ModelViewMatrix.a", "gl_LightModel.ambient.a.a",
-        "gl_FrontMaterial.", "gl_FrontLightProduct[].ambient", "", ".a", "modelview"})
+       {"gl_Fog.colour", "gl_Fog", "gl_Fog.density.a", "gl_TextureMatrix[1]", "gl_LightSource[8].position",
+        "gl_LightSource[0].halfVector", "gl_LightSource[0]", "gl_FrontMaterial.shininess.a",
+        "gl_ModelViewMatrix.a", "gl_LightModel.ambient.a.a", "gl_FrontMaterial.",
+        "gl_FrontLightProduct[].ambient", "", ".a", "modelview"})
     EXPECT_EQ(builtInUniform(name).of, Of::none) << name;
 }
 
@@ -45,6 +46,11 @@ TEST(BuiltInVariables, Types) {
   EXPECT_EQ(builtInUniformType("gl_FrontMaterial.emission"), static_cast<GLenum>(GL_FLOAT_VEC4));
   EXPECT_EQ(builtInUniformType("gl_FrontMaterial.shininess"), static_cast<GLenum>(GL_FLOAT));
   EXPECT_EQ(builtInUniformType("gl_LightModel.ambient.a"), static_cast<GLenum>(GL_FLOAT));
+  EXPECT_EQ(builtInUniformType("gl_TextureMatrix[0]"), static_cast<GLenum>(GL_FLOAT_MAT4));
+  EXPECT_EQ(builtInUniformType("gl_Fog.color"), static_cast<GLenum>(GL_FLOAT_VEC4));
+  EXPECT_EQ(builtInUniformType("gl_Fog.color.a"), static_cast<GLenum>(GL_FLOAT));
+  EXPECT_EQ(builtInUniformType("gl_Fog.scale"), static_cast<GLenum>(GL_FLOAT));
+  EXPECT_EQ(builtInUniformType("gl_Fog.end"), static_cast<GLenum>(GL_FLOAT));
   EXPECT_EQ(builtInUniformType("gl_Vertex"), 0u);
 }
 

@@ -42,9 +42,10 @@ struct FamilyLights {
   /// Place of lights with neither direction nor position: at infinity behind the viewer, or at the viewer.
   enum class Headlight { infinite, viewer };
   std::vector<std::string> names;
-  std::string count;          // number of lights that are on; empty: all
-  std::string countInSource;  // text that stands in the source once for each light; empty: none
-  std::string enabled;        // 0: the base colour is shown without lights
+  std::string count;                // number of lights that are on; empty: all
+  std::string countInSource;        // text that stands in the source once for each light; empty: none
+  std::string noHighlightInSource;  // once for each light without highlight, which are the last ones
+  std::string enabled;              // 0: the base colour is shown without lights
   std::string color;
   FamilyValue direction;      // eye space, from the light to the surface
   bool towardsLight = false;  // `direction` points from the surface to the light
@@ -58,6 +59,7 @@ struct FamilyLights {
   /// ones, and of its exponent. The last one is also that of all further lights.
   std::vector<FamilyValue> specularColor, shininess;
   bool infiniteViewer = false;  // highlights as if the viewer were at infinity
+  std::string halfVector;       // highlights depend on the cosine between the normal and this vector
   bool clamped = false;         // ambient plus diffuse light is at most 1
 };
 
@@ -72,6 +74,8 @@ struct FamilyPbr {
 /// Fog by distance -z in eye space; not given: `color` is not.
 struct FamilyFog {
   scene::Fog::Mode mode = scene::Fog::linear;
+  std::string modeFrom;   // uniform in place of `mode`: 1 linear, 2 exp, 3 exp2, others none
+  bool absolute = false;  // by the absolute value of z at the vertices, interpolated
   FamilyValue color, start, end, scale, density;
   bool extrapolated = false;  // linear: the weight of the surface's colour may be below 0
   bool given() const { return color.given(); }
@@ -163,12 +167,17 @@ struct Family {
   std::string uniformColors;        // uniform; not 0: the material's colours replace all others
   bool colorIsDiffuseOnly = false;  // false: the colour replaces the ambient colour, too
   FamilyHeight height;
-  FamilyValue rimColor, rimExponent;  // scene::Rim; none without a colour
-  bool normalColors = false;          // red, green and blue are half the normal plus a half
-  bool clampedColors = false;         // vertex colours are clamped to [0, 1]
+  FamilyValue rimColor, rimExponent, rimOpacity;  // scene::Rim; none without a colour or opacity
+  bool normalColors = false;                      // red, green and blue are half the normal plus a half
+  bool clampedColors = false;                     // vertex colours are clamped to [0, 1]
+  bool colorAlpha = true;                         // the alpha of vertex colours counts
   bool opaqueColors = false;          // describes draws whose vertex colours are opaque, no others
   std::string texturesOnBack;         // uniform; 0: back faces have no textures
-  std::vector<std::string> textures;  // samplers; multiply the lit colour
+  FamilyValue backColor;              // of back faces, without lights, textures and fog
+  std::string backColorIf;            // uniform; 0: they have none
+  std::vector<std::string> textures;  // samplers; multiply the lit colour, or
+  bool texturesFirst = false;         // the base colour, before it is lit
+  std::string texturesIf;             // uniform; 0: no textures
   std::string anyTexture;  // one of `textures`; the program may have a sampler2D of any name for it
 
   Model model = Model::phong;
@@ -209,6 +218,7 @@ struct Family {
   bool mentions(std::string_view name) const;
   /// Whether its programs take their vertices from fixed function's attributes (gl_Vertex ...).
   bool hasBuiltInVertices() const;
+  bool hasRim() const { return rimColor.given() || rimOpacity.given(); }
 };
 
 /// Families, of which the first that fits wins, and their known code.

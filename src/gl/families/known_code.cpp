@@ -50,6 +50,7 @@ void KnownCode::add(const KnownCode& more) {
   if (note.empty()) note = more.note;
   complete = complete || more.complete;
   blocks_.insert(blocks_.end(), more.blocks_.begin(), more.blocks_.end());
+  shaders_.insert(shaders_.end(), more.shaders_.begin(), more.shaders_.end());
   written_.insert(more.written_.begin(), more.written_.end());
   statements_.insert(statements_.end(), more.statements_.begin(), more.statements_.end());
   sort();
@@ -62,6 +63,13 @@ void KnownCode::sort() {
 
 bool KnownCode::has(Hash128 statement) const {
   return std::binary_search(statements_.begin(), statements_.end(), statement, isBefore);
+}
+
+std::vector<Hash128> knownShaders(const CodeSections& sections, const std::vector<std::string>& names) {
+  std::vector<Hash128> all;
+  for (const KnownCode* code : named(sections, names))
+    all.insert(all.end(), code->shaders().begin(), code->shaders().end());
+  return all;
 }
 
 std::vector<std::string_view> unknownStatements(const GlslStatements& statements,

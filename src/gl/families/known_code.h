@@ -21,10 +21,13 @@ class KnownCode {
   void addBlocks(std::string_view text);
   /// Adds a name that some statement of a program must write if another one reads it.
   void addWritten(const std::string& name) { written_.insert(name); }
+  /// Adds the digest of a whole shader (shader_digest.h).
+  void addShader(const Hash128& digest) { shaders_.push_back(digest); }
   void add(const KnownCode& more);
   bool has(Hash128 statement) const;
   size_t size() const { return statements_.size(); }
   const std::vector<std::vector<Hash128>>& blocks() const { return blocks_; }
+  const std::vector<Hash128>& shaders() const { return shaders_; }
   const std::set<std::string>& written() const { return written_; }
   /// Programs of families that name the section have all its blocks.
   bool complete = false;
@@ -35,6 +38,7 @@ class KnownCode {
   void sort();
   std::vector<Hash128> statements_;  // sorted
   std::vector<std::vector<Hash128>> blocks_;
+  std::vector<Hash128> shaders_;
   std::set<std::string> written_;
 };
 
@@ -52,6 +56,9 @@ std::vector<std::string_view> unknownStatements(const GlslStatements& statements
 /// rest of it, and known ones outside blocks that compute something a second time in one shader.
 std::vector<std::string_view> strayStatements(const GlslStatements& statements, const CodeSections& sections,
                                               const std::vector<std::string>& names);
+
+/// Digests of whole shaders that the sections `names` know; if there are any, statements do not count.
+std::vector<Hash128> knownShaders(const CodeSections& sections, const std::vector<std::string>& names);
 
 /// Names of addWritten() that some of `statements` reads and none writes.
 std::vector<std::string> unwrittenNames(const GlslStatements& statements, const CodeSections& sections,

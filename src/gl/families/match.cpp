@@ -3,6 +3,7 @@
 #include "gl/families/variable_types.h"
 #include "gl/glsl/glsl_types.h"
 #include "gl/glsl/program_source.h"
+#include "gl/glsl/shader_digest.h"
 #include "gl/programs/built_in_uniforms.h"
 
 #include <algorithm>
@@ -35,10 +36,23 @@ const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSo
   return source.statements(renamed, f.resolvesConditions);
 }
 
-/// Requires all statements to be in the family's sections of code.
+/// Requires a vertex and a fragment shader, both of them known as a whole, and no others.
+void needShaders(ProgramSource& source, const std::vector<Hash128>& known, std::vector<std::string>& out) {
+  const auto digests = source.digests();
+  if (!source.isWhole(false) || digests.size() != 2)
+    return out.push_back("has no two shaders that could be read");
+  for (const auto& [type, digest] : digests)
+    if (std::ranges::count(known, digest) == 0)
+      out.push_back(std::string("has an unknown ") + (type == GL_VERTEX_SHADER ? "vertex" : "fragment") +
+                    " shader, " + textOf(digest));
+}
+
+/// Requires all statements, or whole shaders, to be in the family's sections of code.
 void needCode(const Program& program, ProgramSource& source, const Family& f, const CodeSections& code,
               std::vector<std::string>& out) {
   if (f.code.empty()) return;
+  if (const std::vector<Hash128> known = knownShaders(code, f.code); !known.empty())
+    return needShaders(source, known, out);
   const GlslStatements& statements = statementsFor(f, program, source);
   if (!source.isWhole(f.geometryShader) || statements.size() == 0)
     return out.push_back("has no source that could be read");
@@ -179,6 +193,9 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
       known->unknownCode = false;
       if (!family->lights.countInSource.empty())
         known->lightCount = occurrences(family->lights.countInSource, source.text());
+      if (!family->lights.noHighlightInSource.empty())
+        known->highlightCount =
+            known->lightCount - occurrences(family->lights.noHighlightInSource, source.text());
       if (!family->code.empty())
         known->note = notesOn(statementsFor(*family, known->program, source), families.code, family->code);
       return known;

@@ -17,6 +17,7 @@ struct KnownProgram {
   std::string why;                       // for the user: why it is not traced; empty if it is
   std::string note;                      // for the user, if it is traced: notes of its code sections
   int lightCount = -1;                   // of FamilyLights::countInSource; -1: not counted
+  int highlightCount = -1;               // of FamilyLights::noHighlightInSource; -1: not counted
   bool unknownCode = false;              // the nearest family fits except for unknown statements
 };
 

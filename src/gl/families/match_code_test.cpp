@@ -1,5 +1,6 @@
 // Whether programs fit a family, by the statements of their sources.
 #include "gl/families/test_match.h"
+#include "gl/glsl/shader_digest.h"
 
 #include <gtest/gtest.h>
 
@@ -56,6 +57,31 @@ TEST_F(Match, StatementsMustBeKnown) {
   fragment = "void main() { color.r = 1.0; color.r = 1.0; color.g = 2.0; }";
   EXPECT_EQ(found(), (Lines{"has the unknown statement \"color.r=1.;\"",
                             "has the unknown statement \"color.g=2.;\""}));
+}
+
+TEST_F(Match, ShadersMustBeKnownByTheirDigests) {
+  std::string& fragment = attachBoth();
+  const std::string known = fragment;
+  const auto listOf = [](const std::string& digests) {
+    return parseFamilies(
+        std::string(kFamily) + "match.code = \"c\"\n[[code]]\nname = \"c\"\nshaders = [" + digests + "]\n",
+        "f.toml");
+  };
+  const auto quoted = [](const std::string& text) { return "\"" + textOf(digestOf(text)) + "\""; };
+  const FamilyList both = listOf(quoted(g_shaders[0].text) + ", " + quoted(known)),
+                   one = listOf(quoted(known));
+  const auto found = [&](const FamilyList& list) {
+    return obstacles(real_, fitting(), *list.front(), list.code);
+  };
+  EXPECT_EQ(found(both), Lines{});
+  EXPECT_EQ(found(one), Lines{"has an unknown vertex shader, " + textOf(digestOf(g_shaders[0].text))});
+  fragment += " // a comment";
+  EXPECT_EQ(found(both), Lines{});
+  fragment = "void main() { color = vec4(light3, 2.); }";
+  EXPECT_EQ(found(both), Lines{"has an unknown fragment shader, " + textOf(digestOf(fragment))});
+  fragment = known;
+  g_shaders.push_back({GL_FRAGMENT_SHADER, known});
+  EXPECT_EQ(found(both), Lines{"has no two shaders that could be read"});
 }
 
 TEST_F(Match, BlocksMustBeWhole) {

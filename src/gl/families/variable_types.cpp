@@ -103,7 +103,9 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniform(f.clipPlanes, kVector);
   check.uniform(f.texcoordMatrix, kMatrix);
   check.values({&f.edgeWidth, &f.edgeColor, &f.edgeOpacity});
-  check.values({&f.rimColor, &f.rimExponent});
+  check.values({&f.rimColor, &f.rimExponent, &f.rimOpacity});
+  check.values({&f.backColor}), check.uniform(f.backColorIf, kNumber);
+  check.uniform(f.texturesIf, kNumber), check.uniform(f.fog.modeFrom, kNumber);
   for (int c = 0; c < 3; ++c) check.values({&f.height.scale[c], &f.height.offset[c], &f.height.exponent[c]});
   check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
   check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
@@ -111,7 +113,7 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
                 &f.depthOffset, &f.depthFactor});
   const FamilyLights& l = f.lights;
-  for (const std::string* name : {&l.color, &l.direction.uniform, &l.position, &l.attenuation})
+  for (const std::string* name : {&l.color, &l.direction.uniform, &l.position, &l.attenuation, &l.halfVector})
     check.light(*name, kVector);
   for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
     check.light(*name, kNumber);

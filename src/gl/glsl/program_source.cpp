@@ -1,6 +1,7 @@
 #include "gl/glsl/program_source.h"
 
 #include "gl/glsl/glsl_conditions.h"
+#include "gl/glsl/shader_digest.h"
 
 #include <algorithm>
 #include <optional>
@@ -54,6 +55,14 @@ std::string ProgramSource::of(GLenum type) {
   for (const Shader& s : shaders_)
     if (s.type == type) text.append(source_, s.begin, s.end - s.begin).push_back('\n');
   return text;
+}
+
+std::vector<std::pair<GLenum, Hash128>> ProgramSource::digests() {
+  read();
+  std::vector<std::pair<GLenum, Hash128>> all;
+  for (const Shader& s : shaders_)
+    all.emplace_back(s.type, digestOf(std::string_view(source_).substr(s.begin, s.end - s.begin)));
+  return all;
 }
 
 const std::string& ProgramSource::text() {

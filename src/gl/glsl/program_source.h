@@ -1,5 +1,6 @@
 // The source of a program's shaders. GL thread, context current.
 #pragma once
+#include "base/hash.h"
 #include "gl/glsl/glsl_statements.h"
 #include "gl/glsl/shader_texts.h"
 #include "gl/programs/program.h"
@@ -7,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::gl {
@@ -24,6 +26,8 @@ class ProgramSource {
   /// the new name already. `resolved`: without what conditions leave out (glsl_conditions.h); empty if they
   /// cannot be resolved. Valid until the next call with other arguments.
   const GlslStatements& statements(const GlslStatements::Renamed& renamed = {}, bool resolved = false);
+  /// The type of each shader, and its text's digest (shader_digest.h).
+  std::vector<std::pair<GLenum, Hash128>> digests();
   /// The texts of the shaders of one type, one after the other.
   std::string of(GLenum type);
   /// Whether the texts of all shaders could be read, among them a vertex and a fragment shader and,

@@ -1,6 +1,7 @@
 #include "gl/programs/built_in_uniforms.h"
 
 #include "gl/families/built_in_variables.h"
+#include "gl/state/state_queries.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -30,6 +31,20 @@ glm::vec4 ofMaterial(const RealGl& real, GLenum face, GLenum what) {
   return v;
 }
 
+glm::mat4 textureMatrix(const RealGl& real) {
+  const auto active = static_cast<GLenum>(integer(real, GL_ACTIVE_TEXTURE));
+  real.ActiveTexture(GL_TEXTURE0);
+  const glm::mat4 m = matrixOf(real, GL_TEXTURE_MATRIX);
+  real.ActiveTexture(active);
+  return m;
+}
+
+glm::vec4 ofFog(const RealGl& real, GLenum what) {
+  glm::vec4 v(0);
+  real.GetFloatv(what, glm::value_ptr(v));
+  return v;
+}
+
 glm::vec4 modelAmbient(const RealGl& real) {
   glm::vec4 v(0);
   real.GetFloatv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(v));
@@ -39,6 +54,8 @@ glm::vec4 modelAmbient(const RealGl& real) {
 /// Vectors, and numbers in x. GLSL 1.20, 7.5.
 glm::vec4 builtInVector(const RealGl& real, const BuiltInUniform& u) {
   switch (u.of) {
+    case Of::fog: return ofFog(real, u.what);
+    case Of::fogScale: return glm::vec4(1 / (ofFog(real, GL_FOG_END).x - ofFog(real, GL_FOG_START).x));
     case Of::lightModel: return modelAmbient(real);
     case Of::light: return ofLight(real, u.light, u.what);
     case Of::material: return ofMaterial(real, u.face, u.what);
@@ -79,6 +96,7 @@ void readBuiltIn(const RealGl& real, std::string_view name, UniformValue& value)
   switch (u.of) {
     case Of::none: return;
     case Of::modelview: return keep(matrixOf(real, GL_MODELVIEW_MATRIX), 16);
+    case Of::textureMatrix: return keep(textureMatrix(real), 16);
     case Of::projection: return keep(matrixOf(real, GL_PROJECTION_MATRIX), 16);
     case Of::clip:
       return keep(matrixOf(real, GL_PROJECTION_MATRIX) * matrixOf(real, GL_MODELVIEW_MATRIX), 16);

@@ -13,7 +13,7 @@ bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh) {
   if (program.material.front.diffuse.a < 1) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
   if (program.overridden && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
-  if (f.color == Color::vertices && !program.instanceColors &&
+  if (f.color == Color::vertices && !f.ignoresAlpha && !program.instanceColors &&
       !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1))
     return false;
   if (f.color == Color::map && !f.map.front().image->opaque) return false;

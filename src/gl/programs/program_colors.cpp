@@ -88,7 +88,8 @@ Reason ProgramReader::readTexcoordMatrix() {
   texcoordMatrix_ = uniforms_.matrix4(family_.texcoordMatrix);
   const glm::mat4& m = texcoordMatrix_;
   // Coordinates are (s, t, 0, 1).
-  if (m[0].w != 0 || m[1].w != 0 || !(m[3].w != 0))
+  const bool divides = !family_.hasBuiltInVertices();  // others take s and t as they are
+  if (m[0].w != 0 || m[1].w != 0 || !(m[3].w != 0) || (!divides && (m[2].w != 0 || m[3].w != 1)))
     return refuse("matrix \"" + family_.texcoordMatrix + "\" divides texture coordinates");
   if (m[3].w != 1) texcoordMatrix_ /= m[3].w;
   return Reason::traced;
@@ -113,6 +114,8 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
 
 Reason ProgramReader::readTextures() {
   out_.shading.textures.clear();
+  out_.shading.fragment.texturesFirst = family_.texturesFirst;
+  if (uniforms_.has(family_.texturesIf) && uniforms_.integer(family_.texturesIf) == 0) return Reason::traced;
   out_.shading.fragment.texturesOnBack =
       !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
   const bool second = hasTwoTexcoords(program_, family_);

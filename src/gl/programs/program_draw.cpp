@@ -3,6 +3,7 @@
 #include "gl/arrays/arrays.h"
 #include "gl/families/built_in_variables.h"
 #include "gl/families/match.h"
+#include "gl/programs/built_in_uniforms.h"
 #include "gl/state/state.h"
 #include "gl/state/state_queries.h"
 
@@ -66,6 +67,24 @@ ProgramDraw captureInputs(const RealGl& real, const Program& program, const Unif
   return draw;
 }
 
+bool reads(const Family& family, BuiltInUniform::Of what) {
+  return std::ranges::any_of(family.mentioned,
+                             [&](const std::string& name) { return builtInUniform(name).of == what; });
+}
+
+/// The parameters of fog, which programs read whether GL_FOG is on or off.
+scene::Fog fogParameters(const RealGl& real) {
+  scene::Fog fog;
+  fog.mode = scene::Fog::exp;
+  real.GetFloatv(GL_FOG_DENSITY, &fog.density);
+  real.GetFloatv(GL_FOG_START, &fog.start);
+  real.GetFloatv(GL_FOG_END, &fog.end);
+  GLfloat color[4] = {};
+  real.GetFloatv(GL_FOG_COLOR, color);
+  fog.color = {color[0], color[1], color[2]};
+  return fog;
+}
+
 /// How many lights the family's programs may read.
 GLuint lightsOf(const Family& family) {
   GLuint count = 0;
@@ -101,6 +120,12 @@ ProgramDraw captureBuiltInDraw(const RealGl& real, const KnownProgram& known,
   for (GLuint i = 0; i < lightsOf(*known.family); ++i)
     inputs->state.lights.push_back(readLight(real, GL_LIGHT0 + i));
   real.GetFloatv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(inputs->state.globalAmbient));
+  if (reads(*known.family, BuiltInUniform::Of::fog)) inputs->state.fog = fogParameters(real);
+  if (reads(*known.family, BuiltInUniform::Of::textureMatrix)) {
+    UniformValue matrix;
+    readBuiltIn(real, "gl_TextureMatrix[0]", matrix);
+    inputs->textureMatrix = glm::make_mat4(matrix.floats.data());
+  }
   draw.builtIn = std::move(inputs);
   return draw;
 }

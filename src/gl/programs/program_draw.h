@@ -21,8 +21,9 @@ struct KnownProgram;
 /// Fixed function's attributes and state for a draw of a program that reads them (gl_Vertex, gl_LightSource
 /// ...).
 struct BuiltInInputs {
-  scene::Instance instance;  // its mesh's triangles are drawn with its matrix, current values and materials
-  scene::Shading state;      // lights (from 0 on, enabled or not) and the light model's ambient colour
+  scene::Instance instance;    // its mesh's triangles are drawn with its matrix, current values and materials
+  scene::Shading state;        // lights (from 0 on, enabled or not), the light model's ambient colour, fog
+  glm::mat4 textureMatrix{1};  // of unit 0
 };
 
 struct ProgramDraw {

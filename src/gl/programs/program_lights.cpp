@@ -48,6 +48,7 @@ glm::vec4 valueOf(const std::vector<FamilyValue>& values, const FamilyLights& na
 
 void readHighlight(const FamilyLights& names, const UniformReader& uniforms, float shininess, int i,
                    scene::FragmentLight& light) {
+  if (!names.halfVector.empty()) light.half = glm::vec3(uniforms.vector(ofLight(names.halfVector, names, i)));
   light.ownHighlight = !names.specularColor.empty() || !names.shininess.empty();
   if (!light.ownHighlight) return;
   light.highlight = glm::vec3(valueOf(names.specularColor, names, uniforms, i, glm::vec4(light.color, 1)));
@@ -57,7 +58,9 @@ void readHighlight(const FamilyLights& names, const UniformReader& uniforms, flo
 }  // namespace
 
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
-                                             const glm::vec3& viewer, float shininess, int most) {
+                                             const glm::vec3& viewer, float shininess,
+                                             const KnownProgram& known) {
+  int most = known.lightCount;
   std::vector<scene::FragmentLight> lights;
   const std::string& sign = !names.color.empty()               ? names.color
                             : !names.direction.uniform.empty() ? names.direction.uniform
@@ -65,6 +68,8 @@ std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const Un
   const auto read = [&](int i) {
     scene::FragmentLight light = readLight(names, uniforms, viewer, i);
     readHighlight(names, uniforms, shininess, i, light);
+    if (known.highlightCount >= 0 && i >= known.highlightCount)
+      light.ownHighlight = true, light.highlight = glm::vec3(0);
     return light;
   };
   if (sign.empty() && names.direction.given()) return {read(0)};

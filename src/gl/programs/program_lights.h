@@ -1,5 +1,6 @@
 // Reads a shader program's lights from the uniforms that its family names. GL thread.
 #pragma once
+#include "gl/families/match.h"
 #include "gl/programs/uniforms.h"
 #include "scene/fragment_shading.h"
 
@@ -8,8 +9,9 @@
 namespace gluray::gl {
 
 /// The lights that are on. Positions are relative to `viewer`; directions go from light to surface.
-/// `shininess`: the material's. `most`: how many lights the program has; -1: not known.
+/// `shininess`: the material's. `known`: how many lights and highlights the program has.
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
-                                             const glm::vec3& viewer, float shininess, int most);
+                                             const glm::vec3& viewer, float shininess,
+                                             const KnownProgram& known);
 
 }  // namespace gluray::gl

@@ -68,6 +68,7 @@ void toEmission(scene::Shading& s) {
   if (s.fragment.model == Fragment::Model::pbr)
     s.fragment.colorIsDiffuseOnly = true, s.fragment.edges = false;
   s.fragment.model = Fragment::Model::unlit;
+  s.fragment.backColor = glm::vec3(0);
 }
 
 void toEmissionWithoutEdges(scene::Shading& s) {

@@ -9,9 +9,11 @@
 
 #include "render/frame_data.h"
 #include "render/local/fragment.inl.h"
+#include "render/local/textured_triangle.h"
 #include "render/visibility/edged_triangle.h"
 
 #include <algorithm>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -232,6 +234,19 @@ HWY_INLINE Float3 triangleNormal(const Surface& s, const Group& group, int i, co
   const Float3 n = unit(cross(sub(pointIn(s, group, 1, i), a), sub(pointIn(s, group, 2, i), a)));
   if (s.lighting->shading->fragment.parallelView) return signedBy(hn::Ge(n.z, splat(0)), n);
   return signedBy(hn::Le(dot(n, p), splat(0)), n);
+}
+
+/// Multiplies colour and alpha of a fragment program, the first four of `rows`, by its textures. They are
+/// evaluated as factors, so that colours above 1 are not clamped before the product.
+HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s, const Group& group,
+                                        uint32_t lanes, const float* x, const float* y, Row* rows) {
+  TexturedTriangle triangle(s, frame.snapshot->camera);
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    const glm::vec4 factor = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]},
+                                            glm::vec4(1), group.steps ? group.steps + i : nullptr);
+    for (int c = 0; c < 4; ++c) rows[c][i] *= factor[c];
+  }
 }
 
 /// Weights of the edge colour at window positions x, y.

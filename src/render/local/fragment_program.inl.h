@@ -35,7 +35,9 @@ HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::Fragmen
   if (light.kind == scene::FragmentLight::headlight) return power(cosine, splat(shininess));
   Float base;
   const Float3 toViewer = f.infiniteViewer ? splat(glm::vec3(0, 0, 1)) : at.toViewer;
-  if (f.specular == scene::FragmentShading::Specular::half) {
+  if (f.specular == scene::FragmentShading::Specular::ofLight) {
+    base = hn::Max(dot(at.normal, splat(light.half)), splat(0));
+  } else if (f.specular == scene::FragmentShading::Specular::half) {
     base = hn::Max(dot(at.normal, unit(sub(toViewer, way))), splat(0));
   } else {
     const Float twice = hn::Mul(splat(2), dot(at.normal, way));
@@ -167,9 +169,17 @@ HWY_INLINE Float3 halfway(const Float3& n) {
   return {half(n.x), half(n.y), half(n.z)};
 }
 
-HWY_INLINE Float3 rimmed(const scene::Rim& rim, const Float3& n, const Float3& color) {
-  const Float weight = power(clamp01(hn::MulAdd(n.x, n.x, hn::Mul(n.y, n.y))), splat(rim.exponent));
-  return add(color, scaled(sub(splat(rim.color), color), weight));
+HWY_INLINE Float rimWeight(const scene::Rim& rim, const Float3& n) {
+  return power(clamp01(hn::MulAdd(n.x, n.x, hn::Mul(n.y, n.y))), splat(rim.exponent));
+}
+
+/// Changes colour and alpha of a vector of lanes towards silhouettes.
+HWY_INLINE void applyRim(const scene::Rim& rim, const Float3& n, Float3& color, float* alpha) {
+  const Float weight = rimWeight(rim, n);
+  if (rim.mixes) color = add(color, scaled(sub(splat(rim.color), color), weight));
+  if (rim.opacity == 0) return;
+  const Float more = hn::MulAdd(weight, splat(rim.opacity), splat(1));
+  store(hn::Min(hn::Mul(load(alpha), more), splat(1)), alpha);
 }
 
 /// Colours of the group from its fragment program, before textures; bit i of `back`: lane i shows its back
@@ -187,6 +197,9 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
     lookUpMap(s, group, base);
   else
     loadBaseColor(s, group, base);
+  if (f.ignoresAlpha) std::fill_n(base[3], kLanes, 1.0f);
+  if (f.texturesFirst && !s.lighting->shading->textures.empty())
+    multiplyByTextures(frame, s, group, f.texturesOnBack ? group.lanes : group.lanes & ~back, x, y, base);
   alignas(64) Row edges;
   if (f.edges) edgeShares(frame, s, group, x, y, edges);
   const bool lit = f.model != Shading::Model::unlit, impostors = s.mesh->shape != scene::Shape::triangles;
@@ -201,7 +214,7 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
     at.color = load3(base, i);
     if (impostors) at.color = scaled(at.color, load(group.fade + i));
     if (f.normalColors) at.color = halfway(load3(normals, i));
-    if (f.rim.on) at.color = rimmed(f.rim, load3(normals, i), at.color);
+    if (f.rim.on) applyRim(f.rim, load3(normals, i), at.color, base[3] + i);
     at.edge = f.edges ? load(edges + i) : splat(0);
     at.front = f.darkBackFaces ? hn::IfThenZeroElse(lanesAt(back, i), splat(1)) : splat(1);
     Float3 color;

@@ -213,19 +213,6 @@ HWY_ATTR inline void packColors(const LitRows& rows, uint32_t* color) {
   }
 }
 
-// Multiplies a fragment program's colour by its textures. They are evaluated as factors, so that colours
-// above 1 are not clamped before the product.
-HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s, const Group& group,
-                                        uint32_t lanes, const float* x, const float* y, LitRows& rows) {
-  TexturedTriangle triangle(s, frame.snapshot->camera);
-  for (; lanes; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    const glm::vec4 factor = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]},
-                                            glm::vec4(1), group.steps ? group.steps + i : nullptr);
-    for (int c = 0; c < 4; ++c) rows.value[c][i] *= factor[c];
-  }
-}
-
 // Colours from the surface's fragment program.
 template <class Seen>
 HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, const Group& group,
@@ -241,9 +228,13 @@ HWY_ATTR inline void shadeByProgram(const FrameData& frame, const Surface& s, co
       for (int c = 0; c < 4; ++c) rows.value[c][i] = backRows.value[c][i];
     }
   }
-  const uint32_t textured = s.lighting->shading->fragment.texturesOnBack ? group.lanes : group.lanes & ~back;
-  if (!s.lighting->shading->textures.empty()) multiplyByTextures(frame, s, group, textured, x, y, rows);
+  const scene::FragmentShading& f = s.lighting->shading->fragment;
+  const uint32_t textured = f.texturesOnBack ? group.lanes : group.lanes & ~back;
+  if (!s.lighting->shading->textures.empty() && !f.texturesFirst)
+    multiplyByTextures(frame, s, group, textured, x, y, rows.value);
   if (s.lighting->shading->fog.mode != scene::Fog::off) applyFog(s, group, rows);
+  for (uint32_t lanes = f.paintsBack ? back & group.lanes : 0; lanes; lanes &= lanes - 1)
+    for (int c = 0; c < 3; ++c) rows.value[c][std::countr_zero(lanes)] = f.backColor[c];
 }
 
 /// Colours (the first four rows) of the group's lanes at window positions x, y; bit i of `back`: lane i shows

@@ -1,5 +1,5 @@
 // Surfaces and impostors of programs that are blended in the order of drawing, with and without depth writes.
-#include "tests/reference/programs/built_in_stage.h"
+#include "tests/reference/programs/built_in/built_in_stage.h"
 #include "tests/reference/programs/sent/sent_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>

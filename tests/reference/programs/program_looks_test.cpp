@@ -1,5 +1,5 @@
 // Fog, highlights and back faces of family files, each tested by a program that computes exactly that.
-#include "tests/reference/programs/built_in_stage.h"
+#include "tests/reference/programs/built_in/built_in_stage.h"
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/glm.hpp>
@@ -78,11 +78,33 @@ void setSwitched(Gl gl, GLuint program) {
   setVec3(gl, program, "dim", glm::vec3(0.5f));
 }
 
+const char* const kPaintedFragment =
+    "uniform vec3 haze, way, paint; uniform float near, far; uniform bool painted; in vec3 n, p; in vec4 c; "
+    "out vec4 color;\n"
+    "void main() { vec3 shown = c.rgb * (0.3 + max(dot(normalize(n), way), 0.0));\n"
+    "  shown = mix(haze, shown, clamp((far + p.z) / (far - near), 0.0, 1.0));\n"
+    "  color = vec4(painted && !gl_FrontFacing ? paint : shown, 1); }\n";
+const char* const kPaintedFamily =
+    "color.back_faces = \"paint\"\ncolor.back_faces_if = \"painted\"\nlights.direction = \"way\"\n"
+    "lights.direction_towards_light = true\nmaterial.ambient_intensity = 0.3\nfog.color = \"haze\"\n"
+    "fog.start = \"near\"\nfog.end = \"far\"\n";
+
+void setPainted(Gl gl, GLuint program) {
+  setHaze(gl, program), setVec3(gl, program, "way", {0, 0.6f, 0.8f});
+  setVec3(gl, program, "paint", {0.9f, 0.4f, 0.1f});
+}
+
 const LookCase kLookCases[] = {
     {"lamps", kLampsFragment, kLampsFamily, setLamps},
     {"dark_back_faces", kLampsFragment, kLampsFamily, setLamps, true},
     {"flipped_back_faces", kLampsFragment, kLampsFamily,
      [](Gl gl, GLuint program) { setLamps(gl, program), setInteger(gl, program, "turned", 1); }, true},
+    // Back faces have a colour of their own, which neither light nor fog changes.
+    {"painted_back_faces", kPaintedFragment, kPaintedFamily,
+     [](Gl gl, GLuint program) { setPainted(gl, program), setInteger(gl, program, "painted", 1); }, true},
+    {"back_faces_not_painted", kPaintedFragment, kPaintedFamily, setPainted, true},
+    {"front_faces_not_painted", kPaintedFragment, kPaintedFamily,
+     [](Gl gl, GLuint program) { setPainted(gl, program), setInteger(gl, program, "painted", 1); }},
     // The array's last element is no light; the source says how many there are.
     {"unrolled",
      "uniform vec3 glow[3], way[2]; in vec3 n, p; in vec4 c; out vec4 color;\n"
@@ -99,6 +121,34 @@ const LookCase kLookCases[] = {
            setVec3(gl, program, "glow[1]", {0.1f, 0.3f, 0.5f});
        setVec3(gl, program, "glow[2]", glm::vec3(0.2f));
        setVec3(gl, program, "way[0]", {0, 0, -1}), setVec3(gl, program, "way[1]", {0.6f, -0.8f, 0});
+     }},
+    // The last two of three lights have no highlights: the source says so.
+    {"few_highlights",
+     "uniform vec3 glow[3], way[3]; uniform float shine; in vec3 n, p; in vec4 c; out vec4 color;\n"
+     "vec3 m; vec3 lit(vec3 paint, vec3 g, vec3 w, float s) {\nfloat d = max(dot(m, -w), 0.0);\n"
+     "float e = d > 0.0 ? pow(max(dot(m, normalize(normalize(-p) - w)), 0.0), shine) : 0.0;\n"
+     "return paint * g * d + s * e * g;\n}\nvoid main() {\nm = normalize(n);\n"
+     "vec3 sum = c.rgb * 0.1;\nsum += lit(c.rgb, glow[0], way[0], 1.0);\n"
+     "sum += lit(c.rgb, glow[1], way[1], 0.0);\nsum += lit(c.rgb, glow[2], way[2], 0.0);\n"
+     "color = vec4(sum, 1);\n}\n",
+     "lights.color = \"glow[{}]\"\nlights.direction = \"way[{}]\"\nlights.count_in_source = \"sum += \"\n"
+     "lights.no_highlight_in_source = \"], 0.0);\"\nlights.specular = \"half\"\n"
+     "material.ambient_intensity = 0.1\nmaterial.specular_intensity = 1\nmaterial.shininess = \"shine\"\n"
+     "match.code = \"few\"\n[[code]]\nname = \"few\"\n"
+     "statements = \"\"\"\nn = turn * normalMC; p = (modelview * vec4(vertexMC, 1)).xyz; c = scalarColor;\n"
+     "gl_Position = mvp * vec4(vertexMC, 1);\n"
+     "vec3 lit(vec3 paint, vec3 g, vec3 w, float s) {\nfloat d = max(dot(m, -w), 0.0);\n"
+     "float e = d > 0.0 ? pow(max(dot(m, normalize(normalize(-p) - w)), 0.0), shine) : 0.0;\n"
+     "return paint * g * d + s * e * g;\n}\nvec3 m;\nm = normalize(n);\n"
+     "vec3 sum = c.rgb * 0.1;\nsum += lit(c.rgb, glow[0], way[0], 1.0);\n"
+     "sum += lit(c.rgb, glow[1], way[1], 0.0);\nsum += lit(c.rgb, glow[2], way[2], 0.0);\n"
+     "color = vec4(sum, 1);\n\"\"\"\n",
+     [](Gl gl, GLuint program) {
+       setVec3(gl, program, "glow[0]", {0.5f, 0.6f, 0.5f}),
+           setVec3(gl, program, "glow[1]", {0.3f, 0.3f, 0.5f});
+       setVec3(gl, program, "glow[2]", {0.2f, 0.1f, 0.3f}), setVec3(gl, program, "way[0]", {0, 0, -1});
+       setVec3(gl, program, "way[1]", {0.6f, -0.8f, 0}), setVec3(gl, program, "way[2]", {-0.6f, 0, -0.8f});
+       setFloat(gl, program, "shine", 20);
      }},
     // Highlights by the reflected ray of a viewer at infinity, with the lamp's colour and the lamp's
     // exponent.

@@ -25,9 +25,13 @@ TEST(BuiltInFamilyFile, Mistakes) {
   EXPECT_EQ(mistakeWith("lights.position = \"gl_LightSource[0].position\"\n"), "none");
   EXPECT_EQ(mistakeWith("lights.position = \"gl_LightSource[9].position\"\n"),
             "x.toml:10: family \"f\": unknown built-in variable gl_LightSource[9].position");
+  EXPECT_EQ(mistakeWith("color.textures = \"t\"\n"),
+            "x.toml:10: family \"f\": textures of programs with gl_Vertex need vertex.texcoord = "
+            "\"gl_MultiTexCoord0\"");
+  EXPECT_EQ(mistakeWith("color.textures = \"t\"\nvertex.texcoord = \"gl_MultiTexCoord0\"\n"), "none");
   EXPECT_EQ(
-      mistakeWith("color.textures = \"t\"\n"),
-      "x.toml:10: family \"f\": programs with gl_Vertex have neither impostors nor passes nor textures");
+      mistakeWith("color.map = \"t\"\n"),
+      "x.toml:10: family \"f\": programs with gl_Vertex have neither impostors nor passes nor colour maps");
   EXPECT_EQ(mistakeWith("vertex.color = \"gl_Color\"\nmaterial.emission_color = 1\n"),
             "x.toml:10: family \"f\": emission_color is for families without vertex.color");
   std::string any = kBuiltIn;

@@ -14,10 +14,10 @@ namespace {
 class KeptMatrices {
  public:
   explicit KeptMatrices(const gl::RealGl& real) : real_(real) {
-    for (int i = 0; i < 2; ++i) real_.GetDoublev(kNames[i], values_[i]);
+    for (int i = 0; i < kCount; ++i) real_.GetDoublev(kNames[i], values_[i]);
   }
   ~KeptMatrices() {
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < kCount; ++i) {
       real_.MatrixMode(kModes[i]);
       real_.LoadMatrixd(values_[i]);
     }
@@ -26,10 +26,11 @@ class KeptMatrices {
   KeptMatrices& operator=(const KeptMatrices&) = delete;
 
  private:
-  static constexpr GLenum kNames[] = {GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX};
-  static constexpr GLenum kModes[] = {GL_MODELVIEW, GL_PROJECTION};
+  static constexpr int kCount = 3;  // the last is that of the active texture unit
+  static constexpr GLenum kNames[] = {GL_MODELVIEW_MATRIX, GL_PROJECTION_MATRIX, GL_TEXTURE_MATRIX};
+  static constexpr GLenum kModes[] = {GL_MODELVIEW, GL_PROJECTION, GL_TEXTURE};
   const gl::RealGl& real_;
-  GLdouble values_[2][16];
+  GLdouble values_[kCount][16];
 };
 
 bool isByProgram(const scene::Snapshot& snapshot, const scene::Instance& instance) {
@@ -179,6 +180,9 @@ void replayBuiltInDraws(const gl::RealGl& real, const Features& features, const 
     for (const gl::ProgramDraw& draw : draws) {
       if (!draw.builtIn) continue;
       setShading(real, features, draw.builtIn->state, none);
+      real.MatrixMode(GL_TEXTURE);
+      real.LoadMatrixf(glm::value_ptr(draw.builtIn->textureMatrix));
+      real.MatrixMode(GL_MODELVIEW);
       drawWithInputs(real, features, draw,
                      [&] { drawInstance(real, draw.builtIn->instance, snapshot.camera); });
     }

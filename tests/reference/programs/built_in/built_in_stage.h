@@ -18,13 +18,13 @@ struct ShaderPair {
   std::string vertex, fragment;
 };
 /// As PyQtGraph 0.13 has them.
-extern const ShaderPair kShaded, kViewNormalColor, kNormalColor, kEdgeHilight, kHeightColor;
+extern const ShaderPair kShaded, kViewNormalColor, kNormalColor, kEdgeHilight, kHeightColor, kBalloon;
 /// As OpenCTM's viewer has it.
 extern const ShaderPair kOpenCtm;
 
 /// Clears and sets matrices, lights 0 and 1, materials and the light model.
 void beginBuiltInFrame(Gl gl, double degrees = 35);
-/// Sends the mesh with normals and, if `colors`, colours.
+/// Sends the mesh with normals, with texture coordinates if it has them and, if `colors`, colours.
 void sendMesh(Gl gl, const ProgramMesh& mesh, Way way, bool colors = true);
 
 /// What the real OpenGL draws is drawn by tracing and while tracing fails; `draws` of them are traced.

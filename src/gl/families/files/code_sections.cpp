@@ -1,6 +1,7 @@
-#include "gl/families/code_sections.h"
+#include "gl/families/files/code_sections.h"
 
-#include "gl/families/family_table.h"
+#include "gl/families/files/family_table.h"
+#include "gl/glsl/shader_digest.h"
 
 namespace gluray::gl {
 namespace {
@@ -12,9 +13,9 @@ class CodeReader : FamilyTable {
 
   void read(CodeSections& sections) {
     std::string name, statements, blocks, note;
-    std::vector<std::string> written;
+    std::vector<std::string> written, shaders;
     text("name", name), text("statements", statements), text("blocks", blocks), text("note", note);
-    texts("written", written);
+    texts("written", written), texts("shaders", shaders);
     bool complete = false;
     flag("complete", complete);
     if (name.empty()) fail(here(), "code needs a name");
@@ -24,7 +25,13 @@ class CodeReader : FamilyTable {
     const size_t before = section.size();
     section.add(statements), section.addBlocks(blocks);
     for (const std::string& variable : written) section.addWritten(variable);
-    if (before == 0 && section.size() == 0) fail(here(), "code \"" + name + "\" needs statements or blocks");
+    for (const std::string& text : shaders) {
+      const auto digest = digestIn(text);
+      if (!digest) fail(at("shaders"), "\"" + text + "\" is not a digest of 32 hexadecimal digits");
+      section.addShader(*digest);
+    }
+    if (before == 0 && section.size() == 0 && section.shaders().empty())
+      fail(here(), "code \"" + name + "\" needs statements, blocks or shaders");
     if (section.note.empty()) section.note = note;
     section.complete = section.complete || complete;
   }

@@ -84,9 +84,17 @@ TEST(FamilyFileLook, LightMistakes) {
   EXPECT_EQ(mistakeIn("lights.count_in_source = \"x\""),
             "x.toml:1: family \"f\": lights.count_in_source needs match.code");
   EXPECT_EQ(mistakeIn("lights.model = \"pbr\"\nlights.viewer = \"infinite\""),
-            "x.toml:1: family \"f\": lights.clamped, lights.viewer and normals.dark_back_faces are for the "
-            "model phong");
+            "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector and "
+            "normals.dark_back_faces are for the model phong");
   EXPECT_EQ(mistakeIn("lights.shininess = []"), "x.toml:6: shininess needs a value");
+}
+
+TEST(FamilyFileLook, LightsWithoutHighlights) {
+  const Family f = parsed(
+      "match.code = \"c\"\nlights.count_in_source = \"lit(\"\nlights.no_highlight_in_source = \"* 0.0\"\n");
+  EXPECT_EQ(f.lights.noHighlightInSource, "* 0.0");
+  EXPECT_EQ(mistakeIn("lights.no_highlight_in_source = \"0\""),
+            "x.toml:1: family \"f\": lights.no_highlight_in_source needs lights.count_in_source");
 }
 
 TEST(FamilyFileLook, LightsWithNames) {
@@ -123,9 +131,63 @@ TEST(FamilyFileLook, BackFaces) {
             "x.toml:6: flip_back_faces must be a name in quotes, or a list of such names");
 }
 
+TEST(FamilyFileLook, BackFacesWithAColor) {
+  const Family f = parsed("color.back_faces = \"inner\"\ncolor.back_faces_if = \"painted\"\n");
+  EXPECT_EQ(f.backColor.uniform, "inner");
+  EXPECT_EQ(f.backColorIf, "painted");
+  EXPECT_TRUE(f.mentions("inner") && f.mentions("painted"));
+  EXPECT_EQ(mistakeIn("color.back_faces_if = \"painted\""),
+            "x.toml:1: family \"f\": color.back_faces_if needs color.back_faces");
+}
+
+TEST(FamilyFileLook, TexturesBeforeLight) {
+  const Family f =
+      parsed("color.textures = \"t\"\ncolor.textures_if = \"on\"\ncolor.textures_apply = \"before_light\"\n");
+  EXPECT_TRUE(f.texturesFirst && f.mentions("on"));
+  EXPECT_EQ(f.texturesIf, "on");
+  EXPECT_EQ(mistakeIn("color.textures_apply = \"before_light\""),
+            "x.toml:1: family \"f\": color.textures_if and color.textures_apply need color.textures");
+}
+
+TEST(FamilyFileLook, RimsOfOpacity) {
+  const Family f = parsed("vertex.normal = \"n\"\ncolor.rim.opacity = 2\ncolor.rim.exponent = 5\n");
+  EXPECT_TRUE(f.hasRim());
+  EXPECT_FALSE(f.rimColor.given());
+  EXPECT_EQ(f.rimOpacity.constant, Numbers{2});
+  EXPECT_FALSE(parsed().hasRim());
+}
+
+TEST(FamilyFileLook, HalfVectorsAndComponentsOfLights) {
+  const Family f =
+      parsed("lights.color = \"scale.{}\"\nlights.half_vector = \"light{}H\"\ncolor.alpha = false\n");
+  EXPECT_EQ(f.lights.halfVector, "light{}H");
+  EXPECT_TRUE(f.mentions("scale") && f.mentions("light3H"));
+  EXPECT_EQ(ofLight(f.lights.color, f.lights, 2), "scale.2");
+  EXPECT_TRUE(!f.colorAlpha && parsed().colorAlpha);
+  EXPECT_EQ(mistakeIn("lights = { model = \"unlit\", half_vector = \"h\" }"),
+            "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector and "
+            "normals.dark_back_faces are for the model phong");
+}
+
+TEST(FamilyFileLook, FogWhoseModeAUniformNames) {
+  const Family f =
+      parsed(kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.end = 1\nfog.scale = 1\nfog.density = 1\n");
+  EXPECT_EQ(f.fog.modeFrom, "m");
+  EXPECT_TRUE(f.mentions("m"));
+  EXPECT_EQ(mistake(kLeast + kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.end = 1\nfog.scale = 1\n"),
+            "x.toml:7: exponential fog, and no other, needs density");
+  EXPECT_EQ(mistake(kLeast + kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.density = 1\n"),
+            "x.toml:7: linear fog needs end, and start or scale");
+  EXPECT_EQ(
+      mistake(kLeast + kEye + "fog.color = 1\nfog.end = 1\nfog.scale = 1\nfog.distance = \"absolute_z\"\n"),
+      "x.toml:1: family \"f\": fog.distance is for programs with gl_Vertex");
+}
+
 TEST(FamilyFileLook, ComponentsOfNames) {
   EXPECT_EQ(componentIn("light.diffuse.r"), 0);
   EXPECT_EQ(componentIn("v.a"), 3);
+  EXPECT_EQ(componentIn("v.2"), 2);
+  EXPECT_EQ(componentIn("v.4"), -1);
   EXPECT_EQ(componentIn("light.diffuse"), -1);
   EXPECT_EQ(componentIn("v.x"), -1);
   EXPECT_EQ(componentIn(".r"), -1);

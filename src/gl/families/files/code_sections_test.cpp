@@ -25,7 +25,7 @@ TEST(CodeSections, ReadsNamedSectionsOfStatements) {
   EXPECT_TRUE(parseFamilies(kLeast + "match.code = \"any\"\n", "x.toml").at(0)->code.empty());
 
   EXPECT_EQ(mistake("[[code]]\nstatements = \"a;\"\n"), "x.toml:1: code needs a name");
-  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements or blocks");
+  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements, blocks or shaders");
   EXPECT_EQ(mistake("[[code]]\nname = \"any\"\nstatements = \"a;\"\n"),
             "x.toml:2: code cannot be named \"any\"");
   EXPECT_EQ(mistake("[[code]]\nname = \"a\"\nstatements = \"a;\"\nfor = 1\n"),
@@ -43,6 +43,16 @@ TEST(CodeSections, ReadsBlocksAndWrittenNames) {
   EXPECT_EQ(list.code.at("one").size(), 4u);
   EXPECT_EQ(list.code.at("one").blocks().size(), 3u);
   EXPECT_EQ(list.code.at("one").written(), (std::set<std::string>{"v", "w", "x"}));
+}
+
+TEST(CodeSections, ReadsDigestsOfShaders) {
+  const std::string one(32, '1'), two(32, 'f');
+  FamilyList list = parseFamilies("[[code]]\nname = \"a\"\nshaders = \"" + one + "\"\n", "x.toml");
+  list.append(parseFamilies("[[code]]\nname = \"a\"\nshaders = [\"" + two + "\"]\n", "y.toml"));
+  EXPECT_EQ(knownShaders(list.code, {"a"}).size(), 2u);
+  EXPECT_EQ(knownShaders(list.code, {"b"}).size(), 0u);
+  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\nshaders = \"12x\"\n"),
+            "x.toml:3: \"12x\" is not a digest of 32 hexadecimal digits");
 }
 
 TEST(CodeSections, AppendMergesSectionsOfOneName) {

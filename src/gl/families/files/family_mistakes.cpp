@@ -1,4 +1,4 @@
-#include "gl/families/family_mistakes.h"
+#include "gl/families/files/family_mistakes.h"
 
 #include "gl/families/built_in_variables.h"
 
@@ -42,9 +42,11 @@ std::string mistakeInBuiltIns(const Family& family) {
     if (isBuiltIn(name) && !isBuiltInAttribute(name) && builtInUniformType(name) == 0)
       return "unknown built-in variable " + name;
   if (family.hasBuiltInVertices() && family.code.empty()) return "programs with gl_Vertex need match.code";
-  if (family.hasBuiltInVertices() && (family.impostors.given() || family.pass != Family::Pass::none ||
-                                      !family.textures.empty() || !family.colorMap.empty()))
-    return "programs with gl_Vertex have neither impostors nor passes nor textures";
+  if (family.hasBuiltInVertices() &&
+      (family.impostors.given() || family.pass != Family::Pass::none || !family.colorMap.empty()))
+    return "programs with gl_Vertex have neither impostors nor passes nor colour maps";
+  if (family.hasBuiltInVertices() && !family.textures.empty() && family.texcoord != "gl_MultiTexCoord0")
+    return "textures of programs with gl_Vertex need vertex.texcoord = \"gl_MultiTexCoord0\"";
   if (family.material.emission.given() && !family.color.empty())
     return "emission_color is for families without vertex.color";
   return "";
@@ -54,20 +56,31 @@ std::string mistakeInLook(const Family& family) {
   const std::string& colors = family.color.empty() ? family.instanceColor : family.color;
   if (family.fog.given() && (family.eyeFromObject.empty() || !family.viewer.empty()))
     return "fog needs transform.eye_from_object, without transform.viewer";
+  if (family.fog.absolute && !family.hasBuiltInVertices())
+    return "fog.distance is for programs with gl_Vertex";
   if (family.lights.clamped && (colors.empty() || family.colorIsDiffuseOnly))
     return "lights.clamped needs vertex.color, without color.diffuse_only";
   if (!family.lights.enabled.empty() && colors.empty()) return "lights.enabled needs vertex.color";
   if (!family.lights.countInSource.empty() && family.code.empty())
     return "lights.count_in_source needs match.code";
+  if (!family.lights.noHighlightInSource.empty() && family.lights.countInSource.empty())
+    return "lights.no_highlight_in_source needs lights.count_in_source";
+  if (!family.backColorIf.empty() && !family.backColor.given())
+    return "color.back_faces_if needs color.back_faces";
+  if (family.backColor.given() && family.impostors.given()) return "impostors have no color.back_faces";
+  if (family.textures.empty() && (family.texturesFirst || !family.texturesIf.empty()))
+    return "color.textures_if and color.textures_apply need color.textures";
   const bool phong = family.model == Family::Model::phong;
-  if (!phong && (family.lights.clamped || family.lights.infiniteViewer || family.darkBackFaces))
-    return "lights.clamped, lights.viewer and normals.dark_back_faces are for the model phong";
+  if (!phong && (family.lights.clamped || family.lights.infiniteViewer || family.darkBackFaces ||
+                 !family.lights.halfVector.empty()))
+    return "lights.clamped, lights.viewer, lights.half_vector and normals.dark_back_faces are for the model "
+           "phong";
   return "";
 }
 
 std::string mistakeInVertexNormals(const Family& family) {
   const bool asked = family.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
-                     family.normalColors || family.rimColor.given();
+                     family.normalColors || family.hasRim();
   const bool others = family.impostors.given() || !family.triangleNormals.empty() ||
                       family.withoutNormals == Family::NoNormals::triangle || family.normal.empty();
   return asked && others ? "normals.unit, color.from_normals and color.rim are for vertex normals alone" : "";

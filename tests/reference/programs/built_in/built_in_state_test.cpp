@@ -1,6 +1,6 @@
 // State with which programs of families with gl_Vertex are left to the real OpenGL, and passes over what they
 // draw.
-#include "tests/reference/programs/built_in_stage.h"
+#include "tests/reference/programs/built_in/built_in_stage.h"
 
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
@@ -41,7 +41,19 @@ const BuiltInStateCase kBuiltInStateCases[] = {
        gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, ambient);
      }},
     {"textured", &kOpenCtm,
-     [](Gl gl, GLuint program) { chequers(gl, 0), setInteger(gl, program, "uUseTexture", 1); }},
+     [](Gl gl, GLuint program) { chequers(gl, 0), setInteger(gl, program, "uUseTexture", 1); }, 1},
+    {"texture_projected", &kOpenCtm,
+     [](Gl gl, GLuint program) {
+       chequers(gl, 0), setInteger(gl, program, "uUseTexture", 1);
+       const GLfloat half[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2};
+       gl.MatrixMode(GL_TEXTURE), gl.LoadMatrixf(half), gl.MatrixMode(GL_MODELVIEW);
+     }},
+    {"balloon_added", &kBalloon,
+     [](Gl gl, GLuint) {
+       gl.Enable(GL_BLEND), gl.BlendFunc(GL_SRC_ALPHA, GL_ONE), gl.DepthMask(GL_FALSE);
+       gl.Color4f(0.3f, 0.5f, 0.9f, 0.2f);
+     },
+     1},
     {"offset_and_culled", &kShaded,
      [](Gl gl, GLuint) {
        gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 1);

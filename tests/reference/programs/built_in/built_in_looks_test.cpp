@@ -1,6 +1,6 @@
 // Programs that take vertices, matrices and lights from fixed function: their looks, and all ways to send
 // vertices.
-#include "tests/reference/programs/built_in_stage.h"
+#include "tests/reference/programs/built_in/built_in_stage.h"
 #include "tests/reference/programs/program_mutants.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -25,6 +25,8 @@ const BuiltInLook kBuiltInLooks[] = {
     {"view_normals", &kViewNormalColor, Way::clientElements},
     {"normals", &kNormalColor, Way::clientArrays},
     {"edge_hilight", &kEdgeHilight, Way::immediate},
+    {"balloon", &kBalloon, Way::immediate},
+    {"balloon", &kBalloon, Way::list},
     {"open_ctm", &kOpenCtm, Way::buffers},
     {"open_ctm", &kOpenCtm, Way::list},
 };
@@ -159,9 +161,10 @@ TEST_P(BuiltInMutants, AreNotTakenForTheOriginal) {
 }
 
 const BuiltInLook kBuiltInMutantCases[] = {
-    {"shaded", &kShaded, Way::clientElements},    {"view_normals", &kViewNormalColor, Way::immediate},
-    {"normals", &kNormalColor, Way::buffers},     {"edge_hilight", &kEdgeHilight, Way::buffers},
-    {"height", &kHeightColor, Way::clientArrays}, {"open_ctm", &kOpenCtm, Way::clientElements}};
+    {"shaded", &kShaded, Way::clientElements},   {"view_normals", &kViewNormalColor, Way::immediate},
+    {"normals", &kNormalColor, Way::buffers},    {"edge_hilight", &kEdgeHilight, Way::buffers},
+    {"balloon", &kBalloon, Way::buffers},        {"height", &kHeightColor, Way::clientArrays},
+    {"open_ctm", &kOpenCtm, Way::clientElements}};
 INSTANTIATE_TEST_SUITE_P(Cases, BuiltInMutants, testing::ValuesIn(kBuiltInMutantCases),
                          [](const auto& info) { return std::string(info.param.name); });
 

@@ -1,4 +1,4 @@
-#include "tests/reference/programs/built_in_stage.h"
+#include "tests/reference/programs/built_in/built_in_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -46,6 +46,12 @@ const ShaderPair kEdgeHilight = {
         "  vec4 color = gl_Color;\n  float s = pow(normal.x*normal.x + normal.y*normal.y, 2.0);\n"
         "  color.x = color.x + s * (1.0-color.x);\n  color.y = color.y + s * (1.0-color.y);\n"
         "  color.z = color.z + s * (1.0-color.z);\n  gl_FragColor = color;\n}\n"};
+
+const ShaderPair kBalloon = {
+    kEyeNormalVertex,
+    kBuiltInHead +
+        "  vec4 color = gl_Color;\n  color.w = min(color.w + 2.0 * color.w * pow(normal.x*normal.x + "
+        "normal.y*normal.y, 5.0), 1.0);\n  gl_FragColor = color;\n}\n"};
 
 namespace {
 
@@ -117,6 +123,7 @@ void sendImmediately(Gl gl, const ProgramMesh& mesh, bool colors) {
   for (const GLuint i : mesh.indices) {
     if (colors) gl.Color4ubv(reinterpret_cast<const GLubyte*>(&mesh.colors[i]));
     gl.Normal3fv(glm::value_ptr(mesh.normals[i]));
+    if (!mesh.texcoords.empty()) gl.TexCoord2fv(glm::value_ptr(mesh.texcoords[i]));
     gl.Vertex3fv(glm::value_ptr(mesh.positions[i]));
   }
   gl.End();
@@ -124,25 +131,27 @@ void sendImmediately(Gl gl, const ProgramMesh& mesh, bool colors) {
 
 /// Pointers to the mesh's vectors, or into a buffer that has them one behind the other.
 void setFixedPointers(Gl gl, const ProgramMesh& mesh, bool colors, bool buffered) {
-  const size_t bytes = mesh.positions.size() * sizeof(glm::vec3), all = 2 * bytes + 4 * mesh.colors.size();
+  std::vector<std::byte> all;
+  const auto place = [&](const auto& values) -> const void* {
+    const auto* bytes = reinterpret_cast<const std::byte*>(values.data());
+    if (!buffered) return bytes;
+    const size_t offset = all.size();
+    all.insert(all.end(), bytes, bytes + values.size() * sizeof(values[0]));
+    return reinterpret_cast<const void*>(offset);
+  };
+  const void *positions = place(mesh.positions), *normals = place(mesh.normals), *paints = place(mesh.colors),
+             *texcoords = place(mesh.texcoords);
   if (buffered) {
     GLuint name = 0;
     gl.GenBuffers(1, &name), gl.BindBuffer(GL_ARRAY_BUFFER, name);
-    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all), nullptr, GL_STATIC_DRAW);
-    gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), mesh.positions.data());
-    gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(bytes), static_cast<GLsizeiptr>(bytes),
-                     mesh.normals.data());
-    gl.BufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(2 * bytes),
-                     static_cast<GLsizeiptr>(4 * mesh.colors.size()), mesh.colors.data());
+    gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(all.size()), all.data(), GL_STATIC_DRAW);
   }
-  const auto at = [&](const void* data, size_t offset) {
-    return buffered ? reinterpret_cast<const void*>(offset) : data;
-  };
-  gl.VertexPointer(3, GL_FLOAT, 0, at(mesh.positions.data(), 0));
-  gl.NormalPointer(GL_FLOAT, 0, at(mesh.normals.data(), bytes));
+  gl.VertexPointer(3, GL_FLOAT, 0, positions), gl.NormalPointer(GL_FLOAT, 0, normals);
   gl.EnableClientState(GL_VERTEX_ARRAY), gl.EnableClientState(GL_NORMAL_ARRAY);
+  if (!mesh.texcoords.empty())
+    gl.TexCoordPointer(2, GL_FLOAT, 0, texcoords), gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
   if (!colors) return;
-  gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, at(mesh.colors.data(), 2 * bytes));
+  gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, paints);
   gl.EnableClientState(GL_COLOR_ARRAY);
 }
 
@@ -152,6 +161,7 @@ ProgramMesh unindexed(const ProgramMesh& mesh) {
   for (const GLuint i : mesh.indices) {
     all.positions.push_back(mesh.positions[i]), all.normals.push_back(mesh.normals[i]);
     all.colors.push_back(mesh.colors[i]);
+    if (!mesh.texcoords.empty()) all.texcoords.push_back(mesh.texcoords[i]);
   }
   return all;
 }
@@ -173,10 +183,11 @@ void sendMesh(Gl gl, const ProgramMesh& mesh, Way way, bool colors) {
     gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(plain.positions.size()));
   else
     gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, mesh.indices.data());
-  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY}) gl.DisableClientState(array);
+  for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY})
+    gl.DisableClientState(array);
   if (way == Way::buffers) gl.BindBuffer(GL_ARRAY_BUFFER, 0);
   gl.VertexPointer(3, GL_FLOAT, 0, nullptr), gl.NormalPointer(GL_FLOAT, 0, nullptr);
-  gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, nullptr);
+  gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, nullptr), gl.TexCoordPointer(2, GL_FLOAT, 0, nullptr);
 }
 
 }  // namespace gluray::test

@@ -1,4 +1,4 @@
-#include "gl/families/family_table.h"
+#include "gl/families/files/family_table.h"
 
 #include "gl/families/components.h"
 
@@ -29,6 +29,7 @@ void FamilyTable::mention(const std::string& name) {
   if (name.empty()) return;
   mentioned_.insert(name);
   if (componentIn(name) >= 0) mention(name.substr(0, name.size() - 2));
+  if (name.ends_with(".{}")) mention(name.substr(0, name.size() - 3));
   if (name.ends_with("[{}]")) mentioned_.insert(name.substr(0, name.size() - 4));
 }
 
