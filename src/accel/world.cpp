@@ -118,9 +118,10 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
 bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& drawn,
                         const HiddenFrom& hidden) {
   light_.clear(snapshot);
-  if (!snapshot.surroundings && hidden.empty() && snapshot.ground == scene::GroundUse::none) return false;
+  const bool surrounded = snapshot.surroundings && !snapshot.surroundings->instances.empty();
+  if (!surrounded && hidden.empty() && snapshot.ground == scene::GroundUse::none) return false;
   try {
-    const auto& others = snapshot.surroundings ? snapshot.surroundings->instances : kNoInstances;
+    const auto& others = surrounded ? snapshot.surroundings->instances : kNoInstances;
     std::vector<Geometry> meshes;
     for (const scene::Instance& instance : others) meshes.push_back(geometryOf(instance, snapshot.camera));
     std::vector<BlasPtr> blases = cache_.aside(meshes, snapshot.settings.bvh);

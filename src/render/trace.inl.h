@@ -9,6 +9,7 @@
 
 #include "render/hits.inl.h"
 #include "render/moving/kept_hits.inl.h"
+#include "render/visibility/known_depths.h"
 
 #include <hwy/cache_control.h>
 
@@ -67,6 +68,16 @@ HWY_INLINE void prefetchTriangles(const FrameData& frame, const Work& work) {
   }
 }
 
+// Of catchers: shortens the rays to where the framebuffer has surfaces, and leaves out lanes where it has
+// none. Not inline: other pictures need it not.
+HWY_ATTR HWY_NOINLINE inline void shortenRays(const FrameData& frame, Work& work, int32_t (&valid)[kLanes]) {
+  std::copy_n(work.valid, kLanes, valid);
+  const KnownDepths known(frame);
+  for (int i = 0; i < kLanes && known.usable(); ++i)
+    if (valid[i] && !known.shorten(work.imageX + laneX(i), work.imageY + laneY(i), i, work.packet))
+      valid[i] = 0;
+}
+
 // First stage: traces the rays; prefetches the hit triangles' indices.
 HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   const accel::ImpostorQuery* impostors = aimRays(frame, work);
@@ -76,9 +87,12 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
       if (work.valid[i]) work.hits |= 1u << i;
     return;
   }
-  frame.world->intersect(work.valid, work.packet, work.lens ? nullptr : frame.accepted.get(), impostors,
+  alignas(64) int32_t shortened[kLanes];
+  const int32_t* valid = work.valid;
+  if (frame.snapshot->catches) shortenRays(frame, work, shortened), valid = shortened;
+  frame.world->intersect(valid, work.packet, work.lens ? nullptr : frame.accepted.get(), impostors,
                          work.coherence());
-  work.hits = lanesThatHit(work.packet, work.valid);
+  work.hits = lanesThatHit(work.packet, valid);
   prefetchTriangles(frame, work);
 }
 

@@ -9,6 +9,9 @@ namespace gluray::scene {
 /// which are up to half a pixel away from its centre along each axis.
 inline constexpr float kCatcherSlope = -0.05f, kCatcherSlopeToSamples = -1.05f;
 
+/// Added to its own units: depth steps.
+inline constexpr float kCatcherUnits = -16;
+
 /// Whether the program's own offset decides by the surfaces' slopes which of them is seen.
 inline bool ordersBySlope(const Snapshot& s) {
   const float factor = s.polygonOffset.factor;

@@ -24,11 +24,17 @@ struct Surroundings {
   /// One an instance, or fewer where the rest is not pictured: surfaces whose colours are those of a picture.
   std::vector<Pictured> pictured;
   std::vector<std::shared_ptr<const FramebufferPicture>> pictures;
+  /// Of catchers (Snapshot::catches): the depths that the framebuffer has where they are traced, without
+  /// colours. Null: not known.
+  std::shared_ptr<const FramebufferPicture> framebuffer;
   bool operator==(const Surroundings&) const = default;
 };
 
-/// Whether two surroundings picture their surfaces alike.
+/// Whether two surroundings picture their surfaces alike, in framebuffers of the same depths.
 inline bool isSamePictured(const Surroundings& a, const Surroundings& b) {
+  if (!a.framebuffer != !b.framebuffer) return false;
+  if (a.framebuffer && a.framebuffer != b.framebuffer && a.framebuffer->depths != b.framebuffer->depths)
+    return false;
   const auto alike = [](const auto& one, const auto& other) { return one->content == other->content; };
   return a.pictured == b.pictured &&
          std::equal(a.pictures.begin(), a.pictures.end(), b.pictures.begin(), b.pictures.end(), alike);

@@ -157,8 +157,8 @@ void fields(auto& archive, Like<scene::Pictured> auto& value) {
   archive(picture, clipFromObject);
 }
 void fields(auto& archive, Like<scene::Surroundings> auto& value) {
-  auto& [shadings, instances, blended, viewFromWorld, pictured, pictures] = value;
-  archive(shadings, instances, blended, viewFromWorld, pictured, pictures);
+  auto& [shadings, instances, blended, viewFromWorld, pictured, pictures, framebuffer] = value;
+  archive(shadings, instances, blended, viewFromWorld, pictured, pictures, framebuffer);
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,

@@ -88,12 +88,12 @@ void checkInstances(const std::vector<scene::Instance>& instances,
   }
 }
 
-void checkPicture(const scene::FramebufferPicture* picture) {
+void checkPicture(const scene::FramebufferPicture* picture, bool colors) {
   require(picture, "a picture is missing");
   const scene::Region& region = picture->region;
   require(region.width >= 0 && region.height >= 0, "a picture has no shape");
   const auto pixels = static_cast<uint64_t>(region.width) * static_cast<uint64_t>(region.height);
-  require(picture->colors.size() == pixels && picture->depths.size() == pixels,
+  require(picture->colors.size() == (colors ? pixels : 0) && picture->depths.size() == pixels,
           "a picture has other pixels than its shape says");
 }
 
@@ -110,7 +110,8 @@ void check(const scene::Snapshot& snapshot) {
   for (const scene::Pictured& one : around.pictured)
     require(one.picture == scene::Pictured::kNone || one.picture < around.pictures.size(),
             "a surface has no picture");
-  for (const auto& picture : around.pictures) checkPicture(picture.get());
+  for (const auto& picture : around.pictures) checkPicture(picture.get(), true);
+  if (around.framebuffer) checkPicture(around.framebuffer.get(), false);
   checkShadings(around.shadings);
   checkInstances(around.instances, around.shadings);
 }

@@ -98,15 +98,14 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
 
 /// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
 void Batch::startFactors(const State& state) {
-  constexpr float kUnits = -16;  // depth steps
   const float slope = state.target.samples > 1 ? scene::kCatcherSlopeToSamples : scene::kCatcherSlope;
   constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
   snapshot_->catches = true;
   snapshot_->view ^= kOther;  // what earlier frames know of light is that of the same surfaces
   snapshot_->samplePositions = {glm::vec2(0.5f)};
   const scene::PolygonOffset& own = key_.offset;
-  snapshot_->polygonOffset = {own.factor + slope, own.units + kUnits, state.target.offsetUnit, false,
-                              state.target.depthFloats};
+  snapshot_->polygonOffset = {own.factor + slope, own.units + scene::kCatcherUnits, state.target.offsetUnit,
+                              false, state.target.depthFloats};
   Settings& settings = snapshot_->settings;
   settings.camera.aperture = settings.camera.fNumber = 0;  // the framebuffer's surfaces are sharp
   settings.spp = 1;

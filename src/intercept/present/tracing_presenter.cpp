@@ -9,6 +9,8 @@
 #include "intercept/present/raster/depth_redraw.h"
 #include "intercept/present/raster/raster_fallback.h"
 #include "intercept/present/write_back/seen_catchers.h"
+#include "scene/catcher_offset.h"
+#include "scene/surroundings.h"
 
 #include <exception>
 
@@ -23,10 +25,12 @@ PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::Sna
 
 PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const scene::SnapshotPtr& shared,
                                                    const gl::PresentTarget& target) {
-  const scene::Snapshot& snapshot = *shared;
   PresentResult result;
   std::string why;
   PendingErrors pending;
+  const scene::SnapshotPtr known =
+      shared->catches && !target.rasterise ? withDepths(real, shared, pending) : shared;
+  const scene::Snapshot& snapshot = *known;
   if (target.depthAgain) {
     pending = takeErrors(real);
     const bool drawn = target.byMatrix.mesh
@@ -64,6 +68,25 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   return result;
 }
 
+/// The snapshot with the framebuffer's depths, or itself where they cannot be read.
+scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
+                                                PendingErrors& pending) {
+  const scene::Snapshot& s = *catchers;
+  pending = takeErrors(real);
+  auto picture = std::make_shared<scene::FramebufferPicture>();
+  if (!reader_.readDepth(real, s.region, picture->depths)) return catchers;
+  picture->viewport = s.camera.viewport, picture->region = s.region;
+  picture->depthNear = s.camera.depthNear, picture->depthFar = s.camera.depthFar;
+  picture->offset.factor = s.polygonOffset.factor - scene::kCatcherSlope;  // the program's own
+  picture->offset.units = s.polygonOffset.units - scene::kCatcherUnits;
+  auto known = std::make_shared<scene::Snapshot>(s);
+  auto around = s.surroundings ? std::make_shared<scene::Surroundings>(*s.surroundings)
+                               : std::make_shared<scene::Surroundings>();
+  around->framebuffer = std::move(picture);
+  known->surroundings = std::move(around);
+  return known;
+}
+
 bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
                                const scene::Snapshot& snapshot, const gl::PresentTarget& target,
                                PendingErrors& pending, std::string& why) noexcept {
@@ -82,10 +105,10 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
       into.depthFunc = GL_ALWAYS;
       into.depths = snapshot.layers->blending.writesDepth;
     }
-    std::vector<float> depths;
     std::optional<Image> seen;
-    if (snapshot.catches && reader_.readDepth(real, snapshot.region, depths))
-      seen = seenCatchers(picture.image, snapshot, depths), into.picture = 0;
+    if (snapshot.catches && snapshot.surroundings && snapshot.surroundings->framebuffer)
+      seen = seenCatchers(picture.image, snapshot, snapshot.surroundings->framebuffer->depths),
+      into.picture = 0;
     const Image& image = seen ? *seen : picture.image;
     const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());

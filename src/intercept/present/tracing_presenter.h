@@ -37,6 +37,8 @@ class TracingPresenter final : public gl::Presenter {
  private:
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                        const gl::PresentTarget& target);
+  scene::SnapshotPtr withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
+                                PendingErrors& pending);
   /// Writes a picture into the framebuffer. False, with the reason, if that fails.
   bool written(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
                const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,

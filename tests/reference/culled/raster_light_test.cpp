@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -199,6 +200,47 @@ TEST(RasterLight, LeavesHolesAlone) {
   }
   EXPECT_GT(holes, 1000u);
   EXPECT_EQ(wrong, 0u);
+}
+
+/// A lid over a floor, with holes: through them the floor shows, with the light that reaches it.
+TEST(RasterLight, LightsWhatShowsThroughHoles) {
+  const char* const lidWithHoles = R"(#version 120
+uniform vec3 tint;
+varying float height;
+void main() {
+  if (height > 0.05 && fract(gl_FragCoord.x / 16.0) < 0.5) discard;
+  gl_FragColor = vec4(tint, 1.0);
+})";
+  const std::string vertex = std::string(kFlatVertex)
+                                 .replace(std::string(kFlatVertex).find("void main() {"), 13,
+                                          "varying float height;\nvoid main() { height = position.y;");
+  const auto picture = [&](bool on) {
+    return seen(lit(on),
+                [&](Gl gl) {
+                  Triangles both = square(0, 1);
+                  const Triangles lid = square(0.1f, 0.8f);
+                  both.insert(both.end(), lid.begin(), lid.end());
+                  draw(gl, makeProgram(gl, vertex, lidWithHoles), both);
+                })
+        .picture;
+  };
+  const Picture plain = picture(false), got = picture(true);
+  const auto depthOf = [](const glm::vec3& point) {
+    const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
+    return 0.5f + 0.5f * clip.z / clip.w;
+  };
+  int dark = 0, holes = 0;
+  for (float x = -0.4f; x < 0.4f; x += 0.02f) {  // below the middle of the lid
+    const glm::vec3 point(x, 0, 0.2f);
+    const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
+    const glm::ivec2 pixel((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(kSize));
+    if (std::abs(plain.depths[static_cast<size_t>(pixel.y * kSize + pixel.x)] - depthOf(point)) > 0.002f)
+      continue;
+    ++holes, dark += channel(at(got, point), 0) < channel(at(plain, point), 0) / 2;
+  }
+  EXPECT_GT(holes, 10);
+  EXPECT_EQ(dark, holes);
+  EXPECT_EQ(got.depths, plain.depths);
 }
 
 /// Their depths in the framebuffer lie elsewhere than the surfaces.
