@@ -1,7 +1,7 @@
 // Programs made of the statements that the built-in families of PyMOL and ChimeraX know.
 #include "base/toml_text.h"
 #include "gl/families/built_in_families.gen.h"
-#include "tests/reference/programs/built_in_stage.h"
+#include "tests/reference/programs/built_in/built_in_stage.h"
 #include "tests/reference/programs/program_stage.h"
 
 #include <glm/glm.hpp>
