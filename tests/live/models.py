@@ -1,6 +1,8 @@
 """Models for viewers, in the file formats that they read: mostly a knotted tube."""
 import pathlib
+import struct
 import subprocess
+import zlib
 
 import numpy as np
 
@@ -36,6 +38,33 @@ def write_obj(path, material=False, **size):
     lines += ["vn %.6f %.6f %.6f" % tuple(n) for n in normals]
     lines += ["f %d//%d %d//%d %d//%d" % (a, a, b, b, c, c) for a, b, c in triangles + 1]
     path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def write_picture(path, side=64):
+    """A PNG of soft waves of colour."""
+    x, y = np.meshgrid(np.arange(side), np.arange(side))
+    wave = lambda turns: (127.5 + 127.5 * np.sin(2 * np.pi * turns / side)).astype("u1")
+    rows = np.stack([wave(x + y), wave(2 * y), wave(3 * x - y)], 2).reshape(side, -1)
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    data = zlib.compress(b"".join(b"\0" + row.tobytes() for row in rows))
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)) +
+                     chunk(b"IDAT", data) + chunk(b"IEND", b""))
+    return path
+
+
+def write_ctm(path, around=600, across=48):
+    """OpenCTM with texture coordinates and the name of a picture beside it; written by ctmconv (openctm-tools)."""
+    positions, normals, triangles = knot(around, across)
+    i, j = np.divmod(np.arange(len(positions)), across)
+    lines = ["v %.6f %.6f %.6f" % tuple(p) for p in positions]
+    lines += ["vt %.6f %.6f" % (12 * a / around, 2 * b / across) for a, b in zip(i, j)]
+    lines += ["vn %.6f %.6f %.6f" % tuple(n) for n in normals]
+    lines += ["f " + " ".join(f"{v}/{v}/{v}" for v in t) for t in triangles + 1]
+    wavefront = path.with_suffix(".obj")
+    wavefront.write_text("\n".join(lines) + "\n")
+    picture = write_picture(path.with_suffix(".png"))
+    subprocess.run(["ctmconv", wavefront, path, "--texfile", picture.name], check=True, capture_output=True)
     return path
 
 

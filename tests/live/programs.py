@@ -161,6 +161,8 @@ MORE = {
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
     "ctmviewer": wide(lambda folder: ["ctmviewer", str(models.write_ply(folder / "knot.ply", **SMALL))],
                       "GLUT; GLSL 1.10 that takes fixed function's state; buttons without depth test", 0.99),
+    "ctmviewer_textured": wide(lambda folder: ["ctmviewer", str(models.write_ctm(folder / "knot.ctm", **SMALL))],
+                               "the same with a mesh's own picture", 0.99),
     "pyqtgraph": wide(script("pyqtgraph_scene.py"), "Qt 5; GLSL 1.10 that takes fixed function's arrays", 0.99, rest=3.0,
                       needs=(module("pyqtgraph"),)),
     "pymol": wide(pymol, "Qt 5; GLSL 1.20, a depth cue; sticks are impostors", 0.98, rest=4.0, needs=("pymol",)),
@@ -169,6 +171,8 @@ MORE = {
                          0.85, rest=4.0, needs=("pymol",)),
     "pymol_ortho": wide(pymol_sticks, "the same, seen in parallel, with smaller balls, four lights and no depth cue", 0.9, rest=4.0,
                         needs=("pymol",), environment={"PYMOL_SETTINGS": "ortho 1,depth_cue 0,stick_ball 1,light_count 4"}),
+    "pymol_translucent": wide(pymol_sticks, "translucent spheres and sticks, two lights of four without highlights", 0.85, rest=4.0,
+                              needs=("pymol",), environment={"PYMOL_SETTINGS": "sphere_transparency 0.4,stick_transparency 0.5,light_count 4,spec_count 1"}),
     # Shaders of their own.
     "vispy": whole(script("vispy_scene.py"), "Qt 5, a framebuffer object; blending", culled=10, rest=3.0, needs=(module("vispy"),)),
     "silx": whole(script("silx_scene.py"), "Qt 5; blending", culled=5, rest=3.0, needs=(module("silx"),)),

@@ -22,6 +22,8 @@ for place, shader in enumerate(("viewNormalColor", "edgeHilight")):
     item = pg.GLMeshItem(meshdata=pg.MeshData.sphere(20, 20, 0.7), smooth=True, shader=shader, color=(0.3, 0.5, 0.8, 1), glOptions="opaque")
     item.translate(3 - 6 * place, 3, 0)
     view.addItem(item)
+balloon = pg.GLMeshItem(meshdata=pg.MeshData.sphere(30, 30, 2), smooth=True, shader="balloon", color=(0.4, 0.9, 0.7, 0.2), glOptions="translucent")
+view.addItem(balloon)
 steps = numpy.linspace(-2, 2, 40)
 heights = numpy.sin(2 * steps)[:, None] * numpy.cos(3 * steps)[None, :]
 surface = pg.GLSurfacePlotItem(x=steps, y=steps, z=0.4 * heights, shader="heightColor", computeNormals=False, smooth=False)
