@@ -2,7 +2,7 @@
 
 #include "gl/batch/depth_copy.h"
 #include "gl/errors.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
 #include "gl/window/window_frames.h"

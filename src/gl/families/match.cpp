@@ -4,7 +4,7 @@
 #include "gl/glsl/glsl_types.h"
 #include "gl/glsl/program_source.h"
 #include "gl/glsl/shader_digest.h"
-#include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/uniforms/built_in_uniforms.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_limits.h"
 #include "gl/layers/peel_outputs.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
 

@@ -2,7 +2,7 @@
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_outputs.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state_queries.h"
 

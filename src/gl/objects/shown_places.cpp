@@ -1,6 +1,6 @@
 #include "gl/objects/shown_places.h"
 
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 
 #include <GL/glext.h>
 #include <glm/gtc/type_ptr.hpp>

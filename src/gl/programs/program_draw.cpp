@@ -3,7 +3,7 @@
 #include "gl/arrays/arrays.h"
 #include "gl/families/built_in_variables.h"
 #include "gl/families/match.h"
-#include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/uniforms/built_in_uniforms.h"
 #include "gl/state/state.h"
 #include "gl/state/state_queries.h"
 

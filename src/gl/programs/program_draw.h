@@ -5,8 +5,8 @@
 #include "gl/buffers/buffer.h"
 #include "gl/programs/program.h"
 #include "gl/programs/samplers.h"
-#include "gl/programs/uniform_blocks.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniform_blocks.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>

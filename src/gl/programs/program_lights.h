@@ -1,7 +1,7 @@
 // Reads a shader program's lights from the uniforms that its family names. GL thread.
 #pragma once
 #include "gl/families/match.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "scene/fragment_shading.h"
 
 #include <vector>

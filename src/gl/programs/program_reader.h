@@ -2,7 +2,7 @@
 // program_state.cpp and program_colors.cpp. GL thread.
 #pragma once
 #include "gl/programs/program_state.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "gl/share_group.h"
 #include "gl/textures/texture.h"
 

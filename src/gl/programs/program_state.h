@@ -3,7 +3,7 @@
 #include "gl/arrays/arrays.h"
 #include "gl/draws/reasons.h"
 #include "gl/families/match.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

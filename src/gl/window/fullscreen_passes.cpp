@@ -3,7 +3,7 @@
 #include "gl/batch/resolve_draws.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state_queries.h"
 #include "gl/textures/texture_image.h"

@@ -1,4 +1,4 @@
-#include "gl/programs/set_uniform.h"
+#include "gl/programs/uniforms/set_uniform.h"
 
 #include <GL/glext.h>
 

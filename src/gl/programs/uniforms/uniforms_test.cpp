@@ -1,5 +1,5 @@
 // Uniform values by name: shapes of types, array elements, constants in place of uniforms.
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 
 #include <gtest/gtest.h>
 

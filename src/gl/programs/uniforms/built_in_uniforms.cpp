@@ -1,4 +1,4 @@
-#include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/uniforms/built_in_uniforms.h"
 
 #include "gl/families/built_in_variables.h"
 #include "gl/state/state_queries.h"

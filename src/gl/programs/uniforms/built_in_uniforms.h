@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/families/family.h"
 #include "gl/programs/program.h"
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 
 #include <string_view>
 

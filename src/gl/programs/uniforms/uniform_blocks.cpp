@@ -1,4 +1,4 @@
-#include "gl/programs/uniform_blocks.h"
+#include "gl/programs/uniforms/uniform_blocks.h"
 
 #include "gl/state/state_queries.h"
 

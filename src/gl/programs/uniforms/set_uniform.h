@@ -1,6 +1,6 @@
 // Gives uniforms of the program in use values that were read from others. GL thread, context current.
 #pragma once
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 #include "gl/real.h"
 
 #include <GL/gl.h>

@@ -1,9 +1,9 @@
-#include "gl/programs/uniforms.h"
+#include "gl/programs/uniforms/uniforms.h"
 
 #include "gl/families/built_in_variables.h"
 #include "gl/families/components.h"
-#include "gl/programs/built_in_uniforms.h"
-#include "gl/programs/uniform_blocks.h"
+#include "gl/programs/uniforms/built_in_uniforms.h"
+#include "gl/programs/uniforms/uniform_blocks.h"
 #include "gl/state/state_queries.h"
 
 #include <algorithm>
