@@ -163,17 +163,24 @@ TEST(CulledIndirectDraws, AreLeftWhereTheirCommandsAreNotKnown) {
     gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 4, 0);
   };
   EXPECT_EQ(compareIndirect(of).drawsCulled, 0u);
-  of.name = "sine";
-  of.prepare = [](Gl gl, const ProgramMesh& mesh) { sendCommands(gl, shellsOf(mesh, 20)); };
-  const std::string usual = of.vertex;
-  of.vertex = replacedIn(usual, "vec3 world =", "vec3 world = 0.1 * sin(tint) +");
-  EXPECT_EQ(compareIndirect(of).drawsCulled, 0u);
   // The numbers of draws go on where parts of them are made.
   of.name = "numbers";
-  of.vertex =
-      replacedIn(usual, "#version 150", "#version 150\n#extension GL_ARB_shader_draw_parameters : require");
+  of.prepare = [](Gl gl, const ProgramMesh& mesh) { sendCommands(gl, shellsOf(mesh, 20)); };
+  of.vertex = replacedIn(of.vertex, "#version 150",
+                         "#version 150\n#extension GL_ARB_shader_draw_parameters : require");
   of.vertex = replacedIn(of.vertex, "color = tint;", "color = tint * float(gl_DrawIDARB % 3);");
   EXPECT_EQ(compareIndirect(of).drawsCulled, 0u);
+}
+
+/// Positions that are no polynomials of the instance's attributes, of each command by itself.
+TEST(CulledIndirectDraws, WherePositionsAreFedBack) {
+  Indirect of{.name = "sine"};
+  of.prepare = [](Gl gl, const ProgramMesh& mesh) { sendCommands(gl, shellsOf(mesh, 20)); };
+  of.vertex = replacedIn(of.vertex, "vec3 world =", "vec3 world = 0.1 * sin(tint) +");
+  of.draw = [](Gl gl, const ProgramMesh&, int) {
+    gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 4, 0);
+  };
+  EXPECT_EQ(compareIndirect(of).drawsCulled, 3u * 4);
 }
 
 TEST(CulledIndirectDraws, KeepErrors) {
