@@ -123,10 +123,14 @@ class First(unittest.TestCase):
 
         def traced(*_):
             ran.append("gluray")
-            return self.said(1.0)[0]
+            return self.said(1.0)[0] | {"report": report}
+        report = {}
         with unittest.mock.patch.multiple(programs, measure=plain, measure_with_gluray=traced, require=lambda *_: None):
             first.measured(first.arguments(["--rounds", "3"]), 1.0, {})
-        self.assertEqual(ran, ["plain", "gluray", "gluray", "plain", "plain", "gluray"])
+            self.assertEqual(ran, ["plain", "gluray", "gluray", "plain", "plain", "gluray"])
+            report = None  # GLuRay was not loaded
+            with self.assertRaises(programs.Failed):
+                first.measured(first.arguments(["--rounds", "3"]), 1.0, {})
 
 
 if __name__ == "__main__":

@@ -40,6 +40,8 @@ def measured(options, size, environment):
     for i in range(options.rounds):
         for way in sorted(ways, reverse=i % 2 == 0):
             rounds[way].append(ways[way]())
+        if rounds["gluray"][-1].get("report") is None:
+            raise programs.Failed(f"{gluray} has not loaded GLuRay into the program: its library is missing, for instance")
     return rounds
 
 
