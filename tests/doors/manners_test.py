@@ -174,6 +174,16 @@ class Missing(Folder):
         for line, wanted in zip(told, lines):
             self.assertRegex(line, wanted)
 
+    def test_door_missing(self):
+        """The engine alone: no library that the program would load."""
+        tree = self.folder / "part"
+        (tree / "bin").mkdir(parents=True), (tree / "lib/gluray").mkdir(parents=True)
+        shutil.copy(GLURAY, tree / "bin/gluray"), shutil.copy(LIBRARIES / "libgluray-engine.so", tree / "lib/gluray")
+        for door in ("vendor", "preload", "auto"):
+            done = run(tree / "bin/gluray", "--door", door, "--", CLIENTS / "door_linked_gl")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, r"^gluray: not ray traced: lib\S+ is missing in \S+/part/lib/gluray: install GLuRay again; .*\n$")
+
     def test_engine_missing(self):
         for door in ("vendor", "preload"):
             self.survives(r"^gluray: .*not ray traced.*nowhere", door=door, GLURAY_ENGINE_LIBRARY="/nowhere/libgluray-engine.so")

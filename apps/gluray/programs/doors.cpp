@@ -41,10 +41,20 @@ void passSettings(const CommandLine& line) {
   if (const std::string report = line.settings.find("report"); !report.empty()) files::removeOld(report);
 }
 
+/// A problem if `library` is not in `directory`. Without it the program would run as if there were no GLuRay.
+std::string unlessThere(const std::string& directory, const char* library) {
+  std::error_code error;
+  if (fs::exists(fs::path(directory) / library, error)) return "";
+  return std::string(library) + " is missing in " + directory +
+         ": install GLuRay again; gluray doctor lists what it needs";
+}
+
 std::string openVendorDoor(const std::string& directory) {
   const probe::RealVendors real = probe::findRealVendors();
   if (real.glx.empty() && real.egl.empty())
     return "no OpenGL driver for libglvnd was found; try --door preload";
+  const char* const library = real.glx.empty() ? "libEGL_gluray.so.0" : "libGLX_gluray.so.0";
+  if (std::string problem = unlessThere(directory, library); !problem.empty()) return problem;
   putFirst("LD_LIBRARY_PATH", directory);
   if (!real.glx.empty()) {
     set("__GLX_VENDOR_LIBRARY_NAME", "gluray");
@@ -83,6 +93,7 @@ std::string openDoors(const CommandLine& line, const Program& program) {
   const auto openPreloadDoor = [&]() -> std::string {
     if (directory.find_first_of(" :") != directory.npos)
       return "LD_PRELOAD takes no name with a space or colon: move GLuRay out of " + directory;
+    if (std::string problem = unlessThere(directory, "libgluray.so"); !problem.empty()) return problem;
     return putFirst("LD_PRELOAD", directory + "/libgluray.so"), "";
   };
   if (line.door == "preload") return openPreloadDoor();
