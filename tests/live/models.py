@@ -111,6 +111,49 @@ def write_stl(path, **size):
     return path
 
 
+def write_binary_stl(path, **size):
+    positions, _, triangles = knot(**size)
+    corners = positions[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    facets = np.zeros(len(triangles), [("normal", "<3f4"), ("corners", "<9f4"), ("attribute", "<u2")])
+    facets["normal"] = normals / np.linalg.norm(normals, axis=1)[:, None]
+    facets["corners"] = 10 * corners.reshape(-1, 9)
+    path.write_bytes(bytes(80) + np.uint32(len(triangles)).tobytes() + facets.tobytes())
+    return path
+
+
+def write_slvs(path, **size):
+    """A SolveSpace sketch that links a mesh, beside the three planes that all sketches have."""
+    mesh = write_binary_stl(path.with_suffix(".stl"), **size)
+    turns = [(1, 0, 0, 0), (0.5, 0.5, 0.5, 0.5), (0.5, -0.5, -0.5, -0.5)]  # of the planes
+
+    def group(number, kind, more=""):
+        return (f"Group.h.v={number:08x}\nGroup.type={kind}\nGroup.name=g{number}\nGroup.color=ff808080\nGroup.visible=1\n"
+                f"Group.scale=1.0\nGroup.remap={{\n}}\n{more}AddGroup\n\n")
+
+    def parameter(plane, number, value):
+        return f"Param.h.v.={plane << 16 | number:08x}\nParam.val={value:.20f}\nAddParam\n\n"
+
+    text = "\xb1\xb2\xb3SolveSpaceREVa\n\n\n" + group(1, 5000) + group(2, 5300, f"Group.order=1\nGroup.impFile={mesh}\nGroup.impFileRel={mesh.name}\n")
+    for plane, turn in enumerate(turns, 1):
+        for number, value in [*((16 + i, 0) for i in range(3)), *((32 + i, turn[i]) for i in range(4))]:
+            text += parameter(plane, number, value)
+    for plane in range(1, 4):
+        text += f"Request.h.v={plane:08x}\nRequest.type=100\nRequest.group.v=00000001\nRequest.construction=0\nAddRequest\n\n"
+    path.write_bytes(text.encode("latin-1"))
+    return path
+
+
+def write_mif(path, side=48):
+    """An MRtrix image: shells in a ball."""
+    x, y, z = np.indices((side,) * 3) - side / 2
+    radius = np.sqrt(x * x + y * y + z * z)
+    values = np.where(radius < 0.42 * side, 127 + 120 * np.sin(0.7 * radius), 0).astype(np.uint8)
+    header = f"mrtrix image\ndim: {side},{side},{side}\nvox: 1,1,1\nlayout: +2,+1,+0\ndatatype: UInt8\nfile: . 256\nEND\n".encode()
+    path.write_bytes(header.ljust(256, b"\0") + values.tobytes())
+    return path
+
+
 def write_x3d(path, **size):
     """X3D in its classic encoding, one shape without normals."""
     positions, _, triangles = knot(**size)

@@ -40,7 +40,7 @@ class Run:
         self.program = program
         self.report = folder / "report.json"
         self.ready, self.go = folder / "ready", folder / "go"
-        environment = dict(os.environ, **program.environment, HOME=str(folder), QT_QPA_PLATFORM="xcb", LC_ALL="C")
+        environment = dict(os.environ, HOME=str(folder), QT_QPA_PLATFORM="xcb", LC_ALL="C") | program.environment
         if program.frame:
             environment |= {"LD_PRELOAD": str(pathlib.Path(freeze).resolve()), "LIVE_FRAME": str(program.frame), "LIVE_READY": str(self.ready),
                             "LIVE_GO": str(self.go)}
