@@ -15,8 +15,10 @@ Reason UntracedPrograms::inUse() {
 }
 
 void UntracedPrograms::find(GLuint name) {
+  // Read first: other threads may change programs meanwhile.
+  const uint64_t changes = shadow_.group.programChanges();
   const std::shared_ptr<const KnownProgram> known = recognise(name);
-  name_ = name, changes_ = shadow_.group.programChanges();
+  name_ = name, changes_ = changes;
   reason_ = known->family ? Reason::traced : known->unknownCode ? Reason::programCode : Reason::program;
   const auto& texts = known->program.texts;
   const auto numbers = [](const auto& shader) { return shader.text.find("gl_DrawID") != std::string::npos; };
@@ -32,15 +34,16 @@ std::shared_ptr<const KnownProgram> UntracedPrograms::recognise(GLuint name) {
 }
 
 bool UntracedPrograms::areAll() {
-  if (allChanges_ == shadow_.group.programChanges() && areAll_) return true;
-  if (shadow_.group.tracesPrograms()) return false;
-  if (const GLuint name = shadow_.group.unrecognised(); name != 0) {
-    if (recognisedIn_ != clock_.frame) recognise(name);
+  const uint64_t changes = shadow_.group.programChanges();
+  if (allChanges_ == changes) return areAll_;
+  const bool traces = shadow_.group.tracesPrograms();
+  if (const GLuint next = traces ? 0 : shadow_.group.unrecognised(); next != 0) {
+    if (recognisedIn_ != clock_.frame) recognise(next);
     recognisedIn_ = clock_.frame;
-    return areAll_ = false;
+    return false;
   }
-  allChanges_ = shadow_.group.programChanges();
-  return areAll_ = true;
+  allChanges_ = changes;
+  return areAll_ = !traces;
 }
 
 }  // namespace gluray::gl
