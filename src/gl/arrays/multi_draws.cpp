@@ -30,7 +30,7 @@ bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& ele
   const DrawPath path = pathOf(elementsOf(0));
   if (c.clock.passesThrough()) return c.passthrough.takes(path, kindOf(mode), triangles);
   c.passthrough.works();
-  if (c.untraced.numbersDraws())
+  if (c.protect([&] { return c.untraced.numbersDraws(); }))
     c.beforeForward(Context::Flush::all);
   else if (!whole || !drawsUntraced(c))
     return false;

@@ -79,10 +79,12 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
   const Load load = loadOf(c, mode, e);
   if (c.surfaces.objects.asked()) [[unlikely]]
     c.protect([&] { c.surfaces.objects.placed(placesOf(c.shadow, e)); });
-  if (!c.surfaces.passes.any() && c.untraced.areAll())
-    c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
-  else
-    c.protect([&] { c.programs.meetPasses(load.kind, mode, e); });
+  c.protect([&] {
+    if (!c.surfaces.passes.any() && c.untraced.areAll())
+      c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
+    else
+      c.programs.meetPasses(load.kind, mode, e);
+  });
   if (!c.info().core && mode <= GL_POLYGON) meetFixedArrays(c, load.kind, mode, e);
   c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
   c.raster.before(load.kind);

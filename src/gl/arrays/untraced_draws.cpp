@@ -5,7 +5,10 @@
 
 namespace gluray::gl {
 
-bool drawsUntraced(Context& c) {
+namespace {
+
+/// May throw std::bad_alloc.
+bool isUntraced(Context& c) {
   if (c.untraced.inUse() == Reason::traced) return false;
   const bool isAsked = c.counts.kinds() || c.surfaces.objects.asked() || c.shadow.settings.light.rasterised;
   if (isAsked || !c.flusher.batch.empty() || !c.layers.idle()) return false;
@@ -13,13 +16,21 @@ bool drawsUntraced(Context& c) {
   return !c.surfaces.passes.any() && c.untraced.areAll();
 }
 
+}  // namespace
+
+bool drawsUntraced(Context& c) {
+  return c.protect([&] { return isUntraced(c); });
+}
+
 void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) {
   c.immediate.closeRunIfOpen();
   c.shadow.refresh(kViewport | kTarget);
-  const Reason ofContext = c.triage.ofContext();
-  const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? c.untraced.inUse() : ofContext;
-  c.counts.rasterised(reason, path, kindOf(mode), triangles);
-  c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
+  c.protect([&] {
+    const Reason ofContext = c.triage.ofContext();
+    const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? c.untraced.inUse() : ofContext;
+    c.counts.rasterised(reason, path, kindOf(mode), triangles);
+    c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
+  });
   c.raster.before(kindOf(mode));
   c.shadow.sendBuffers();
 }

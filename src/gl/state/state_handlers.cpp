@@ -241,7 +241,7 @@ uint32_t imagesChanged(Context& c) {
 
 uint32_t programChanged(Context& c, GLuint program) {
   c.layers.programChanges(program);
-  c.shadow.group.programChanged(program);
+  c.protect([&] { c.shadow.group.programChanged(program); });
   return kRaster | kProgram | kAttributes;
 }
 
