@@ -106,6 +106,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   if (drawsUntraced(c) && !c.culled.mayCull(e)) {
     c.culled.count(e);
     beforeUntraced(c, mode, pathOf(e), trianglesOf(mode, e));
+    rememberUntraced(c, mode, e);
     return drawReal(c.real, mode, e);
   }
   c.shadow.refresh(kRaster);

@@ -50,6 +50,8 @@ void meetFixedArrays(Context& c, PrimitiveClass kind, GLenum mode, const Element
 bool drawsUntraced(Context& c);
 /// Call before such a draw, or several together, of `triangles` triangles: counts it and prepares for it.
 void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles);
+/// Call for each of these after beforeUntraced(): later surfaces of the depth epoch may coincide with it.
+void rememberUntraced(Context& c, GLenum mode, const Elements& elements);
 
 /// Draws with the current shader program: traced if triage allows it, else rasterised.
 void drawByProgram(Context& c, GLenum mode, const Elements& elements);

@@ -34,8 +34,12 @@ bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& ele
     c.beforeForward(Context::Flush::all);
   else if (!whole || !drawsUntraced(c))
     return false;
-  for (GLsizei i = 0; i < draws; ++i) c.culled.count(elementsOf(i));
   beforeUntraced(c, mode, path, triangles);
+  for (GLsizei i = 0; i < draws; ++i) {
+    const Elements e = elementsOf(i);
+    c.culled.count(e);
+    rememberUntraced(c, mode, e);
+  }
   return true;
 }
 

@@ -81,7 +81,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     c.protect([&] { c.surfaces.objects.placed(placesOf(c.shadow, e)); });
   c.protect([&] {
     if (!c.surfaces.passes.any() && c.untraced.areAll())
-      c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
+      rememberUntraced(c, mode, e);
     else
       c.programs.meetPasses(load.kind, mode, e);
   });

@@ -1,6 +1,7 @@
 // Draws that are certain to be rasterised, by programs that no family describes. Little is asked about them:
 // programs make thousands of them in a frame.
 #include "gl/arrays/array_draws.h"
+#include "gl/capture/captured_vertices.h"
 #include "gl/handlers.h"
 
 namespace gluray::gl {
@@ -29,10 +30,15 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
     const Reason ofContext = c.triage.ofContext();
     const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? c.untraced.inUse() : ofContext;
     c.counts.rasterised(reason, path, kindOf(mode), triangles);
-    c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer);
   });
   c.raster.before(kindOf(mode));
   c.shadow.sendBuffers();
+}
+
+void rememberUntraced(Context& c, GLenum mode, const Elements& e) {
+  if (mode > GL_POLYGON) return;
+  const uint64_t count = countTriangles(mode, static_cast<uint64_t>(e.count));
+  c.protect([&] { c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer, count); });
 }
 
 }  // namespace gluray::gl

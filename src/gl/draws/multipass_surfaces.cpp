@@ -108,10 +108,11 @@ std::vector<DepthRedraw> MultipassSurfaces::takeTraced() {
 void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
   if (framebuffer) {
     std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return r.framebuffer == *framebuffer; });
-    std::erase(unseen_, *framebuffer);
+    unseen_.erase(*framebuffer);
   } else {
     rasterisedByProgram_.clear(), unseen_.clear();
   }
+  lastUnseen_ = {};
   if (surfaces_.empty()) return;
   ++epoch_;
   if (!byProgram_ || !framebuffer) {
@@ -218,13 +219,16 @@ void MultipassSurfaces::rasterisedByProgram(uint32_t framebuffer, uint64_t count
   rasterisedByProgram_.push_back(std::move(r));
 }
 
-void MultipassSurfaces::rasterisedUnseen(uint32_t framebuffer) {
-  if (std::ranges::find(unseen_, framebuffer) == unseen_.end()) unseen_.push_back(framebuffer);
+void MultipassSurfaces::rasterisedUnseen(uint32_t framebuffer, uint64_t count) {
+  if (count == 0 || lastUnseen_ == Unseen{framebuffer, count}) return;
+  unseen_[framebuffer].insert(count);
+  lastUnseen_ = {framebuffer, count};
 }
 
 bool MultipassSurfaces::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh,
                                         const glm::dmat4& clipFromObject, bool pushedBack) {
-  if (std::ranges::find(unseen_, framebuffer) != unseen_.end()) return true;
+  const auto unseen = unseen_.find(framebuffer);
+  if (unseen != unseen_.end() && unseen->second.contains(mesh.triangleCount)) return true;
   const auto meets = [&](const Rasterised& r) {
     return r.framebuffer == framebuffer && r.count == mesh.triangleCount && (pushedBack || !r.pushedBack) &&
            (!r.clipFromObject || *r.clipFromObject == clipFromObject) && holdsSome(mesh, r.triangles);

@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 namespace gluray::gl {
@@ -94,9 +95,9 @@ class MultipassSurfaces {
   /// `framebuffer` and writes depth.
   void rasterisedByProgram(uint32_t framebuffer, uint64_t count, std::vector<Triangle> triangles,
                            const glm::dmat4* clipFromObject, bool pushedBack);
-  /// The same for a draw of which no sample was taken, because no program was traced: all surfaces that
-  /// shader programs draw later in the depth epoch count as coinciding with it.
-  void rasterisedUnseen(uint32_t framebuffer);
+  /// The same for a draw of which no sample was taken, because no program was traced: all surfaces of as many
+  /// triangles that shader programs draw later in the depth epoch count as coinciding with it.
+  void rasterisedUnseen(uint32_t framebuffer, uint64_t count);
   /// Whether a surface that a shader program is about to draw coincides with one of these; it is then
   /// remembered as multipass.
   bool meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
@@ -137,7 +138,14 @@ class MultipassSurfaces {
   bool rasterised_ = false;                                            // some surfaces were rasterised
   bool byProgram_ = false;                                             // shader programs drew some
   std::vector<Rasterised> rasterisedByProgram_;
-  std::vector<uint32_t> unseen_;  // framebuffers of rasterisedUnseen()
+  // Of rasterisedUnseen(), once each: draws that follow each other are often alike.
+  struct Unseen {
+    uint32_t framebuffer;
+    uint64_t count;
+    bool operator==(const Unseen&) const = default;
+  };
+  Unseen lastUnseen_{0, 0};
+  std::unordered_map<uint32_t, std::unordered_set<uint64_t>> unseen_;  // numbers of triangles, by framebuffer
   uint64_t epoch_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch with several passes
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry

@@ -120,6 +120,29 @@ TEST(ProgramPasses, TheProgramIsLinkedAfterTheRasterisedPass) {
   EXPECT_GE(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 3u);
 }
 
+/// A picture of one frame is traced though other surfaces and lines were drawn before its program was linked.
+TEST(ProgramPasses, TheProgramIsLinkedAfterOtherSurfaces) {
+  for (const bool several : {false, true}) {
+    const Outcome o = expectSame(
+        several ? "passes_linked_after_others_together" : "passes_linked_after_others",
+        [&](Gl gl) {
+          const ProgramMesh round = ball(24), flat = sheet(8);
+          const GLuint before = makeUnknownProgram(gl);
+          const Upload beforeUp = upload(gl, flat, before);
+          beginFrame(gl);
+          drawByUnknown(gl, before, beforeUp, flat, perspectiveView(20));
+          gl.DrawElements(GL_LINES, flat.count(), GL_UNSIGNED_INT, nullptr);
+          const GLsizei counts[] = {flat.count(), 6};
+          const void* const none[] = {nullptr, nullptr};
+          if (several) gl.MultiDrawElements(GL_TRIANGLES, counts, GL_UNSIGNED_INT, none, 2);
+          const GLuint program = makeProgram(gl, Surface{});
+          drawSurface(gl, program, upload(gl, round, program), round, perspectiveView(20), {});
+        },
+        -1);
+    EXPECT_EQ(o.statistics.drawsTraced, 1u);
+  }
+}
+
 TEST(ProgramPasses, AnotherSurfaceStaysTraced) {
   const Outcome o = expectSame(
       "passes_other", [&](Gl gl) { drawFrames(gl, 4, false, GL_LEQUAL); }, -1);
