@@ -188,6 +188,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   if (averages && s.backdrop) backdrop.emplace(s, eyeRays);
   for (size_t i = 0; i < s.instances.size() && scene::wantsCatcher(s.settings); ++i)
     if (s.instances[i].ground) catcher = static_cast<uint32_t>(i);
+  if (s.catches) knownDepths = KnownDepths::of(*this);
   if (s.surroundings) addSurroundings(view);
   lamps = Lamps::of(*this);
 }

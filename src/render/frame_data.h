@@ -7,6 +7,7 @@
 #include "render/ground/backdrop_look.h"
 #include "render/local/honest_look.h"
 #include "render/local/surface.h"
+#include "render/visibility/known_depths.h"
 
 #include <array>
 #include <atomic>
@@ -77,6 +78,7 @@ struct FrameData {
   RemoteSurfaces* remote = nullptr;        // null: no other process holds surfaces of this view
   std::optional<ToneMap> tone;             // none: colours stay
   std::unique_ptr<const Lamps> lamps;      // null: the viewer sees no lights
+  std::optional<KnownDepths> knownDepths;  // of catchers; none: their rays are whole
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
   // Null: pixels get their final colours at once. Otherwise traceTile() keeps the hits here, and the
   // collector their factors of light; then relightTile() colours them.

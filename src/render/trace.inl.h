@@ -9,7 +9,7 @@
 
 #include "render/hits.inl.h"
 #include "render/moving/kept_hits.inl.h"
-#include "render/visibility/known_depths.h"
+#include "render/visibility/known_depths.inl.h"
 
 #include <hwy/cache_control.h>
 
@@ -58,24 +58,15 @@ HWY_ATTR inline const accel::ImpostorQuery* aimRays(const FrameData& frame, Work
   return &work.impostors;
 }
 
-// Prefetches the hit triangles' indices. Always inlined: GCC takes a function that only prefetches for one
-// without effects, and drops its calls.
-HWY_INLINE void prefetchTriangles(const FrameData& frame, const Work& work) {
-  for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {
+// Prefetches the indices of the triangles that `lanes` hit. Always inlined: GCC takes a function that only
+// prefetches for one without effects, and drops its calls.
+HWY_INLINE void prefetchTriangles(const FrameData& frame, uint32_t lanes, const uint32_t* instance,
+                                  const uint32_t* primitive) {
+  for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
-    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(work.packet.primitive[i]) * 12);
+    const scene::Mesh& mesh = *frame.surfaces[instance[i]].mesh;
+    if (mesh.indices) hwy::Prefetch(mesh.indices.data + static_cast<size_t>(primitive[i]) * 12);
   }
-}
-
-// Of catchers: shortens the rays to where the framebuffer has surfaces, and leaves out lanes where it has
-// none. Not inline: other pictures need it not.
-HWY_ATTR HWY_NOINLINE inline void shortenRays(const FrameData& frame, Work& work, int32_t (&valid)[kLanes]) {
-  std::copy_n(work.valid, kLanes, valid);
-  const KnownDepths known(frame);
-  for (int i = 0; i < kLanes && known.usable(); ++i)
-    if (valid[i] && !known.shorten(work.imageX + laneX(i), work.imageY + laneY(i), i, work.packet))
-      valid[i] = 0;
 }
 
 // First stage: traces the rays; prefetches the hit triangles' indices.
@@ -89,27 +80,32 @@ HWY_ATTR inline void traceWork(const FrameData& frame, Work& work) {
   }
   alignas(64) int32_t shortened[kLanes];
   const int32_t* valid = work.valid;
-  if (frame.snapshot->catches) shortenRays(frame, work, shortened), valid = shortened;
+  if (frame.knownDepths) shortenRays(*frame.knownDepths, work, shortened), valid = shortened;
   frame.world->intersect(valid, work.packet, work.lens ? nullptr : frame.accepted.get(), impostors,
                          work.coherence());
   work.hits = lanesThatHit(work.packet, valid);
-  prefetchTriangles(frame, work);
+  prefetchTriangles(frame, work.hits, work.packet.instance, work.packet.primitive);
 }
 
-// Second stage: loads the hit triangles' indices; prefetches their positions and normals.
-HWY_ATTR inline void fetchVertices(const FrameData& frame, uint32_t lanes, Work& work) {
+// Second stage: loads the indices of the triangles that `lanes` hit; prefetches their positions and normals.
+HWY_ATTR inline void fetchVertices(const FrameData& frame, uint32_t lanes, const uint32_t* instance,
+                                   const uint32_t* primitive, uint32_t (&to)[3][kLanes]) {
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    const scene::Mesh& mesh = *frame.surfaces[work.packet.instance[i]].mesh;
+    const scene::Mesh& mesh = *frame.surfaces[instance[i]].mesh;
     uint32_t vertex[3];
-    loadTriangle(mesh, work.packet.primitive[i], vertex);
+    loadTriangle(mesh, primitive[i], vertex);
     for (int k = 0; k < 3; ++k) {
-      work.vertex[k][i] = vertex[k];
+      to[k][i] = vertex[k];
       hwy::Prefetch(mesh.positions.data + static_cast<size_t>(vertex[k]) * mesh.positions.stride);
       for (const scene::Attribute* a : {&mesh.normals, &mesh.texcoords, &mesh.colors})
         if (*a) hwy::Prefetch(a->data + static_cast<size_t>(vertex[k]) * a->stride);
     }
   }
+}
+
+HWY_ATTR inline void fetchVertices(const FrameData& frame, uint32_t lanes, Work& work) {
+  fetchVertices(frame, lanes, work.packet.instance, work.packet.primitive, work.vertex);
 }
 
 HWY_ATTR inline void fetchVertices(const FrameData& frame, Work& work) {

@@ -12,6 +12,7 @@
 #include "scene/catcher_offset.h"
 #include "scene/surroundings.h"
 
+#include <atomic>
 #include <exception>
 
 namespace gluray::present {
@@ -68,12 +69,24 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   return result;
 }
 
+/// A picture that no snapshot holds any more: the memory of its depths is used again.
+std::shared_ptr<scene::FramebufferPicture> TracingPresenter::unusedPicture() {
+  constexpr size_t kKept = 3;  // the last frame's, that before it while it is refined, and the next one's
+  for (const auto& picture : depths_) {
+    if (picture.use_count() > 1) continue;
+    std::atomic_thread_fence(std::memory_order_acquire);  // another thread may have been the last to use it
+    return picture;
+  }
+  if (depths_.size() == kKept) depths_.erase(depths_.begin());
+  return depths_.emplace_back(std::make_shared<scene::FramebufferPicture>());
+}
+
 /// The snapshot with the framebuffer's depths, or itself where they cannot be read.
 scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
                                                 PendingErrors& pending) {
   const scene::Snapshot& s = *catchers;
   pending = takeErrors(real);
-  auto picture = std::make_shared<scene::FramebufferPicture>();
+  const std::shared_ptr<scene::FramebufferPicture> picture = unusedPicture();
   if (!reader_.readDepth(real, s.region, picture->depths)) return catchers;
   picture->viewport = s.camera.viewport, picture->region = s.region;
   picture->depthNear = s.camera.depthNear, picture->depthFar = s.camera.depthFar;
@@ -82,7 +95,7 @@ scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const sc
   auto known = std::make_shared<scene::Snapshot>(s);
   auto around = s.surroundings ? std::make_shared<scene::Surroundings>(*s.surroundings)
                                : std::make_shared<scene::Surroundings>();
-  around->framebuffer = std::move(picture);
+  around->framebuffer = picture;
   known->surroundings = std::move(around);
   return known;
 }
@@ -105,11 +118,12 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
       into.depthFunc = GL_ALWAYS;
       into.depths = snapshot.layers->blending.writesDepth;
     }
-    std::optional<Image> seen;
-    if (snapshot.catches && snapshot.surroundings && snapshot.surroundings->framebuffer)
-      seen = seenCatchers(picture.image, snapshot, snapshot.surroundings->framebuffer->depths),
+    const bool hides = snapshot.catches && snapshot.surroundings && snapshot.surroundings->framebuffer;
+    if (hides) {
+      findSeenCatchers(picture.image, snapshot, snapshot.surroundings->framebuffer->depths, seen_);
       into.picture = 0;
-    const Image& image = seen ? *seen : picture.image;
+    }
+    const Image& image = hides ? seen_ : picture.image;
     const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn;

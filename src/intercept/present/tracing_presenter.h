@@ -7,7 +7,9 @@
 #include "intercept/present/traced_layers.h"
 #include "intercept/present/traced_window.h"
 #include "intercept/present/write_back/texture_upload.h"
+#include "scene/framebuffer_picture.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +39,7 @@ class TracingPresenter final : public gl::Presenter {
  private:
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                        const gl::PresentTarget& target);
+  std::shared_ptr<scene::FramebufferPicture> unusedPicture();
   scene::SnapshotPtr withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
                                 PendingErrors& pending);
   /// Writes a picture into the framebuffer. False, with the reason, if that fails.
@@ -59,6 +62,9 @@ class TracingPresenter final : public gl::Presenter {
   };
   Pixels pixels_;  // the last ones: a program may resolve colours and depths separately
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; reused memory
+  // Of catchers: the framebuffer's depths, and the picture without hidden pixels. Reused memory.
+  std::vector<std::shared_ptr<scene::FramebufferPicture>> depths_;
+  Image seen_;
 };
 
 }  // namespace gluray::present

@@ -32,24 +32,38 @@ HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const
   storePixels(work, tile, *frame.image);
 }
 
-/// Pipelined as the first pass is.
+/// Pipelined as the first pass is, but no rays are traced meanwhile: the stages are several packets apart,
+/// because memory takes longer than colours.
 HWY_ATTR void relightTile(const FrameData& frame, const Tile& tile, const TileFactors& factors) {
-  Work works[3];
-  for (Work& work : works) initPacket(work.packet);
-  int count = 0;
-  const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
-  for (int y = tile.y0; y < tile.y1; y += 4) {
-    for (int x = tile.x0; x < tile.x1; x += 4, ++count) {
-      aim(frame, tile, x, y, 0, back(0));
-      recall(*frame.moving->hits, back(0));
-      prefetchTriangles(frame, back(0));
-      if (count > 0) fetchVertices(frame, back(1));
-      if (count > 1) relightWork(frame, tile, factors, back(2));
+  constexpr int kApart = 2;  // packets
+  const HitFilm& film = *frame.moving->hits;
+  const int columns = (tile.x1 - tile.x0 + 3) / 4, count = columns * ((tile.y1 - tile.y0 + 3) / 4);
+  const auto xOf = [&](int packet) { return tile.x0 + packet % columns * 4; };
+  const auto yOf = [&](int packet) { return tile.y0 + packet / columns * 4; };
+  struct Corners {
+    alignas(64) uint32_t vertex[3][kLanes];
+  };
+  Corners fetched[kApart];  // of the packets that are coloured next
+  Work work;
+  initPacket(work.packet);
+  const auto color = [&](int packet) HWY_ATTR {
+    aim(frame, tile, xOf(packet), yOf(packet), 0, work);
+    recall(film, work);
+    std::memcpy(work.vertex, fetched[packet % kApart].vertex, sizeof work.vertex);
+    relightWork(frame, tile, factors, work);
+  };
+  for (int first = 0; first < count + 2 * kApart; ++first) {
+    if (first >= 2 * kApart) color(first - 2 * kApart);
+    if (const int second = first - kApart; second >= 0 && second < count) {
+      const size_t at = film.at(xOf(second), yOf(second));
+      fetchVertices(frame, film.lanes[at].shown, film.hits[at].instance, film.hits[at].primitive,
+                    fetched[second % kApart].vertex);
+    }
+    if (first < count) {
+      const size_t at = film.at(xOf(first), yOf(first));
+      prefetchTriangles(frame, film.lanes[at].shown, film.hits[at].instance, film.hits[at].primitive);
     }
   }
-  if (count > 0) fetchVertices(frame, back(1));
-  if (count > 1) relightWork(frame, tile, factors, back(2));
-  if (count > 0) relightWork(frame, tile, factors, back(1));
 }
 
 }  // namespace HWY_NAMESPACE

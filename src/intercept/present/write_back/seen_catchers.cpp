@@ -24,12 +24,13 @@ float stepAlong(const Image& image, size_t pixel, bool before, bool after, size_
 
 }  // namespace
 
-Image seenCatchers(const Image& image, const scene::Snapshot& snapshot, const std::vector<float>& depths) {
+void findSeenCatchers(const Image& image, const scene::Snapshot& snapshot, const std::vector<float>& depths,
+                      Image& seen) {
   constexpr float kHalfPixel = 0.5f, kFloatUnit = 1.0f / (1 << 23);
   constexpr size_t kRows = 32;  // of a piece
   const scene::PolygonOffset& offset = snapshot.polygonOffset;
   const float unit = offset.floats ? kFloatUnit : offset.resolution;
-  Image seen = image;
+  seen = image;
   const auto width = static_cast<size_t>(image.width), height = static_cast<size_t>(image.height);
   const auto look = [&](size_t x, size_t y) {
     const size_t i = y * width + x;
@@ -43,7 +44,6 @@ Image seenCatchers(const Image& image, const scene::Snapshot& snapshot, const st
     for (size_t y = first; y < last; ++y)
       for (size_t x = 0; x < width; ++x) look(x, y);
   });
-  return seen;
 }
 
 }  // namespace gluray::present
