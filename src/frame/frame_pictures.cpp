@@ -13,20 +13,20 @@ namespace {
 constexpr size_t kMost = 4;  // views of one window
 
 /// Pixels of a multisampled picture whose samples differ.
-std::vector<bool> mixedPixels(const Image& image) {
+std::vector<uint8_t> mixedPixels(const Image& image) {
   if (image.samples == 1) return {};
   const size_t pixels = image.color.size() / static_cast<size_t>(image.samples);
-  std::vector<bool> mixed(pixels);
+  std::vector<uint8_t> mixed(pixels);
   for (size_t i = pixels; i < image.color.size(); ++i)
-    if (image.color[i] != image.color[i % pixels]) mixed[i % pixels] = true;
+    if (image.color[i] != image.color[i % pixels]) mixed[i % pixels] = 1;
   return mixed;
 }
 
 /// Pixels of a picture whose first sample hit something; empty: not known.
-std::vector<bool> hitPixels(const Image& image) {
+std::vector<uint8_t> hitPixels(const Image& image) {
   const size_t pixels = image.color.size() / static_cast<size_t>(image.samples);
   if (image.depth.size() < pixels) return {};
-  std::vector<bool> hits(pixels);
+  std::vector<uint8_t> hits(pixels);
   for (size_t i = 0; i < pixels; ++i) hits[i] = image.depth[i] != Image::kMiss;
   return hits;
 }

@@ -28,8 +28,9 @@ struct IdlePicture {
   std::vector<uint32_t> colors;                 // RGBA8; of a multisampled framebuffer, the first samples
   std::optional<scene::Resolve> resolve;        // of a multisampled framebuffer, how its samples became these
   std::unique_ptr<Refinement> refinement = {};  // passes so far; null: none
-  std::vector<bool> mixed = {};                 // pixels whose samples differ; empty: none
-  std::vector<bool> hits = {};                  // pixels that show surfaces; empty: all
+  // One a pixel, 0 or 1: whole bytes, because they are written in every frame.
+  std::vector<uint8_t> mixed = {};  // pixels whose samples differ; empty: none
+  std::vector<uint8_t> hits = {};   // pixels that show surfaces; empty: all
 
   /// Without `refinement`.
   IdlePicture copy() const { return {snapshot, id, corner, size, colors, resolve, nullptr, mixed, hits}; }

@@ -261,7 +261,7 @@ TEST_F(IdleRefinerTest, InsidesOfMultisampledPicturesAreRefined) {
   window->show(first.width, first.height, first.color);
   std::vector<IdlePicture> pictures = written();
   pictures[0].mixed.resize(first.color.size());
-  pictures[0].mixed[500] = true;
+  pictures[0].mixed[500] = 1;
   IdleRefiner refiner(tracer, 1ms);
   refiner.start(frameOf(std::move(pictures), window));
   waitForRest();

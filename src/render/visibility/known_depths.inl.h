@@ -20,19 +20,21 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// The framebuffer's depths at a packet's pixels; no numbers outside of what is known. Prefetches those of the
-/// packets that follow in its row.
+/// The framebuffer's depths at a packet's pixels; no numbers outside of what is known. Prefetches those of
+/// the packets that follow in its row.
 HWY_ATTR inline void depthsAt(const scene::FramebufferPicture& picture, const Work& work, Row& depth) {
   constexpr int kAhead = 32;  // pixels
   const scene::Region& r = picture.region;
   const auto width = static_cast<size_t>(r.width);
   for (int y = work.imageY; y < std::min(work.imageY + 4, r.height) && work.imageX + kAhead < r.width; ++y)
-    hwy::Prefetch(&picture.depths[static_cast<size_t>(y) * width + static_cast<size_t>(work.imageX + kAhead)]);
+    hwy::Prefetch(
+        &picture.depths[static_cast<size_t>(y) * width + static_cast<size_t>(work.imageX + kAhead)]);
   if (work.imageX + 4 <= r.width && work.imageY + 4 <= r.height) {
     const float* first =
         picture.depths.data() + static_cast<size_t>(work.imageY) * width + static_cast<size_t>(work.imageX);
     for (int i = 0; i < kLanes; i += 2)
-      std::memcpy(depth + i, first + static_cast<size_t>(laneY(i)) * width + laneX(i), 2 * sizeof *first);
+      std::memcpy(depth + i, first + static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i)),
+                  2 * sizeof *first);
     return;
   }
   for (int i = 0; i < kLanes; ++i) {
@@ -59,9 +61,8 @@ HWY_ATTR HWY_NOINLINE inline void shortenRays(const KnownDepths& known, Work& wo
         hn::Mul(hn::Sub(loadDouble(depths + i), hn::Set(d, known.depthNear)), hn::Set(d, known.perDepth));
     const auto w = hn::MulAdd(k, hn::Set(d, known.growth), one);
     const auto inverse = hn::Div(one, w), t = hn::Mul(hn::Mul(k, inverse), hn::Set(d, known.perScale));
-    const auto reach = hn::MulAdd(
-        hn::Mul(inverse, inverse), hn::Set(d, known.steps),
-        hn::MulAdd(t, hn::Set(d, known.rounding), hn::Set(d, known.reach)));
+    const auto reach = hn::MulAdd(hn::Mul(inverse, inverse), hn::Set(d, known.steps),
+                                  hn::MulAdd(t, hn::Set(d, known.rounding), hn::Set(d, known.reach)));
     // Rays stay whole where there is no number, or where it is behind the viewer.
     const auto usable = hn::Gt(w, hn::Zero(d));
     const auto nearest = hn::IfThenElse(usable, hn::Sub(t, reach), hn::Set(d, -kFarAway));
