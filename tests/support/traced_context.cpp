@@ -20,7 +20,8 @@ Settings TracedContext::vertexShading() {
 
 TracedContext::TracedContext(const ContextWish& wish, Settings settings,
                              std::unique_ptr<gl::Presenter> presenter, const TracedContext* share,
-                             std::shared_ptr<const gl::FamilyList> families, SettingsSource* source)
+                             std::shared_ptr<const gl::FamilyList> families, SettingsSource* source,
+                             gl::EngineChoice::Clock clock)
     : below_(OsmesaContext::create(wish, share ? share->below_.get() : nullptr)),
       presenter_(std::move(presenter)) {
   gl::ContextInfo info;
@@ -28,6 +29,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
   info.doubleBuffered = false;
   info.settings = settings;
   info.source = source;
+  info.clock = clock;
   info.families = std::move(families);
   info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
   if (!presenter_) presenter_ = intercept::makePresenter(settings);

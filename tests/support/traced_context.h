@@ -13,11 +13,12 @@ class TracedContext {
   /// `presenter` replaces the one that traces. `share` is a context whose lists and buffers it shares.
   /// `source`, if given, replaces `settings`.
   /// `families` are those of shader programs; null: the built-in families, read on demand.
+  /// `clock` measures frames and draws.
   explicit TracedContext(const ContextWish& wish = {}, Settings settings = vertexShading(),
                          std::unique_ptr<gl::Presenter> presenter = nullptr,
                          const TracedContext* share = nullptr,
                          std::shared_ptr<const gl::FamilyList> families = familiesOfTests(),
-                         SettingsSource* source = nullptr);
+                         SettingsSource* source = nullptr, gl::EngineChoice::Clock clock = nowSeconds);
   ~TracedContext();
   TracedContext(const TracedContext&) = delete;
   TracedContext& operator=(const TracedContext&) = delete;

@@ -103,12 +103,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
     if (c.passthrough.takes(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
   }
   c.passthrough.works();
-  if (drawsUntraced(c) && !c.culled.mayCull(e)) {
-    c.culled.count(e);
-    beforeUntraced(c, mode, pathOf(e), trianglesOf(mode, e));
-    rememberUntraced(c, mode, e);
-    return drawReal(c.real, mode, e);
-  }
+  if (drawUntraced(c, mode, e)) return;
   c.shadow.refresh(kRaster);
   if (c.shadow.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
   c.shadow.refresh(kDrawGroups | kFixedArrays);

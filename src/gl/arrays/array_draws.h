@@ -52,6 +52,9 @@ bool drawsUntraced(Context& c);
 void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles);
 /// Call for each of these after beforeUntraced(): later surfaces of the depth epoch may coincide with it.
 void rememberUntraced(Context& c, GLenum mode, const Elements& elements);
+/// Makes such a draw, unless it does not show and is left out. False: it is none, or some of it may be left
+/// out, and nothing was done.
+bool drawUntraced(Context& c, GLenum mode, const Elements& elements);
 
 /// Draws with the current shader program: traced if triage allows it, else rasterised.
 void drawByProgram(Context& c, GLenum mode, const Elements& elements);

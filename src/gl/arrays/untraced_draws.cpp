@@ -41,4 +41,19 @@ void rememberUntraced(Context& c, GLenum mode, const Elements& e) {
   c.protect([&] { c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer, count); });
 }
 
+bool drawUntraced(Context& c, GLenum mode, const Elements& e) {
+  if (!drawsUntraced(c)) return false;
+  const CulledDraws::Part part = c.culled.mayLeaveOut(e);
+  if (part == CulledDraws::Part::some) return false;
+  const bool mayHide = part == CulledDraws::Part::whole;
+  if (mayHide)
+    c.shadow.refresh(kRaster);  // how depths change must be known
+  else
+    c.culled.count(e);
+  beforeUntraced(c, mode, pathOf(e), trianglesOf(mode, e));
+  rememberUntraced(c, mode, e);
+  if (!mayHide || !c.culled.draw(mode, e)) drawReal(c.real, mode, e);
+  return true;
+}
+
 }  // namespace gluray::gl

@@ -1,6 +1,5 @@
 #include "gl/culled/culled_draws.h"
 
-#include "base/clock.h"
 #include "base/log.h"
 #include "gl/culled/clusters/assembly.h"
 #include "gl/errors.h"
@@ -71,7 +70,11 @@ bool CulledDraws::isLarge(const Elements& e) const {
   return static_cast<uint64_t>(std::max(e.count, 0)) * e.repeats() >= least;
 }
 
-bool CulledDraws::mayCull(const Elements& e) { return isActive() && (isLarge(e) || small_.isOn()); }
+CulledDraws::Part CulledDraws::mayLeaveOut(const Elements& e) {
+  if (!isActive()) return Part::nothing;
+  if (isLarge(e)) return Part::some;
+  return small_.isOn() ? Part::whole : Part::nothing;
+}
 
 void CulledDraws::count(const Elements& e) {
   if (isActive()) small_.count(e);
@@ -92,21 +95,30 @@ bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void(
     p_.shadow.errors.keepPending();  // what reads pixels takes errors
     if (settings.cull.verify > 0 && p_.clock.frame % static_cast<uint64_t>(settings.cull.verify) == 0)
       return drawVerified(found);
-    const bool always = settings.cull.draws == Culling::always;
-    History& history = *found.history;
-    const CullingTrials::Next next = history.trials.next(always);
-    if (next.measured) p_.shadow.real.Finish();
-    const double start = next.measured ? nowSeconds() : 0;
-    const bool culled = next.way == CullingTrials::Way::culled && drawCulled(found);
-    if (!culled) drawWhole(found), p_.counts.notCulled(Reason::mostShows);
-    if (next.measured) {
-      p_.shadow.real.Finish();
-      history.trials.took(culled ? next.way : CullingTrials::Way::plain, nowSeconds() - start);
-    }
-    if (history.visible.empty() && (always || history.trials.pays()) && place(found))
-      look(found, history.visible);
+    drawTried(found);
     return true;
   });
+}
+
+void CulledDraws::drawTried(const Plan& plan) {
+  const bool always = p_.shadow.settings.cull.draws == Culling::always;
+  History& history = *plan.history;
+  const CullingTrials::Next next = history.trials.next(always, trials_);
+  const auto finished = [&] {
+    if (next.measured) p_.shadow.real.Finish();
+    return next.measured ? p_.shadow.info.clock() : 0;
+  };
+  const double start = finished();
+  const bool wanted = next.way == CullingTrials::Way::culled, culled = wanted && drawCulled(plan);
+  if (!culled) drawWhole(plan), p_.counts.notCulled(Reason::mostShows);
+  const double seconds = finished() - start;
+  if (next.measured && wanted)
+    history.trials.tookCulled(culled, seconds, trials_);
+  else if (next.measured)
+    history.trials.tookPlain(seconds);
+  if (!history.visible.empty() || (!always && !history.trials.pays()) || !place(plan)) return;
+  look(plan, history.visible);
+  if (next.measured) trials_.spend(finished() - start - seconds);
 }
 
 bool CulledDraws::drawCulled(const Plan& plan) {

@@ -15,6 +15,7 @@
 #include "gl/culled/instances/signed_fractions.h"
 #include "gl/culled/restore_point.h"
 #include "gl/culled/small/small_draws.h"
+#include "gl/culled/trial_budget.h"
 #include "gl/draws/draw_counts.h"
 #include "gl/draws/reasons.h"
 #include "gl/failsafe.h"
@@ -51,9 +52,10 @@ class CulledDraws {
         small_({parts.shadow, parts.clock, parts.counts, parts.flusher, parts.cleared, *this}) {}
   ~CulledDraws();
 
-  /// Whether draw() may leave out something of a draw, depending on the state. If not, call count() in its
-  /// place.
-  bool mayCull(const Elements& elements);
+  /// What draw() may leave out of a draw, depending on the state. If nothing, call count() in its place.
+  enum class Part : uint8_t { nothing, whole, some };  // whole: a small draw, or nothing of it
+  Part mayLeaveOut(const Elements& elements);
+  bool mayCull(const Elements& elements) { return mayLeaveOut(elements) != Part::nothing; }
   void count(const Elements& elements);
   /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
   /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn,
@@ -157,6 +159,8 @@ class CulledDraws {
   void prepare(const std::shared_ptr<CulledMesh>& mesh);
   void forgetOld();
 
+  /// Culled or whole, whichever was faster.
+  void drawTried(const Plan& plan);
   /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
   /// copied.
   bool drawCulled(const Plan& plan);
@@ -199,6 +203,7 @@ class CulledDraws {
   bool meetsEqual(const Plan& plan, const std::vector<uint64_t>& parts);
 
   Parts p_;
+  TrialBudget trials_;
   RestorePoint before_;
   std::unordered_map<const KnownProgram*, std::unique_ptr<CulledProgram>> programs_;
   std::unordered_map<Hash128, Known> meshes_;

@@ -1,6 +1,5 @@
 #include "gl/window/passthrough_frames.h"
 
-#include "base/clock.h"
 #include "gl/attention.h"
 #include "gl/buffers/buffer.h"
 #include "gl/window/frame_settings.h"
@@ -17,7 +16,7 @@ void PassthroughFrames::startMeasuring() {
 void PassthroughFrames::stopMeasuring() {
   if (p_.clock.smallDraws.wantsStop()) {
     p_.shadow.real.Finish();
-    p_.clock.smallDraws.stop(nowSeconds());
+    p_.clock.smallDraws.stop(p_.shadow.info.clock());
   }
   if (!p_.clock.measured()) return;
   p_.shadow.real.Finish();

@@ -1,9 +1,11 @@
 // Random draws of small meshes among random commands that change depths and state: pictures are those of all
 // draws to the bit, and no draw that was left out would have shown.
 #include "tests/reference/culled/small_scene.h"
+#include "tests/reference/culled/timed_frames.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <random>
@@ -106,6 +108,24 @@ TEST(RandomSmallDraws, AreTheSame) {
     culled += counts.drawsCulled;
   }
   EXPECT_GT(culled, 20 * seeds());
+}
+
+TEST(RandomSmallDraws, AreTheSameWhileTrialsBeginAndEnd) {
+  uint64_t culled = 0;
+  const unsigned most = std::max(seeds() / 3, 1u);
+  for (unsigned seed = 1; seed <= most; ++seed) {
+    std::mt19937 random(seed);
+    const double slowest = 0.3 * (seed % 4) + 0.01;
+    const auto leftOut = compareTimedFrames(
+        "random_small_trials_" + std::to_string(seed), 24,
+        [&](Gl gl, const SmallScene& scene, int frame) {
+          for (const unsigned part : {0u, 50u})
+            RandomFrame(gl, scene, 100 * seed + static_cast<unsigned>(frame) + part).draw();
+        },
+        [&] { return slowest * static_cast<double>(random()) / 4294967296.0; }, seed % 3 == 0 ? 1 : 0);
+    for (const uint64_t count : leftOut) culled += count;
+  }
+  EXPECT_GT(culled, 20 * most);
 }
 
 }  // namespace

@@ -45,6 +45,11 @@ class CulledMesh {
   void build();
   /// Of no use when the clusters are built. GL thread.
   void forgetPositions() { positionStorage_.reset(), copied_ = {}; }
+  /// The same, where nothing is written or moved later: only boxes are left.
+  void forgetVertices() {
+    forgetPositions();
+    indexStorage_.reset(), numbers_ = {}, primitives_.indices = nullptr;
+  }
   bool isBuilt() const { return clusters_.has_value(); }
   const Clusters& clusters() const { return *clusters_; }
   uint32_t primitives() const { return primitives_.count; }

@@ -10,9 +10,10 @@ namespace gluray::gl {
 class LookSchedule {
  public:
   /// A frame begins: its first look is next. `adapts`: looks come more or less often as it pays; else after
-  /// each eighth of the work of the depth epoch.
-  void beginFrame(bool adapts = true) {
-    adapts_ = adapts;
+  /// each eighth of the work of the depth epoch. `vertices`: of the frame before; the first looks that adapt
+  /// come after each eighth of them.
+  void beginFrame(bool adapts = true, double vertices = 0) {
+    adapts_ = adapts, first_ = std::max(kFirst, vertices / 8);
     // What pays may change slowly, also where looks have become so rare that nothing is found out any more.
     if (++frames_ % kForgotten == 0) work_ = {};
     next_ = 0;
@@ -28,7 +29,7 @@ class LookSchedule {
     if (!adapts_) return std::max(kFirst, inEpoch_ / 8);
     size_t at = std::min(next_, kLooks - 1);
     while (work_[at] == 0 && at > 0) --at;
-    return work_[at] > 0 ? work_[at] : kFirst;
+    return work_[at] > 0 ? work_[at] : first_;
   }
   /// A look was made, which took `lookSeconds`. `wastedSeconds`: time in which draws were made since the last
   /// one that are hidden now.
@@ -49,6 +50,7 @@ class LookSchedule {
 
   std::array<double, kLooks> work_{};  // vertices before each look; 0: as before the one before
   size_t next_ = 0;
+  double first_ = kFirst;           // where nothing is known yet
   double since_ = 0, inEpoch_ = 0;  // vertices, since the last look and in this depth epoch
   bool adapts_ = true;
   unsigned frames_ = 0;

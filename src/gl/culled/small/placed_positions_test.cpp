@@ -72,12 +72,12 @@ class PlacedPositionsTest : public testing::Test {
   Program program_;
 };
 
-constexpr const char* kDeclared =
+constexpr const char* kPlacedAttributes =
     "uniform mat4 P, M; uniform float size; uniform vec3 shift; uniform int rounds;\n"
     "attribute vec3 p;\n";
 
 TEST_F(PlacedPositionsTest, AreThoseOfARunForEachDraw) {
-  const PositionSlice slice(std::string(kDeclared) +
+  const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * (M * vec4(size * p + shift, 1.0)); }");
   PlacedPositions positions(slice);
   for (int draw = 0; draw < 40; ++draw) {
@@ -93,7 +93,8 @@ TEST_F(PlacedPositionsTest, AreThoseOfARunForEachDraw) {
 /// A matrix that has changed once is an unknown number from then on: another value of it takes no run, which
 /// would read all uniforms again.
 TEST_F(PlacedPositionsTest, TakeNoRunForAnotherValue) {
-  const PositionSlice slice(std::string(kDeclared) + "void main() { gl_Position = P * (M * vec4(p, 1.0)); }");
+  const PositionSlice slice(std::string(kPlacedAttributes) +
+                            "void main() { gl_Position = P * (M * vec4(p, 1.0)); }");
   PlacedPositions positions(slice);
   PlacedPosition found;
   const LinearPosition* known = nullptr;
@@ -114,7 +115,7 @@ TEST_F(PlacedPositionsTest, TakeNoRunForAnotherValue) {
 
 /// Whole numbers decide branches and loops, and are never unknown.
 TEST_F(PlacedPositionsTest, OfOtherBranchesAreOtherRuns) {
-  const PositionSlice slice(std::string(kDeclared) +
+  const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { vec4 at = vec4(p, 1.0);\n"
                             "for (int i = 0; i < rounds; ++i) at.xyz += shift;\n"
                             "if (size > 2.0) at.x = -at.x;\n"
@@ -132,7 +133,7 @@ TEST_F(PlacedPositionsTest, OfOtherBranchesAreOtherRuns) {
 
 /// Sines of a uniform are known while it is a constant, and never become polynomials.
 TEST_F(PlacedPositionsTest, OfFunctionsThatAreNoPolynomials) {
-  const PositionSlice slice(std::string(kDeclared) +
+  const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * (M * vec4(p * (2.0 + sin(size)), 1.0)); }");
   PlacedPositions positions(slice);
   for (int draw = 0; draw < 60; ++draw) {
@@ -144,7 +145,7 @@ TEST_F(PlacedPositionsTest, OfFunctionsThatAreNoPolynomials) {
 }
 
 TEST_F(PlacedPositionsTest, AreNotFoundWhereTheyAreNotLinear) {
-  const PositionSlice slice(std::string(kDeclared) +
+  const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * vec4(size > 2.0 ? sin(p) : p, 1.0); }");
   PlacedPositions positions(slice);
   PlacedPosition found;
@@ -157,7 +158,7 @@ TEST_F(PlacedPositionsTest, AreNotFoundWhereTheyAreNotLinear) {
 
 /// Where nearly each draw would take a run, finding out costs more than it saves.
 TEST_F(PlacedPositionsTest, GiveUpWhereRunsAreMany) {
-  const PositionSlice slice(std::string(kDeclared) +
+  const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * vec4(p * (2.0 + sin(size)), 1.0); }");
   PlacedPositions positions(slice);
   int found = 0;

@@ -1,6 +1,5 @@
 #include "gl/culled/small/small_draws.h"
 
-#include "base/clock.h"
 #include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
@@ -17,12 +16,13 @@
 namespace gluray::gl {
 namespace {
 
-constexpr int kFewVertices = 24;  // of draws that are made sooner than tested
-constexpr int kKnownFrames = 2;   // with the same data, before boxes are made of it
-constexpr double kBuildSeconds = 3e-3, kTrialBuildSeconds = 25e-3;  // in which boxes are made in a frame
-constexpr uint64_t kForgottenAfter = 64;                            // frames in which a mesh was not drawn
-constexpr double kVerticesOfDraw = 200;                             // what a draw costs beside its vertices
-constexpr double kReadSeconds = 1e-9;                               // per pixel, to read depths
+constexpr int kFewVertices = 24;        // of draws that are made sooner than tested
+constexpr int kKnownFrames = 2;         // with the same data, before boxes are made of it
+constexpr double kBuildSeconds = 3e-3;  // in which boxes are made in a culled frame
+constexpr uint64_t kPause = 32;  // frames without culled ones, after which looks find their places anew
+constexpr uint64_t kForgottenAfter = 64, kOfSweep = 8;  // turns in which a mesh was not drawn; of a sweep
+constexpr double kVerticesOfDraw = 200;                 // what a draw costs beside its vertices
+constexpr double kReadSeconds = 1e-9;                   // per pixel, to read depths
 constexpr uint32_t kCommonGroups = kViewport | kRaster | kTarget;
 
 bool isInstanced(const ArrayState& arrays) {
@@ -41,14 +41,17 @@ scene::Region between(glm::ivec2 lower, glm::ivec2 upper) {
 
 bool SmallDraws::isOn() {
   if (frame_ != p_.clock.frame) beginFrame();
-  return culls_;
+  if (!culls_) return false;
+  FrameTrials& trials = p_.clock.smallDraws;
+  culls_ = !trials.isOver();
+  return trials.takes(load_.draws);
 }
 
 void SmallDraws::count(const Elements& e) {
-  ++load_.draws, load_.vertices += e.count;
+  ++load_.draws, load_.vertices += e.count, load_.work += kVerticesOfDraw + e.count;
   if (p_.clock.smallDraws.isMeasured() && !p_.clock.smallDraws.wantsStop()) {
     p_.shadow.real.Finish();
-    p_.clock.smallDraws.start(nowSeconds());
+    p_.clock.smallDraws.start(p_.shadow.info.clock());
   }
 }
 
@@ -56,19 +59,31 @@ bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
   const bool on = isOn();
   count(e);
   if (!on || e.count < kFewVertices || e.repeats() != 1 || e.baseInstance != 0) return false;
+  FrameTrials& trials = p_.clock.smallDraws;
+  if (!trials.isTimed()) {
+    trials.worked(trials.drawSeconds());
+    return hides(mode, e);
+  }
+  apartSeconds_ = 0;
+  const double start = p_.shadow.info.clock();
+  const bool hidden = hides(mode, e);
+  trials.worked(p_.shadow.info.clock() - start - apartSeconds_);
+  return hidden;
+}
+
+bool SmallDraws::hides(GLenum mode, const Elements& e) {
   Candidate candidate;
   if (!find(mode, e, candidate)) return false;
   if (epoch_ != p_.cleared.depthEpoch(common_.reversed)) beginEpoch();
-  if (schedule_.isDue()) look();
+  if (!settles_ && schedule_.isDue()) look();
   if (!mayShow(candidate)) {
-    load_.leftOut += e.count;
-    const int every = p_.shadow.settings.cull.verify;
-    if (every > 0 && p_.clock.frame % static_cast<uint64_t>(every) == 0 && !verify(candidate, mode, e))
-      return true;  // it was made
+    p_.clock.smallDraws.leftOut(candidate.vertices);
+    if (!verifiedAsHidden(candidate, mode, e)) return true;  // it was made
     const CulledMesh& mesh = *candidate.mesh;
     p_.counts.culled(uint64_t{mesh.primitives()} * (mesh.corners() - 2));
     return true;
   }
+  if (settles_) return false;
   schedule_.drew(candidate.vertices);
   drawn_.push_back(std::move(candidate));
   return false;
@@ -76,22 +91,31 @@ bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
 
 void SmallDraws::beginFrame() {
   const bool always = p_.shadow.settings.cull.draws == Culling::always;
-  culls_ = p_.clock.smallDraws.next(always, load_) == FrameTrials::Way::culled;
+  FrameTrials& trials = p_.clock.smallDraws;
+  load_.waiting = waiting_;
+  const FrameTrials::Way way = trials.next(always, load_);
+  culls_ = way != FrameTrials::Way::plain, settles_ = way == FrameTrials::Way::settling;
   frame_ = p_.clock.frame;
-  load_ = {}, buildSeconds_ = 0;
+  const double work = std::exchange(load_, {}).work;
+  buildSeconds_ = 0;
   seen_.any = false, drawn_.clear();
   if (!culls_) return;
-  schedule_.beginFrame(!always);
-  lookedAt_ = nowSeconds();
   p_.shadow.readBack |= kCommonGroups;
+  turn_ += !settles_ ? 1 : trials.takes(0) ? kOfSweep : 0;
   forgetOld();
+  if (settles_) return;
+  // Where a trial has not paid, looks have become rare.
+  if (frame_ > culledIn_ + kPause) schedule_ = {};
+  culledIn_ = frame_;
+  schedule_.beginFrame(!always, work);
+  lookedAt_ = p_.shadow.info.clock();
 }
 
 void SmallDraws::beginEpoch() {
   epoch_ = p_.cleared.depthEpoch(common_.reversed);
   seen_.any = false, drawn_.clear();
   schedule_.beginEpoch();
-  lookedAt_ = nowSeconds();
+  lookedAt_ = p_.shadow.info.clock();
 }
 
 /// Changes of the state that it depends on are noted in ShadowState::readBack.
@@ -146,7 +170,9 @@ bool SmallDraws::findByProgram(Candidate& candidate, const ArrayState*& arrays, 
                                int& components) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = p_.culled.programInUse();
-  if (program.reason() != Reason::traced || isInstanced(shadow.attributes)) return false;
+  if (program.reason() != Reason::traced) return false;
+  shadow.refresh(kAttributes);
+  if (isInstanced(shadow.attributes)) return false;
   PlacedPosition placed;
   if (!program.place(shadow.real, shadow.info.core, placed)) return false;
   candidate.program = &program, candidate.matrix = placed.matrix;
@@ -167,20 +193,25 @@ bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arra
   const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
   if (assembly.restart && !inBuffers) return false;
   Known& known = meshes_[assembly.added(contentOf(shadow.real, content, mode, e))];
+  if (known.frames == 0) ++waiting_;
   if (known.frames == 0 || known.lastFrame != frame_) ++known.frames;
-  known.lastFrame = frame_;
-  if (known.refused || (!always && known.frames < kKnownFrames)) return false;
+  known.lastFrame = frame_, known.lastTurn = turn_;
+  if (known.refused) return false;
+  FrameTrials& trials = p_.clock.smallDraws;
+  if (!always && known.frames < kKnownFrames) return trials.isUnknown(), false;
   if (!known.mesh) {
-    const double most = p_.clock.smallDraws.settles() ? kTrialBuildSeconds : kBuildSeconds;
-    if (!always && buildSeconds_ > most) return load_.unknown = true, false;
-    const double start = nowSeconds();
+    // What settling costs is limited by the trials.
+    if (!always && !settles_ && buildSeconds_ > kBuildSeconds) return trials.isUnknown(), false;
+    const double start = p_.shadow.info.clock();
     known.mesh = CulledMesh::of(shadow.real, positions, components, content, assembly, e);
-    known.refused = !known.mesh;
-    if (known.mesh) known.mesh->build(), known.mesh->forgetPositions();
-    buildSeconds_ += nowSeconds() - start;
+    known.refused = !known.mesh, --waiting_;
+    if (known.mesh) known.mesh->build(), known.mesh->forgetVertices();
+    buildSeconds_ += p_.shadow.info.clock() - start;
   }
+  if (known.refused) return false;
+  trials.isBoxed(e.count);
   candidate.mesh = known.mesh;
-  return known.mesh != nullptr;
+  return true;
 }
 
 /// Whether the depths that were seen bound those that the next draw is tested against.
@@ -200,13 +231,17 @@ bool SmallDraws::mayShow(const Candidate& candidate) const {
 void SmallDraws::look() {
   ShadowState& shadow = p_.shadow;
   FramebufferReader& reader = p_.flusher.presenter.reader();
+  FrameTrials& trials = p_.clock.smallDraws;
   const bool wasSeen = isSeen();
+  const double before = trials.isTimed() ? shadow.info.clock() : 0;
+  if (trials.isTimed()) shadow.real.Finish();  // what was drawn is no cost of the look
+  const double start = trials.isTimed() ? shadow.info.clock() : 0;
   seen_.any = false;
   shadow.errors.keepPending();  // what reads pixels takes errors
   const bool isRead = common_.samples > 1
                           ? reader.readFarthest(shadow.real, common_.seen, common_.reversed, depths_)
                           : reader.readDepth(shadow.real, common_.seen, depths_);
-  const double readAt = nowSeconds();
+  const double readAt = p_.shadow.info.clock();
   if (isRead) {
     if (common_.reversed)
       for (float& depth : depths_) depth = 1 - depth;
@@ -214,7 +249,7 @@ void SmallDraws::look() {
     seen_.region = common_.seen, seen_.reversed = common_.reversed, seen_.any = true;
     seen_.epoch = p_.cleared.depthEpoch(common_.reversed);
   }
-  const double now = nowSeconds();
+  const double now = p_.shadow.info.clock();
   double all = 0, hidden = 0;
   for (const Candidate& drawn : drawn_) {
     all += drawn.vertices;
@@ -225,10 +260,22 @@ void SmallDraws::look() {
   const double wasted = all > 0 ? hidden / all * (readAt - lookedAt_) : 0;
   schedule_.looked(wasSeen || hidden > 0 ? wasted : 2 * wasted, now - readAt + kReadSeconds * pixels);
   drawn_.clear();
-  lookedAt_ = nowSeconds();
+  lookedAt_ = p_.shadow.info.clock();
+  if (!trials.isTimed()) return trials.looked(lookedAt_ - readAt + kReadSeconds * pixels, lookedAt_);
+  trials.looked(lookedAt_ - start, lookedAt_);
+  apartSeconds_ += lookedAt_ - before;
 }
 
-bool SmallDraws::verify(const Candidate& candidate, GLenum mode, const Elements& e) {
+bool SmallDraws::verifiedAsHidden(const Candidate& candidate, GLenum mode, const Elements& e) {
+  const int every = p_.shadow.settings.cull.verify;
+  if (every <= 0 || p_.clock.frame % static_cast<uint64_t>(every) != 0) return true;
+  const double start = p_.shadow.info.clock();
+  const bool hidden = isHidden(candidate, mode, e);
+  apartSeconds_ += p_.shadow.info.clock() - start;
+  return hidden;
+}
+
+bool SmallDraws::isHidden(const Candidate& candidate, GLenum mode, const Elements& e) {
   const RealGl& real = p_.shadow.real;
   if (query_ == 0) real.GenQueries(1, &query_);
   real.BeginQuery(GL_SAMPLES_PASSED, query_);
@@ -242,10 +289,11 @@ bool SmallDraws::verify(const Candidate& candidate, GLenum mode, const Elements&
 }
 
 void SmallDraws::forgetOld() {
-  if (frame_ < forgotIn_ + kForgottenAfter) return;
-  forgotIn_ = frame_;
-  std::erase_if(meshes_,
-                [&](const auto& entry) { return entry.second.lastFrame + kForgottenAfter < frame_; });
+  if (turn_ < forgotIn_ + kForgottenAfter) return;
+  forgotIn_ = turn_;
+  std::erase_if(meshes_, [&](const auto& entry) { return entry.second.lastTurn + kForgottenAfter < turn_; });
+  const auto waits = [](const auto& entry) { return entry.second.isWaiting(); };
+  waiting_ = static_cast<double>(std::ranges::count_if(meshes_, waits));
 }
 
 }  // namespace gluray::gl

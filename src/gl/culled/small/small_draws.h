@@ -55,8 +55,10 @@ class SmallDraws {
   struct Known {
     std::shared_ptr<CulledMesh> mesh;
     uint64_t lastFrame = 0;  // that drew it
+    uint64_t lastTurn = 0;   // the same
     int frames = 0;          // that drew it
-    bool refused = false;    // its positions cannot be read
+    bool isWaiting() const { return !mesh && !refused; }
+    bool refused = false;  // its positions cannot be read
   };
   /// What decides whether a draw shows.
   struct Candidate {
@@ -85,31 +87,39 @@ class SmallDraws {
 
   void beginFrame();
   void beginEpoch();
+  /// leavesOut() of a draw that may be.
+  bool hides(GLenum mode, const Elements& elements);
   void readCommon(GLenum mode);
   bool find(GLenum mode, const Elements& elements, Candidate& candidate);
   bool findByProgram(Candidate& candidate, const ArrayState*& arrays, const ArraySource*& positions,
                      int& components);
   bool findMesh(GLenum mode, const Elements& elements, const ArrayState& arrays, const ArraySource& positions,
                 int components, Candidate& candidate);
-  bool build(Known& known);
   bool mayShow(const Candidate& candidate) const;
   bool isSeen() const;
   void look();
-  /// Makes the draw after all, to see whether it shows. False: it does, and was to be left out.
-  bool verify(const Candidate& candidate, GLenum mode, const Elements& elements);
+  /// False: it was made after all, because `cull.verify` asks for it, and shows. From now on such draws are
+  /// made.
+  bool verifiedAsHidden(const Candidate& candidate, GLenum mode, const Elements& elements);
+  /// Makes the draw, to see whether it shows.
+  bool isHidden(const Candidate& candidate, GLenum mode, const Elements& elements);
   void forgetOld();
 
   Parts p_;
-  bool culls_ = false;  // in this frame
-  uint64_t frame_ = 0, forgotIn_ = 0;
-  FrameTrials::Load load_;   // of this frame
-  double buildSeconds_ = 0;  // in this frame
-  uint64_t epoch_ = 0;       // of the depths since which draws are counted
-  GLenum mode_ = 0;          // that common_ was read for
+  bool culls_ = false;                 // draws of this frame that come later, or some of them
+  bool settles_ = false;               // in this frame
+  uint64_t frame_ = 0, culledIn_ = 0;  // now; that was culled last
+  uint64_t turn_ = 0, forgotIn_ = 0;   // frames that were culled; sweeps over all draws count as several
+  FrameTrials::Load load_;             // of this frame
+  double waiting_ = 0;                 // of meshes_
+  double buildSeconds_ = 0;            // in this frame
+  uint64_t epoch_ = 0;                 // of the depths since which draws are counted
+  GLenum mode_ = 0;                    // that common_ was read for
   Common common_;
   Seen seen_;
   std::vector<Candidate> drawn_;  // since the last look
   double lookedAt_ = 0;           // seconds
+  double apartSeconds_ = 0;       // of this draw: looks, waiting for earlier draws, verification
   LookSchedule schedule_;
   std::unordered_map<Hash128, Known> meshes_;
   std::vector<float> depths_;
