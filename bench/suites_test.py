@@ -10,7 +10,7 @@ import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from suites import compare, first, micro, versions  # noqa: E402
+from suites import compare, first, micro, objects, versions  # noqa: E402
 from support import programs  # noqa: E402
 
 OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
@@ -131,6 +131,21 @@ class First(unittest.TestCase):
             report = None  # GLuRay was not loaded
             with self.assertRaises(programs.Failed):
                 first.measured(first.arguments(["--rounds", "3"]), 1.0, {})
+
+
+class TrialsOfObjects(unittest.TestCase):
+    def test_frames_before_the_measured_ones_are_compared_by_number(self):
+        plain = [0.125] * 300
+        auto = [0.5] + [0.125] * 9 + [0.25] * 10 + [0.125] * 300  # the second that is left out ends before the slow ones
+        overall, worst = objects.early_of(plain, auto, settle=13)
+        self.assertEqual(overall, (12 - 1.25) / 12)
+        self.assertEqual(worst, 5 / 6.25)
+        self.assertEqual(objects.early_of(plain, auto, settle=1), (1.0, 1.0))
+
+    def test_short_runs_have_one_window(self):
+        overall, worst = objects.early_of([0.1] * 30, [0.125] * 30, settle=3)
+        self.assertAlmostEqual(overall, 0.8)
+        self.assertAlmostEqual(worst, 0.8)
 
 
 if __name__ == "__main__":

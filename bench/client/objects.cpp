@@ -19,6 +19,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -35,6 +36,7 @@ struct Options {
   double distance = kDistance;  // of the viewer from its middle
   double step = 1.5;            // degrees a frame
   double settleSeconds = 0;
+  bool tellsAll = false;
 };
 
 constexpr double kReach = 150;
@@ -246,19 +248,20 @@ void run(const Options& options) {
                 .triangles = scene.triangles(),
                 .frameSeconds = {}};
   m.ownBytes = residentBytes().now;
-  Clock::time_point last = Clock::now();
-  int number = 0;
+  const Clock::time_point start = Clock::now();
+  std::vector<double> all;
   const auto frame = [&] {
-    scene.draw(number++);
+    const Clock::time_point began = Clock::now();
+    scene.draw(int(all.size()));
     window.swapAndFinish();
-    return Seconds(Clock::now() - last).count();
+    all.push_back(Seconds(Clock::now() - began).count());
+    return all.back();
   };
   m.firstImageSeconds = frame();
-  while (frame() < options.settleSeconds) {}
-  for (int i = 0; i < options.frames; ++i) {
-    last = Clock::now();
-    m.frameSeconds.push_back(frame());
-  }
+  do frame();
+  while (Seconds(Clock::now() - start).count() < options.settleSeconds);
+  for (int i = 0; i < options.frames; ++i) m.frameSeconds.push_back(frame());
+  if (options.tellsAll) m.allSeconds = std::move(all);
   if (const GLenum error = glGetError()) throw std::runtime_error("OpenGL error " + std::to_string(error));
   std::printf("%s\n", jsonLine(m, residentBytes()).c_str());
 }
@@ -280,6 +283,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.01, 90.0));
   app.add_option("--frames", options.frames, "frames to measure")->check(CLI::Range(0, 100000));
   app.add_option("--settle", options.settleSeconds, "seconds of drawing before frames are measured");
+  app.add_flag("--all", options.tellsAll, "prints the times of all frames, those that settle included");
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

@@ -42,20 +42,21 @@ void forgetHighest() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 std::string jsonLine(const Measurement& m, const ResidentBytes& resident) {
   const auto [low, high] = quartiles(m.frameSeconds);
-  const nlohmann::json line = {{"program", m.program},
-                               {"path", m.path},
-                               {"renderer", m.renderer},
-                               {"triangles", m.triangles},
-                               {"first_image_s", m.firstImageSeconds},
-                               {"frame_s", median(m.frameSeconds)},
-                               {"frame_low_s", low},
-                               {"frame_high_s", high},
-                               {"frames", m.frameSeconds.size()},
-                               {"build_s", m.buildSeconds},
-                               {"rss_bytes", resident.now},
-                               {"rss_anon_bytes", resident.anonymous},
-                               {"peak_bytes", resident.highest},
-                               {"own_bytes", m.ownBytes}};
+  nlohmann::json line = {{"program", m.program},
+                         {"path", m.path},
+                         {"renderer", m.renderer},
+                         {"triangles", m.triangles},
+                         {"first_image_s", m.firstImageSeconds},
+                         {"frame_s", median(m.frameSeconds)},
+                         {"frame_low_s", low},
+                         {"frame_high_s", high},
+                         {"frames", m.frameSeconds.size()},
+                         {"build_s", m.buildSeconds},
+                         {"rss_bytes", resident.now},
+                         {"rss_anon_bytes", resident.anonymous},
+                         {"peak_bytes", resident.highest},
+                         {"own_bytes", m.ownBytes}};
+  if (!m.allSeconds.empty()) line["all_s"] = m.allSeconds;
   return line.dump();
 }
 

@@ -12,7 +12,8 @@ struct Measurement {
   size_t triangles = 0;
   double firstImageSeconds = 0;  // from the first use of the geometry to the first finished frame
   std::vector<double> frameSeconds;
-  double buildSeconds = 0;  // of an acceleration structure, where the program builds one itself
+  std::vector<double> allSeconds;  // of all frames from the first on; empty: not told
+  double buildSeconds = 0;         // of an acceleration structure, where the program builds one itself
   size_t ownBytes = 0;  // resident before the geometry was handed over: the program's own, its mesh included
 };
 
@@ -32,7 +33,8 @@ ResidentBytes residentBytes();
 void forgetHighest();
 
 /// One line of JSON: program, path, renderer, triangles, first_image_s, frame_s (median), frame_low_s and
-/// frame_high_s (quartiles), frames, build_s, rss_bytes, rss_anon_bytes, peak_bytes, own_bytes.
+/// frame_high_s (quartiles), frames, build_s, rss_bytes, rss_anon_bytes, peak_bytes, own_bytes; all_s where
+/// there are any.
 std::string jsonLine(const Measurement& measurement, const ResidentBytes& resident);
 
 }  // namespace gluray::bench

@@ -3,12 +3,14 @@
 4,000 balls of 1,012 triangles (or of 84) in a ball, each drawn with a model matrix and a colour of its own as uniforms, by a program with three lights; the
 camera turns by 1.5 degrees a frame. Draws come in a random order, from front to back or from back to front; "inside": the camera is among the
 objects, of which most are out of its view. The plain program and the program with cull.draws = off, always and auto take turns, round by round.
-Medians. Results go to bench/results/NAME.json.
+Medians. What trials of auto cost is in the frames before that: from the first second until auto is measured, all frames are compared with the plain program's
+frames of the same numbers, as a whole, and the worst few seconds of them. Results go to bench/results/NAME.json.
 """
 import argparse
 import itertools
 import pathlib
 import shlex
+import statistics
 
 from support import machine, programs
 from support.display import display
@@ -18,6 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCENES = {"random": ["--order", "random"], "front": ["--order", "front"], "back": ["--order", "back"],
           "inside": ["--order", "random", "--distance", "100"], "open": ["--order", "random", "--radius", "4"]}
 WAYS = ["off", "always", "auto"]
+WORST_S = 5  # of the plain program: the windows of which the worst is told
 
 
 def arguments(argv):
@@ -25,7 +28,7 @@ def arguments(argv):
     parser.add_argument("--scenes", default=",".join(SCENES), help=f"of {', '.join(SCENES)} (all)")
     parser.add_argument("--rows", default="23,7", help="rows of the balls, of 2 * rows * (rows - 1) triangles (23,7)")
     parser.add_argument("--frames", type=int, default=20, help="frames to measure in each run (20)")
-    parser.add_argument("--settle", type=float, default=20, help="seconds of drawing before they are measured with GLuRay, in which auto decides (20)")
+    parser.add_argument("--settle", type=float, default=20, help="seconds of drawing before they are measured, plain and with auto, which decides meanwhile (20)")
     parser.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
     parser.add_argument("--threads", type=int, default=2, help="of llvmpipe and GLuRay (2)")
     parser.add_argument("--name", default="objects", help="name of the result file")
@@ -44,13 +47,37 @@ def measured(options, scene, rows, environment):
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
     rounds = {way: [] for way in ["plain", *WAYS]}
+    early = []
     for _ in range(options.rounds):
-        rounds["plain"].append(programs.measure(client, environment))
+        rounds["plain"].append(programs.measure([*client, "--settle", options.settle, "--all"], environment))
         for way in WAYS:
             extra = ["--threads", str(options.threads), "--set", f"cull.draws={way}"]
-            settle = options.settle if way == "auto" else 1
-            rounds[way].append(programs.measure_with_gluray(gluray, extra, [*client, "--settle", settle], environment))
-    return {way: programs.combined(all_) | {"report": all_[-1].get("report")} for way, all_ in rounds.items()}
+            settle = ["--settle", options.settle, "--all"] if way == "auto" else ["--settle", 1]
+            rounds[way].append(programs.measure_with_gluray(gluray, extra, [*client, *settle], environment))
+        early.append(early_of(rounds["plain"][-1]["all_s"], rounds["auto"][-1]["all_s"], options.settle))
+    ways = {way: programs.combined(all_) | {"report": all_[-1].get("report")} for way, all_ in rounds.items()}
+    ways["auto"]["early"] = [statistics.median(values) for values in zip(*early)]
+    return ways
+
+
+def early_of(plain, auto, settle):
+    """How fast the frames of `auto` from the first second until `settle` seconds are, over the plain ones of the same numbers: all of them, and those
+    of the slowest window that takes the plain program WORST_S seconds (or all, where they take less). `plain` and `auto`: seconds of all frames."""
+    began = list(itertools.accumulate(auto, initial=0))
+    pairs = [(plain[i], auto[i]) for i in range(min(len(plain), len(auto))) if 1 <= began[i] < settle]
+    if not pairs:
+        return 1.0, 1.0
+    sums = [list(itertools.accumulate(values, initial=0)) for values in zip(*pairs)]
+    speed = lambda first, last: (sums[0][last] - sums[0][first]) / (sums[1][last] - sums[1][first])
+    overall, worst = speed(0, len(pairs)), []
+    last = 0
+    for first in range(len(pairs)):
+        while last < len(pairs) and sums[0][last] - sums[0][first] < WORST_S:
+            last += 1
+        if sums[0][last] - sums[0][first] < WORST_S:
+            break
+        worst.append(speed(first, last))
+    return overall, min(worst, default=overall)
 
 
 def row_of(scene, rows, ways):
@@ -61,6 +88,7 @@ def row_of(scene, rows, ways):
         report = ways[way]["report"] or {}
         culled = report.get("culled", {}).get("draws", 0)
         row |= {f"{way}_times_plain": row["plain_ms"] / row[f"{way}_ms"], f"{way}_left_out_a_frame": culled / max(report.get("frames", 1), 1)}
+    row["auto_early_times_plain"], row["auto_worst_times_plain"] = ways["auto"]["early"]
     return row
 
 
@@ -71,7 +99,8 @@ def run(options, argv):
             row = row_of(scene, rows, measured(options, scene, rows, {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}))
             result["rows"].append(row)
             print(f"{scene:7} {row['triangles']:9,}  plain {row['plain_ms']:7.1f} ms  off {row['off_ms']:7.1f} ms  always {row['always_ms']:7.1f} ms "
-                  f"({row['always_left_out_a_frame']:.0f} of 4,000 left out)  auto {row['auto_ms']:7.1f} ms ({row['auto_times_plain']:.2f}x)", flush=True)
+                  f"({row['always_left_out_a_frame']:.0f} of 4,000 left out)  auto {row['auto_ms']:7.1f} ms ({row['auto_times_plain']:.2f}x; "
+                  f"before {row['auto_early_times_plain']:.2f}x, at worst {row['auto_worst_times_plain']:.2f}x)", flush=True)
     machine.write(ROOT, options.name, result)
 
 
