@@ -34,15 +34,14 @@ def measured(options, size, environment):
     client = [options.build / "bench" / "client" / "gluray-bench-client", "--triangles", size, "--path", options.path, "--spheres", "12", "--frames", "1"]
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
-    ways = {"plain": lambda: programs.measure(client, environment),
-            "gluray": lambda: programs.measure_with_gluray(gluray, ["--threads", str(options.threads)], client, environment)}
-    rounds = {way: [] for way in ways}
-    for i in range(options.rounds):
-        for way in sorted(ways, reverse=i % 2 == 0):
-            rounds[way].append(ways[way]())
-        if rounds["gluray"][-1].get("report") is None:
+
+    def with_gluray():
+        one = programs.measure_with_gluray(gluray, ["--threads", str(options.threads)], client, environment)
+        if one.get("report") is None:
             raise programs.Failed(f"{gluray} has not loaded GLuRay into the program: its library is missing, for instance")
-    return rounds
+        return one
+
+    return programs.in_turn({"plain": lambda: programs.measure(client, environment), "gluray": with_gluray}, options.rounds, alternate=True)
 
 
 def row_of(size, path, rounds):

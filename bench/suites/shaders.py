@@ -49,12 +49,12 @@ def lit(options, scene, size, environment):
     """Measurements by shader and by fixed function, each with and without ambient occlusion."""
     gluray = options.build / "apps" / "gluray" / "gluray"
     light = ["--set", "ao=on", "--set", "light.rasterised=on"]
-    ways = {"shader": ("shader", []), "shader_ao": ("shader", light), "traced": ("vbo", []), "traced_ao": ("vbo", light)}
-    rounds = {way: [] for way in ways}
-    for _ in range(options.rounds):
-        for way, (path, extra) in ways.items():
-            rounds[way].append(programs.measure_with_gluray(gluray, ["--threads", str(options.threads), *extra], client_of(options, scene, size, path), environment))
-    return {way: programs.combined(all_) for way, all_ in rounds.items()}
+
+    def way(path, *extra):
+        return lambda: programs.measure_with_gluray(gluray, ["--threads", str(options.threads), *extra], client_of(options, scene, size, path), environment)
+
+    ways = {"shader": way("shader"), "shader_ao": way("shader", *light), "traced": way("vbo"), "traced_ao": way("vbo", *light)}
+    return {name: programs.combined(all_) for name, all_ in programs.in_turn(ways, options.rounds).items()}
 
 
 def row_of_light(scene, size, ways):
@@ -69,13 +69,12 @@ def measured(options, scene, size, environment):
     client = client_of(options, scene, size, options.path)
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
-    rounds = {"plain": [], "always": [], "auto": []}
-    for _ in range(options.rounds):
-        rounds["plain"].append(programs.measure(client, environment))
-        for way in ("always", "auto"):
-            extra = ["--threads", str(options.threads), "--set", f"cull.draws={way}"]
-            rounds[way].append(programs.measure_with_gluray(gluray, extra, client, environment))
-    return {way: programs.combined(all_) for way, all_ in rounds.items()}
+
+    def culled(how):
+        return lambda: programs.measure_with_gluray(gluray, ["--threads", str(options.threads), "--set", f"cull.draws={how}"], client, environment)
+
+    ways = {"plain": lambda: programs.measure(client, environment), "always": culled("always"), "auto": culled("auto")}
+    return {way: programs.combined(all_) for way, all_ in programs.in_turn(ways, options.rounds).items()}
 
 
 def row_of(scene, size, ways):

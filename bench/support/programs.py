@@ -109,3 +109,12 @@ def combined(rounds):
         out[key] = max(r[key] for r in rounds)
     out["rounds"] = [{key: r[key] for key in ("first_image_s", "frame_s", "rss_bytes")} for r in rounds]
     return out
+
+
+def in_turn(ways, rounds, alternate=False):
+    """Calls each of `ways`, functions by name, once a round, in their order; if `alternate`, in every second round backwards. What they return, by name."""
+    found = {way: [] for way in ways}
+    for number in range(rounds):
+        for way in reversed(ways) if alternate and number % 2 else ways:
+            found[way].append(ways[way]())
+    return found
