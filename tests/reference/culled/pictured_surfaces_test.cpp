@@ -1,16 +1,15 @@
 // Surfaces that the real OpenGL draws, as mirrors and paths of light meet them (setting light.rasterised,
 // docs/adr/0074): by programs of no family, they have the colours that were drawn.
-#include "tests/reference/programs/program_stage.h"
+#include "tests/reference/culled/drawn_triangles.h"
+#include "tests/reference/framebuffer.h"
 #include "tests/support/gl_state.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <functional>
 #include <string>
-#include <vector>
 
 namespace gluray::test::pictured {
 namespace {
@@ -38,23 +37,17 @@ const char* const kHalves = R"(#version 120
 varying vec3 at;
 void main() { gl_FragColor = at.x < 0.0 ? vec4(1.0, 0.0, 0.0, 1.0) : vec4(0.0, 0.0, 1.0, 1.0); })";
 
-using Triangles = std::vector<glm::vec3>;
-
-void add(Triangles& to, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-  to.insert(to.end(), {a, b, c, a, c, d});
-}
-
 /// An upright board above the floor at this z.
 Triangles board(float z = -1, float height = 1) {
   Triangles all;
-  add(all, {-1, 0.1f, z}, {1, 0.1f, z}, {1, 0.1f + height, z}, {-1, 0.1f + height, z});
+  addQuad(all, {-1, 0.1f, z}, {1, 0.1f, z}, {1, 0.1f + height, z}, {-1, 0.1f + height, z});
   return all;
 }
 
 /// A level board, of which the viewer sees the upper side and the floor the lower one.
 Triangles lid() {
   Triangles all;
-  add(all, {-1, 0.5f, 0.5f}, {1, 0.5f, 0.5f}, {1, 0.5f, -0.5f}, {-1, 0.5f, -0.5f});
+  addQuad(all, {-1, 0.5f, 0.5f}, {1, 0.5f, 0.5f}, {1, 0.5f, -0.5f}, {-1, 0.5f, -0.5f});
   return all;
 }
 
@@ -62,19 +55,7 @@ glm::mat4 camera() { return glm::perspective(glm::radians(50.0f), 1.0f, 0.5f, 20
 glm::mat4 view() { return glm::lookAt(glm::vec3(0, 1.2f, 3.5f), glm::vec3(0, 0.1f, 0), glm::vec3(0, 1, 0)); }
 
 void drawBoard(Gl gl, GLuint program, const Triangles& triangles, const glm::mat4& eyeFromObject = view()) {
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)),
-                triangles.data(), GL_STATIC_DRAW);
-  const auto location = static_cast<GLuint>(gl.GetAttribLocation(program, "position"));
-  gl.EnableVertexAttribArray(location);
-  gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  gl.UseProgram(program);
-  setMat4(gl, program, "clipFromEye", camera()), setMat4(gl, program, "eyeFromObject", eyeFromObject);
-  setVec3(gl, program, "tint", kRed);
-  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
-  gl.DisableVertexAttribArray(location);
-  gl.UseProgram(0);
+  drawTriangles(gl, program, triangles, {camera(), eyeFromObject, kRed});
 }
 
 /// By fixed function, lit and white: traced.
@@ -103,28 +84,17 @@ Settings mirrors(bool rasterised) {
   return settings;
 }
 
-struct Seen {
-  Picture picture;
-  gl::Statistics counts;
-};
-
-Seen seen(const Settings& settings, const std::function<void(Gl)>& frame, int frames = 1) {
-  TracedContext context({kSize, kSize}, settings);
-  Gl gl = context.gl();
-  Seen result;
-  for (int i = 0; i < frames; ++i) {
+CountedPicture seen(const Settings& settings, const std::function<void(Gl)>& frame, int frames = 1) {
+  const auto whole = [&](Gl gl) {
     gl.Viewport(0, 0, kSize, kSize);
     gl.ClearColor(0, 0, 0, 1), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(GL_LESS);
     frame(gl);
-    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-    result.picture = readPicture(gl, kSize, kSize);
-  }
-  result.counts = context.context().counts.statistics;
-  return result;
+  };
+  return seenThrough(settings, kSize, whole, frames);
 }
 
-Seen aboveFloor(const Settings& settings, const char* fragment, const Triangles& triangles) {
+CountedPicture aboveFloor(const Settings& settings, const char* fragment, const Triangles& triangles) {
   return seen(settings, [&](Gl gl) {
     drawBoard(gl, makeProgram(gl, kVertex, fragment), triangles);
     drawFloor(gl);
@@ -132,9 +102,7 @@ Seen aboveFloor(const Settings& settings, const char* fragment, const Triangles&
 }
 
 glm::ivec3 at(const Picture& p, const glm::vec3& point) {
-  const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
-  const glm::ivec2 pixel((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(kSize));
-  const uint32_t color = p.colors[static_cast<size_t>(pixel.y * kSize + pixel.x)];
+  const uint32_t color = p.colors[pixelOf(p, camera() * view(), point)];
   return {color & 255, color >> 8 & 255, color >> 16 & 255};
 }
 
@@ -146,7 +114,8 @@ void expectNear(const glm::ivec3& got, const glm::ivec3& expected, int most, con
 }
 
 TEST(PicturedSurfaces, ARedBoardIsRedInAMirror) {
-  const Seen on = aboveFloor(mirrors(true), kFlat, board()), off = aboveFloor(mirrors(false), kFlat, board());
+  const CountedPicture on = aboveFloor(mirrors(true), kFlat, board()),
+                       off = aboveFloor(mirrors(false), kFlat, board());
   EXPECT_EQ(on.counts.drawsLit, 1u);
   EXPECT_EQ(off.counts.drawsLit, 0u);
   ASSERT_EQ(on.counts.drawsTraced, 1u);
@@ -163,8 +132,8 @@ TEST(PicturedSurfaces, ARedBoardIsRedInAMirror) {
 
 /// Where the viewer sees the surface, mirrors show its colour there.
 TEST(PicturedSurfaces, MirrorsShowWhatIsDrawnPointByPoint) {
-  const Seen places = aboveFloor(mirrors(true), kPlaces, board()),
-             halves = aboveFloor(mirrors(true), kHalves, board());
+  const CountedPicture places = aboveFloor(mirrors(true), kPlaces, board()),
+                       halves = aboveFloor(mirrors(true), kHalves, board());
   for (const float x : {-0.9f, -0.5f, -0.1f, 0.1f, 0.5f, 0.9f})
     for (const float y : {0.2f, 0.5f, 0.9f}) {
       const glm::vec3 point(x, y, -1);
@@ -178,7 +147,7 @@ TEST(PicturedSurfaces, MirrorsShowWhatIsDrawnPointByPoint) {
 
 /// The lower side of a board is not seen: mirrors show it as its upper side at the same place.
 TEST(PicturedSurfaces, SidesThatAreNotSeenHaveTheColorsNearby) {
-  const Seen got = aboveFloor(mirrors(true), kPlaces, lid());
+  const CountedPicture got = aboveFloor(mirrors(true), kPlaces, lid());
   for (const float x : {-0.8f, 0.0f, 0.8f}) {
     const glm::vec3 point(x, 0.5f, 0);
     expectNear(at(got.picture, mirrored(point)), glm::ivec3(255 * (0.5f + 0.4f * x), 127, 51), 6,
@@ -189,14 +158,14 @@ TEST(PicturedSurfaces, SidesThatAreNotSeenHaveTheColorsNearby) {
 /// What reaches beyond the window has the colours of what is inside.
 TEST(PicturedSurfaces, WhatIsOutsideTheWindowHasTheColorsNearby) {
   const glm::vec3 above(0, 2.4f, -1);
-  const Seen got = aboveFloor(mirrors(true), kFlat, board(-1, 3));
+  const CountedPicture got = aboveFloor(mirrors(true), kFlat, board(-1, 3));
   ASSERT_GT((camera() * view() * glm::vec4(above, 1)).y, (camera() * view() * glm::vec4(above, 1)).w);
   EXPECT_EQ(at(got.picture, mirrored(above)), glm::ivec3(255, 0, 0));
 }
 
 TEST(PicturedSurfaces, TheOrderOfDrawingDoesNotCount) {
   const Picture first = aboveFloor(mirrors(true), kPlaces, board()).picture;
-  const Seen last = seen(mirrors(true), [](Gl gl) {
+  const CountedPicture last = seen(mirrors(true), [](Gl gl) {
     const GLuint program = makeProgram(gl, kVertex, kPlaces);  // a flush point
     drawFloor(gl);
     drawBoard(gl, program, board());
@@ -206,7 +175,7 @@ TEST(PicturedSurfaces, TheOrderOfDrawingDoesNotCount) {
   for (size_t i = 0; i < first.colors.size(); ++i) differ += first.colors[i] != last.picture.colors[i];
   EXPECT_LT(differ, first.colors.size() / 1000);
   // Where the floor has to be traced before the board is drawn, the next frame knows the board.
-  const Seen later = seen(
+  const CountedPicture later = seen(
       mirrors(true),
       [](Gl gl) {
         drawFloor(gl);
@@ -223,7 +192,7 @@ TEST(PicturedSurfaces, TheOrderOfDrawingDoesNotCount) {
 /// The matrices of programs are one product, from which eye space does not follow; scaled spaces fit none.
 TEST(PicturedSurfaces, SurfacesHaveMatricesOfTheirOwn) {
   for (const bool floorFirst : {false, true}) {
-    const Seen got = seen(mirrors(true), [&](Gl gl) {
+    const CountedPicture got = seen(mirrors(true), [&](Gl gl) {
       const GLuint program = makeProgram(gl, kVertex, kPlaces), flat = makeProgram(gl, kVertex, kFlat);
       if (floorFirst) drawFloor(gl);
       drawBoard(gl, program, board(), glm::scale(view(), glm::vec3(0.5f, 1, 1)));
@@ -286,17 +255,8 @@ TEST(PicturedSurfaces, KeepsStateAndShowsNoErrors) {
 /// In a framebuffer object, too, also with several samples a pixel.
 TEST(PicturedSurfaces, FramebufferObjects) {
   for (const int samples : {0, 4}) {
-    const Seen got = seen(mirrors(true), [samples](Gl gl) {
-      GLuint framebuffer = 0, buffers[2] = {};
-      gl.GenFramebuffers(1, &framebuffer), gl.GenRenderbuffers(2, buffers);
-      gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-      for (const bool depth : {false, true}) {
-        gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[depth]);
-        gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, depth ? GL_DEPTH_COMPONENT24 : GL_RGBA8,
-                                          kSize, kSize);
-        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
-                                   GL_RENDERBUFFER, buffers[depth]);
-      }
+    const CountedPicture got = seen(mirrors(true), [samples](Gl gl) {
+      bindNewFramebuffer(gl, {kSize, kSize}, GL_RGBA8, GL_DEPTH_COMPONENT24, samples);
       gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
       drawBoard(gl, makeProgram(gl, kVertex, kFlat), board());
       drawFloor(gl);

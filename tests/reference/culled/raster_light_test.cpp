@@ -1,7 +1,8 @@
 // Light on surfaces that the real OpenGL draws (setting light.rasterised): by programs of no family, it is
 // that of the same surfaces traced; depth stays to the bit; and what is not known stays as the program draws
 // it.
-#include "tests/reference/programs/program_stage.h"
+#include "tests/reference/culled/drawn_triangles.h"
+#include "tests/reference/framebuffer.h"
 #include "tests/support/gl_state.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -41,23 +42,17 @@ Settings lit(bool on) {
   return settings;
 }
 
-using Triangles = std::vector<glm::vec3>;
-
-void add(Triangles& to, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-  to.insert(to.end(), {a, b, c, a, c, d});
-}
-
 Triangles square(float y, float half) {
   Triangles all;
-  add(all, {-half, y, half}, {half, y, half}, {half, y, -half}, {-half, y, -half});
+  addQuad(all, {-half, y, half}, {half, y, half}, {half, y, -half}, {-half, y, -half});
   return all;
 }
 
 /// A floor and two walls that stand on it.
 Triangles corner() {
   Triangles all = square(0, 1);
-  add(all, {-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1});
-  add(all, {-1, 0, 1}, {-1, 0, -1}, {-1, 1, -1}, {-1, 1, 1});
+  addQuad(all, {-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1});
+  addQuad(all, {-1, 0, 1}, {-1, 0, -1}, {-1, 1, -1}, {-1, 1, 1});
   return all;
 }
 
@@ -70,25 +65,9 @@ void begin(Gl gl) {
   gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(GL_LESS);
 }
 
-/// Draws by a shader program; with `indices`, so many of the bound ones.
 void draw(Gl gl, GLuint program, const Triangles& triangles, const glm::mat4& eyeFromObject = view(),
           const glm::vec3& tint = kTint, GLsizei indices = 0) {
-  GLuint buffer = 0;
-  gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(triangles.size() * sizeof(glm::vec3)),
-                triangles.data(), GL_STATIC_DRAW);
-  const auto location = static_cast<GLuint>(gl.GetAttribLocation(program, "position"));
-  gl.EnableVertexAttribArray(location);
-  gl.VertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  gl.UseProgram(program);
-  setMat4(gl, program, "clipFromEye", camera()), setMat4(gl, program, "eyeFromObject", eyeFromObject);
-  setVec3(gl, program, "tint", tint);
-  if (indices > 0)
-    gl.DrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_INT, nullptr);
-  else
-    gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles.size()));
-  gl.DisableVertexAttribArray(location);
-  gl.UseProgram(0);
+  drawTriangles(gl, program, triangles, {camera(), eyeFromObject, tint, indices});
 }
 
 /// Draws by fixed function, which is traced.
@@ -102,21 +81,14 @@ void drawTraced(Gl gl, const Triangles& triangles, const glm::vec3& tint = kTint
   gl.End();
 }
 
-struct Seen {
-  Picture picture;
-  gl::Statistics counts;
-};
-
-Seen seen(const Settings& settings, const std::function<void(Gl)>& frame) {
-  TracedContext context({kSize, kSize}, settings);
-  Gl gl = context.gl();
-  begin(gl);
-  frame(gl);
-  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-  return {readPicture(gl, kSize, kSize), context.context().counts.statistics};
+CountedPicture seen(const Settings& settings, const std::function<void(Gl)>& frame) {
+  return seenThrough(settings, kSize, [&](Gl gl) {
+    begin(gl);
+    frame(gl);
+  });
 }
 
-Seen byProgram(const Settings& settings, const char* fragment = kFlatFragment) {
+CountedPicture byProgram(const Settings& settings, const char* fragment = kFlatFragment) {
   return seen(settings, [&](Gl gl) { draw(gl, makeProgram(gl, kFlatVertex, fragment), corner()); });
 }
 
@@ -126,9 +98,7 @@ uint32_t at(const Picture& p, int x, int y) { return p.colors[static_cast<size_t
 
 /// The pixel that shows a point.
 uint32_t at(const Picture& p, const glm::vec3& point) {
-  const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
-  const glm::vec2 pixel = (glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(kSize);
-  return at(p, static_cast<int>(pixel.x), static_cast<int>(pixel.y));
+  return p.colors[pixelOf(p, camera() * view(), point)];
 }
 
 /// Mean of the channels in a block of pixels.
@@ -150,8 +120,8 @@ void expectAlike(const Picture& a, const Picture& b, double most) {
 }
 
 TEST(RasterLight, OccludesAsIfTheSurfacesWereTraced) {
-  const Seen traced = seen(lit(false), [](Gl gl) { drawTraced(gl, corner()); });
-  const Seen drawn = byProgram(lit(true)), plain = byProgram(lit(false));
+  const CountedPicture traced = seen(lit(false), [](Gl gl) { drawTraced(gl, corner()); });
+  const CountedPicture drawn = byProgram(lit(true)), plain = byProgram(lit(false));
   ASSERT_EQ(traced.counts.drawsTraced, 1u);
   ASSERT_EQ(drawn.counts.drawsTraced, 0u);
   EXPECT_EQ(drawn.counts.drawsLit, 1u);
@@ -167,7 +137,7 @@ TEST(RasterLight, SwitchedOffChangesNoBit) {
   noEffect.light.rasterised = true;
   const Picture expected = byProgram(none).picture;
   for (const Settings& settings : {lit(false), noEffect}) {
-    const Seen got = byProgram(settings);
+    const CountedPicture got = byProgram(settings);
     EXPECT_EQ(got.counts.drawsLit, 0u);
     EXPECT_EQ(got.picture.colors, expected.colors);
     EXPECT_EQ(got.picture.depths, expected.depths);
@@ -189,8 +159,8 @@ TEST(RasterLight, KeepsStateAndShowsNoErrors) {
 
 /// What shows through them is not lit as if they were closed.
 TEST(RasterLight, LeavesHolesAlone) {
-  const Seen plain = byProgram(lit(false), kHoles), got = byProgram(lit(true), kHoles),
-             closed = byProgram(lit(true));
+  const CountedPicture plain = byProgram(lit(false), kHoles), got = byProgram(lit(true), kHoles),
+                       closed = byProgram(lit(true));
   EXPECT_EQ(got.counts.drawsLit, 1u);
   size_t holes = 0, wrong = 0;
   for (size_t i = 0; i < plain.picture.colors.size(); ++i) {
@@ -232,10 +202,8 @@ void main() {
   int dark = 0, holes = 0;
   for (float x = -0.4f; x < 0.4f; x += 0.02f) {  // below the middle of the lid
     const glm::vec3 point(x, 0, 0.2f);
-    const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
-    const glm::ivec2 pixel((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(kSize));
-    if (std::abs(plain.depths[static_cast<size_t>(pixel.y * kSize + pixel.x)] - depthOf(point)) > 0.002f)
-      continue;
+    const float depth = plain.depths[pixelOf(plain, camera() * view(), point)];
+    if (std::abs(depth - depthOf(point)) > 0.002f) continue;
     ++holes, dark += channel(at(got, point), 0) < channel(at(plain, point), 0) / 2;
   }
   EXPECT_GT(holes, 10);
@@ -245,7 +213,7 @@ void main() {
 
 /// Their depths in the framebuffer lie elsewhere than the surfaces.
 TEST(RasterLight, LightsSurfacesWithAPolygonOffset) {
-  const Seen got = seen(lit(true), [](Gl gl) {
+  const CountedPicture got = seen(lit(true), [](Gl gl) {
     gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 40);
     draw(gl, makeProgram(gl, kFlatVertex, kFlatFragment), corner());
     gl.Disable(GL_POLYGON_OFFSET_FILL);
@@ -257,7 +225,7 @@ TEST(RasterLight, LightsSurfacesWithAPolygonOffset) {
 /// Indices that begin primitives anew are no vertices.
 TEST(RasterLight, LeavesRestartedPrimitivesAlone) {
   const auto picture = [](bool on) {
-    const Seen got = seen(lit(on), [](Gl gl) {
+    const CountedPicture got = seen(lit(on), [](Gl gl) {
       const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
       const std::vector<GLuint> indices{0, 1, 2, ~0u, 3, 4, 5};
       GLuint buffer = 0;
@@ -274,25 +242,11 @@ TEST(RasterLight, LeavesRestartedPrimitivesAlone) {
   EXPECT_EQ(picture(true), picture(false));
 }
 
-/// Binds a framebuffer object with so many samples a pixel.
-void useSamples(Gl gl, int samples) {
-  GLuint framebuffer = 0, buffers[2] = {};
-  gl.GenFramebuffers(1, &framebuffer), gl.GenRenderbuffers(2, buffers);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-  for (const bool depth : {false, true}) {
-    gl.BindRenderbuffer(GL_RENDERBUFFER, buffers[depth]);
-    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, depth ? GL_DEPTH_COMPONENT24 : GL_RGBA8,
-                                      kSize, kSize);
-    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, depth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
-                               GL_RENDERBUFFER, buffers[depth]);
-  }
-  begin(gl);
-}
-
 TEST(RasterLight, LightsMultisampledFramebuffers) {
   const auto resolved = [](const char* fragment, gl::Statistics* counts) {
-    const Seen got = seen(lit(true), [&](Gl gl) {
-      useSamples(gl, 4);
+    const CountedPicture got = seen(lit(true), [&](Gl gl) {
+      bindNewFramebuffer(gl, {kSize, kSize}, GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
+      begin(gl);
       draw(gl, makeProgram(gl, kFlatVertex, fragment), corner());
       gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
       gl.BlitFramebuffer(0, 0, kSize, kSize, 0, 0, kSize, kSize, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -315,7 +269,7 @@ TEST(RasterLight, StaysBelowWhatIsDrawnLater) {
   const glm::vec3 red(1, 0, 0);
   const Triangles front = square(0.5f, 0.3f);
   for (const bool tested : {true, false}) {
-    const Seen got = seen(lit(true), [&](Gl gl) {
+    const CountedPicture got = seen(lit(true), [&](Gl gl) {
       const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
       draw(gl, program, corner());
       if (!tested) gl.Disable(GL_DEPTH_TEST);
@@ -332,7 +286,7 @@ TEST(RasterLight, JoinsDrawsOfAllKinds) {
   const Triangles floor = square(0, 1), lid = square(0.1f, 0.5f);
   const glm::vec3 below(0.53f, 0, 0.3f), away(0.9f, 0, -0.9f);  // beside the lid's edge, and far from it
   const auto share = [&](const std::function<void(Gl)>& frame) {
-    const Seen got = seen(lit(true), frame);
+    const CountedPicture got = seen(lit(true), frame);
     EXPECT_GT(got.counts.drawsLit, 0u);
     EXPECT_GT(channel(at(got.picture, away), 0), 190);
     return channel(at(got.picture, below), 0) / 204.0;

@@ -5,6 +5,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <string>
+
 namespace gluray::test {
 namespace {
 
@@ -134,10 +137,11 @@ TEST_P(BlendedPrograms, OfSentSticksAreTracedWhereOneSideOfBoxesIsCulled) {
 INSTANTIATE_TEST_SUITE_P(Cases, BlendedPrograms, testing::ValuesIn(kBlendedCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
-/// Where there is no fixed function the framebuffer's bits are not asked for.
-TEST(BlendedProgram, InACoreProfileIsLeft) {
+/// One ball blended over the background, and what `more` draws with the program in use.
+void expectClearBall(const std::string& name, int draws, const ContextWish& wish,
+                     const std::function<void(Gl, const ProgramMesh&)>& more = {}) {
   expectBoth(
-      "blended-core",
+      name,
       [&](Gl gl) {
         const ProgramMesh mesh = ball(12);
         const GLuint program = makeProgram(gl, kClearVertex, kClearFragment);
@@ -146,25 +150,19 @@ TEST(BlendedProgram, InACoreProfileIsLeft) {
         gl.UseProgram(program);
         setBlendingOf(gl, kBlendedCases[0]);
         drawClear(gl, program, mesh, {0.4, 0.2, 0}, {0.9f, 0.3f, 0.2f}, 0.5f);
+        if (more) more(gl, mesh);
       },
-      0, {}, kProgramTolerance, kClearFamily);
+      draws, wish, kProgramTolerance, kClearFamily);
 }
+
+/// Where there is no fixed function the framebuffer's bits are not asked for.
+TEST(BlendedProgram, InACoreProfileIsLeft) { expectClearBall("blended-core", 0, {}); }
 
 /// Instances, and a draw that is repeated, are left to the real OpenGL.
 TEST(BlendedProgram, RepeatedByInstancesIsLeft) {
-  expectBoth(
-      "blended-repeated",
-      [&](Gl gl) {
-        const ProgramMesh mesh = ball(12);
-        const GLuint program = makeProgram(gl, kClearVertex, kClearFragment);
-        upload(gl, mesh, program);
-        beginFrame(gl);
-        gl.UseProgram(program);
-        setBlendingOf(gl, kBlendedCases[0]);
-        drawClear(gl, program, mesh, {0.4, 0.2, 0}, {0.9f, 0.3f, 0.2f}, 0.5f);
-        gl.DrawElementsInstanced(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr, 3);
-      },
-      1, compatibleWish(), kProgramTolerance, kClearFamily);
+  expectClearBall("blended-repeated", 1, compatibleWish(), [](Gl gl, const ProgramMesh& mesh) {
+    gl.DrawElementsInstanced(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr, 3);
+  });
 }
 
 }  // namespace
