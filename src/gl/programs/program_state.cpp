@@ -208,8 +208,8 @@ bool isSane(const ProgramState& s) {
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state, bool solids) {
   state.why.clear();
-  if (!state.known->family) {
-    state.reason = state.known->unknownCode ? Reason::programCode : Reason::program;
+  if (const Reason reason = reasonWithoutFamily(*state.known); reason != Reason::traced) {
+    state.reason = reason;
     return;
   }
   if (state.known->family->onlySolids && !solids) {

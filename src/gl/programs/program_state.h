@@ -49,6 +49,13 @@ inline bool readsBuiltIns(const ProgramState& program) {
   return program.known && program.known->family && program.known->family->hasBuiltInVertices();
 }
 
+/// Why draws of a program are not traced, whatever the state is: no family describes it. Reason::traced: one
+/// does.
+inline Reason reasonWithoutFamily(const KnownProgram& known) {
+  if (known.family) return Reason::traced;
+  return known.unknownCode ? Reason::programCode : Reason::program;
+}
+
 /// Why fixed function's state keeps draws with gl_FrontColor from being traced; empty: nothing does. Not for
 /// core profiles.
 std::string builtInColorObstacle(const RealGl& real, const Family& family);

@@ -1,6 +1,7 @@
 #include "gl/programs/untraced_programs.h"
 
 #include "gl/errors.h"
+#include "gl/programs/program_state.h"
 
 #include <algorithm>
 #include <string>
@@ -19,7 +20,7 @@ void UntracedPrograms::find(GLuint name) {
   const uint64_t changes = shadow_.group.programChanges();
   const std::shared_ptr<const KnownProgram> known = recognise(name);
   name_ = name, changes_ = changes;
-  reason_ = known->family ? Reason::traced : known->unknownCode ? Reason::programCode : Reason::program;
+  reason_ = reasonWithoutFamily(*known);
   const auto& texts = known->program.texts;
   const auto numbers = [](const auto& shader) { return shader.text.find("gl_DrawID") != std::string::npos; };
   numbersDraws_ = !texts || !texts->all || std::ranges::any_of(texts->shaders, numbers);
