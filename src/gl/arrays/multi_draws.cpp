@@ -20,19 +20,22 @@ template <class ElementsOf>
 bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& elementsOf) {
   if (c.lists.compiling() || draws < 2) return false;
   uint64_t triangles = 0;
-  bool whole = true;
   for (GLsizei i = 0; i < draws; ++i) {
     const Elements e = elementsOf(i);
     if (e.first < 0) return false;
     triangles += trianglesOf(mode, e);
-    whole = whole && !c.culled.mayCull(e);
   }
+  const auto mayCullAny = [&] {
+    for (GLsizei i = 0; i < draws; ++i)
+      if (c.culled.mayCull(elementsOf(i))) return true;
+    return false;
+  };
   const DrawPath path = pathOf(elementsOf(0));
   if (c.clock.passesThrough()) return c.passthrough.takes(path, kindOf(mode), triangles);
   c.passthrough.works();
   if (c.protect([&] { return c.untraced.numbersDraws(); }))
     c.beforeForward(Context::Flush::all);
-  else if (!whole || !drawsUntraced(c))
+  else if (!drawsUntraced(c) || mayCullAny())
     return false;
   beforeUntraced(c, mode, path, triangles);
   for (GLsizei i = 0; i < draws; ++i) {
