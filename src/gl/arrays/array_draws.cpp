@@ -80,12 +80,14 @@ Reason traceFixedArrays(Context& c, GLenum mode, const Elements& e) {
   });
 }
 
-void meetFixedArrays(Context& c, PrimitiveClass kind, GLenum mode, const Elements& e) {
+void meetFixedArrays(Context& c, PrimitiveClass kind, Reason reason, GLenum mode, const Elements& e) {
   c.shadow.refresh(kModelview);
-  if (!c.raster.mayMeet(kind)) return;
+  if (!c.raster.needsVertices(kind, reason)) return c.raster.passUnseen(kind, reason);
   c.shadow.refresh(kFixedArrays);
-  if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced)
-    c.protect([&] { c.raster.meet(sampleTriangles(c.real, c.shadow.arrays, mode, e)); });
+  if (!c.shadow.arrays.vertex.enabled || c.shadow.arrays.reason != Reason::traced) return;
+  c.raster.meetPasses(
+      kind, reason, [&] { return sampleTriangles(c.real, c.shadow.arrays, mode, e); },
+      [&] { return meshOf(c, c.shadow.arrays, mode, e); });
 }
 
 namespace {
@@ -122,10 +124,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   const Reason reason = known ? traceFixedArrays(c, mode, e) : Reason::arrayState;
   if (reason == Reason::traced) return;
   const PrimitiveClass kind = kindOf(mode);
-  meetFixedArrays(c, kind, mode, e);
-  if (c.shadow.arrays.vertex.enabled && c.shadow.arrays.reason == Reason::traced &&
-      c.raster.isPass(kind, reason))
-    c.protect([&] { c.raster.remember(meshOf(c, c.shadow.arrays, mode, e)); });
+  meetFixedArrays(c, kind, reason, mode, e);
   c.counts.rasterised(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
   c.raster.before(kind);
   c.shadow.sendBuffers();

@@ -41,9 +41,9 @@ Load loadOf(Context& c, GLenum mode, const Elements& elements);
 /// Traces a draw of fixed function's arrays if triage allows it; otherwise returns why not. Call
 /// refresh(kDrawGroups | kFixedArrays) before.
 Reason traceFixedArrays(Context& c, GLenum mode, const Elements& elements);
-/// Has the real OpenGL draw the depth of traced surfaces that a draw of fixed function's arrays coincides
-/// with, before it is rasterised.
-void meetFixedArrays(Context& c, PrimitiveClass kind, GLenum mode, const Elements& elements);
+/// Holds a draw of fixed function's arrays, which is rasterised for this reason, against other passes over
+/// the same surfaces (RasterDraws::meetPasses()).
+void meetFixedArrays(Context& c, PrimitiveClass kind, Reason reason, GLenum mode, const Elements& elements);
 
 /// Whether the real OpenGL makes the draws of the program in use, whatever the state and their vertices are,
 /// and nothing waits for them or asks about them.

@@ -85,7 +85,7 @@ void drawByProgram(Context& c, GLenum mode, const Elements& e) {
     else
       c.programs.meetPasses(load.kind, mode, e);
   });
-  if (!c.info().core && mode <= GL_POLYGON) meetFixedArrays(c, load.kind, mode, e);
+  if (!c.info().core && mode <= GL_POLYGON) meetFixedArrays(c, load.kind, Reason::program, mode, e);
   c.counts.rasterised(reason, pathOf(e), load.kind, load.triangles);
   c.raster.before(load.kind);
   c.shadow.sendBuffers();

@@ -14,6 +14,7 @@ bool isUntraced(Context& c) {
   const bool isAsked = c.counts.kinds() || c.surfaces.objects.asked() || c.shadow.settings.light.rasterised;
   if (isAsked || !c.flusher.batch.empty() || !c.layers.idle()) return false;
   // Surfaces of several passes are recognised by their vertices.
+  if (c.untraced.readsFixedVertices() && c.surfaces.passes.asksForFixed()) return false;
   return !c.surfaces.passes.any() && c.untraced.areAll();
 }
 
@@ -30,6 +31,7 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
     const Reason ofContext = c.triage.ofContext();
     const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? c.untraced.inUse() : ofContext;
     c.counts.rasterised(reason, path, kindOf(mode), triangles);
+    if (c.untraced.readsFixedVertices()) c.surfaces.passes.rasterisedFixedUnseen();
   });
   c.raster.before(kindOf(mode));
   c.shadow.sendBuffers();

@@ -133,9 +133,9 @@ void Immediate::begin(GLenum mode) {
       if (!canDraw())
         return p_.shadow.errors.set(GL_INVALID_FRAMEBUFFER_OPERATION);  // glBegin fails: no primitive is open
     }
-    const bool captured =
-        reason == Reason::traced || p_.raster.mayMeet(kind) || p_.raster.isPass(kind, reason);
+    const bool captured = reason == Reason::traced || p_.raster.needsVertices(kind, reason);
     if (!captured) {
+      p_.raster.passUnseen(kind, reason);
       p_.raster.before(kind);
       p_.shadow.sendBuffers();  // glArrayElement may follow
       if (p_.counts.kinds()) p_.counts.kinds()->start();

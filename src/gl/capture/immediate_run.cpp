@@ -130,8 +130,8 @@ void Immediate::drawRun() {
   });
   const uint64_t triangles = countTriangles(run);
   if (reason == Reason::traced) return p_.counts.traced(path_, triangles);
-  if (p_.raster.mayMeet(class_)) p_.failsafe.protect([&] { p_.raster.meet(sampleTriangles(run)); });
-  if (p_.raster.isPass(class_, reason)) p_.failsafe.protect([&] { p_.raster.remember(meshOfRun()); });
+  p_.raster.meetPasses(
+      class_, reason, [&] { return sampleTriangles(run); }, [&] { return meshOfRun(); });
   p_.counts.rasterised(reason, path_, class_, triangles);
   p_.raster.before(class_);
   p_.shadow.sendBuffers();

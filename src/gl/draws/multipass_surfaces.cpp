@@ -9,39 +9,10 @@
 namespace gluray::gl {
 namespace {
 
-Hash128 hashOf(const glm::dmat4& matrix) {
-  const glm::dmat4 m = matrix + 0.0;  // -0 is 0
-  return hashBytes(glm::value_ptr(m), sizeof m);
-}
-
 /// Key in surfaces_ of what shader programs draw into a framebuffer.
 Hash128 placeIn(uint32_t framebuffer) { return hashBytes(&framebuffer, sizeof framebuffer); }
 
-constexpr uint32_t kSamples = 32;
-
 }  // namespace
-
-std::vector<Triangle> sampleTriangles(const CapturedVertices& captured) {
-  const std::vector<uint32_t> corners = triangulate(captured);
-  const size_t step = std::max<size_t>(corners.size() / 3 / kSamples, 1) * 3;
-  const auto position = [&](uint32_t i) {
-    const float* v = captured.vertex(i);
-    return glm::vec3(v[0], v[1], v[2]);
-  };
-  std::vector<Triangle> triangles;
-  for (size_t at = 0; at + 2 < corners.size(); at += step)
-    triangles.push_back({position(corners[at]), position(corners[at + 1]), position(corners[at + 2])});
-  return triangles;
-}
-
-std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh) {
-  std::vector<Triangle> triangles;
-  const uint32_t step = std::max(mesh.triangleCount / kSamples, 1u);
-  for (uint32_t t = 0; t < mesh.triangleCount; t += step)
-    triangles.push_back({mesh.position(mesh.corner(t, 0)), mesh.position(mesh.corner(t, 1)),
-                         mesh.position(mesh.corner(t, 2))});
-  return triangles;
-}
 
 VertexSet::VertexSet(const scene::Mesh& mesh)
     : words_(std::bit_ceil(mesh.vertexCount / 4 + 1)), lower_(mesh.lower), upper_(mesh.upper) {
@@ -113,6 +84,8 @@ void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
     rasterisedByProgram_.clear(), unseen_.clear();
   }
   lastUnseen_ = {};
+  sampled_.clear(), unseenFixed_ = false;
+  ++idle_;
   if (surfaces_.empty()) return;
   ++epoch_;
   if (!byProgram_ || !framebuffer) {
@@ -127,7 +100,7 @@ void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
 
 void MultipassSurfaces::forgetMany() {
   constexpr size_t kMany = 65536;
-  if (surfaces_.size() > kMany) clear();
+  if (surfaces_.size() + sampled_.size() > kMany) clear();
 }
 
 bool MultipassSurfaces::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
@@ -188,6 +161,13 @@ MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(uint32_t framebuffer,
   return meeting;
 }
 
+bool MultipassSurfaces::meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
+                                     bool pushedBack) {
+  idle_ = 0;
+  const auto holds = [&](std::span<const Triangle> triangles) { return holdsSome(mesh, triangles); };
+  return unseenFixed_ || sampled_.any(mesh, eyeFromObject, pushedBack, holds);
+}
+
 bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
                                         bool pushedBack) {
   if (!rasterised_ || !anyUnder(eyeFromObject)) return false;
@@ -239,7 +219,6 @@ bool MultipassSurfaces::meetsRasterised(uint32_t framebuffer, const scene::Mesh&
 }
 
 bool MultipassSurfaces::several(const Hash128& geometry) {
-  constexpr uint64_t kRemembered = 100;  // depth epochs: some seconds, or a few frames of many epochs
   if (metIn_.empty()) return false;
   const auto met = metIn_.find(geometry);
   if (met == metIn_.end()) return false;

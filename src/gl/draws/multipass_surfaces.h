@@ -1,18 +1,18 @@
 // Surfaces that a program draws several times in one depth epoch, for instance first depth alone, then
 // colours with GL_EQUAL. Later passes compare with the depth of the first one, to the bit, and traced depth
 // differs from rasterised depth in the last bits. So such surfaces are rasterised in every pass. Where the
-// first pass was traced before a second one was known, its depth is drawn again by the real OpenGL.
+// first pass was traced before a second one was known, its depth is drawn again by the real OpenGL. Where the
+// first pass was rasterised for another reason, the second one is rasterised, too.
 // Surfaces of the fixed-function pipeline are recognised by their modelview matrix. Surfaces of shader
 // programs are recognised by their framebuffer and number of triangles, because the matrices of an unknown
 // program are unknown. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
-#include "gl/capture/captured_vertices.h"
+#include "gl/draws/sampled_surfaces.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <memory_resource>
@@ -23,13 +23,6 @@
 #include <vector>
 
 namespace gluray::gl {
-
-/// Corners in object space.
-using Triangle = std::array<glm::vec3, 3>;
-
-/// A sample of triangles (about 32), evenly spread over a mesh or captured surfaces.
-std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh);
-std::vector<Triangle> sampleTriangles(const CapturedVertices& captured);
 
 /// Bloom filter over a mesh's vertices: no false negatives, about 1/60 false positives.
 class VertexSet {
@@ -78,7 +71,21 @@ class MultipassSurfaces {
   /// Whether any surface of the depth epoch was drawn with this modelview matrix.
   bool anyUnder(const glm::dmat4& eyeFromObject) const;
 
-  /// Whether `mesh`, which could be traced, coincides with a rasterised surface of the depth epoch. Both are
+  /// Whether rasterisedFixed() gets the surfaces that are drawn from fixed function's vertices: there were
+  /// traced ones, with which they could coincide, in this depth epoch or one of the last hundred. If not,
+  /// call rasterisedFixedUnseen().
+  bool asksForFixed() const { return idle_ <= kRemembered; }
+  /// A surface of which a sample of triangles is given is rasterised from fixed function's vertices and
+  /// leaves depth.
+  void rasterisedFixed(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles, bool pushedBack) {
+    sampled_.add(eyeFromObject, std::move(triangles), pushedBack);
+  }
+  /// The same for one of which there is no sample: all of fixed function's surfaces that could be traced
+  /// later in the depth epoch count as coinciding with it.
+  void rasterisedFixedUnseen() { unseenFixed_ = true; }
+  /// Whether `mesh`, which would be traced, coincides with one of these. Later frames find that anew.
+  bool meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack);
+  /// Whether `mesh`, which could be traced, coincides with a surface of drawn() that was rasterised. Both are
   /// then remembered as multipass.
   bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack);
 
@@ -126,6 +133,7 @@ class MultipassSurfaces {
     bool pushedBack;
   };
   static constexpr size_t kMostRasterised = 1024;  // per depth epoch
+  static constexpr uint64_t kRemembered = 100;  // depth epochs: some seconds, or a few frames of many epochs
   /// Whether the matrices are equal and all corners of one of the triangles are vertices of the surface.
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
   bool holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles);
@@ -146,6 +154,9 @@ class MultipassSurfaces {
   };
   Unseen lastUnseen_{0, 0};
   std::unordered_map<uint32_t, std::unordered_set<uint64_t>> unseen_;  // numbers of triangles, by framebuffer
+  SampledSurfaces sampled_;                                            // of rasterisedFixed()
+  bool unseenFixed_ = false;  // rasterisedFixedUnseen() in this depth epoch
+  uint64_t idle_ = 0;         // depth epochs since a surface of fixed function's vertices could be traced
   uint64_t epoch_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch with several passes
   std::unordered_map<Hash128, std::unique_ptr<VertexSet>> vertices_;  // by geometry

@@ -7,13 +7,35 @@
 
 namespace gluray::gl {
 
-bool RasterDraws::mayMeet(PrimitiveClass kind) const {
-  return p_.triage.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.state.modelview);
+RasterDraws::Needs RasterDraws::needsOf(PrimitiveClass kind, Reason reason) const {
+  Needs needs;
+  needs.meets = p_.triage.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.state.modelview);
+  if (!p_.triage.leavesDepth(kind)) return needs;
+  // One pass of several, or a surface that other frames trace.
+  needs.mesh = reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene;
+  if (needs.mesh || !hasFixedVertices()) return needs;
+  needs.leaves = p_.surfaces.passes.asksForFixed();
+  needs.unseen = !needs.leaves;
+  return needs;
 }
 
-bool RasterDraws::isPass(PrimitiveClass kind, Reason reason) const {
-  return kind == PrimitiveClass::surfaces && p_.shadow.state.raster.writesDepth &&
-         (reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene);
+bool RasterDraws::hasFixedVertices() const {
+  const GLuint program = p_.shadow.state.raster.program;
+  return program == 0 ||
+         p_.failsafe.protect([&] { return readsFixedVertices(p_.shadow.recognise(program)->program); });
+}
+
+bool RasterDraws::needsVertices(PrimitiveClass kind, Reason reason) const {
+  return needsOf(kind, reason).any();
+}
+
+void RasterDraws::passUnseen(PrimitiveClass kind, Reason reason) {
+  if (needsOf(kind, reason).unseen) p_.surfaces.passes.rasterisedFixedUnseen();
+}
+
+void RasterDraws::leave(std::vector<Triangle> triangles) {
+  p_.surfaces.passes.rasterisedFixed(p_.shadow.state.modelview, std::move(triangles),
+                                     p_.triage.isPushedBack());
 }
 
 void RasterDraws::remember(const KnownMesh& known) {

@@ -9,6 +9,8 @@
 
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -33,17 +35,44 @@ class RasterDraws {
   const std::optional<ClearedTarget>& clearBelow() const { return clearBelow_; }
 
   // Surfaces that are drawn in several passes.
-  /// Whether a surface that is rasterised now may coincide with others of its depth epoch, so that their
-  /// exact depth matters. If so, pass its triangles to meet(), before before().
-  bool mayMeet(PrimitiveClass kind) const;
-  void meet(std::span<const Triangle> triangles);
+  /// Whether the vertices of a surface that is rasterised now for this reason are needed, because it may
+  /// coincide with others of its depth epoch. If so, call meetPasses().
+  bool needsVertices(PrimitiveClass kind, Reason reason) const;
+  /// Call before before(). `sample()` returns some of its triangles, `meshOf()` its KnownMesh; each is called
+  /// if it is needed. Both may throw.
+  template <class Sample, class MeshOf>
+  void meetPasses(PrimitiveClass kind, Reason reason, const Sample& sample, const MeshOf& meshOf) {
+    const Needs needs = needsOf(kind, reason);
+    if (needs.unseen) p_.surfaces.passes.rasterisedFixedUnseen();
+    if (!needs.any()) return;
+    p_.failsafe.protect([&] {
+      std::vector<Triangle> triangles;
+      if (needs.meets || needs.leaves) triangles = sample();
+      if (needs.meets) meet(triangles);
+      if (needs.mesh) remember(meshOf());
+      if (needs.leaves) leave(std::move(triangles));
+    });
+  }
+  /// The same for a surface whose vertices are not looked at.
+  void passUnseen(PrimitiveClass kind, Reason reason);
   /// Has the real OpenGL draw the depth of the traced surfaces that were found to have another pass.
   void rasteriseMet(MultipassSurfaces::Meeting meeting);
-  /// Whether later passes may compare with a rasterised draw's depth: then call remember() after meet().
-  bool isPass(PrimitiveClass kind, Reason reason) const;
-  void remember(const KnownMesh& known);
 
  private:
+  /// What is done with a surface that is rasterised.
+  struct Needs {
+    bool meets = false;   // it is held against earlier surfaces
+    bool mesh = false;    // later surfaces are held against its mesh
+    bool leaves = false;  // or against a sample of its triangles
+    bool unseen = false;  // or coincide with it in any case
+    bool any() const { return meets || mesh || leaves; }
+  };
+  Needs needsOf(PrimitiveClass kind, Reason reason) const;
+  /// Whether draws now take their vertices from fixed function, and so may have its depths.
+  bool hasFixedVertices() const;
+  void meet(std::span<const Triangle> triangles);
+  void remember(const KnownMesh& known);
+  void leave(std::vector<Triangle> triangles);
   /// Which way the next draw may change depths.
   void noteDepths();
 

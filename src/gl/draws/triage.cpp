@@ -141,6 +141,11 @@ Reason Triage::ofProgramsMesh(const scene::Mesh& mesh, const std::vector<Materia
 Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   Reason reason = whereEverythingIsTraced(known, materials);
   const State& state = p_.shadow.state;
+  const auto meetsSampled = [&] {
+    return !scene::isSolid(known.mesh->shape) &&
+           p_.surfaces.passes.meetsSampled(*known.mesh, state.modelview, isPushedBack());
+  };
+  if (reason == Reason::traced && meetsSampled()) reason = Reason::passes;
   const auto place = [&] { return placeOf(state.projection * state.modelview, Batch::keyOf(state).offset); };
   if (reason == Reason::traced && p_.surfaces.coplanar.meets(known.mesh, place()))
     reason = Reason::coincident;
@@ -221,6 +226,14 @@ bool Triage::meetsDepth(PrimitiveClass kind) const {
   const bool tested = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                       raster.depthFunc != GL_ALWAYS && raster.depthFunc != GL_NEVER;
   return kind == PrimitiveClass::surfaces && tested && !p_.failsafe.aside();
+}
+
+bool Triage::leavesDepth(PrimitiveClass kind) const {
+  const RasterState& raster = p_.shadow.state.raster;
+  const bool drawn = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
+                     raster.depthFunc != GL_EQUAL && raster.depthFunc != GL_NEVER;
+  return kind == PrimitiveClass::surfaces && drawn && raster.writesDepth && !p_.failsafe.aside() &&
+         !p_.shadow.info.off;
 }
 
 bool Triage::isPushedBack() const {

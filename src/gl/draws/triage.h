@@ -43,6 +43,8 @@ class Triage {
 
   /// Whether draws of this class are surfaces that are depth-tested against the framebuffer.
   bool meetsDepth(PrimitiveClass kind) const;
+  /// Whether such draws leave depths that later ones are tested against.
+  bool leavesDepth(PrimitiveClass kind) const;
   /// Whether surfaces are now drawn with a polygon offset away from the viewer.
   bool isPushedBack() const;
   /// The place of a mesh that is drawn now with this matrix and polygon offset.

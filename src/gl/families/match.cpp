@@ -203,7 +203,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
     // Name the nearest family: not one that is never traced, or with other kinds of vertices, and best one
     // that fits except for statements.
     if (!family->rasteriseBecause.empty()) continue;
-    if (family->hasBuiltInVertices() != known->program.attributes.contains("gl_Vertex")) continue;
+    if (family->hasBuiltInVertices() != readsFixedVertices(known->program)) continue;
     if (!nearest || unknown > known->unknownCode ||
         (unknown == known->unknownCode && found.size() < fewest.size()))
       nearest = family.get(), fewest = std::move(found), known->unknownCode = unknown;

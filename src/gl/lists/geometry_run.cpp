@@ -8,6 +8,7 @@
 
 #include <cstring>
 #include <utility>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -81,6 +82,15 @@ const KnownMesh& GeometryRun::mesh(Context& context) {
   return mesh_;
 }
 
+const std::vector<Triangle>& GeometryRun::sample() {
+  if (!sample_.empty()) return sample_;
+  if (!meshBuilt_)
+    sample_ = sampleTriangles(captured_);
+  else if (mesh_.mesh)
+    sample_ = sampleTriangles(*mesh_.mesh);
+  return sample_;
+}
+
 void GeometryRun::rasterise(Context& context) {
   if (!realList_) {
     realList_ = context.real.GenLists(1);
@@ -134,12 +144,8 @@ void GeometryRun::draw(Context& context) {
     });
   }
   if (reason == Reason::traced) return context.counts.traced(DrawPath::list, triangles_);
-  if (context.raster.mayMeet(kind_) || context.raster.isPass(kind_, reason))
-    context.protect([&] {
-      const KnownMesh& known = mesh(context);
-      if (known.mesh) context.raster.meet(sampleTriangles(*known.mesh));
-      if (context.raster.isPass(kind_, reason)) context.raster.remember(known);
-    });
+  context.raster.meetPasses(
+      kind_, reason, [&] { return sample(); }, [&]() -> const KnownMesh& { return mesh(context); });
   context.counts.rasterised(reason, DrawPath::list, kind_, triangles_);
   context.raster.before(kind_);
   rasterise(context);

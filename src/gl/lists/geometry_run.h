@@ -1,6 +1,7 @@
 // Captured vertices in a display list. GL threads: several may call a list of their share group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
+#include "gl/draws/sampled_surfaces.h"
 #include "gl/lists/list.h"
 #include "gl/share_group.h"
 
@@ -32,6 +33,8 @@ class GeometryRun final : public ListOp {
   void inherit(Context& context);
   /// The mesh of its surfaces, built at the first call.
   const KnownMesh& mesh(Context& context);
+  /// Some of its triangles, found at the first call.
+  const std::vector<Triangle>& sample();
   /// Draws it with the real OpenGL, from a real list made at the first call.
   void rasterise(Context& context);
   void dropRealList();
@@ -47,6 +50,7 @@ class GeometryRun final : public ListOp {
   uint64_t triangles_;
   KnownMesh mesh_;
   bool meshBuilt_ = false;
+  std::vector<Triangle> sample_;
   bool verticesReleased_ = false;  // to mesh_
   bool verticesLost_ = false;      // to realList_
   GLuint realList_ = 0;

@@ -64,6 +64,9 @@ struct Program {
   }
 };
 
+/// Whether it takes its vertices from fixed function.
+inline bool readsFixedVertices(const Program& program) { return program.attributes.contains("gl_Vertex"); }
+
 /// Queries program `name` from the real OpenGL. Clears the errors that this raises; the caller must have
 /// saved pending ones.
 Program reflect(const RealGl& real, GLuint name);

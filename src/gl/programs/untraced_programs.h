@@ -19,19 +19,20 @@ class UntracedPrograms {
   Reason inUse();
   /// Whether its shaders may read which draw of a multi-draw they belong to.
   bool numbersDraws() { return inUse() != Reason::traced && numbersDraws_; }
+  /// Whether it takes its vertices from fixed function.
+  bool readsFixedVertices() { return inUse() != Reason::traced && readsFixedVertices_; }
   /// Whether all linked programs of the share group are such, so that no draw by a program will be traced. In
   /// each frame, recognises one that was not used yet.
   bool areAll();
 
  private:
-  std::shared_ptr<const KnownProgram> recognise(GLuint name);
   void find(GLuint name);
 
   ShadowState& shadow_;
   const FrameClock& clock_;
   GLuint name_ = 0;                 // that reason_ is of
   Reason reason_ = Reason::traced;  // of name_ after changes_
-  bool numbersDraws_ = false;
+  bool numbersDraws_ = false, readsFixedVertices_ = false;
   uint64_t changes_ = ~uint64_t{0};  // ShareGroup::programChanges() when reason_ was found
   bool areAll_ = false;              // after allChanges_
   uint64_t allChanges_ = ~uint64_t{0};

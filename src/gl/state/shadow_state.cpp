@@ -81,6 +81,14 @@ void ShadowState::read(uint32_t stale) {
   readBack |= stale;
 }
 
+std::shared_ptr<const KnownProgram> ShadowState::recognise(GLuint name) {
+  if (auto known = group.recognised(name)) return known;
+  errors.keepPending();
+  auto known = program.known(name);
+  while (real.GetError() != GL_NO_ERROR) {}
+  return known;
+}
+
 void ShadowState::readProgramInUse() {
   ProgramState& inUse = state.program;
   const GLuint name = program.name();

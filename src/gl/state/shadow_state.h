@@ -51,6 +51,8 @@ class ShadowState {
   void touch(uint32_t groups) { dirty |= groups; }
   /// Reads back those of `groups` that are dirty.
   void refresh(uint32_t groups) noexcept;
+  /// The program `name` with its family. The program sees no errors of this. May throw std::bad_alloc.
+  std::shared_ptr<const KnownProgram> recognise(GLuint name);
   /// The program in use; null if there is none. Outside glBegin and glEnd.
   const std::shared_ptr<const KnownProgram>& programInUse();
   void syncCurrent() {

@@ -1,0 +1,64 @@
+// Surfaces that the real OpenGL has drawn from fixed function's vertices in this depth epoch, by their
+// modelview matrix, as samples of their triangles: traced depth differs from theirs in the last bits. A part
+// of MultipassSurfaces, GL thread.
+#pragma once
+#include "base/hash.h"
+#include "gl/capture/captured_vertices.h"
+#include "scene/mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Corners in object space.
+using Triangle = std::array<glm::vec3, 3>;
+
+/// A sample of triangles (about 32), evenly spread over a mesh or captured surfaces.
+std::vector<Triangle> sampleTriangles(const scene::Mesh& mesh);
+std::vector<Triangle> sampleTriangles(const CapturedVertices& captured);
+
+/// Equal for equal matrices.
+Hash128 hashOf(const glm::dmat4& matrix);
+
+class SampledSurfaces {
+ public:
+  void add(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles, bool pushedBack);
+  /// Whether `holds(triangles)` of one with this matrix, which was pushed back if `pushedBack`, and whose box
+  /// meets that of the mesh.
+  template <class Holds>
+  bool any(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack,
+           const Holds& holds) const {
+    const auto found = size_ > 0 ? groups_.find(hashOf(eyeFromObject)) : groups_.end();
+    if (found == groups_.end()) return false;
+    const Group& group = found->second;
+    for (size_t i = 0; i < group.boxes.size(); ++i)
+      if (group.boxes[i].pushedBack == pushedBack && group.boxes[i].meetsBoxOf(mesh) &&
+          holds(group.triangles[i]))
+        return true;
+    return false;
+  }
+  size_t size() const { return size_; }
+  void clear() { groups_.clear(), size_ = 0; }
+
+ private:
+  struct Box {
+    glm::vec3 lower, upper;
+    bool pushedBack;
+    bool meetsBoxOf(const scene::Mesh& mesh) const;
+  };
+  /// Of one matrix, one box for each sample.
+  struct Group {
+    std::vector<Box> boxes;
+    std::vector<std::vector<Triangle>> triangles;
+  };
+  std::unordered_map<Hash128, Group> groups_;
+  size_t size_ = 0;  // samples in all groups
+};
+
+}  // namespace gluray::gl
