@@ -1,7 +1,7 @@
 #include "gl/culled/shader_slice/position_slice.h"
 
-#include "gl/culled/shader_slice/glsl_preprocessor.h"
 #include "gl/culled/shader_slice/slice_run.h"
+#include "gl/glsl/glsl_preprocessor.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // An abstract run of a vertex or fragment shader with the current values of its uniforms. Any thread.
 #pragma once
-#include "gl/culled/shader_slice/glsl_tree.h"
 #include "gl/culled/shader_slice/linear_value.h"
 #include "gl/culled/shader_slice/position_slice.h"
+#include "gl/glsl/glsl_tree.h"
 
 #include <functional>
 #include <map>

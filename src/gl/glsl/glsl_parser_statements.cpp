@@ -1,4 +1,4 @@
-#include "gl/culled/shader_slice/glsl_parser.h"
+#include "gl/glsl/glsl_parser.h"
 
 #include <map>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "gl/culled/shader_slice/glsl_preprocessor.h"
+#include "gl/glsl/glsl_preprocessor.h"
 
 #include "gl/glsl/glsl_tokens.h"
 
