@@ -80,6 +80,49 @@ double reachOfLeastDepth(const FrameData& frame, bool atCenters) {
   return longest * nearer / kThinnest;
 }
 
+/// Fills lightings of what rays from the viewer meet, and widestEdge.
+void addLightings(FrameData& frame) {
+  const std::vector<scene::Shading>& own = frame.shadings();
+  const scene::Surroundings* around = frame.snapshot->surroundings.get();
+  frame.lightings.reserve(own.size() + (around ? around->shadings.size() : 0));
+  for (const scene::Shading& shading : own) {
+    frame.lightings.emplace_back(shading);
+    if (shading.fragment.edges && shading.fragment.edgesGrow)
+      frame.widestEdge = std::max(frame.widestEdge, shading.fragment.edgeWidth);
+  }
+}
+
+/// Whether all surfaces are clipped at the rays, which get the planes then. Triangles that grow by their
+/// edges are clipped by their corners' distances from the planes, and fragment programs discard clipped
+/// fragments at the position where they run.
+bool clipAtRays(FrameData& frame) {
+  const scene::Snapshot& s = *frame.snapshot;
+  const bool discarded =
+      frame.oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), scene::isProgram);
+  if (frame.widestEdge != 0 || discarded || !clipPlanesShared(s.instances)) return false;
+  if (s.instances.empty()) return true;
+  // A plane acts on eye coordinates; as a row vector, times the modelview matrix, it acts on world
+  // coordinates.
+  for (const glm::dvec4& plane : s.instances.front().clipPlanes)
+    frame.rays.clipPlanes.push_back(plane * s.eyeFromWorld);
+  return true;
+}
+
+/// Fills surfaces. Throws std::runtime_error for an instance without shading or material.
+void addSurfaces(FrameData& frame, const View& view, bool clippedAtRays) {
+  const scene::Snapshot& s = *frame.snapshot;
+  frame.surfaces.resize(s.instances.size());
+  tbb::parallel_for(size_t{0}, frame.surfaces.size(), [&](size_t i) {
+    const scene::Instance& instance =
+        frame.relit && !frame.relit->instances.empty() ? frame.relit->instances[i] : s.instances[i];
+    if (instance.shading >= s.shadings.size()) throw std::runtime_error("an instance has no shading state");
+    if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
+    if (instance.mesh->triangleCount == 0) return;
+    frame.surfaces[i] = makeSurface(view, instance, frame.lightings[frame.shadingOf(i)], clippedAtRays);
+    if (frame.honest) frame.honest->apply(i, frame.surfaces[i]);
+  });
+}
+
 class AcceptedHits : public accel::HitFilter {
  public:
   explicit AcceptedHits(const std::vector<Surface>& surfaces) : surfaces_(surfaces) {}
@@ -90,6 +133,35 @@ class AcceptedHits : public accel::HitFilter {
  private:
   const std::vector<Surface>& surfaces_;
 };
+
+/// Sets leastDepth and what belongs to it, and `accepted`.
+void prepareLeastDepth(FrameData& frame) {
+  const scene::Snapshot& s = *frame.snapshot;
+  const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
+  const bool atCenters = frame.oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), writesDepth);
+  frame.leastDepth = (scene::ordersBySlope(s) || atCenters) && frame.depth.scale != 0 && !s.layers;
+  if (frame.leastDepth) {
+    frame.leastDepthReach = reachOfLeastDepth(frame, atCenters);
+    const glm::dmat4 rows = glm::transpose(s.camera.clipFromEye * s.eyeFromWorld);
+    frame.clipZ = rows[2], frame.clipW = rows[3];
+  }
+  if ((frame.widestEdge > 0 || frame.leastDepth) &&
+      std::any_of(frame.surfaces.begin(), frame.surfaces.end(), mayRefuse))
+    frame.accepted = std::make_unique<AcceptedHits>(frame.surfaces);
+}
+
+/// FrameData::samplePositions without those that an average adds. Throws std::runtime_error for a wrong
+/// number.
+std::vector<glm::dvec2> positionsOf(const scene::Snapshot& s, bool averages) {
+  const bool composed = averages && isComposed(s);
+  std::vector<glm::dvec2> positions =
+      positionsInPixel(averages ? std::max(samplesPerPixel(s.settings), composed ? s.samples : 1) : 1);
+  const int samples = averages ? 1 : s.samples;
+  if (samples > 1) positions.assign(s.samplePositions.begin(), s.samplePositions.end());
+  if (!averages && positions.size() != static_cast<size_t>(std::max(samples, 1)))
+    throw std::runtime_error("the number of sample positions is not the number of samples");
+  return positions;
+}
 
 }  // namespace
 
@@ -134,56 +206,12 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   oncePerPixel = samples > 1 && s.settings.shading != ShadingRate::sample;
   tone = makeToneMap(s);
   if (s.settings.look == Look::honest) honest.emplace(s), relit = nullptr;
-  const std::vector<scene::Shading>& own = this->shadings();
-  lightings.reserve(own.size() + (s.surroundings ? s.surroundings->shadings.size() : 0));
-  for (const scene::Shading& shading : own) {
-    lightings.emplace_back(shading);
-    if (shading.fragment.edges && shading.fragment.edgesGrow)
-      widestEdge = std::max(widestEdge, shading.fragment.edgeWidth);
-  }
-
-  // Triangles that grow by their edges are clipped by their corners' distances from the planes, not at the
-  // rays. Fragment programs discard clipped fragments at the position where they run.
-  const bool discarded = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), scene::isProgram);
-  const bool shared = widestEdge == 0 && !discarded && clipPlanesShared(s.instances);
-  if (shared && !s.instances.empty()) {
-    // A plane acts on eye coordinates; as a row vector, times the modelview matrix, it acts on world
-    // coordinates.
-    for (const glm::dvec4& plane : s.instances.front().clipPlanes)
-      rays.clipPlanes.push_back(plane * s.eyeFromWorld);
-  }
+  addLightings(*this);
   const View view(s.camera);
-  surfaces.resize(s.instances.size());
-  tbb::parallel_for(size_t{0}, surfaces.size(), [&](size_t i) {
-    const scene::Instance& instance =
-        relit && !relit->instances.empty() ? relit->instances[i] : s.instances[i];
-    if (instance.shading >= s.shadings.size()) throw std::runtime_error("an instance has no shading state");
-    if (instance.materials.empty()) throw std::runtime_error("an instance has no material");
-    if (instance.mesh->triangleCount == 0) return;
-    surfaces[i] = makeSurface(view, instance, lightings[shadingOf(i)], shared);
-    if (honest) honest->apply(i, surfaces[i]);
-  });
-
-  const auto mayRefuse = [](const Surface& f) { return f.cullsCcw || f.cullsCw || f.ownClipPlanes; };
-  const bool atCenters = oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), writesDepth);
-  leastDepth = (scene::ordersBySlope(s) || atCenters) && depth.scale != 0 && !s.layers;
-  if (leastDepth) {
-    leastDepthReach = reachOfLeastDepth(*this, atCenters);
-    const glm::dmat4 rows = glm::transpose(s.camera.clipFromEye * s.eyeFromWorld);
-    clipZ = rows[2], clipW = rows[3];
-  }
-  if ((widestEdge > 0 || leastDepth) && std::any_of(surfaces.begin(), surfaces.end(), mayRefuse))
-    accepted = std::make_unique<AcceptedHits>(surfaces);
-
+  addSurfaces(*this, view, clipAtRays(*this));
+  prepareLeastDepth(*this);
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
-
-  const bool composed = averages && isComposed(s);
-  samplePositions =
-      positionsInPixel(averages ? std::max(samplesPerPixel(s.settings), composed ? s.samples : 1) : 1);
-  if (samples > 1) samplePositions.assign(s.samplePositions.begin(), s.samplePositions.end());
-  if (!averages && samplePositions.size() != static_cast<size_t>(std::max(samples, 1))) {
-    throw std::runtime_error("the number of sample positions is not the number of samples");
-  }
+  samplePositions = positionsOf(s, averages);
   if (averages) prepareAverages();
   if (averages && s.backdrop) backdrop.emplace(s, eyeRays);
   for (size_t i = 0; i < s.instances.size() && scene::wantsCatcher(s.settings); ++i)

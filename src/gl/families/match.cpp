@@ -174,6 +174,40 @@ std::vector<std::string> obstacles(const RealGl& real, Program program, const Fa
   return obstacles(real, program, family, code, source, unknown);
 }
 
+namespace {
+
+/// Sets what is known of a program that fits the family.
+void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family, const FamilyList& families,
+               ProgramSource& source) {
+  known.family = family;
+  known.why = family->rasteriseBecause;
+  known.unknownCode = false;
+  const FamilyLights& lights = family->lights;
+  if (!lights.countInSource.empty()) known.lightCount = occurrences(lights.countInSource, source.text());
+  if (!lights.noHighlightInSource.empty())
+    known.highlightCount = known.lightCount - occurrences(lights.noHighlightInSource, source.text());
+  if (!family->code.empty())
+    known.note = notesOn(statementsFor(*family, known.program, source), families.code, family->code);
+}
+
+/// Tells the user of a program that fits no family; the `nearest` one, or null, has these obstacles.
+std::string whyNoneFits(const KnownProgram& known, const Family* nearest,
+                        const std::vector<std::string>& found) {
+  if (!known.program.linked) return "not linked";
+  std::string why = "no family fits";
+  if (!nearest) return why;
+  why.append("; nearest: ").append(nearest->name);
+  for (size_t i = 0; i < found.size() && i < 4; ++i) why.append(i ? ", " : ", but it ").append(found[i]);
+  if (found.size() > 4) why.append(" and ").append(std::to_string(found.size() - 4)).append(" more");
+  if (known.unknownCode)
+    why.append("; statements that do not affect the picture can be added to [[code]] section \"")
+        .append(nearest->code.back())
+        .append("\" by a file for --program-families");
+  return why;
+}
+
+}  // namespace
+
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
                                               std::shared_ptr<const ShaderTexts> texts) {
   auto known = std::make_shared<KnownProgram>();
@@ -188,16 +222,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
     nameBuiltIns(known->program, *family);
     std::vector<std::string> found = obstacles(real, known->program, *family, families.code, source, unknown);
     if (found.empty()) {
-      known->family = family;
-      known->why = family->rasteriseBecause;
-      known->unknownCode = false;
-      if (!family->lights.countInSource.empty())
-        known->lightCount = occurrences(family->lights.countInSource, source.text());
-      if (!family->lights.noHighlightInSource.empty())
-        known->highlightCount =
-            known->lightCount - occurrences(family->lights.noHighlightInSource, source.text());
-      if (!family->code.empty())
-        known->note = notesOn(statementsFor(*family, known->program, source), families.code, family->code);
+      setFamily(*known, family, families, source);
       return known;
     }
     // Name the nearest family: not one that is never traced, or with other kinds of vertices, and best one
@@ -210,18 +235,7 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
   }
   known->program.renamed.clear();
   dropBuiltIns(known->program);
-  known->why = known->program.linked ? "no family fits" : "not linked";
-  if (nearest && known->program.linked) {
-    known->why.append("; nearest: ").append(nearest->name);
-    for (size_t i = 0; i < fewest.size() && i < 4; ++i)
-      known->why.append(i ? ", " : ", but it ").append(fewest[i]);
-    if (fewest.size() > 4)
-      known->why.append(" and ").append(std::to_string(fewest.size() - 4)).append(" more");
-    if (known->unknownCode)
-      known->why.append("; statements that do not affect the picture can be added to [[code]] section \"")
-          .append(nearest->code.back())
-          .append("\" by a file for --program-families");
-  }
+  known->why = whyNoneFits(*known, nearest, fewest);
   return known;
 }
 

@@ -78,68 +78,113 @@ bool hasTwoTexcoords(const Program& program, const Family& family) {
   return map && textures && map->location != textures->location;
 }
 
+namespace {
+
+/// Reads arrays of a program's attributes.
+class AttributeReader {
+ public:
+  AttributeReader(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& out)
+      : real_(real), group_(group), program_(program), out_(out) {}
+
+  void read() {
+    if (program_ && program_->family) readVertices(*program_->family);
+    readOthers();
+    if (program_ && program_->family) readInstances(*program_->family);
+    // Client memory may change before the draw is replayed.
+    const auto keep = [&](const ArraySource& s) { plain_ = plain_ && (!s.enabled || s.buffer); };
+    out_.forEach(keep);
+    for (const ArraySource& source : out_.generic) keep(source);
+  }
+  /// Whether all arrays that the family names can be read for each vertex or instance.
+  bool isPlain() const { return plain_; }
+
+ private:
+  const ProgramAttribute* attribute(const std::string& name) const {
+    return name.empty() ? nullptr : program_->program.attribute(name);
+  }
+  void take(const std::string& name, ArraySource& source);
+  void takeOfInstances(const std::string& name, int columns, std::vector<ArraySource>& sources);
+  void readVertices(const Family& family);
+  void readOthers();
+  void readInstances(const Family& family);
+
+  const RealGl& real_;
+  ShareGroup& group_;
+  const KnownProgram* program_;
+  ArrayState& out_;
+  std::vector<GLint> named_;  // locations of what was taken
+  bool plain_ = true, colorsInstances_ = false;
+};
+
+void AttributeReader::take(const std::string& name, ArraySource& source) {
+  const ProgramAttribute* a = attribute(name);
+  if (!a || a->location < 0) return;
+  source = readPlaced(real_, group_, a->location);
+  named_.push_back(a->location);
+  plain_ = plain_ && isReadable(source) && source.divisor == 0;
+}
+
+void AttributeReader::readVertices(const Family& family) {
+  colorsInstances_ = hasInstanceColors(real_, group_, program_->program, family);
+  take(family.position, out_.vertex);
+  take(family.normal, out_.normal);
+  if (!colorsInstances_) take(family.color, out_.color);
+  const bool two = hasTwoTexcoords(program_->program, family);
+  const bool mapped = two || !program_->program.attribute(family.texcoord);
+  take(mapped ? mapTexcoord(program_->program, family) : family.texcoord, out_.texcoord);
+  if (two) out_.texcoordsAbove.resize(1), take(family.texcoord, out_.texcoordsAbove.front());
+  out_.shape = family.impostors.shape;
+  take(family.impostors.radius.uniform, out_.radius);
+  take(family.impostors.axis, out_.axis);
+  out_.sentBillboards = family.impostors.sent;
+  out_.radiusInPosition = family.impostors.radiusInPosition;
+  take(family.impostors.corners, out_.corners), take(family.impostors.end, out_.end);
+  take(family.impostors.endColor, out_.endColor), take(family.impostors.caps, out_.caps);
+}
+
+/// All other enabled arrays.
+void AttributeReader::readOthers() {
+  const GLint most = integer(real_, GL_MAX_VERTEX_ATTRIBS);
+  for (GLint i = 0; i < most; ++i) {
+    if (std::find(named_.begin(), named_.end(), i) != named_.end()) continue;
+    ArraySource source = readPlaced(real_, group_, i);
+    if (source.enabled) out_.generic.push_back(std::move(source));
+  }
+}
+
+/// Of the other arrays, those that give each instance a matrix of so many columns.
+void AttributeReader::takeOfInstances(const std::string& name, int columns,
+                                      std::vector<ArraySource>& sources) {
+  const ProgramAttribute* a = attribute(name);
+  for (int i = 0; a && i < columns; ++i) {
+    const auto found = std::find_if(out_.generic.begin(), out_.generic.end(),
+                                    [&](const ArraySource& s) { return s.location == a->location + i; });
+    const bool fine = found != out_.generic.end() && isReadable(*found) && found->divisor > 0;
+    plain_ = plain_ && fine;
+    if (fine) sources.push_back(*found);
+  }
+}
+
+void AttributeReader::readInstances(const Family& family) {
+  std::vector<ArraySource> color;
+  takeOfInstances(family.instanceTransform, 4, out_.instanceTransform);
+  takeOfInstances(family.instanceShift, 1, out_.instanceTransform);
+  takeOfInstances(family.instanceNormal, 3, out_.instanceNormal);
+  if (colorsInstances_ || family.instanceColor != family.color)
+    takeOfInstances(family.instanceColor, 1, color);
+  if (!color.empty()) out_.instanceColor = color.front();
+}
+
+}  // namespace
+
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
   arrays = {};
   arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
-  const Family* family = program ? program->family.get() : nullptr;
-  std::vector<GLint> named;
-  bool plain = true;
-  const auto take = [&](const std::string& name, ArraySource& source) {
-    const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
-    if (!a || a->location < 0) return;
-    source = readPlaced(real, group, a->location);
-    named.push_back(a->location);
-    plain = plain && isReadable(source) && source.divisor == 0;
-  };
-  const bool colorsInstances = family && hasInstanceColors(real, group, program->program, *family);
-  if (family) {
-    take(family->position, arrays.vertex);
-    take(family->normal, arrays.normal);
-    if (!colorsInstances) take(family->color, arrays.color);
-    const bool two = hasTwoTexcoords(program->program, *family);
-    const bool mapped = two || !program->program.attribute(family->texcoord);
-    take(mapped ? mapTexcoord(program->program, *family) : family->texcoord, arrays.texcoord);
-    if (two) arrays.texcoordsAbove.resize(1), take(family->texcoord, arrays.texcoordsAbove.front());
-    arrays.shape = family->impostors.shape;
-    take(family->impostors.radius.uniform, arrays.radius);
-    take(family->impostors.axis, arrays.axis);
-    arrays.sentBillboards = family->impostors.sent;
-    arrays.radiusInPosition = family->impostors.radiusInPosition;
-    take(family->impostors.corners, arrays.corners), take(family->impostors.end, arrays.end);
-    take(family->impostors.endColor, arrays.endColor), take(family->impostors.caps, arrays.caps);
-  }
-  const GLint most = integer(real, GL_MAX_VERTEX_ATTRIBS);
-  for (GLint i = 0; i < most; ++i) {
-    if (std::find(named.begin(), named.end(), i) != named.end()) continue;
-    ArraySource source = readPlaced(real, group, i);
-    if (source.enabled) arrays.generic.push_back(std::move(source));
-  }
-  const auto ofInstances = [&](const std::string& name, int columns, std::vector<ArraySource>& sources) {
-    const ProgramAttribute* a = name.empty() || !family ? nullptr : program->program.attribute(name);
-    for (int i = 0; a && i < columns; ++i) {
-      const auto found = std::find_if(arrays.generic.begin(), arrays.generic.end(),
-                                      [&](const ArraySource& s) { return s.location == a->location + i; });
-      const bool fine = found != arrays.generic.end() && isReadable(*found) && found->divisor > 0;
-      plain = plain && fine;
-      if (fine) sources.push_back(*found);
-    }
-  };
-  if (family) {
-    std::vector<ArraySource> color;
-    ofInstances(family->instanceTransform, 4, arrays.instanceTransform);
-    ofInstances(family->instanceShift, 1, arrays.instanceTransform);
-    ofInstances(family->instanceNormal, 3, arrays.instanceNormal);
-    if (colorsInstances || family->instanceColor != family->color)
-      ofInstances(family->instanceColor, 1, color);
-    if (!color.empty()) arrays.instanceColor = color.front();
-  }
-  // Client memory may change before the draw is replayed.
-  const auto keep = [&](const ArraySource& s) { plain = plain && (!s.enabled || s.buffer); };
-  arrays.forEach(keep);
-  for (const ArraySource& source : arrays.generic) keep(source);
+  AttributeReader reader(real, group, program, arrays);
+  reader.read();
   if (const Reason foreign = foreignReason(arrays); foreign != Reason::traced)
     arrays.reason = foreign;
-  else if (!plain || !arrays.vertex.enabled || restartsPrimitives(real))
+  else if (!reader.isPlain() || !arrays.vertex.enabled || restartsPrimitives(real))
     arrays.reason = Reason::arrayState;
 }
 

@@ -210,17 +210,14 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
   }
 }
 
-Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
-  const bool many =
-      !p_.shadow.attributes.instanceTransform.empty() || p_.shadow.attributes.instanceColor.enabled;
-  const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
-  if (mesh->triangleCount == 0) return Reason::traced;
-  if (const Placed placed = place(*mesh, reach); placed != Placed::inBatch)
-    return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
-  const ProgramState& program = p_.shadow.state.program;
+namespace {
+
+/// The mesh as the program in use draws it.
+scene::Instance instanceOf(const scene::MeshPtr& mesh, const ShadowState& shadow) {
+  const ProgramState& program = shadow.state.program;
   scene::Instance instance;
   instance.mesh = mesh;
-  instance.eyeFromObject = p_.shadow.state.modelview;
+  instance.eyeFromObject = shadow.state.modelview;
   instance.lightingFromObject = glm::mat4(program.eyeFromObject.value_or(glm::dmat4(1)));
   instance.normalMatrix = program.normalMatrix;
   instance.color = program.color;
@@ -234,12 +231,26 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
   instance.materials.push_back(program.material);
   instance.impostors = program.impostors;
   if (mesh->shape == scene::Shape::triangles)
-    instance.cull = p_.shadow.state.raster.cull;  // points have no faces
-  if (scene::isSolid(mesh->shape)) makeProgramSolid(p_.shadow, instance);
-  instance.frontFaceCcw = p_.shadow.state.raster.frontFaceCcw;
-  const glm::dmat4 objectFromEye = glm::inverse(p_.shadow.state.modelview);
+    instance.cull = shadow.state.raster.cull;  // points have no faces
+  if (scene::isSolid(mesh->shape)) makeProgramSolid(shadow, instance);
+  instance.frontFaceCcw = shadow.state.raster.frontFaceCcw;
+  const glm::dmat4 objectFromEye = glm::inverse(shadow.state.modelview);
   if (!scene::isSolid(mesh->shape))
     for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
+  return instance;
+}
+
+}  // namespace
+
+Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
+  const bool many =
+      !p_.shadow.attributes.instanceTransform.empty() || p_.shadow.attributes.instanceColor.enabled;
+  const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
+  if (mesh->triangleCount == 0) return Reason::traced;
+  if (const Placed placed = place(*mesh, reach); placed != Placed::inBatch)
+    return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
+  const ProgramState& program = p_.shadow.state.program;
+  scene::Instance instance = instanceOf(mesh, p_.shadow);
   ProgramDraw kept = captureProgramDraw(p_.shadow.real, program.known->program, program.uniforms,
                                         p_.shadow.attributes, mode, elements);
   if (many) {
