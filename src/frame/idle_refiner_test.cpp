@@ -1,111 +1,13 @@
 // Pictures of a window that get better while nothing else happens.
-#include "frame/idle_refiner.h"
-
-#include "frame/lit_scene.h"
-
-#include <gtest/gtest.h>
+#include "frame/idle_refiner_stage.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <map>
-#include <mutex>
-#include <thread>
 
 namespace gluray::frame {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// A window in memory. The program may show something else in it at any time.
-class FakeWindow final : public IdleWindow {
- public:
-  bool read(WindowPixels& out) noexcept override {
-    const std::lock_guard lock(mutex_);
-    if (!gone_) out = pixels_;
-    return !gone_;
-  }
-  bool replace(const WindowPixels& now, const WindowPixels& next) noexcept override {
-    const std::lock_guard lock(mutex_);
-    if (gone_ || now.colors != pixels_.colors) return false;
-    pixels_ = next;
-    ++painted_;
-    return true;
-  }
-  void show(int width, int height, std::vector<uint32_t> colors) {
-    const std::lock_guard lock(mutex_);
-    pixels_ = {width, height, std::move(colors)};
-  }
-  std::vector<uint32_t> colors() {
-    const std::lock_guard lock(mutex_);
-    return pixels_.colors;
-  }
-  int painted() {
-    const std::lock_guard lock(mutex_);
-    return painted_;
-  }
-  void leave() {
-    const std::lock_guard lock(mutex_);
-    gone_ = true;
-  }
-
- private:
-  std::mutex mutex_;
-  WindowPixels pixels_;
-  int painted_ = 0;
-  bool gone_ = false;
-};
-
-std::unique_ptr<IdleFrame> frameOf(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
-                                   std::vector<IdleFxaa> passes = {}) {
-  return std::make_unique<IdleFrame>(std::move(pictures), std::move(window), std::move(passes));
-}
-
-struct IdleRefinerTest : testing::Test {
-  Renderer renderer;
-  std::atomic<int> passes{0};
-  Tracer tracer;
-  std::shared_ptr<FakeWindow> window = std::make_shared<FakeWindow>();
-  std::shared_ptr<scene::Snapshot> scene = std::make_shared<scene::Snapshot>(test::litScene());
-  Image first;
-
-  IdleRefinerTest() {
-    tracer.behind = [this](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error,
-                           const std::function<bool()>& stop) {
-      ++passes;
-      return renderer.renderBehind(s, image, cost, error, stop);
-    };
-    scene::TraceCost cost;
-    std::string error;
-    EXPECT_TRUE(renderer.render(*scene, first, cost, error));
-    window->show(first.width, first.height, first.color);
-  }
-  std::vector<IdlePicture> written() {
-    std::vector<IdlePicture> pictures;
-    pictures.push_back({scene, 5, {first.x, first.y}, {first.width, first.height}, first.color});
-    return pictures;
-  }
-  template <class Done>
-  static bool waitFor(Done&& done) {
-    const auto end = std::chrono::steady_clock::now() + 20s;
-    while (!done() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(1ms);
-    return done();
-  }
-  /// Until no pass was traced for a while.
-  void waitForRest() {
-    int last = -1;
-    waitFor([&] {
-      const int before = std::exchange(last, passes.load());
-      std::this_thread::sleep_for(50ms);
-      return before > 0 && before == passes;
-    });
-  }
-  Image seen() {
-    Image image = first;
-    image.color = window->colors();
-    return image;
-  }
-};
 
 TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
   scene::Snapshot many = *scene;
@@ -128,83 +30,6 @@ TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
   EXPECT_LE(refinement->noise(), 0.01);
   EXPECT_FALSE(refiner.take(5));
   EXPECT_FALSE(refiner.take(6));
-}
-
-/// The program's anti-aliasing went over the picture and what stood beside it before.
-struct AntialiasedWindow : IdleRefinerTest {
-  scene::Fxaa fxaa;
-  IdleFxaa pass;
-
-  AntialiasedWindow() {
-    tracer.antialias = [this](const Settings& settings, const scene::Fxaa& how, const uint32_t* in, int width,
-                              int height, uint32_t* out) {
-      return renderer.antialias(settings, how, in, width, height, out);
-    };
-    std::vector<uint32_t> before = first.color;
-    for (size_t i = 0; i < 100; ++i) before[i] = 0xff123456;  // drawn over the picture
-    pass = {fxaa, {0, 0, first.width, first.height}, scene->settings, before};
-    window->show(first.width, first.height, smoothed(before));
-  }
-  std::vector<uint32_t> smoothed(const std::vector<uint32_t>& in) {
-    std::vector<uint32_t> out(in.size());
-    EXPECT_TRUE(renderer.antialias(scene->settings, fxaa, in.data(), first.width, first.height, out.data()));
-    return out;
-  }
-  void refine() {
-    IdleRefiner refiner(tracer, 1ms);
-    refiner.start(frameOf(written(), window, {pass}));
-    waitForRest();
-  }
-  void expectLeftAlone() {
-    const std::vector<uint32_t> shown = window->colors();
-    const uint64_t refused = IdleRefiner::counts().refused;
-    IdleRefiner refiner(tracer, 1ms);
-    refiner.start(frameOf(written(), window, {pass}));
-    EXPECT_TRUE(waitFor([&] { return IdleRefiner::counts().refused > refused; }));
-    EXPECT_EQ(window->colors(), shown);
-    EXPECT_EQ(passes, 0);
-  }
-};
-
-TEST_F(AntialiasedWindow, IsRefinedBeforeItsAntiAliasing) {
-  ASSERT_NE(window->colors(), pass.before) << "anti-aliasing changes noise";
-  refine();
-  scene::Snapshot many = *scene;
-  many.settings.ao.samples = 1024;
-  Image truth, now = seen();
-  scene::TraceCost cost;
-  std::string error;
-  ASSERT_TRUE(renderer.render(many, truth, cost, error));
-  truth.color = smoothed(truth.color);
-  for (size_t i = 0; i < 160; ++i) truth.color[i] = now.color[i];  // below and beside what is drawn over
-  EXPECT_LT(test::difference(now, truth), 0.02);
-  const std::vector<uint32_t> after = window->colors();
-  for (size_t i = 0; i < 32; ++i) EXPECT_EQ(after[i] & 0xffffff, 0x123456u) << i;
-}
-
-TEST_F(AntialiasedWindow, WhatWasDrawnAfterwardsStays) {
-  std::vector<uint32_t> overlaid = window->colors();
-  for (size_t i = 600; i < 700; ++i) overlaid[i] = 0xffff00ff;
-  for (size_t i = 750; i < 800; ++i) overlaid[i] ^= 0x010101;
-  window->show(first.width, first.height, overlaid);
-  refine();
-  const std::vector<uint32_t> after = window->colors();
-  for (size_t i = 600; i < 700; ++i) EXPECT_EQ(after[i], 0xffff00ff);
-  for (size_t i = 750; i < 800; ++i) EXPECT_EQ(after[i], overlaid[i]);
-  EXPECT_NE(after, overlaid);
-}
-
-TEST_F(AntialiasedWindow, OfAnotherPictureIsLeftAlone) {
-  for (uint32_t& color : pass.before) color ^= 0x404040;
-  expectLeftAlone();
-}
-
-TEST_F(AntialiasedWindow, PassesOutsideTheWindowAreForgotten) {
-  for (const scene::Region region : {scene::Region{-1, 0, 32, 32}, scene::Region{0, 0, 33, 32},
-                                     scene::Region{0, 0, 0, 0}, scene::Region{2147483647, 0, 32, 32}}) {
-    pass.region = region;
-    expectLeftAlone();
-  }
 }
 
 TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
