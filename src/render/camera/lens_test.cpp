@@ -2,6 +2,7 @@
 #include "render/camera/lens.h"
 
 #include "base/sanitized.h"
+#include "render/test_ball.h"
 #include "render/test_targets.h"
 #include "render/test_trace.h"
 
@@ -283,25 +284,10 @@ scene::MeshPtr sphere(const glm::vec3& center, float radius) {
   return mesh;
 }
 
-scene::MeshPtr ball(const glm::vec3& center, float radius) {
-  constexpr int kAround = 256;
-  test::MeshData data;
-  const auto at = [&](int i, int j) {
-    const double a = 2 * M_PI * i / kAround, b = 2 * M_PI * j / kAround;
-    return center + radius * glm::vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
-  };
-  for (int j = 0; j < kAround / 2; ++j)
-    for (int i = 0; i < kAround; ++i)
-      for (const glm::vec3& p :
-           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
-        data.positions.push_back(p);
-  return test::makeMesh(data);
-}
-
 TEST(Lens, ShowsImpostorsAsTheirSolids) {
   const glm::vec3 center(0.3f, -0.2f, -9);
   const test::Traced solid = test::trace(focusedView({sphere(center, 1)})),
-                     mesh = test::trace(focusedView({ball(center, 1)}));
+                     mesh = test::trace(focusedView({test::ballMesh(256, 1, center, false)}));
   int seen = 0;
   for (int y = 0; y < kEdgeSize; ++y)
     for (int x = 0; x < kEdgeSize; ++x) {

@@ -1,4 +1,5 @@
 // Ambient occlusion against scenes whose hidden share of the sky is known in closed form.
+#include "render/test_ball.h"
 #include "render/test_targets.h"
 #include "render/test_trace.h"
 
@@ -177,26 +178,10 @@ TEST(AmbientOcclusion, TranslucentSurfacesHideAsMuchAsTheirAlpha) {
   }
 }
 
-/// A ball of `around` x `around`/2 facets; smooth: with the normals of the sphere.
-scene::MeshPtr ball(int around, bool smooth) {
-  test::MeshData data;
-  const auto at = [&](int i, int j) {
-    const double a = 2 * M_PI * i / around, b = M_PI * j / (around / 2);
-    return glm::vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
-  };
-  for (int j = 0; j < around / 2; ++j)
-    for (int i = 0; i < around; ++i)
-      for (const glm::vec3& p :
-           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
-        data.positions.push_back(p);
-  if (smooth) data.normals = data.positions;
-  return test::makeMesh(data);
-}
-
 TEST(AmbientOcclusion, ConvexSurfacesDoNotDarkenThemselves) {
   for (const bool smooth : {false, true})
     for (const int around : {6, 10, 40, 400}) {
-      scene::Snapshot s = occludedView({ball(around, smooth)});
+      scene::Snapshot s = occludedView({test::ballMesh(around, 1, {0, 0, 0}, smooth)});
       s.settings.ao.samples = 16;
       const test::Traced traced = test::trace(s);
       for (int y = 0; y < kOcclusionSize; ++y)

@@ -1,6 +1,7 @@
 #include "render/lights/rig.h"
 
 #include "render/integrators/lit_scene.h"
+#include "render/test_ball.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -63,19 +64,7 @@ TEST(Rig, DirectionsAreRightAngledInScaledAndMirroredWorlds) {
 
 /// A white ball of many facets before the camera, lit by a rig in place of the program's dim light.
 Traced ball(Shader shader, LightRig rig) {
-  test::MeshData data;
-  const int around = 60;
-  const auto at = [&](int i, int j) {
-    const double a = 2 * M_PI * i / around, b = M_PI * j / (around / 2);
-    return glm::vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
-  };
-  for (int j = 0; j < around / 2; ++j)
-    for (int i = 0; i < around; ++i)
-      for (const glm::vec3& p :
-           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
-        data.positions.push_back(p);
-  data.normals = data.positions;
-  scene::Snapshot s = test::litView({test::makeMesh(data)}, shader, {0, -1, 0, 0});
+  scene::Snapshot s = test::litView({test::ballMesh(60)}, shader, {0, -1, 0, 0});
   s.shadings[0].fragment.normals = scene::FragmentShading::Normals::vertices;
   s.settings.shadows.enabled = false;
   s.settings.lights.rig = rig;

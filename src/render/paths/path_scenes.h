@@ -1,5 +1,6 @@
 // Scenes for the tests of path tracing.
 #pragma once
+#include "render/test_ball.h"
 #include "render/test_targets.h"
 #include "render/test_trace.h"
 
@@ -42,21 +43,6 @@ inline void setAlbedo(scene::Instance& instance, const glm::vec3& albedo) {
 
 /// The wall z = 0 that fills the view.
 inline scene::MeshPtr backWall() { return parallelogram({0, 0, 0}, {500, 0, 0}, {0, 500, 0}); }
-
-/// A ball about the origin of `around` x `around`/2 facets with the normals of the sphere.
-inline scene::MeshPtr ballMesh(int around, float radius = 1, const glm::vec3& center = glm::vec3(0)) {
-  MeshData data;
-  const auto at = [&](int i, int j) {
-    const double a = 2 * M_PI * i / around, b = M_PI * j / (around / 2);
-    return glm::vec3(std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a));
-  };
-  for (int j = 0; j < around / 2; ++j)
-    for (int i = 0; i < around; ++i)
-      for (const glm::vec3& p :
-           {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)})
-        data.positions.push_back(center + radius * p), data.normals.push_back(p);
-  return makeMesh(data);
-}
 
 /// A picture of float colours.
 struct Radiances {

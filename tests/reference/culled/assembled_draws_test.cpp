@@ -1,7 +1,6 @@
 // Culled draws of strips, fans and restarted primitives: the triangles, and the vertices that colour flat
 // ones, are those of whole draws.
-#include "tests/reference/culled/culled_frames.h"
-#include "tests/reference/culled/culled_programs.h"
+#include "tests/reference/culled/turned_draws.h"
 
 #include <gtest/gtest.h>
 
@@ -52,28 +51,20 @@ std::vector<std::byte> bytesOf(const Drawn& drawn) {
 }
 
 gl::Statistics compareDrawn(const ProgramMesh& mesh, const Drawn& drawn) {
-  const std::string vertex =
-      replacedIn(kCulledVertex, "out vec3 place, n;", "flat out vec3 place; out vec3 n;");
-  const std::string fragment =
-      replacedIn(kCulledFragment, "in vec3 place, n;", "flat in vec3 place; in vec3 n;");
-  GLuint program = 0;
-  return compareFrames(
-      "assembled_" + drawn.name, 4,
-      [&](Gl gl) {
-        program = makeProgram(gl, vertex, fragment);
-        send(gl, mesh, program);
-        const std::vector<std::byte> bytes = bytesOf(drawn);
-        gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                      GL_STATIC_DRAW);
-      },
-      [&](Gl gl, int frame) {
-        clear(gl);
-        gl.UseProgram(program);
-        turn(gl, program, frame);
-        drawn.state(gl);
-        gl.DrawElementsBaseVertex(drawn.mode, static_cast<GLsizei>(drawn.indices.size()), drawn.type, nullptr,
-                                  drawn.base);
-      });
+  TurnedDraw how;
+  how.vertex = replacedIn(kCulledVertex, "out vec3 place, n;", "flat out vec3 place; out vec3 n;");
+  how.fragment = replacedIn(kCulledFragment, "in vec3 place, n;", "flat in vec3 place; in vec3 n;");
+  how.prepare = [&](Gl gl) {
+    const std::vector<std::byte> bytes = bytesOf(drawn);
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                  GL_STATIC_DRAW);
+  };
+  const auto draw = [&](Gl gl) {
+    drawn.state(gl);
+    gl.DrawElementsBaseVertex(drawn.mode, static_cast<GLsizei>(drawn.indices.size()), drawn.type, nullptr,
+                              drawn.base);
+  };
+  return compareTurned("assembled_" + drawn.name, 4, mesh, draw, how);
 }
 
 void firstProvokes(Gl gl) { gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); }
@@ -133,49 +124,28 @@ TEST(CulledPrimitives, ThatRestartBelowABase) {
 /// Vertices in order never restart; GLuRay draws them by indices.
 TEST(CulledPrimitives, InOrderDoNotRestart) {
   const ProgramMesh mesh = shells(5, 60);
-  GLuint program = 0;
-  const gl::Statistics counts = compareFrames(
-      "assembled_in_order", 4,
-      [&](Gl gl) {
-        program = makeProgram(gl, kCulledVertex, kCulledFragment);
-        send(gl, mesh, program);
-      },
-      [&](Gl gl, int frame) {
-        clear(gl);
-        gl.UseProgram(program);
-        turn(gl, program, frame);
-        gl.Enable(GL_PRIMITIVE_RESTART), gl.PrimitiveRestartIndex(300);
-        gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(mesh.positions.size() / 3 * 3));
-      });
+  const gl::Statistics counts = compareTurned("assembled_in_order", 4, mesh, [&](Gl gl) {
+    gl.Enable(GL_PRIMITIVE_RESTART), gl.PrimitiveRestartIndex(300);
+    gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(mesh.positions.size() / 3 * 3));
+  });
   EXPECT_GT(counts.drawsCulled, 0u);
 }
 
 TEST(CulledPrimitives, OfSeveralDrawsAtOnce) {
   const ProgramMesh mesh = shells(4, 60);
-  GLuint program = 0;
   const GLsizei half = mesh.count() / 6 * 3;
-  const gl::Statistics counts = compareFrames(
-      "assembled_several", 4,
-      [&](Gl gl) {
-        program = makeProgram(gl, kCulledVertex, kCulledFragment);
-        send(gl, mesh, program);
-      },
-      [&](Gl gl, int frame) {
-        clear(gl);
-        gl.UseProgram(program);
-        turn(gl, program, frame);
-        const std::array<GLsizei, 2> sizes{half, mesh.count() - half};
-        const std::array<const void*, 2> offsets{nullptr,
-                                                 reinterpret_cast<const void*>(half * sizeof(GLuint))};
-        const std::array<GLint, 2> bases{}, firsts{0, 3000};
-        gl.MultiDrawElements(GL_TRIANGLES, sizes.data(), GL_UNSIGNED_INT, offsets.data(), 2);
-        gl.MultiDrawElementsBaseVertex(GL_TRIANGLES, sizes.data(), GL_UNSIGNED_INT, offsets.data(), 2,
-                                       bases.data());
-        const std::array<GLsizei, 2> counts{2400, 3000};
-        gl.MultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), 2);
-        gl.DrawRangeElementsBaseVertex(GL_TRIANGLES, 0, static_cast<GLuint>(mesh.positions.size()) - 1,
-                                       mesh.count(), GL_UNSIGNED_INT, nullptr, 0);
-      });
+  const gl::Statistics counts = compareTurned("assembled_several", 4, mesh, [&](Gl gl) {
+    const std::array<GLsizei, 2> sizes{half, mesh.count() - half};
+    const std::array<const void*, 2> offsets{nullptr, reinterpret_cast<const void*>(half * sizeof(GLuint))};
+    const std::array<GLint, 2> bases{}, firsts{0, 3000};
+    gl.MultiDrawElements(GL_TRIANGLES, sizes.data(), GL_UNSIGNED_INT, offsets.data(), 2);
+    gl.MultiDrawElementsBaseVertex(GL_TRIANGLES, sizes.data(), GL_UNSIGNED_INT, offsets.data(), 2,
+                                   bases.data());
+    const std::array<GLsizei, 2> some{2400, 3000};
+    gl.MultiDrawArrays(GL_TRIANGLES, firsts.data(), some.data(), 2);
+    gl.DrawRangeElementsBaseVertex(GL_TRIANGLES, 0, static_cast<GLuint>(mesh.positions.size()) - 1,
+                                   mesh.count(), GL_UNSIGNED_INT, nullptr, 0);
+  });
   EXPECT_GE(counts.drawsCulled, 3u * 7);
 }
 

@@ -1,7 +1,6 @@
 // Draws of any shader program, made without what cannot be seen: pictures are those of whole draws to the
 // bit.
-#include "tests/reference/culled/culled_frames.h"
-#include "tests/reference/culled/culled_programs.h"
+#include "tests/reference/culled/turned_draws.h"
 
 #include <gtest/gtest.h>
 
@@ -14,21 +13,13 @@ namespace {
 
 using namespace culled;
 
+void drawAll(Gl gl, const ProgramMesh& mesh) {
+  gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+}
+
 TEST(CulledDraws, AreTheSameWhileTheCameraTurns) {
-  GLuint program = 0;
   const ProgramMesh mesh = shells(6, 120);
-  const gl::Statistics counts = compareFrames(
-      "turns", 6,
-      [&](Gl gl) {
-        program = makeProgram(gl, kCulledVertex, kCulledFragment);
-        send(gl, mesh, program);
-      },
-      [&](Gl gl, int frame) {
-        clear(gl);
-        gl.UseProgram(program);
-        turn(gl, program, frame);
-        gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
-      });
+  const gl::Statistics counts = compareTurned("turns", 6, mesh, [&](Gl gl) { drawAll(gl, mesh); });
   EXPECT_EQ(counts.drawsCulled, 5u);
   EXPECT_GT(counts.trianglesLeftOut, 5 * mesh.triangles() / 2);
 }
@@ -38,26 +29,9 @@ gl::Statistics compareShells(
     const std::string& name, const std::string& fragment,
     const std::function<void(Gl, const ProgramMesh&)>& draw,
     const std::function<void(Gl)>& prepare = [](Gl) {}, const Settings* settings = nullptr) {
-  GLuint program = 0;
   const ProgramMesh mesh = shells(5, 100);
-  return compareFrames(
-      name, 4,
-      [&](Gl gl) {
-        program = makeProgram(gl, kCulledVertex, fragment);
-        send(gl, mesh, program);
-        prepare(gl);
-      },
-      [&](Gl gl, int frame) {
-        clear(gl);
-        gl.UseProgram(program);
-        turn(gl, program, frame);
-        draw(gl, mesh);
-      },
-      settings);
-}
-
-void drawAll(Gl gl, const ProgramMesh& mesh) {
-  gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+  return compareTurned(
+      name, 4, mesh, [&](Gl gl) { draw(gl, mesh); }, {kCulledVertex, fragment, prepare, settings});
 }
 
 TEST(CulledDraws, KeepDiscardedFragmentsAndDerivatives) {
