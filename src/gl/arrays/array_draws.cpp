@@ -92,6 +92,34 @@ void meetFixedArrays(Context& c, PrimitiveClass kind, Reason reason, GLenum mode
 
 namespace {
 
+/// Adds a small draw to the open run of vertices, if it can be traced. False: nothing was done.
+bool joinsRun(Context& c, GLenum mode, const Elements& e) {
+  const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays.reason == Reason::traced &&
+                     c.shadow.arrays.vertex.enabled;
+  if (!plain || e.count > kSmall || c.triage.of(classOf(mode)) != Reason::traced) return false;
+  const Reason joined = c.failsafe.attempt([&] {
+    c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e));
+    return Reason::traced;
+  });
+  return joined == Reason::traced;
+}
+
+/// Traces or rasterises a draw of fixed function's arrays.
+void drawFixedArrays(Context& c, GLenum mode, const Elements& e) {
+  c.immediate.closeRunIfOpen();
+  // Without a position array the draw may use the current position: the real OpenGL decides.
+  const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
+  const Reason reason = known ? traceFixedArrays(c, mode, e) : Reason::arrayState;
+  if (reason == Reason::traced) return;
+  const PrimitiveClass kind = kindOf(mode);
+  meetFixedArrays(c, kind, reason, mode, e);
+  c.counts.rasterised(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
+  c.raster.before(kind);
+  c.shadow.sendBuffers();
+  if (!known || !c.culled.draw(mode, e)) drawReal(c.real, mode, e);
+  if (known) lightRasterised(c, mode, e);
+}
+
 void draw(Context& c, GLenum mode, const Elements& e) {
   if (!validate(c, mode, e) || e.first < 0) return;  // elements before the array are undefined
   // An empty draw draws nothing, but the real OpenGL may raise errors for it.
@@ -109,27 +137,7 @@ void draw(Context& c, GLenum mode, const Elements& e) {
   c.shadow.refresh(kRaster);
   if (c.shadow.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
   c.shadow.refresh(kDrawGroups | kFixedArrays);
-  const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays.reason == Reason::traced &&
-                     c.shadow.arrays.vertex.enabled;
-  if (plain && e.count <= kSmall && c.triage.of(classOf(mode)) == Reason::traced) {
-    const Reason joined = c.failsafe.attempt([&] {
-      c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e));
-      return Reason::traced;
-    });
-    if (joined == Reason::traced) return;
-  }
-  c.immediate.closeRunIfOpen();
-  // Without a position array the draw may use the current position: the real OpenGL decides.
-  const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
-  const Reason reason = known ? traceFixedArrays(c, mode, e) : Reason::arrayState;
-  if (reason == Reason::traced) return;
-  const PrimitiveClass kind = kindOf(mode);
-  meetFixedArrays(c, kind, reason, mode, e);
-  c.counts.rasterised(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
-  c.raster.before(kind);
-  c.shadow.sendBuffers();
-  if (!known || !c.culled.draw(mode, e)) drawReal(c.real, mode, e);
-  if (known) lightRasterised(c, mode, e);
+  if (!joinsRun(c, mode, e)) drawFixedArrays(c, mode, e);
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ gl::Statistics compareShells(
     const std::function<void(Gl, const ProgramMesh&)>& draw,
     const std::function<void(Gl)>& prepare = [](Gl) {}, const Settings* settings = nullptr) {
   const ProgramMesh mesh = shells(5, 100);
-  return compareTurned(
-      name, 4, mesh, [&](Gl gl) { draw(gl, mesh); }, {kCulledVertex, fragment, prepare, settings});
+  return compareTurned(name, 4, mesh, [&](Gl gl) { draw(gl, mesh); },
+                       {kCulledVertex, fragment, prepare, settings});
 }
 
 TEST(CulledDraws, KeepDiscardedFragmentsAndDerivatives) {
