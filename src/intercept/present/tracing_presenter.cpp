@@ -12,7 +12,6 @@
 #include "scene/catcher_offset.h"
 #include "scene/surroundings.h"
 
-#include <atomic>
 #include <exception>
 
 namespace gluray::present {
@@ -69,24 +68,12 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
   return result;
 }
 
-/// A picture that no snapshot holds any more: the memory of its depths is used again.
-std::shared_ptr<scene::FramebufferPicture> TracingPresenter::unusedPicture() {
-  constexpr size_t kKept = 3;  // the last frame's, that before it while it is refined, and the next one's
-  for (const auto& picture : depths_) {
-    if (picture.use_count() > 1) continue;
-    std::atomic_thread_fence(std::memory_order_acquire);  // another thread may have been the last to use it
-    return picture;
-  }
-  if (depths_.size() == kKept) depths_.erase(depths_.begin());
-  return depths_.emplace_back(std::make_shared<scene::FramebufferPicture>());
-}
-
 /// The snapshot with the framebuffer's depths, or itself where they cannot be read.
 scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
                                                 PendingErrors& pending) {
   const scene::Snapshot& s = *catchers;
   pending = takeErrors(real);
-  const std::shared_ptr<scene::FramebufferPicture> picture = unusedPicture();
+  const std::shared_ptr<scene::FramebufferPicture> picture = depths_.take();
   if (!reader_.readDepth(real, s.region, picture->depths)) return catchers;
   picture->viewport = s.camera.viewport, picture->region = s.region;
   picture->depthNear = s.camera.depthNear, picture->depthFar = s.camera.depthFar;

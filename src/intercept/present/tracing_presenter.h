@@ -4,12 +4,11 @@
 #include "gl/batch/presenter.h"
 #include "intercept/present/presented_pictures.h"
 #include "intercept/present/read_back/buffer_reader.h"
+#include "intercept/present/read_back/reused_pictures.h"
 #include "intercept/present/traced_layers.h"
 #include "intercept/present/traced_window.h"
 #include "intercept/present/write_back/texture_upload.h"
-#include "scene/framebuffer_picture.h"
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,7 +38,6 @@ class TracingPresenter final : public gl::Presenter {
  private:
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                        const gl::PresentTarget& target);
-  std::shared_ptr<scene::FramebufferPicture> unusedPicture();
   scene::SnapshotPtr withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
                                 PendingErrors& pending);
   /// Writes a picture into the framebuffer. False, with the reason, if that fails.
@@ -63,7 +61,7 @@ class TracingPresenter final : public gl::Presenter {
   Pixels pixels_;  // the last ones: a program may resolve colours and depths separately
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; reused memory
   // Of catchers: the framebuffer's depths, and the picture without hidden pixels. Reused memory.
-  std::vector<std::shared_ptr<scene::FramebufferPicture>> depths_;
+  ReusedPictures depths_;
   Image seen_;
 };
 

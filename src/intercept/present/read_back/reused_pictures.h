@@ -1,0 +1,44 @@
+// Pictures of a framebuffer whose memory is used again once no snapshot holds them. Taken on the GL thread;
+// any thread may be the last to hold one.
+#pragma once
+#include "scene/framebuffer_picture.h"
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace gluray::present {
+
+class ReusedPictures {
+ public:
+  /// A picture whose pixels have no meaning yet. Throws std::bad_alloc.
+  std::shared_ptr<scene::FramebufferPicture> take() {
+    std::unique_ptr<scene::FramebufferPicture> picture = unused_->take();
+    if (!picture) picture = std::make_unique<scene::FramebufferPicture>();
+    return {picture.release(), [to = unused_](scene::FramebufferPicture* left) { to->keep(left); }};
+  }
+
+ private:
+  static constexpr size_t kKept = 2;  // the last frame's, and the one before it while it is refined
+  struct Unused {
+    std::mutex mutex;
+    std::vector<std::unique_ptr<scene::FramebufferPicture>> pictures;
+    Unused() { pictures.reserve(kKept); }
+    std::unique_ptr<scene::FramebufferPicture> take() {
+      const std::lock_guard lock(mutex);
+      if (pictures.empty()) return nullptr;
+      std::unique_ptr<scene::FramebufferPicture> picture = std::move(pictures.back());
+      pictures.pop_back();
+      return picture;
+    }
+    void keep(scene::FramebufferPicture* left) noexcept {
+      std::unique_ptr<scene::FramebufferPicture> picture(left);
+      const std::lock_guard lock(mutex);
+      if (pictures.size() < kKept) pictures.push_back(std::move(picture));
+    }
+  };
+  std::shared_ptr<Unused> unused_ = std::make_shared<Unused>();
+};
+
+}  // namespace gluray::present
