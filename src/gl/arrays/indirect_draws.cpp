@@ -118,6 +118,17 @@ std::vector<Elements> readCommands(Context& c, const IndirectDraws& d) {
   return all;
 }
 
+/// Holds the draws against other passes over the same surfaces (docs/adr/0009), if any program is traced.
+void meetPasses(Context& c, const IndirectDraws& d) {
+  c.protect([&] {
+    if (!c.surfaces.passes.any() && c.untraced.areAll()) return;
+    c.shadow.refresh(kProgramGroups);
+    if (c.shadow.state.raster.program == 0 || !readsBuffers(c.shadow.attributes, d)) return;
+    for (const Elements& e : readCommands(c, d))
+      if (e.count > 0 && e.instances > 0) c.programs.meetPasses(kindOf(d.mode), d.mode, e);
+  });
+}
+
 /// The draws, if some of them may be culled; otherwise empty.
 std::vector<Elements> drawsToCull(Context& c, const IndirectDraws& d) {
   if (!c.culled.isActive()) return {};
@@ -158,6 +169,7 @@ void drawAll(Context& c, const IndirectDraws& d, const std::vector<Elements>& al
 
 void draw(Context& c, const IndirectDraws& d) {
   if (c.lists.compiling()) return c.lists.recordFragment([&] { drawBelow(c.real, d); });
+  if (!c.clock.passesThrough()) meetPasses(c, d);
   const std::vector<Elements> all = drawsToCull(c, d);
   if (all.empty()) return leave(c, d);
   const DrawTimer timer(c.counts.kinds());

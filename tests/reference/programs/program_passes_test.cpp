@@ -36,6 +36,46 @@ TEST(ProgramPasses, FindTheDepthOfTheFirst) {
             [&](Gl gl) { drawFrames(gl, frames, looked, func); }, -1);
 }
 
+/// The numbers of the later pass, or of the first one, are in a buffer object.
+TEST(ProgramPasses, OfIndirectDraws) {
+  for (const bool first : {false, true})
+    for (const bool several : {false, true}) {
+      const Outcome o = expectSame(
+          std::string("passes_indirect") + (first ? "_first" : "") + (several ? "_several" : ""),
+          [&](Gl gl) {
+            const ProgramMesh round = ball(24);
+            const GLuint program = makeProgram(gl, Surface{}), other = makeUnknownProgram(gl);
+            const Upload up = upload(gl, round, program), otherUp = upload(gl, round, other);
+            const GLuint command[] = {static_cast<GLuint>(round.count()), 1, 0, 0, 0};
+            GLuint buffer = 0;
+            gl.GenBuffers(1, &buffer);
+            gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer);
+            gl.BufferData(GL_DRAW_INDIRECT_BUFFER, sizeof command, command, GL_STATIC_DRAW);
+            const View view = perspectiveView(20);
+            const auto indirect = [&] {
+              gl.UseProgram(other);
+              setMat4(gl, other, "MCDCMatrix", glm::mat4(view.clipFromEye * view.eyeFromObject));
+              gl.BindVertexArray(otherUp.array);
+              if (several)
+                gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr, 1, 0);
+              else
+                gl.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+            };
+            for (int i = 0; i < 3; ++i) {
+              beginFrame(gl);
+              gl.DepthFunc(GL_LEQUAL);
+              if (first) indirect();
+              drawSurface(gl, program, up, round, view, {});
+              gl.DepthFunc(GL_EQUAL);
+              if (!first) indirect();
+              gl.DepthFunc(GL_LEQUAL);
+            }
+          },
+          first ? 0 : -1, coreWish(4, 3));
+      EXPECT_GT(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 0u);
+    }
+}
+
 /// The depth of a resolved pixel may be that of any of its samples: compares only colours.
 TEST(ProgramPasses, OfSeveralSamples) {
   for (const bool looked : {false, true})
