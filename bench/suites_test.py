@@ -142,6 +142,12 @@ class TrialsOfObjects(unittest.TestCase):
         self.assertEqual(worst, 5 / 6.25)
         self.assertEqual(objects.early_of(plain, auto, settle=1), (1.0, 1.0))
 
+    def test_ways_are_compared_at_the_same_places_of_the_orbit(self):
+        plain, other = [1.0] * 10 + [3.0] * 10, [0.5] * 4 + [2.0] * 8
+        self.assertEqual(objects.last_of_both(plain, other, 6), (1.0, 2.0))
+        self.assertEqual(objects.last_of_both(plain, other, 2), (3.0, 2.0))
+        self.assertEqual(objects.last_of_both(plain, other[:1], 6), (1.0, 0.5))
+
     def test_short_runs_have_one_window(self):
         overall, worst = objects.early_of([0.1] * 30, [0.125] * 30, settle=3)
         self.assertAlmostEqual(overall, 0.8)

@@ -3,10 +3,11 @@
 4,000 balls of 1,012 triangles (or of 84) in a ball, each drawn with a model matrix and a colour of its own as uniforms, by a program with three lights; the
 camera turns by 1.5 degrees a frame. Draws come in a random order, from front to back or from back to front; "inside": the camera is among the
 objects, of which most are out of its view. The plain program and the program with cull.draws = off, always and auto take turns, round by round.
-Medians. What trials of auto cost is in the frames before that: from the first second until auto is measured, all frames are compared with the plain program's
+Medians; a way is compared with the plain program's frames of the same numbers. What trials of auto cost is in the frames before that: from the first second until auto is measured, all frames are compared with the plain program's
 frames of the same numbers, as a whole, and the worst few seconds of them. Results go to bench/results/NAME.json.
 """
 import argparse
+import functools
 import itertools
 import pathlib
 import shlex
@@ -46,18 +47,27 @@ def measured(options, scene, rows, environment):
     client = [options.build / "bench" / "client" / "gluray-bench-objects", "--rows", rows, "--frames", options.frames, *SCENES[scene]]
     gluray = options.build / "apps" / "gluray" / "gluray"
     programs.require(client[0], gluray)
-    rounds = {way: [] for way in ["plain", *WAYS]}
-    early = []
-    for _ in range(options.rounds):
-        rounds["plain"].append(programs.measure([*client, "--settle", options.settle, "--all"], environment))
-        for way in WAYS:
-            extra = ["--threads", str(options.threads), "--set", f"cull.draws={way}"]
-            settle = ["--settle", options.settle, "--all"] if way == "auto" else ["--settle", 1]
-            rounds[way].append(programs.measure_with_gluray(gluray, extra, [*client, *settle], environment))
-        early.append(early_of(rounds["plain"][-1]["all_s"], rounds["auto"][-1]["all_s"], options.settle))
+
+    def once(way):
+        settle = ["--settle", options.settle if way in ("plain", "auto") else 1, "--all"]
+        if way == "plain":
+            return programs.measure([*client, *settle], environment)
+        return programs.measure_with_gluray(gluray, ["--threads", str(options.threads), "--set", f"cull.draws={way}"], [*client, *settle], environment)
+
+    rounds = programs.in_turn({way: functools.partial(once, way) for way in ["plain", *WAYS]}, options.rounds)
     ways = {way: programs.combined(all_) | {"report": all_[-1].get("report")} for way, all_ in rounds.items()}
+    for way in WAYS:
+        same = [last_of_both(plain["all_s"], other["all_s"], options.frames) for plain, other in zip(rounds["plain"], rounds[way])]
+        ways[way]["same_frames_s"] = [statistics.median(values) for values in zip(*same)]
+    early = [early_of(plain["all_s"], auto["all_s"], options.settle) for plain, auto in zip(rounds["plain"], rounds["auto"])]
     ways["auto"]["early"] = [statistics.median(values) for values in zip(*early)]
     return ways
+
+
+def last_of_both(plain, other, frames):
+    """Median seconds of the last frames of both whose numbers are the same: what a frame takes depends on where the camera is."""
+    both = min(len(plain), len(other))
+    return statistics.median(plain[max(both - frames, 0):both]), statistics.median(other[max(both - frames, 0):both])
 
 
 def early_of(plain, auto, settle):
@@ -85,9 +95,10 @@ def row_of(scene, rows, ways):
     for way, m in ways.items():
         row[f"{way}_ms"] = 1000 * m["frame_s"]
     for way in WAYS:
+        plain, other = ways[way]["same_frames_s"]
         report = ways[way]["report"] or {}
         culled = report.get("culled", {}).get("draws", 0)
-        row |= {f"{way}_times_plain": row["plain_ms"] / row[f"{way}_ms"], f"{way}_left_out_a_frame": culled / max(report.get("frames", 1), 1)}
+        row |= {f"{way}_times_plain": plain / other, f"{way}_left_out_a_frame": culled / max(report.get("frames", 1), 1)}
     row["auto_early_times_plain"], row["auto_worst_times_plain"] = ways["auto"]["early"]
     return row
 
