@@ -92,7 +92,8 @@ void FrameTrials::stop(double seconds) {
   paid_ = gained_ - spent_;
   if (asked_ > 0) drawSeconds_ = forDraws_ / asked_;
   if (unknown_ > kUnknown * asked_ && !resettled_) return resettled_ = true, measureAgain(false);
-  if (over_ || took > kHopeless * plain_) return conclude(false);
+  // The first one may have been slow by chance, with cold caches.
+  if ((over_ || took > kHopeless * plain_) && ++failed_ == kFailures) return conclude(false);
   if (--left_ <= 0) conclude(culled_ < kGain * plain_);
 }
 
@@ -117,7 +118,7 @@ void FrameTrials::startAnew(double vertices) {
 /// `settled`: boxes are there.
 void FrameTrials::measureAgain(bool settled) {
   settled_ = settled, weak_ = 0;
-  phase_ = Phase::measuring, left_ = settled ? kTries : 1, plain_ = culled_ = -1;
+  phase_ = Phase::measuring, left_ = settled ? kTries : 1, plain_ = culled_ = -1, failed_ = 0;
   reached_ = sweepAsked_ = sweepUnknown_ = sweepBoxed_ = 0, sweeps_ = 0;
 }
 

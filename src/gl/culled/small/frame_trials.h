@@ -76,7 +76,8 @@ class FrameTrials {
   static constexpr double kBoxed = 0.04;    // share of vertices in boxes, below which it cannot pay
   static constexpr double kUnknown = 0.1;   // share of draws without boxes, above which they are made first
   static constexpr double kGain = 0.93;     // of the plain time, which culled frames must stay below
-  static constexpr double kHopeless = 1.1;  // of the plain time: one frame is enough
+  static constexpr double kHopeless = 1.1;  // of the plain time
+  static constexpr int kFailures = 2;       // culled frames that give up or are hopeless, which end a trial
   static constexpr double kSettling = 0.1,
                           kTrial = 0.25;  // of a plain frame: what one of the others may cost
   static constexpr double kSaved = 0.5;   // of a plain frame, saved up at most, and given at first
@@ -101,7 +102,7 @@ class FrameTrials {
   Phase phase_ = Phase::measuring;
   Way way_ = Way::plain, better_ = Way::plain;
   bool measured_ = false, running_ = false, always_ = false;
-  int left_ = 1, interval_ = kHold / 2, restarts_ = 0;
+  int left_ = 1, interval_ = kHold / 2, restarts_ = 0, failed_ = 0;
   double load_ = 0;                                  // vertices of the frames that are compared
   double plain_ = -1, culled_ = -1, startedAt_ = 0;  // seconds; negative: not measured
   TrialBudget budget_;
