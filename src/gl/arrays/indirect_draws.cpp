@@ -12,6 +12,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -118,26 +119,38 @@ std::vector<Elements> readCommands(Context& c, const IndirectDraws& d) {
   return all;
 }
 
-/// Holds the draws against other passes over the same surfaces (docs/adr/0009), if any program is traced.
-void meetPasses(Context& c, const IndirectDraws& d) {
+/// What the draws are; none where their arrays are not in buffers.
+std::optional<std::vector<Elements>> describe(Context& c, const IndirectDraws& d) {
+  c.shadow.refresh(kProgramGroups);
+  if (!readsBuffers(c.shadow.attributes, d)) return std::nullopt;
+  return readCommands(c, d);
+}
+
+/// Whether the draws may be passes over surfaces that are traced (docs/adr/0009).
+bool mayMeetPasses(Context& c) {
+  if (c.clock.passesThrough()) return false;
+  return c.protect([&] { return c.surfaces.passes.any() || !c.untraced.areAll(); });
+}
+
+void meetPasses(Context& c, GLenum mode, const std::vector<Elements>& all) {
+  if (c.shadow.state.raster.program == 0) return;
   c.protect([&] {
-    if (!c.surfaces.passes.any() && c.untraced.areAll()) return;
-    c.shadow.refresh(kProgramGroups);
-    if (c.shadow.state.raster.program == 0 || !readsBuffers(c.shadow.attributes, d)) return;
-    for (const Elements& e : readCommands(c, d))
-      if (e.count > 0 && e.instances > 0) c.programs.meetPasses(kindOf(d.mode), d.mode, e);
+    for (const Elements& e : all)
+      if (e.count > 0 && e.instances > 0) c.programs.meetPasses(kindOf(mode), mode, e);
   });
 }
 
-/// The draws, if some of them may be culled; otherwise empty.
-std::vector<Elements> drawsToCull(Context& c, const IndirectDraws& d) {
-  if (!c.culled.isActive()) return {};
+/// Whether draws may be culled.
+bool mayCull(Context& c) {
+  if (!c.culled.isActive()) return false;
   c.shadow.refresh(kProgramGroups);
-  if (!c.culled.takesParts() || !readsBuffers(c.shadow.attributes, d)) return {};
-  std::vector<Elements> all = readCommands(c, d);
+  return c.culled.takesParts();
+}
+
+/// Whether some of the draws are.
+bool isCulled(Context& c, const std::vector<Elements>& all) {
   if (all.empty()) c.counts.notCulled(Reason::indirect);
-  const bool any = std::ranges::any_of(all, [&](const Elements& e) { return c.culled.isLarge(e); });
-  return any ? all : std::vector<Elements>();
+  return std::ranges::any_of(all, [&](const Elements& e) { return c.culled.isLarge(e); });
 }
 
 /// Those that are not culled are left together.
@@ -169,9 +182,11 @@ void drawAll(Context& c, const IndirectDraws& d, const std::vector<Elements>& al
 
 void draw(Context& c, const IndirectDraws& d) {
   if (c.lists.compiling()) return c.lists.recordFragment([&] { drawBelow(c.real, d); });
-  if (!c.clock.passesThrough()) meetPasses(c, d);
-  const std::vector<Elements> all = drawsToCull(c, d);
-  if (all.empty()) return leave(c, d);
+  const bool meets = mayMeetPasses(c), culls = mayCull(c);
+  const auto known = meets || culls ? describe(c, d) : std::nullopt;
+  if (meets && known) meetPasses(c, d.mode, *known);
+  if (!culls || !known || !isCulled(c, *known)) return leave(c, d);
+  const std::vector<Elements>& all = *known;
   const DrawTimer timer(c.counts.kinds());
   if (c.clock.passesThrough()) {
     uint64_t triangles = 0;

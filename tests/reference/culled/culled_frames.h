@@ -129,6 +129,20 @@ inline std::string whereDifferent(const Picture& a, const Picture& b) {
 
 inline Picture readWindow(Gl gl) { return readPicture(gl, kSide, kSide); }
 
+/// A picture and state after each frame.
+using Frames = std::vector<std::pair<Picture, GlState>>;
+
+inline void expectSameFrames(const std::string& name, const Frames& whole, const Frames& culled) {
+  for (size_t i = 0; i < whole.size(); ++i) {
+    SCOPED_TRACE(name + ", frame " + std::to_string(i));
+    for (const std::string& line : differences(whole[i].second, culled[i].second)) ADD_FAILURE() << line;
+    const bool same =
+        whole[i].first.colors == culled[i].first.colors && whole[i].first.depths == culled[i].first.depths;
+    EXPECT_TRUE(same) << whereDifferent(whole[i].first, culled[i].first);
+    if (!same) writeFailure(TEST_OUTPUT "/culled", name + std::to_string(i), whole[i].first, culled[i].first);
+  }
+}
+
 /// Pictures, which `read` reads, and state after each frame, with draws whole and culled. Returns the counts
 /// of the latter.
 inline gl::Statistics compareFrames(const std::string& name, int frames,
@@ -139,7 +153,7 @@ inline gl::Statistics compareFrames(const std::string& name, int frames,
                                     const std::function<Picture(Gl)>& read = readWindow) {
   const auto seen = [&](Culling how, gl::Statistics* counts) {
     TracedContext context(wish, counts && settings ? *settings : culling(how));
-    std::vector<std::pair<Picture, GlState>> all;
+    Frames all;
     Gl gl = context.gl();
     prepare(gl);
     for (int frame = 0; frame < frames; ++frame) {
@@ -153,14 +167,7 @@ inline gl::Statistics compareFrames(const std::string& name, int frames,
   };
   gl::Statistics counts;
   const auto whole = seen(Culling::off, nullptr), culled = seen(Culling::always, &counts);
-  for (size_t i = 0; i < whole.size(); ++i) {
-    SCOPED_TRACE(name + ", frame " + std::to_string(i));
-    for (const std::string& line : differences(whole[i].second, culled[i].second)) ADD_FAILURE() << line;
-    const bool same =
-        whole[i].first.colors == culled[i].first.colors && whole[i].first.depths == culled[i].first.depths;
-    EXPECT_TRUE(same) << whereDifferent(whole[i].first, culled[i].first);
-    if (!same) writeFailure(TEST_OUTPUT "/culled", name + std::to_string(i), whole[i].first, culled[i].first);
-  }
+  expectSameFrames(name, whole, culled);
   return counts;
 }
 

@@ -42,7 +42,7 @@ inline std::vector<uint64_t> compareTimedFrames(const std::string& name, int fra
     gl.DrawElements = drawElementsInTime;
     SmallScene scene;
     scene.prepare(gl);
-    std::vector<std::pair<Picture, GlState>> all;
+    Frames all;
     for (int frame = 0; frame < frames; ++frame) {
       const uint64_t before = context.context().counts.statistics.drawsCulled;
       scene.begin(gl), draw(gl, scene, frame);
@@ -55,14 +55,7 @@ inline std::vector<uint64_t> compareTimedFrames(const std::string& name, int fra
     return all;
   };
   const auto whole = seen(Culling::off), culled = seen(Culling::automatic);
-  for (size_t i = 0; i < whole.size(); ++i) {
-    SCOPED_TRACE(name + ", frame " + std::to_string(i));
-    for (const std::string& line : differences(whole[i].second, culled[i].second)) ADD_FAILURE() << line;
-    const bool same =
-        whole[i].first.colors == culled[i].first.colors && whole[i].first.depths == culled[i].first.depths;
-    EXPECT_TRUE(same) << whereDifferent(whole[i].first, culled[i].first);
-    if (!same) writeFailure(TEST_OUTPUT "/culled", name + std::to_string(i), whole[i].first, culled[i].first);
-  }
+  expectSameFrames(name, whole, culled);
   return leftOut;
 }
 
