@@ -17,7 +17,9 @@ std::atomic<uint64_t> g_bytesSent{0};
 }  // namespace
 
 BufferStorage::BufferStorage(size_t sizeBytes)
-    : data(static_cast<std::byte*>(std::malloc(sizeBytes + 16))), size(sizeBytes) {
+    : data(static_cast<std::byte*>(
+          std::aligned_alloc(kAlignment, (sizeBytes + 16 + kAlignment - 1) / kAlignment * kAlignment))),
+      size(sizeBytes) {
   if (!data) throw std::bad_alloc();
   std::memset(data + size, 0, 16);
 }
@@ -38,6 +40,7 @@ void Buffer::setData(size_t size, const void* data, GLenum usage) {
   usage_ = usage;
   heldBack_ = true;
   mapped_ = nullptr;
+  shown_ = nullptr;  // it ends when the real OpenGL gets the contents
   mappedStorage_.reset();
   memoryBelow_ = false;
   ++version_;
@@ -144,7 +147,7 @@ void Buffer::changedBelow() {
 
 void Buffer::setSizeBelow(size_t size, GLenum usage) {
   const std::lock_guard lock(mutex_);
-  size_ = size, usage_ = usage, heldBack_ = false, mapped_ = nullptr;
+  size_ = size, usage_ = usage, heldBack_ = false, mapped_ = shown_ = nullptr;
   storage_.reset(), mappedStorage_.reset();
   ++version_;
 }
@@ -160,8 +163,27 @@ void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield a
   return mapped_;
 }
 
-void Buffer::unmap() {
+void Buffer::showMapping(const RealGl& real) {
   const std::lock_guard lock(mutex_);
+  if (!mapped_ || shown_) return;
+  const CopyBinding binding(real, name_);
+  if (heldBack_) real.BufferData(binding.target(), static_cast<GLsizeiptr>(size_), storage_->data, usage_);
+  shown_ = real.MapBufferRange(binding.target(), static_cast<GLintptr>(mapOffset_),
+                               static_cast<GLsizeiptr>(mapLength_),
+                               mapAccess_ & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT));
+  memoryBelow_ = true;
+}
+
+void Buffer::unmap(const RealGl& real) {
+  const std::lock_guard lock(mutex_);
+  if (void* const below = std::exchange(shown_, nullptr)) {  // which may have other contents by now
+    if (mapAccess_ & GL_MAP_WRITE_BIT) std::memcpy(below, mapped_, mapLength_);
+    const CopyBinding binding(real, name_);
+    real.UnmapBuffer(binding.target());
+    mapped_ = nullptr, heldBack_ = false, ++version_;
+    storage_.reset(), mappedStorage_.reset();
+    return;
+  }
   if (mapAccess_ & GL_MAP_WRITE_BIT) heldBack_ = true, ++version_;
   mapped_ = nullptr;
   mappedStorage_.reset();

@@ -19,6 +19,8 @@ class Context;
 
 /// The bytes of a buffer, followed by 16 readable ones. Never changed while a mesh refers to them.
 struct BufferStorage {
+  /// Of `data`, in bytes: at least GL_MIN_MAP_BUFFER_ALIGNMENT of every OpenGL that we know.
+  static constexpr size_t kAlignment = 64;
   explicit BufferStorage(size_t sizeBytes);  // throws std::bad_alloc
   ~BufferStorage();
   BufferStorage(const BufferStorage&) = delete;
@@ -71,7 +73,11 @@ class Buffer {
 
   /// glMapBuffer(Range) on our copy: a pointer that stays valid until unmap().
   void* map(const RealGl& real, size_t offset, size_t length, GLbitfield access);
-  void unmap();
+  void unmap(const RealGl& real);
+  /// Maps the real OpenGL's memory, too, if our copy is mapped: then it raises the errors of commands that
+  /// may not use mapped buffers, and changes the rest of the contents. Call before commands that it gets as
+  /// they are.
+  void showMapping(const RealGl& real);
 
   GLuint name() const { return name_; }
   uint64_t serial() const { return serial_; }  // unlike names and addresses, never reused
@@ -86,6 +92,7 @@ class Buffer {
   uint64_t version() const { return version_; }
   bool mapped() const { return mapped_ != nullptr; }
   void* mappedPointer() const { return mapped_; }
+  bool showsMapping() const { return shown_ != nullptr; }
   size_t mapOffset() const { return mapOffset_; }
   size_t mapLength() const { return mapLength_; }
   GLbitfield mapAccess() const { return mapAccess_; }
@@ -122,6 +129,7 @@ class Buffer {
   std::shared_ptr<BufferStorage> mappedStorage_;  // the storage that mapped_ points into
   size_t mapOffset_ = 0, mapLength_ = 0;
   GLbitfield mapAccess_ = 0;
+  void* shown_ = nullptr;  // the real OpenGL's memory, if that is mapped as well
 };
 
 }  // namespace gluray::gl

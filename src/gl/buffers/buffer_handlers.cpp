@@ -57,6 +57,7 @@ void bindBuffer(Context& c, GLenum target, GLuint name) {
   c.real.BindBuffer(target, name);
   if (const auto buffer = bufferNamed(c.shadow.group, name); buffer && !isHeldBack(c, target, buffer.get())) {
     buffer->sendTo(c.real);
+    if (!usesAreSeen(target)) buffer->showMapping(c.real);
     buffer->readBelow = buffer->readBelow || !usesAreSeen(target);
   }
   if (target != GL_ELEMENT_ARRAY_BUFFER) return c.shadow.attachments.setTarget(target);
@@ -103,7 +104,8 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   if (buffer->mapped() && !isRange(*buffer, offset, size)) return c.errors.set(GL_INVALID_VALUE);
   if (buffer->mappedIn(static_cast<size_t>(offset), static_cast<size_t>(size)))
     return c.errors.set(GL_INVALID_OPERATION);
-  if (buffer->mappedBelow) return c.real.BufferSubData(target, offset, size, data);  // it knows the range
+  if (buffer->mappedBelow || buffer->showsMapping())
+    return c.real.BufferSubData(target, offset, size, data);  // it knows the range
   try {
     const bool ours = buffer->mapped() || (!buffer->immutable && isHeldBack(c, target, buffer.get()));
     if (ours && buffer->readToWrite(c.real)) {
@@ -145,17 +147,29 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
   return buffer->map(c.real, 0, buffer->size(), bits);
 }
 
+/// Whether glMapBufferRange takes these bits for a buffer of glBufferData.
+bool isAccess(GLbitfield access) {
+  constexpr GLbitfield kReadWrite = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT;
+  constexpr GLbitfield kNotToRead =
+      GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT;
+  if ((access & ~(kReadWrite | kNotToRead | GL_MAP_FLUSH_EXPLICIT_BIT)) || !(access & kReadWrite))
+    return false;
+  if ((access & GL_MAP_READ_BIT) && (access & kNotToRead)) return false;
+  return (access & GL_MAP_WRITE_BIT) || !(access & GL_MAP_FLUSH_EXPLICIT_BIT);
+}
+
 void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
   const auto buffer = bound(c, target);
   if (buffer) c.flusher.contentsChange(buffer->name());
-  if (isMappedBelow(c, buffer.get(), target)) {
+  const bool refused = buffer && !buffer->mapped() && !isAccess(access);  // the real OpenGL raises the error
+  if (refused) buffer->sendTo(c.real);
+  if (refused || isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBufferRange(target, offset, length, access);
     if (buffer && memory) setMappedBelow(c, *buffer, true);
     return memory;
   }
   if (!isRange(*buffer, offset, length)) return c.errors.set(GL_INVALID_VALUE), nullptr;
-  if (buffer->mapped() || length == 0 || !(access & (GL_MAP_READ_BIT | GL_MAP_WRITE_BIT)))
-    return c.errors.set(GL_INVALID_OPERATION), nullptr;
+  if (buffer->mapped() || length == 0) return c.errors.set(GL_INVALID_OPERATION), nullptr;
   return buffer->map(c.real, static_cast<size_t>(offset), static_cast<size_t>(length), access);
 }
 
@@ -168,7 +182,7 @@ GLboolean unmapBuffer(Context& c, GLenum target) {
     if (below) buffer->changedBelow();
     return kept;
   }
-  buffer->unmap();
+  buffer->unmap(c.real);
   if (buffer->readBelow || buffer->foreign) buffer->sendTo(c.real);
   return GL_TRUE;
 }
@@ -205,6 +219,7 @@ uint32_t boundBufferChanged(Context& c, GLenum target) {
     if (const auto buffer = bound(c, target)) {
       c.flusher.contentsChange(buffer->name());
       buffer->sendTo(c.real);
+      buffer->showMapping(c.real);
       buffer->changedBelow();
     }
   });

@@ -42,7 +42,7 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
     if (buffer && std::exchange(buffer->mappedBelow, false)) buffer->changedBelow(), c.touch(kArrays);
     return kept;
   }
-  buffer->unmap();
+  buffer->unmap(c.real);
   if (buffer->readBelow || buffer->foreign) buffer->sendTo(c.real);
   return GL_TRUE;
 }
@@ -118,7 +118,7 @@ void getNamedBufferParameteri64v(Context& c, GLuint name, GLenum pname, GLint64*
 
 uint32_t namedBufferRead(Context& c, GLuint name) {
   c.protect([&] {
-    if (const auto buffer = known(c, name)) buffer->sendTo(c.real);
+    if (const auto buffer = known(c, name)) buffer->sendTo(c.real), buffer->showMapping(c.real);
   });
   return 0;
 }
@@ -129,6 +129,7 @@ uint32_t namedBufferChanged(Context& c, GLuint name) {
     if (!buffer) return;
     c.flusher.contentsChange(name);
     buffer->sendTo(c.real);
+    buffer->showMapping(c.real);
     buffer->changedBelow();
   });
   return kArrays;
@@ -136,7 +137,7 @@ uint32_t namedBufferChanged(Context& c, GLuint name) {
 
 uint32_t namedBufferReplaced(Context& c, GLuint name) {
   if (const auto buffer = known(c, name)) {
-    if (buffer->mapped()) buffer->unmap();  // new contents end a mapping
+    if (buffer->mapped()) buffer->unmap(c.real);  // new contents end a mapping
     buffer->mappedBelow = false;
   }
   return namedBufferChanged(c, name);
