@@ -4,6 +4,7 @@
 #include "gl/capture/vertex_attribute_calls.h"
 #include "gl/context.h"
 #include "gl/handlers.h"
+#include "gl/state/extensions.h"
 #include "gl/stub.h"
 
 #include <GL/gl.h>
@@ -105,9 +106,18 @@ void Immediate::vertex(float x, float y, float z, float w) {
   p_.lists.record([=](Context&) { vertexcall::vertex(x, y, z, w); }, true);
 }
 
+/// Whether glBegin takes `mode`. Patches are those of tessellation shaders.
+bool Immediate::isPrimitive(GLenum mode) const {
+  if (mode != GL_PATCHES)
+    return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY);
+  const RealGl& real = p_.shadow.real;
+  const int version = versionOf(real);
+  return version >= 40 || hasExtension(real, version, "GL_ARB_tessellation_shader");
+}
+
 void Immediate::begin(GLenum mode) {
   if (insideBegin()) return p_.lists.misuse();
-  if (mode > GL_POLYGON && !(mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY)) {
+  if (!isPrimitive(mode)) {
     if (!p_.lists.compiling()) return p_.shadow.errors.set(GL_INVALID_ENUM);
     return p_.lists.record([](Context& x) { x.errors.set(GL_INVALID_ENUM); });
   }
@@ -129,10 +139,7 @@ void Immediate::begin(GLenum mode) {
     p_.shadow.refresh(kDrawGroups);
     class_ = kind;
     const Reason reason = p_.triage.of(kind);
-    if (reason != Reason::traced) {
-      if (!canDraw())
-        return p_.shadow.errors.set(GL_INVALID_FRAMEBUFFER_OPERATION);  // glBegin fails: no primitive is open
-    }
+    if (reason != Reason::traced && !canBegin(mode)) return;  // no primitive is open
     const bool captured = reason == Reason::traced || p_.raster.needsVertices(kind, reason);
     if (!captured) {
       p_.raster.passUnseen(kind, reason);
@@ -163,9 +170,17 @@ void Immediate::countOpenPrimitive() {
   p_.counts.kinds()->stop();
 }
 
-bool Immediate::canDraw() const {
-  return p_.shadow.state.target.framebuffer == 0 ||
-         p_.shadow.real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+/// Whether the real OpenGL's glBegin succeeds; raises its error if not. Framebuffers may be incomplete, and
+/// programs may not fit them, the blending or the primitive.
+bool Immediate::canBegin(GLenum mode) {
+  if (p_.shadow.state.target.framebuffer == 0 && p_.shadow.state.raster.program == 0) return true;
+  const RealGl& real = p_.shadow.real;
+  p_.shadow.errors.keepPending();
+  real.Begin(mode), real.End();
+  const GLenum error = real.GetError();
+  while (real.GetError() != GL_NO_ERROR) {}  // of glEnd
+  if (error != GL_NO_ERROR) p_.shadow.errors.set(error);
+  return error == GL_NO_ERROR;
 }
 
 void Immediate::end() {

@@ -93,7 +93,8 @@ class Immediate {
   /// Sets a current value that the real OpenGL does not have yet.
   void setCurrent(Slot slot, const float* values);
   void noteColor(Slot slot);
-  bool canDraw() const;
+  bool canBegin(GLenum mode);
+  bool isPrimitive(GLenum mode) const;
   void recordMisuse();
   void countOpenPrimitive();
   void addSlotToRun(Slot slot);
