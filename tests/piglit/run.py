@@ -1,5 +1,6 @@
-"""Piglit's tests of OpenGL 1.x, each run without GLuRay and while it traces everything it can: every test that passes without it
-must pass with it. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--list] [NAME ...]; a NAME is a part of tests' names.
+"""Piglit's tests, each run without GLuRay and while it traces, or culls, everything it can: every test that passes without it
+must pass with it. Run with a display: run.py --gluray LAUNCHER --out FOLDER [--suite SUITE] [--every N] [--list] [NAME ...]; a NAME is a
+part of tests' names. Suites: opengl_1 (tests of OpenGL 1.x), later (all others of desktop OpenGL), shaders (those of shader_runner).
 
 Every result is a test's or a subtest's. Tests that fail only with GLuRay are printed and kept in FOLDER with the output of both runs; the exit status is
 1 then, and 77 where piglit is not installed. Such a test is run once more by itself, because machines under load are slow."""
@@ -17,7 +18,11 @@ import subprocess
 import sys
 import xml.etree.ElementTree
 
-VERSIONS = re.compile(r"spec@!opengl 1\.[0-5]@")
+FIRST = re.compile(r"spec@!opengl 1\.[0-5]@")
+OTHERS = re.compile(r"(egl|wgl)@|@egl|@(arb|ext|khr|mesa)_image|dma_buf")  # not of this door
+SUITES = {"opengl_1": ("quick_gl", FIRST.match),
+          "later": ("quick_gl", lambda name: not FIRST.match(name) and not OTHERS.search(name)),
+          "shaders": ("quick_shader", lambda name: True)}
 AT_ONCE = 2
 TIMEOUT = 120  # seconds; a test that neither run finishes in time counts as no result
 KEPT = 4000    # characters kept from the end of the output
@@ -39,18 +44,29 @@ def installation():
     return pathlib.Path(found[0]).parent if found else None
 
 
-def tests(root):
-    """All tests of OpenGL 1.x, sorted by name."""
-    with gzip.open(root / "tests/quick_gl.xml.gz") as packed:
+def words_of(node, root):
+    """The command of a test in piglit's list, and whether it may run beside others; None if it is none of desktop OpenGL."""
+    options = {o.get("name"): o.get("value") for o in node.iter("option")}
+    if node.get("type") not in ("gl", "shader") or "gles" in options.get("api", ""):
+        return None
+    words = ast.literal_eval(options["command"])
+    if node.get("type") == "shader" and not (root / words[1]).exists():
+        return None
+    return words, options.get("run_concurrent") == "True"
+
+
+def tests(root, suite):
+    """The tests of a suite, sorted by name."""
+    listed, belongs = SUITES[suite]
+    with gzip.open(root / f"tests/{listed}.xml.gz") as packed:
         tree = xml.etree.ElementTree.parse(packed)
     found = []
     for node in tree.getroot().iter("Test"):
-        options = {o.get("name"): o.get("value") for o in node.iter("option")}
-        if node.get("type") != "gl" or not VERSIONS.match(node.get("name")) or node.get("name") in LEFT_OUT:
+        command = words_of(node, root) if belongs(node.get("name")) and node.get("name") not in LEFT_OUT else None
+        if not command:
             continue
-        words = ast.literal_eval(options["command"])
+        words, concurrent = command
         program = root / "bin" / pathlib.Path(words[0]).name
-        concurrent = options.get("run_concurrent") == "True"
         if program.exists():
             found.append(Test(node.get("name"), [str(program), *words[1:], "-auto", *(["-fbo"] if concurrent else [])]))
     return sorted(found, key=lambda t: t.name)
@@ -103,6 +119,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
+    parser.add_argument("--suite", choices=SUITES, default="opengl_1")
+    parser.add_argument("--every", type=int, default=1, help="only every Nth test")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("names", nargs="*")
     options = parser.parse_args()
@@ -110,12 +128,14 @@ def main():
     if not root:
         print("piglit is not installed (scripts/setup --all)")
         return 77
-    chosen = [t for t in tests(root) if not options.names or any(n in t.name for n in options.names)]
+    chosen = [t for t in tests(root, options.suite)[::options.every] if not options.names or any(n in t.name for n in options.names)]
     if options.list:
         print("\n".join(" ".join([t.name, "=", *t.command]) for t in chosen))
         return 0
     options.out.mkdir(parents=True, exist_ok=True)
     prefix = [str(pathlib.Path(options.gluray).resolve()), "--engine", "always"]
+    if options.suite != "opengl_1":
+        prefix += ["--set", "cull.draws=always", "--set", "cull.from=1"]
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         done = list(pool.map(lambda t: compare(t, prefix, root), chosen))
     total, good, failed = sum(count for count, _, _, _ in done), sum(passed for _, passed, _, _ in done), []
