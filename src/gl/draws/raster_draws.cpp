@@ -85,7 +85,7 @@ void RasterDraws::before(PrimitiveClass kind) {
     const bool seenThrough =
         batch.key().layers == BatchKey::Layers::summed || batch.key().layers == BatchKey::Layers::drawn;
     // What the program counts or stores depends on the depth that its fragments are tested against.
-    const bool writes = raster.program != 0 && p_.shadow.program.known(raster.program)->program.writes;
+    const bool writes = raster.program != 0 && p_.shadow.recognise(raster.program)->program.writes;
     // A channel that one of the two does not write keeps the value of the other or of an earlier draw.
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();

@@ -164,6 +164,28 @@ TEST(UntracedDrawsAmongOthers, ReadWhatIsStreamed) {
   }
 }
 
+/// An error of the program's stays, whatever has to be found out about a program that draws for the first
+/// time.
+TEST(UntracedDrawsAmongOthers, LeaveEarlierErrors) {
+  const Outcome o = expectSame(
+      "untraced_earlier_error",
+      [&](Gl gl) {
+        const ProgramMesh round = ball(24);
+        const GLuint program = makeProgram(gl, Surface{}), own = makeOwnProgram(gl, kPlainShader);
+        const Upload up = upload(gl, round, program);
+        beginFrame(gl);
+        drawSurface(gl, program, up, round, perspectiveView(20), {});  // waits
+        gl.UseProgram(own);
+        gl.Enable(0xFFFF);
+        gl.Begin(GL_TRIANGLES), gl.Vertex3f(-0.5f, -0.5f, 0), gl.Vertex3f(0.5f, -0.5f, 0);
+        gl.Vertex3f(0, 0.5f, 0), gl.End();
+        EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+        gl.UseProgram(0);
+      },
+      -1, kOld);
+  EXPECT_GT(o.statistics.drawsTraced, 0u);
+}
+
 /// Errors and empty draws are those of the real OpenGL.
 TEST(UntracedDrawsAmongOthers, RaiseErrors) {
   const auto errors = [](Gl gl) {
