@@ -30,7 +30,8 @@ void refuse(Context& c, GLenum error) {
 }
 
 bool validate(Context& c, GLenum mode, const Elements& e) {
-  if (e.count < 0 || e.instances < -1) return refuse(c, GL_INVALID_VALUE), false;
+  if (e.count < 0 || e.instances < -1 || (e.instances >= 0 && e.first < 0))
+    return refuse(c, GL_INVALID_VALUE), false;
   if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
   if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
   if (c.immediate.insideBegin()) return c.lists.misuse(), false;

@@ -34,8 +34,16 @@ void vertexAttribSlow(GLuint index, float x, float y, float z, float w) noexcept
   if (!c) return;
   // Where the real OpenGL raises a primitive's errors, it refuses wrong indices too, so errors stay in order.
   const bool below = index != 0 && c->immediate.inside() == Immediate::Inside::rasterised;
+  // Outside of glBegin and glEnd attribute 0 is no vertex, but a value for programs that draw without its
+  // array.
+  const bool value = index == 0 && !c->immediate.insideBegin();
+  const auto set = [&] { c->real.VertexAttrib4f(index, x, y, z, w); };
   if (c->info().off || c->info().core || below)
-    c->real.VertexAttrib4f(index, x, y, z, w);
+    set();
+  else if (value && c->lists.compiling())
+    c->failsafe.insist([&] { c->lists.recordFragment(set); });
+  else if (value)
+    set();
   else if (index == 0)
     vertex(x, y, z, w);
   else

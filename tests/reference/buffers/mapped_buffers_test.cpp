@@ -38,7 +38,8 @@ constexpr Command kCommands[] = {
      [](Gl gl, GLuint) { gl.ClearBufferData(GL_ARRAY_BUFFER, GL_R8, GL_RED, GL_UNSIGNED_BYTE, nullptr); }},
     {"ClearNamedBufferData",
      [](Gl gl, GLuint b) { gl.ClearNamedBufferData(b, GL_R8, GL_RED, GL_UNSIGNED_BYTE, nullptr); }},
-    {"NamedBufferSubData", [](Gl gl, GLuint b) { gl.NamedBufferSubData(b, 0, 64, std::array<char, 64>{}.data()); }},
+    {"NamedBufferSubData",
+     [](Gl gl, GLuint b) { gl.NamedBufferSubData(b, 0, 64, std::array<char, 64>{}.data()); }},
     {"NamedBufferSubDataOfTheMapping",
      [](Gl gl, GLuint b) { gl.NamedBufferSubData(b, 128, 64, std::array<char, 64>{}.data()); }},
     {"BufferSubDataAfterClear",
@@ -128,7 +129,8 @@ TEST(MappedBuffersByAnyBits, RaiseTheErrorsOfTheRealOpenGl) {
     gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
     gl.BufferData(GL_ARRAY_BUFFER, kBytes, nullptr, GL_STATIC_DRAW);
     for (GLbitfield access = 0; access < 1024; ++access)
-      for (const auto& [offset, length] : {std::pair<GLintptr, GLsizeiptr>{0, 16}, {-1, 16}, {16, -1}, {0, 0}, {4090, 16}}) {
+      for (const auto& [offset, length] :
+           {std::pair<GLintptr, GLsizeiptr>{0, 16}, {-1, 16}, {16, -1}, {0, 0}, {4090, 16}}) {
         const void* const mapped = gl.MapBufferRange(GL_ARRAY_BUFFER, offset, length, access);
         errors.push_back(gl.GetError());
         if (mapped) gl.UnmapBuffer(GL_ARRAY_BUFFER);
@@ -152,8 +154,8 @@ TEST(MappedBuffersOfAnySize, AreAligned) {
   for (const GLsizeiptr size : {1, 40, 100, 4096, 70000, 3000000}) {
     gl.BufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STREAM_DRAW);
     for (const GLintptr offset : {GLintptr{0}, GLintptr{size / 3}}) {
-      const auto at = reinterpret_cast<uintptr_t>(
-          gl.MapBufferRange(GL_ARRAY_BUFFER, offset, size - offset, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
+      const auto at = reinterpret_cast<uintptr_t>(gl.MapBufferRange(
+          GL_ARRAY_BUFFER, offset, size - offset, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT));
       EXPECT_EQ((at - static_cast<uintptr_t>(offset)) % static_cast<uintptr_t>(alignment), 0u) << size;
       gl.UnmapBuffer(GL_ARRAY_BUFFER);
     }

@@ -1,4 +1,5 @@
-// glBegin and lists while programs of later stages are in use: patches, and primitives that are errors though they draw nothing.
+// glBegin and lists while programs of later stages are in use: patches, and primitives that are errors though
+// they draw nothing.
 #include "tests/reference/programs/program_stage.h"
 
 #include <gtest/gtest.h>
@@ -65,7 +66,8 @@ TEST(BegunPrograms, SendPatches) {
         sendPatch(gl, 0.2f);
         gl.UseProgram(0);
         gl.Begin(GL_TRIANGLES);  // in front of a part
-        gl.Color3f(1, 1, 0), gl.Vertex3f(-0.9f, 0, -0.5f), gl.Vertex3f(0, -0.9f, 0.4f), gl.Vertex3f(0, 0, 0.3f);
+        gl.Color3f(1, 1, 0), gl.Vertex3f(-0.9f, 0, -0.5f), gl.Vertex3f(0, -0.9f, 0.4f),
+            gl.Vertex3f(0, 0, 0.3f);
         gl.End(), gl.Color3f(1, 1, 1);
       },
       -1, kOld);
@@ -83,6 +85,84 @@ TEST(BegunPrograms, SendPatchesInLists) {
           beginFrame(gl);
           gl.UseProgram(program), gl.CallList(list), gl.UseProgram(0);
         }
+      },
+      -1, kOld);
+}
+
+/// Outside of glBegin and glEnd, attribute 0 is a value like those of the other attributes.
+TEST(BegunPrograms, TakeAttributeZeroAsAValue) {
+  expectSame(
+      "begun_attribute_zero",
+      [](Gl gl) {
+        const GLuint program = linked(gl, {{GL_VERTEX_SHADER, R"(#version 130
+in vec4 value, place;
+flat out vec4 paint;
+uniform float shift;
+void main() { paint = value, gl_Position = place + vec4(shift, 0, 0, 0); })"},
+                                           {GL_FRAGMENT_SHADER, R"(#version 130
+flat in vec4 paint;
+out vec4 color;
+void main() { color = paint; })"}});
+        gl.BindAttribLocation(program, 0, "value"), gl.BindAttribLocation(program, 1, "place");
+        gl.LinkProgram(program);
+        const std::array<GLfloat, 9> corners{-0.2f, -0.5f, 0.1f, 0.2f, -0.5f, 0.2f, 0, 0.5f, 0.3f};
+        GLuint buffer = 0;
+        gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+        gl.BufferData(GL_ARRAY_BUFFER, sizeof corners, corners.data(), GL_STATIC_DRAW);
+        const GLuint list = gl.GenLists(1);
+        gl.NewList(list, GL_COMPILE), gl.VertexAttrib4f(0, 0, 0, 1, 1), gl.EndList();
+        beginFrame(gl);
+        gl.UseProgram(program);
+        gl.EnableVertexAttribArray(1), gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+        const auto draw = [&](float shift) {
+          gl.Uniform1f(gl.GetUniformLocation(program, "shift"), shift), gl.DrawArrays(GL_TRIANGLES, 0, 3);
+        };
+        gl.VertexAttrib4f(0, 1, 0, 0, 1), draw(-0.6f);
+        gl.VertexAttrib2f(0, 0, 1), draw(-0.2f);
+        gl.CallList(list), draw(0.2f);
+        gl.Begin(GL_TRIANGLES), gl.VertexAttrib4f(0, 0, 0, 0, 1), gl.End();  // a vertex
+        gl.VertexAttrib3f(0, 1, 1, 0), draw(0.6f);
+        gl.DisableVertexAttribArray(1), gl.UseProgram(0), gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+      },
+      -1, kOld);
+}
+
+TEST(BegunPrograms, RefuseInstancesBeforeTheArrays) {
+  expectSame(
+      "begun_negative_first",
+      [](Gl gl) {
+        static const std::array<GLfloat, 9> corners{-0.2f, -0.5f, 0.1f, 0.2f, -0.5f, 0.2f, 0, 0.5f, 0.3f};
+        beginFrame(gl);
+        gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(3, GL_FLOAT, 0, corners.data());
+        gl.DrawArraysInstanced(GL_TRIANGLES, -1, 3, 2);
+        EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+        gl.DisableClientState(GL_VERTEX_ARRAY);
+      },
+      -1, kOld);
+}
+
+TEST(BegunPrograms, TakeBlockBindingsFromLists) {
+  expectSame(
+      "begun_block_bindings",
+      [](Gl gl) {
+        const GLuint program = linked(gl, {{GL_VERTEX_SHADER, R"(#version 140
+uniform Place { vec4 shift; };
+in vec4 at;
+void main() { gl_Position = at + shift; })"},
+                                           {GL_FRAGMENT_SHADER, R"(#version 140
+out vec4 color;
+void main() { color = vec4(1); })"}});
+        const GLuint block = gl.GetUniformBlockIndex(program, "Place"), list = gl.GenLists(1);
+        const auto expectBinding = [&](GLint expected) {
+          GLint binding = -1;
+          gl.GetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_BINDING, &binding);
+          EXPECT_EQ(binding, expected);
+        };
+        beginFrame(gl);
+        gl.UniformBlockBinding(program, block, 1);
+        gl.NewList(list, GL_COMPILE), gl.UniformBlockBinding(program, block, 2), gl.EndList();
+        expectBinding(1);
+        gl.CallList(list), expectBinding(2);
       },
       -1, kOld);
 }
