@@ -16,6 +16,11 @@ constexpr double kOptimism = 0.6;            // the other way may by now cost th
 constexpr double kSame = 1.5, kStays = 2.0;  // ratio of loads of one kind; ratio at which a kind is left
 constexpr double kFirstLook = 2, kLongestLook = 64;
 constexpr double kFirstTrial = 4, kLongestTrial = 1024, kTrialGrowth = 4;  // seconds between trials
+constexpr double kShare = 0.01;      // of the time in which the real OpenGL draws, for trials of tracing
+constexpr double kMostSaved = 0.25;  // seconds
+constexpr double kHopeless = 2;      // a second traced frame that takes so many times as long ends the trial
+constexpr double kLikely = 2;        // a traced frame likely takes so many times leastTraceSeconds()
+constexpr double kFirstTrace = 20e-3;  // seconds: the first one starts threads and builds shaders
 constexpr double kNever = 1e300;
 constexpr size_t kKinds = 32;
 
@@ -83,7 +88,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
   const FrameLoad load = std::exchange(frame_, {});
   const bool drawn = std::exchange(drawn_, false);
   const double seconds = std::exchange(frameSeconds_, -1);
-  const bool measuring = phase_ == Phase::measuring;
+  const bool measuring = phase_ == Phase::measuring || (trial_ && way_ == Way::traced);
   timing_ = active_ && measuring ? Timing::wanted : Timing::off;
   if (!active_ || !drawn) return way_;
 
@@ -99,9 +104,15 @@ EngineChoice::Way EngineChoice::frameEnded() {
     enter(kindOf(peak));
     return way_;
   }
+  account(kinds_[kind_], seconds);
   switch (phase_) {
     case Phase::settling:
       if (--left_ > 0) break;
+      if (isHopeless(kinds_[kind_], seconds)) {
+        best_ = seconds;
+        conclude();
+        break;
+      }
       // Too large for the real OpenGL: there is no choice to measure for.
       if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
         rest();
@@ -122,6 +133,23 @@ EngineChoice::Way EngineChoice::frameEnded() {
       break;
   }
   return way_;
+}
+
+/// Frames that the real OpenGL draws save for trials of tracing, and frames of these trials spend.
+void EngineChoice::account(const Kind& kind, double seconds) {
+  const double direct = kind.seconds[indexOf(Way::passthrough)];
+  everTraced_ |= way_ == Way::traced;
+  if (direct < 0) return;
+  if (way_ == Way::passthrough)
+    budget_.add(kShare * direct, kMostSaved);
+  else if (trial_ && seconds >= 0)
+    budget_.spend(seconds - direct);
+}
+
+/// Whether a settled frame of a trial shows that tracing is much slower.
+bool EngineChoice::isHopeless(const Kind& kind, double seconds) const {
+  const double direct = kind.seconds[indexOf(Way::passthrough)];
+  return trial_ && way_ == Way::traced && direct >= 0 && seconds >= kHopeless * direct;
 }
 
 void EngineChoice::remember(const FrameLoad& load) {
@@ -159,7 +187,7 @@ void EngineChoice::settle(Way way, bool trial) {
   trial_ = trial;
   phase_ = Phase::settling;
   left_ = trial ? kTrialSettle : kSettle;
-  timing_ = Timing::off;
+  timing_ = trial && way == Way::traced ? Timing::wanted : Timing::off;
 }
 
 void EngineChoice::measure(int frames) {
@@ -195,7 +223,7 @@ void EngineChoice::conclude() {
     if (best_ < 0 || here > kFaster * there) way_ = unused;
     return hold();
   }
-  const bool allowed = unused == Way::traced || !tooLarge(kind.load, 1);
+  const bool allowed = unused == Way::traced ? budget_.left() >= likelyLoss(kind) : !tooLarge(kind.load, 1);
   if (best_ >= 0 && allowed && leastSeconds(unused, kind) < kFaster * here && clock_() >= kind.nextTrial)
     return settle(unused, true);
   hold();
@@ -212,6 +240,15 @@ double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
     if (seconds >= 0 && less) least = std::max(least, kOptimism * seconds);
   }
   return least;
+}
+
+/// Seconds by which a trial of tracing likely takes longer than as many frames of the real OpenGL, which were
+/// measured.
+double EngineChoice::likelyLoss(const Kind& kind) const {
+  const double direct = kind.seconds[indexOf(Way::passthrough)], known = kind.seconds[indexOf(Way::traced)];
+  const double likely =
+      known >= 0 ? known : std::max(leastSeconds(Way::traced, kind), kLikely * leastTraceSeconds(kind.load));
+  return (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
 }
 
 /// Seconds for the rays of an empty picture and its write-back, on fast cores.

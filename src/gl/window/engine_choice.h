@@ -1,8 +1,10 @@
 // Decides whether the ray tracer or the real OpenGL draws a context's frames: whichever was measured to be
-// faster (adr/0012). Decides between frames, keeps a decision for many, and rarely tries the other way. Calls
-// no OpenGL. A part of FrameClock, GL thread.
+// faster (adr/0012). Decides between frames, keeps a decision for many, and rarely tries the other way: where
+// that is likely to be slower, only when it has been saved for (TrialBudget, adr/0083). Calls no OpenGL. A
+// part of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
+#include "gl/culled/trial_budget.h"
 #include "settings/settings.h"
 
 #include <algorithm>
@@ -100,6 +102,9 @@ class EngineChoice {
   void conclude();
   double leastSeconds(Way way, const Kind& kind) const;
   double leastTraceSeconds(const FrameLoad& load) const;
+  double likelyLoss(const Kind& kind) const;
+  bool isHopeless(const Kind& kind, double seconds) const;
+  void account(const Kind& kind, double seconds);
   bool tooLarge(const FrameLoad& load, double slack) const {
     return load.triangles > slack * mostTriangles(load.pixels);
   }
@@ -122,10 +127,12 @@ class EngineChoice {
   size_t kind_ = 0;
 
   Phase phase_ = Phase::settling;
-  bool trial_ = false;  // trying a way that is not known to be faster
-  int left_ = 0;        // frames left in this phase
-  int attempts_ = 0;    // frames measured that were of another kind
-  double best_ = -1;    // fastest measured frame of this kind, seconds
+  bool trial_ = false;       // trying a way that is not known to be faster
+  bool everTraced_ = false;  // a frame was drawn by Way::traced
+  TrialBudget budget_;       // for trials of tracing
+  int left_ = 0;             // frames left in this phase
+  int attempts_ = 0;         // frames measured that were of another kind
+  double best_ = -1;         // fastest measured frame of this kind, seconds
   double nextLook_ = 0, lookInterval_ = 0;
 };
 

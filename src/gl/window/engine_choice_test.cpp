@@ -93,6 +93,39 @@ TEST(EngineChoice, GoesBackAfterATrialWithoutGain) {
   EXPECT_EQ(p.traceFrames, 3);  // of one trial
 }
 
+TEST(EngineChoice, TrialThatIsLikelyToLoseIsSavedFor) {
+  Program p;
+  p.triangles = 3000, p.pixels = 400 * 400;
+  const double direct = 0.0019;
+  int traced = 0;  // the first one starts threads and builds shaders
+  p.direct = [&] { return direct; }, p.traced = [&] { return ++traced == 1 ? 0.030 : 0.008; };
+  p.frames(200);
+  EXPECT_EQ(p.traceFrames, 0);
+  while (g_now < 120) {
+    p.frame();
+    const double drawn = direct * (p.traceFrames + p.directFrames);
+    ASSERT_LT(g_now, 1.015 * drawn) << "after " << drawn << " seconds";
+  }
+  EXPECT_GE(p.traceFrames, 2);  // it is tried, though
+}
+
+TEST(EngineChoice, TrialThatIsLikelyToWinIsMadeAtOnce) {
+  Program p;
+  p.triangles = 50000, p.pixels = 400 * 400;
+  p.direct = [] { return 0.020; }, p.traced = [] { return 0.006; };
+  p.frames(12);
+  EXPECT_EQ(p.choice.way(), Way::traced);
+}
+
+TEST(EngineChoice, HopelessTrialEndsWithItsSecondFrame) {
+  Program p;
+  p.triangles = 150000, p.pixels = 1 << 20;
+  p.direct = [] { return 0.020; }, p.traced = [] { return 0.045; };
+  p.frames(150);
+  EXPECT_EQ(p.choice.way(), Way::passthrough);
+  EXPECT_EQ(p.traceFrames, 2);
+}
+
 TEST(EngineChoice, TrialsBecomeRare) {
   Program p;
   p.triangles = 150000, p.pixels = 1 << 20;
