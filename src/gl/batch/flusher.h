@@ -45,8 +45,10 @@ class Flusher {
   Presenter& presenter;
   PicturedSurfaces pictured;
 
-  /// Whether this OpenGL can show traced pictures (Presenter::supports()).
+  /// Whether this OpenGL can show traced pictures (Presenter::supports()). The first call builds shaders.
   bool canTrace();
+  /// Whether canTrace() was called.
+  bool knowsSupport() const { return supported_.has_value(); }
   /// Settles delayed pictures, then traces the pending batch, if any, and writes it into the framebuffer.
   void flush() {
     settle();

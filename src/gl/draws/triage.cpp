@@ -77,6 +77,12 @@ Reason Triage::ofContext() const {
   return state.raster.reason == Reason::renderMode ? Reason::renderMode : Reason::traced;
 }
 
+Reason Triage::ofPictures(bool large) const {
+  const bool later =
+      !large && p_.clock.choice.way() == EngineChoice::Way::mixed && !p_.flusher.knowsSupport();
+  return later || p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+}
+
 Reason Triage::of(PrimitiveClass kind) const {
   if (const Reason reason = ofContext(); reason != Reason::traced) return reason;
   const State& state = p_.shadow.state;
@@ -94,7 +100,7 @@ Reason Triage::of(PrimitiveClass kind) const {
   if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
   if (state.textureReason != Reason::traced) return state.textureReason;
   if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
-  return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+  return ofPictures(false);
 }
 
 /// The program in use may be one that computes what a family describes from gl_Vertex and other inputs of
@@ -115,7 +121,7 @@ Reason Triage::ofProgram() const {
   if (state.target.wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
   if (!state.clipPlanes.empty()) return Reason::program;
   if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
-  return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+  return ofPictures(false);
 }
 
 bool Triage::isOpaqueByProgram(const scene::Mesh& mesh) const {
@@ -152,11 +158,11 @@ Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& mat
   if (reason != Reason::traced) return reason;
   const uint32_t triangles = known.mesh->triangleCount;
   if (isLayer(*known.mesh, materials))
-    return p_.layers.leavesDrawn(triangles) ? Reason::smallScene : Reason::traced;
+    return p_.layers.leavesDrawn(triangles) ? Reason::smallScene : ofPictures(true);
   const EngineChoice& choice = p_.clock.choice;
   const bool leave =
       choice.way() == EngineChoice::Way::mixed && choice.takes(triangles, p_.shadow.viewportPixels());
-  return leave ? Reason::smallScene : reason;
+  return leave ? Reason::smallScene : ofPictures(true);
 }
 
 Reason Triage::whereEverythingIsTraced(const KnownMesh& known,

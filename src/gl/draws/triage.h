@@ -33,6 +33,9 @@ class Triage {
   /// Why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer), or
   /// Reason::traced.
   Reason ofContext() const;
+  /// Reason::noGlsl if this OpenGL cannot show traced pictures, else Reason::traced. A mixed frame asks only
+  /// for draws that are too large for the real OpenGL: call it again for these, with `large`.
+  Reason ofPictures(bool large) const;
   /// Why a draw of fixed function's vertices, by fixed function or by a program, cannot be traced now, if it
   /// is of this primitive class, or Reason::traced. Call refresh(kDrawGroups) before.
   Reason of(PrimitiveClass kind) const;

@@ -60,7 +60,7 @@ Reason ProgramDraws::triage(PrimitiveClass kind) {
   if (!p_.shadow.info.core && !p_.shadow.state.clipPlanes.empty())
     return Reason::program;  // programs compute clip distances in unknown ways
   if (p_.shadow.attributes.reason != Reason::traced) return p_.shadow.attributes.reason;
-  return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+  return p_.triage.ofPictures(false);
 }
 
 namespace {
@@ -92,7 +92,8 @@ bool haveUnreadableBuffers(const ArrayState& arrays) {
 Reason ProgramDraws::triage(const KnownMesh& known, uint64_t load) {
   Reason reason = triageAlways(known);
   const ProgramState& program = p_.shadow.state.program;
-  if (layersOf(program) == BatchKey::Layers::peeled) return reason;
+  if (layersOf(program) == BatchKey::Layers::peeled)
+    return reason == Reason::traced ? p_.triage.ofPictures(true) : reason;
   const bool single = reason == Reason::traced && layersOf(program) == BatchKey::Layers::none &&
                       p_.shadow.attributes.instanceTransform.empty();
   if (single && p_.surfaces.coplanar.meets(
@@ -100,10 +101,11 @@ Reason ProgramDraws::triage(const KnownMesh& known, uint64_t load) {
                     p_.triage.placeOf(program.clipFromObject, offsetOf(p_.shadow.state, known.mesh->shape))))
     reason = Reason::coincident;
   if (reason != Reason::traced) return reason;
-  if (isBlended(*known.mesh)) return p_.layers.leavesDrawn(load) ? Reason::smallScene : reason;
+  if (isBlended(*known.mesh))
+    return p_.layers.leavesDrawn(load) ? Reason::smallScene : p_.triage.ofPictures(true);
   // Judged draw by draw, not by their sum, so that a surface drawn again is drawn in the same way.
   const bool leave = p_.clock.leavesAlone(load, p_.shadow.viewportPixels());
-  return leave ? Reason::smallScene : reason;
+  return leave ? Reason::smallScene : p_.triage.ofPictures(true);
 }
 
 Reason ProgramDraws::triageAlways(const KnownMesh& known) const {

@@ -222,6 +222,22 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
   EXPECT_GT(uint64_t{s.rasterisedBecause[kSmall]}, 100u);
 }
 
+/// They take long to build, and most programs with a small scene never need them.
+TEST(Engine, ShadersOfPicturesAreBuiltForTheFirstLargeDraw) {
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
+  for (const char* name : {"directional-light", "nested-lists"})
+    if (const scenes::Scene* scene = scenes::findScene(name))
+      scene->draw(ours.gl(), kSceneWidth, kSceneHeight);
+  const gl::Context& context = ours.context();
+  EXPECT_GT(uint64_t{context.counts.statistics.rasterisedBecause[kSmall]}, 0u);
+  EXPECT_FALSE(context.flusher.knowsSupport());
+  scenes::begin(ours.gl(), kSceneWidth, kSceneHeight);
+  backdrop(ours.gl());
+  ours.gl().Finish();
+  EXPECT_TRUE(context.flusher.knowsSupport());
+  EXPECT_GT(context.counts.statistics.drawsTraced, 0u);
+}
+
 TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
   TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
