@@ -3,6 +3,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace gluray::gl {
@@ -22,6 +23,30 @@ int mesaVersionOf(const GLubyte* text) {
   const std::string_view all = text ? reinterpret_cast<const char*>(text) : "";
   const size_t at = all.find(kName);
   return at == all.npos ? 0 : parseVersion(text + at + kName.size(), 100);
+}
+
+Extensions::Extensions(const RealGl& real, int version) {
+  const auto add = [&](const GLubyte* name) {
+    if (name) names_.emplace_back(reinterpret_cast<const char*>(name));
+  };
+  if (version >= 30) {
+    GLint count = 0;
+    real.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    names_.reserve(static_cast<size_t>(std::max(count, 0)));
+    for (int i = 0; i < count; ++i) add(real.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+  } else if (const GLubyte* text = real.GetString(GL_EXTENSIONS)) {
+    const std::string_view all = reinterpret_cast<const char*>(text);
+    for (size_t at = 0; at < all.size();) {
+      const size_t end = std::min(all.find(' ', at), all.size());
+      if (end > at) names_.push_back(all.substr(at, end - at));
+      at = end + 1;
+    }
+  }
+  std::sort(names_.begin(), names_.end());
+}
+
+bool Extensions::has(std::string_view name) const {
+  return std::binary_search(names_.begin(), names_.end(), name);
 }
 
 bool hasExtension(const RealGl& real, int version, std::string_view name) {
@@ -46,8 +71,9 @@ bool hasExtension(const RealGl& real, int version, std::string_view name) {
 
 RareState readRareState(const RealGl& real) {
   const int version = versionOf(real);
+  const Extensions extensions(real, version);
   const auto has = [&](int since, std::string_view extension) {
-    return version >= since || hasExtension(real, version, extension);
+    return version >= since || extensions.has(extension);
   };
   RareState rare;
   rare.asked = true;
@@ -56,20 +82,20 @@ RareState readRareState(const RealGl& real) {
   rare.feedbackActive = has(40, "GL_ARB_transform_feedback2");
   rare.framebufferSrgb = has(30, "GL_ARB_framebuffer_sRGB") || has(30, "GL_EXT_framebuffer_sRGB");
   rare.depthClamp = has(32, "GL_ARB_depth_clamp");
-  rare.depthBounds = hasExtension(real, version, "GL_EXT_depth_bounds_test");
+  rare.depthBounds = extensions.has("GL_EXT_depth_bounds_test");
   rare.clipControl = has(45, "GL_ARB_clip_control");
   rare.provokingVertex = has(32, "GL_ARB_provoking_vertex") || has(32, "GL_EXT_provoking_vertex");
   rare.offsetClamp = has(46, "GL_ARB_polygon_offset_clamp") || has(46, "GL_EXT_polygon_offset_clamp");
-  rare.fogDistance = hasExtension(real, version, "GL_NV_fog_distance");
+  rare.fogDistance = extensions.has("GL_NV_fog_distance");
   rare.sampleMask = has(32, "GL_ARB_texture_multisample");
   rare.rectangles = has(31, "GL_ARB_texture_rectangle");
   rare.textureTypes = has(30, "GL_ARB_texture_float");
   rare.textureSwizzle = has(33, "GL_ARB_texture_swizzle") || has(33, "GL_EXT_texture_swizzle");
   rare.textureStorage = version >= 43;  // with GL_TEXTURE_IMMUTABLE_LEVELS
-  rare.textureSrgb = hasExtension(real, version, "GL_EXT_texture_sRGB_decode");
+  rare.textureSrgb = extensions.has("GL_EXT_texture_sRGB_decode");
   rare.anisotropy = has(46, "GL_EXT_texture_filter_anisotropic");
   rare.seamlessCubes = has(32, "GL_ARB_seamless_cube_map");
-  rare.assemblyPrograms = hasExtension(real, version, "GL_ARB_vertex_program");
+  rare.assemblyPrograms = extensions.has("GL_ARB_vertex_program");
   rare.secondaryColor = has(14, "GL_EXT_secondary_color");
   rare.fogCoord = has(14, "GL_EXT_fog_coord");
   rare.fogsWholeSum = mesaVersionOf(real.GetString(GL_VERSION)) > 0;

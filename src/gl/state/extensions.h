@@ -4,6 +4,7 @@
 #include "gl/real.h"
 
 #include <string_view>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -14,6 +15,16 @@ int parseVersion(const GLubyte* text, int scale);
 int versionOf(const RealGl& real);
 /// "4.5 (Compatibility Profile) Mesa 22.3.6" -> 2203, 100 * major + minor of Mesa; 0 if it is not Mesa.
 int mesaVersionOf(const GLubyte* text);
+/// The current context's extensions, to ask for several of them: OpenGLs take long to find the n-th name.
+class Extensions {
+ public:
+  /// May throw std::bad_alloc.
+  Extensions(const RealGl& real, int version);
+  bool has(std::string_view name) const;
+
+ private:
+  std::vector<std::string_view> names_;  // sorted
+};
 /// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
 bool hasExtension(const RealGl& real, int version, std::string_view name);
 

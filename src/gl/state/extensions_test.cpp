@@ -22,5 +22,24 @@ TEST(Extensions, ParsesMesaVersions) {
   EXPECT_EQ(mesaVersionOf(nullptr), 0);
 }
 
+const char* const kNames[] = {"GL_EXT_abc", "GL_ARB_b", "GL_EXT_ab"};
+int g_asked = 0;
+void APIENTRY count(GLenum, GLint* value) { *value = 3; }
+const GLubyte* APIENTRY nth(GLenum, GLuint i) { return ++g_asked, text(kNames[i]); }
+const GLubyte* APIENTRY all(GLenum) { return text(" GL_EXT_abc  GL_ARB_b GL_EXT_ab "); }
+
+TEST(Extensions, FindsWholeNames) {
+  RealGl real{};
+  real.GetIntegerv = count, real.GetStringi = nth, real.GetString = all;
+  for (const int version : {21, 45}) {
+    const Extensions extensions(real, version);
+    for (const char* name : kNames) EXPECT_TRUE(extensions.has(name)) << version << name;
+    for (const char* name : {"", "GL_EXT_a", "GL_EXT_abcd", "GL_ARB"})
+      EXPECT_FALSE(extensions.has(name)) << version << name;
+  }
+  EXPECT_EQ(g_asked, 3);  // each name once
+  EXPECT_TRUE(hasExtension(real, 45, "GL_ARB_b"));
+}
+
 }  // namespace
 }  // namespace gluray::gl

@@ -29,8 +29,9 @@ Features readFeatures(const gl::RealGl& real) {
   Features f;
   f.version = gl::versionOf(real);
   const int v = f.version;
+  const gl::Extensions extensions(real, v);
   const auto has = [&](int since, std::string_view extension) {
-    return v >= since || hasExtension(real, v, extension);
+    return v >= since || extensions.has(extension);
   };
   if (v >= 20) {
     f.glslVersion = gl::parseVersion(real.GetString(GL_SHADING_LANGUAGE_VERSION), 100);
@@ -50,13 +51,12 @@ Features readFeatures(const gl::RealGl& real) {
   f.rasterizerDiscard = has(30, "GL_EXT_transform_feedback");
   f.transformFeedbackPause = has(40, "GL_ARB_transform_feedback2");
   f.debugOutput = has(43, "GL_KHR_debug");
-  f.rectangles = v >= 31 || hasExtension(real, v, "GL_ARB_texture_rectangle");
-  f.readFramebuffers =
-      has(30, "GL_ARB_framebuffer_object") || hasExtension(real, v, "GL_EXT_framebuffer_blit");
-  f.depthBounds = hasExtension(real, v, "GL_EXT_depth_bounds_test");
+  f.rectangles = v >= 31 || extensions.has("GL_ARB_texture_rectangle");
+  f.readFramebuffers = has(30, "GL_ARB_framebuffer_object") || extensions.has("GL_EXT_framebuffer_blit");
+  f.depthBounds = extensions.has("GL_EXT_depth_bounds_test");
   f.encoding = has(30, "GL_ARB_framebuffer_sRGB") || has(30, "GL_EXT_framebuffer_sRGB");
   f.floatTextures = has(30, "GL_ARB_texture_float");
-  f.redFloatTextures = v >= 30 || (f.floatTextures && hasExtension(real, v, "GL_ARB_texture_rg"));
+  f.redFloatTextures = v >= 30 || (f.floatTextures && extensions.has("GL_ARB_texture_rg"));
   return f;
 }
 
