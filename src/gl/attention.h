@@ -21,6 +21,9 @@ class Attention {
   explicit operator bool() const { return needed_; }
   /// Call after any of these changes. Also sets where the calling thread's vertices go (t_thread).
   void update();
+  /// The same if nothing changes but that glBegin or glEnd went to the real OpenGL in a passthrough frame.
+  /// `inside`: calls come inside glBegin or while a run is open or a list is compiled.
+  void passed(bool inside) { needed_ = off_ || inside; }
 
  private:
   const RealGl& real_;

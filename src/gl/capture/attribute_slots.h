@@ -1,6 +1,7 @@
 // The per-vertex attributes of OpenGL as numbered slots: what a captured vertex may carry.
 #pragma once
 #include <array>
+#include <bit>
 #include <cstdint>
 
 namespace gluray::gl {
@@ -23,6 +24,12 @@ static_assert(kSlotCount == 32);
 
 using SlotMask = uint32_t;
 constexpr SlotMask bit(Slot slot) { return SlotMask{1} << slot; }
+
+/// Calls body(Slot) for each slot of the mask, in order.
+template <class F>
+void forEachSlot(SlotMask slots, F&& body) {
+  for (; slots; slots &= slots - 1) body(static_cast<Slot>(std::countr_zero(slots)));
+}
 
 /// Floats a slot occupies in a captured vertex.
 constexpr uint32_t sizeOf(Slot slot) {

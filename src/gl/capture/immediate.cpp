@@ -140,7 +140,7 @@ void Immediate::begin(GLenum mode) {
     t_thread.passthroughVertices = 0;
     inside_ = Inside::rasterised;
     p_.shadow.real.Begin(mode);
-    return p_.attention.update();
+    return p_.attention.passed(true);
   } else if (!open_ || kind != class_) {
     closeRunIfOpen();
     p_.passthrough.works();
@@ -208,9 +208,10 @@ void Immediate::end() {
   } else {
     stream_.end();
   }
+  const bool passed = inside_ == Inside::rasterised && p_.clock.passesThrough() && !p_.lists.compiling();
   inside_ = Inside::nothing;
-  p_.attention.update();
-  recordMisuse();
+  passed ? p_.attention.passed(open_) : p_.attention.update();
+  if (p_.lists.misused()) recordMisuse();
 }
 
 /// Records the error of an illegal command inside a list's primitive, after that primitive.
@@ -222,9 +223,15 @@ void Immediate::recordMisuse() {
 }
 
 void Immediate::material(GLenum face, GLenum pname, const float* params) {
+  const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
+  if (p_.clock.passesThrough() && !p_.lists.compiling() && !open_) {
+    if (!insideBegin()) p_.shadow.syncCurrent();
+    p_.shadow.dirty |= kMaterial;
+    if (!insideBegin() && !p_.lists.calling() && !refused) p_.shadow.latch.sent(face, pname, params);
+    return p_.shadow.real.Materialfv(face, pname, params);  // raises the errors
+  }
   MaterialChange change;
   const bool known = change.set(face, pname, params);
-  const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
   // The real OpenGL decides about the error when the list is called.
   if (p_.lists.compiling() && !insideBegin() && !p_.shadow.info.off && (!known || refused))
     return p_.lists.recordFragment([&] { p_.shadow.real.Materialfv(face, pname, params); });

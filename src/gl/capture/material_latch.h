@@ -19,7 +19,9 @@ class MaterialLatch {
   static bool isIn(const RealGl& real);
   bool isOn() const { return on_; }
   /// glMaterial was sent to the real OpenGL outside glBegin and glEnd.
-  void sent(GLenum face, GLenum pname, const float* params) { waiting_.set(face, pname, params); }
+  void sent(GLenum face, GLenum pname, const float* params) {
+    if (on_) waiting_.set(face, pname, params);
+  }
   /// After materials of earlier vertices were sent: makes the real OpenGL store them and forget them.
   void letGo(const RealGl& real) const;
   /// glCallList: the real OpenGL stores held-back materials, and forgets them at its next state change.
@@ -29,7 +31,9 @@ class MaterialLatch {
     drawn();
   }
   /// After a draw: the real OpenGL has stored the held-back materials.
-  void drawn() { waiting_ = {}; }
+  void drawn() {
+    if (waiting_.front | waiting_.back) waiting_ = {};
+  }
   /// After a query or draw of ours: sends the materials again, so that they are held back again.
   void restore(const RealGl& real) const;
 

@@ -4,16 +4,10 @@
 
 namespace gluray::gl {
 
-void DrawCounts::rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
-  if (kinds()) [[unlikely]] {
-    const auto& program = shadow_.programInUse();
-    kinds()->record(shadow_.real, shadow_.state.target, reason, path, kind, triangles, program,
-                    shadow_.state.program.why);
-  }
-  ++statistics.drawsRasterised;
-  ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
-  statistics.trianglesRasterised += triangles;
-  load(triangles);
+void DrawCounts::explain(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  const auto& program = shadow_.programInUse();
+  kinds()->record(shadow_.real, shadow_.state.target, reason, path, kind, triangles, program,
+                  shadow_.state.program.why);
 }
 
 void DrawCounts::culled(uint64_t leftOut) {

@@ -18,7 +18,14 @@ class DrawCounts {
   /// Records draws by kind; null: nobody explains.
   DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
 
-  void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
+  void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+    if (kinds()) [[unlikely]]
+      explain(reason, path, kind, triangles);
+    ++statistics.drawsRasterised;
+    ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
+    statistics.trianglesRasterised += triangles;
+    load(triangles);
+  }
   void traced(DrawPath path, uint64_t triangles) { traced(path, triangles, triangles); }
   /// The same for impostors, which are counted one by one: `sent` triangles would be drawn without tracing.
   void traced(DrawPath path, uint64_t triangles, uint64_t sent);
@@ -37,6 +44,8 @@ class DrawCounts {
   uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
 
  private:
+  void explain(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
+
   ShadowState& shadow_;
   FrameClock& clock_;
 };

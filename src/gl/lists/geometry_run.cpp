@@ -34,7 +34,9 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       inherited_(std::move(inherited)),
       kind_(kind),
       group_(std::move(group)),
-      triangles_(countTriangles(captured_)) {}
+      triangles_(countTriangles(captured_)) {
+  leftByList_ = slotsOfLastVertex();
+}
 
 GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
     : captured_(std::move(captured)),
@@ -50,6 +52,20 @@ void GeometryRun::dropRealList() {
   if (!realList_) return;
   if (const auto group = group_.lock()) group->discardRealList(realList_);
   realList_ = 0;
+}
+
+SlotMask GeometryRun::slotsOfLastVertex() const {
+  if (captured_.primitives.empty() || captured_.vertexCount == 0) return 0;
+  const auto& indices = captured_.indices;
+  const uint32_t last = indices.empty() ? captured_.vertexCount - 1 : indices.data()[indices.size() - 1];
+  SlotMask slots = finalSlots_;
+  for (const InheritedSlot& inherited : inherited_)
+    if (last < inherited.vertices) slots &= ~bit(inherited.slot);
+  forEachSlot(slots, [&](Slot slot) {
+    const float* value = captured_.vertex(last) + layout_.offset[slot];
+    if (std::memcmp(value, finals_[slot].data(), sizeOf(slot) * sizeof(float)) != 0) slots &= ~bit(slot);
+  });
+  return slots;
 }
 
 void GeometryRun::inherit(Context& context) {
@@ -95,10 +111,12 @@ void GeometryRun::rasterise(Context& context) {
   if (!realList_) {
     realList_ = context.real.GenLists(1);
     context.real.NewList(realList_, GL_COMPILE);
-    if (verticesReleased_)
+    if (verticesReleased_) {
       replay(context.real, *mesh_.mesh, captured_.primitives, captured_.materials);
-    else
+      leftByList_ &= ~bit(kColor);  // meshes may round it in the last bit
+    } else {
       replay(context.real, captured_);
+    }
     context.real.EndList();
     // The real list now holds the vertices of lines and points, which need no mesh.
     if (kind_ != PrimitiveClass::surfaces && inherited_.empty() && !meshBuilt_) {
@@ -112,14 +130,15 @@ void GeometryRun::rasterise(Context& context) {
 void GeometryRun::execute(Context& context) {
   if (context.immediate.insideBegin() && !captured_.primitives.empty())
     return context.errors.set(GL_INVALID_OPERATION);
+  SlotMask finals = finalSlots_;
   if (!captured_.primitives.empty()) {
     context.immediate.closeRunIfOpen();
-    if (!context.clock.passesThrough() || !drawDirectly(context)) draw(context);
+    if (context.clock.passesThrough() && drawDirectly(context))
+      finals &= ~leftByList_;
+    else
+      draw(context);
   }
-  for (int s = kNormal; s < kSlotCount; ++s) {
-    const auto slot = static_cast<Slot>(s);
-    if (finalSlots_ & bit(slot)) context.immediate.attribute(slot, finals_[slot].data());
-  }
+  forEachSlot(finals, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
   if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
   if (captured_.primitives.empty()) return;
   context.shadow.current.drawn();
@@ -160,15 +179,12 @@ bool GeometryRun::drawDirectly(Context& context) {
   if (!context.passthrough.takes(DrawPath::list, kind_, triangles_)) return false;
   inherit(context);
   // Array draws leave the current attributes unchanged; the real list, which uses glBegin, does not.
-  const SlotMask lost = layout_.mask & ~finalSlots_ & ~(bit(kPosition) | bit(kPositionW));
-  const auto eachLost = [&](auto&& body) {
-    for (int s = kNormal; s < kSlotCount; ++s)
-      if (lost & bit(static_cast<Slot>(s)) && s != kMaterialNumber) body(static_cast<Slot>(s));
-  };
-  eachLost([&](Slot slot) { context.shadow.current.read(context.real, slot); });
+  const SlotMask lost =
+      layout_.mask & ~finalSlots_ & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber));
+  forEachSlot(lost, [&](Slot slot) { context.shadow.current.read(context.real, slot); });
   if (lost) context.shadow.latch.restore(context.real);
   rasterise(context);
-  eachLost([&](Slot slot) { sendAttribute(context.real, slot, context.shadow.current[slot]); });
+  forEachSlot(lost, [&](Slot slot) { sendAttribute(context.real, slot, context.shadow.current[slot]); });
   return true;
 }
 

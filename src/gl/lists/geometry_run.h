@@ -29,6 +29,8 @@ class GeometryRun final : public ListOp {
   void draw(Context& context);
   /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);
+  /// Those of finalSlots_ that have the value of the last vertex, which the real list leaves current.
+  SlotMask slotsOfLastVertex() const;
   /// Fills inherited slots with the caller's current values.
   void inherit(Context& context);
   /// The mesh of its surfaces, built at the first call.
@@ -43,6 +45,7 @@ class GeometryRun final : public ListOp {
   CapturedVertices captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
+  SlotMask leftByList_ = 0;  // those of them that the real list has left current
   SlotValues finals_;
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;

@@ -65,6 +65,7 @@ class ListCompiler {
 
   /// A command that is illegal inside glBegin: sets `error` if executing(), keeps it if compiling().
   void misuse(GLenum error = GL_INVALID_OPERATION);
+  bool misused() const { return misused_ != GL_NO_ERROR; }
   /// Returns and clears the kept error, which the list raises when it is called, after the primitive.
   GLenum takeMisuse();
 

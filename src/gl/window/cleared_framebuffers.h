@@ -29,7 +29,10 @@ class ClearedFramebuffers {
   /// Call after a glClear.
   void clear(GLbitfield mask);
   /// The draw framebuffer may have been drawn or copied into.
-  void forget() { forgetClear(), antialiased_ = {}; }
+  void forget() {
+    forgetClear();
+    if (antialiased_.any() || antialiased_.copied()) antialiased_ = {};
+  }
   /// Draws may go to another buffer of the framebuffer.
   void forgetClear() { cleared_.reset(), nextDepths(); }
   /// The real OpenGL draws into it next: depths may become smaller or larger, or neither.

@@ -52,16 +52,19 @@ void PassthroughFrames::set(bool passthrough) {
 bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
   if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
   p_.cleared.forget();
-  p_.shadow.refresh(p_.counts.kinds() ? kViewport | kTarget : kViewport);
+  const uint32_t needed = p_.counts.kinds() ? kViewport | kTarget : kViewport;
+  if (p_.shadow.dirty & needed) p_.shadow.refresh(needed);
   EngineChoice& choice = p_.clock.choice;
-  if (kind == PrimitiveClass::surfaces && !choice.takes(triangles, p_.shadow.viewportPixels())) {
+  // Nothing (a glBegin whose vertices will follow) is never too large.
+  if (triangles > 0 && kind == PrimitiveClass::surfaces &&
+      !choice.takes(triangles, p_.shadow.viewportPixels())) {
     choice.overflow();
     set(false);
     return false;
   }
   works();
   p_.shadow.syncCurrent();
-  p_.shadow.sendBuffers();
+  if (p_.shadow.group.anyBuffersHeldBack()) p_.shadow.sendBuffers();
   const Reason why = choice.active() ? Reason::smallScene : Reason::off;
   p_.counts.rasterised(kind == PrimitiveClass::lines    ? Reason::lines
                        : kind == PrimitiveClass::points ? Reason::points

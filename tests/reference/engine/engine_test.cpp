@@ -238,6 +238,50 @@ TEST(Engine, ShadersOfPicturesAreBuiltForTheFirstLargeDraw) {
   EXPECT_GT(context.counts.statistics.drawsTraced, 0u);
 }
 
+/// Current colours after lists that end with the last vertex's colour or another, in frames of every kind.
+TEST(Engine, ListsLeaveTheirLastColourToTheBit) {
+  const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
+  TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
+  const auto compile = [](Gl gl) {
+    for (GLuint list = 1; list <= 3; ++list) {
+      gl.NewList(list, GL_COMPILE);
+      gl.Begin(GL_TRIANGLES);
+      for (GLubyte i = 0; i < 9; ++i) {
+        if (list < 3) gl.Color4ub(i, static_cast<GLubyte>(3 * i + 7), static_cast<GLubyte>(251 - i), 255);
+        gl.Normal3f(0.1f * i, 0, 1);
+        gl.Vertex3f(0.1f * i, i % 3 ? 0.5f : -0.5f, 0.01f * i);
+      }
+      gl.End();
+      if (list == 2) gl.Color4ub(1, 2, 3, 255), gl.Normal3f(0, 0.3f, 0.7f);
+      gl.EndList();
+    }
+  };
+  const auto frame = [](Gl gl) {
+    std::vector<GLfloat> values;
+    scenes::begin(gl, kSceneWidth, kSceneHeight);
+    for (GLuint list = 1; list <= 3; ++list) {
+      gl.Color4f(0.1f, 0.2f, 0.3f, 1);
+      gl.CallList(list);
+      GLfloat v[4] = {};
+      gl.GetFloatv(GL_CURRENT_COLOR, v), values.insert(values.end(), v, v + 4);
+      gl.GetFloatv(GL_CURRENT_NORMAL, v), values.insert(values.end(), v, v + 3);
+    }
+    gl.Finish();
+    return values;
+  };
+  real->makeCurrent();
+  compile(real->real());
+  ours.makeCurrent();
+  compile(ours.gl());
+  for (int i = 0; i < 4; ++i) {
+    real->makeCurrent();
+    const std::vector<GLfloat> expected = frame(real->real());
+    ours.makeCurrent();
+    EXPECT_EQ(frame(ours.gl()), expected) << "frame " << i;
+    EXPECT_TRUE(ours.context().clock.passesThrough()) << "after frame " << i;
+  }
+}
+
 TEST(Engine, ProgramsThatNeverSwapHaveFramesByTheirClears) {
   TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
   const scenes::Scene& scene = *scenes::findScene("directional-light");
