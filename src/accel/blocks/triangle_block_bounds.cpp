@@ -55,37 +55,49 @@ Box widened(const Grown& grown) {
 
 }  // namespace
 
+TriangleRun trianglesOf(const scene::Mesh& mesh, uint32_t first, uint32_t end) {
+  return {mesh.positions.data, mesh.positions.stride, reinterpret_cast<const uint32_t*>(mesh.indices.data),
+          first, end};
+}
+
+namespace {
+
+/// How many of the triangles from `first` on, at most `Most`, make a block, and its box. 0: the first does
+/// not exist. Finds their boxes independently of each other, and first tries whether all fit.
+template <uint32_t Most>
+uint32_t findBlock(const TriangleRun& run, uint32_t first, float looser, Grown& box) {
+  Grown own[Most];
+  float area[Most], sum = 0;
+  uint32_t existing = 0;
+  for (const uint32_t most = std::min(Most, run.end - first); existing < most; ++existing) {
+    if (!join(run, first + existing, own[existing])) break;
+    area[existing] = own[existing].halfArea();
+  }
+  box = {};
+  for (uint32_t k = 0; k < existing; ++k) box.join(own[k]), sum += area[k];
+  if (existing == 0 || box.halfArea() <= looser * sum) return existing;
+  box = own[0], sum = area[0];
+  for (uint32_t k = 1; k < existing; ++k) {
+    Grown both = box;
+    both.join(own[k]), sum += area[k];
+    if (both.halfArea() > looser * sum) return k;
+    box = both;
+  }
+  return existing;
+}
+
+}  // namespace
+
 void findTriangleBlocks(const TriangleRun& run, const TriangleBlockLimits& limits,
                         std::vector<uint32_t>& first, std::vector<Box>* boxes) {
-  Grown box;
-  float sum = 0;       // of the areas of the block's triangles' boxes
-  uint32_t count = 0;  // triangles in the block; 0: no other may join
-  uint32_t begun = run.first;
-  const auto add = [&]() {
-    first.push_back(begun);
+  for (uint32_t t = run.first; t < run.end;) {
+    Grown box;
+    const uint32_t count = limits.most == 4 ? findBlock<4>(run, t, limits.looser, box)
+                                            : findBlock<8>(run, t, limits.looser, box);
+    first.push_back(t);
     if (boxes) boxes->push_back(count ? widened(box) : kNothing);
-  };
-  for (uint32_t t = run.first; t < run.end; ++t) {
-    Grown own;
-    const bool exists = join(run, t, own);
-    const float area = exists ? own.halfArea() : 0;
-    if (exists && count > 0 && count < limits.most) {
-      Grown both = box;
-      both.join(own);
-      if (both.halfArea() <= limits.looser * (sum + area)) {
-        box = both;
-        sum += area;
-        ++count;
-        continue;
-      }
-    }
-    if (t > run.first) add();
-    begun = t;
-    box = own;
-    sum = area;
-    count = exists ? 1 : 0;
+    t += std::max(count, 1u);
   }
-  if (run.end > run.first) add();
 }
 
 Box boxOfTriangleBlock(const TriangleRun& run) {

@@ -3,6 +3,7 @@
 #pragma once
 #include "accel/blocks/triangle_block_kernels.h"
 #include "accel/impostors/impostors.h"
+#include "scene/mesh.h"
 
 #include <cstdint>
 #include <vector>
@@ -12,9 +13,12 @@ namespace gluray::accel {
 /// Size limits of a block: its bounding box has at most `looser` times the summed surface area of its
 /// triangles' boxes. For a row of a surface's cells, the box has about half of that sum.
 struct TriangleBlockLimits {
-  uint32_t most;  // triangles per block
+  uint32_t most;  // triangles per block, 4 or 8
   float looser;
 };
+
+/// A range of a mesh's triangles.
+TriangleRun trianglesOf(const scene::Mesh&, uint32_t first, uint32_t end);
 
 /// Splits a range of triangles into blocks: appends the first triangle of each to `first`, and its bounding
 /// box to `boxes` unless that is null. Throws std::bad_alloc.

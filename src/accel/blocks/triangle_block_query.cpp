@@ -1,6 +1,7 @@
-// Embree's callbacks for triangle blocks. Called on tracing and building threads.
-#include "accel/blocks/triangle_block_kernels.h"
+// Embree's callbacks for triangle blocks and bundles. Called on tracing and building threads.
+#include "accel/blocks/triangle_block_bounds.h"
 #include "accel/blocks/triangle_blocks.h"
+#include "accel/blocks/triangle_bundles.h"
 #include "accel/embree.h"
 #include "accel/occlusion_state.h"
 #include "accel/query_state.h"
@@ -31,9 +32,7 @@ PacketRows rowsOf(const RTCIntersectFunctionNArguments& a) {
 }
 
 TriangleRun runOf(const TriangleBlocks& blocks, uint32_t block) {
-  const scene::Mesh& mesh = blocks.mesh();
-  return {mesh.positions.data, mesh.positions.stride, reinterpret_cast<const uint32_t*>(mesh.indices.data),
-          blocks.first(block), blocks.first(block + 1)};
+  return trianglesOf(blocks.mesh(), blocks.first(block), blocks.first(block + 1));
 }
 
 struct Query {
@@ -83,37 +82,73 @@ uint32_t chooseBlocked(const void* query, const PacketRows& rows, const MetTrian
   return chosen;
 }
 
-}  // namespace
-
-void triangleBlockBounds(const RTCBoundsFunctionArguments* arguments) {
-  const Box box = static_cast<const TriangleBlocks*>(arguments->geometryUserPtr)->boxOf(arguments->primID);
-  RTCBounds& out = *arguments->bounds_o;
+void setBounds(const Box& box, RTCBounds& out) {
   out.lower_x = box.lower.x, out.lower_y = box.lower.y, out.lower_z = box.lower.z;
   out.upper_x = box.upper.x, out.upper_y = box.upper.y, out.upper_z = box.upper.z;
 }
 
-void intersectTriangleBlocks(const RTCIntersectFunctionNArguments* arguments) {
-  const RTCIntersectFunctionNArguments& a = *arguments;
-  const TriangleRun run = runOf(*static_cast<const TriangleBlocks*>(a.geometryUserPtr), a.primID);
+/// Calls meet(packet, names, chooser, query) for the nearest hits.
+template <class Meet>
+void intersect(const RTCIntersectFunctionNArguments& a, Meet&& meet) {
   const HitNames names{a.geomID, a.context->instID[0]};
   const auto* state = static_cast<const QueryState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
   const bool all = !state || !(state->filter || state->ties || state->next);
-  if (all) return meetTriangles(run, rowsOf(a), names, nullptr, nullptr);
+  if (all) return meet(rowsOf(a), names, nullptr, nullptr);
   const Query query{*state, a,
                     names.instance == RTC_INVALID_GEOMETRY_ID ? state->aloneIndex : names.instance};
-  meetTriangles(run, rowsOf(a), names, choose, &query);
+  meet(rowsOf(a), names, choose, &query);
 }
 
-void occludeTriangleBlocks(const RTCOccludedFunctionNArguments* arguments) {
-  const RTCOccludedFunctionNArguments& a = *arguments;
-  const TriangleRun run = runOf(*static_cast<const TriangleBlocks*>(a.geometryUserPtr), a.primID);
+/// Calls meet(packet, chooser, query) to find rays that are blocked.
+template <class Meet>
+void occlude(const RTCOccludedFunctionNArguments& a, Meet&& meet) {
   PacketRows rows{};
   readRays(a.ray, a.N, a.valid, rows);
   const auto* state =
       static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
-  if (!state || !state->filter) return occludeTriangles(run, rows, nullptr, nullptr);
+  if (!state || !state->filter) return meet(rows, nullptr, nullptr);
   const OcclusionAsked asked{*state, a, state->instanceOf(a.context->instID[0])};
-  occludeTriangles(run, rows, chooseBlocked, &asked);
+  meet(rows, chooseBlocked, &asked);
+}
+
+}  // namespace
+
+void triangleBlockBounds(const RTCBoundsFunctionArguments* a) {
+  setBounds(static_cast<const TriangleBlocks*>(a->geometryUserPtr)->boxOf(a->primID), *a->bounds_o);
+}
+
+void intersectTriangleBlocks(const RTCIntersectFunctionNArguments* arguments) {
+  const TriangleRun run =
+      runOf(*static_cast<const TriangleBlocks*>(arguments->geometryUserPtr), arguments->primID);
+  intersect(*arguments, [&](const PacketRows& rows, const HitNames& names, Chooser chooser,
+                            const void* query) { meetTriangles(run, rows, names, chooser, query); });
+}
+
+void occludeTriangleBlocks(const RTCOccludedFunctionNArguments* arguments) {
+  const TriangleRun run =
+      runOf(*static_cast<const TriangleBlocks*>(arguments->geometryUserPtr), arguments->primID);
+  occlude(*arguments, [&](const PacketRows& rows, Chooser chooser, const void* query) {
+    occludeTriangles(run, rows, chooser, query);
+  });
+}
+
+void triangleBundleBounds(const RTCBoundsFunctionArguments* a) {
+  setBounds(static_cast<const TriangleBundles*>(a->geometryUserPtr)->boxOf(a->primID), *a->bounds_o);
+}
+
+void intersectTriangleBundles(const RTCIntersectFunctionNArguments* arguments) {
+  const auto& bundles = *static_cast<const TriangleBundles*>(arguments->geometryUserPtr);
+  intersect(*arguments,
+            [&](const PacketRows& rows, const HitNames& names, Chooser chooser, const void* query) {
+              meetBundle(bundles[arguments->primID], bundles.arrays(), rows, names, chooser, query);
+            });
+}
+
+void occludeTriangleBundles(const RTCOccludedFunctionNArguments* arguments) {
+  const auto& bundles = *static_cast<const TriangleBundles*>(arguments->geometryUserPtr);
+  occlude(*arguments, [&](const PacketRows& rows, Chooser chooser, const void* query) {
+    occludeBundle(bundles[arguments->primID], bundles.arrays(), rows, chooser, query);
+  });
 }
 
 }  // namespace gluray::accel

@@ -18,11 +18,6 @@ bool pays(TriangleBlocks::Aim aim, uint64_t blocks, uint64_t triangles) {
   return blocks * (aim == TriangleBlocks::Aim::memory ? 3 : 2) <= triangles;
 }
 
-TriangleRun runOf(const scene::Mesh& mesh, uint32_t first, uint32_t end) {
-  return {mesh.positions.data, mesh.positions.stride, reinterpret_cast<const uint32_t*>(mesh.indices.data),
-          first, end};
-}
-
 }  // namespace
 
 TriangleBlocks::TriangleBlocks(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
@@ -41,7 +36,7 @@ TriangleBlocks::TriangleBlocks(const scene::Mesh& mesh, Aim aim) : aim_(aim) {
     part.first.reserve(kBlock / 4);
     if (withBoxes) part.boxes.reserve(kBlock / 4);
     const uint32_t begin = b * kBlock, end = begin + std::min(kBlock, mesh_.triangleCount - begin);
-    findTriangleBlocks(runOf(mesh_, begin, end), limitsOf(aim), part.first,
+    findTriangleBlocks(trianglesOf(mesh_, begin, end), limitsOf(aim), part.first,
                        withBoxes ? &part.boxes : nullptr);
   });
   size_t total = 0;
@@ -62,7 +57,7 @@ bool TriangleBlocks::likely(const scene::Mesh& mesh, Aim aim) {
   std::vector<uint32_t> first;
   for (uint32_t i = 0; i < kSamples; ++i) {
     const auto begin = static_cast<uint32_t>(uint64_t{mesh.triangleCount - kEach} * i / (kSamples - 1));
-    findTriangleBlocks(runOf(mesh, begin, begin + kEach), limitsOf(aim), first, nullptr);
+    findTriangleBlocks(trianglesOf(mesh, begin, begin + kEach), limitsOf(aim), first, nullptr);
   }
   return pays(aim, first.size(), kSamples * kEach);
 }
@@ -71,7 +66,7 @@ bool TriangleBlocks::pay() const { return pays(aim_, count(), mesh_.triangleCoun
 
 Box TriangleBlocks::boxOf(uint32_t block) const {
   if (!boxes_.empty()) return boxes_[block];
-  return boxOfTriangleBlock(runOf(mesh_, first(block), first(block + 1)));
+  return boxOfTriangleBlock(trianglesOf(mesh_, first(block), first(block + 1)));
 }
 
 }  // namespace gluray::accel

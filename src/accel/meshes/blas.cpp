@@ -125,6 +125,7 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   RTCGeometry geometry = nullptr;
   if (mesh.shape != scene::Shape::triangles) geometry = impostors(of);
   if (!geometry && quality == BvhQuality::least) geometry = blocks(mesh, TriangleBlocks::Aim::memory);
+  if (!geometry && quality == BvhQuality::fast && !toRefit) geometry = bundles(mesh);
   if (!geometry && quality == BvhQuality::fast && !toRefit)
     geometry = blocks(mesh, TriangleBlocks::Aim::speed);
   if (!geometry) geometry = triangles(iota, mesh);
@@ -176,19 +177,45 @@ RTCGeometryTy* Blas::impostors(const Geometry& of) {
   return geometry;
 }
 
+namespace {
+
+/// A geometry of `count` primitives that are known by `leaves`.
+RTCGeometry userGeometry(const Device& device, uint32_t count, void* leaves, RTCBoundsFunction bounds,
+                         RTCIntersectFunctionN intersect, RTCOccludedFunctionN occlude) {
+  RTCGeometry geometry = rtcNewGeometry(device.handle(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, count);
+  rtcSetGeometryUserData(geometry, leaves);
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect);
+  rtcSetGeometryOccludedFunction(geometry, occlude);
+  return geometry;
+}
+
+}  // namespace
+
 RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
   auto blocks = std::make_unique<TriangleBlocks>(mesh, aim);
   if (!blocks->pay()) return nullptr;
   blocks_ = std::move(blocks);
+  pinIndices(mesh);
+  return userGeometry(device_, blocks_->count(), blocks_.get(), triangleBlockBounds, intersectTriangleBlocks,
+                      occludeTriangleBlocks);
+}
+
+RTCGeometryTy* Blas::bundles(const scene::Mesh& mesh) {
+  if (mesh.triangleCount >= TriangleBundles::kSampled && !TriangleBundles::likely(mesh)) return nullptr;
+  auto bundles = std::make_unique<TriangleBundles>(mesh);
+  if (!bundles->pay()) return nullptr;
+  bundles_ = std::move(bundles);
+  bvhBytes_ = bundles_->bytes();
+  pinIndices(mesh);
+  return userGeometry(device_, bundles_->count(), bundles_.get(), triangleBundleBounds,
+                      intersectTriangleBundles, occludeTriangleBundles);
+}
+
+void Blas::pinIndices(const scene::Mesh& mesh) {
   indexData_ = mesh.indices.data;
   if (mesh.indices) pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
-  RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, blocks_->count());
-  rtcSetGeometryUserData(geometry, blocks_.get());
-  rtcSetGeometryBoundsFunction(geometry, triangleBlockBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersectTriangleBlocks);
-  rtcSetGeometryOccludedFunction(geometry, occludeTriangleBlocks);
-  return geometry;
 }
 
 Blas::Blas(const Device& device, PageCache& pages, const scene::Mesh& mesh)

@@ -1,6 +1,7 @@
 // The acceleration structure (BLAS) of one mesh. Made by BlasCache; read by any number of tracing threads.
 #pragma once
 #include "accel/blocks/triangle_blocks.h"
+#include "accel/blocks/triangle_bundles.h"
 #include "accel/device.h"
 #include "accel/impostors/impostors.h"
 #include "accel/meshes/deformation.h"
@@ -82,6 +83,9 @@ class Blas {
   RTCGeometryTy* impostors(const Geometry&);
   /// Null unless TriangleBlocks::pay().
   RTCGeometryTy* blocks(const scene::Mesh&, TriangleBlocks::Aim);
+  /// Null unless TriangleBundles::pay().
+  RTCGeometryTy* bundles(const scene::Mesh&);
+  void pinIndices(const scene::Mesh&);
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
@@ -89,7 +93,9 @@ class Blas {
   scene::Mesh impostors_;  // of impostors: the arrays that bounds are read from
   ImpostorReach reach_;
   std::pair<const scene::Mesh*, const ImpostorReach*> bounded_;  // both, for Embree's callback
-  std::unique_ptr<TriangleBlocks> blocks_;  // the leaves; null: single triangles or impostors
+  // The leaves; both null: single triangles or impostors.
+  std::unique_ptr<TriangleBlocks> blocks_;
+  std::unique_ptr<TriangleBundles> bundles_;
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
   const void* indexData_ = nullptr;         // of triangles; null: triangle soup
