@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 
 namespace gluray {
 
@@ -15,6 +16,23 @@ struct Hash128 {
 
 /// Hash of `sizeBytes` bytes, chained to `seed` so that several arrays have one hash.
 Hash128 hashBytes(const void* data, size_t sizeBytes, Hash128 seed = {});
+
+/// hashBytes() of bytes that come in pieces.
+class HashStream {
+ public:
+  HashStream();  // throws std::bad_alloc
+  ~HashStream();
+  HashStream(HashStream&&) noexcept;
+  HashStream& operator=(HashStream&&) noexcept;
+
+  void add(const void* data, size_t sizeBytes) noexcept;
+  /// Returns the hash and starts the next.
+  Hash128 take() noexcept;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace gluray
 

@@ -96,6 +96,7 @@ void CapturedVertices::clear() {
   primitives.clear();
   indices.clear();
   materials.clear();
+  facts.reset();
 }
 
 namespace {

@@ -4,12 +4,14 @@
 #include "base/hash.h"
 #include "gl/capture/attribute_slots.h"
 #include "gl/capture/growing_array.h"
+#include "gl/capture/surface_facts.h"
 #include "scene/shading.h"
 
 #include <GL/gl.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -63,6 +65,7 @@ struct CapturedVertices {
   std::vector<Primitive> primitives;
   GrowingArray<uint32_t> indices;         // vertex numbers; empty: primitives count vertices
   std::vector<MaterialChange> materials;  // entry i is material number i+1; 0 is the material of the call
+  std::optional<SurfaceFacts> facts;      // of the triangles, if they were found while these were sent
 
   bool empty() const { return primitives.empty(); }
   const float* vertex(uint32_t i) const { return vertices.data() + size_t{i} * layout.stride; }

@@ -234,7 +234,7 @@ KnownMesh buildMesh(CapturedVertices&& captured) {
   mesh->indices = {taken, reinterpret_cast<const std::byte*>(captured.indices.data()), 4,
                    scene::Format::uint32};
   mesh->sizeBytes = captured.sizeBytes();
-  finishMesh(*mesh);
+  finishMesh(*mesh, captured.facts ? &*captured.facts : nullptr);
   // Moving the arrays leaves their elements where they are; nothing can fail from here on.
   taken->vertices = std::move(captured.vertices);
   taken->indices = std::move(captured.indices);

@@ -14,8 +14,9 @@ KnownMesh buildMesh(const CapturedVertices& captured);
 /// If this throws, `captured` is as it was.
 KnownMesh buildMesh(CapturedVertices&& captured);
 
-/// Computes bounds, opacity of colours, and geometry id of `mesh`, whose arrays are set.
-void finishMesh(scene::Mesh& mesh);
+/// Computes bounds, opacity of colours, and geometry id of `mesh`, whose arrays are set. `facts`, if any, are
+/// those of its triangles.
+void finishMesh(scene::Mesh& mesh, const SurfaceFacts* facts = nullptr);
 
 /// Whether a coordinate is beyond 1e18. Embree rejects coordinates beyond 1.8e18.
 bool isFarAway(const scene::Mesh& mesh);

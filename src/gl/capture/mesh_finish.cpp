@@ -11,19 +11,13 @@ namespace {
 
 constexpr size_t kBoundsGrain = 1 << 16;  // vertices
 
-struct Bounds {
-  glm::vec3 lower{INFINITY}, upper{-INFINITY};
-  void join(const Bounds& o) { lower = glm::min(lower, o.lower), upper = glm::max(upper, o.upper); }
-};
-
 Bounds boundsOf(const scene::Mesh& mesh) {
+  const auto* positions = reinterpret_cast<const float*>(mesh.positions.data);
+  const uint32_t stride = mesh.positions.stride / 4;
   return reducePieces(
       mesh.vertexCount, kBoundsGrain, Bounds{},
       [&](size_t first, size_t last, Bounds b) {
-        for (size_t i = first; i < last; ++i) {
-          const glm::vec3 p = mesh.position(static_cast<uint32_t>(i));
-          if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) b.join({p, p});
-        }
+        b.join(boundsOfFinite(positions + first * stride, static_cast<uint32_t>(last - first), stride));
         return b;
       },
       [](Bounds a, const Bounds& b) {
@@ -32,24 +26,28 @@ Bounds boundsOf(const scene::Mesh& mesh) {
       });
 }
 
-/// Hash of the corners' positions in triangle order, computed in blocks on all cores. It does not depend on
-/// which corners share vertices.
+/// Computes the hashes of pieces on all cores.
 Hash128 geometryIdentity(const scene::Mesh& mesh) {
-  constexpr uint32_t kTriangles = 1 << 14;
-  const uint32_t blocks = (mesh.triangleCount + kTriangles - 1) / kTriangles;
-  std::vector<Hash128> hashes(blocks);
-  const auto hashBlock = [&](uint32_t b) {
-    const uint32_t first = b * kTriangles, last = std::min(mesh.triangleCount, first + kTriangles);
-    std::vector<glm::vec3> corners(size_t{last - first} * 3);
-    glm::vec3* corner = corners.data();
-    for (uint32_t t = first; t < last; ++t)
-      for (uint32_t k = 0; k < 3; ++k) *corner++ = mesh.position(mesh.corner(t, k));
-    hashes[b] = hashBytes(corners.data(), corners.size() * sizeof(glm::vec3));
+  constexpr uint32_t kTriangles = kIdentityPiece / 3, kPacked = 64;
+  const uint32_t pieces = (mesh.triangleCount + kTriangles - 1) / kTriangles;
+  std::vector<Hash128> hashes(pieces);
+  const auto hashPiece = [&](uint32_t piece, HashStream& stream) {
+    const uint32_t first = piece * kTriangles, last = std::min(mesh.triangleCount, first + kTriangles);
+    glm::vec3 corners[3 * kPacked];
+    for (uint32_t from = first; from < last; from += kPacked) {
+      const uint32_t to = std::min(last, from + kPacked);
+      glm::vec3* corner = corners;
+      for (uint32_t t = from; t < to; ++t)
+        for (uint32_t k = 0; k < 3; ++k) *corner++ = mesh.position(mesh.corner(t, k));
+      stream.add(corners, static_cast<size_t>(corner - corners) * sizeof(glm::vec3));
+    }
+    hashes[piece] = stream.take();
   };
-  forPieces(blocks, 1, [&](size_t b, size_t last) {
-    for (; b < last; ++b) hashBlock(static_cast<uint32_t>(b));
+  forPieces(pieces, 1, [&](size_t piece, size_t last) {
+    HashStream stream;
+    for (; piece < last; ++piece) hashPiece(static_cast<uint32_t>(piece), stream);
   });
-  return hashBytes(hashes.data(), hashes.size() * sizeof(Hash128), {mesh.triangleCount, 0});
+  return identityOf(hashes, mesh.triangleCount);
 }
 
 bool allOpaque(const scene::Attribute& colors, uint32_t count) {
@@ -67,10 +65,11 @@ bool isFarAway(const scene::Mesh& mesh) {
   return std::max({reach.x, reach.y, reach.z}) > kFarthest;
 }
 
-void finishMesh(scene::Mesh& mesh) {
-  const Bounds bounds = boundsOf(mesh);
+void finishMesh(scene::Mesh& mesh, const SurfaceFacts* facts) {
+  const bool known = facts && facts->corners == uint64_t{mesh.triangleCount} * 3;
+  const Bounds bounds = known ? facts->bounds : boundsOf(mesh);
   if (bounds.lower.x <= bounds.upper.x) mesh.lower = bounds.lower, mesh.upper = bounds.upper;
-  mesh.geometryId = geometryIdentity(mesh);
+  mesh.geometryId = known ? facts->identity : geometryIdentity(mesh);
   mesh.opaqueColors = allOpaque(mesh.colors, mesh.vertexCount);
 }
 

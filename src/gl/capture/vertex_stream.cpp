@@ -19,6 +19,7 @@ void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weld
   where_ = where;
   kept_ = numbered_ = 0;
   welder_.forget();
+  watch_.start();
   captured_.layout = VertexLayout::of(mask);
   insidePrimitive_ = false;
   cursor_ = captured_.vertices.data();
@@ -40,6 +41,7 @@ void VertexStream::begin(GLenum mode) {
 
 void VertexStream::stopWelding() {
   numberAll();
+  watch_.spoil();
   weldFrom_ = kNever;
   welder_.forget();
 }
@@ -88,6 +90,7 @@ void VertexStream::end() {
   captured_.vertexCount -= arrived;
   captured_.indices.resize(captured_.indices.size() - (extra - arrived));
   numbered_ -= extra - arrived;
+  if (watch_.corners() > numbered_) watch_.spoil();  // it has seen some that are left out
   cursor_ = captured_.vertex(captured_.vertexCount);
   if (count == 0) return;
   // Consecutive glBegin/glEnd pairs of one separate mode become one primitive.
@@ -98,7 +101,16 @@ void VertexStream::end() {
   captured_.primitives.push_back({mode_, first_, count});
 }
 
+// Before the vertices that have arrived are welded or handed over. A second time, after a failure, they are
+// known.
+void VertexStream::watch() {
+  const uint32_t first = behind_.active() ? 0 : kept_, arrived = captured_.vertexCount - first;
+  if (watch_.corners() == numbered_) watch_.add(captured_.vertex(first), arrived, captured_.layout.stride);
+  if (watch_.corners() != numbered_ + arrived) watch_.spoil();
+}
+
 void VertexStream::weldArrived() {
+  watch();
   kept_ = welder_.weld(captured_.vertices.data(), captured_.layout.stride, kept_, captured_.vertex(kept_),
                        captured_.vertexCount - kept_, captured_.indices);
   captured_.vertexCount = kept_;
@@ -109,6 +121,7 @@ void VertexStream::weldArrived() {
 void VertexStream::weldBehind() {
   if (behind_.active()) {
     const uint32_t count = captured_.vertexCount;
+    watch();
     if (behind_.hand(captured_.vertices, count)) {
       numbered_ += count;
       captured_.vertexCount = 0;
@@ -217,6 +230,8 @@ float VertexStream::addMaterial(const MaterialChange& change) {
 
 CapturedVertices VertexStream::take() {
   numberAll();
+  if (SurfaceFacts facts; numbered_ > 0 && welds() && watch_.corners() == numbered_ && watch_.facts(facts))
+    captured_.facts = facts;
   CapturedVertices result = std::move(captured_);
   captured_ = {};
   cursor_ = nullptr;

@@ -89,6 +89,7 @@ class VertexStream {
   void relayout(SlotMask mask);
   bool welds() const { return weldFrom_ != kNever; }
   uint32_t nextWeld() const;
+  void watch();
   void weldArrived();
   void weldBehind();
   void bringBack();
@@ -102,6 +103,7 @@ class VertexStream {
   uint32_t numbered_ = 0;  // vertices sent that have an index, or were handed to behind_
   StreamWelder welder_;
   WeldBehind behind_;
+  SurfaceWatch watch_;  // of the vertices that have an index, or were handed to behind_
   float* cursor_ = nullptr;
   uint32_t room_ = 0;   // vertices that fit before grow() must be called
   uint32_t limit_ = 0;  // the same for vertex(); 0 while it must not be called
