@@ -1,5 +1,5 @@
-// Triangle bundles: up to eight triangle blocks and their boxes, and SIMD intersection of a packet's rays with
-// them. Private to accel/; called on tracing threads.
+// Triangle bundles: up to eight triangle blocks and their boxes, and SIMD intersection of a packet's rays
+// with them. Private to accel/; called on tracing threads.
 #pragma once
 #include "accel/blocks/triangle_block_kernels.h"
 

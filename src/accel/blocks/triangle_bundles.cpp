@@ -14,7 +14,7 @@ namespace gluray::accel {
 namespace {
 
 constexpr TriangleBlockLimits kBlockLimits{4, 2};  // measured in docs/adr/0026
-constexpr float kLooser = 3;                       // as TriangleBlockLimits::looser, for the blocks of a bundle
+constexpr float kLooser = 3;  // as TriangleBlockLimits::looser, for the blocks of a bundle
 constexpr float kFarAway = std::numeric_limits<float>::infinity();
 
 /// Blocks of some triangles, and which of them make bundles. Memory that is used again.

@@ -1,5 +1,5 @@
-// What the corners of triangles tell of a mesh: its identity and bounds. Computed by mesh_builder from arrays,
-// or by VertexStream while the corners are sent and still in the caches. One thread at a time.
+// What the corners of triangles tell of a mesh: its identity and bounds. Computed by mesh_builder from
+// arrays, or by VertexStream while the corners are sent and still in the caches. One thread at a time.
 #pragma once
 #include "base/hash.h"
 
@@ -16,13 +16,14 @@ struct Bounds {
   void join(const Bounds& o) { lower = glm::min(lower, o.lower), upper = glm::max(upper, o.upper); }
 };
 
-/// Bounds of those of `count` positions, `stride` floats apart, that are finite. Reads a float beyond the last.
+/// Bounds of those of `count` positions, `stride` floats apart, that are finite. Reads a float beyond the
+/// last.
 Bounds boundsOfFinite(const float* positions, uint32_t count, uint32_t stride);
 
 constexpr uint32_t kIdentityPiece = 3 << 14;  // corners hashed as one
 
-/// Hash of corners' positions in triangle order. It does not depend on which corners share vertices. `pieces`:
-/// hashes of kIdentityPiece corners each; the last has the rest.
+/// Hash of corners' positions in triangle order. It does not depend on which corners share vertices.
+/// `pieces`: hashes of kIdentityPiece corners each; the last has the rest.
 Hash128 identityOf(const std::vector<Hash128>& pieces, uint32_t triangles);
 
 /// Of all triangles of a run.

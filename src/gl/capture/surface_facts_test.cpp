@@ -73,7 +73,8 @@ TEST_P(SentFacts, LeaveOutIncompleteTriangles) {
     CapturedVertices welded = stream.take();
     EXPECT_EQ(welded.facts.has_value(), !seen);
     const KnownMesh known = buildMesh(std::move(welded));
-    EXPECT_EQ(known.mesh->geometryId, buildMesh(grid(test::kSide, test::kNever, bit(kPosition))).mesh->geometryId);
+    EXPECT_EQ(known.mesh->geometryId,
+              buildMesh(grid(test::kSide, test::kNever, bit(kPosition))).mesh->geometryId);
   }
 }
 
