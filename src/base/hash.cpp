@@ -1,6 +1,9 @@
 #include "base/hash.h"
 
 #define XXH_INLINE_ALL
+#ifdef __SANITIZE_ADDRESS__
+#define XXH_NO_INLINE_HINTS 1  // GCC does not inline calls through constant pointers with -Og
+#endif
 #include <xxhash.h>
 
 namespace gluray {
