@@ -75,13 +75,14 @@ def body(command: glxml.Command) -> str:
 
 
 def _packed(command: glxml.Command, stem: str, count: str, vector: str) -> str:
-    """Forms with 10, 10, 10 and 2 bits. An unknown type is left to the real OpenGL, which records the error."""
+    """Forms packed into 32 bits. An unknown type is left to the real OpenGL, which records the error."""
     names = [p.name for p in command.params]
     type_name = next(p.name for p in command.params if p.type == "GLenum" and p.name != "texture")
     function, wanted, normalised = KINDS[stem]
+    unpack = "unpackGeneric3" if stem == "VertexAttrib" and count == "3" else "unpack"
     scale = "normalized != GL_FALSE" if stem == "VertexAttrib" else str(normalised).lower()
     value = f"{'*' if vector else ''}{names[-1]}"
     parts = [f"v.{part}" for part in "xyzw"[:int(count)]]
     call = f"vertexcall::{function}({', '.join(_leading(stem, names) + [_fill(parts, wanted)])});"
-    return (f"Packed v;\n  if (unpack({type_name}, {scale}, {value}, v)) {call}\n"
+    return (f"Packed v;\n  if ({unpack}(packedRulesOfNow(), {type_name}, {scale}, {value}, v)) {call}\n"
             f"  else if (t_thread.context) t_thread.context->real.{command.short}({command.arguments});")

@@ -43,6 +43,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   };
   int major = 0, minor = 0;
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
+  info.version = 10 * major + minor;
   GLboolean doubleBuffered = GL_TRUE;
   if (!info.core) real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
   info.doubleBuffered = doubleBuffered != GL_FALSE;

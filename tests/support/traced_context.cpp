@@ -1,5 +1,6 @@
 #include "tests/support/traced_context.h"
 
+#include "gl/state/extensions.h"
 #include "intercept/make_presenter.h"
 #include "intercept/stubs/stub_proc.h"
 
@@ -25,6 +26,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
     : below_(OsmesaContext::create(wish, share ? share->below_.get() : nullptr)),
       presenter_(std::move(presenter)) {
   gl::ContextInfo info;
+  info.version = gl::versionOf(below_->real());
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;

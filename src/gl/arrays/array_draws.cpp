@@ -8,6 +8,7 @@
 #include "gl/culled/raster_light.h"
 #include "gl/handlers.h"
 #include "gl/lists/geometry_run.h"
+#include "gl/state/extensions.h"
 #include "gl/stub.h"
 
 #include <algorithm>
@@ -15,12 +16,6 @@
 #include <span>
 
 namespace gluray::gl {
-
-namespace {
-
-bool isMode(GLenum mode) { return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_PATCHES); }
-
-}  // namespace
 
 void refuse(Context& c, GLenum error) {
   // Inside glBegin GL_INVALID_OPERATION comes first, except while a list is compiled.
@@ -32,7 +27,7 @@ void refuse(Context& c, GLenum error) {
 bool validate(Context& c, GLenum mode, const Elements& e) {
   if (e.count < 0 || e.instances < -1 || (e.instances >= 0 && e.first < 0))
     return refuse(c, GL_INVALID_VALUE), false;
-  if (!isMode(mode)) return refuse(c, GL_INVALID_ENUM), false;
+  if (!isPrimitive(c.shadow.real, mode)) return refuse(c, GL_INVALID_ENUM), false;
   if (e.type && !isIndexType(e.type)) return refuse(c, GL_INVALID_ENUM), false;
   if (c.immediate.insideBegin()) return c.lists.misuse(), false;
   return true;

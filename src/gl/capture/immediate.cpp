@@ -115,17 +115,9 @@ void Immediate::vertex(float x, float y, float z, float w) {
 }
 
 /// Whether glBegin takes `mode`. Patches are those of tessellation shaders.
-bool Immediate::isPrimitive(GLenum mode) const {
-  if (mode != GL_PATCHES)
-    return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY);
-  const RealGl& real = p_.shadow.real;
-  const int version = versionOf(real);
-  return version >= 40 || hasExtension(real, version, "GL_ARB_tessellation_shader");
-}
-
 void Immediate::begin(GLenum mode) {
   if (insideBegin()) return p_.lists.misuse();
-  if (!isPrimitive(mode)) {
+  if (!isPrimitive(p_.shadow.real, mode)) {
     if (!p_.lists.compiling()) return p_.shadow.errors.set(GL_INVALID_ENUM);
     return p_.lists.record([](Context& x) { x.errors.set(GL_INVALID_ENUM); });
   }

@@ -94,7 +94,6 @@ class Immediate {
   void setCurrent(Slot slot, const float* values);
   void noteColor(Slot slot);
   bool canBegin(GLenum mode);
-  bool isPrimitive(GLenum mode) const;
   void recordMisuse();
   void countOpenPrimitive();
   void addSlotToRun(Slot slot);

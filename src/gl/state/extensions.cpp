@@ -69,6 +69,13 @@ bool hasExtension(const RealGl& real, int version, std::string_view name) {
   return false;
 }
 
+bool isPrimitive(const RealGl& real, GLenum mode) {
+  if (mode != GL_PATCHES)
+    return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY);
+  const int version = versionOf(real);
+  return version >= 40 || hasExtension(real, version, "GL_ARB_tessellation_shader");
+}
+
 RareState readRareState(const RealGl& real) {
   const int version = versionOf(real);
   const Extensions extensions(real, version);

@@ -28,6 +28,9 @@ class Extensions {
 /// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
 bool hasExtension(const RealGl& real, int version, std::string_view name);
 
+/// Whether glBegin and draws take `mode`. Patches need OpenGL 4.0 or ARB_tessellation_shader.
+bool isPrimitive(const RealGl& real, GLenum mode);
+
 /// Which state of later versions and extensions a context has beside that of OpenGL 1.5.
 struct RareState {
   bool asked = false;

@@ -7,6 +7,7 @@
 #include "gl/stub.h"
 #include "gl/window/finished_read.h"
 #include "intercept/stubs/orphan_gl.h"
+#include "intercept/stubs/packed_attributes.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,36 +28,9 @@ constexpr float normalised(Integer c) {
     return static_cast<float>(c / steps);
 }
 
-/// IEEE 754 half to single precision.
-inline float halfToFloat(uint16_t half) {
-  const uint32_t sign = static_cast<uint32_t>(half & 0x8000u) << 16, exponent = (half >> 10) & 31u,
-                 fraction = half & 1023u;
-  if (exponent == 0) {
-    const float magnitude = static_cast<float>(fraction) * 0x1p-24f;
-    return sign ? -magnitude : magnitude;
-  }
-  const uint32_t bits = sign | (exponent == 31 ? 0x7f800000u : (exponent + 112) << 23) | (fraction << 13);
-  float result;
-  std::memcpy(&result, &bits, sizeof result);
-  return result;
-}
-
-struct Packed {
-  float x, y, z, w;
-};
-
-/// Unpacks a packed attribute. False if `type` is not one of the two packed types of GL 3.3, section 2.7.
-inline bool unpack(GLenum type, bool normalise, GLuint value, Packed& v) {
-  const auto field = [&](int shift, int bits) {
-    const uint32_t raw = (value >> shift) & ((1u << bits) - 1u);
-    const double steps = (1 << bits) - 1;
-    if (type == GL_UNSIGNED_INT_2_10_10_10_REV) return static_cast<float>(normalise ? raw / steps : raw);
-    const int c = static_cast<int>(raw << (32 - bits)) >> (32 - bits);
-    return static_cast<float>(normalise ? (2.0 * c + 1.0) / steps : c);
-  };
-  if (type != GL_UNSIGNED_INT_2_10_10_10_REV && type != GL_INT_2_10_10_10_REV) return false;
-  v = {field(0, 10), field(10, 10), field(20, 10), field(30, 2)};
-  return true;
+/// Those of the current context.
+inline PackedRules packedRulesOfNow() {
+  return gl::t_thread.context ? packedRules(gl::t_thread.context->shadow.info.version) : PackedRules{};
 }
 
 /// Owns a copy of an array that the program passed, for use after the call. Null stays null.

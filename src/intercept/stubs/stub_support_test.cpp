@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace gluray::intercept::stubs {
 namespace {
 
@@ -26,51 +24,6 @@ TEST(Normalised, EndsOfEveryRange) {
 TEST(Normalised, SignedZeroIsHalfAStepAboveZero) {
   EXPECT_FLOAT_EQ(normalised(GLbyte{0}), 1.0f / 255.0f);
   EXPECT_FLOAT_EQ(normalised(GLshort{0}), 1.0f / 65535.0f);
-}
-
-TEST(HalfToFloat, KnownValues) {
-  EXPECT_EQ(halfToFloat(0x0000), 0.0f);
-  EXPECT_EQ(halfToFloat(0x3C00), 1.0f);
-  EXPECT_EQ(halfToFloat(0xC000), -2.0f);
-  EXPECT_EQ(halfToFloat(0x7BFF), 65504.0f);
-  EXPECT_EQ(halfToFloat(0x0001), 0x1p-24f);
-  EXPECT_EQ(halfToFloat(0x83FF), -1023 * 0x1p-24f);
-  EXPECT_TRUE(std::isinf(halfToFloat(0x7C00)));
-  EXPECT_TRUE(std::isnan(halfToFloat(0x7E00)));
-}
-
-TEST(Unpack, UnsignedFields) {
-  Packed v;
-  const GLuint value = 1u | 2u << 10 | 1023u << 20 | 3u << 30;
-  ASSERT_TRUE(unpack(GL_UNSIGNED_INT_2_10_10_10_REV, false, value, v));
-  EXPECT_EQ(v.x, 1);
-  EXPECT_EQ(v.y, 2);
-  EXPECT_EQ(v.z, 1023);
-  EXPECT_EQ(v.w, 3);
-  ASSERT_TRUE(unpack(GL_UNSIGNED_INT_2_10_10_10_REV, true, value, v));
-  EXPECT_FLOAT_EQ(v.x, 1 / 1023.0f);
-  EXPECT_EQ(v.z, 1);
-  EXPECT_EQ(v.w, 1);
-}
-
-TEST(Unpack, SignedFields) {
-  Packed v;
-  const GLuint value = 511u | 512u << 10 | 1023u << 20 | 2u << 30;  // 511, -512, -1, -2
-  ASSERT_TRUE(unpack(GL_INT_2_10_10_10_REV, false, value, v));
-  EXPECT_EQ(v.x, 511);
-  EXPECT_EQ(v.y, -512);
-  EXPECT_EQ(v.z, -1);
-  EXPECT_EQ(v.w, -2);
-  ASSERT_TRUE(unpack(GL_INT_2_10_10_10_REV, true, value, v));
-  EXPECT_EQ(v.x, 1);
-  EXPECT_EQ(v.y, -1);
-  EXPECT_FLOAT_EQ(v.z, -1 / 1023.0f);
-  EXPECT_EQ(v.w, -1);
-}
-
-TEST(Unpack, OtherTypesAreRefused) {
-  Packed v;
-  EXPECT_FALSE(unpack(GL_FLOAT, false, 0, v));
 }
 
 TEST(CopyOf, OwnsTheCopy) {

@@ -167,6 +167,42 @@ void main() { color = vec4(1); })"}});
       -1, kOld);
 }
 
+/// Lists keep changes of a pipeline's programs, but not its binding (ARB_separate_shader_objects, issue 9).
+TEST(BegunPrograms, TakeStagesFromLists) {
+  expectSame(
+      "begun_stages",
+      [](Gl gl) {
+        const char* const vertex = "void main() { gl_Position = gl_Vertex; }";
+        const char* const red = "void main() { gl_FragColor = vec4(1, 0, 0, 1); }";
+        const char* const green =
+            "uniform float rest; void main() { gl_FragColor = vec4(rest, 1, rest, 1); }";
+        const GLuint list = gl.GenLists(1), first = gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &vertex),
+                     second = gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &red),
+                     third = gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &green);
+        GLuint pipeline = 0;
+        GLint current = 0;
+        beginFrame(gl);
+        gl.GenProgramPipelines(1, &pipeline);
+        gl.UseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, first);
+        gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, second);
+        gl.NewList(list, GL_COMPILE);
+        gl.BindProgramPipeline(pipeline);  // at once
+        gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, third);
+        gl.ActiveShaderProgram(pipeline, third);
+        gl.Uniform1f(0, 0.5f);
+        gl.EndList();
+        gl.GetProgramPipelineiv(pipeline, GL_FRAGMENT_SHADER, &current);
+        EXPECT_EQ(static_cast<GLuint>(current), second);
+        gl.Rectf(-0.9f, -0.9f, -0.1f, 0.9f);
+        gl.CallList(list);
+        gl.GetProgramPipelineiv(pipeline, GL_FRAGMENT_SHADER, &current);
+        EXPECT_EQ(static_cast<GLuint>(current), third);
+        gl.Rectf(0.1f, -0.9f, 0.9f, 0.9f);
+        gl.BindProgramPipeline(0), gl.DeleteProgramPipelines(1, &pipeline);
+      },
+      -1, kOld);
+}
+
 /// Two colours of one fragment are blended, but more buffers are drawn into than can be then.
 TEST(BegunPrograms, RaiseErrorsWithoutVertices) {
   std::array<std::vector<GLenum>, 2> raised;

@@ -1,0 +1,81 @@
+// Attributes of few bits against GL 4.6, sections 2.3.4 and 10.2.1.
+#include "intercept/stubs/packed_attributes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gluray::intercept::stubs {
+namespace {
+
+TEST(HalfToFloat, KnownValues) {
+  EXPECT_EQ(halfToFloat(0x0000), 0.0f);
+  EXPECT_EQ(halfToFloat(0x3C00), 1.0f);
+  EXPECT_EQ(halfToFloat(0xC000), -2.0f);
+  EXPECT_EQ(halfToFloat(0x7BFF), 65504.0f);
+  EXPECT_EQ(halfToFloat(0x0001), 0x1p-24f);
+  EXPECT_EQ(halfToFloat(0x83FF), -1023 * 0x1p-24f);
+  EXPECT_TRUE(std::isinf(halfToFloat(0x7C00)));
+  EXPECT_TRUE(std::isnan(halfToFloat(0x7E00)));
+}
+
+TEST(Unpack, UnsignedFields) {
+  Packed v;
+  const GLuint value = 1u | 2u << 10 | 1023u << 20 | 3u << 30;
+  ASSERT_TRUE(unpack(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, false, value, v));
+  EXPECT_EQ(v.x, 1);
+  EXPECT_EQ(v.y, 2);
+  EXPECT_EQ(v.z, 1023);
+  EXPECT_EQ(v.w, 3);
+  ASSERT_TRUE(unpack(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, true, value, v));
+  EXPECT_FLOAT_EQ(v.x, 1 / 1023.0f);
+  EXPECT_EQ(v.z, 1);
+  EXPECT_EQ(v.w, 1);
+}
+
+TEST(Unpack, SignedFieldsBefore42) {
+  Packed v;
+  const GLuint value = 511u | 512u << 10 | 1023u << 20 | 2u << 30;  // 511, -512, -1, -2
+  ASSERT_TRUE(unpack(packedRules(41), GL_INT_2_10_10_10_REV, false, value, v));
+  EXPECT_EQ(v.x, 511);
+  EXPECT_EQ(v.y, -512);
+  EXPECT_EQ(v.z, -1);
+  EXPECT_EQ(v.w, -2);
+  ASSERT_TRUE(unpack(packedRules(41), GL_INT_2_10_10_10_REV, true, value, v));
+  EXPECT_EQ(v.x, 1);
+  EXPECT_EQ(v.y, -1);
+  EXPECT_FLOAT_EQ(v.z, -1 / 1023.0f);
+  EXPECT_EQ(v.w, -1);
+}
+
+TEST(Unpack, SignedFieldsHaveAZeroFrom42On) {
+  Packed v;
+  ASSERT_TRUE(unpack(packedRules(42), GL_INT_2_10_10_10_REV, true, 511u | 512u << 10 | 1u << 30, v));
+  EXPECT_EQ(v.x, 1);
+  EXPECT_EQ(v.y, -1);  // -512 is -511
+  EXPECT_EQ(v.z, 0);
+  EXPECT_EQ(v.w, 1);
+  ASSERT_TRUE(unpack(packedRules(42), GL_INT_2_10_10_10_REV, true, 1023u | 2u << 30, v));
+  EXPECT_FLOAT_EQ(v.x, -1 / 511.0f);
+  EXPECT_EQ(v.w, -1);
+}
+
+TEST(Unpack, FloatsOfGenericAttributes) {
+  Packed v;
+  const GLuint value = 0x3C0u | 0x3E0u << 11 | 0x200u << 22;  // 1, 1.5, 2
+  ASSERT_TRUE(unpackGeneric3(packedRules(44), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
+  EXPECT_EQ(v.x, 1);
+  EXPECT_EQ(v.y, 1.5f);
+  EXPECT_EQ(v.z, 2);
+  EXPECT_EQ(v.w, 1);
+  EXPECT_FALSE(unpackGeneric3(packedRules(43), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
+  EXPECT_FALSE(unpack(packedRules(44), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
+}
+
+TEST(Unpack, OtherTypesAreRefused) {
+  Packed v;
+  EXPECT_FALSE(unpack(packedRules(46), GL_FLOAT, false, 0, v));
+}
+
+}  // namespace
+}  // namespace gluray::intercept::stubs
