@@ -114,6 +114,10 @@ class First(unittest.TestCase):
         self.assertAlmostEqual(row["gluray_times_plain_low"], 1.0)
         self.assertAlmostEqual(row["gluray_times_plain_high"], 1.5)
 
+    def test_an_earlier_build_is_compared_with_both(self):
+        row = first.row_of(1, "list", {"plain": self.said(2.0, 4.0), "gluray": self.said(1.0, 1.0), "before": self.said(2.0, 2.0)})
+        self.assertEqual((row["scene"], row["gluray_times_before"], row["before_times_plain"]), ("wavelet", 0.5, 0.75))
+
     def test_both_take_turns_in_being_the_first(self):
         ran = []
 
