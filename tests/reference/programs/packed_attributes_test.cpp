@@ -75,7 +75,8 @@ TEST_P(PackedAttributes, ColourVertices) {
       "packed_vertices",
       [](Gl gl) {
         beginFrame(gl);
-        sendTriangle(gl, GL_INT_2_10_10_10_REV, -0.9f), sendTriangle(gl, GL_UNSIGNED_INT_2_10_10_10_REV, -0.4f);
+        sendTriangle(gl, GL_INT_2_10_10_10_REV, -0.9f),
+            sendTriangle(gl, GL_UNSIGNED_INT_2_10_10_10_REV, -0.4f);
         const GLuint list = gl.GenLists(1);
         gl.NewList(list, GL_COMPILE), sendTriangle(gl, GL_INT_2_10_10_10_REV, 0.1f), gl.EndList();
         gl.CallList(list), gl.DeleteLists(list, 1), gl.Color3f(1, 1, 1);
