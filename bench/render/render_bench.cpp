@@ -35,6 +35,7 @@ scene::Snapshot snapshotOf(const Options& options, const bench::TriangleMesh& me
   s.settings.threads = options.threads;
   s.settings.bvh = options.quality == "fast"      ? BvhQuality::fast
                    : options.quality == "compact" ? BvhQuality::compact
+                   : options.quality == "least"   ? BvhQuality::least
                                                   : BvhQuality::full;
   s.settings.shading = options.shading == "vertex" ? ShadingRate::vertex : ShadingRate::pixel;
   if (options.instances) s.instances[0].worldFromObject[3] = {1e-3f, 0, 0, 1};
@@ -98,8 +99,8 @@ int main(int argc, char** argv) {
   CLI::App app("Times the renderer and the bare Embree loop on isosurfaces of the Wavelet.");
   app.add_option("--triangles", options.millionTriangles, "millions of triangles, about")
       ->check(CLI::Range(0.1, 256.0));
-  app.add_option("--bvh", options.quality, "fast, full or compact")
-      ->check(CLI::IsMember(std::vector<std::string>{"fast", "full", "compact"}));
+  app.add_option("--bvh", options.quality, "fast, full, compact or least")
+      ->check(CLI::IsMember(std::vector<std::string>{"fast", "full", "compact", "least"}));
   app.add_option("--shading", options.shading, "pixel or vertex")
       ->check(CLI::IsMember(std::vector<std::string>{"pixel", "vertex"}));
   app.add_option("--threads", options.threads, "0: one a core")->check(CLI::Range(0, 1024));

@@ -74,6 +74,11 @@ size_t Device::bytesOfFrames() {
   return atLeastNone(heldBytes.load(std::memory_order_relaxed) - behindBytes.load(std::memory_order_relaxed));
 }
 
+HeldBytes::HeldBytes(size_t bytes) : bytes_(bytes) {
+  heldBytes.fetch_add(static_cast<ptrdiff_t>(bytes_), std::memory_order_relaxed);
+}
+HeldBytes::~HeldBytes() { heldBytes.fetch_sub(static_cast<ptrdiff_t>(bytes_), std::memory_order_relaxed); }
+
 BehindScope::BehindScope() { t_behind = true, t_behindBytes = 0; }
 BehindScope::~BehindScope() { t_behind = false; }
 size_t BehindScope::bytes() const { return atLeastNone(t_behindBytes); }

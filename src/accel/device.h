@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
@@ -23,7 +24,7 @@ class Device {
   int packetWidth() const { return packetWidth_; }
   /// Embree's version, "3.13.5".
   std::string version() const;
-  /// Bytes that Embree holds for acceleration structures at present.
+  /// Bytes that Embree, and our own leaves (HeldBytes), hold for acceleration structures at present.
   static size_t bytes();
   /// The part of bytes() that was allocated outside any BehindScope.
   static size_t bytesOfFrames();
@@ -33,6 +34,23 @@ class Device {
  private:
   RTCDeviceTy* device_ = nullptr;
   int packetWidth_ = 4;
+};
+
+/// Memory of ours that counts as the device's for as long as this exists.
+class HeldBytes {
+ public:
+  HeldBytes() = default;
+  explicit HeldBytes(size_t bytes);
+  ~HeldBytes();
+  HeldBytes(HeldBytes&& from) noexcept : bytes_(std::exchange(from.bytes_, 0)) {}
+  HeldBytes& operator=(HeldBytes&& from) noexcept {
+    std::swap(bytes_, from.bytes_);
+    return *this;
+  }
+  size_t bytes() const { return bytes_; }
+
+ private:
+  size_t bytes_ = 0;
 };
 
 /// For tests: the next `after` commits succeed, then `count` commits fail as if out of memory.

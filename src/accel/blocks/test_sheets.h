@@ -35,6 +35,19 @@ inline MeshData sheets() {
   return data;
 }
 
+/// One sheet cut into patches of eight triangles, each at a depth of its own: blocks that are too far apart
+/// for bundles.
+inline MeshData patches() {
+  const MeshData whole = sheets();
+  MeshData data;
+  for (uint32_t t = 0; t < 2 * kSide * kSide; ++t) {
+    const float away = 9 * std::fmod(static_cast<float>(t / 8) * 0.6180339f, 1.0f);
+    for (uint32_t k = 0; k < 3; ++k)
+      data.positions.push_back(whole.positions[whole.indices[3 * t + k]] - glm::vec3(0, 0, away));
+  }
+  return data;
+}
+
 /// The triangles of `data`, reordered so that consecutive ones are far apart.
 inline MeshData shuffled(const MeshData& data) {
   MeshData other = data;

@@ -2,6 +2,7 @@
 #include "accel/blocks/triangle_blocks.h"
 
 #include "accel/blocks/test_sheets.h"
+#include "accel/blocks/triangle_bundles.h"
 #include "accel/device.h"
 #include "accel/error.h"
 #include "accel/next_hits.h"
@@ -44,14 +45,14 @@ struct TriangleBlocksTest : testing::TestWithParam<BvhQuality> {
       EXPECT_TRUE(TriangleBlocks(*instance.mesh, aim).pay());
   }
 
-  void compare(const HitFilter* filter) {
+  void compare(const HitFilter* filter, int leastHits = 4000) {
     for (uint32_t number = 0; number < 500; ++number) {
       RayPacket a = packetOf(number), b = packetOf(number);
       blocks.intersect(valid, a, filter);
       triangles.intersect(valid, b, filter);
       for (int i = 0; i < kLanes; ++i) compare(a, b, i);
     }
-    EXPECT_GT(hits, 4000);
+    EXPECT_GT(hits, leastHits);
   }
 
   void compare(const RayPacket& a, const RayPacket& b, int i) {
@@ -106,6 +107,16 @@ TEST_P(TriangleBlocksTest, HitsEqualThoseOfTriangles) {
 TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesInSoup) {
   show(makeSnapshot({makeMesh(soupOf(sheets()))}));
   compare(nullptr);
+}
+
+TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesWithoutBundles) {
+  const auto mesh = makeMesh(patches());
+  EXPECT_FALSE(TriangleBundles(*mesh, aim).pay());
+  show(makeSnapshot({mesh}));
+  compare(nullptr, 2000);
+  hits = 0;
+  const OddTriangles odd;
+  compare(&odd, 1000);
 }
 
 TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesInInstances) {

@@ -1,7 +1,8 @@
-// Triangle bundles of a mesh: eight neighbouring triangle blocks as one primitive of the BVH. The first
-// structure of a large mesh has an eighth of the primitives, and needs a third of the memory. Made by Blas;
-// read by any number of tracing threads.
+// Triangle bundles of a mesh: eight neighbouring triangle blocks as one primitive of the BVH, which then has
+// an eighth of the primitives and needs a third of the memory. Made by Blas; read by any number of tracing
+// threads.
 #pragma once
+#include "accel/blocks/triangle_blocks.h"
 #include "accel/blocks/triangle_bundle_kernels.h"
 #include "accel/impostors/impostors.h"
 #include "scene/mesh.h"
@@ -21,8 +22,9 @@ namespace gluray::accel {
 /// vertex that is not finite are left out.
 class TriangleBundles {
  public:
+  using Aim = TriangleBlocks::Aim;
   /// Reads all triangles, with the threads of the current arena. Throws std::bad_alloc.
-  explicit TriangleBundles(const scene::Mesh&);
+  TriangleBundles(const scene::Mesh&, Aim);
 
   uint32_t count() const { return static_cast<uint32_t>(bundles_.size()); }
   const TriangleBundle& operator[](uint32_t i) const { return *bundles_[i]; }
@@ -33,7 +35,7 @@ class TriangleBundles {
   static constexpr uint32_t kSampled = 1 << 14;  // triangles
   /// Predicts pay() from a sample of kSampled triangles. False for smaller meshes and for impostors.
   /// checkArrays() (blas.h) must accept the mesh.
-  static bool likely(const scene::Mesh&);
+  static bool likely(const scene::Mesh&, Aim);
   /// Whether bundles hold so many triangles that they need less memory and time than triangle blocks.
   bool pay() const;
   /// The bounding box of all blocks.

@@ -45,40 +45,54 @@ std::vector<int> holdersIn(const TriangleBundles& bundles, const scene::Mesh& me
   return holders;
 }
 
+constexpr TriangleBundles::Aim kAims[] = {TriangleBundles::Aim::speed, TriangleBundles::Aim::memory};
+
 TEST(TriangleBundles, HoldEveryTriangleOnce) {
   const auto mesh = makeMesh(sheets());
-  const TriangleBundles bundles(*mesh);
-  EXPECT_TRUE(bundles.pay());
-  EXPECT_TRUE(TriangleBundles::likely(*mesh));
-  const std::vector<int> holders = holdersIn(bundles, *mesh);
-  EXPECT_EQ(std::count(holders.begin(), holders.end(), 1), mesh->triangleCount);
+  for (const TriangleBundles::Aim aim : kAims) {
+    const TriangleBundles bundles(*mesh, aim);
+    EXPECT_TRUE(bundles.pay());
+    EXPECT_TRUE(TriangleBundles::likely(*mesh, aim));
+    const std::vector<int> holders = holdersIn(bundles, *mesh);
+    EXPECT_EQ(std::count(holders.begin(), holders.end(), 1), mesh->triangleCount);
+  }
+}
+
+TEST(TriangleBundles, AreFewerWhereMemoryIsShort) {
+  const auto mesh = makeMesh(sheets());
+  const TriangleBundles quick(*mesh, TriangleBundles::Aim::speed), few(*mesh, TriangleBundles::Aim::memory);
+  EXPECT_LT(few.count() * 3, quick.count() * 2);
 }
 
 TEST(TriangleBundles, DoNotPayWhereNeighboursAreFarApart) {
   const auto mesh = makeMesh(shuffled(sheets()));
-  EXPECT_FALSE(TriangleBundles(*mesh).pay());
-  EXPECT_FALSE(TriangleBundles::likely(*mesh));
+  for (const TriangleBundles::Aim aim : kAims) {
+    EXPECT_FALSE(TriangleBundles(*mesh, aim).pay());
+    EXPECT_FALSE(TriangleBundles::likely(*mesh, aim));
+  }
 }
 
 TEST(TriangleBundles, LeaveOutTrianglesThatAreNotFinite) {
   MeshData data = sheets();
   for (size_t i = 7; i < data.positions.size(); i += 50) data.positions[i].y = i % 2 ? NAN : INFINITY;
   const auto mesh = makeMesh(data);
-  const std::vector<int> holders = holdersIn(TriangleBundles(*mesh), *mesh);
-  for (uint32_t t = 0; t < mesh->triangleCount; ++t) {
-    bool finite = true;
-    for (uint32_t k = 0; k < 3; ++k) finite &= std::isfinite(mesh->position(mesh->corner(t, k)).y);
-    ASSERT_EQ(holders[t], finite ? 1 : 0);
+  for (const TriangleBundles::Aim aim : kAims) {
+    const std::vector<int> holders = holdersIn(TriangleBundles(*mesh, aim), *mesh);
+    for (uint32_t t = 0; t < mesh->triangleCount; ++t) {
+      bool finite = true;
+      for (uint32_t k = 0; k < 3; ++k) finite &= std::isfinite(mesh->position(mesh->corner(t, k)).y);
+      ASSERT_EQ(holders[t], finite ? 1 : 0);
+    }
   }
 }
 
-struct TriangleBundleRays : testing::Test {
+struct TriangleBundleRays : testing::TestWithParam<BvhQuality> {
   Arena arena{2};
   World bundles, triangles;
 
   TriangleBundleRays() {
     auto snapshot = makeSnapshot({makeMesh(sheets())});
-    snapshot.settings.bvh = BvhQuality::fast;
+    snapshot.settings.bvh = GetParam();
     bundles.update(snapshot, arena);
     snapshot.settings.bvh = BvhQuality::compact;
     triangles.update(snapshot, arena);
@@ -108,26 +122,31 @@ struct TriangleBundleRays : testing::Test {
   }
 };
 
-TEST_F(TriangleBundleRays, SingleRaysHitWhatPacketsHit) {
+TEST_P(TriangleBundleRays, SingleRaysHitWhatPacketsHit) {
   compare(1, 400, [](RayPacket&, int) {});
 }
 
-TEST_F(TriangleBundleRays, RaysBackwardsHit) {
+TEST_P(TriangleBundleRays, RaysBackwardsHit) {
   compare(0xFFFF, 3000, [](RayPacket& p, int i) { p.orgZ[i] = -5, p.dirZ[i] = 1; });
 }
 
-TEST_F(TriangleBundleRays, RaysAlongAxesHit) {
+TEST_P(TriangleBundleRays, RaysAlongAxesHit) {
   compare(0xFFFF, 3000, [](RayPacket& p, int i) { p.dirX[i] = 0.0f, p.dirY[i] = i % 2 ? -0.0f : 0.0f; });
   compare(1, 400, [](RayPacket& p, int i) { p.dirX[i] = 0.0f, p.dirY[i] = i % 2 ? -0.0f : 0.0f; });
 }
 
-TEST_F(TriangleBundleRays, RaysOfAllDirectionsHit) {
+TEST_P(TriangleBundleRays, RaysOfAllDirectionsHit) {
   compare(0xFFFF, 1000, [](RayPacket& p, int i) {
     p.orgZ[i] = -0.5f;  // between the sheets
     p.dirX[i] = std::sin(static_cast<float>(i)), p.dirY[i] = std::cos(static_cast<float>(3 * i));
     p.dirZ[i] = i % 3 ? 1.0f : -1.0f;
   });
 }
+
+INSTANTIATE_TEST_SUITE_P(Structures, TriangleBundleRays, testing::Values(BvhQuality::least, BvhQuality::fast),
+                         [](const auto& quality) {
+                           return quality.param == BvhQuality::least ? "least" : "fast";
+                         });
 
 }  // namespace
 }  // namespace gluray::accel

@@ -124,10 +124,11 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
   RTCGeometry geometry = nullptr;
   if (mesh.shape != scene::Shape::triangles) geometry = impostors(of);
-  if (!geometry && quality == BvhQuality::least) geometry = blocks(mesh, TriangleBlocks::Aim::memory);
-  if (!geometry && quality == BvhQuality::fast && !toRefit) geometry = bundles(mesh);
-  if (!geometry && quality == BvhQuality::fast && !toRefit)
-    geometry = blocks(mesh, TriangleBlocks::Aim::speed);
+  if (!geometry && (quality == BvhQuality::least || (quality == BvhQuality::fast && !toRefit))) {
+    const auto aim = quality == BvhQuality::least ? TriangleBlocks::Aim::memory : TriangleBlocks::Aim::speed;
+    geometry = bundles(mesh, aim);
+    if (!geometry) geometry = blocks(mesh, aim);
+  }
   if (!geometry) geometry = triangles(iota, mesh);
   rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
   rtcCommitGeometry(geometry);
@@ -197,17 +198,18 @@ RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
   auto blocks = std::make_unique<TriangleBlocks>(mesh, aim);
   if (!blocks->pay()) return nullptr;
   blocks_ = std::move(blocks);
+  leafBytes_ = HeldBytes(blocks_->bytes());
   pinIndices(mesh);
   return userGeometry(device_, blocks_->count(), blocks_.get(), triangleBlockBounds, intersectTriangleBlocks,
                       occludeTriangleBlocks);
 }
 
-RTCGeometryTy* Blas::bundles(const scene::Mesh& mesh) {
-  if (mesh.triangleCount >= TriangleBundles::kSampled && !TriangleBundles::likely(mesh)) return nullptr;
-  auto bundles = std::make_unique<TriangleBundles>(mesh);
+RTCGeometryTy* Blas::bundles(const scene::Mesh& mesh, TriangleBundles::Aim aim) {
+  if (mesh.triangleCount >= TriangleBundles::kSampled && !TriangleBundles::likely(mesh, aim)) return nullptr;
+  auto bundles = std::make_unique<TriangleBundles>(mesh, aim);
   if (!bundles->pay()) return nullptr;
   bundles_ = std::move(bundles);
-  bvhBytes_ = bundles_->bytes();
+  leafBytes_ = HeldBytes(bundles_->bytes());
   pinIndices(mesh);
   return userGeometry(device_, bundles_->count(), bundles_.get(), triangleBundleBounds,
                       intersectTriangleBundles, occludeTriangleBundles);

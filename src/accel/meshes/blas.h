@@ -64,7 +64,7 @@ class Blas {
 
   RTCSceneTy* scene() const { return scene_; }
   /// Bytes of the structure; bytes of the mesh arrays that it keeps alive.
-  size_t bvhBytes() const { return bvhBytes_; }
+  size_t bvhBytes() const { return bvhBytes_ + leafBytes_.bytes(); }
   size_t pinnedBytes() const { return pinnedBytes_; }
   uint32_t triangleCount() const { return triangleCount_; }
   /// Whether its triangles have the same indices as those of the mesh. Compares all indices.
@@ -84,7 +84,7 @@ class Blas {
   /// Null unless TriangleBlocks::pay().
   RTCGeometryTy* blocks(const scene::Mesh&, TriangleBlocks::Aim);
   /// Null unless TriangleBundles::pay().
-  RTCGeometryTy* bundles(const scene::Mesh&);
+  RTCGeometryTy* bundles(const scene::Mesh&, TriangleBundles::Aim);
   void pinIndices(const scene::Mesh&);
 
   const Device& device_;
@@ -96,6 +96,7 @@ class Blas {
   // The leaves; both null: single triangles or impostors.
   std::unique_ptr<TriangleBlocks> blocks_;
   std::unique_ptr<TriangleBundles> bundles_;
+  HeldBytes leafBytes_;
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
   const void* indexData_ = nullptr;         // of triangles; null: triangle soup
