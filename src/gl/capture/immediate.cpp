@@ -114,7 +114,6 @@ void Immediate::vertex(float x, float y, float z, float w) {
   p_.lists.record([=](Context&) { vertexcall::vertex(x, y, z, w); }, true);
 }
 
-/// Whether glBegin takes `mode`. Patches are those of tessellation shaders.
 void Immediate::begin(GLenum mode) {
   if (insideBegin()) return p_.lists.misuse();
   if (!isPrimitive(p_.shadow.real, mode)) {
