@@ -2,7 +2,6 @@
 // on building threads.
 #pragma once
 #include "accel/blocks/triangle_block_kernels.h"
-#include "accel/blocks/triangle_blocks.h"
 #include "accel/impostors/impostors.h"
 #include "scene/mesh.h"
 
@@ -17,11 +16,6 @@ struct TriangleBlockLimits {
   uint32_t most;  // triangles per block, 4 or 8
   float looser;
 };
-
-// Measured in docs/adr/0022, 0026 and 0084.
-constexpr TriangleBlockLimits limitsOf(TriangleBlocks::Aim aim) {
-  return aim == TriangleBlocks::Aim::memory ? TriangleBlockLimits{8, 3} : TriangleBlockLimits{4, 2};
-}
 
 /// A range of a mesh's triangles.
 TriangleRun trianglesOf(const scene::Mesh&, uint32_t first, uint32_t end);

@@ -9,6 +9,11 @@
 namespace gluray::accel {
 namespace {
 
+// Measured in docs/adr/0022 and 0026.
+constexpr TriangleBlockLimits limitsOf(TriangleBlocks::Aim aim) {
+  return aim == TriangleBlocks::Aim::memory ? TriangleBlockLimits{8, 3} : TriangleBlockLimits{4, 2};
+}
+
 bool pays(TriangleBlocks::Aim aim, uint64_t blocks, uint64_t triangles) {
   return blocks * (aim == TriangleBlocks::Aim::memory ? 3 : 2) <= triangles;
 }

@@ -111,7 +111,7 @@ TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesInSoup) {
 
 TEST_P(TriangleBlocksTest, HitsEqualThoseOfTrianglesWithoutBundles) {
   const auto mesh = makeMesh(patches());
-  EXPECT_FALSE(TriangleBundles(*mesh, aim).pay());
+  EXPECT_FALSE(TriangleBundles(*mesh).pay());
   show(makeSnapshot({mesh}));
   compare(nullptr, 2000);
   hits = 0;

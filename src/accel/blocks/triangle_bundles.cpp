@@ -13,6 +13,7 @@
 namespace gluray::accel {
 namespace {
 
+constexpr TriangleBlockLimits kBlockLimits{4, 2};  // measured in docs/adr/0026
 constexpr float kLooser = 3;  // as TriangleBlockLimits::looser, for the blocks of a bundle
 constexpr float kFarAway = std::numeric_limits<float>::infinity();
 
@@ -95,9 +96,9 @@ void cutBundles(FoundBlocks& f) {
   f.bundles.push_back(static_cast<uint32_t>(f.order.size()));
 }
 
-void findBundles(const TriangleRun& run, TriangleBundles::Aim aim, FoundBlocks& f) {
+void findBundles(const TriangleRun& run, FoundBlocks& f) {
   f.first.clear(), f.boxes.clear();
-  findTriangleBlocks(run, limitsOf(aim), f.first, &f.boxes);
+  findTriangleBlocks(run, kBlockLimits, f.first, &f.boxes);
   f.first.push_back(run.end);
   findCodes(f);
   sortCodes(f);
@@ -144,7 +145,7 @@ bool pays(uint64_t bundles, uint64_t triangles) { return bundles > 0 && bundles 
 
 }  // namespace
 
-TriangleBundles::TriangleBundles(const scene::Mesh& mesh, Aim aim) {
+TriangleBundles::TriangleBundles(const scene::Mesh& mesh) {
   mesh_.triangleCount = mesh.triangleCount, mesh_.vertexCount = mesh.vertexCount;
   mesh_.positions = mesh.positions, mesh_.indices = mesh.indices;
   constexpr uint32_t kPart = 1 << 15;  // triangles; TriangleBundle::offset counts them
@@ -156,7 +157,7 @@ TriangleBundles::TriangleBundles(const scene::Mesh& mesh, Aim aim) {
   tbb::parallel_for(uint32_t{0}, parts, [&](uint32_t part) {
     FoundBlocks& f = found.local();
     const uint32_t begin = part * kPart, end = begin + std::min(kPart, mesh_.triangleCount - begin);
-    findBundles(trianglesOf(mesh_, begin, end), aim, f);
+    findBundles(trianglesOf(mesh_, begin, end), f);
     const size_t count = f.bundles.size() - 1;
     parts_[part] = std::make_unique_for_overwrite<TriangleBundle[]>(count);
     for (size_t i = 0; i < count; ++i) fill(f, i, parts_[part][i]);
@@ -171,14 +172,14 @@ TriangleBundles::TriangleBundles(const scene::Mesh& mesh, Aim aim) {
 
 TriangleRun TriangleBundles::arrays() const { return trianglesOf(mesh_, 0, 0); }
 
-bool TriangleBundles::likely(const scene::Mesh& mesh, Aim aim) {
+bool TriangleBundles::likely(const scene::Mesh& mesh) {
   constexpr uint32_t kSamples = 4, kEach = kSampled / kSamples;  // kEach: consecutive triangles per sample
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount < kSampled) return false;
   FoundBlocks f;
   size_t bundles = 0;
   for (uint32_t i = 0; i < kSamples; ++i) {
     const auto begin = static_cast<uint32_t>(uint64_t{mesh.triangleCount - kEach} * i / (kSamples - 1));
-    findBundles(trianglesOf(mesh, begin, begin + kEach), aim, f);
+    findBundles(trianglesOf(mesh, begin, begin + kEach), f);
     bundles += f.bundles.size() - 1;
   }
   return pays(bundles, kSampled);

@@ -2,7 +2,6 @@
 // an eighth of the primitives and needs a third of the memory. Made by Blas; read by any number of tracing
 // threads.
 #pragma once
-#include "accel/blocks/triangle_blocks.h"
 #include "accel/blocks/triangle_bundle_kernels.h"
 #include "accel/impostors/impostors.h"
 #include "scene/mesh.h"
@@ -22,9 +21,8 @@ namespace gluray::accel {
 /// vertex that is not finite are left out.
 class TriangleBundles {
  public:
-  using Aim = TriangleBlocks::Aim;
   /// Reads all triangles, with the threads of the current arena. Throws std::bad_alloc.
-  TriangleBundles(const scene::Mesh&, Aim);
+  explicit TriangleBundles(const scene::Mesh&);
 
   uint32_t count() const { return static_cast<uint32_t>(bundles_.size()); }
   const TriangleBundle& operator[](uint32_t i) const { return *bundles_[i]; }
@@ -35,7 +33,7 @@ class TriangleBundles {
   static constexpr uint32_t kSampled = 1 << 14;  // triangles
   /// Predicts pay() from a sample of kSampled triangles. False for smaller meshes and for impostors.
   /// checkArrays() (blas.h) must accept the mesh.
-  static bool likely(const scene::Mesh&, Aim);
+  static bool likely(const scene::Mesh&);
   /// Whether bundles hold so many triangles that they need less memory and time than triangle blocks.
   bool pay() const;
   /// The bounding box of all blocks.

@@ -45,44 +45,30 @@ std::vector<int> holdersIn(const TriangleBundles& bundles, const scene::Mesh& me
   return holders;
 }
 
-constexpr TriangleBundles::Aim kAims[] = {TriangleBundles::Aim::speed, TriangleBundles::Aim::memory};
-
 TEST(TriangleBundles, HoldEveryTriangleOnce) {
   const auto mesh = makeMesh(sheets());
-  for (const TriangleBundles::Aim aim : kAims) {
-    const TriangleBundles bundles(*mesh, aim);
-    EXPECT_TRUE(bundles.pay());
-    EXPECT_TRUE(TriangleBundles::likely(*mesh, aim));
-    const std::vector<int> holders = holdersIn(bundles, *mesh);
-    EXPECT_EQ(std::count(holders.begin(), holders.end(), 1), mesh->triangleCount);
-  }
-}
-
-TEST(TriangleBundles, AreFewerWhereMemoryIsShort) {
-  const auto mesh = makeMesh(sheets());
-  const TriangleBundles quick(*mesh, TriangleBundles::Aim::speed), few(*mesh, TriangleBundles::Aim::memory);
-  EXPECT_LT(few.count() * 3, quick.count() * 2);
+  const TriangleBundles bundles(*mesh);
+  EXPECT_TRUE(bundles.pay());
+  EXPECT_TRUE(TriangleBundles::likely(*mesh));
+  const std::vector<int> holders = holdersIn(bundles, *mesh);
+  EXPECT_EQ(std::count(holders.begin(), holders.end(), 1), mesh->triangleCount);
 }
 
 TEST(TriangleBundles, DoNotPayWhereNeighboursAreFarApart) {
   const auto mesh = makeMesh(shuffled(sheets()));
-  for (const TriangleBundles::Aim aim : kAims) {
-    EXPECT_FALSE(TriangleBundles(*mesh, aim).pay());
-    EXPECT_FALSE(TriangleBundles::likely(*mesh, aim));
-  }
+  EXPECT_FALSE(TriangleBundles(*mesh).pay());
+  EXPECT_FALSE(TriangleBundles::likely(*mesh));
 }
 
 TEST(TriangleBundles, LeaveOutTrianglesThatAreNotFinite) {
   MeshData data = sheets();
   for (size_t i = 7; i < data.positions.size(); i += 50) data.positions[i].y = i % 2 ? NAN : INFINITY;
   const auto mesh = makeMesh(data);
-  for (const TriangleBundles::Aim aim : kAims) {
-    const std::vector<int> holders = holdersIn(TriangleBundles(*mesh, aim), *mesh);
-    for (uint32_t t = 0; t < mesh->triangleCount; ++t) {
-      bool finite = true;
-      for (uint32_t k = 0; k < 3; ++k) finite &= std::isfinite(mesh->position(mesh->corner(t, k)).y);
-      ASSERT_EQ(holders[t], finite ? 1 : 0);
-    }
+  const std::vector<int> holders = holdersIn(TriangleBundles(*mesh), *mesh);
+  for (uint32_t t = 0; t < mesh->triangleCount; ++t) {
+    bool finite = true;
+    for (uint32_t k = 0; k < 3; ++k) finite &= std::isfinite(mesh->position(mesh->corner(t, k)).y);
+    ASSERT_EQ(holders[t], finite ? 1 : 0);
   }
 }
 

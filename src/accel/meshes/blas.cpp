@@ -126,7 +126,7 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   if (mesh.shape != scene::Shape::triangles) geometry = impostors(of);
   if (!geometry && (quality == BvhQuality::least || (quality == BvhQuality::fast && !toRefit))) {
     const auto aim = quality == BvhQuality::least ? TriangleBlocks::Aim::memory : TriangleBlocks::Aim::speed;
-    geometry = bundles(mesh, aim);
+    geometry = bundles(mesh);
     if (!geometry) geometry = blocks(mesh, aim);
   }
   if (!geometry) geometry = triangles(iota, mesh);
@@ -204,9 +204,9 @@ RTCGeometryTy* Blas::blocks(const scene::Mesh& mesh, TriangleBlocks::Aim aim) {
                       occludeTriangleBlocks);
 }
 
-RTCGeometryTy* Blas::bundles(const scene::Mesh& mesh, TriangleBundles::Aim aim) {
-  if (mesh.triangleCount >= TriangleBundles::kSampled && !TriangleBundles::likely(mesh, aim)) return nullptr;
-  auto bundles = std::make_unique<TriangleBundles>(mesh, aim);
+RTCGeometryTy* Blas::bundles(const scene::Mesh& mesh) {
+  if (mesh.triangleCount >= TriangleBundles::kSampled && !TriangleBundles::likely(mesh)) return nullptr;
+  auto bundles = std::make_unique<TriangleBundles>(mesh);
   if (!bundles->pay()) return nullptr;
   bundles_ = std::move(bundles);
   leafBytes_ = HeldBytes(bundles_->bytes());

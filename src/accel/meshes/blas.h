@@ -84,7 +84,7 @@ class Blas {
   /// Null unless TriangleBlocks::pay().
   RTCGeometryTy* blocks(const scene::Mesh&, TriangleBlocks::Aim);
   /// Null unless TriangleBundles::pay().
-  RTCGeometryTy* bundles(const scene::Mesh&, TriangleBundles::Aim);
+  RTCGeometryTy* bundles(const scene::Mesh&);
   void pinIndices(const scene::Mesh&);
 
   const Device& device_;
