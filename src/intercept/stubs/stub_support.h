@@ -28,7 +28,7 @@ constexpr float normalised(Integer c) {
     return static_cast<float>(c / steps);
 }
 
-/// Those of the current context.
+/// The rules of the current context; of the oldest version without one.
 inline PackedRules packedRulesOfNow() {
   return gl::t_thread.context ? packedRules(gl::t_thread.context->shadow.info.version) : PackedRules{};
 }
