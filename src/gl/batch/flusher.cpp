@@ -72,6 +72,7 @@ void Flusher::present(Reason reason) {
                                                            .wish = p_.clock.wish(),
                                                            .cleared = under});
   if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.traced(key, snapshot);
+  p_.cleared.wrote(key.framebuffer, result.uploaded);
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
   p_.resolves.cleanIs({});
   p_.shadow.latch.restore(p_.shadow.real);

@@ -25,6 +25,7 @@ struct PresentResult {
   uint32_t passes = 0;    // of light, traced now
   double noise = std::numeric_limits<double>::infinity();  // estimated, of the picture; infinite: not known
   bool averages = false;                                   // pixels are averages of several rays
+  bool uploaded = false;                                   // into textures, not drawn
   /// Set if one peel does not show all layers: how many there are. Rasterised, or the picture waits.
   std::optional<LayerCounts> layers;
   std::vector<uint32_t> picture;      // the waiting picture of layers; empty: it was written

@@ -25,6 +25,9 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
   cleared_ = cleared;
+  // The upload waits for the clear, for which llvmpipe's threads have time while the program prepares its
+  // draws.
+  if (framebuffer != 0 && uploadedInto_ == cleared.framebuffer) real.Flush();
 }
 
 std::optional<ClearedTarget> ClearedFramebuffers::under(const scene::Snapshot& snapshot,

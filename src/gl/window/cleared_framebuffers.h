@@ -46,6 +46,9 @@ class ClearedFramebuffers {
   /// Call after imageSent() if the pixels were copied from region `from` of the read framebuffer.
   void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 
+  /// A picture was written into the framebuffer object: uploaded over its clear, or drawn.
+  void wrote(GLuint framebuffer, bool uploaded) { uploadedInto_ = uploaded ? framebuffer : 0; }
+
   const AntialiasedPicture& antialiased() const { return antialiased_; }
   /// A picture of averages was written over the content described by `before`.
   void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
@@ -57,6 +60,7 @@ class ClearedFramebuffers {
   const FrameClock& clock_;
   const Failsafe& failsafe_;
   std::optional<ClearedTarget> cleared_;
+  GLuint uploadedInto_ = 0;  // framebuffer object whose last picture was uploaded; 0: none
   AntialiasedPicture antialiased_;
   std::array<uint64_t, 2> depthEpochs_{};
 };

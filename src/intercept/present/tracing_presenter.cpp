@@ -49,8 +49,10 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     traced = shared_.of(snapshot, target.wish, under, result, why);
   }
   const double start = nowSeconds();
-  if (traced && written(real, *traced, snapshot, target, pending, why)) {
+  const Way way = traced ? write(real, *traced, snapshot, target, pending, why) : Way::none;
+  if (way != Way::none) {
     result.outcome = PresentResult::traced;
+    result.uploaded = way == Way::uploaded;
     result.averages = traced->image.isAverages();
     if (!snapshot.catches) shared_.pictures.frame().wrote(shared, *traced, traced->image);
   } else {
@@ -87,15 +89,17 @@ scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const sc
   return known;
 }
 
-bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
-                               const scene::Snapshot& snapshot, const gl::PresentTarget& target,
-                               PendingErrors& pending, std::string& why) noexcept {
+TracingPresenter::Way TracingPresenter::write(const gl::RealGl& real,
+                                              const frame::LastPictures::Picture& picture,
+                                              const scene::Snapshot& snapshot,
+                                              const gl::PresentTarget& target, PendingErrors& pending,
+                                              std::string& why) noexcept {
   try {
     PendingErrors more;
     const bool sent = target.cleared &&
                       put_.put(real, shared_.features(real), picture.image, snapshot.settings.threads, more);
     pending.insert(pending.end(), more.begin(), more.end());
-    if (sent) return noteUse(Quirk::softwarePut), true;
+    if (sent) return noteUse(Quirk::softwarePut), Way::uploaded;
     WriteBackTarget into{.depthFunc = target.depthFunc,
                          .picture = picture.id,
                          .keepsDepth = snapshot.catches,
@@ -113,10 +117,10 @@ bool TracingPresenter::written(const gl::RealGl& real, const frame::LastPictures
     const Image& image = hides ? seen_ : picture.image;
     const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
-    return drawn;
+    return drawn ? Way::drawn : Way::none;
   } catch (const std::exception& e) {  // nothing was drawn yet, and the guard restores the state
     why = e.what();
-    return false;
+    return Way::none;
   }
 }
 

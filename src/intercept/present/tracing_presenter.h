@@ -40,10 +40,11 @@ class TracingPresenter final : public gl::Presenter {
                                        const gl::PresentTarget& target);
   scene::SnapshotPtr withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
                                 PendingErrors& pending);
-  /// Writes a picture into the framebuffer. False, with the reason, if that fails.
-  bool written(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
-               const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
-               std::string& why) noexcept;
+  enum class Way { none, uploaded, drawn };
+  /// Writes a picture into the framebuffer, and returns how; none, with the reason, if that fails.
+  Way write(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
+            const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
+            std::string& why) noexcept;
   gl::PresentResult resolved(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                              const gl::ResolveTarget& target);
 

@@ -76,6 +76,10 @@ void PrintTo(const UploadCase& c, std::ostream* out) { *out << c.name; }
 const UploadCase kUploadCases[] = {
     {"Plain", 1},
     {"TwoFrames", 2, [](Gl gl, const Canvas&) { clear(gl), flatSheet(gl), clear(gl), flatSheet(gl, 0.1f); }},
+    {"LinesInTheSecondFrame", 1,
+     [](Gl gl, const Canvas&) {
+       clear(gl), flatSheet(gl), clear(gl), crossingLine(gl), flatSheet(gl, 0.1f);
+     }},
     {"ClearColorOfLater", 1,
      [](Gl gl, const Canvas&) { clear(gl), gl.ClearColor(1, 0, 0, 1), gl.ClearDepth(0.2), flatSheet(gl); }},
     {"InAList", 1,
