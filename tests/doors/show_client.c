@@ -204,6 +204,21 @@ static void resized(void) {
     frame(35), lines(), swap(), window_shows();
   }
 }
+/* A new context whose first frame is empty; the window may change its size before its first picture. */
+static void after_empty(int wider) {
+  GLXContext other = glXCreateContext(display, visual, NULL, True);
+  glXMakeCurrent(display, window, other), glEnable(GL_DEPTH_TEST);
+  clear(), swap();
+  width += wider;
+  if (wider) XResizeWindow(display, window, (unsigned)width, (unsigned)height), XSync(display, False);
+  glViewport(0, 0, width, height);
+  frame(65), window_shows(), buffer_holds();
+  lines(), swap(), window_shows();
+  frame(40), window_shows(), buffer_holds();
+  glXMakeCurrent(display, window, context), glXDestroyContext(display, other);
+}
+static void empty_first(void) { after_empty(0); }
+static void empty_then_resized(void) { after_empty(70); }
 static void on_and_on(void) { /* a program that never clears everything: GLuRay soon stops trying */
   for (int i = 0; i < 12; ++i) {
     frame(9.0f * (float)i);
@@ -255,12 +270,12 @@ static const struct {
 } kCases[] = {
 #define CASE(name) \
   { #name, name }
-    CASE(moving),       CASE(unchanged),    CASE(swapped_again),    CASE(read_afterwards),
-    CASE(drawn_over),   CASE(lines_over),   CASE(depth_cleared),    CASE(colour_cleared),
-    CASE(part_cleared), CASE(masked_clear), CASE(smaller_viewport), CASE(far_plane),
-    CASE(copied),       CASE(blitted),      CASE(other_context),    CASE(other_window),
-    CASE(resized),      CASE(on_and_on),    CASE(queried),          CASE(glx_window),
-    CASE(errors_kept),
+    CASE(moving),       CASE(unchanged),    CASE(swapped_again),      CASE(read_afterwards),
+    CASE(drawn_over),   CASE(lines_over),   CASE(depth_cleared),      CASE(colour_cleared),
+    CASE(part_cleared), CASE(masked_clear), CASE(smaller_viewport),   CASE(far_plane),
+    CASE(copied),       CASE(blitted),      CASE(other_context),      CASE(other_window),
+    CASE(resized),      CASE(empty_first),  CASE(empty_then_resized), CASE(on_and_on),
+    CASE(queried),      CASE(glx_window),   CASE(errors_kept),
 };
 
 int main(int argc, char** argv) {

@@ -4,6 +4,7 @@
 #include "intercept/context_record.h"
 #include "intercept/control/window_pictures.h"
 #include "intercept/session.h"
+#include "intercept/window_systems/drawable_size.h"
 
 #include <cstddef>
 #include <map>
@@ -27,9 +28,9 @@ ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext&
   const uintptr_t shown = windowOf(drawable);
   if (window.drawable != shown || (window.put && !window.put->isFor(display, shown))) {
     if (window.put) window.put->close();
-    window.swapped = {0, 0};
+    if (window.drawable != 0 || window.sized != shown) window.swapped = {0, 0};
     window.put = ShmWindow::create(display, shown);
-    window.drawable = shown;
+    window.drawable = window.sized = shown;
   }
   return window.put.get();
 }
@@ -49,6 +50,18 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
     return true;
   if (size.x == 0) record.window.put.reset();  // do not try again
   return false;
+}
+
+/// Before the context's first swap by the real OpenGL: remembers the window's size, so that the next frame
+/// may be shown directly. Programs show an empty window before their first picture.
+void noteFirstSwap(_XDisplay* display, uintptr_t drawable, Record& record) {
+  WindowOfContext& window = record.window;
+  gl::ShadowState& shadow = record.context->shadow;
+  if (window.drawable != 0 || window.sized != 0 || shadow.info.off ||
+      !shadow.settings.quirks.has(Quirk::softwareShow) || !shadow.isSoftwareBelow())
+    return;
+  window.sized = windowOf(drawable);
+  window.swapped = drawableSize(display, drawable);
 }
 
 }  // namespace
@@ -80,7 +93,8 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
       !record->context->info().doubleBuffered)
     return false;
   guarded("cannot show a picture", [&] {
-    if (!record->context->window.mayShowDirectly() || !show(display, drawable, *record)) return;
+    if (!record->context->window.mayShowDirectly()) return noteFirstSwap(display, drawable, *record);
+    if (!show(display, drawable, *record)) return;
     shown = true;
     record->context->passthrough.stopMeasuring();
   });

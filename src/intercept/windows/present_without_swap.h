@@ -11,7 +11,8 @@ namespace gluray::intercept {
 struct WindowOfContext {
   uintptr_t drawable = 0;  // the last one tried
   std::unique_ptr<ShmWindow> put;
-  glm::ivec2 swapped{0};  // size of the window at the last swap by the real OpenGL
+  glm::ivec2 swapped{0};  // size of the window at the last swap by the real OpenGL that is known
+  uintptr_t sized = 0;    // the drawable whose size it is; 0: none
   /// Whether the real OpenGL knows the window's size: it updates its buffers' size only after a swap. False:
   /// let it make this swap.
   bool isKnown(glm::ivec2 size) {
