@@ -71,6 +71,9 @@ GLuint genLists(Context& c, GLsizei range);
 void deleteLists(Context& c, GLuint first, GLsizei range);
 GLboolean isList(Context& c, GLuint name);
 void listBase(Context& c, GLuint base);
+// Labels of display lists are ours (list_labels.cpp).
+void objectLabel(Context& c, GLenum identifier, GLuint name, GLsizei length, const GLchar* label);
+void getObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei size, GLsizei* length, GLchar* label);
 /// glXUseXFont: `make` calls the real one with a list base in the real OpenGL; our lists call those lists.
 void useXFont(Context& c, int first, int count, int base, const std::function<void(int realBase)>& make);
 

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -87,6 +88,7 @@ class NameTable {
 class ShareGroup {
  public:
   NameTable<DisplayList> lists;
+  NameTable<const std::string> listLabels;  // of those lists that the program labelled
   NameTable<Buffer> buffers;
   DeletedBuffers deletedBuffers, deletedRenderbuffers;
   MeshCache meshes;

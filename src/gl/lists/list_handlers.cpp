@@ -88,6 +88,7 @@ GLuint genLists(Context& c, GLsizei range) {
 void deleteLists(Context& c, GLuint first, GLsizei range) {
   if (range < 0) return c.errors.set(GL_INVALID_VALUE);
   c.shadow.group.lists.eraseRange(first, static_cast<GLuint>(range));
+  c.shadow.group.listLabels.eraseRange(first, static_cast<GLuint>(range));
 }
 
 GLboolean isList(Context& c, GLuint name) {
