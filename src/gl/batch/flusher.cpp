@@ -47,6 +47,7 @@ void Flusher::present(Reason reason) {
   timeline::writeIfDue();
   const timeline::Span span("batch", batch.waiting().instances.size());
   const BatchKey key = batch.key();
+  if (key.framebuffer == 0) p_.window.makeClear();
   const bool factors = key.layers == BatchKey::Layers::factors;
   if (factors && reason != Reason::traced) return void(batch.take());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;

@@ -46,7 +46,8 @@ bool clearsAll(const RealGl& real, const RareState& has) {
 }
 
 bool clearsWindow(const RealGl& real, const RareState& has, GLbitfield mask) {
-  return !isOn(real, GL_SCISSOR_TEST) && clearsInFull(real, has, mask);
+  const bool encodes = has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
+  return !encodes && !isOn(real, GL_SCISSOR_TEST) && clearsInFull(real, has, mask);
 }
 
 WindowClear windowClear(const RealGl& real, GLbitfield mask) {

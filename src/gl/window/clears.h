@@ -13,7 +13,8 @@ bool clearsAll(const RealGl& real, const RareState& has);
 /// The same for the buffers of `mask` and any clear values.
 bool clearsInFull(const RealGl& real, const RareState& has, GLbitfield mask);
 
-/// Whether glClear(mask) would now clear the whole window, whatever its size, in the buffers of `mask`.
+/// Whether glClear(mask) would now clear the whole window, whatever its size, in the buffers of `mask`, with
+/// colours as they are.
 bool clearsWindow(const RealGl& real, const RareState& has, GLbitfield mask);
 
 /// glClear(mask) with the current clear values.

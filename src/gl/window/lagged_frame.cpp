@@ -140,7 +140,8 @@ bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr size_t kMostClears = 8;
   noteBegin();
   stopRefining();
-  if (!lagged_ || !p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.passesThrough() ||
+  if (!lagged_) return holdsClear(mask);
+  if (!p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
       lagged_->clears.size() >= kMostClears)
     return false;

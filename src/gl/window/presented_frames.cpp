@@ -13,6 +13,7 @@ namespace gluray::gl {
 namespace {
 
 constexpr int kMostInVain = 3, kPause = 120;  // frames
+constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
 
 }  // namespace
 
@@ -35,7 +36,8 @@ bool WindowFrames::mayShowDirectly() noexcept {
 bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept {
   return p_.failsafe.protect([&] {
     if (!contains(p_.cleared.target()->region, {0, 0, window.x, window.y})) return false;
-    settle();
+    if (presented_.waiting) settle();  // otherwise the batch hides what the back buffer lacks
+    showLagged();
     p_.shadow.refresh(kTarget);
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.flusher.batch.waiting().instances.size());
@@ -77,20 +79,49 @@ void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
     window.refineWhileIdle(settings.refine.idle && !lagged_ ? open : [] { return nullptr; });
 }
 
+bool WindowFrames::holdsClear(GLbitfield mask) {
+  const RealGl& real = p_.shadow.real;
+  if (!lacks() || (mask & kBoth) != kBoth || !p_.flusher.batch.empty() || p_.clock.passesThrough() ||
+      p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0)
+    return false;
+  if (p_.shadow.state.rare.framebufferObjects && integer(real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
+    return false;
+  if (integer(real, GL_DRAW_BUFFER) != GL_BACK || !clearsWindow(real, p_.shadow.state.rare, mask))
+    return false;
+  presented_.waiting.reset();
+  presented_.inVain = 0;
+  presented_.clear = windowClear(real, mask);
+  return true;
+}
+
+void WindowFrames::makeClear() {
+  if (!presented_.clear) return;
+  const WindowClear clear = *presented_.clear;
+  presented_.clear.reset();
+  const RealGl& real = p_.shadow.real;
+  const GLuint bound = p_.shadow.state.rare.framebufferObjects
+                           ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING))
+                           : 0;
+  if (bound != 0) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  if (const GLenum pending = p_.flusher.presenter.window().clear(real, clear)) p_.shadow.errors.set(pending);
+  if (bound != 0) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+}
+
 void WindowFrames::clears(GLbitfield mask) {
-  if (!presented_.waiting) return;
+  if (!lacks()) return;
   if (p_.shadow.state.rare.framebufferObjects && integer(p_.shadow.real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
     return;
-  constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
       !clearsAll(p_.shadow.real, p_.shadow.state.rare))
     return settle();
   presented_.waiting.reset();
+  presented_.clear.reset();
   presented_.inVain = 0;
 }
 
 void WindowFrames::settle() {
   showLagged();
+  makeClear();
   if (!presented_.waiting) return;
   PresentedPicture::Waiting waiting = std::move(*presented_.waiting);
   presented_.waiting.reset();
@@ -98,8 +129,8 @@ void WindowFrames::settle() {
   p_.flusher.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
 }
 
-void WindowFrames::settleBelow() {
-  if (!presented_.waiting) return;
+void WindowFrames::settleInWindow() {
+  if (!lacks()) return;
   p_.shadow.refresh(kTarget);
   if (p_.shadow.state.target.framebuffer == 0) settle();
 }

@@ -1,10 +1,12 @@
 // A traced picture that the window shows already while its back buffer still holds only a clear (ADR 0024). A
 // software OpenGL takes longer to accept a picture with its depth and to swap it than the window system takes
 // to show it, and most programs then clear it. If anything but a clear follows, the picture is written into
-// the back buffer first. Owned by WindowFrames, GL thread.
+// the back buffer first. The clear itself is held back, too, because such frames hide it. Owned by
+// WindowFrames, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/programs/program_draw.h"
+#include "gl/window/window_presenter.h"
 #include "scene/snapshot.h"
 
 #include <optional>
@@ -19,6 +21,8 @@ struct PresentedPicture {
     std::vector<ProgramDraw> draws;
   };
   std::optional<Waiting> waiting;
+  /// A clear of the whole back buffer that is not made yet; `waiting` and the pending batch lie over it.
+  std::optional<WindowClear> clear;
   /// Consecutive pictures that had to be written after all; programs that go on drawing are faster without.
   int inVain = 0;
   int pause = 0;  // frames to wait until the next attempt

@@ -55,13 +55,20 @@ class WindowFrames {
   bool lags() const { return lagged_.has_value(); }
   /// Shows the lagged frame. Call before the window's buffers are read or drawn into.
   void showLagged();
-  /// Delays a clear until the lagged frame is shown. False: clear now.
+  /// Delays a clear until the lagged frame is shown, or holds it back while frames are shown directly. False:
+  /// clear now.
   bool clearsLater(GLbitfield mask);
-  /// Whether the window shows a picture that its back buffer does not hold.
-  bool shows() const { return presented_.waiting.has_value(); }
-  /// Writes that picture into the back buffer: always, or only if the draw framebuffer is the window.
+  /// Whether the back buffer lacks a clear, or the picture that the window shows.
+  bool lacks() const { return presented_.waiting || presented_.clear; }
+  /// Makes that clear in the back buffer.
+  void makeClear();
+  /// The same, and writes that picture: always, or only if the draw framebuffer is the window.
   void settle();
-  void settleBelow();
+  void settleInWindow();
+  /// Call before a draw that will be traced, too: settleInWindow() if there is a picture.
+  void settleBelow() {
+    if (presented_.waiting) settleInWindow();
+  }
   /// Call before the draw framebuffer is cleared: drops the picture if the clear hides it, else settles it.
   void clears(GLbitfield mask);
   /// Whether a draw kept for these frames reads a texture; whether one reads `buffer` as a texture.
@@ -71,6 +78,7 @@ class WindowFrames {
  private:
   LagRefusal whyNotLag(GLenum buffer) const;
   void noteBegin();
+  bool holdsClear(GLbitfield mask);
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 

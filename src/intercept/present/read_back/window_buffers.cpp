@@ -39,6 +39,7 @@ void clearWindow(const gl::RealGl& real, const Features& features, const gl::Win
   guard.openFragmentPath();
   guard.scissorOff();
   guard.depthWrites(true);
+  guard.encoding(false);
   std::array<GLfloat, 4> color{};
   GLdouble depth = 1;
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
