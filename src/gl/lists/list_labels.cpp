@@ -13,9 +13,7 @@
 namespace gluray::gl {
 namespace {
 
-bool isOfList(const Context& c, GLenum identifier) {
-  return identifier == GL_DISPLAY_LIST && !c.info().core;
-}
+bool isOfList(const Context& c, GLenum identifier) { return identifier == GL_DISPLAY_LIST && !c.info().core; }
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// glObjectLabel and glGetObjectLabel of display lists and other objects: texts, lengths and errors are those of
-// the real OpenGL.
+// glObjectLabel and glGetObjectLabel of display lists and other objects: texts, lengths and errors are those
+// of the real OpenGL.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,8 @@ const LabelCase kLabelCases[] = {
      [](Gl gl) {
        const GLuint first = gl.GenLists(2);
        gl.ObjectLabel(GL_DISPLAY_LIST, first + 1, -1, "second");
-       std::string out = errorOf(gl) + labelOf(gl, GL_DISPLAY_LIST, first) + labelOf(gl, GL_DISPLAY_LIST, first + 1);
+       std::string out =
+           errorOf(gl) + labelOf(gl, GL_DISPLAY_LIST, first) + labelOf(gl, GL_DISPLAY_LIST, first + 1);
        gl.DeleteLists(first, 2);
        return out + labelOf(gl, GL_DISPLAY_LIST, first + 1);
      }},
