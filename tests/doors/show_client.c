@@ -232,6 +232,17 @@ static void clear_then_part(void) {
   glClear(GL_COLOR_BUFFER_BIT), glDisable(GL_SCISSOR_TEST);
   surface(70), swap(), window_shows(), buffer_holds();
 }
+static void clear_stencil(void) {
+  frame(80), glClearStencil(1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glClearStencil(0), glEnable(GL_STENCIL_TEST), glStencilFunc(GL_EQUAL, 1, 255);
+  lines(), glDisable(GL_STENCIL_TEST), surface(85), swap(), window_shows();
+}
+static void clear_refused(void) {
+  frame(80), glClearColor(1, 0, 0, 1), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | 0x10);
+  if (glGetError() != GL_INVALID_VALUE) fprintf(stderr, "no error\n"), exit(1);
+  lines(), swap(), window_shows();
+}
 static void clear_values(void) { /* a clear has the values and masks of its time */
   frame(80), clear();
   glClearColor(0.1f, 0.9f, 0.1f, 1), glClearDepth(0.3);
@@ -372,6 +383,8 @@ static const struct {
     CASE(clear_read),
     CASE(clear_and_lines),
     CASE(clear_then_part),
+    CASE(clear_stencil),
+    CASE(clear_refused),
     CASE(clear_values),
     CASE(clear_then_front),
     CASE(clear_then_attributes),
@@ -385,7 +398,7 @@ static const struct {
 };
 
 int main(int argc, char** argv) {
-  static int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 24, None};
+  static int wanted[] = {GLX_RGBA, GLX_DOUBLEBUFFER, GLX_DEPTH_SIZE, 24, GLX_STENCIL_SIZE, 8, None};
   display = XOpenDisplay(NULL);
   visual = display ? glXChooseVisual(display, DefaultScreen(display), wanted) : NULL;
   if (!visual) return fprintf(stderr, "no display, or no visual\n"), 1;

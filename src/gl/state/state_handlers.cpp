@@ -11,7 +11,13 @@
 namespace gluray::gl {
 namespace {
 
+/// Whether glClear raises an error, unless an extension knows the bits: nothing is cleared then.
+bool isRefused(const Context& c, GLbitfield mask) {
+  return mask & ~(kClears | (c.info().core ? 0u : GLbitfield{GL_ACCUM_BUFFER_BIT}));
+}
+
 void clearNow(Context& c, GLbitfield mask) {
+  if (isRefused(c, mask)) return c.beforeForward(Context::Flush::all), c.real.Clear(mask);
   c.frames.beforeClear(mask);
   c.syncCurrent();
   c.layers.clearing();

@@ -27,7 +27,7 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   cleared_ = cleared;
   // The upload waits for the clear, for which llvmpipe's threads have time while the program prepares its
   // draws.
-  if (framebuffer != 0 && uploadedInto_ == cleared.framebuffer) real.Flush();
+  if (framebuffer != 0 && uploads_) real.Flush();
 }
 
 std::optional<ClearedTarget> ClearedFramebuffers::under(const scene::Snapshot& snapshot,

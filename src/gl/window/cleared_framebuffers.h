@@ -46,8 +46,10 @@ class ClearedFramebuffers {
   /// Call after imageSent() if the pixels were copied from region `from` of the read framebuffer.
   void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 
-  /// A picture was written into the framebuffer object: uploaded over its clear, or drawn.
-  void wrote(GLuint framebuffer, bool uploaded) { uploadedInto_ = uploaded ? framebuffer : 0; }
+  /// A picture was written into the framebuffer: uploaded over its clear, or drawn.
+  void wrote(GLuint framebuffer, bool uploaded) {
+    if (framebuffer != 0) uploads_ = uploaded;
+  }
 
   const AntialiasedPicture& antialiased() const { return antialiased_; }
   /// A picture of averages was written over the content described by `before`.
@@ -60,7 +62,7 @@ class ClearedFramebuffers {
   const FrameClock& clock_;
   const Failsafe& failsafe_;
   std::optional<ClearedTarget> cleared_;
-  GLuint uploadedInto_ = 0;  // framebuffer object whose last picture was uploaded; 0: none
+  bool uploads_ = false;  // whether the last picture in a framebuffer object was uploaded
   AntialiasedPicture antialiased_;
   std::array<uint64_t, 2> depthEpochs_{};
 };

@@ -136,12 +136,11 @@ void WindowFrames::showLagged() {
 }
 
 bool WindowFrames::clearsLater(GLbitfield mask) {
-  constexpr GLbitfield kKnown = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
   constexpr size_t kMostClears = 8;
   noteBegin();
   stopRefining();
   if (!lagged_) return holdsClear(mask);
-  if (!p_.flusher.batch.empty() || mask == 0 || mask & ~kKnown || p_.clock.passesThrough() ||
+  if (!p_.flusher.batch.empty() || mask == 0 || mask & ~kClears || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
       lagged_->clears.size() >= kMostClears)
     return false;

@@ -81,8 +81,9 @@ void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
 
 bool WindowFrames::holdsClear(GLbitfield mask) {
   const RealGl& real = p_.shadow.real;
-  if (!lacks() || (mask & kBoth) != kBoth || !p_.flusher.batch.empty() || p_.clock.passesThrough() ||
-      p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0)
+  if (!lacks() || (mask & kBoth) != kBoth || mask & ~kClears || !p_.flusher.batch.empty() ||
+      p_.clock.passesThrough() || p_.failsafe.aside() || p_.clock.startsMeasuring() ||
+      p_.shadow.activeQueries > 0)
     return false;
   if (p_.shadow.state.rare.framebufferObjects && integer(real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
     return false;

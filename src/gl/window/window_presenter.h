@@ -41,6 +41,8 @@ struct ShowTarget {
   const ShowPicture& show;
 };
 
+/// The buffers of a WindowClear.
+inline constexpr GLbitfield kClears = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
 /// A clear of the window's whole back buffer, with the values at the time of the call.
 struct WindowClear {
   GLbitfield mask = 0;

@@ -52,16 +52,18 @@ bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
   return false;
 }
 
-/// Before the context's first swap by the real OpenGL: remembers the window's size, so that the next frame
-/// may be shown directly. Programs show an empty window before their first picture.
-void noteFirstSwap(_XDisplay* display, uintptr_t drawable, Record& record) {
+/// Before a swap by the real OpenGL that comes before the context's first picture: remembers the window's
+/// size, so that the picture may be shown directly. Programs show a few empty frames first. After more of
+/// them the size is unknown, because asking costs a round trip.
+void noteEmptySwap(_XDisplay* display, uintptr_t drawable, Record& record) {
+  constexpr int kMost = 8;
   WindowOfContext& window = record.window;
   gl::ShadowState& shadow = record.context->shadow;
-  if (window.drawable != 0 || window.sized != 0 || shadow.info.off ||
+  if (window.drawable != 0 || window.swapsBefore > kMost || shadow.info.off ||
       !shadow.settings.quirks.has(Quirk::softwareShow) || !shadow.isSoftwareBelow())
     return;
   window.sized = windowOf(drawable);
-  window.swapped = drawableSize(display, drawable);
+  window.swapped = ++window.swapsBefore > kMost ? glm::ivec2(0) : drawableSize(display, drawable);
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
       !record->context->info().doubleBuffered)
     return false;
   guarded("cannot show a picture", [&] {
-    if (!record->context->window.mayShowDirectly()) return noteFirstSwap(display, drawable, *record);
+    if (!record->context->window.mayShowDirectly()) return noteEmptySwap(display, drawable, *record);
     if (!show(display, drawable, *record)) return;
     shown = true;
     record->context->passthrough.stopMeasuring();

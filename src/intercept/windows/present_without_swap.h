@@ -13,6 +13,7 @@ struct WindowOfContext {
   std::unique_ptr<ShmWindow> put;
   glm::ivec2 swapped{0};  // size of the window at the last swap by the real OpenGL that is known
   uintptr_t sized = 0;    // the drawable whose size it is; 0: none
+  int swapsBefore = 0;    // by the real OpenGL, before the first picture was tried
   /// Whether the real OpenGL knows the window's size: it updates its buffers' size only after a swap. False:
   /// let it make this swap.
   bool isKnown(glm::ivec2 size) {
