@@ -7,8 +7,9 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <cstring>
+#include <memory>
 #include <string>
-#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -22,12 +23,10 @@ void objectLabel(Context& c, GLenum identifier, GLuint name, GLsizei length, con
   if (!isList(c, name)) return c.errors.set(GL_INVALID_VALUE);
   NameTable<const std::string>& labels = c.shadow.group.listLabels;
   if (!label) return labels.erase(name);
-  c.failsafe.insist([&] {
-    std::string text = length < 0 ? std::string(label) : std::string(label, static_cast<size_t>(length));
-    if (static_cast<GLint>(text.size()) >= integer(c.real, GL_MAX_LABEL_LENGTH))
-      return c.errors.set(GL_INVALID_VALUE);
-    labels.put(name, std::make_shared<const std::string>(std::move(text)));
-  });
+  const size_t size = length < 0 ? std::strlen(label) : static_cast<size_t>(length);
+  if (size >= static_cast<size_t>(integer(c.real, GL_MAX_LABEL_LENGTH)))
+    return c.errors.set(GL_INVALID_VALUE);
+  c.failsafe.insist([&] { labels.put(name, std::make_shared<const std::string>(label, size)); });
 }
 
 void getObjectLabel(Context& c, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,

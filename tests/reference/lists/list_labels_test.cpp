@@ -76,6 +76,7 @@ const LabelCase kLabelCases[] = {
        const std::string longest(static_cast<size_t>(most) - 1, 'x'), longer = longest + "x";
        gl.ObjectLabel(GL_DISPLAY_LIST, 4, -1, longer.c_str()), out += errorOf(gl);
        gl.ObjectLabel(GL_DISPLAY_LIST, 4, most, longer.c_str()), out += errorOf(gl);
+       gl.ObjectLabel(GL_DISPLAY_LIST, 4, 1 << 30, "shorter than that"), out += errorOf(gl);
        gl.ObjectLabel(GL_DISPLAY_LIST, 4, -1, longest.c_str()), out += errorOf(gl);
        out += lengthOf(gl, GL_DISPLAY_LIST, 4) + labelOf(gl, GL_DISPLAY_LIST, 4, -1);
        gl.ObjectLabel(GL_LINES, 4, -1, "no such kind"), out += errorOf(gl);
