@@ -7,7 +7,7 @@
 #include "gl/batch/resolve_draws.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
-#include "gl/state/state_queries.h"
+#include "gl/state/draw_binding.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
@@ -146,15 +146,14 @@ void Flusher::beforeBlit() noexcept {
 void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
                           std::vector<ProgramDraw> draws, bool known) {
   const RealGl& real = p_.shadow.real;
-  const bool objects = isPresent(real.BindFramebuffer);
-  const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
-  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, key.framebuffer);
-  const PresentResult result = presenter.present(real, snapshot,
-                                                 {.depthFunc = key.depthFunc,
-                                                  .core = p_.shadow.info.core,
-                                                  .programDraws = std::move(draws),
-                                                  .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
-  if (bound != key.framebuffer) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  const PresentResult result = [&] {
+    const DrawBinding binding(real, key.framebuffer);
+    return presenter.present(real, snapshot,
+                             {.depthFunc = key.depthFunc,
+                              .core = p_.shadow.info.core,
+                              .programDraws = std::move(draws),
+                              .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
+  }();
   p_.shadow.latch.restore(real);
   takeResult(result, known);
   if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(result.reason());

@@ -145,10 +145,8 @@ bool PicturedSurfaces::readPixels(bool samples, scene::FramebufferPicture& p) {
 std::shared_ptr<const scene::FramebufferPicture> PicturedSurfaces::pictureOf(const BatchKey& key,
                                                                              const scene::Snapshot& s) {
   const RealGl& real = p_.shadow.real;
-  const bool objects = isPresent(real.BindFramebuffer);
-  const GLuint bound = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   const auto drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
-  if (bound != key.framebuffer || drawBuffer != key.drawBuffer) return nullptr;
+  if (drawFramebuffer(real) != key.framebuffer || drawBuffer != key.drawBuffer) return nullptr;
   auto picture = std::make_shared<scene::FramebufferPicture>();
   picture->viewport = key.viewport;
   picture->depthNear = key.depthNear, picture->depthFar = key.depthFar;

@@ -135,8 +135,7 @@ void ResolveDraws::meetRasterDraw() {
 }
 
 bool ResolveDraws::into(ResolveTarget& target) {
-  p_.window.showLagged();
-  p_.window.settleInWindow();
+  p_.window.meetDraw();
   UnresolvedPicture::Waiting& waiting = *held_.waiting;
   target.core = p_.shadow.info.core;
   target.how.background = waiting.cleared.background;

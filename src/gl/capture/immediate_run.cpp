@@ -151,7 +151,7 @@ void Immediate::surrender() {
   CapturedVertices& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
-  if (!p_.lists.compiling()) p_.window.showLagged(), p_.window.settleInWindow();
+  if (!p_.lists.compiling()) p_.window.meetDraw();
   p_.shadow.sendBuffers();                 // glArrayElement may follow
   p_.shadow.current.send(p_.shadow.real);  // before NewList: not part of the fragment
   if (p_.lists.compiling()) {

@@ -66,8 +66,7 @@ void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
 }
 
 void RasterDraws::before(PrimitiveClass kind) {
-  if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
-  if (p_.window.lacks()) p_.failsafe.protect([&] { p_.window.settleInWindow(); });
+  if (p_.window.lags() || p_.window.lacks()) p_.failsafe.protect([&] { p_.window.meetDraw(); });
   Batch& batch = p_.flusher.batch;
   // The pending batch was just found to be coplanar with this draw: rasterise both.
   if (p_.surfaces.coplanar.takeFound() && !batch.empty() &&

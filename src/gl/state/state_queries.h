@@ -3,6 +3,7 @@
 #include "gl/real.h"
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <glm/glm.hpp>
 
 #include <limits>
@@ -16,6 +17,12 @@ inline GLint integer(const RealGl& real, GLenum name) {
 }
 
 inline bool isOn(const RealGl& real, GLenum capability) { return real.IsEnabled(capability) == GL_TRUE; }
+
+/// The draw framebuffer's name; 0 where there are no framebuffer objects.
+inline GLuint drawFramebuffer(const RealGl& real) {
+  return isPresent(real.BindFramebuffer) ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING))
+                                         : 0;
+}
 
 /// A parameter of an attachment of the framebuffer bound to `target`.
 inline GLint attachmentValue(const RealGl& real, GLenum target, GLenum attachment, GLenum name) {

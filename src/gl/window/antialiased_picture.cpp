@@ -14,7 +14,7 @@ GLuint asked(const RealGl& real, GLenum name) { return static_cast<GLuint>(integ
 
 void AntialiasedPicture::clear(const RealGl& real, const RareState& has) {
   texture_ = 0;
-  const GLuint framebuffer = isPresent(real.BindFramebuffer) ? asked(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
+  const GLuint framebuffer = drawFramebuffer(real);
   const GLenum buffer = framebuffer ? asked(real, GL_DRAW_BUFFER0) : GLenum{GL_NONE};
   const glm::ivec4 box = scissorBox(real);
   const scene::Region region{box.x, box.y, box.z, box.w};

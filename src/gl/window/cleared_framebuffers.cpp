@@ -18,11 +18,11 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   if ((mask & kBoth) != kBoth || clock_.passesThrough() || failsafe_.aside() || shadow_.activeQueries > 0 ||
       !shadow_.isSoftwareBelow())
     return;
-  const GLint framebuffer = isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0;
+  const GLuint framebuffer = drawFramebuffer(real);
   const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
   if (!shadow_.settings.quirks.has(use) || !clearsAll(real, rare)) return;
   const glm::ivec4 box = scissorBox(real);
-  ClearedTarget cleared{static_cast<GLuint>(framebuffer), {box.x, box.y, box.z, box.w}, {}};
+  ClearedTarget cleared{framebuffer, {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
   cleared_ = cleared;
   // The upload waits for the clear, for which llvmpipe's threads have time while the program prepares its

@@ -152,8 +152,7 @@ void FrameEnds::endViews(GLbitfield mask) {
   };
   const bool depth = clears(GL_DEPTH_BUFFER_BIT), color = clears(GL_COLOR_BUFFER_BIT);
   if (!depth && !color) return;
-  const auto framebuffer =
-      static_cast<GLuint>(isPresent(real.BindFramebuffer) ? integer(real, GL_DRAW_FRAMEBUFFER_BINDING) : 0);
+  const GLuint framebuffer = drawFramebuffer(real);
   const glm::ivec4 at = scissorBox(real);
   const scene::Region box{at.x, at.y, at.z, at.w};
   if (color) {

@@ -139,12 +139,13 @@ bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr size_t kMostClears = 8;
   noteBegin();
   stopRefining();
-  if (!lagged_) return holdsClear(mask);
+  if (!lagged_ && !lacks()) return false;
   if (!p_.flusher.batch.empty() || mask == 0 || mask & ~kClears || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
-      lagged_->clears.size() >= kMostClears)
+      !clearsWindow(p_.shadow.real, p_.shadow.state.rare, mask))
     return false;
-  if (!clearsWindow(p_.shadow.real, p_.shadow.state.rare, mask)) return false;
+  if (!lagged_) return holdsClear(mask);
+  if (lagged_->clears.size() >= kMostClears) return false;
   lagged_->clears.push_back(windowClear(p_.shadow.real, mask));
   return true;
 }

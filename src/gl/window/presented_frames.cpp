@@ -1,7 +1,7 @@
 // WindowFrames: pictures that are shown without the back buffer (ADR 0024).
 #include "base/timeline.h"
 #include "gl/capture/immediate.h"
-#include "gl/state/state_queries.h"
+#include "gl/state/draw_binding.h"
 #include "gl/window/clears.h"
 #include "gl/window/window_frames.h"
 
@@ -36,8 +36,8 @@ bool WindowFrames::mayShowDirectly() noexcept {
 bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept {
   return p_.failsafe.protect([&] {
     if (!contains(p_.cleared.target()->region, {0, 0, window.x, window.y})) return false;
-    if (presented_.waiting) settle();  // otherwise the batch hides what the back buffer lacks
     showLagged();
+    if (presented_.waiting) settle();  // otherwise the batch hides what the back buffer lacks
     p_.shadow.refresh(kTarget);
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.flusher.batch.waiting().instances.size());
@@ -81,16 +81,9 @@ void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
 
 bool WindowFrames::holdsClear(GLbitfield mask) {
   const RealGl& real = p_.shadow.real;
-  if (!lacks() || (mask & kBoth) != kBoth || mask & ~kClears || !p_.flusher.batch.empty() ||
-      p_.clock.passesThrough() || p_.failsafe.aside() || p_.clock.startsMeasuring() ||
-      p_.shadow.activeQueries > 0)
+  if ((mask & kBoth) != kBoth || drawFramebuffer(real) != 0 || integer(real, GL_DRAW_BUFFER) != GL_BACK)
     return false;
-  if (p_.shadow.state.rare.framebufferObjects && integer(real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
-    return false;
-  if (integer(real, GL_DRAW_BUFFER) != GL_BACK || !clearsWindow(real, p_.shadow.state.rare, mask))
-    return false;
-  presented_.waiting.reset();
-  presented_.inVain = 0;
+  presented_.hide();
   presented_.clear = windowClear(real, mask);
   return true;
 }
@@ -99,25 +92,17 @@ void WindowFrames::makeClear() {
   if (!presented_.clear) return;
   const WindowClear clear = *presented_.clear;
   presented_.clear.reset();
-  const RealGl& real = p_.shadow.real;
-  const GLuint bound = p_.shadow.state.rare.framebufferObjects
-                           ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING))
-                           : 0;
-  if (bound != 0) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  if (const GLenum pending = p_.flusher.presenter.window().clear(real, clear)) p_.shadow.errors.set(pending);
-  if (bound != 0) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, bound);
+  const DrawBinding binding(p_.shadow.real, 0);
+  if (const GLenum pending = p_.flusher.presenter.window().clear(p_.shadow.real, clear))
+    p_.shadow.errors.set(pending);
 }
 
 void WindowFrames::clears(GLbitfield mask) {
-  if (!lacks()) return;
-  if (p_.shadow.state.rare.framebufferObjects && integer(p_.shadow.real, GL_DRAW_FRAMEBUFFER_BINDING) != 0)
-    return;
+  if (!lacks() || drawFramebuffer(p_.shadow.real) != 0) return;
   if ((mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
       !clearsAll(p_.shadow.real, p_.shadow.state.rare))
     return settle();
-  presented_.waiting.reset();
-  presented_.clear.reset();
-  presented_.inVain = 0;
+  presented_.hide();
 }
 
 void WindowFrames::settle() {
@@ -128,6 +113,11 @@ void WindowFrames::settle() {
   presented_.waiting.reset();
   if (++presented_.inVain >= kMostInVain) presented_.inVain = 0, presented_.pause = kPause;
   p_.flusher.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
+}
+
+void WindowFrames::meetDraw() {
+  showLagged();
+  settleInWindow();
 }
 
 void WindowFrames::settleInWindow() {

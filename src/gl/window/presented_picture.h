@@ -23,6 +23,8 @@ struct PresentedPicture {
   std::optional<Waiting> waiting;
   /// A clear of the whole back buffer that is not made yet; `waiting` and the pending batch lie over it.
   std::optional<WindowClear> clear;
+  /// A clear hides it.
+  void hide() { waiting.reset(), clear.reset(), inVain = 0; }
   /// Consecutive pictures that had to be written after all; programs that go on drawing are faster without.
   int inVain = 0;
   int pause = 0;  // frames to wait until the next attempt

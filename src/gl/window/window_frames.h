@@ -65,6 +65,8 @@ class WindowFrames {
   /// The same, and writes that picture: always, or only if the draw framebuffer is the window.
   void settle();
   void settleInWindow();
+  /// Call before the real OpenGL draws: shows the lagged frame, and settles in the window.
+  void meetDraw();
   /// Call before a draw that will be traced, too: settleInWindow() if there is a picture.
   void settleBelow() {
     if (presented_.waiting) settleInWindow();
@@ -78,6 +80,7 @@ class WindowFrames {
  private:
   LagRefusal whyNotLag(GLenum buffer) const;
   void noteBegin();
+  /// Holds a clear of the whole window back if it hides what the back buffer lacks.
   bool holdsClear(GLbitfield mask);
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);

@@ -71,7 +71,7 @@ HWY_ATTR size_t columnsOfContrast(const scene::Fxaa& settings, const Rows& rows,
       const auto threshold =
           hn::Max(hn::Set(d, settings.hardContrast), hn::Mul(hn::Set(d, settings.relativeContrast), most));
       const auto reached = hn::RebindMask(di, hn::Ge(hn::Sub(most, least), threshold));
-      // CompressStore, which stores no more than it must, is microcoded on AMD's processors with AVX-512.
+      // Stores a whole vector: CompressStore, which stores no more than it must, is slow on AMD's Zen 4.
       const auto column = hn::Add(lane, hn::Set(di, static_cast<int32_t>(i)));
       hn::StoreU(hn::Compress(column, reached), di, columns + found);
       found += hn::CountTrue(di, reached);
