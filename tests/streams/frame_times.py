@@ -3,9 +3,9 @@
     frame_times.py --gluray GLURAY [--engine auto|always|never] [--frames N] [--turns N] [--json FILE] [NAME ...]
 
 (with an X server at hand.) The last frame of each stream is replayed again and again, as a viewer draws it. Where glretrace
-cannot do that, the frames after the first are timed: the time of the whole stream less that of its first frame. The fastest
-turn of each counts, since other load only adds time; glretrace's own work is in both. NAME is a stream of this
-folder, or the path of another recording without its ".trace", such as one with more frames than ours.
+cannot do that, the frames after the first are timed: the time of the whole stream less that of its first frame. Each turn
+measures both ways one after the other, and the medians of the turns count; glretrace's own work is in both. NAME is a stream
+of this folder, or the path of another recording without its ".trace", such as one with more frames than ours.
 """
 import argparse
 import json
@@ -50,28 +50,25 @@ class Stream:
         self.repeats = replay(self.trace, ["--loop=10"])[0] > replay(self.trace)[0]
         self.short = self.trace if self.repeats else first_frame(self.trace, folder)
 
-    def milliseconds(self, turns, ways):
-        """For each way the time of a frame, and processor time; measured in turn. Subtracts the time of the first frames,
-        in which libraries are loaded and shaders built."""
-        runs = [([], []) for _ in ways]
-        for _ in range(turns if self.repeats else turns * SHORT):
-            for (few, many), way in zip(runs, ways):
-                few.append(replay(self.short, ["--loop=5"] if self.repeats else [], way))
-                many.append(replay(self.trace, [f"--loop={self.frames + 5}"] if self.repeats else [], way))
-        return [[self.difference(few, many, which) for which in (1, 2)] for few, many in runs]
+    def turn(self, way):
+        """Milliseconds of a frame and of all processors in it, without the first frames, in which libraries are loaded and
+        shaders built."""
+        few = replay(self.short, ["--loop=5"] if self.repeats else [], way)
+        many = replay(self.trace, [f"--loop={self.frames + 5}"] if self.repeats else [], way)
+        return [1000 * (many[which] - few[which]) / max(many[0] - few[0], 1) for which in (1, 2)]
 
-    @staticmethod
-    def difference(few, many, which):
-        frames = max(many[0][0] - few[0][0], 1)
-        return 1000 * (min(run[which] for run in many) - min(run[which] for run in few)) / frames
+    def milliseconds(self, turns, ways):
+        """For each way the medians of the time of a frame, and of its processor time; measured in turn."""
+        measured = [[self.turn(way) for way in ways] for _ in range(turns if self.repeats else turns * SHORT)]
+        return [[statistics.median(times) for times in zip(*way)] for way in zip(*measured)]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--engine", default="auto")
-    parser.add_argument("--frames", type=int, default=200)
-    parser.add_argument("--turns", type=int, default=3)
+    parser.add_argument("--frames", type=int, default=1000)
+    parser.add_argument("--turns", type=int, default=9)
     parser.add_argument("--json")
     parser.add_argument("names", nargs="*")
     given = parser.parse_args()
@@ -90,7 +87,8 @@ def main():
         sys.path.insert(0, str(HERE.parent.parent / "bench"))
         from support import machine
         result = {"how": f"tests/streams/frame_times.py --engine {given.engine} --frames {given.frames} --turns {given.turns}: "
-                         "fastest turn of the real OpenGL and of GLuRay, in turn; glretrace's own work in both",
+                         f"medians of {given.turns} turns ({given.turns * SHORT} of streams of few frames), the real OpenGL and GLuRay in turn; "
+                         "glretrace's own work in both",
                   **machine.describe(HERE.parent.parent), "median_ratio": statistics.median(r["ratio"] for r in rows), "rows": rows}
         pathlib.Path(given.json).write_text(json.dumps(result, indent=1) + "\n")
 
