@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace gluray::intercept::stubs {
@@ -19,45 +20,31 @@ TEST(HalfToFloat, KnownValues) {
   EXPECT_TRUE(std::isnan(halfToFloat(0x7E00)));
 }
 
-TEST(Unpack, UnsignedFields) {
+/// Unpacks a value and compares all four components.
+void expectUnpacked(PackedRules rules, GLenum type, bool normalised, GLuint value,
+                    const std::array<float, 4>& expected) {
   Packed v;
+  ASSERT_TRUE(unpack(rules, type, normalised, value, v));
+  EXPECT_EQ((std::array<float, 4>{v.x, v.y, v.z, v.w}), expected) << "normalised: " << normalised;
+}
+
+TEST(Unpack, UnsignedFields) {
   const GLuint value = 1u | 2u << 10 | 1023u << 20 | 3u << 30;
-  ASSERT_TRUE(unpack(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, false, value, v));
-  EXPECT_EQ(v.x, 1);
-  EXPECT_EQ(v.y, 2);
-  EXPECT_EQ(v.z, 1023);
-  EXPECT_EQ(v.w, 3);
-  ASSERT_TRUE(unpack(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, true, value, v));
-  EXPECT_FLOAT_EQ(v.x, 1 / 1023.0f);
-  EXPECT_EQ(v.z, 1);
-  EXPECT_EQ(v.w, 1);
+  expectUnpacked(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, false, value, {1, 2, 1023, 3});
+  expectUnpacked(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, true, value,
+                 {1 / 1023.0f, 2 / 1023.0f, 1, 1});
 }
 
 TEST(Unpack, SignedFieldsBefore42) {
-  Packed v;
-  const GLuint value = 511u | 512u << 10 | 1023u << 20 | 2u << 30;  // 511, -512, -1, -2
-  ASSERT_TRUE(unpack(packedRules(41), GL_INT_2_10_10_10_REV, false, value, v));
-  EXPECT_EQ(v.x, 511);
-  EXPECT_EQ(v.y, -512);
-  EXPECT_EQ(v.z, -1);
-  EXPECT_EQ(v.w, -2);
-  ASSERT_TRUE(unpack(packedRules(41), GL_INT_2_10_10_10_REV, true, value, v));
-  EXPECT_EQ(v.x, 1);
-  EXPECT_EQ(v.y, -1);
-  EXPECT_FLOAT_EQ(v.z, -1 / 1023.0f);
-  EXPECT_EQ(v.w, -1);
+  const GLuint value = 511u | 512u << 10 | 1023u << 20 | 2u << 30;
+  expectUnpacked(packedRules(41), GL_INT_2_10_10_10_REV, false, value, {511, -512, -1, -2});
+  expectUnpacked(packedRules(41), GL_INT_2_10_10_10_REV, true, value, {1, -1, -1 / 1023.0f, -1});
 }
 
 TEST(Unpack, SignedFieldsHaveAZeroFrom42On) {
-  Packed v;
-  ASSERT_TRUE(unpack(packedRules(42), GL_INT_2_10_10_10_REV, true, 511u | 512u << 10 | 1u << 30, v));
-  EXPECT_EQ(v.x, 1);
-  EXPECT_EQ(v.y, -1);  // -512 is -511
-  EXPECT_EQ(v.z, 0);
-  EXPECT_EQ(v.w, 1);
-  ASSERT_TRUE(unpack(packedRules(42), GL_INT_2_10_10_10_REV, true, 1023u | 2u << 30, v));
-  EXPECT_FLOAT_EQ(v.x, -1 / 511.0f);
-  EXPECT_EQ(v.w, -1);
+  const GLuint value = 511u | 512u << 10 | 1u << 30, negative = 1023u | 2u << 30;
+  expectUnpacked(packedRules(42), GL_INT_2_10_10_10_REV, true, value, {1, -1, 0, 1});  // -512 is -511
+  expectUnpacked(packedRules(42), GL_INT_2_10_10_10_REV, true, negative, {-1 / 511.0f, 0, 0, -1});
 }
 
 TEST(Unpack, FloatsOfGenericAttributes) {
