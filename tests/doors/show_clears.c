@@ -27,6 +27,30 @@ static void clear_refused(void) {
   if (glGetError() != GL_INVALID_VALUE) fprintf(stderr, "no error\n"), exit(1);
   lines(), swap(), window_shows();
 }
+enum { kColorAndDepth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT };
+static void clear_colors(void) { /* each in a colour of its own */
+  frame(10);
+  for (int i = 0; i < 4; ++i) {
+    glClearColor(0.25f * (float)i, 0.8f, 1 - 0.25f * (float)i, 1), glClear(kColorAndDepth);
+    surface(20.0f * (float)i), swap(), window_shows();
+    if (i % 2) buffer_holds();
+  }
+  frame(30), window_shows(), buffer_holds();
+}
+static void stencilled_lines(void) {
+  glEnable(GL_STENCIL_TEST), glStencilFunc(GL_EQUAL, 1, 255);
+  lines(), glDisable(GL_STENCIL_TEST);
+}
+static void clear_stencil_kept(void) { /* clears of colour and depth do not clear the stencil */
+  glClearStencil(0), glClear(kColorAndDepth | GL_STENCIL_BUFFER_BIT), lines(), swap(), frame(60);
+  glClearStencil(1), glClear(kColorAndDepth | GL_STENCIL_BUFFER_BIT), glClearStencil(0), clear();
+  stencilled_lines(), swap(), window_shows(), buffer_holds();
+  glClear(GL_STENCIL_BUFFER_BIT), frame(70);
+  glClearStencil(1), glClear(kColorAndDepth | GL_STENCIL_BUFFER_BIT), surface(75), swap();
+  glClearStencil(0), clear(), stencilled_lines(), surface(78), swap(), window_shows();
+  frame(80), glClearStencil(1), glClear(kColorAndDepth | GL_STENCIL_BUFFER_BIT), glClearStencil(0);
+  surface(0), clear(), stencilled_lines(), swap(), window_shows();
+}
 static void clear_values(void) { /* a clear has the values and masks of its time */
   frame(80), clear();
   glClearColor(0.1f, 0.9f, 0.1f, 1), glClearDepth(0.3);
@@ -55,6 +79,23 @@ static void clear_then_object(void) {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0), surface(65), swap(), window_shows();
   glDeleteFramebuffers(1, &object);
 }
+static void clear_then_floats(void) { /* whose clear colours may be negative */
+  GLuint texture = 0, object = 0;
+  GLfloat color[4] = {0};
+  glGenTextures(1, &texture), glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 8, 8, 0, GL_RGBA, GL_FLOAT, NULL);
+  glBindTexture(GL_TEXTURE_2D, 0), glGenFramebuffers(1, &object);
+  glBindFramebuffer(GL_FRAMEBUFFER, object);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0), frame(55), clear();
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, object), glClearColor(-2, 3, 0.5f, -1), buffer_holds(),
+      glClear(GL_COLOR_BUFFER_BIT);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, object), glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, color);
+  if (color[0] != -2 || color[1] != 3 || color[2] != 0.5f || color[3] != -1)
+    fprintf(stderr, "cleared to %g %g %g %g\n", color[0], color[1], color[2], color[3]), exit(1);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0), surface(65), swap(), window_shows();
+  glDeleteFramebuffers(1, &object), glDeleteTextures(1, &texture);
+}
 static void resolved_over(void) {
   const GLuint object = framebuffer_of(4);
   for (int cleared = 0; cleared < 2; ++cleared) {
@@ -80,17 +121,8 @@ static void evaluated_over(void) {
   }
 }
 const struct ShowCase kClearCases[] = {
-    CASE(clear_alone),
-    CASE(clear_read),
-    CASE(clear_and_lines),
-    CASE(clear_then_part),
-    CASE(clear_stencil),
-    CASE(clear_refused),
-    CASE(clear_values),
-    CASE(clear_then_front),
-    CASE(clear_then_attributes),
-    CASE(clear_then_object),
-    CASE(resolved_over),
-    CASE(evaluated_over),
-    {NULL, NULL},
+    CASE(clear_alone),       CASE(clear_read),       CASE(clear_and_lines),       CASE(clear_then_part),
+    CASE(clear_stencil),     CASE(clear_refused),    CASE(clear_colors),          CASE(clear_stencil_kept),
+    CASE(clear_values),      CASE(clear_then_front), CASE(clear_then_attributes), CASE(clear_then_object),
+    CASE(clear_then_floats), CASE(resolved_over),    CASE(evaluated_over),        {NULL, NULL},
 };

@@ -108,23 +108,46 @@ static void other_window(void) {
   lines(), swap(), window_shows();
   XDestroyWindow(display, another);
 }
+static void resize(int to_width, int to_height) {
+  width = to_width, height = to_height;
+  XResizeWindow(display, window, (unsigned)width, (unsigned)height), XSync(display, False);
+  glViewport(0, 0, width, height);
+}
 static void resized(void) {
   frame(33);
   for (int i = 0; i < 3; ++i) {
-    width = 200 + 60 * (i % 2), height = 150 + 40 * i;
-    XResizeWindow(display, window, (unsigned)width, (unsigned)height), XSync(display, False);
-    glViewport(0, 0, width, height);
+    resize(200 + 60 * (i % 2), 150 + 40 * i);
     frame(33), frame(34), window_shows(), buffer_holds();
     frame(35), lines(), swap(), window_shows();
   }
+}
+/* The first frame after a change of the window's size is the only one at that size. */
+static void resized_each(void) {
+  frame(40), frame(41);
+  for (int i = 0; i < 4; ++i) resize(200 + 30 * i, 190 - 20 * i), frame(42), window_shows();
+  buffer_holds();
+}
+static void resized_after_clear(void) { /* that frame is still as large as its clear */
+  frame(51), frame(52);
+  for (int i = 0; i < 2; ++i) {
+    clear(), resize(240 - 50 * i, 170 + 20 * i), surface(53), swap();
+    frame(54), window_shows();
+  }
+  buffer_holds();
+}
+static void resized_then_drawn(void) {
+  frame(43), frame(44), resize(260, 190);
+  clear(), surface(45), lines(), swap(), window_shows(), buffer_holds();
+  frame(46), frame(47), resize(180, 210), clear(), buffer_holds(), surface(48), swap(), window_shows();
+  frame(49), frame(50), resize(230, 160), glClear(GL_DEPTH_BUFFER_BIT), clear(), lines(), swap();
+  window_shows();
 }
 /* A new context whose first frame is empty; the window may change its size before its first picture. */
 static void after_empty(int wider) {
   GLXContext other = glXCreateContext(display, visual, NULL, True);
   glXMakeCurrent(display, window, other), glEnable(GL_DEPTH_TEST);
   clear(), swap();
-  width += wider;
-  if (wider) XResizeWindow(display, window, (unsigned)width, (unsigned)height), XSync(display, False);
+  if (wider) resize(width + wider, height);
   glViewport(0, 0, width, height);
   frame(65), window_shows(), buffer_holds();
   lines(), swap(), window_shows();
@@ -179,12 +202,33 @@ static void errors_kept(void) {
 }
 
 static const struct ShowCase kCases[] = {
-    CASE(moving),       CASE(unchanged),    CASE(swapped_again),      CASE(read_afterwards),
-    CASE(drawn_over),   CASE(lines_over),   CASE(depth_cleared),      CASE(colour_cleared),
-    CASE(part_cleared), CASE(masked_clear), CASE(smaller_viewport),   CASE(far_plane),
-    CASE(copied),       CASE(blitted),      CASE(other_context),      CASE(other_window),
-    CASE(resized),      CASE(empty_first),  CASE(empty_then_resized), CASE(on_and_on),
-    CASE(queried),      CASE(glx_window),   CASE(errors_kept),        {NULL, NULL},
+    CASE(moving),
+    CASE(unchanged),
+    CASE(swapped_again),
+    CASE(read_afterwards),
+    CASE(drawn_over),
+    CASE(lines_over),
+    CASE(depth_cleared),
+    CASE(colour_cleared),
+    CASE(part_cleared),
+    CASE(masked_clear),
+    CASE(smaller_viewport),
+    CASE(far_plane),
+    CASE(copied),
+    CASE(blitted),
+    CASE(other_context),
+    CASE(other_window),
+    CASE(resized),
+    CASE(resized_each),
+    CASE(resized_after_clear),
+    CASE(resized_then_drawn),
+    CASE(empty_first),
+    CASE(empty_then_resized),
+    CASE(on_and_on),
+    CASE(queried),
+    CASE(glx_window),
+    CASE(errors_kept),
+    {NULL, NULL},
 };
 
 int main(int argc, char** argv) {

@@ -89,6 +89,7 @@ void ListCompiler::endList() {
   if (p_.immediate.insideBegin()) p_.immediate.end();  // a fragment cannot stay open
   p_.immediate.recordRun();
   p_.shadow.group.lists.put(name_, list_);
+  p_.shadow.group.listLabels.erase(name_);  // a new object
   list_.reset();
   name_ = 0;
   mode_ = 0;

@@ -33,11 +33,14 @@ bool WindowFrames::mayShowDirectly() noexcept {
   });
 }
 
-bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept {
+bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const ShowPicture& show) noexcept {
   return p_.failsafe.protect([&] {
-    if (!contains(p_.cleared.target()->region, {0, 0, window.x, window.y})) return false;
+    if (!contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) return false;
     showLagged();
     if (presented_.waiting) settle();  // otherwise the batch hides what the back buffer lacks
+    if (p_.flusher.batch.empty() || !p_.cleared.target()) return false;  // tracing has failed
+    // The pixels of a clear are read from the back buffer.
+    if (!p_.flusher.presenter.window().knowsClear(*p_.cleared.target())) makeClear();
     p_.shadow.refresh(kTarget);
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.flusher.batch.waiting().instances.size());
@@ -61,6 +64,7 @@ bool WindowFrames::showWithoutSwap(glm::ivec2 window, const ShowPicture& show) n
     p_.surfaces.passes.flushed(waiting.snapshot);
     p_.surfaces.traced(key, waiting.snapshot);
     presented_.waiting = std::move(waiting);
+    presented_.window = &window;
     p_.cleared.forget();
     noteUse(Quirk::softwareShow);
     return true;
@@ -83,13 +87,24 @@ bool WindowFrames::holdsClear(GLbitfield mask) {
   const RealGl& real = p_.shadow.real;
   if ((mask & kBoth) != kBoth || drawFramebuffer(real) != 0 || integer(real, GL_DRAW_BUFFER) != GL_BACK)
     return false;
+  WindowClear clear = windowClear(real, mask);
+  if (presented_.clear && presented_.clear->mask & ~mask & GL_STENCIL_BUFFER_BIT)
+    clear.mask |= GL_STENCIL_BUFFER_BIT, clear.stencil = presented_.clear->stencil;
   presented_.hide();
-  presented_.clear = windowClear(real, mask);
+  presented_.clear = clear;
+  presented_.window->askSize();
   return true;
+}
+
+void WindowFrames::meetNewSize() {
+  if (!presented_.waiting || !presented_.window->resized()) return;
+  settle();
+  presented_.window->swap();
 }
 
 void WindowFrames::makeClear() {
   if (!presented_.clear) return;
+  if (!presented_.waiting && presented_.window->resized()) presented_.window->swap();
   const WindowClear clear = *presented_.clear;
   presented_.clear.reset();
   const DrawBinding binding(p_.shadow.real, 0);
@@ -99,7 +114,9 @@ void WindowFrames::makeClear() {
 
 void WindowFrames::clears(GLbitfield mask) {
   if (!lacks() || drawFramebuffer(p_.shadow.real) != 0) return;
-  if ((mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
+  meetNewSize();
+  const bool stencils = presented_.clear && presented_.clear->mask & ~mask & GL_STENCIL_BUFFER_BIT;
+  if (stencils || (mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
       !clearsAll(p_.shadow.real, p_.shadow.state.rare))
     return settle();
   presented_.hide();

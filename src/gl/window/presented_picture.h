@@ -1,4 +1,4 @@
-// A traced picture that the window shows already while its back buffer still holds only a clear (ADR 0024). A
+// A traced picture that the window shows already while its back buffer still lacks it (ADR 0024). A
 // software OpenGL takes longer to accept a picture with its depth and to swap it than the window system takes
 // to show it, and most programs then clear it. If anything but a clear follows, the picture is written into
 // the back buffer first. The clear itself is held back, too, because such frames hide it. Owned by
@@ -23,6 +23,7 @@ struct PresentedPicture {
   std::optional<Waiting> waiting;
   /// A clear of the whole back buffer that is not made yet; `waiting` and the pending batch lie over it.
   std::optional<WindowClear> clear;
+  ShownWindow* window = nullptr;  // that the last picture was shown in
   /// A clear hides it.
   void hide() { waiting.reset(), clear.reset(), inVain = 0; }
   /// Consecutive pictures that had to be written after all; programs that go on drawing are faster without.

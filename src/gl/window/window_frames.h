@@ -38,8 +38,11 @@ class WindowFrames {
   /// Whether the swap would show only a clear and the pending batch.
   bool mayShowDirectly() noexcept;
   /// If mayShowDirectly(), in place of FrameEnds::beforeSwap() and the swap of a window of this size: traces
-  /// the batch and gives the picture to `show`. False: nothing was shown; the batch stays pending.
-  bool showWithoutSwap(glm::ivec2 window, const ShowPicture& show) noexcept;
+  /// the batch and gives the picture to `show`. False: nothing was shown; the batch stays pending. `window`
+  /// outlives this context.
+  bool showWithoutSwap(ShownWindow& window, glm::ivec2 size, const ShowPicture& show) noexcept;
+  /// Whether nothing of the next frame is in the back buffer: its clear is held back, and so are its draws.
+  bool holdsFrame() const { return presented_.clear && !presented_.waiting; }
   /// In place of both: starts tracing the batch, to show the frame later. Returns `none` or why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 
@@ -82,6 +85,9 @@ class WindowFrames {
   void noteBegin();
   /// Holds a clear of the whole window back if it hides what the back buffer lacks.
   bool holdsClear(GLbitfield mask);
+  /// Writes the picture that the window shows, and makes the real OpenGL swap, if the window has changed its
+  /// size since.
+  void meetNewSize();
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 

@@ -33,6 +33,20 @@ struct ShownPicture {
 /// Shows a picture. False: failed, the window is unchanged.
 using ShowPicture = std::function<bool(const ShownPicture&)>;
 
+/// A window whose pictures are shown without swaps by the real OpenGL, which sees the window's size only at
+/// the first command after a swap. GL thread, context current.
+class ShownWindow {
+ public:
+  virtual ~ShownWindow() = default;
+  /// Asks for the window's size, as it is now, without waiting. Ignored while a question is open.
+  virtual void askSize() noexcept = 0;
+  /// Whether the size, asked for now or before, is another than that of the real OpenGL's buffers. False if
+  /// the window is gone.
+  virtual bool resized() noexcept = 0;
+  /// Makes the real OpenGL swap, so that its buffers get the window's size. They are undefined afterwards.
+  virtual void swap() noexcept = 0;
+};
+
 struct ShowTarget {
   ClearedTarget cleared;  // the window's clear
   float farthest = 1;     // ShownPicture::farthest
@@ -94,8 +108,10 @@ class WindowPresenter {
   /// only remembered for reads; an empty `open` forgets them.
   virtual void refineWhileIdle(const OpenIdleWindow& /*open*/) noexcept {}
   virtual void stopRefining() noexcept {}
-  /// Makes `clear` in the window's back buffer, whatever the current state. Returns the program's error that
-  /// was pending, if any.
+  /// Whether show() knows the pixels of this clear without reading them from the back buffer.
+  virtual bool knowsClear(const ClearedTarget& /*cleared*/) const noexcept { return true; }
+  /// Makes `clear` in the window's back buffer, whatever the current state, which stays as it is. Returns the
+  /// program's error that was pending, if any.
   virtual GLenum clear(const RealGl&, const WindowClear& /*clear*/) noexcept { return GL_NO_ERROR; }
 };
 

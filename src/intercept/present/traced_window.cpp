@@ -73,6 +73,10 @@ void TracedWindow::stopRefining() noexcept { shared_.pictures.frame().stop(); }
 
 void TracedWindow::dropAhead() noexcept { shared_.pictures.dropAhead(); }
 
+bool TracedWindow::knowsClear(const gl::ClearedTarget& cleared) const noexcept {
+  return shared_.clearedWindow.knows(cleared);
+}
+
 GLenum TracedWindow::clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept {
   try {
     const PendingErrors pending = takeErrors(real);

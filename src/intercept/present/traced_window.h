@@ -16,6 +16,7 @@ class TracedWindow final : public gl::WindowPresenter {
   void dropAhead() noexcept override;
   void refineWhileIdle(const gl::OpenIdleWindow& open) noexcept override;
   void stopRefining() noexcept override;
+  bool knowsClear(const gl::ClearedTarget& cleared) const noexcept override;
   GLenum clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept override;
 
  private:

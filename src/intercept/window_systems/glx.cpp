@@ -134,7 +134,7 @@ struct Glx {
     REAL(D, decltype(&glXSwapBuffers), "glXSwapBuffers");
     const Outermost outermost;
     const Shows shows(outermost, dpy, drawable);
-    if (outermost && (swapsLater(dpy, drawable, real) || shownDirectly(dpy, drawable)))
+    if (outermost && (swapsLater(dpy, drawable, real) || shownDirectly(dpy, drawable, real)))
       return swapped(drawable);
     swapping(outermost, drawable, [&] { real(dpy, drawable); });
   }

@@ -1,22 +1,19 @@
 #include "intercept/windows/lag.h"
 
 #include "base/clock.h"
-#include "base/never_destroyed.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
 #include "intercept/control/window_pictures.h"
 #include "intercept/session.h"
 #include "intercept/window_systems/drawable_size.h"
 #include "intercept/windows/background_window.h"
+#include "intercept/windows/closed_displays.h"
 #include "intercept/windows/following_frames.h"
 
 #include <GL/glx.h>
-#include <dlfcn.h>
 
 #include <atomic>
 #include <chrono>
-#include <map>
-#include <mutex>
 
 namespace gluray::intercept {
 
@@ -30,49 +27,6 @@ constexpr auto kOverdue = 25ms;  // time after a swap without a call of the prog
 std::atomic<bool> g_never{false};
 std::atomic<uint64_t> g_later{0}, g_shownByUs{0};
 std::array<std::atomic<uint64_t>, gl::kLagRefusals> g_because{};
-
-/// Set when the program closes its connection, and with it all its windows.
-using Closed = std::shared_ptr<std::atomic<bool>>;
-
-struct Displays {
-  std::mutex mutex;
-  std::map<Display*, Closed> open;
-
-  static Displays& instance() {
-    static NeverDestroyed<Displays> displays;
-    return *displays;
-  }
-};
-
-int closing(Display* display, XExtCodes*) {
-  Displays& displays = Displays::instance();
-  const std::lock_guard lock(displays.mutex);
-  if (const auto it = displays.open.find(display); it != displays.open.end()) {
-    *it->second = true;
-    displays.open.erase(it);
-  }
-  return 0;
-}
-
-/// A flag that is set when the connection is closed. Null if that cannot be detected.
-Closed watch(Display* display) {
-  using AddExtension = XExtCodes* (*)(Display*);
-  using SetClose = int (*(*)(Display*, int, int (*)(Display*, XExtCodes*)))(Display*, XExtCodes*);
-  static void* const library = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
-  static const auto add = reinterpret_cast<AddExtension>(library ? dlsym(library, "XAddExtension") : nullptr);
-  static const auto set = reinterpret_cast<SetClose>(library ? dlsym(library, "XESetCloseDisplay") : nullptr);
-  if (!add || !set) return nullptr;
-  Displays& displays = Displays::instance();
-  {
-    const std::lock_guard lock(displays.mutex);
-    if (const auto it = displays.open.find(display); it != displays.open.end()) return it->second;
-  }
-  const XExtCodes* codes = add(display);  // takes the connection's own lock
-  if (!codes) return nullptr;
-  set(display, codes->extension, closing);
-  const std::lock_guard lock(displays.mutex);
-  return displays.open[display] = std::make_shared<std::atomic<bool>>(false);
-}
 
 }  // namespace
 
@@ -119,7 +73,7 @@ class Lag {
  private:
   void adopt(Display* display, GLXDrawable drawable) {
     display_ = display, drawable_ = drawable;
-    closed_ = watch(display);
+    closed_ = watchDisplay(display);
     background_ = BackgroundWindow::open(DisplayString(display), static_cast<uint32_t>(windowOf(drawable)));
   }
 

@@ -1,14 +1,18 @@
 #include "intercept/windows/present_without_swap.h"
 
 #include "base/never_destroyed.h"
+#include "base/timeline.h"
 #include "intercept/context_record.h"
 #include "intercept/control/window_pictures.h"
 #include "intercept/session.h"
 #include "intercept/window_systems/drawable_size.h"
+#include "intercept/window_systems/real_functions.h"
+#include "intercept/windows/x_idle_window.h"
 
 #include <cstddef>
 #include <map>
 #include <mutex>
+#include <utility>
 
 namespace gluray::intercept {
 namespace {
@@ -35,21 +39,41 @@ ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext&
   return window.put.get();
 }
 
+void WindowOfContext::askSize() noexcept {
+  if (put) put->askSize();
+}
+
+bool WindowOfContext::resized() noexcept {
+  const glm::ivec2 size = put ? put->size() : glm::ivec2(0);
+  return size.x > 0 && size != std::exchange(swapped, size);
+}
+
+void WindowOfContext::swap() noexcept {
+  guarded("cannot swap", [&] {
+    const Outermost nested;
+    const timeline::Span span("swap");
+    windowChanges(drawable);
+    realSwap();
+  });
+}
+
 namespace {
 
-bool show(_XDisplay* display, uintptr_t drawable, Record& record) {
-  ShmWindow* const put = shmWindowFor(display, drawable, record.window);
+bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record) {
+  WindowOfContext& window = record.window;
+  ShmWindow* const put = shmWindowFor(display, drawable, window);
   if (!put) return false;
   const glm::ivec2 size = put->size();
-  if (record.window.isKnown(size) &&
-      record.context->window.showWithoutSwap(size, [&](const gl::ShownPicture& p) {
-        if (!put->put(p)) return false;
-        keepShownPicture(p, size, ShownFrame::now);
-        return true;
-      }))
+  if (size.x == 0) return window.put.reset(), false;  // do not try again
+  window.realSwap = [=] { swap(display, drawable); };
+  gl::WindowFrames& frames = record.context->window;
+  const auto shows = [&](const gl::ShownPicture& picture) {
+    if (size != window.swapped) window.swapped = size, window.swap();  // nobody sees it: the picture follows
+    if (!put->put(picture)) return false;
+    keepShownPicture(picture, size, ShownFrame::now);
     return true;
-  if (size.x == 0) record.window.put.reset();  // do not try again
-  return false;
+  };
+  return (frames.holdsFrame() || window.isKnown(size)) && frames.showWithoutSwap(window, size, shows);
 }
 
 /// Before a swap by the real OpenGL that comes before the context's first picture: remembers the window's
@@ -86,7 +110,7 @@ uintptr_t windowOf(uintptr_t drawable) noexcept {
   return known == names().windows.end() ? drawable : known->second;
 }
 
-bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
+bool shownDirectly(_XDisplay* display, uintptr_t drawable, RealSwap swap) noexcept {
   bool shown = false;
   if (session().picture || session().hud) return false;
   Record* const record = current().record.get();
@@ -96,7 +120,7 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept {
     return false;
   guarded("cannot show a picture", [&] {
     if (!record->context->window.mayShowDirectly()) return noteEmptySwap(display, drawable, *record);
-    if (!show(display, drawable, *record)) return;
+    if (!show(display, drawable, swap, *record)) return;
     shown = true;
     record->context->passthrough.stopMeasuring();
   });

@@ -1,19 +1,26 @@
 // Shows frames without a swap of the real OpenGL. Called on the thread in which the context is current.
 #pragma once
+#include "gl/window/window_presenter.h"
+#include "intercept/windows/lag.h"
 #include "intercept/windows/shm_window.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace gluray::intercept {
 
 /// The window into which a context's pictures go.
-struct WindowOfContext {
+struct WindowOfContext final : gl::ShownWindow {
   uintptr_t drawable = 0;  // the last one tried
   std::unique_ptr<ShmWindow> put;
-  glm::ivec2 swapped{0};  // size of the window at the last swap by the real OpenGL that is known
+  glm::ivec2 swapped{0};  // that of the real OpenGL's buffers, if frames are shown without it; 0: unknown
   uintptr_t sized = 0;    // the drawable whose size it is; 0: none
   int swapsBefore = 0;    // by the real OpenGL, before the first picture was tried
+  std::function<void()> realSwap;  // of the drawable
+  void askSize() noexcept override;
+  bool resized() noexcept override;
+  void swap() noexcept override;
   /// Whether the real OpenGL knows the window's size: it updates its buffers' size only after a swap. False:
   /// let it make this swap.
   bool isKnown(glm::ivec2 size) {
@@ -31,7 +38,7 @@ uintptr_t windowOf(uintptr_t drawable) noexcept;
 /// The ShmWindow of the drawable; null if it is not supported. On the thread of the window's context.
 ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext& window);
 
-/// Call before a swap of `drawable`. True: the frame has been shown; skip the swap.
-bool shownDirectly(_XDisplay* display, uintptr_t drawable) noexcept;
+/// Call before a swap of `drawable` by `swap`. True: the frame has been shown; skip the swap.
+bool shownDirectly(_XDisplay* display, uintptr_t drawable, RealSwap swap) noexcept;
 
 }  // namespace gluray::intercept

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace gluray::intercept {
 namespace {
@@ -60,6 +61,7 @@ std::unique_ptr<ShmWindow> ShmWindow::create(_XDisplay* display, uintptr_t drawa
 ShmWindow::~ShmWindow() { release(); }
 
 void ShmWindow::close() noexcept {
+  if (!isOpen()) return release();
   if (pixels_) xcb().detach(connection_, segment_);
   xcb().freeGc(connection_, context_);
   release();
@@ -104,12 +106,19 @@ bool ShmWindow::reserve(size_t bytes) {
   return true;
 }
 
+void ShmWindow::askSize() noexcept {
+  if (asked_ || !isOpen()) return;
+  geometry_ = xcb().askGeometry(connection_, window_);
+  xcb().flush(connection_);
+  asked_ = true;
+}
+
 glm::ivec2 ShmWindow::size() noexcept {
-  const bool waited = asked_;
+  if (!isOpen()) return size_ = glm::ivec2(0);
   if (!asked_) geometry_ = xcb().askGeometry(connection_, window_);
   asked_ = false;
   const auto reply = replyTo(xcb().geometry, connection_, geometry_);
-  const bool shown = !waited || succeeded(put_);
+  const bool shown = !std::exchange(sent_, false) || succeeded(put_);
   return size_ = reply && shown ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
 }
 
@@ -124,8 +133,7 @@ bool ShmWindow::put(const gl::ShownPicture& picture) noexcept try {
   const auto width = static_cast<uint16_t>(size_.x), height = static_cast<uint16_t>(size_.y);
   put_ = xcb().putImage(connection_, window_, context_, width, height, 0, 0, width, height, 0, 0, depth_,
                         XCB_IMAGE_FORMAT_Z_PIXMAP, 0, segment_, 0);
-  geometry_ = xcb().askGeometry(connection_, window_);
-  asked_ = true;
+  sent_ = true;
   return xcb().flush(connection_) > 0;
 } catch (const std::exception&) { return false; }
 

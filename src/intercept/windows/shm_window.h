@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/window_systems/xcb.h"
+#include "intercept/windows/closed_displays.h"
 
 #include <glm/glm.hpp>
 
@@ -21,7 +22,7 @@ class ShmWindow {
   /// and blue, or if the server shares no memory with this process.
   static std::unique_ptr<ShmWindow> create(_XDisplay* display, uintptr_t drawable) noexcept;
   ~ShmWindow();
-  /// Releases the server's resources. Requires that the display is open.
+  /// Releases the server's resources, unless the connection is closed.
   void close() noexcept;
   ShmWindow(const ShmWindow&) = delete;
   ShmWindow& operator=(const ShmWindow&) = delete;
@@ -29,15 +30,22 @@ class ShmWindow {
   bool isFor(_XDisplay* display, uintptr_t drawable) const {
     return display == display_ && drawable == window_;
   }
-  /// The window's size in pixels; {0, 0}: it is gone, or the last picture could not be shown. Waits until the
-  /// server has read the last picture.
+  /// Asks for the window's size, as it is now, unless a question is open. Does not wait.
+  void askSize() noexcept;
+  /// The window's size in pixels, as it was at askSize(), or as it is if no question is open; {0, 0}: the
+  /// window is gone, or the last picture could not be shown. Waits until the server has read that.
   glm::ivec2 size() noexcept;
   /// Shows a picture; call size() before. False if out of memory or the connection is lost.
   bool put(const gl::ShownPicture& picture) noexcept;
 
  private:
   ShmWindow(_XDisplay* display, xcb_connection_t* connection, xcb_window_t window, uint8_t depth)
-      : display_(display), connection_(connection), window_(window), depth_(depth) {}
+      : display_(display),
+        connection_(connection),
+        window_(window),
+        depth_(depth),
+        closed_(watchDisplay(display)) {}
+  bool isOpen() const { return !closed_ || !*closed_; }
   bool makeContext();
   bool reserve(size_t bytes);
   void release();
@@ -54,9 +62,10 @@ class ShmWindow {
   uint64_t held_ = 0;  // id of the picture in the shared memory; 0: none
   glm::ivec2 heldSize_{0};
   float heldFarthest_ = 0;
-  bool asked_ = false;  // a picture was sent, followed by these requests:
+  bool sent_ = false, asked_ = false;  // a picture, a question; these are their requests:
   xcb_void_cookie_t put_{};
   xcb_get_geometry_cookie_t geometry_{};
+  Closed closed_;
 };
 
 }  // namespace gluray::intercept

@@ -66,6 +66,13 @@ const LabelCase kLabelCases[] = {
        gl.DeleteLists(3, 1), emptyList(gl, 3);
        return labelOf(gl, GL_DISPLAY_LIST, 3);
      }},
+    {"CompiledAgain",
+     [](Gl gl) {
+       emptyList(gl, 5);
+       gl.ObjectLabel(GL_DISPLAY_LIST, 5, -1, "before");
+       emptyList(gl, 5);
+       return labelOf(gl, GL_DISPLAY_LIST, 5);
+     }},
     {"Errors",
      [](Gl gl) {
        gl.ObjectLabel(GL_DISPLAY_LIST, 99, -1, "no such list");

@@ -40,20 +40,27 @@ void clearWindow(const gl::RealGl& real, const Features& features, const gl::Win
   guard.scissorOff();
   guard.depthWrites(true);
   guard.encoding(false);
+  GLbitfield mask = clear.mask;
+  // GL_COLOR_CLEAR_VALUE cannot be restored: Mesa clamps what it returns while the window is bound.
+  if (mask & GL_COLOR_BUFFER_BIT && features.version >= 30) {
+    real.ClearBufferfv(GL_COLOR, 0, clear.color.data());
+    mask ^= GL_COLOR_BUFFER_BIT;
+  }
   std::array<GLfloat, 4> color{};
   GLdouble depth = 1;
-  real.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
+  if (mask & GL_COLOR_BUFFER_BIT) real.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
   real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
   const GLint stencil = gl::integer(real, GL_STENCIL_CLEAR_VALUE),
-              mask = gl::integer(real, GL_STENCIL_WRITEMASK);
-  const bool stencils = clear.mask & GL_STENCIL_BUFFER_BIT;
-  real.ClearColor(clear.color[0], clear.color[1], clear.color[2], clear.color[3]);
+              writes = gl::integer(real, GL_STENCIL_WRITEMASK);
+  const bool stencils = mask & GL_STENCIL_BUFFER_BIT;
+  if (mask & GL_COLOR_BUFFER_BIT)
+    real.ClearColor(clear.color[0], clear.color[1], clear.color[2], clear.color[3]);
   real.ClearDepth(clear.depth);
   if (stencils) real.ClearStencil(clear.stencil), real.StencilMaskSeparate(GL_FRONT, ~0u);
-  real.Clear(clear.mask);
-  if (stencils) real.ClearStencil(stencil), real.StencilMaskSeparate(GL_FRONT, static_cast<GLuint>(mask));
-  real.ClearColor(color[0], color[1], color[2], color[3]);
+  real.Clear(mask);
+  if (stencils) real.ClearStencil(stencil), real.StencilMaskSeparate(GL_FRONT, static_cast<GLuint>(writes));
   real.ClearDepth(depth);
+  if (mask & GL_COLOR_BUFFER_BIT) real.ClearColor(color[0], color[1], color[2], color[3]);
 }
 
 }  // namespace gluray::present

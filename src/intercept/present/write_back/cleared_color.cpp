@@ -9,7 +9,7 @@ namespace gluray::present {
 
 std::optional<uint32_t> ClearedColor::bits(const gl::RealGl& real, const Features& features,
                                            const gl::ClearedTarget& cleared, PendingErrors& pending) {
-  if (color_ == cleared.color) return bits_;
+  if (knows(cleared)) return bits_;
   pending = takeErrors(real);
   StateGuard guard(real, features);
   guard.plainPack();
