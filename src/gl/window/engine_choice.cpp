@@ -223,7 +223,7 @@ void EngineChoice::conclude() {
     if (best_ < 0 || here > kFaster * there) way_ = unused;
     return hold();
   }
-  const bool allowed = unused == Way::traced ? budget_.left() >= likelyLoss(kind) : !tooLarge(kind.load, 1);
+  const bool allowed = unused == Way::traced ? affords(likelyLoss(kind)) : !tooLarge(kind.load, 1);
   if (best_ >= 0 && allowed && leastSeconds(unused, kind) < kFaster * here && clock_() >= kind.nextTrial)
     return settle(unused, true);
   hold();
@@ -249,6 +249,12 @@ double EngineChoice::likelyLoss(const Kind& kind) const {
   const double likely =
       known >= 0 ? known : std::max(leastSeconds(Way::traced, kind), kLikely * leastTraceSeconds(kind.load));
   return (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
+}
+
+/// Whether a trial of tracing that likely loses so many seconds may be made now. Nothing needs to be saved
+/// for one that likely wins, and never more than can be.
+bool EngineChoice::affords(double loss) const {
+  return loss <= 0 || budget_.left() >= std::min(loss, kMostSaved);
 }
 
 /// Seconds for the rays of an empty picture and its write-back, on fast cores.

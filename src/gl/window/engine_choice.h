@@ -103,6 +103,7 @@ class EngineChoice {
   double leastSeconds(Way way, const Kind& kind) const;
   double leastTraceSeconds(const FrameLoad& load) const;
   double likelyLoss(const Kind& kind) const;
+  bool affords(double loss) const;
   bool isHopeless(const Kind& kind, double seconds) const;
   void account(const Kind& kind, double seconds);
   bool tooLarge(const FrameLoad& load, double slack) const {

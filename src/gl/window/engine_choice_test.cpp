@@ -111,9 +111,22 @@ TEST(EngineChoice, TrialThatIsLikelyToLoseIsSavedFor) {
 
 TEST(EngineChoice, TrialThatIsLikelyToWinIsMadeAtOnce) {
   Program p;
-  p.triangles = 50000, p.pixels = 400 * 400;
+  p.triangles = 30000, p.pixels = 400 * 400;
   p.direct = [] { return 0.020; }, p.traced = [] { return 0.006; };
   p.frames(12);
+  EXPECT_EQ(p.choice.way(), Way::traced);
+}
+
+TEST(EngineChoice, TrialThatIsLikelyToWinIsMadeAtOnceAfterOneThatTookLong) {
+  Program p;
+  p.triangles = 150000, p.pixels = 1 << 20;
+  p.direct = [] { return 0.030; }, p.traced = [&] { return p.traceFrames == 0 ? 1.0 : 0.040; };
+  p.frames(100);
+  ASSERT_EQ(p.choice.way(), Way::passthrough);
+  ASSERT_EQ(p.traceFrames, 3);
+  p.triangles = 30000, p.pixels = 400 * 400;
+  p.direct = [] { return 0.020; }, p.traced = [] { return 0.006; };
+  p.frames(100);  // the larger frames are forgotten after 64
   EXPECT_EQ(p.choice.way(), Way::traced);
 }
 
@@ -259,6 +272,20 @@ TEST(EngineChoice, NoticesWhenTheMachineBecomesFaster) {
   ASSERT_EQ(p.choice.way(), Way::passthrough);
   busy = false;
   while (g_now < 120) p.frame();
+  EXPECT_EQ(p.choice.way(), Way::traced);
+}
+
+TEST(EngineChoice, NoticesWhenASlowMachineBecomesFaster) {
+  // The next trial is likely to take more than can be saved.
+  Program p;
+  p.triangles = 150000, p.pixels = 1 << 20;
+  bool busy = true;
+  p.direct = [] { return 1.0; }, p.traced = [&] { return busy ? 1.2 : 0.3; };
+  p.frames(20);
+  ASSERT_EQ(p.choice.way(), Way::passthrough);
+  ASSERT_EQ(p.traceFrames, 3);
+  busy = false;
+  p.frames(300);
   EXPECT_EQ(p.choice.way(), Way::traced);
 }
 
