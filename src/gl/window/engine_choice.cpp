@@ -201,6 +201,8 @@ void EngineChoice::measure(int frames) {
 /// Holds the decision until frames are of another kind.
 void EngineChoice::rest() {
   phase_ = Phase::holding;
+  trial_ = false;
+  timing_ = Timing::off;
   nextLook_ = kNever;
 }
 

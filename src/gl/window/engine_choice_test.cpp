@@ -262,6 +262,26 @@ TEST(EngineChoice, TakesFewLayersInFramesOfAnyKind) {
   EXPECT_FALSE(EngineChoice(Engine::always, 4).takesLayers(2, kPixels));
 }
 
+TEST(EngineChoice, LargeScenesWithoutAChoiceAreNotMeasured) {
+  Program p;
+  p.triangles = 25000;
+  p.frames(100);
+  ASSERT_EQ(p.choice.way(), Way::traced);  // too large
+  p.triangles = 2000;
+  p.frames(300);
+  ASSERT_EQ(p.choice.way(), Way::passthrough);
+  // On more pixels these triangles are few enough, but the kind of these frames is that of the first ones.
+  p.triangles = 26000, p.pixels = 134000;
+  p.direct = [] { return 0.030; };
+  p.choice.overflow();
+  p.frames(20);
+  ASSERT_EQ(p.choice.way(), Way::traced);
+  p.finishes = 0;
+  p.frames(1000);
+  EXPECT_EQ(p.choice.way(), Way::traced);
+  EXPECT_EQ(p.finishes, 0);
+}
+
 TEST(EngineChoice, NoticesWhenTheMachineBecomesFaster) {
   // Other work kept the cores busy during the trial.
   Program p;
