@@ -107,13 +107,23 @@ void findBundles(const TriangleRun& run, FoundBlocks& f) {
 
 constexpr float kBoxSteps = 255;
 
-/// Where `value` is between base and base + kBoxSteps * step, rounded outwards.
-uint8_t stepsBelow(float value, float base, float step) {
-  return step > 0 ? static_cast<uint8_t>(std::clamp(std::floor((value - base) / step), 0.0f, kBoxSteps)) : 0;
-}
-uint8_t stepsAbove(float value, float base, float step) {
-  return step > 0 ? static_cast<uint8_t>(std::clamp(std::ceil((value - base) / step), 0.0f, kBoxSteps)) : 0;
-}
+// Relative; more than all roundings together when steps are counted, and when kernels decode a face from them
+// with a fused multiply-add or without.
+constexpr float kRounding = 0x1p-21f;
+
+/// Counts steps, rounded outwards: decoded faces are at or outside those that were counted.
+struct StepCounter {
+  float base, below, above;  // the latter two per unit
+
+  StepCounter(float from, float step)
+      : base(from), below((1 - kRounding) / step), above((1 + kRounding) / step) {}
+  uint8_t stepsBelow(float value) const {
+    return static_cast<uint8_t>(std::min((value - base) * below, kBoxSteps));
+  }
+  uint8_t stepsAbove(float value) const {
+    return static_cast<uint8_t>(std::min(std::ceil((value - base) * above), kBoxSteps));
+  }
+};
 
 /// Bundle number `i` of those found.
 void fill(const FoundBlocks& f, size_t i, TriangleBundle& bundle) {
@@ -124,14 +134,16 @@ void fill(const FoundBlocks& f, size_t i, TriangleBundle& bundle) {
   bundle.first = f.first[0];
   Box all = f.boxes[block(0)];
   for (uint32_t b = 1; b < bundle.blocks; ++b) all = joined(all, f.boxes[block(b)]);
-  const glm::vec3 step = (all.upper - all.lower) * (kMore / kBoxSteps);
+  const glm::vec3 least(std::numeric_limits<float>::min());
+  const glm::vec3 step = glm::max((all.upper - all.lower) * (kMore / kBoxSteps), least);
   for (int axis = 0; axis < 3; ++axis) {
     bundle.base[axis] = all.lower[axis], bundle.step[axis] = step[axis];
+    const StepCounter counter(all.lower[axis], step[axis]);
     for (uint32_t b = 0; b < TriangleBundle::kBlocks; ++b) {
       const bool is = b < bundle.blocks;
       const Box& box = is ? f.boxes[block(b)] : all;
-      bundle.lower[axis][b] = is ? stepsBelow(box.lower[axis], all.lower[axis], step[axis]) : 255;
-      bundle.upper[axis][b] = is ? stepsAbove(box.upper[axis], all.lower[axis], step[axis]) : 0;
+      bundle.lower[axis][b] = is ? counter.stepsBelow(box.lower[axis]) : 255;
+      bundle.upper[axis][b] = is ? counter.stepsAbove(box.upper[axis]) : 0;
     }
   }
   for (uint32_t b = 0; b < TriangleBundle::kBlocks; ++b) {
