@@ -259,12 +259,16 @@ void Blas::build() {
   bvhBytes_ += after > before ? after - before : 0;
 }
 
-void Blas::buildAlone() {
-  const timeline::Span span("build page", triangleCount_);
+BlasPtr Blas::buildAlone(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality) {
+  const timeline::Span span("build page", of.mesh->triangleCount);
   Arena alone(1);
-  const BehindScope behind;
-  alone.execute([&] { commit(); });
-  bvhBytes_ = behind.bytes();
+  return alone.execute([&] {
+    auto blas = std::make_shared<Blas>(device, iota, of, quality);
+    const BehindScope behind;
+    blas->commit();
+    blas->bvhBytes_ = behind.bytes();
+    return blas;
+  });
 }
 
 void Blas::buildBehind(const std::atomic<bool>& cancelled) {

@@ -59,8 +59,9 @@ class Blas {
   /// As build(), in the background: on the calling thread alone, in an arena of one thread. Stops and throws
   /// soon after `cancelled` becomes true.
   void buildBehind(const std::atomic<bool>& cancelled);
-  /// As build(), on the calling thread alone, in whatever arena it is.
-  void buildAlone();
+  /// A structure that is prepared and built by the calling thread alone, whatever arena it is in: meanwhile
+  /// it runs none of that arena's tasks. Throws Error.
+  static BlasPtr buildAlone(const Device&, IotaIndices&, const Geometry&, BvhQuality);
 
   RTCSceneTy* scene() const { return scene_; }
   /// Bytes of the structure; bytes of the mesh arrays that it keeps alive.

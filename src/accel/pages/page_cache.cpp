@@ -90,10 +90,8 @@ bool PageCache::build(Page& page, Lock& lock) {
   BlasPtr blas;
   lock.unlock();
   try {
-    if (loaded || residence.load()) {
-      blas = std::make_shared<Blas>(device_, iota_, Geometry{&page.mesh_, {}}, BvhQuality::fast);
-      blas->buildAlone();
-    }
+    if (loaded || residence.load())
+      blas = Blas::buildAlone(device_, iota_, Geometry{&page.mesh_, {}}, BvhQuality::fast);
   } catch (const std::exception& error) {
     blas = nullptr;
     residence.fail(error.what());
