@@ -76,15 +76,15 @@ BlasPtr Blas::createRefitted(Blas& from, const scene::Mesh& mesh) { return BlasP
 
 Blas::Blas(Blas& from, const scene::Mesh& mesh)
     : device_(from.device_),
-      scene_(from.scene_),
       indices_(from.indices_),
       bvhBytes_(from.bvhBytes_),
       triangleCount_(from.triangleCount_),
       vertexCount_(from.vertexCount_),
       indexData_(from.indexData_),
-      neighbours_(std::move(from.neighbours_)) {
-  rtcRetainScene(scene_);
-  const RTCGeometry geometry = rtcGetGeometry(scene_, 0);
+      neighbours_(std::move(from.neighbours_)),
+      scene_(from.scene()) {
+  rtcRetainScene(scene());
+  const RTCGeometry geometry = rtcGetGeometry(scene(), 0);
   setPositions(geometry, mesh);
   rtcCommitGeometry(geometry);
 }
@@ -119,9 +119,9 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   checkArrays(mesh);
   pinnedBytes_ = static_cast<size_t>(mesh.vertexCount) * mesh.positions.stride;
   const auto rtcQuality = quality == BvhQuality::fast ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
-  scene_ = rtcNewScene(device.handle());
-  rtcSetSceneBuildQuality(scene_, rtcQuality);
-  rtcSetSceneFlags(scene_, toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
+  scene_.reset(rtcNewScene(device.handle()));
+  rtcSetSceneBuildQuality(scene(), rtcQuality);
+  rtcSetSceneFlags(scene(), toRefit ? sceneFlags(quality) | RTC_SCENE_FLAG_DYNAMIC : sceneFlags(quality));
   RTCGeometry geometry = nullptr;
   if (mesh.shape != scene::Shape::triangles) geometry = impostors(of);
   if (!geometry && (quality == BvhQuality::least || (quality == BvhQuality::fast && !toRefit))) {
@@ -132,14 +132,9 @@ Blas::Blas(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuali
   if (!geometry) geometry = triangles(iota, mesh);
   rtcSetGeometryBuildQuality(geometry, toRefit ? RTC_BUILD_QUALITY_REFIT : rtcQuality);
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene_, geometry, 0);
+  rtcAttachGeometryByID(scene(), geometry, 0);
   rtcReleaseGeometry(geometry);
-  try {
-    device.check("a mesh cannot be read in place");
-  } catch (...) {
-    rtcReleaseScene(scene_);
-    throw;
-  }
+  device.check("a mesh cannot be read in place");
 }
 
 RTCGeometryTy* Blas::triangles(IotaIndices& iota, const scene::Mesh& mesh) {
@@ -226,8 +221,8 @@ Blas::Blas(const Device& device, PageCache& pages, const scene::Mesh& mesh)
       vertexCount_(mesh.vertexCount),
       isSpecial_(true),
       page_(std::make_unique<Page>(pages, mesh)) {
-  scene_ = rtcNewScene(device.handle());
-  rtcSetSceneFlags(scene_, sceneFlags(BvhQuality::compact));
+  scene_.reset(rtcNewScene(device.handle()));
+  rtcSetSceneFlags(scene(), sceneFlags(BvhQuality::compact));
   const RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, page_->whole() ? 2 : 1);
   rtcSetGeometryUserData(geometry, page_.get());
@@ -235,7 +230,7 @@ Blas::Blas(const Device& device, PageCache& pages, const scene::Mesh& mesh)
   rtcSetGeometryIntersectFunction(geometry, intersectPage);
   rtcSetGeometryOccludedFunction(geometry, occludePage);
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene_, geometry, 0);
+  rtcAttachGeometryByID(scene(), geometry, 0);
   rtcReleaseGeometry(geometry);
 }
 
@@ -243,10 +238,12 @@ BlasPtr Blas::createPage(const Device& device, PageCache& pages, const scene::Me
   return BlasPtr(new Blas(device, pages, mesh));
 }
 
-Blas::~Blas() { rtcReleaseScene(scene_); }
+Blas::~Blas() = default;
+
+void ReleaseScene::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
 void Blas::commit() {
-  commitScene(scene_);
+  commitScene(scene());
   if (blocks_) blocks_->forgetBoxes();
   device_.check("the acceleration structure of a mesh cannot be built");
 }
@@ -279,10 +276,10 @@ void Blas::buildBehind(const std::atomic<bool>& cancelled) {
     parkAtExit();
     return !static_cast<const std::atomic<bool>*>(flag)->load();
   };
-  rtcSetSceneProgressMonitorFunction(scene_, goOn, const_cast<std::atomic<bool>*>(&cancelled));
+  rtcSetSceneProgressMonitorFunction(scene(), goOn, const_cast<std::atomic<bool>*>(&cancelled));
   const BehindScope behind;
   commit();
-  rtcSetSceneProgressMonitorFunction(scene_, nullptr, nullptr);
+  rtcSetSceneProgressMonitorFunction(scene(), nullptr, nullptr);
   bvhBytes_ = behind.bytes();
 }
 

@@ -36,6 +36,10 @@ class PageCache;
 class Blas;
 using BlasPtr = std::shared_ptr<Blas>;
 
+struct ReleaseScene {
+  void operator()(RTCSceneTy*) const;
+};
+
 /// Reads positions and indices of the mesh in place and keeps them alive. (primitive, u, v) of its hits are
 /// valid for every geometry of equal id.
 class Blas {
@@ -63,7 +67,7 @@ class Blas {
   /// it runs none of that arena's tasks. Throws Error.
   static BlasPtr buildAlone(const Device&, IotaIndices&, const Geometry&, BvhQuality);
 
-  RTCSceneTy* scene() const { return scene_; }
+  RTCSceneTy* scene() const { return scene_.get(); }
   /// Bytes of the structure; bytes of the mesh arrays that it keeps alive.
   size_t bvhBytes() const { return bvhBytes_ + leafBytes_.bytes(); }
   size_t pinnedBytes() const { return pinnedBytes_; }
@@ -89,7 +93,6 @@ class Blas {
   void pinIndices(const scene::Mesh&);
 
   const Device& device_;
-  RTCSceneTy* scene_ = nullptr;
   std::shared_ptr<const void> positions_, indices_;
   scene::Mesh impostors_;  // of impostors: the arrays that bounds are read from
   ImpostorReach reach_;
@@ -100,10 +103,11 @@ class Blas {
   HeldBytes leafBytes_;
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
-  const void* indexData_ = nullptr;         // of triangles; null: triangle soup
-  bool isSpecial_ = false;                  // impostors or a page
-  std::unique_ptr<Page> page_;              // null: it is none
-  std::unique_ptr<Neighbours> neighbours_;  // null: it cannot be refitted
+  const void* indexData_ = nullptr;                  // of triangles; null: triangle soup
+  bool isSpecial_ = false;                           // impostors or a page
+  std::unique_ptr<Page> page_;                       // null: it is none
+  std::unique_ptr<Neighbours> neighbours_;           // null: it cannot be refitted
+  std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;  // the last member: it reads the others
 };
 
 }  // namespace gluray::accel
