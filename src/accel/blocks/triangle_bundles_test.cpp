@@ -76,6 +76,19 @@ TEST(TriangleBundles, LeaveOutTrianglesThatAreNotFinite) {
   }
 }
 
+TEST(TriangleBundles, HoldTrianglesWithoutExtent) {
+  for (const float size : {0.0f, 1e-42f, 1e-37f, 1e-36f, 1e-30f}) {
+    MeshData data;
+    for (int i = 0; i < 300; ++i) data.positions.push_back(glm::vec3(size * static_cast<float>(i % 7)));
+    const auto mesh = makeMesh(data);
+    const TriangleBundles bundles(*mesh);
+    uint32_t held = 0;
+    for (uint32_t i = 0; i < bundles.count(); ++i)
+      for (uint32_t b = 0; b < bundles[i].blocks; ++b) held += bundles[i].count[b];
+    EXPECT_EQ(held, mesh->triangleCount) << size;
+  }
+}
+
 /// One bundle: a triangle from `from` on along x, over some million units, and small ones of which half begin
 /// near `x` and half end there.
 MeshData hugeAndSmall(float from, float x) {
