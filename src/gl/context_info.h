@@ -15,6 +15,7 @@ namespace gluray::gl {
 
 struct ContextInfo {
   int version = 0;                   // of its OpenGL, 10 times major plus minor
+  bool packedFloats = false;         // takesPackedFloats()
   bool core = false;                 // core profile: no fixed function
   bool doubleBuffered = true;        // otherwise glFlush and glFinish show the picture
   bool off = false;                  // pass every call through

@@ -2,6 +2,7 @@
 
 #include "base/never_destroyed.h"
 #include "base/timeline.h"
+#include "gl/state/extensions.h"
 #include "intercept/context_record.h"
 #include "intercept/control/link.h"
 #include "intercept/families.h"
@@ -44,6 +45,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   int major = 0, minor = 0;
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
   info.version = 10 * major + minor;
+  info.packedFloats = !info.off && gl::takesPackedFloats(real, info.version);
   GLboolean doubleBuffered = GL_TRUE;
   if (!info.core) real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
   info.doubleBuffered = doubleBuffered != GL_FALSE;

@@ -27,6 +27,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
       presenter_(std::move(presenter)) {
   gl::ContextInfo info;
   info.version = gl::versionOf(below_->real());
+  info.packedFloats = gl::takesPackedFloats(below_->real(), info.version);
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;

@@ -76,6 +76,10 @@ bool isPrimitive(const RealGl& real, GLenum mode) {
   return version >= 40 || hasExtension(real, version, "GL_ARB_tessellation_shader");
 }
 
+bool takesPackedFloats(const RealGl& real, int version) {
+  return version >= 44 || hasExtension(real, version, "GL_ARB_vertex_type_10f_11f_11f_rev");
+}
+
 RareState readRareState(const RealGl& real) {
   const int version = versionOf(real);
   const Extensions extensions(real, version);

@@ -30,6 +30,9 @@ bool hasExtension(const RealGl& real, int version, std::string_view name);
 
 /// Whether glBegin and draws take `mode`. Patches need OpenGL 4.0 or ARB_tessellation_shader.
 bool isPrimitive(const RealGl& real, GLenum mode);
+/// Whether generic attributes of type GL_UNSIGNED_INT_10F_11F_11F_REV exist: OpenGL 4.4 or
+/// ARB_vertex_type_10f_11f_11f_rev. `version`: of the current context.
+bool takesPackedFloats(const RealGl& real, int version);
 
 /// Which state of later versions and extensions a context has beside that of OpenGL 1.5.
 struct RareState {

@@ -41,5 +41,17 @@ TEST(Extensions, FindsWholeNames) {
   EXPECT_TRUE(hasExtension(real, 45, "GL_ARB_b"));
 }
 
+const GLubyte* APIENTRY packedOnly(GLenum) { return text("GL_ARB_b GL_ARB_vertex_type_10f_11f_11f_rev"); }
+
+TEST(Extensions, PackedFloatsComeWithTheirExtensionOrWith44) {
+  RealGl real{};
+  real.GetIntegerv = count, real.GetStringi = nth, real.GetString = all;
+  EXPECT_FALSE(takesPackedFloats(real, 21));
+  EXPECT_FALSE(takesPackedFloats(real, 43));
+  EXPECT_TRUE(takesPackedFloats(real, 44));
+  real.GetString = packedOnly;
+  EXPECT_TRUE(takesPackedFloats(real, 21));
+}
+
 }  // namespace
 }  // namespace gluray::gl

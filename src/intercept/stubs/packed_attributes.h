@@ -27,14 +27,14 @@ struct Packed {
   float x, y, z, w;
 };
 
-/// What a packed value means depends on the context's version.
+/// What a packed value means depends on the context's version and extensions.
 struct PackedRules {
   bool hasZero = false;    // signed values are max(c / (2^(b-1) - 1), -1); before GL 4.2 (2c + 1) / (2^b - 1)
   bool hasFloats = false;  // GL_UNSIGNED_INT_10F_11F_11F_REV is a type of generic attributes
 };
 
-/// `version`: 10 times major plus minor.
-constexpr PackedRules packedRules(int version) { return {version >= 42, version >= 44}; }
+/// `version`: 10 times major plus minor; `hasFloats`: ContextInfo::packedFloats.
+constexpr PackedRules packedRules(int version, bool hasFloats) { return {version >= 42, hasFloats}; }
 
 /// The field of `bits` bits from bit `shift` on, as a signed integer.
 constexpr int signedField(GLuint value, int shift, int bits) {

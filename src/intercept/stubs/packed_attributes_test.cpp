@@ -30,38 +30,38 @@ void expectUnpacked(PackedRules rules, GLenum type, bool normalised, GLuint valu
 
 TEST(Unpack, UnsignedFields) {
   const GLuint value = 1u | 2u << 10 | 1023u << 20 | 3u << 30;
-  expectUnpacked(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, false, value, {1, 2, 1023, 3});
-  expectUnpacked(packedRules(41), GL_UNSIGNED_INT_2_10_10_10_REV, true, value,
+  expectUnpacked(packedRules(41, false), GL_UNSIGNED_INT_2_10_10_10_REV, false, value, {1, 2, 1023, 3});
+  expectUnpacked(packedRules(41, false), GL_UNSIGNED_INT_2_10_10_10_REV, true, value,
                  {1 / 1023.0f, 2 / 1023.0f, 1, 1});
 }
 
 TEST(Unpack, SignedFieldsBefore42) {
   const GLuint value = 511u | 512u << 10 | 1023u << 20 | 2u << 30;
-  expectUnpacked(packedRules(41), GL_INT_2_10_10_10_REV, false, value, {511, -512, -1, -2});
-  expectUnpacked(packedRules(41), GL_INT_2_10_10_10_REV, true, value, {1, -1, -1 / 1023.0f, -1});
+  expectUnpacked(packedRules(41, false), GL_INT_2_10_10_10_REV, false, value, {511, -512, -1, -2});
+  expectUnpacked(packedRules(41, false), GL_INT_2_10_10_10_REV, true, value, {1, -1, -1 / 1023.0f, -1});
 }
 
 TEST(Unpack, SignedFieldsHaveAZeroFrom42On) {
   const GLuint value = 511u | 512u << 10 | 1u << 30, negative = 1023u | 2u << 30;
-  expectUnpacked(packedRules(42), GL_INT_2_10_10_10_REV, true, value, {1, -1, 0, 1});  // -512 is -511
-  expectUnpacked(packedRules(42), GL_INT_2_10_10_10_REV, true, negative, {-1 / 511.0f, 0, 0, -1});
+  expectUnpacked(packedRules(42, false), GL_INT_2_10_10_10_REV, true, value, {1, -1, 0, 1});  // -512 is -511
+  expectUnpacked(packedRules(42, false), GL_INT_2_10_10_10_REV, true, negative, {-1 / 511.0f, 0, 0, -1});
 }
 
 TEST(Unpack, FloatsOfGenericAttributes) {
   Packed v;
   const GLuint value = 0x3C0u | 0x3E0u << 11 | 0x200u << 22;  // 1, 1.5, 2
-  ASSERT_TRUE(unpackGeneric3(packedRules(44), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
+  ASSERT_TRUE(unpackGeneric3(packedRules(33, true), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
   EXPECT_EQ(v.x, 1);
   EXPECT_EQ(v.y, 1.5f);
   EXPECT_EQ(v.z, 2);
   EXPECT_EQ(v.w, 1);
-  EXPECT_FALSE(unpackGeneric3(packedRules(43), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
-  EXPECT_FALSE(unpack(packedRules(44), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
+  EXPECT_FALSE(unpackGeneric3(packedRules(33, false), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
+  EXPECT_FALSE(unpack(packedRules(44, true), GL_UNSIGNED_INT_10F_11F_11F_REV, false, value, v));
 }
 
 TEST(Unpack, OtherTypesAreRefused) {
   Packed v;
-  EXPECT_FALSE(unpack(packedRules(46), GL_FLOAT, false, 0, v));
+  EXPECT_FALSE(unpack(packedRules(46, true), GL_FLOAT, false, 0, v));
 }
 
 }  // namespace

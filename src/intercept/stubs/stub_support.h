@@ -30,7 +30,9 @@ constexpr float normalised(Integer c) {
 
 /// The rules of the current context; of the oldest version without one.
 inline PackedRules packedRulesOfNow() {
-  return gl::t_thread.context ? packedRules(gl::t_thread.context->shadow.info.version) : PackedRules{};
+  if (!gl::t_thread.context) return {};
+  const gl::ContextInfo& info = gl::t_thread.context->shadow.info;
+  return packedRules(info.version, info.packedFloats);
 }
 
 /// Owns a copy of an array that the program passed, for use after the call. Null stays null.
