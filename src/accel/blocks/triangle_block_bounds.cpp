@@ -41,8 +41,9 @@ bool join(const TriangleRun& run, uint32_t triangle, Grown& box) {
   return true;
 }
 
-/// Embree does not test the boxes of user geometry as conservatively as triangles. The margin is wide enough
-/// for rays from a hundred times the extent of a million blocks.
+/// Neither Embree's tests of user geometry nor those of a bundle's blocks are as conservative as Embree's of
+/// triangles. The margin is wide enough for rays from a hundred times the extent of a million equal blocks.
+/// Boxes in bundles are never smaller.
 Box widened(const Grown& grown) {
   constexpr float kOwn = 0x1p-6f, kPlace = 0x1p-20f;
   const glm::vec3 lower(grown.lower[0], grown.lower[1], grown.lower[2]);

@@ -1,6 +1,6 @@
-// Triangle bundles of a mesh: eight neighbouring triangle blocks as one primitive of the BVH, which then has
-// an eighth of the primitives and needs a third of the memory. Made by Blas; read by any number of tracing
-// threads.
+// Triangle bundles of a mesh: up to eight neighbouring triangle blocks as one primitive of the BVH, which
+// then has about a fifth of the primitives and needs half the memory (docs/adr/0082). Made by Blas; read by
+// any number of tracing threads.
 #pragma once
 #include "accel/blocks/triangle_bundle_kernels.h"
 #include "accel/impostors/impostors.h"

@@ -5,7 +5,8 @@
 namespace gluray::accel {
 namespace {
 
-// Peak bytes per triangle of a build, measured on isosurfaces of 1 to 64 million triangles.
+// Peak bytes per triangle of a build, measured on isosurfaces of 1 to 64 million triangles. kBlockBytes: with
+// blocks alone as leaves; bundles of blocks need less.
 constexpr size_t kFastBytes = 100, kBlockBytes = 56, kFullBytes = 110, kCompactBytes = 42;
 // Memory left for the rest of the process and the machine.
 constexpr size_t kReserve = size_t{256} << 20;
@@ -22,8 +23,8 @@ BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& wa
   if (waiting.triangles < kMuch || triangles < kSmall) return BvhQuality::full;
   const size_t free = freeMemory(), room = (free - std::min(free, kReserve)) / 2;
   const uint64_t fast = waiting.inBlocks * kBlockBytes + (waiting.triangles - waiting.inBlocks) * kFastBytes;
-  // Triangle blocks need half the memory of other fast structures. Full structures are built one at a time,
-  // each beside all the fast ones.
+  // With triangle blocks as leaves, fast structures need about half the memory of those with triangles, or
+  // less. Full structures are built one at a time, each beside all the fast ones.
   const bool blocks = waiting.inBlocks >= waiting.triangles / 8 * 7;
   if (room >= (blocks ? fast : fast + triangles * kFullBytes)) return BvhQuality::fast;
   if (room >= waiting.triangles * kFullBytes) return BvhQuality::full;

@@ -14,13 +14,14 @@ using FreeMemory = size_t (*)();
 /// The meshes that have no BLAS yet.
 struct Waiting {
   uint64_t triangles = 0;
-  uint64_t inBlocks = 0;  // triangles of those meshes whose fast BLAS would have triangle blocks as leaves
+  uint64_t inBlocks = 0;  // triangles of those meshes whose fast BLAS would have triangle blocks, in bundles
+                          // or alone, as leaves
 };
 
 /// Quality of the first BLAS of a mesh of `triangles` triangles. `wanted` is the user's setting; `waiting`
 /// includes this mesh. With `automatic`, the BLASes may take half of the free memory. Large geometry is built
-/// `fast` if it consists of triangle blocks (triangle_blocks.h), or if a full BLAS fits beside the fast ones.
-/// Otherwise it gets the best of `full`, `compact` and `least` that fits.
+/// `fast` if its leaves are bundles of triangle blocks, or blocks alone (accel/blocks), or if a full BLAS
+/// fits beside the fast ones. Otherwise it gets the best of `full`, `compact` and `least` that fits.
 BvhQuality firstQuality(BvhQuality wanted, uint64_t triangles, const Waiting& waiting, FreeMemory freeMemory);
 
 /// The quality for a retry after a build ran out of memory.

@@ -1,4 +1,5 @@
-// How much time trials of culling may take: a small share of the time in which the program draws anyway.
+// How much time trials, of culling or of tracing, may take: a small share of the time in which the program
+// draws anyway.
 // Calls no OpenGL and reads no clock. GL thread.
 #pragma once
 #include <algorithm>
