@@ -65,7 +65,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
           {shadow, failsafe, clock, counts, triage, filler, raster, window, passthrough, lists, attention},
           weldingOf(settings.now())),
       lists({*this, shadow, failsafe, clock, immediate, attention}),
-      attribStack({shadow, flusher, lists}),
+      attribStack({shadow, flusher, cleared, lists}),
       unknownCalls_(kCommandCount) {
   ++shadow.group.contexts;
   setSharedThreads(settings.now().threads);

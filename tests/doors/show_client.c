@@ -127,17 +127,27 @@ static void resized_each(void) {
   for (int i = 0; i < 4; ++i) resize(200 + 30 * i, 190 - 20 * i), frame(42), window_shows();
   buffer_holds();
 }
+/* The window's upper left corner, of that size. */
+static void corner_shows(int of_width, int of_height) {
+  const int now[2] = {width, height};
+  width = of_width, height = of_height, window_shows();
+  width = now[0], height = now[1];
+}
 static void resized_after_clear(void) { /* that frame is still as large as its clear */
   frame(51), frame(52);
   for (int i = 0; i < 2; ++i) {
     clear(), resize(240 - 50 * i, 170 + 20 * i), surface(53), swap();
-    frame(54), window_shows();
+    frame(54), window_shows(), frame(55);
+    glClearColor(0.7f, 0.3f * (float)i, 0.1f, 1), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const int before[2] = {width, height};
+    resize(250 + 40 * i, 180 + 30 * i), surface(56), swap();
+    corner_shows(before[0], before[1]), frame(57), window_shows();
   }
   buffer_holds();
 }
 static void resized_then_drawn(void) {
   frame(43), frame(44), resize(260, 190);
-  clear(), surface(45), lines(), swap(), window_shows(), buffer_holds();
+  clear(), surface(45), lines(), corner_shows(200, 150), swap(), window_shows(), buffer_holds();
   frame(46), frame(47), resize(180, 210), clear(), buffer_holds(), surface(48), swap(), window_shows();
   frame(49), frame(50), resize(230, 160), glClear(GL_DEPTH_BUFFER_BIT), clear(), lines(), swap();
   window_shows();

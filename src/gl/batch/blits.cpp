@@ -39,6 +39,7 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
   }
   c.touch(framebufferBound(c));
   bool resolved = false;
+  c.immediate.closeRunOutsideBegin();
   c.protect([&] { resolved = c.resolves.byBlit(what); });
   if (!resolved) {
     c.flusher.beforeBlit();

@@ -24,6 +24,26 @@ UnresolvedPicture::Attachment attachmentOf(const RealGl& real, GLenum target, GL
                     attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME))};
 }
 
+/// Size in pixels of a multisampled attachment; {0, 0}: not known. Call Errors::keepPending() before.
+glm::ivec2 sizeOf(const RealGl& real, const UnresolvedPicture::Attachment& image) {
+  glm::ivec2 size(0);
+  if (image.type == GL_RENDERBUFFER) {
+    const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
+    real.BindRenderbuffer(GL_RENDERBUFFER, image.name);
+    real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
+    real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
+    real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  } else {
+    const GLint bound = integer(real, GL_TEXTURE_BINDING_2D_MULTISAMPLE);
+    real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name);  // an error for an array's layer
+    real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &size.x);
+    real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &size.y);
+    real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(bound));
+    if (real.GetError() != GL_NO_ERROR) return glm::ivec2(0);
+  }
+  return size;
+}
+
 /// The clear colour as RGBA8, rounded half to even as software OpenGLs do.
 uint32_t clearColor(const RealGl& real) {
   GLfloat color[4] = {};
@@ -153,7 +173,7 @@ bool ResolveDraws::into(ResolveTarget& target) {
 }
 
 bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
-  if (!held_.waiting || region.x != 0 || region.y != 0) return false;
+  if (!held_.waiting || !p_.flusher.batch.empty() || region.x != 0 || region.y != 0) return false;
   const glm::ivec2 size(region.width, region.height);
   const UnresolvedPicture::Waiting& waiting = *held_.waiting;
   const KnownProgram& known = *p_.shadow.state.program.known;
@@ -203,8 +223,9 @@ bool ResolveDraws::byBlit(const Blit& b) {
   const bool colors = b.mask & GL_COLOR_BUFFER_BIT, depths = b.mask & GL_DEPTH_BUFFER_BIT;
   const auto& waiting = held_.waiting;
   const glm::ivec4 from(b.fromX0, b.fromY0, b.fromX1, b.fromY1), to(b.toX0, b.toY0, b.toX1, b.toY1);
-  if (!waiting || b.mask & ~GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT} || !(colors || depths) ||
-      from != to || to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || p_.shadow.activeQueries > 0 ||
+  if (!waiting || !p_.flusher.batch.empty() ||
+      b.mask & ~GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT} || !(colors || depths) || from != to ||
+      to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || p_.shadow.activeQueries > 0 ||
       (b.filter != GL_NEAREST && (b.filter != GL_LINEAR || depths)))
     return false;
   const UnresolvedPicture::Cleared& cleared = waiting->cleared;
@@ -217,6 +238,9 @@ bool ResolveDraws::byBlit(const Blit& b) {
   if (static_cast<GLuint>(integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING)) != cleared.framebuffer ||
       static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER)) != cleared.drawBuffer)
     return false;
+  p_.shadow.errors.keepPending();
+  const glm::ivec2 size = sizeOf(p_.shadow.real, cleared.color);  // the same as of its depth
+  if (size.x < to.z || size.y < to.w) return false;
   const glm::ivec4 open = scissorBox(p_.shadow.real);
   if (open.x > 0 || open.y > 0 || open.x + open.z < to.z || open.y + open.w < to.w ||
       (depths && !haveEqualDepths(p_.shadow.real)))

@@ -25,7 +25,7 @@ struct UnresolvedPicture {
     GLuint framebuffer = 0;
     GLenum drawBuffer = GL_NONE;
     Attachment color, depth;
-    glm::ivec4 box{0};          // x, y, width, height of the cleared pixels, whose depth is 1
+    glm::ivec4 box{0};          // x, y, width, height; its pixels in the framebuffer are cleared to depth 1
     uint32_t background = 0;    // their colour, RGBA8
     float depthResolution = 0;  // of the depth buffer
 

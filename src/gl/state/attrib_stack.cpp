@@ -1,6 +1,8 @@
 #include "gl/state/attrib_stack.h"
 
 #include "gl/lists/list_compiler.h"
+#include "gl/state/state_queries.h"
+#include "gl/window/cleared_framebuffers.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -40,16 +42,20 @@ void AttribStack::push(GLbitfield mask) {
 
 void AttribStack::pop() {
   p_.shadow.syncCurrent();
+  bool redirects = false;
   if (!saved_.empty()) {
     const Saved saved = saved_.back();
     saved_.pop_back();
     if (saved.mask & GL_LIST_BIT) p_.lists.base = saved.listBase;
     if (saved.mask & GL_TRANSFORM_BIT) p_.shadow.matrixMode = 0;
     // A change of the draw buffer would redirect the pending batch.
-    if (saved.mask & GL_COLOR_BUFFER_BIT) p_.flusher.flush();
+    redirects = saved.mask & GL_COLOR_BUFFER_BIT;
+    if (redirects) p_.flusher.flush();
     p_.shadow.touch(groupsOfAttrib(saved.mask));
   }
+  const GLint before = redirects ? integer(p_.shadow.real, GL_DRAW_BUFFER) : 0;
   p_.shadow.real.PopAttrib();
+  if (redirects && integer(p_.shadow.real, GL_DRAW_BUFFER) != before) p_.cleared.forgetClear();
 }
 
 }  // namespace gluray::gl

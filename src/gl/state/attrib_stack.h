@@ -16,6 +16,7 @@ class AttribStack {
   struct Parts {
     ShadowState& shadow;
     Flusher& flusher;
+    ClearedFramebuffers& cleared;
     ListCompiler& lists;
   };
   explicit AttribStack(const Parts& parts) : p_(parts) {}

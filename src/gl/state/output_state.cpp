@@ -52,7 +52,7 @@ bool isOpen(const RealGl& real, const RareState& has) {
   if (!allOff(real, {GL_STENCIL_TEST, GL_COLOR_LOGIC_OP})) return false;
   if (has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)) return false;
   if (rareReason(real, has) != Reason::traced) return false;
-  if (has.fixedFunction && isOn(real, GL_ALPHA_TEST)) return false;
+  if (has.fixedFunction && (isOn(real, GL_ALPHA_TEST) || isOn(real, GL_POLYGON_STIPPLE))) return false;
   GLboolean mask[4] = {};
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
   GLint polygonMode[2] = {GL_FILL, GL_FILL};

@@ -30,12 +30,24 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   if (framebuffer != 0 && uploads_) real.Flush();
 }
 
+/// Whether the draw framebuffer's image, of which pictures know one cleared pixel for each colour, has eight
+/// linear bits of each channel.
+bool ClearedFramebuffers::holdsBytes(GLenum drawBuffer) const {
+  const auto value = [&](GLenum name) {
+    return attachmentValue(shadow_.real, GL_DRAW_FRAMEBUFFER, drawBuffer, name);
+  };
+  return value(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) == 8 && value(GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE) == 8 &&
+         value(GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE) == 8 &&
+         value(GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE) == 8 &&
+         value(GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_LINEAR;
+}
+
 std::optional<ClearedTarget> ClearedFramebuffers::under(const scene::Snapshot& snapshot,
                                                         const BatchKey& key) const {
   if (!cleared_ || key.framebuffer == 0 || key.framebuffer != cleared_->framebuffer ||
       key.depthFunc != GL_LEQUAL || key.layers != BatchKey::Layers::none || snapshot.samples != 1 ||
       !key.colorWrites.all() || key.encodes || shadow_.group.stencilsSet ||
-      !contains(cleared_->region, snapshot.region))
+      !contains(cleared_->region, snapshot.region) || !holdsBytes(key.drawBuffer))
     return std::nullopt;
   return cleared_;
 }

@@ -56,6 +56,7 @@ class ClearedFramebuffers {
   void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
 
  private:
+  bool holdsBytes(GLenum drawBuffer) const;
   void nextDepths() { ++depthEpochs_[0], ++depthEpochs_[1]; }
 
   ShadowState& shadow_;

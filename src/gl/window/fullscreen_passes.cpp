@@ -16,8 +16,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether the draw maps its texture onto the whole viewport: a strip of two triangles with texture
-/// coordinates 0 and 1 at the corners.
+/// Whether the draw maps its texture onto the whole viewport: a strip of two triangles from corner to
+/// opposite corner, with texture coordinates 0 and 1.
 bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& e) {
   if (mode != GL_TRIANGLE_STRIP || e.type || e.count != 4 || !arrays.vertex.enabled ||
       !arrays.texcoord.enabled)
@@ -25,26 +25,32 @@ bool coversViewport(const RealGl& real, const ArrayState& arrays, GLenum mode, c
   const ArrayReader position(real, arrays.vertex), texcoord(real, arrays.texcoord);
   const auto last = static_cast<uint32_t>(e.first) + 3;
   if (position.available() <= last || texcoord.available() <= last) return false;
-  unsigned corners = 0;
+  unsigned corners = 0, diagonal = 0;
   for (uint32_t i = static_cast<uint32_t>(e.first); i <= last; ++i) {
     float p[4], t[4];
     position.read(i, p), texcoord.read(i, t);
-    const bool corner = std::abs(p[0]) == 1 && std::abs(p[1]) == 1 && p[3] == 1;
+    const bool corner = std::abs(p[0]) == 1 && std::abs(p[1]) == 1 && std::abs(p[2]) <= 1 && p[3] == 1;
     if (!corner || t[0] != (p[0] + 1) / 2 || t[1] != (p[1] + 1) / 2) return false;
-    corners |= 1u << ((p[0] > 0 ? 1 : 0) + (p[1] > 0 ? 2 : 0));
+    const unsigned which = (p[0] > 0 ? 1 : 0) + (p[1] > 0 ? 2 : 0);
+    corners |= 1u << which;
+    if (i == static_cast<uint32_t>(e.first) || i == last) diagonal ^= which;
   }
-  return corners == 15;
+  return corners == 15 && diagonal == 3;
 }
 
 /// Whether the texture bound to the active unit is RGBA8 of that size and, read at pixel centres, returns its
 /// texels unfiltered.
-bool isPlainInput(const RealGl& real, glm::ivec2 size) {
+bool isPlainInput(const RealGl& real, const RareState& has, glm::ivec2 size) {
   const auto parameter = [&](GLenum name) {
     GLint value = 0;
     real.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
     return value;
   };
-  return isRgba8(real, size) && parameter(GL_TEXTURE_MIN_FILTER) == GL_LINEAR &&
+  const bool swizzled =
+      has.textureSwizzle &&
+      (parameter(GL_TEXTURE_SWIZZLE_R) != GL_RED || parameter(GL_TEXTURE_SWIZZLE_G) != GL_GREEN ||
+       parameter(GL_TEXTURE_SWIZZLE_B) != GL_BLUE || parameter(GL_TEXTURE_SWIZZLE_A) != GL_ALPHA);
+  return !swizzled && isRgba8(real, size) && parameter(GL_TEXTURE_MIN_FILTER) == GL_LINEAR &&
          parameter(GL_TEXTURE_MAG_FILTER) == GL_LINEAR && parameter(GL_TEXTURE_WRAP_S) == GL_CLAMP_TO_EDGE &&
          parameter(GL_TEXTURE_WRAP_T) == GL_CLAMP_TO_EDGE && parameter(GL_TEXTURE_BASE_LEVEL) == 0;
 }
@@ -104,7 +110,8 @@ bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& reg
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
   const auto input = static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D));
-  const bool plain = !sampled && isPlainInput(real, {region.width, region.height}) && input != attachment;
+  const bool plain =
+      !sampled && isPlainInput(real, state.rare, {region.width, region.height}) && input != attachment;
   real.ActiveTexture(static_cast<GLenum>(active));
   if (!plain) return false;
   if (p_.flusher.batch.empty() &&

@@ -43,7 +43,8 @@ class ShownWindow {
   /// Whether the size, asked for now or before, is another than that of the real OpenGL's buffers. False if
   /// the window is gone.
   virtual bool resized() noexcept = 0;
-  /// Makes the real OpenGL swap, so that its buffers get the window's size. They are undefined afterwards.
+  /// Makes the real OpenGL swap, so that its buffers get the window's size, and shows the last picture again.
+  /// The back buffer is undefined afterwards.
   virtual void swap() noexcept = 0;
 };
 

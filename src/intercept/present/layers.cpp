@@ -167,8 +167,8 @@ bool writeTexture(const RealGl& real, const Features& features, GLuint texture, 
   const timeline::Span span("write back");
   StateGuard guard(real, features);
   guard.plainUnpack();
-  guard.texture2D(0, texture);
-  if (!gl::isRgba8(real, size)) return false;
+  guard.texture2D(0, texture);  // a GL error if it has another target
+  if (!takeErrors(real).empty() || !gl::isRgba8(real, size)) return false;
   real.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   return takeErrors(real).empty();
 }

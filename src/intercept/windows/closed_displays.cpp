@@ -49,7 +49,7 @@ Closed watchDisplay(Display* display) {
   if (!codes) return nullptr;
   set(display, codes->extension, closing);
   const std::lock_guard lock(displays.mutex);
-  return displays.open[display] = std::make_shared<std::atomic<bool>>(false);
+  return displays.open.try_emplace(display, std::make_shared<std::atomic<bool>>(false)).first->second;
 }
 
 }  // namespace gluray::intercept

@@ -50,13 +50,14 @@ class Lag {
       const timeline::Span span("swap");
       windowChanges(drawable);
       swap(display, drawable);
+      record.window.swapped = {0, 0};  // of a size that the next command sees
     };
     window.overdue.size = size;
     window.show = [=, &to = record.window](const gl::ShownPicture& picture) {
       ShmWindow* const put = shmWindowFor(display, drawable, to);
       if (!put) return false;
       const glm::ivec2 now = put->size();
-      if (!to.isKnown(now) || !put->put(picture)) return false;
+      if (!to.isKnown(now) || !put->put(picture, now)) return false;
       keepShownPicture(picture, now, ShownFrame::later);
       return true;
     };
@@ -92,8 +93,8 @@ bool mayLag(GLXDrawable drawable) {
   const std::shared_ptr<Record>& record = current().record;
   return session().lag != LagMode::off && !g_never && record && record->context &&
          gl::t_thread.context == record->context.get() && current().drawables.draw == drawable &&
-         record->context->info().doubleBuffered && !session().picture &&
-         wantedPicture() != control::Wanted::next;
+         current().drawables.read == drawable && record->context->info().doubleBuffered &&
+         !session().picture && wantedPicture() != control::Wanted::next;
 }
 
 LagRefusal lagged(Record& record, Display* display, GLXDrawable drawable, RealSwap swap) {

@@ -40,15 +40,26 @@ ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext&
 }
 
 void WindowOfContext::askSize() noexcept {
+  known = {0, 0};
   if (put) put->askSize();
 }
 
+glm::ivec2 WindowOfContext::size() noexcept {
+  if (known.x == 0 && put) known = put->size();
+  return known;
+}
+
 bool WindowOfContext::resized() noexcept {
-  const glm::ivec2 size = put ? put->size() : glm::ivec2(0);
-  return size.x > 0 && size != std::exchange(swapped, size);
+  const glm::ivec2 now = size();
+  return now.x > 0 && now != std::exchange(swapped, now);
 }
 
 void WindowOfContext::swap() noexcept {
+  swapAlone();
+  if (put) put->putAgain();
+}
+
+void WindowOfContext::swapAlone() noexcept {
   guarded("cannot swap", [&] {
     const Outermost nested;
     const timeline::Span span("swap");
@@ -63,13 +74,18 @@ bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record)
   WindowOfContext& window = record.window;
   ShmWindow* const put = shmWindowFor(display, drawable, window);
   if (!put) return false;
-  const glm::ivec2 size = put->size();
+  gl::WindowFrames& frames = record.context->window;
+  if (!frames.holdsFrame()) window.known = {0, 0};
+  const glm::ivec2 size = window.size();
   if (size.x == 0) return window.put.reset(), false;  // do not try again
   window.realSwap = [=] { swap(display, drawable); };
-  gl::WindowFrames& frames = record.context->window;
   const auto shows = [&](const gl::ShownPicture& picture) {
-    if (size != window.swapped) window.swapped = size, window.swap();  // nobody sees it: the picture follows
-    if (!put->put(picture)) return false;
+    if (size != window.swapped) {
+      window.swapped = size;
+      window.swapAlone();  // the picture follows
+    }
+    if (!put->put(picture, size)) return false;
+    window.known = {0, 0};
     keepShownPicture(picture, size, ShownFrame::now);
     return true;
   };

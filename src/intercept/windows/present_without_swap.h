@@ -18,9 +18,14 @@ struct WindowOfContext final : gl::ShownWindow {
   uintptr_t sized = 0;    // the drawable whose size it is; 0: none
   int swapsBefore = 0;    // by the real OpenGL, before the first picture was tried
   std::function<void()> realSwap;  // of the drawable
+  glm::ivec2 known{0};             // the size for the frame that is drawn, once the answer is read
   void askSize() noexcept override;
   bool resized() noexcept override;
+  /// The size at askSize(), or now if it was not called for this frame; {0, 0}: the window is gone.
+  glm::ivec2 size() noexcept;
   void swap() noexcept override;
+  /// swap() without showing the last picture again.
+  void swapAlone() noexcept;
   /// Whether the real OpenGL knows the window's size: it updates its buffers' size only after a swap. False:
   /// let it make this swap.
   bool isKnown(glm::ivec2 size) {

@@ -2,6 +2,7 @@
 
 #include "base/timeline.h"
 #include "frame/pixel_rows.h"
+#include "intercept/contexts.h"
 #include "parallel/loops.h"
 
 #include <sys/ipc.h>
@@ -57,13 +58,14 @@ std::unique_ptr<ShmWindow> ShmWindow::create(_XDisplay* display, uintptr_t drawa
   return put->makeContext() && put->reserve(1) ? std::move(put) : nullptr;
 } catch (const std::exception&) { return nullptr; }
 
-/// Sends nothing to the server: if the connection is closed, the server has freed its resources.
-ShmWindow::~ShmWindow() { release(); }
+ShmWindow::~ShmWindow() { close(); }
 
 void ShmWindow::close() noexcept {
-  if (!isOpen()) return release();
+  if (!closed_ || *closed_ || isForkedChild()) return release();
+  if (std::exchange(asked_, false)) replyTo(xcb().geometry, connection_, geometry_);
+  if (std::exchange(sent_, false)) succeeded(put_);
   if (pixels_) xcb().detach(connection_, segment_);
-  xcb().freeGc(connection_, context_);
+  if (context_) xcb().freeGc(connection_, std::exchange(context_, 0));
   release();
 }
 
@@ -114,27 +116,36 @@ void ShmWindow::askSize() noexcept {
 }
 
 glm::ivec2 ShmWindow::size() noexcept {
-  if (!isOpen()) return size_ = glm::ivec2(0);
+  if (!isOpen()) return glm::ivec2(0);
   if (!asked_) geometry_ = xcb().askGeometry(connection_, window_);
   asked_ = false;
   const auto reply = replyTo(xcb().geometry, connection_, geometry_);
   const bool shown = !std::exchange(sent_, false) || succeeded(put_);
-  return size_ = reply && shown ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
+  return reply && shown ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
 }
 
-bool ShmWindow::put(const gl::ShownPicture& picture) noexcept try {
+bool ShmWindow::put(const gl::ShownPicture& picture, glm::ivec2 size) noexcept try {
   const timeline::Span span("show");
-  const size_t pixels = static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y);
+  const size_t pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+  if (std::exchange(sent_, false) && !succeeded(put_)) return false;  // waits until the server has read it
   if (pixels == 0 || !reserve(pixels * 4)) return false;
-  if (held_ != picture.number || heldSize_ != size_ || heldFarthest_ != picture.farthest) {
-    fillWindow(picture, size_, pixels_);
-    held_ = picture.number, heldSize_ = size_, heldFarthest_ = picture.farthest;
+  if (held_ != picture.number || heldSize_ != size || heldFarthest_ != picture.farthest) {
+    fillWindow(picture, size, pixels_);
+    held_ = picture.number, heldSize_ = size, heldFarthest_ = picture.farthest;
   }
-  const auto width = static_cast<uint16_t>(size_.x), height = static_cast<uint16_t>(size_.y);
+  return send(size);
+} catch (const std::exception&) { return false; }
+
+void ShmWindow::putAgain() noexcept {
+  if (held_ != 0 && !sent_ && isOpen()) send(heldSize_);
+}
+
+bool ShmWindow::send(glm::ivec2 size) {
+  const auto width = static_cast<uint16_t>(size.x), height = static_cast<uint16_t>(size.y);
   put_ = xcb().putImage(connection_, window_, context_, width, height, 0, 0, width, height, 0, 0, depth_,
                         XCB_IMAGE_FORMAT_Z_PIXMAP, 0, segment_, 0);
   sent_ = true;
   return xcb().flush(connection_) > 0;
-} catch (const std::exception&) { return false; }
+}
 
 }  // namespace gluray::intercept

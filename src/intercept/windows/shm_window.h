@@ -22,7 +22,7 @@ class ShmWindow {
   /// and blue, or if the server shares no memory with this process.
   static std::unique_ptr<ShmWindow> create(_XDisplay* display, uintptr_t drawable) noexcept;
   ~ShmWindow();
-  /// Releases the server's resources, unless the connection is closed.
+  /// Releases the server's resources, unless the connection is closed or belongs to the parent process.
   void close() noexcept;
   ShmWindow(const ShmWindow&) = delete;
   ShmWindow& operator=(const ShmWindow&) = delete;
@@ -35,8 +35,10 @@ class ShmWindow {
   /// The window's size in pixels, as it was at askSize(), or as it is if no question is open; {0, 0}: the
   /// window is gone, or the last picture could not be shown. Waits until the server has read that.
   glm::ivec2 size() noexcept;
-  /// Shows a picture; call size() before. False if out of memory or the connection is lost.
-  bool put(const gl::ShownPicture& picture) noexcept;
+  /// Shows a picture in a window of that size. False if out of memory or the connection is lost.
+  bool put(const gl::ShownPicture& picture, glm::ivec2 size) noexcept;
+  /// Shows the last picture again, at its size.
+  void putAgain() noexcept;
 
  private:
   ShmWindow(_XDisplay* display, xcb_connection_t* connection, xcb_window_t window, uint8_t depth)
@@ -48,6 +50,7 @@ class ShmWindow {
   bool isOpen() const { return !closed_ || !*closed_; }
   bool makeContext();
   bool reserve(size_t bytes);
+  bool send(glm::ivec2 size);
   void release();
   bool succeeded(xcb_void_cookie_t cookie) const;
 
@@ -58,7 +61,6 @@ class ShmWindow {
   uint32_t context_ = 0, segment_ = 0;  // X ids of the graphics context and the shared memory
   uint32_t* pixels_ = nullptr;
   size_t bytes_ = 0;
-  glm::ivec2 size_{0};
   uint64_t held_ = 0;  // id of the picture in the shared memory; 0: none
   glm::ivec2 heldSize_{0};
   float heldFarthest_ = 0;

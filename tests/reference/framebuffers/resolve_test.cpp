@@ -87,6 +87,41 @@ TEST(Resolve, DrawsTracedLaterAreKept) {
   expectResolves("more", 0, 2, [](const Stage& s) { s.frame(), s.open(), s.drawBall(70), s.blit(); });
 }
 
+TEST(Resolve, DrawsTracedElsewhereAreUnderThem) {
+  const auto both = [](const Stage& s) {
+    s.open(), beginFrame(s.gl), s.drawBall();
+    s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.plain), beginFrame(s.gl), s.drawBall(70);
+  };
+  expectResolves("over_blit", 0, 2, [&](const Stage& s) {
+    both(s), s.gl.BlitFramebuffer(0, 0, kWidth, kHeight, 0, 0, kWidth, kHeight, kColor, GL_NEAREST);
+  });
+  expectResolves("over_pass", 1, 2, [&](const Stage& s) { both(s), s.resolve(); });
+}
+
+TEST(Resolve, BlitsBeyondTheFramebufferLeaveTheRest) {
+  for (const bool textures : {true, false})
+    expectResolves(
+        "beyond", 0, 1,
+        [](const Stage& s) {
+          GLuint wide = 0;
+          s.gl.GenTextures(1, &wide), s.gl.BindTexture(GL_TEXTURE_2D, wide);
+          s.gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2 * kWidth, 2 * kHeight, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          nullptr);
+          const GLuint other = s.framebuffer();
+          s.gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, wide, 0);
+          s.gl.ClearColor(0, 1, 0, 1), s.gl.Clear(kColor);
+          s.frame();
+          s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, s.many), s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, other);
+          s.gl.BlitFramebuffer(0, 0, 2 * kWidth, 2 * kHeight, 0, 0, 2 * kWidth, 2 * kHeight, kColor,
+                               GL_NEAREST);
+          s.gl.BindFramebuffer(GL_READ_FRAMEBUFFER, other),
+              s.gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, s.plain);
+          s.gl.BlitFramebuffer(kWidth / 2, kHeight / 2, kWidth / 2 + kWidth, kHeight / 2 + kHeight, 0, 0,
+                               kWidth, kHeight, kColor, GL_NEAREST);
+        },
+        textures);
+}
+
 TEST(Resolve, ClearsOfPartsHideNothingElse) {
   expectResolves("depth_cleared", 0, 2, [](const Stage& s) {
     s.frame(), s.open(), s.gl.Clear(kDepth), s.drawBall(70), s.close(), s.blit();

@@ -29,13 +29,18 @@ GLuint uploadTarget(Gl gl, GLenum internalFormat, GLenum format, GLenum type) {
   return name;
 }
 
+/// Makes and binds the framebuffer of the two textures.
+void attach(Gl gl, Canvas& c) {
+  gl.GenFramebuffers(1, &c.framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, c.framebuffer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, c.color, 0);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, c.depth, 0);
+}
+
 Canvas makeCanvas(Gl gl) {
   Canvas c;
   c.color = uploadTarget(gl, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
   c.depth = uploadTarget(gl, GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8);
-  gl.GenFramebuffers(1, &c.framebuffer), gl.BindFramebuffer(GL_FRAMEBUFFER, c.framebuffer);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, c.color, 0);
-  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, c.depth, 0);
+  attach(gl, c);
   return c;
 }
 
@@ -92,6 +97,29 @@ const UploadCase kUploadCases[] = {
      [](Gl gl, const Canvas&) {
        gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, kUploadSize, kUploadSize);
        clear(gl), flatSheet(gl);
+     }},
+    {"ScissorBeyond", 1,
+     [](Gl gl, const Canvas&) {
+       gl.Enable(GL_SCISSOR_TEST), gl.Scissor(-1, -1, kUploadSize + 2, kUploadSize + 2);
+       clear(gl), flatSheet(gl);
+     }},
+    {"OtherFormatBefore", 1,
+     [](Gl gl, const Canvas& c) {
+       Canvas opaque = c;
+       opaque.color = uploadTarget(gl, GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE);
+       attach(gl, opaque);
+       GLuint pixel = 0;
+       clear(gl), flatSheet(gl), gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+       gl.BindFramebuffer(GL_FRAMEBUFFER, c.framebuffer);
+       clear(gl), flatSheet(gl);
+     }},
+    {"DrawBufferPopped", 0,
+     [](Gl gl, const Canvas&) {
+       const GLuint other = uploadTarget(gl, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);
+       gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, other, 0);
+       gl.DrawBuffer(GL_COLOR_ATTACHMENT1), gl.ClearColor(1, 0, 0, 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+       gl.PushAttrib(GL_COLOR_BUFFER_BIT), gl.DrawBuffer(GL_COLOR_ATTACHMENT0), clear(gl), gl.PopAttrib();
+       flatSheet(gl), gl.ReadBuffer(GL_COLOR_ATTACHMENT1);
      }},
     {"PartOfTheTexture", 1,
      [](Gl gl, const Canvas&) {

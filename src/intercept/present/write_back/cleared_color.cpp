@@ -5,6 +5,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <algorithm>
+
 namespace gluray::present {
 
 std::optional<uint32_t> ClearedColor::bits(const gl::RealGl& real, const Features& features,
@@ -14,7 +16,9 @@ std::optional<uint32_t> ClearedColor::bits(const gl::RealGl& real, const Feature
   StateGuard guard(real, features);
   guard.plainPack();
   guard.readFrom(cleared.framebuffer, static_cast<GLenum>(gl::integer(real, GL_DRAW_BUFFER)));
-  real.ReadPixels(cleared.region.x, cleared.region.y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &bits_);
+  // The first pixel of the region that is in the framebuffer.
+  real.ReadPixels(std::max(cleared.region.x, 0), std::max(cleared.region.y, 0), 1, 1, GL_RGBA,
+                  GL_UNSIGNED_BYTE, &bits_);
   if (!takeErrors(real).empty()) return color_.reset(), std::nullopt;
   color_ = cleared.color;
   return bits_;
