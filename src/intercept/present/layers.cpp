@@ -3,6 +3,7 @@
 #include "base/timeline.h"
 #include "gl/state/state_queries.h"
 #include "intercept/present/raster/program_replay.h"
+#include "intercept/present/write_back/texture_upload.h"
 
 #include <GL/glext.h>
 
@@ -168,7 +169,7 @@ bool writeTexture(const RealGl& real, const Features& features, GLuint texture, 
   StateGuard guard(real, features);
   guard.plainUnpack();
   guard.texture2D(0, texture);  // a GL error if it has another target
-  if (!takeErrors(real).empty() || !gl::isRgba8(real, size)) return false;
+  if (!takeErrors(real).empty() || !gl::isRgba8(real, size) || makesMipmaps(real, features)) return false;
   real.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
   return takeErrors(real).empty();
 }

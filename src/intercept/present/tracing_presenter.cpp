@@ -140,7 +140,8 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
       return false;
     guard.texture2D(unit, target);
     if (!takeErrors(real).empty() ||
-        !gl::holdsRgba8(real, {region.x + region.width, region.y + region.height}))
+        !gl::holdsRgba8(real, {region.x + region.width, region.y + region.height}) ||
+        makesMipmaps(real, shared_.features(real)))
       return false;
     real.TexSubImage2D(GL_TEXTURE_2D, 0, region.x, region.y, region.width, region.height, GL_RGBA,
                        GL_UNSIGNED_BYTE, after_.data());

@@ -113,6 +113,12 @@ const UploadCase kUploadCases[] = {
        gl.BindFramebuffer(GL_FRAMEBUFFER, c.framebuffer);
        clear(gl), flatSheet(gl);
      }},
+    {"MipmapsOfUploads", 0,  // which draws do not make
+     [](Gl gl, const Canvas& c) {
+       gl.BindTexture(GL_TEXTURE_2D, c.color);
+       gl.TexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE), gl.BindTexture(GL_TEXTURE_2D, 0);
+       clear(gl), flatSheet(gl);
+     }},
     {"DrawBufferPopped", 0,
      [](Gl gl, const Canvas&) {
        const GLuint other = uploadTarget(gl, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE);

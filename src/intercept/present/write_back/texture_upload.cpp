@@ -34,6 +34,12 @@ GLint ofLevel(const gl::RealGl& real, GLenum name) {
 
 }  // namespace
 
+bool makesMipmaps(const gl::RealGl& real, const Features& features) {
+  GLint makes = GL_FALSE;
+  if (features.compatibility) real.GetTexParameteriv(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, &makes);
+  return makes != GL_FALSE;
+}
+
 std::optional<TextureUpload::Attached> TextureUpload::attached(const gl::RealGl& real, StateGuard& guard,
                                                                const Features& features,
                                                                const Image& image) const {
@@ -43,10 +49,11 @@ std::optional<TextureUpload::Attached> TextureUpload::attached(const gl::RealGl&
   if (!to.color || !to.depth || !takeErrors(real).empty()) return std::nullopt;
   const glm::ivec2 end(image.x + image.width, image.y + image.height);
   guard.texture2D(features.textureUnit, to.color);  // a GL error if it has another target
-  if (!takeErrors(real).empty() || !gl::holdsRgba8(real, end)) return std::nullopt;
+  if (!takeErrors(real).empty() || !gl::holdsRgba8(real, end) || makesMipmaps(real, features))
+    return std::nullopt;
   guard.texture2D(features.textureUnit + 1, to.depth);
   if (!takeErrors(real).empty() || ofLevel(real, GL_TEXTURE_WIDTH) < end.x ||
-      ofLevel(real, GL_TEXTURE_HEIGHT) < end.y)
+      ofLevel(real, GL_TEXTURE_HEIGHT) < end.y || makesMipmaps(real, features))
     return std::nullopt;
   to.depthFormat = static_cast<GLenum>(ofLevel(real, GL_TEXTURE_INTERNAL_FORMAT));
   const bool known = to.depthFormat == GL_DEPTH24_STENCIL8 || to.depthFormat == GL_DEPTH_COMPONENT32F;

@@ -12,6 +12,9 @@
 
 namespace gluray::present {
 
+/// Whether uploads into the 2D texture bound to the active unit make its mipmaps, as draws into it do not.
+bool makesMipmaps(const gl::RealGl& real, const Features& features);
+
 class TextureUpload {
  public:
   /// Uploads the image, whose misses have the cleared colour, into the bound draw framebuffer's textures. The
