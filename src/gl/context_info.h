@@ -2,8 +2,8 @@
 #pragma once
 #include "base/clock.h"
 #include "gl/draws/draw_kinds.h"
+#include "gl/engine_choice/engine_choice.h"
 #include "gl/families/family.h"
-#include "gl/window/engine_choice.h"
 #include "settings/live/settings_source.h"
 
 #include <glm/glm.hpp>

@@ -1,87 +1,36 @@
 // Pages: what rays meet is what they meet in the whole mesh, however little memory there is.
 #include "accel/pages/page_cache.h"
 
+#include "accel/pages/fake_residence.h"
 #include "accel/test_rays.h"
 #include "accel/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <optional>
 #include <thread>
 
 namespace gluray::accel {
 namespace {
 
+using test::bounded;
+using test::FakeResidence;
 using test::kInfinity;
 using test::makeMesh;
 using test::makeSnapshot;
 using test::MeshData;
+using test::pageOf;
 using test::raysDown;
 using test::shot;
+using test::Store;
 
 constexpr int kPages = 16;  // strips of kCells x kCells cells, from left to right
 constexpr int kCells = 24;
-
-/// What all pages of a test share.
-struct Store {
-  size_t budget = 0;
-  std::atomic<int> loads{0}, drops{0}, atOnce{0};
-  std::atomic<bool> gone{false};  // loading fails
-  std::atomic<int> failures{0};
-};
-
-/// Arrays that are zeros while they are not loaded.
-class FakeResidence final : public scene::Residence {
- public:
-  FakeResidence(Store& store, const MeshData& data, std::optional<Whole> whole)
-      : store_(store), data_(data), whole_(whole) {
-    positions_.resize(data.positions.size() + 2), indices_.resize(data.indices.size() + 5);
-  }
-  bool load() noexcept override {
-    EXPECT_EQ(++inside_, 1);
-    ++store_.loads;
-    if (!store_.gone) {
-      std::ranges::copy(data_.positions, positions_.begin());
-      std::ranges::copy(data_.indices, indices_.begin());
-    }
-    --inside_;
-    return !store_.gone;
-  }
-  void fail(const char*) noexcept override { ++store_.failures; }
-  void drop() noexcept override {
-    EXPECT_EQ(++inside_, 1);
-    ++store_.drops;
-    std::ranges::fill(positions_, glm::vec3(0)), std::ranges::fill(indices_, 0u);
-    --inside_;
-  }
-  size_t bytes() const noexcept override { return positions_.size() * 12 + indices_.size() * 4; }
-  const Whole* whole() const noexcept override { return whole_ ? &*whole_ : nullptr; }
-  size_t budget() const noexcept override { return store_.budget; }
-
-  scene::Attribute positions() const { return over(positions_.data(), 12, scene::Format::float3); }
-  scene::Attribute indices() const { return over(indices_.data(), 4, scene::Format::uint32); }
-
- private:
-  static scene::Attribute over(const void* data, uint32_t stride, scene::Format format) {
-    return {std::shared_ptr<void>(), static_cast<const std::byte*>(data), stride, format};
-  }
-  Store& store_;
-  const MeshData data_;
-  const std::optional<Whole> whole_;
-  std::vector<glm::vec3> positions_;
-  std::vector<uint32_t> indices_;
-  std::atomic<int> inside_{0};
-};
 
 /// Strip number `n` of a wavy surface over [-1, 1]^2.
 MeshData strip(int n) {
@@ -103,14 +52,6 @@ MeshData strip(int n) {
   return data;
 }
 
-std::shared_ptr<scene::Mesh> bounded(const MeshData& data) {
-  auto mesh = makeMesh(data);
-  mesh->lower = glm::vec3(kInfinity), mesh->upper = glm::vec3(-kInfinity);
-  for (const glm::vec3& p : data.positions)
-    mesh->lower = glm::min(mesh->lower, p), mesh->upper = glm::max(mesh->upper, p);
-  return mesh;
-}
-
 class PageCacheTest : public testing::Test {
  protected:
   PageCacheTest() {
@@ -121,11 +62,8 @@ class PageCacheTest : public testing::Test {
       std::optional<scene::Residence::Whole> first;
       if (n == 0) first = {glm::vec3(-1, -1, -0.2f), glm::vec3(1, 1, 0.2f), 0.2f};
       const auto residence = std::make_shared<FakeResidence>(store_, data, first);
-      const auto page = bounded(data);
-      page->positions = residence->positions(), page->indices = residence->indices();
-      page->residence = residence;
       bytesOfPage_ = residence->bytes();
-      pages.push_back(page);
+      pages.push_back(pageOf(data, residence));
     }
     whole_.update(makeSnapshot(whole), arena_);
     store_.budget = 100 * bytesOfPage_ * kPages;
@@ -260,71 +198,6 @@ TEST_F(PageCacheTest, ServesThreadsThatWantTheSamePages) {
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_LE(paged_.pages().bytes(), store_.budget);
-}
-
-/// The square [-1, 1]^2 in kSide x kSide cells: its triangles are split into several parts.
-MeshData manyTriangles() {
-  constexpr uint32_t kSide = 400;
-  MeshData data;
-  for (uint32_t y = 0; y <= kSide; ++y)
-    for (uint32_t x = 0; x <= kSide; ++x)
-      data.positions.emplace_back(2 * static_cast<float>(x) / kSide - 1,
-                                  2 * static_cast<float>(y) / kSide - 1, 0);
-  for (uint32_t y = 0; y < kSide; ++y)
-    for (uint32_t x = 0; x < kSide; ++x) {
-      const uint32_t a = y * (kSide + 1) + x, c = a + kSide + 1;
-      data.indices.insert(data.indices.end(), {a, a + 1, c + 1, a, c + 1, c});
-    }
-  return data;
-}
-
-/// A page of many triangles alone in its world.
-struct LargePage {
-  Store store;
-  World world{0};
-
-  LargePage() {
-    Arena arena(1);
-    const MeshData data = manyTriangles();
-    const auto residence = std::make_shared<FakeResidence>(store, data, std::nullopt);
-    const auto page = bounded(data);
-    page->positions = residence->positions(), page->indices = residence->indices();
-    page->residence = residence;
-    store.budget = 100 * residence->bytes();
-    world.update(makeSnapshot({page}), arena);
-  }
-};
-
-thread_local bool t_inPage = false;
-
-// A task of rays that meet the page would wait for ever for the thread that runs it.
-TEST(PageCacheTasks, ThreadThatBuildsAPageRunsNoOtherTasks) {
-  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, 4);
-  tbb::task_arena arena(4);
-  for (int round = 0; round < 5; ++round) {
-    LargePage page;
-    std::atomic<bool> done{false};
-    std::atomic<int> others{0}, inPage{0};
-    arena.execute([&] {
-      tbb::task_group group;
-      // There is always a task that waits for a thread, and there are threads that look for one.
-      const std::function<void()> other = [&] {
-        ++others, inPage += t_inPage;
-        if (!done) group.run(other);
-        std::this_thread::sleep_for(std::chrono::microseconds(50));
-      };
-      group.run(other);
-      while (others < 20) std::this_thread::yield();
-      t_inPage = true;
-      const RayPacket packet = shot(page.world, raysDown(0.1f, 0.1f, 0.01f, 0.003f));
-      t_inPage = false;
-      done = true;
-      group.wait();
-      for (int i = 0; i < kLanes; ++i) EXPECT_NE(packet.geometry[i], kNoHit);
-    });
-    EXPECT_EQ(page.store.loads, 1);
-    ASSERT_EQ(inPage, 0);
-  }
 }
 
 }  // namespace

@@ -24,24 +24,22 @@ UnresolvedPicture::Attachment attachmentOf(const RealGl& real, GLenum target, GL
                     attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME))};
 }
 
+/// Size in pixels of the multisampled texture that is bound to the active unit.
+glm::ivec2 boundSamplesSize(const RealGl& real) {
+  glm::ivec2 size(0);
+  real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &size.x);
+  real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &size.y);
+  return size;
+}
+
 /// Size in pixels of a multisampled attachment; {0, 0}: not known. Call Errors::keepPending() before.
 glm::ivec2 sizeOf(const RealGl& real, const UnresolvedPicture::Attachment& image) {
-  glm::ivec2 size(0);
-  if (image.type == GL_RENDERBUFFER) {
-    const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
-    real.BindRenderbuffer(GL_RENDERBUFFER, image.name);
-    real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
-    real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
-    real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
-  } else {
-    const GLint bound = integer(real, GL_TEXTURE_BINDING_2D_MULTISAMPLE);
-    real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name);  // an error for an array's layer
-    real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &size.x);
-    real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &size.y);
-    real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(bound));
-    if (real.GetError() != GL_NO_ERROR) return glm::ivec2(0);
-  }
-  return size;
+  if (image.type == GL_RENDERBUFFER) return renderbufferSize(real, image.name);
+  const GLint bound = integer(real, GL_TEXTURE_BINDING_2D_MULTISAMPLE);
+  real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name);  // an error for an array's layer
+  const glm::ivec2 size = boundSamplesSize(real);
+  real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(bound));
+  return real.GetError() == GL_NO_ERROR ? size : glm::ivec2(0);
 }
 
 /// The clear colour as RGBA8, rounded half to even as software OpenGLs do.
@@ -187,9 +185,7 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
   const GLint active = integer(p_.shadow.real, GL_ACTIVE_TEXTURE);
   p_.shadow.real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
   const auto bound = static_cast<GLuint>(integer(p_.shadow.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
-  glm::ivec2 boundSize(0);
-  p_.shadow.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_WIDTH, &boundSize.x);
-  p_.shadow.real.GetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_HEIGHT, &boundSize.y);
+  const glm::ivec2 boundSize = boundSamplesSize(p_.shadow.real);
   p_.shadow.real.ActiveTexture(static_cast<GLenum>(active));
   if (waiting.cleared.color != UnresolvedPicture::Attachment{GL_TEXTURE, bound} || boundSize != size)
     return false;

@@ -31,6 +31,17 @@ inline GLint attachmentValue(const RealGl& real, GLenum target, GLenum attachmen
   return value;
 }
 
+/// Size in pixels of a renderbuffer that exists.
+inline glm::ivec2 renderbufferSize(const RealGl& real, GLuint name) {
+  glm::ivec2 size(0);
+  const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
+  real.BindRenderbuffer(GL_RENDERBUFFER, name);
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
+  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
+  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
+  return size;
+}
+
 /// The scissor box (x, y, width, height); a box larger than any framebuffer if the scissor test is off.
 inline glm::ivec4 scissorBox(const RealGl& real) {
   constexpr int kAll = std::numeric_limits<int>::max() / 2;

@@ -67,14 +67,7 @@ glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLe
   };
   if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER) return {0, 0};
   const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-  if (deleted.when(name) != 0) return {0, 0};
-  glm::ivec2 size(0);
-  const GLint bound = integer(real, GL_RENDERBUFFER_BINDING);
-  real.BindRenderbuffer(GL_RENDERBUFFER, name);
-  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
-  real.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
-  real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
-  return size;
+  return deleted.when(name) != 0 ? glm::ivec2(0) : renderbufferSize(real, name);
 }
 
 /// Whether the depth buffer holds floats; those of windows never do.

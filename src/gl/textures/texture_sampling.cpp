@@ -62,6 +62,17 @@ void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Tex
 
 }  // namespace
 
+bool isSwizzled(const RealGl& real, const RareState& has, GLenum target) {
+  if (!has.textureSwizzle) return false;
+  const auto is = [&](GLenum name, GLint component) {
+    GLint value = component;
+    real.GetTexParameteriv(target, name, &value);
+    return value == component;
+  };
+  return !is(GL_TEXTURE_SWIZZLE_R, GL_RED) || !is(GL_TEXTURE_SWIZZLE_G, GL_GREEN) ||
+         !is(GL_TEXTURE_SWIZZLE_B, GL_BLUE) || !is(GL_TEXTURE_SWIZZLE_A, GL_ALPHA);
+}
+
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture) {
   const auto parameter = [&](GLenum name, GLint usual) {
     real.GetTexParameteriv(target, name, &usual);
@@ -83,11 +94,8 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
   if (anisotropy > 1) return Reason::textureAnisotropy;
   const bool seamless =
       target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  const bool swizzled = has.textureSwizzle && (parameter(GL_TEXTURE_SWIZZLE_R, GL_RED) != GL_RED ||
-                                               parameter(GL_TEXTURE_SWIZZLE_G, GL_GREEN) != GL_GREEN ||
-                                               parameter(GL_TEXTURE_SWIZZLE_B, GL_BLUE) != GL_BLUE ||
-                                               parameter(GL_TEXTURE_SWIZZLE_A, GL_ALPHA) != GL_ALPHA);
-  const bool plain = !seamless && !swizzled && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
+  const bool plain =
+      !seamless && !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
   return plain ? Reason::traced : Reason::textureFormat;
 }
 

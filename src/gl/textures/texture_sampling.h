@@ -12,4 +12,7 @@ namespace gluray::gl {
 /// or why one of them cannot be traced.
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture);
 
+/// Whether reads of the texture bound to `target` of the active unit exchange components.
+bool isSwizzled(const RealGl& real, const RareState& has, GLenum target);
+
 }  // namespace gluray::gl

@@ -4,7 +4,7 @@
 #include "gl/batch/picture_wish.h"
 #include "gl/context_info.h"
 #include "gl/culled/small/frame_trials.h"
-#include "gl/window/engine_choice.h"
+#include "gl/engine_choice/engine_choice.h"
 #include "gl/window/offscreen_animation.h"
 #include "scene/light_sampling.h"
 

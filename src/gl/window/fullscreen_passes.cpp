@@ -7,6 +7,7 @@
 #include "gl/state/output_state.h"
 #include "gl/state/state_queries.h"
 #include "gl/textures/texture_image.h"
+#include "gl/textures/texture_sampling.h"
 
 #include <GL/glext.h>
 
@@ -46,12 +47,9 @@ bool isPlainInput(const RealGl& real, const RareState& has, glm::ivec2 size) {
     real.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
     return value;
   };
-  const bool swizzled =
-      has.textureSwizzle &&
-      (parameter(GL_TEXTURE_SWIZZLE_R) != GL_RED || parameter(GL_TEXTURE_SWIZZLE_G) != GL_GREEN ||
-       parameter(GL_TEXTURE_SWIZZLE_B) != GL_BLUE || parameter(GL_TEXTURE_SWIZZLE_A) != GL_ALPHA);
-  return !swizzled && isRgba8(real, size) && parameter(GL_TEXTURE_MIN_FILTER) == GL_LINEAR &&
-         parameter(GL_TEXTURE_MAG_FILTER) == GL_LINEAR && parameter(GL_TEXTURE_WRAP_S) == GL_CLAMP_TO_EDGE &&
+  return !isSwizzled(real, has, GL_TEXTURE_2D) && isRgba8(real, size) &&
+         parameter(GL_TEXTURE_MIN_FILTER) == GL_LINEAR && parameter(GL_TEXTURE_MAG_FILTER) == GL_LINEAR &&
+         parameter(GL_TEXTURE_WRAP_S) == GL_CLAMP_TO_EDGE &&
          parameter(GL_TEXTURE_WRAP_T) == GL_CLAMP_TO_EDGE && parameter(GL_TEXTURE_BASE_LEVEL) == 0;
 }
 

@@ -88,7 +88,7 @@ bool WindowFrames::holdsClear(GLbitfield mask) {
   if ((mask & kBoth) != kBoth || drawFramebuffer(real) != 0 || integer(real, GL_DRAW_BUFFER) != GL_BACK)
     return false;
   WindowClear clear = windowClear(real, mask);
-  if (presented_.clear && presented_.clear->mask & ~mask & GL_STENCIL_BUFFER_BIT)
+  if (presented_.losesStencil(mask))
     clear.mask |= GL_STENCIL_BUFFER_BIT, clear.stencil = presented_.clear->stencil;
   presented_.hide();
   presented_.clear = clear;
@@ -115,8 +115,7 @@ void WindowFrames::makeClear() {
 void WindowFrames::clears(GLbitfield mask) {
   if (!lacks() || drawFramebuffer(p_.shadow.real) != 0) return;
   meetNewSize();
-  const bool stencils = presented_.clear && presented_.clear->mask & ~mask & GL_STENCIL_BUFFER_BIT;
-  if (stencils || (mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
+  if (presented_.losesStencil(mask) || (mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
       !clearsAll(p_.shadow.real, p_.shadow.state.rare))
     return settle();
   presented_.hide();

@@ -24,6 +24,8 @@ struct PresentedPicture {
   /// A clear of the whole back buffer that is not made yet; `waiting` and the pending batch lie over it.
   std::optional<WindowClear> clear;
   ShownWindow* window = nullptr;  // that the last picture was shown in
+  /// Whether a clear of `mask` in place of `clear` would not clear the stencil that it clears.
+  bool losesStencil(GLbitfield mask) const { return clear && clear->mask & ~mask & GL_STENCIL_BUFFER_BIT; }
   /// A clear hides it.
   void hide() { waiting.reset(), clear.reset(), inVain = 0; }
   /// Consecutive pictures that had to be written after all; programs that go on drawing are faster without.

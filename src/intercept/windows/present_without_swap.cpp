@@ -40,13 +40,13 @@ ShmWindow* shmWindowFor(_XDisplay* display, uintptr_t drawable, WindowOfContext&
 }
 
 void WindowOfContext::askSize() noexcept {
-  known = {0, 0};
+  frameSize = {0, 0};
   if (put) put->askSize();
 }
 
 glm::ivec2 WindowOfContext::size() noexcept {
-  if (known.x == 0 && put) known = put->size();
-  return known;
+  if (frameSize.x == 0 && put) frameSize = put->size();
+  return frameSize;
 }
 
 bool WindowOfContext::resized() noexcept {
@@ -75,7 +75,7 @@ bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record)
   ShmWindow* const put = shmWindowFor(display, drawable, window);
   if (!put) return false;
   gl::WindowFrames& frames = record.context->window;
-  if (!frames.holdsFrame()) window.known = {0, 0};
+  if (!frames.holdsFrame()) window.frameSize = {0, 0};
   const glm::ivec2 size = window.size();
   if (size.x == 0) return window.put.reset(), false;  // do not try again
   window.realSwap = [=] { swap(display, drawable); };
@@ -85,7 +85,7 @@ bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record)
       window.swapAlone();  // the picture follows
     }
     if (!put->put(picture, size)) return false;
-    window.known = {0, 0};
+    window.frameSize = {0, 0};
     keepShownPicture(picture, size, ShownFrame::now);
     return true;
   };

@@ -18,7 +18,7 @@ struct WindowOfContext final : gl::ShownWindow {
   uintptr_t sized = 0;    // the drawable whose size it is; 0: none
   int swapsBefore = 0;    // by the real OpenGL, before the first picture was tried
   std::function<void()> realSwap;  // of the drawable
-  glm::ivec2 known{0};             // the size for the frame that is drawn, once the answer is read
+  glm::ivec2 frameSize{0};         // the size for the frame that is drawn, once the answer is read
   void askSize() noexcept override;
   bool resized() noexcept override;
   /// The size at askSize(), or now if it was not called for this frame; {0, 0}: the window is gone.

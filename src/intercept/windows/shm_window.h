@@ -22,7 +22,8 @@ class ShmWindow {
   /// and blue, or if the server shares no memory with this process.
   static std::unique_ptr<ShmWindow> create(_XDisplay* display, uintptr_t drawable) noexcept;
   ~ShmWindow();
-  /// Releases the server's resources, unless the connection is closed or belongs to the parent process.
+  /// Releases the server's resources, if it is known that the connection is open, and this process is its
+  /// owner.
   void close() noexcept;
   ShmWindow(const ShmWindow&) = delete;
   ShmWindow& operator=(const ShmWindow&) = delete;

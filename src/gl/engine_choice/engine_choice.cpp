@@ -1,4 +1,4 @@
-#include "gl/window/engine_choice.h"
+#include "gl/engine_choice/engine_choice.h"
 
 #include <cmath>
 #include <utility>
@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSettle = 4;                   // frames before measuring: lists are compiled, shaders built
 constexpr int kTrialSettle = 2;              // the same in a trial, which the user may notice
-constexpr int kSamples = 3;                  // frames measured; the fastest counts, as noise only adds time
+constexpr int kTimes = 3;                    // frames measured; the fastest counts, as noise only adds time
 constexpr int kAttempts = 32;                // frames of another load until measuring is given up
 constexpr int kWindow = 32;                  // frames over which the largest load is taken
 constexpr double kFaster = 0.87;             // change if the other way takes less than this share of the time
@@ -117,7 +117,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
       if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
         rest();
       else
-        measure(trial_ ? 1 : kSamples);
+        measure(trial_ ? 1 : kTimes);
       break;
     case Phase::measuring:
       if (seconds >= 0 && within(load, kinds_[kind_].load, kStays)) {
@@ -129,7 +129,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
       if (left_ <= 0 || attempts_ >= kAttempts) conclude();
       break;
     case Phase::holding:
-      if (nextLook_ < kNever && clock_() >= nextLook_) measure(kSamples);
+      if (nextLook_ < kNever && clock_() >= nextLook_) measure(kTimes);
       break;
   }
   return way_;
