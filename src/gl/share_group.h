@@ -3,9 +3,9 @@
 // use, as OpenGL requires.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "gl/buffers/attachments.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/families/match.h"
+#include "gl/state/deleted_names.h"
 
 #include <GL/gl.h>
 
@@ -90,7 +90,7 @@ class ShareGroup {
   NameTable<DisplayList> lists;
   NameTable<const std::string> listLabels;  // of those lists that the program labelled
   NameTable<Buffer> buffers;
-  DeletedBuffers deletedBuffers, deletedRenderbuffers;
+  DeletedNames deletedBuffers, deletedRenderbuffers, deletedTextures;
   MeshCache meshes;
   std::atomic<int> contexts = 0;             // number of living contexts
   std::atomic<uint64_t> textureChanges = 0;  // count of changes to texture images by any context

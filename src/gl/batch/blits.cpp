@@ -1,6 +1,7 @@
 // glBlitFramebuffer, which reads what was drawn so far: resolves waiting pictures, copies depth, or blits.
 #include "gl/batch/depth_copy.h"
 #include "gl/handlers.h"
+#include "gl/state/debug_silence.h"
 #include "gl/stub.h"
 
 namespace gluray::gl {
@@ -18,8 +19,10 @@ void blit(Context& c, Blit b) {
                       c.shadow.settings.quirks.has(Quirk::softwareDepthBlit) && c.shadow.activeQueries == 0 &&
                       c.shadow.isSoftwareBelow();
   if (copies) {
+    if (!c.shadow.state.rare.asked) c.shadow.refresh(kTarget);
     c.errors.keepPending();
-    if (isDepthCopy(real, b, c.shadow.group.stencilsSet) && copyDepth(real, b)) {
+    const DebugSilence silence(real, c.shadow.state.rare.debugOutput);
+    if (isDepthCopy(real, c.shadow.images, b, c.shadow.group.stencilsSet) && copyDepth(real, b)) {
       b.mask &= ~GLbitfield{GL_DEPTH_BUFFER_BIT};
       noteUse(Quirk::softwareDepthBlit);
     }

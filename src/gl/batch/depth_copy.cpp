@@ -48,13 +48,16 @@ bool isScissored(const RealGl& real, const Blit& b) {
 
 }  // namespace
 
-bool isDepthCopy(const RealGl& real, const Blit& b, bool stencilsSet) {
+bool isDepthCopy(const RealGl& real, const AttachedImages& images, const Blit& b, bool stencilsSet) {
   if (!(b.mask & GL_DEPTH_BUFFER_BIT) || b.filter != GL_NEAREST || !staysInPlace(b)) return false;
   if (!isPresent(real.CopyImageSubData) || !integer(real, GL_READ_FRAMEBUFFER_BINDING) ||
       !integer(real, GL_DRAW_FRAMEBUFFER_BINDING))
     return false;
   if (!isPlain(real, GL_READ_FRAMEBUFFER, stencilsSet) || !isPlain(real, GL_DRAW_FRAMEBUFFER, stencilsSet) ||
       isScissored(real, b))
+    return false;
+  if (images.mayBeDeleted(real, GL_READ_FRAMEBUFFER, GL_DEPTH_ATTACHMENT) ||
+      images.mayBeDeleted(real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT))
     return false;
   const DepthImage from = depthImage(real, GL_READ_FRAMEBUFFER), to = depthImage(real, GL_DRAW_FRAMEBUFFER);
   if (from.type == to.type && from.name == to.name) return false;

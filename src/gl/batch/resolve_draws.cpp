@@ -3,6 +3,7 @@
 #include "gl/batch/depth_copy.h"
 #include "gl/errors.h"
 #include "gl/programs/uniforms/uniforms.h"
+#include "gl/state/debug_silence.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
 #include "gl/window/window_frames.h"
@@ -79,6 +80,8 @@ UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
     return {};
   for (const GLenum size : {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE})
     if (attachmentValue(p_.shadow.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
+  for (const GLenum image : {target.drawBuffer, GLenum{GL_DEPTH_ATTACHMENT}})
+    if (p_.shadow.images.mayBeDeleted(p_.shadow.real, GL_DRAW_FRAMEBUFFER, image)) return {};
   return {target.framebuffer,
           target.drawBuffer,
           attachmentOf(p_.shadow.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer),
@@ -235,6 +238,7 @@ bool ResolveDraws::byBlit(const Blit& b) {
       static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER)) != cleared.drawBuffer)
     return false;
   p_.shadow.errors.keepPending();
+  const DebugSilence silence(p_.shadow.real, p_.shadow.state.rare.debugOutput);
   const glm::ivec2 size = sizeOf(p_.shadow.real, cleared.color);  // the same as of its depth
   if (size.x < to.z || size.y < to.w) return false;
   const glm::ivec4 open = scissorBox(p_.shadow.real);

@@ -58,12 +58,6 @@ void Attachments::check(ArrayState& arrays) const {
   if (any) arrays.reason = Reason::deletedBuffer;
 }
 
-uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names) {
-  for (GLsizei i = 0; names && i < n; ++i)
-    if (names[i] != 0) c.failsafe.insist([&] { c.shadow.group.deletedRenderbuffers.add(names[i]); });
-  return kTarget;
-}
-
 uint32_t vertexArrayBound(Context& c, GLuint array) {
   c.shadow.attachments.bind(array);
   return kArrays;

@@ -198,6 +198,7 @@ struct Family {
                            // peel: depths that peelDepths found; peelRest: depths of the remaining layers
   std::string passOutput;  // fragment shader output. peelDepths: depths; peel: colour times opacity, and
                            // opacity; sum: opacity in red (the other output is the colour)
+  std::string passTexel;  // uniform of fxaa: width and height of the picture's pixels, as texture coordinates
   FamilyValue passSamples, passGamma;  // of resolve: sample count; power of colours before they are averaged
   FamilyValue relativeContrast, hardContrast, subpixelBlendLimit, subpixelContrast, endpointSearchIterations;
 

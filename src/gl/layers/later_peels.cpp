@@ -119,7 +119,7 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
   if (p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peel || !program.uniforms ||
       !peelsIntoAll())
     return false;
-  std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow.real);
+  std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow);
   const GLuint result = outputOf(p_.shadow.real, *program.known, outputs);
   const GLuint input = inputTexture(p_.shadow.real, program);
   if (result == 0 || input == 0) return false;
@@ -144,7 +144,7 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED ||
       !putsOver(p_.shadow.real, p_.shadow.state.rare))
     return false;
-  HeldPass pass{.outputs = outputsOf(p_.shadow.real),
+  HeldPass pass{.outputs = outputsOf(p_.shadow),
                 .viewport = peeling_.target.depths.viewport,
                 .blend = HeldPass::Blend::over};
   if (pass.outputs.size() != 1 || pass.outputs[0].texture == peeling_.behind) return false;
@@ -165,7 +165,7 @@ bool LayerDraws::blendsRest() const {
   const ProgramState& program = p_.shadow.state.program;
   if (!peeling_.blended || p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
       !putsOver(p_.shadow.real, p_.shadow.state.rare) ||
-      outputsOf(p_.shadow.real) != peeling_.target.later.back().outputs)
+      outputsOf(p_.shadow) != peeling_.target.later.back().outputs)
     return false;
   const GLuint input = inputTexture(p_.shadow.real, program);
   const std::vector<HeldPass::Output>& newest = newestOutputs(peeling_.target);
@@ -204,9 +204,8 @@ bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
   if (!asks()) return false;
   bool held = false;
   p_.failsafe.protect([&] {
-    HeldPass pass{.outputs = outputsOf(p_.shadow.real),
-                  .viewport = peeling_.target.depths.viewport,
-                  .clear = glm::vec4(0)};
+    HeldPass pass{
+        .outputs = outputsOf(p_.shadow), .viewport = peeling_.target.depths.viewport, .clear = glm::vec4(0)};
     const glm::ivec4 box = scissorBox(p_.shadow.real);
     const scene::Region all{0, 0, peeling_.target.size.x, peeling_.target.size.y};
     held = mask == GL_COLOR_BUFFER_BIT && p_.shadow.activeQueries == 0 && peeling_.blended &&

@@ -51,7 +51,7 @@ bool LayerDraws::beginHolding() {
   const GLint unit = inputUnit(program);
   if (unit < 0 || !peelsIntoAll() || !peeling_.mayBegin()) return false;
   LayersTarget target;
-  target.depths.outputs = outputsOf(p_.shadow.real);
+  target.depths.outputs = outputsOf(p_.shadow);
   target.depths.viewport = p_.shadow.state.viewport;
   target.size = {p_.shadow.state.viewport.z, p_.shadow.state.viewport.w};
   target.opaqueDepth = inputTexture(p_.shadow.real, program);
@@ -89,7 +89,7 @@ bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t tria
     if (p_.clock.leavesAlone(triangles, p_.shadow.viewportPixels()) || !beginHolding()) return false;
   } else if (!peelsIntoAll() || peeling_.target.depths.viewport != p_.shadow.state.viewport ||
              peeling_.depthsFound !=
-                 outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputsOf(p_.shadow.real))) {
+                 outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputsOf(p_.shadow))) {
     return false;
   }
   const ProgramState& program = p_.shadow.state.program;
@@ -125,7 +125,7 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
     return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be impostors
   };
   if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
-  std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow.real);
+  std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow);
   const GLuint result = outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputs);
   if (result == 0 || (peeling_.stage == Stage::surfaces && result != target.result))
     return Reason::programPass;
@@ -231,7 +231,7 @@ void LayerDraws::meetRasterDraw() {
                (!p_.flusher.batch.empty() && p_.flusher.batch.key().layers == BatchKey::Layers::peeled);
   // Once the layers are traced, we give up only for a draw into their result texture.
   if (!meets)
-    for (const HeldPass::Output& output : outputsOf(p_.shadow.real))
+    for (const HeldPass::Output& output : outputsOf(p_.shadow))
       meets |= output.texture == peeling_.target.result;
   if (meets)
     giveUp();
@@ -242,7 +242,7 @@ void LayerDraws::meetRasterDraw() {
 void LayerDraws::clearing() {
   peeling_.emptied = 0;
   if (peeling_.stage != Peeling::Stage::depths) return;
-  for (const HeldPass::Output& output : outputsOf(p_.shadow.real))
+  for (const HeldPass::Output& output : outputsOf(p_.shadow))
     if (output.texture == peeling_.depthsFound) return giveUp();
 }
 

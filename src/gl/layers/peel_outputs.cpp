@@ -9,18 +9,17 @@ namespace gluray::gl {
 
 constexpr GLuint kMostOutputs = 8;
 
-std::vector<HeldPass::Output> outputsOf(const RealGl& real) {
+std::vector<HeldPass::Output> outputsOf(const ShadowState& shadow) {
+  const RealGl& real = shadow.real;
   std::vector<HeldPass::Output> outputs;
   for (GLuint i = 0; i < kMostOutputs; ++i) {
     const auto buffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER0 + i));
     outputs.emplace_back();
     if (buffer == GL_NONE) continue;
-    const auto ask = [&](GLenum name) {
-      GLint value = 0;
-      real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer, name, &value);
-      return value;
-    };
-    if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE) return {};
+    const auto ask = [&](GLenum name) { return attachmentValue(real, GL_DRAW_FRAMEBUFFER, buffer, name); };
+    if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE ||
+        shadow.images.mayBeDeleted(real, GL_DRAW_FRAMEBUFFER, buffer))
+      return {};
     outputs.back() = {static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)),
                       ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL)};
   }

@@ -3,13 +3,15 @@
 #include "gl/programs/held_pass.h"
 #include "gl/programs/program_state.h"
 #include "gl/real.h"
+#include "gl/state/shadow_state.h"
 
 #include <vector>
 
 namespace gluray::gl {
 
-/// The draw framebuffer's colour textures, by draw buffer; empty if any colour goes elsewhere.
-std::vector<HeldPass::Output> outputsOf(const RealGl& real);
+/// The draw framebuffer's colour textures, by draw buffer; empty if any colour goes elsewhere,
+/// or if a texture may be a deleted one that had its name before.
+std::vector<HeldPass::Output> outputsOf(const ShadowState& shadow);
 
 /// The texture to which the output Family::passOutput goes; 0: none, or not its level 0.
 GLuint outputOf(const RealGl& real, const KnownProgram& known, const std::vector<HeldPass::Output>& outputs);

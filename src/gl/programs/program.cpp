@@ -1,6 +1,7 @@
 #include "gl/programs/program.h"
 
 #include "gl/families/built_in_variables.h"
+#include "gl/state/debug_silence.h"
 #include "gl/state/extensions.h"
 #include "gl/state/state_queries.h"
 
@@ -85,30 +86,6 @@ void readAttributes(const RealGl& real, Program& p) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-/// While it lives, errors of our queries do not reach the program's debug callback.
-class DebugSilence {
- public:
-  explicit DebugSilence(const RealGl& real) : real_(real) {
-    const int version = versionOf(real);
-    const bool has = version >= 43 || hasExtension(real, version, "GL_KHR_debug");
-    on_ = has && isOn(real, GL_DEBUG_OUTPUT);
-    if (on_) real.Disable(GL_DEBUG_OUTPUT);
-  }
-  ~DebugSilence() {
-    if (on_) real_.Enable(GL_DEBUG_OUTPUT);
-  }
-  DebugSilence(const DebugSilence&) = delete;
-  DebugSilence& operator=(const DebugSilence&) = delete;
-
- private:
-  const RealGl& real_;
-  bool on_ = false;
-};
-
 /// Whether draws may write memory other than the framebuffer.
 bool writesMemory(const RealGl& real, const Program& p) {
   for (const auto& [name, u] : p.uniforms)
@@ -133,7 +110,8 @@ void numberElements(Program& program) {
 }
 
 Program reflect(const RealGl& real, GLuint name) {
-  const DebugSilence silence(real);
+  const int version = versionOf(real);
+  const DebugSilence silence(real, version >= 43 || hasExtension(real, version, "GL_KHR_debug"));
   Program p;
   p.name = name;
   p.linked = ask(real, name, GL_LINK_STATUS) == GL_TRUE;

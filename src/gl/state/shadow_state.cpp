@@ -29,6 +29,7 @@ ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> share
       settings(ofFrame),
       errors(contextErrors),
       attachments(group.deletedBuffers),
+      images(group.deletedTextures, group.deletedRenderbuffers),
       latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       textures(group),
       program(real, group, info),
@@ -69,7 +70,7 @@ void ShadowState::read(uint32_t stale) {
   }
   if (stale & kFixedTextures) textures.read(real, state);
   if (stale & kClip) readClipPlanes(real, state);
-  if (stale & kTarget) readTarget(real, group.deletedRenderbuffers, state);
+  if (stale & kTarget) readTarget(real, images, state);
   if (stale & kFixedArrays) readArrays(real, group, arrays), attachments.check(arrays);
   if (stale & (kProgram | kProgramTextures)) readProgramInUse();
   if (stale & kAttributes) {

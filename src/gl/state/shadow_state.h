@@ -41,6 +41,7 @@ class ShadowState {
   ArrayState arrays;               // the same for kFixedArrays
   ArrayState attributes;           // the same for kAttributes
   Attachments attachments;         // buffers in vertex array objects
+  AttachedImages images;           // in framebuffer objects
   CurrentValues current;           // current attributes; valid after refresh(kCurrent)
   MaterialLatch latch;
   TextureCache textures;

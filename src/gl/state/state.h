@@ -1,10 +1,10 @@
 // The GL state that draws depend on. The real OpenGL keeps the state (every state call is forwarded at once);
 // this is a copy in groups. A draw that needs a group reads it back if calls have touched it. GL thread.
 #pragma once
-#include "gl/buffers/attachments.h"
 #include "gl/draws/reasons.h"
 #include "gl/programs/program_state.h"
 #include "gl/real.h"
+#include "gl/state/attached_images.h"
 #include "gl/state/extensions.h"
 #include "scene/snapshot.h"
 
@@ -115,6 +115,6 @@ void readMaterial(const RealGl& real, State& state);
 /// Light `name`, on or off.
 scene::Light readLight(const RealGl& real, GLenum name);
 void readClipPlanes(const RealGl& real, State& state);
-void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state);
+void readTarget(const RealGl& real, const AttachedImages& images, State& state);
 
 }  // namespace gluray::gl

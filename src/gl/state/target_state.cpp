@@ -59,24 +59,19 @@ void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) 
 /// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images and for
 /// deleted names. A deleted renderbuffer may live on there while its name means another one, or none, which
 /// binding would create.
-glm::ivec2 attachmentSize(const RealGl& real, const DeletedBuffers& deleted, GLenum attachment) {
-  const auto ask = [&](GLenum name) {
-    GLint value = 0;
-    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
-    return value;
-  };
-  if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER) return {0, 0};
-  const auto name = static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
-  return deleted.when(name) != 0 ? glm::ivec2(0) : renderbufferSize(real, name);
+glm::ivec2 attachmentSize(const RealGl& real, const AttachedImages& images, GLenum attachment) {
+  const auto ask = [&](GLenum name) { return attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, name); };
+  if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER ||
+      images.mayBeDeleted(real, GL_DRAW_FRAMEBUFFER, attachment))
+    return {0, 0};
+  return renderbufferSize(real, static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)));
 }
 
 /// Whether the depth buffer holds floats; those of windows never do.
 bool keepsFloats(const RealGl& real, GLuint framebuffer) {
   if (framebuffer == 0) return false;
   const auto ask = [&](GLenum name) {
-    GLint value = 0;
-    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
-    return value;
+    return attachmentValue(real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name);
   };
   return ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
          ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
@@ -84,7 +79,7 @@ bool keepsFloats(const RealGl& real, GLuint framebuffer) {
 
 }  // namespace
 
-void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, State& state) {
+void readTarget(const RealGl& real, const AttachedImages& images, State& state) {
   TargetState& target = state.target;
   target.size = {0, 0};
   target.reason = Reason::traced;
@@ -100,7 +95,7 @@ void readTarget(const RealGl& real, const DeletedBuffers& deletedRenderbuffers, 
     if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       target.reason = Reason::framebuffer;
     if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
-    target.size = attachmentSize(real, deletedRenderbuffers, target.drawBuffer);
+    target.size = attachmentSize(real, images, target.drawBuffer);
   }
   const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));

@@ -47,7 +47,9 @@ std::optional<ClearedTarget> ClearedFramebuffers::under(const scene::Snapshot& s
   if (!cleared_ || key.framebuffer == 0 || key.framebuffer != cleared_->framebuffer ||
       key.depthFunc != GL_LEQUAL || key.layers != BatchKey::Layers::none || snapshot.samples != 1 ||
       !key.colorWrites.all() || key.encodes || shadow_.group.stencilsSet ||
-      !contains(cleared_->region, snapshot.region) || !holdsBytes(key.drawBuffer))
+      !contains(cleared_->region, snapshot.region) || !holdsBytes(key.drawBuffer) ||
+      shadow_.images.mayBeDeleted(shadow_.real, GL_DRAW_FRAMEBUFFER, key.drawBuffer) ||
+      shadow_.images.mayBeDeleted(shadow_.real, GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT))
     return std::nullopt;
   return cleared_;
 }

@@ -53,6 +53,13 @@ bool isPlainInput(const RealGl& real, const RareState& has, glm::ivec2 size) {
          parameter(GL_TEXTURE_WRAP_T) == GL_CLAMP_TO_EDGE && parameter(GL_TEXTURE_BASE_LEVEL) == 0;
 }
 
+/// Whether x and y are the size of the region's pixels, as texture coordinates.
+bool isTexel(const glm::vec4& texel, const scene::Region& region) {
+  constexpr float kRounding = 1e-5f;  // pixels
+  return std::abs(texel.x * static_cast<float>(region.width) - 1) < kRounding &&
+         std::abs(texel.y * static_cast<float>(region.height) - 1) < kRounding;
+}
+
 }  // namespace
 
 bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
@@ -84,15 +91,14 @@ GLuint FullscreenPasses::wholeTarget(GLenum mode, const Elements& elements,
   if (!whole || !open || !writesThrough(real, state.rare) ||
       !coversViewport(real, p_.shadow.attributes, mode, elements))
     return 0;
-  GLint attachment = 0, type = 0, level = 0;
-  const auto ask = [&](GLenum name, GLint& value) {
-    real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, target.drawBuffer, name, &value);
+  const auto ask = [&](GLenum name) {
+    return attachmentValue(real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, name);
   };
-  ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, type);
-  if (type != GL_TEXTURE) return 0;
-  ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, attachment);
-  ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, level);
-  return level == 0 ? static_cast<GLuint>(attachment) : 0;
+  if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE ||
+      ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) != 0 ||
+      p_.shadow.images.mayBeDeleted(real, GL_DRAW_FRAMEBUFFER, target.drawBuffer))
+    return 0;
+  return static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
 }
 
 bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& region, bool instead) {
@@ -115,7 +121,8 @@ bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& reg
   if (p_.flusher.batch.empty() &&
       p_.cleared.antialiased().isCopy(input, region, state.target.framebuffer, state.target.drawBuffer))
     return noteUse(Quirk::sppFxaa), true;  // the pass would only copy smooth pixels onto themselves
-  if (!instead) return false;
+  if (!instead || !(family.passTexel.empty() || isTexel(uniforms.vector(family.passTexel), region)))
+    return false;
   p_.flusher.flush();
   p_.cleared.forget();
   scene::Fxaa fxaa;

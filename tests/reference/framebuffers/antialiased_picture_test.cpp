@@ -85,6 +85,7 @@ class AveragedProgram {
     gl.Viewport(to.x, to.y, to.width, to.height), gl.Disable(GL_DEPTH_TEST), gl.DepthMask(GL_FALSE);
     gl.UseProgram(pass_);
     setInteger(gl, pass_, "EndpointSearchIterations", 12);
+    gl.Uniform2f(gl.GetUniformLocation(pass_, "InvTexSize"), texel, texel);
     const auto array = [&](const char* name, int size, size_t offset) {
       const auto at = static_cast<GLuint>(gl.GetAttribLocation(pass_, name));
       gl.BindBuffer(GL_ARRAY_BUFFER, buffer_), gl.EnableVertexAttribArray(at);
@@ -100,6 +101,7 @@ class AveragedProgram {
 
   Gl gl;
   GLuint framebuffer = 0, color = 0;
+  float texel = 1.0f / kAveragedSize;  // of passes
 
  private:
   GLuint pass_, buffer_ = 0, input_ = 0;
@@ -112,6 +114,7 @@ struct AveragedCase {
   std::function<void(AveragedProgram&)> frame;
   bool on = true;
   int spp = 4;
+  bool computed = false;  // passes over other pictures are computed, too
 };
 void PrintTo(const AveragedCase& c, std::ostream* out) { *out << c.name; }
 
@@ -206,7 +209,7 @@ std::pair<Picture, uint64_t> play(const std::function<void(AveragedProgram&)>& f
   Settings settings = TracedContext::vertexShading();
   settings.spp = c.spp;
   settings.quirks.set("spp-fxaa", c.on);
-  settings.quirks.set("software-fxaa", false);
+  settings.quirks.set("software-fxaa", c.computed);
   TracedContext context({kAveragedSize, kAveragedSize}, settings);
   AveragedProgram program(context.gl());
   frame(program);
@@ -235,6 +238,15 @@ TEST(Smooth, APictureWithoutThePassIsKept) {
   const AveragedCase c{"", Kept::none, plainFrame};
   EXPECT_EQ(play(plainFrame, c).first.colors,
             play([](AveragedProgram& p) { p.clear(), p.surface(); }, c).first.colors);
+}
+
+TEST(Smooth, PassesWithOtherTexelsAreNotComputed) {
+  AveragedCase drawn{"", Kept::all, plainFrame, false, 1};
+  AveragedCase computed = drawn;
+  computed.computed = true;
+  EXPECT_NE(play(plainFrame, computed).first.colors, play(plainFrame, drawn).first.colors);
+  const auto wide = [](AveragedProgram& p) { p.texel *= 2, plainFrame(p); };
+  EXPECT_EQ(play(wide, computed).first.colors, play(wide, drawn).first.colors);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, SmoothTest, testing::ValuesIn(kAveragedCases),

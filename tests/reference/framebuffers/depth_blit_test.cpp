@@ -140,6 +140,24 @@ const BlitCase kBlitCases[] = {
        gl.Disable(GL_SCISSOR_TEST);
      },
      1},
+    {"DeletedTexture", kPlain, kTexture, [](Gl gl) { blit(gl); }, 0,
+     [](Gl gl, Buffers to) {
+       gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+       gl.DeleteTextures(1, &to.depth);  // lives on in the framebuffer
+       gl.BindTexture(GL_TEXTURE_2D, to.depth);
+       gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+       gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kBlitSize, kBlitSize, 0, GL_DEPTH_COMPONENT,
+                     GL_FLOAT, nullptr);
+       gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
+     }},
+    {"DeletedRenderbuffer", kPlain, kPlain, [](Gl gl) { blit(gl); }, 0,
+     [](Gl gl, Buffers to) {
+       gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+       gl.DeleteRenderbuffers(1, &to.depth);
+       gl.BindRenderbuffer(GL_RENDERBUFFER, to.depth);
+       gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, kBlitSize, kBlitSize);
+       gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
+     }},
     {"OtherFormat", kFloat, kPlain, [](Gl gl) { blit(gl); }, 0},
     {"Resolved", kSamples, kPlain, [](Gl gl) { blit(gl); }, 0},
     {"Linear", kPlain, kPlain, [](Gl gl) { blit(gl, GL_DEPTH_BUFFER_BIT, GL_LINEAR); }, 0},
@@ -188,6 +206,7 @@ struct BlitResult {
   std::vector<uint32_t> color;
   std::vector<float> depth;
   std::vector<uint8_t> stencil;
+  GLint messages = 0;  // for debugging, which the blits led to
 };
 
 BlitResult runBlit(Gl gl, const BlitCase& c) {
@@ -202,7 +221,10 @@ BlitResult runBlit(Gl gl, const BlitCase& c) {
     r.errors.push_back(GL_NO_ERROR);
   };
   noteErrors();
+  gl.Enable(GL_DEBUG_OUTPUT);
+  gl.GetDebugMessageLog(1000, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
   c.blits(gl);
+  gl.GetIntegerv(GL_DEBUG_LOGGED_MESSAGES, &r.messages), gl.Disable(GL_DEBUG_OUTPUT);
   noteErrors();
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, to.framebuffer);
   r.color.resize(kBlitSize * kBlitSize), r.depth.resize(kBlitSize * kBlitSize);
@@ -233,6 +255,7 @@ TEST_P(DepthBlits, AreThoseOfTheRealOpenGl) {
   const uint64_t before = useCount(Quirk::softwareDepthBlit);
   const BlitResult got = runBlit(traced.gl(), c);
   EXPECT_EQ(got.errors, expected.errors);
+  EXPECT_EQ(got.messages, expected.messages);
   EXPECT_EQ(got.color, expected.color);
   EXPECT_EQ(got.depth, expected.depth);
   EXPECT_EQ(got.stencil, expected.stencil);

@@ -71,6 +71,21 @@ void crossingLine(Gl gl) {
   gl.End();
 }
 
+/// Deletes the texture, which lives on in the framebuffer that is not bound, and gives its name to another
+/// one.
+void reuseName(Gl gl, const Canvas& c, GLuint texture) {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.DeleteTextures(1, &texture), gl.BindTexture(GL_TEXTURE_2D, texture);
+  if (texture == c.color)
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kUploadSize, kUploadSize, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  nullptr);
+  else
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH24_STENCIL8, kUploadSize, kUploadSize, 0, GL_DEPTH_STENCIL,
+                  GL_UNSIGNED_INT_24_8, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST), gl.BindTexture(GL_TEXTURE_2D, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, c.framebuffer);
+}
+
 struct UploadCase {
   const char* name;
   int sent;  // expected number of uploaded pictures
@@ -138,6 +153,15 @@ const UploadCase kUploadCases[] = {
        GLuint pixel = 0;
        gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
        flatSheet(gl, 0.2f);
+     }},
+    {"DeletedColorTexture", 0,
+     [](Gl gl, const Canvas& c) { reuseName(gl, c, c.color), clear(gl), flatSheet(gl); }},
+    {"DeletedDepthTexture", 0,
+     [](Gl gl, const Canvas& c) { reuseName(gl, c, c.depth), clear(gl), flatSheet(gl); }},
+    {"TexturesOfDeletedNames", 1,
+     [](Gl gl, const Canvas& c) {
+       Canvas again = c;
+       reuseName(gl, c, c.color), reuseName(gl, c, c.depth), attach(gl, again), clear(gl), flatSheet(gl);
      }},
     {"LinesBefore", 0, [](Gl gl, const Canvas&) { clear(gl), crossingLine(gl), flatSheet(gl); }},
     {"BlendedBefore", 0,

@@ -79,6 +79,7 @@ void FamilyReader::readPass() {
          family_.pass);
   name("input", family_.passInput);
   text("output", family_.passOutput);
+  name("texel", family_.passTexel);
   value("samples", family_.passSamples);
   value("gamma", family_.passGamma);
   value("relative_contrast", family_.relativeContrast);
