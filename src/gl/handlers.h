@@ -150,12 +150,12 @@ void popAttrib(Context& c);
 GLenum getError(Context& c);
 const GLubyte* getString(Context& c, GLenum name);
 const GLubyte* getStringi(Context& c, GLenum name, GLuint index);
-/// Unbound framebuffer objects may still hold deleted renderbuffers. Returns groups to touch
-/// (attached_images.cpp).
-uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names);
-/// An image of `type`, GL_TEXTURE or GL_RENDERBUFFER, is attached. Returns groups to touch (likewise).
-uint32_t imageAttached(Context& c, GLenum target, GLenum attachment, GLenum type);
-uint32_t imageAttachedTo(Context& c, GLuint framebuffer, GLenum attachment, GLenum type);
+/// Images of `type`, GL_TEXTURE or GL_RENDERBUFFER, are attached to framebuffer objects, or deleted: unbound
+/// framebuffer objects may still hold them. Return groups to touch (attached_images.cpp).
+uint32_t imageAttached(Context& c, GLenum target, GLenum attachment, GLenum type, GLuint name);
+uint32_t imageAttachedTo(Context& c, GLuint framebuffer, GLenum attachment, GLenum type, GLuint name);
+uint32_t imagesDeleted(Context& c, GLenum type, GLsizei n, const GLuint* names);
+uint32_t framebuffersDeleted(Context& c, GLsizei n, const GLuint* names);
 void getIntegerv(Context& c, GLenum pname, GLint* data);
 void getFloatv(Context& c, GLenum pname, GLfloat* data);
 void getDoublev(Context& c, GLenum pname, GLdouble* data);

@@ -3,9 +3,10 @@
 // use, as OpenGL requires.
 #pragma once
 #include "gl/batch/presenter.h"
+#include "gl/buffers/attachments.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/families/match.h"
-#include "gl/state/deleted_names.h"
+#include "gl/state/deleted_images.h"
 
 #include <GL/gl.h>
 
@@ -90,7 +91,8 @@ class ShareGroup {
   NameTable<DisplayList> lists;
   NameTable<const std::string> listLabels;  // of those lists that the program labelled
   NameTable<Buffer> buffers;
-  DeletedNames deletedBuffers, deletedRenderbuffers, deletedTextures;
+  DeletedBuffers deletedBuffers;
+  DeletedImages deletedImages;
   MeshCache meshes;
   std::atomic<int> contexts = 0;             // number of living contexts
   std::atomic<uint64_t> textureChanges = 0;  // count of changes to texture images by any context

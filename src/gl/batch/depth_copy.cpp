@@ -48,7 +48,7 @@ bool isScissored(const RealGl& real, const Blit& b) {
 
 }  // namespace
 
-bool isDepthCopy(const RealGl& real, const AttachedImages& images, const Blit& b, bool stencilsSet) {
+bool isDepthCopy(const RealGl& real, AttachedImages& images, const Blit& b, bool stencilsSet) {
   if (!(b.mask & GL_DEPTH_BUFFER_BIT) || b.filter != GL_NEAREST || !staysInPlace(b)) return false;
   if (!isPresent(real.CopyImageSubData) || !integer(real, GL_READ_FRAMEBUFFER_BINDING) ||
       !integer(real, GL_DRAW_FRAMEBUFFER_BINDING))

@@ -18,7 +18,7 @@ struct Blit {
 /// Whether the blit raises no error and its depth part equals a plain copy: between two images, not moved,
 /// scaled or clipped, without stencil values that matter. No error may be pending. `stencilsSet`: stencil
 /// values, which would be copied with the depth, may matter.
-bool isDepthCopy(const RealGl& real, const AttachedImages& images, const Blit& blit, bool stencilsSet);
+bool isDepthCopy(const RealGl& real, AttachedImages& images, const Blit& blit, bool stencilsSet);
 
 /// Copies the depth by glCopyImageSubData. False, with nothing done, if formats or sizes do not match.
 bool copyDepth(const RealGl& real, const Blit& blit);

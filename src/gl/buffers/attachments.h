@@ -2,12 +2,13 @@
 // bound (OpenGL 4.6, 5.1.2 and 5.1.3), and the name that the real OpenGL reports for it may belong to another
 // one by then. GL threads.
 #pragma once
-#include "gl/state/deleted_names.h"
 
 #include <GL/gl.h>
 
 #include <array>
+#include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <unordered_map>
 
 namespace gluray::gl {
@@ -15,8 +16,28 @@ namespace gluray::gl {
 class Buffer;
 struct ArrayState;
 
-/// Attachment times in the vertex array objects of one context, which are not shared. Time is counted in
-/// deletions.
+/// The names of a share group's deleted buffers. Time is counted in deletions.
+class DeletedBuffers {
+ public:
+  void add(GLuint name) {
+    const std::lock_guard lock(mutex_);
+    when_[name] = ++now_;
+  }
+  uint64_t now() const { return now_; }  // 0: none was deleted
+  /// When `name` was last deleted; 0: never.
+  uint64_t when(GLuint name) const {
+    const std::lock_guard lock(mutex_);
+    const auto it = when_.find(name);
+    return it == when_.end() ? 0 : it->second;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::unordered_map<GLuint, uint64_t> when_;
+  std::atomic<uint64_t> now_ = 0;
+};
+
+/// Attachment times in the vertex array objects of one context, which are not shared.
 class Attachments {
  public:
   /// Attachment points of a vertex array object. Below kElements: bindings of generic attributes.
@@ -31,7 +52,7 @@ class Attachments {
     kPlaces = kTexCoord + 8
   };
 
-  explicit Attachments(const DeletedNames& deleted) : deleted_(deleted) {}
+  explicit Attachments(const DeletedBuffers& deleted) : deleted_(deleted) {}
 
   void bind(GLuint array) { bound_ = array, any_ = any_ || array != 0; }
   /// Whether a vertex array object other than the default one was ever used.
@@ -53,7 +74,7 @@ class Attachments {
  private:
   bool mayBeDeleted(GLuint place, GLuint name) const;
 
-  const DeletedNames& deleted_;
+  const DeletedBuffers& deleted_;
   GLuint bound_ = 0;
   bool any_ = false;
   std::unordered_map<GLuint, std::array<uint64_t, kPlaces>> when_;  // 0: before the first deletion

@@ -9,7 +9,7 @@ namespace gluray::gl {
 
 constexpr GLuint kMostOutputs = 8;
 
-std::vector<HeldPass::Output> outputsOf(const ShadowState& shadow) {
+std::vector<HeldPass::Output> outputsOf(ShadowState& shadow) {
   const RealGl& real = shadow.real;
   std::vector<HeldPass::Output> outputs;
   for (GLuint i = 0; i < kMostOutputs; ++i) {

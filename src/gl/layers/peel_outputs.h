@@ -11,7 +11,7 @@ namespace gluray::gl {
 
 /// The draw framebuffer's colour textures, by draw buffer; empty if any colour goes elsewhere,
 /// or if a texture may be a deleted one that had its name before.
-std::vector<HeldPass::Output> outputsOf(const ShadowState& shadow);
+std::vector<HeldPass::Output> outputsOf(ShadowState& shadow);
 
 /// The texture to which the output Family::passOutput goes; 0: none, or not its level 0.
 GLuint outputOf(const RealGl& real, const KnownProgram& known, const std::vector<HeldPass::Output>& outputs);

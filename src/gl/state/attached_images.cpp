@@ -6,58 +6,84 @@
 #include <new>
 
 namespace gluray::gl {
+namespace {
 
-void AttachedImages::set(GLuint framebuffer, GLenum attachment, GLenum type) {
-  if (of(type).now() == 0 || framebuffer == 0) return;
+GLuint boundTo(const RealGl& real, GLenum target) {
+  const GLenum binding =
+      target == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING;
+  return static_cast<GLuint>(integer(real, binding));
+}
+
+}  // namespace
+
+void AttachedImages::set(GLuint framebuffer, GLenum attachment, GLenum type, GLuint name) {
+  if (framebuffer == 0) return;
+  update();
+  const Image image{type, name};
   if (attachment == GL_DEPTH_STENCIL_ATTACHMENT) {
-    setOne(framebuffer, GL_DEPTH_ATTACHMENT, type);
-    setOne(framebuffer, GL_STENCIL_ATTACHMENT, type);
+    setOne(framebuffer, GL_DEPTH_ATTACHMENT, image);
+    setOne(framebuffer, GL_STENCIL_ATTACHMENT, image);
   } else {
-    setOne(framebuffer, attachment, type);
+    setOne(framebuffer, attachment, image);
   }
 }
 
-void AttachedImages::setOne(GLuint framebuffer, GLenum attachment, GLenum type) {
+void AttachedImages::setOne(GLuint framebuffer, GLenum attachment, const Image& image) {
+  attached_.erase({framebuffer, attachment});
+  if (image.name == 0) return;
   try {
-    attached_[{framebuffer, attachment}] = {type, of(type).now() + 1};
-  } catch (const std::bad_alloc&) {}  // then the attachment counts as old
+    attached_[{framebuffer, attachment}] = image;
+  } catch (const std::bad_alloc&) {}  // then it counts as one of another context
 }
 
-void AttachedImages::setBound(const RealGl& real, GLenum target, GLenum attachment, GLenum type) {
-  if (of(type).now() == 0) return;
-  const GLenum binding =
-      target == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING;
-  set(static_cast<GLuint>(integer(real, binding)), attachment, type);
+void AttachedImages::setBound(const RealGl& real, GLenum target, GLenum attachment, GLenum type,
+                              GLuint name) {
+  set(boundTo(real, target), attachment, type, name);
 }
 
-bool AttachedImages::mayBeDeleted(const RealGl& real, GLenum target, GLenum attachment) const {
-  if (textures_.now() == 0 && renderbuffers_.now() == 0) return false;
-  const GLenum binding =
-      target == GL_READ_FRAMEBUFFER ? GL_READ_FRAMEBUFFER_BINDING : GL_DRAW_FRAMEBUFFER_BINDING;
-  const auto framebuffer = static_cast<GLuint>(integer(real, binding));
-  if (framebuffer == 0) return false;
-  const auto ask = [&](GLenum name) { return attachmentValue(real, target, attachment, name); };
-  const auto type = static_cast<GLenum>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE));
-  if (type != GL_TEXTURE && type != GL_RENDERBUFFER) return false;
-  const uint64_t deleted = of(type).when(static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)));
-  if (deleted == 0) return false;
+void AttachedImages::forget(GLuint framebuffer) {
+  attached_.erase(attached_.lower_bound({framebuffer, 0}), attached_.upper_bound({framebuffer, ~GLenum{0}}));
+}
+
+void AttachedImages::update() {
+  const bool known = deleted_.since(seen_, [&](GLenum type, GLuint name) {
+    for (auto& [place, image] : attached_)
+      if (image.type == type && image.name == name) image.deleted = true;
+  });
+  if (known) return;
+  for (auto& [place, image] : attached_) image.deleted = true;
+}
+
+bool AttachedImages::mayBeDeleted(const RealGl& real, GLenum target, GLenum attachment) {
+  if (deleted_.count() == 0) return false;
+  update();
+  const GLuint framebuffer = boundTo(real, target);
+  if (framebuffer == 0 ||
+      attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+    return false;
   const auto it = attached_.find({framebuffer, attachment});
-  return it == attached_.end() || it->second.type != type || it->second.when <= deleted;
+  return it == attached_.end() || it->second.deleted;
 }
 
-uint32_t imageAttached(Context& c, GLenum target, GLenum attachment, GLenum type) {
-  c.shadow.images.setBound(c.real, target, attachment, type);
+uint32_t imageAttached(Context& c, GLenum target, GLenum attachment, GLenum type, GLuint name) {
+  c.shadow.images.setBound(c.real, target, attachment, type, name);
   return kTarget;
 }
 
-uint32_t imageAttachedTo(Context& c, GLuint framebuffer, GLenum attachment, GLenum type) {
-  c.shadow.images.set(framebuffer, attachment, type);
+uint32_t imageAttachedTo(Context& c, GLuint framebuffer, GLenum attachment, GLenum type, GLuint name) {
+  c.shadow.images.set(framebuffer, attachment, type, name);
   return kTarget;
 }
 
-uint32_t renderbuffersDeleted(Context& c, GLsizei n, const GLuint* names) {
+uint32_t imagesDeleted(Context& c, GLenum type, GLsizei n, const GLuint* names) {
   for (GLsizei i = 0; names && i < n; ++i)
-    if (names[i] != 0) c.failsafe.insist([&] { c.shadow.group.deletedRenderbuffers.add(names[i]); });
+    if (names[i] != 0) c.shadow.group.deletedImages.add(type, names[i]);
+  c.shadow.images.update();
+  return kTarget;  // the bound framebuffer object loses them
+}
+
+uint32_t framebuffersDeleted(Context& c, GLsizei n, const GLuint* names) {
+  for (GLsizei i = 0; names && i < n; ++i) c.shadow.images.forget(names[i]);
   return kTarget;
 }
 

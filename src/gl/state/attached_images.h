@@ -1,9 +1,9 @@
-// Records when images were attached to framebuffer objects. A deleted texture or renderbuffer lives on in
-// those that are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8), and the name that the real OpenGL reports
-// for it may belong to another one by then. GL thread.
+// Which images were attached to framebuffer objects. A deleted texture or renderbuffer lives on in those that
+// are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8), and the name that the real OpenGL reports for it may
+// belong to another one by then. GL thread.
 #pragma once
 #include "gl/real.h"
-#include "gl/state/deleted_names.h"
+#include "gl/state/deleted_images.h"
 
 #include <cstdint>
 #include <map>
@@ -11,31 +11,35 @@
 
 namespace gluray::gl {
 
-/// Attachment times in the framebuffer objects of one context, which are not shared.
+/// The attachments of one context's framebuffer objects, which are not shared.
 class AttachedImages {
  public:
-  AttachedImages(const DeletedNames& textures, const DeletedNames& renderbuffers)
-      : textures_(textures), renderbuffers_(renderbuffers) {}
+  explicit AttachedImages(const DeletedImages& deleted) : deleted_(deleted) {}
 
-  /// An image of `type`, GL_TEXTURE or GL_RENDERBUFFER, is attached there now.
-  void set(GLuint framebuffer, GLenum attachment, GLenum type);
+  /// An image of `type`, GL_TEXTURE or GL_RENDERBUFFER, is attached there now; name 0: none.
+  void set(GLuint framebuffer, GLenum attachment, GLenum type, GLuint name);
   /// set() for the framebuffer object bound to `target`.
-  void setBound(const RealGl& real, GLenum target, GLenum attachment, GLenum type);
+  void setBound(const RealGl& real, GLenum target, GLenum attachment, GLenum type, GLuint name);
+  /// The framebuffer object was deleted.
+  void forget(GLuint framebuffer);
+  /// Notes deletions in any context of the share group.
+  void update();
   /// Whether the image at `attachment` of the framebuffer bound to `target`, GL_DRAW_FRAMEBUFFER or
-  /// GL_READ_FRAMEBUFFER, may be a deleted one that had the name of another image before. Attachments made in
-  /// other contexts count as old.
-  bool mayBeDeleted(const RealGl& real, GLenum target, GLenum attachment) const;
+  /// GL_READ_FRAMEBUFFER, may be a deleted one whose name belongs to another image. Attachments that another
+  /// context has made count as such.
+  bool mayBeDeleted(const RealGl& real, GLenum target, GLenum attachment);
 
  private:
-  struct Attached {
+  struct Image {
     GLenum type = GL_NONE;
-    uint64_t when = 0;  // in deletions of this type
+    GLuint name = 0;
+    bool deleted = false;
   };
-  const DeletedNames& of(GLenum type) const { return type == GL_TEXTURE ? textures_ : renderbuffers_; }
-  void setOne(GLuint framebuffer, GLenum attachment, GLenum type);
+  void setOne(GLuint framebuffer, GLenum attachment, const Image& image);
 
-  const DeletedNames &textures_, &renderbuffers_;
-  std::map<std::pair<GLuint, GLenum>, Attached> attached_;  // those since the first deletion
+  const DeletedImages& deleted_;
+  uint64_t seen_ = 0;  // deletions
+  std::map<std::pair<GLuint, GLenum>, Image> attached_;
 };
 
 }  // namespace gluray::gl

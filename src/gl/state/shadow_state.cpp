@@ -29,7 +29,7 @@ ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> share
       settings(ofFrame),
       errors(contextErrors),
       attachments(group.deletedBuffers),
-      images(group.deletedTextures, group.deletedRenderbuffers),
+      images(group.deletedImages),
       latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       textures(group),
       program(real, group, info),

@@ -115,6 +115,6 @@ void readMaterial(const RealGl& real, State& state);
 /// Light `name`, on or off.
 scene::Light readLight(const RealGl& real, GLenum name);
 void readClipPlanes(const RealGl& real, State& state);
-void readTarget(const RealGl& real, const AttachedImages& images, State& state);
+void readTarget(const RealGl& real, AttachedImages& images, State& state);
 
 }  // namespace gluray::gl

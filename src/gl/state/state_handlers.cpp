@@ -218,11 +218,8 @@ uint32_t imageCopied(Context& c, GLenum target, GLint level, glm::ivec2 offset, 
 uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
   c.cleared.forget();
   c.flusher.imagesChange();
-  for (GLsizei i = 0; names && i < n; ++i) {
-    c.shadow.textures.deleted(names[i]);
-    if (names[i] != 0) c.failsafe.insist([&] { c.shadow.group.deletedTextures.add(names[i]); });
-  }
-  return kTexture | kTarget;  // the bound framebuffer object loses them
+  for (GLsizei i = 0; names && i < n; ++i) c.shadow.textures.deleted(names[i]);
+  return kTexture | imagesDeleted(c, GL_TEXTURE, n, names);
 }
 
 uint32_t stencilSet(Context& c) {

@@ -59,7 +59,7 @@ void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) 
 /// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images and for
 /// deleted names. A deleted renderbuffer may live on there while its name means another one, or none, which
 /// binding would create.
-glm::ivec2 attachmentSize(const RealGl& real, const AttachedImages& images, GLenum attachment) {
+glm::ivec2 attachmentSize(const RealGl& real, AttachedImages& images, GLenum attachment) {
   const auto ask = [&](GLenum name) { return attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, name); };
   if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER ||
       images.mayBeDeleted(real, GL_DRAW_FRAMEBUFFER, attachment))
@@ -79,7 +79,7 @@ bool keepsFloats(const RealGl& real, GLuint framebuffer) {
 
 }  // namespace
 
-void readTarget(const RealGl& real, const AttachedImages& images, State& state) {
+void readTarget(const RealGl& real, AttachedImages& images, State& state) {
   TargetState& target = state.target;
   target.size = {0, 0};
   target.reason = Reason::traced;
