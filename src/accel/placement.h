@@ -9,9 +9,6 @@
 
 namespace gluray::accel {
 
-/// Whether a transform is affine and invertible: rays are transformed into an instance by its inverse.
-bool isPlaceable(const glm::mat4& worldFromObject);
-
 /// Whether a TLAS that holds `held` may stay as it is for the instances of a snapshot, and after them those
 /// of its surroundings: the structures are the same, and transforms are equal up to the rounding of float
 /// matrices.

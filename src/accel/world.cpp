@@ -4,6 +4,7 @@
 #include "accel/error.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "base/log.h"
+#include "scene/world.h"
 #include "scene/surroundings.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
   std::vector<PlacedBlas> placed(blases.size());
   for (size_t i = 0; i < blases.size(); ++i) {
     placed[i] = {std::move(blases[i]), snapshot.instances[i].worldFromObject};
-    if (placed[i].blas && !isPlaceable(placed[i].worldFromObject)) {
+    if (placed[i].blas && !scene::isPlaceable(placed[i].worldFromObject)) {
       throw Error("instance " + std::to_string(i) + " has a transform that cannot be inverted");
     }
   }
@@ -128,7 +129,7 @@ bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<Place
     std::vector<PlacedBlas> around(blases.size());
     for (size_t i = 0; i < blases.size(); ++i) {
       const glm::mat4& place = others[i].worldFromObject;
-      if (isPlaceable(place)) around[i] = {std::move(blases[i]), place};
+      if (scene::isPlaceable(place)) around[i] = {std::move(blases[i]), place};
     }
     return light_.update(snapshot, drawn, std::move(around), hidden);
   } catch (const std::exception& e) {

@@ -3,6 +3,7 @@
 #include "base/process_exit.h"
 #include "parallel/arena.h"
 
+#include <atomic>
 #include <exception>
 #include <thread>
 
@@ -67,6 +68,8 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       lists({*this, shadow, failsafe, clock, immediate, attention}),
       attribStack({shadow, flusher, cleared, lists}),
       unknownCalls_(kCommandCount) {
+  static std::atomic<uint64_t> contexts{0};
+  shadow.state.target.context = ++contexts;
   ++shadow.group.contexts;
   setSharedThreads(settings.now().threads);
   attention.update();
@@ -135,8 +138,9 @@ void Context::prepareToForward(Flush how) noexcept {
   });
 }
 
-void Context::makeCurrent() {
+void Context::makeCurrent(uintptr_t drawable) {
   t_thread.context = this;
+  shadow.state.target.drawable = drawable;
   shadow.dirty = kAllGroups;  // the thread or the drawable may have changed
   filler.forgetDrawable();
   attention.update();

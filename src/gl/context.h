@@ -97,7 +97,8 @@ class Context {
 
   // --- for intercept/
   /// Call on the context's thread after it was made current, and before it stops being current.
-  void makeCurrent();
+  /// `drawable`: that it draws into; 0: unknown.
+  void makeCurrent(uintptr_t drawable = 0);
   void loseCurrent();
   /// Call counts of commands that we do not model, by index into kCommandNames.
   const std::vector<Counter<uint64_t>>& unknownCalls() const { return unknownCalls_; }

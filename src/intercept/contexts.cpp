@@ -186,7 +186,8 @@ void textureImageBound() noexcept {
 
 void stayCurrent() noexcept {
   guarded("cannot stay in a context", [] {
-    if (current().record && current().record->context) current().record->context->makeCurrent();
+    if (current().record && current().record->context)
+      current().record->context->makeCurrent(current().drawables.draw);
   });
 }
 
@@ -210,7 +211,7 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
       makeContext(*record, api);
       watchForReport();
     }
-    if (record->context) record->context->makeCurrent();
+    if (record->context) record->context->makeCurrent(drawables.draw);
   });
 }
 

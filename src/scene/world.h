@@ -12,4 +12,8 @@ inline glm::mat4 worldFromObject(const Instance& instance, const glm::dmat4& eye
                                                 : glm::mat4(worldFromEye * instance.eyeFromObject);
 }
 
+/// Whether rays can be transformed into an instance by the inverse of its `worldFromObject`: the matrix is
+/// affine, finite and not nearly singular.
+bool isPlaceable(const glm::mat4& worldFromObject);
+
 }  // namespace gluray::scene

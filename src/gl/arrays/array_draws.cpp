@@ -103,6 +103,7 @@ bool joinsRun(Context& c, GLenum mode, const Elements& e) {
 /// Traces or rasterises a draw of fixed function's arrays.
 void drawFixedArrays(Context& c, GLenum mode, const Elements& e) {
   c.immediate.closeRunIfOpen();
+  c.shadow.refresh(kDrawGroups);  // the run may have set a material
   // Without a position array the draw may use the current position: the real OpenGL decides.
   const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
   const Reason reason = known ? traceFixedArrays(c, mode, e) : Reason::arrayState;

@@ -147,8 +147,10 @@ bool isReadable(const ArraySource& source) {
 }
 
 bool restartsPrimitives(const RealGl& real) {
-  return (isPresent(real.PrimitiveRestartIndex) && isOn(real, GL_PRIMITIVE_RESTART)) ||
-         (versionOf(real) >= 43 && isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX));
+  const int version = versionOf(real);
+  return (isPresent(real.PrimitiveRestartIndex) &&
+          isOn(real, version >= 31 ? GL_PRIMITIVE_RESTART : GL_PRIMITIVE_RESTART_NV)) ||
+         (version >= 43 && isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX));
 }
 
 void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {

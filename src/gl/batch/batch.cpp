@@ -18,10 +18,13 @@ scene::Region intersect(glm::ivec4 a, glm::ivec4 b) {
           static_cast<int>(std::max<int64_t>(0, y1 - y0))};
 }
 
-uint64_t viewOf(const BatchKey& key) {
-  const int framebuffer = static_cast<int>(key.framebuffer);
+uint64_t viewOf(const BatchKey& key, const TargetState& target) {
+  const auto number = [](int n) { return static_cast<uint64_t>(static_cast<unsigned>(n)); };
   const glm::ivec4& v = key.viewport;
-  const int place[] = {framebuffer, static_cast<int>(key.drawBuffer), v.x, v.y, v.z, v.w};
+  const uint64_t place[] = {target.context,  key.framebuffer == 0 ? uint64_t{target.drawable} : 0,
+                            key.framebuffer, key.drawBuffer,
+                            number(v.x),     number(v.y),
+                            number(v.z),     number(v.w)};
   return hashBytes(place, sizeof place).low;
 }
 
@@ -63,7 +66,7 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
   instancesAt_.clear();
   snapshot_ = memory_.make();
   snapshot_->frame = frame;
-  snapshot_->view = viewOf(key);
+  snapshot_->view = viewOf(key, state.target);
   snapshot_->number = newNumber();
   snapshot_->settings = settings;
   snapshot_->lightSampling.mode = mode;
@@ -162,6 +165,11 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   instance.shading = indexOfShading(s.shadings, std::move(shading));
   instancesAt_.emplace(place, s.instances.size());
   s.instances.push_back(std::move(instance));
+}
+
+bool Batch::takes(const glm::dmat4& eyeFromObject) const {
+  return eyeFromObject == snapshot_->eyeFromWorld ||
+         scene::isPlaceable(glm::mat4(worldFromEye_ * eyeFromObject));
 }
 
 scene::SnapshotPtr Batch::take() {

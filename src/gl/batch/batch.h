@@ -79,6 +79,8 @@ class Batch {
   /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was
   /// added before, keeps only the one that the depth function shows.
   void add(scene::Instance instance, scene::Shading shading);
+  /// Whether an instance with this matrix can lie in the batch's world.
+  bool takes(const glm::dmat4& eyeFromObject) const;
   /// Hands the batch over and leaves it empty.
   scene::SnapshotPtr take();
   /// Keeps the shader program's draw behind an added instance, in case tracing fails.

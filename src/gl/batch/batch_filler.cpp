@@ -35,7 +35,7 @@ void BatchFiller::clampToTarget(scene::Region& region) {
 bool BatchFiller::open(const BatchKey& key) {
   if (key.region.width <= 0 || key.region.height <= 0) return false;
   Batch& batch = p_.flusher.batch;
-  if (!batch.empty() && !(batch.key() == key)) p_.flusher.flush();
+  if (!batch.empty() && !(batch.key() == key && batch.takes(p_.shadow.state.modelview))) p_.flusher.flush();
   if (!batch.empty()) return true;
   p_.flusher.settleBelow(key.samples);
   batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());

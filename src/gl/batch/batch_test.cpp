@@ -52,6 +52,21 @@ TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
   EXPECT_TRUE(batch.empty());
 }
 
+TEST(Batch, ViewsAreOfTheirContextAndWindow) {
+  const auto viewOf = [](uint64_t context, uintptr_t window, GLuint framebuffer) {
+    State state = stateWith(GL_LESS);
+    state.target.context = context, state.target.drawable = window, state.target.framebuffer = framebuffer;
+    Started batch(state);
+    batch.add(instanceOf(1), {});
+    return batch.take()->view;
+  };
+  EXPECT_EQ(viewOf(1, 7, 0), viewOf(1, 7, 0));
+  EXPECT_NE(viewOf(1, 7, 0), viewOf(1, 8, 0));
+  EXPECT_NE(viewOf(1, 7, 0), viewOf(2, 7, 0));
+  EXPECT_NE(viewOf(1, 7, 3), viewOf(2, 7, 3));
+  EXPECT_EQ(viewOf(1, 7, 3), viewOf(1, 8, 3));
+}
+
 TEST(Batch, SharesEqualShadings) {
   Started batch(stateWith(GL_LESS));
   scene::Shading lit;

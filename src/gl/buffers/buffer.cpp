@@ -91,6 +91,17 @@ class CopyBinding {
   GLint saved_ = 0;
 };
 
+/// Bytes of the buffer bound to `target`.
+size_t sizeBelow(const RealGl& real, GLenum target) {
+  GLint size = 0;
+  GLint64 large = 0;  // GL_INT holds sizes below 2 GiB
+  if (versionOf(real) >= 32 && isPresent(real.GetBufferParameteri64v))
+    real.GetBufferParameteri64v(target, GL_BUFFER_SIZE, &large);
+  else
+    real.GetBufferParameteriv(target, GL_BUFFER_SIZE, &size), large = size;
+  return static_cast<size_t>(std::max<GLint64>(large, 0));
+}
+
 }  // namespace
 
 void Buffer::fetch(const RealGl& real) {
@@ -100,9 +111,7 @@ void Buffer::fetch(const RealGl& real) {
     return;
   }
   const CopyBinding binding(real, name_);
-  GLint size = 0;  // queried, because commands that we do not model may have set it
-  real.GetBufferParameteriv(binding.target(), GL_BUFFER_SIZE, &size);
-  size_ = static_cast<size_t>(std::max(size, 0));
+  size_ = sizeBelow(real, binding.target());  // commands that we do not model may have set it
   if (size_ == 0) return;
   auto storage = std::make_shared<BufferStorage>(size_);
   real.GetBufferSubData(binding.target(), 0, static_cast<GLsizeiptr>(size_), storage->data);
@@ -161,6 +170,13 @@ void* Buffer::map(const RealGl& real, size_t offset, size_t length, GLbitfield a
   mappedStorage_ = storage_;
   mapOffset_ = offset, mapLength_ = length, mapAccess_ = access;
   return mapped_;
+}
+
+GLenum Buffer::flushError(GLintptr offset, GLsizeiptr length) const {
+  if (offset < 0 || length < 0) return GL_INVALID_VALUE;
+  if (!(mapAccess_ & GL_MAP_FLUSH_EXPLICIT_BIT)) return GL_INVALID_OPERATION;
+  const auto first = static_cast<size_t>(offset), count = static_cast<size_t>(length);
+  return first > mapLength_ || count > mapLength_ - first ? GL_INVALID_VALUE : GL_NO_ERROR;
 }
 
 void Buffer::showMapping(const RealGl& real) {

@@ -96,6 +96,8 @@ class Buffer {
   size_t mapOffset() const { return mapOffset_; }
   size_t mapLength() const { return mapLength_; }
   GLbitfield mapAccess() const { return mapAccess_; }
+  /// The error of glFlushMappedBufferRange, which only checks its arguments; GL_NO_ERROR: none.
+  GLenum flushError(GLintptr offset, GLsizeiptr length) const;
 
   /// The real OpenGL or the program writes it without our seeing it (transform feedback, shader storage,
   /// persistent mapping): it is never traced, and fetched anew at each read.

@@ -120,9 +120,13 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
 }
 
 void bufferStorage(Context& c, GLenum target, GLsizeiptr size, const void* data, GLbitfield flags) {
-  c.real.BufferStorage(target, size, data, flags);
   const auto buffer = bound(c, target);
-  if (!buffer) return;
+  if (buffer) buffer->sendTo(c.real);  // stays if the real OpenGL refuses the storage
+  c.real.BufferStorage(target, size, data, flags);
+  GLint immutable = GL_FALSE;
+  if (buffer && !buffer->immutable)
+    c.real.GetBufferParameteriv(target, GL_BUFFER_IMMUTABLE_STORAGE, &immutable);
+  if (immutable == GL_FALSE) return;
   buffer->setSizeBelow(static_cast<size_t>(std::max<GLsizeiptr>(size, 0)), GL_DYNAMIC_DRAW);
   buffer->immutable = true;
   if (flags & GL_MAP_PERSISTENT_BIT) buffer->foreign = buffer->persistent = true;
@@ -161,7 +165,9 @@ bool isAccess(GLbitfield access) {
 void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length, GLbitfield access) {
   const auto buffer = bound(c, target);
   if (buffer) c.flusher.contentsChange(buffer->name());
-  const bool refused = buffer && !buffer->mapped() && !isAccess(access);  // the real OpenGL raises the error
+  if (buffer && buffer->mapped())
+    return c.errors.set(isRange(*buffer, offset, length) ? GL_INVALID_OPERATION : GL_INVALID_VALUE), nullptr;
+  const bool refused = buffer && !isAccess(access);  // the real OpenGL raises the error
   if (refused) buffer->sendTo(c.real);
   if (refused || isMappedBelow(c, buffer.get(), target)) {
     void* memory = c.real.MapBufferRange(target, offset, length, access);
@@ -169,7 +175,7 @@ void* mapBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr leng
     return memory;
   }
   if (!isRange(*buffer, offset, length)) return c.errors.set(GL_INVALID_VALUE), nullptr;
-  if (buffer->mapped() || length == 0) return c.errors.set(GL_INVALID_OPERATION), nullptr;
+  if (length == 0) return c.errors.set(GL_INVALID_OPERATION), nullptr;
   return buffer->map(c.real, static_cast<size_t>(offset), static_cast<size_t>(length), access);
 }
 
@@ -190,7 +196,7 @@ GLboolean unmapBuffer(Context& c, GLenum target) {
 void flushMappedBufferRange(Context& c, GLenum target, GLintptr offset, GLsizeiptr length) {
   const auto buffer = bound(c, target);
   if (!buffer || !buffer->mapped()) return c.real.FlushMappedBufferRange(target, offset, length);
-  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.errors.set(GL_INVALID_OPERATION);
+  if (const GLenum error = buffer->flushError(offset, length)) c.errors.set(error);
 }
 
 void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, void* data) {

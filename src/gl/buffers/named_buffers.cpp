@@ -48,10 +48,10 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
 }
 
 /// Handles the flush of a mapping of our copy. False if there is none.
-bool handlesFlush(Context& c, GLuint name) {
+bool handlesFlush(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped()) return false;
-  if (!(buffer->mapAccess() & GL_MAP_FLUSH_EXPLICIT_BIT)) c.errors.set(GL_INVALID_OPERATION);
+  if (const GLenum error = buffer->flushError(offset, length)) c.errors.set(error);
   return true;
 }
 
@@ -94,10 +94,10 @@ GLboolean unmapNamedBufferEXT(Context& c, GLuint name) {
 }
 
 void flushMappedNamedBufferRange(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
-  if (!handlesFlush(c, name)) c.real.FlushMappedNamedBufferRange(name, offset, length);
+  if (!handlesFlush(c, name, offset, length)) c.real.FlushMappedNamedBufferRange(name, offset, length);
 }
 void flushMappedNamedBufferRangeEXT(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
-  if (!handlesFlush(c, name)) c.real.FlushMappedNamedBufferRangeEXT(name, offset, length);
+  if (!handlesFlush(c, name, offset, length)) c.real.FlushMappedNamedBufferRangeEXT(name, offset, length);
 }
 
 void getNamedBufferPointerv(Context& c, GLuint name, GLenum pname, void** params) {

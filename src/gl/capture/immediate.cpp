@@ -61,7 +61,7 @@ void Immediate::attribute(Slot slot, const float* values) {
     p_.shadow.current.keep(slot, values);
     return noteColor(slot);
   }
-  if (open_ || p_.lists.compiling()) {
+  if (takesSlot(slot)) {
     if (!stream_.has(slot)) addSlotToRun(slot);
     return stream_.set(slot, values);
   }
@@ -84,18 +84,21 @@ void Immediate::noteColor(Slot slot) {
     p_.shadow.dirty |= kMaterial;
 }
 
-void Immediate::addSlotToRun(Slot slot) {
+/// Whether values of the slot go into a run. Rather than rewriting many vertices for a slot that they lack,
+/// ends their run.
+bool Immediate::takesSlot(Slot slot) {
   constexpr uint32_t kCheapToWiden = 4096;  // vertices
-  const bool widen = inside_ == Inside::captured || stream_.captured().vertexCount <= kCheapToWiden;
-  if (!p_.lists.compiling()) {
-    if (widen)
-      return stream_.addSlot(
-          slot, slot == kMaterialNumber ? initialSlotValues()[kMaterialNumber].data() : current(slot));
-    // Rather than rewriting many vertices, end their run here; the next starts with the slot.
+  if (p_.lists.compiling()) return true;
+  if (open_ && inside_ != Inside::captured && !stream_.has(slot) &&
+      stream_.captured().vertexCount > kCheapToWiden)
     closeRun();
-    startRun();
-    return stream_.addSlot(slot, current(slot));
-  }
+  return open_;
+}
+
+void Immediate::addSlotToRun(Slot slot) {
+  if (!p_.lists.compiling())
+    return stream_.addSlot(
+        slot, slot == kMaterialNumber ? initialSlotValues()[kMaterialNumber].data() : current(slot));
   // The value that the list's caller will have set is unknown: vertices captured so far inherit it when the
   // list is called.
   if (inside_ != Inside::captured && !stream_.empty()) closeRun();
@@ -198,6 +201,8 @@ void Immediate::end() {
     }
   } else {
     stream_.end();
+    for (InheritedSlot& slot : inherited_)  // vertices of incomplete primitives are dropped
+      slot.vertices = std::min(slot.vertices, stream_.captured().vertexCount);
   }
   const bool passed = inside_ == Inside::rasterised && p_.clock.passesThrough() && !p_.lists.compiling();
   inside_ = Inside::nothing;
@@ -234,7 +239,7 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   if (refused) return p_.lists.misuse(GL_INVALID_VALUE);
   // Programs have materials as uniforms, one for all vertices of a run.
   if (open_ && !insideBegin() && p_.shadow.state.raster.program != 0) closeRun();
-  if (!open_ && !p_.lists.compiling()) {
+  if (!takesSlot(kMaterialNumber)) {
     p_.shadow.syncCurrent();
     p_.shadow.dirty |= kMaterial;
     if (!p_.lists.calling()) p_.shadow.latch.sent(face, pname, params);

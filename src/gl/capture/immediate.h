@@ -96,6 +96,7 @@ class Immediate {
   bool canBegin(GLenum mode);
   void recordMisuse();
   void countOpenPrimitive();
+  bool takesSlot(Slot slot);
   void addSlotToRun(Slot slot);
   void drawRun();
   KnownMesh meshOfRun();

@@ -29,6 +29,7 @@ void Immediate::closeRun() {
     recordRun();
     return startRun();
   }
+  stream_.captured();  // may throw: the run is still open then, and the real OpenGL takes it over
   open_ = false;
   drawRun();
   keepRunValues();
@@ -151,7 +152,11 @@ void Immediate::surrender() {
   CapturedVertices& run = stream_.captured();
   const bool open = inside_ == Inside::captured;
   GLuint fragment = 0;
-  if (!p_.lists.compiling()) p_.window.meetDraw();
+  if (!p_.lists.compiling()) {
+    p_.raster.passUnseen(class_, Reason::evaluators);
+    p_.raster.before(class_);
+    if (open ? inside_ != Inside::captured : !open_) return;  // a failure there has surrendered it
+  }
   p_.shadow.sendBuffers();                 // glArrayElement may follow
   p_.shadow.current.send(p_.shadow.real);  // before NewList: not part of the fragment
   if (p_.lists.compiling()) {
@@ -163,8 +168,8 @@ void Immediate::surrender() {
     p_.counts.rasterised(p_.failsafe.aside() ? Reason::failure : Reason::evaluators, path_, class_,
                          countTriangles(run));
   }
-  replay(p_.shadow.real, run);
-  if (open) replayOpen(p_.shadow.real, run, stream_.openPrimitive());
+  replay(p_.shadow.real, run, inherited_);
+  if (open) replayOpen(p_.shadow.real, run, stream_.openPrimitive(), inherited_);
   if (!p_.lists.compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();

@@ -3,6 +3,8 @@
 #include <GL/glext.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <array>
+
 namespace gluray::gl {
 
 void sendAttribute(const RealGl& real, Slot slot, const float* v) {
@@ -104,14 +106,17 @@ void sendOpen(MaterialSender& materials, const Primitive& primitive, const uint3
 /// Sends primitives of a capture, with all attributes of their vertices.
 class CaptureSender {
  public:
-  CaptureSender(const RealGl& real, const CapturedVertices& captured)
-      : real_(real), captured_(captured), materials_(real, captured.materials) {}
+  CaptureSender(const RealGl& real, const CapturedVertices& captured,
+                std::span<const InheritedSlot> inherited)
+      : real_(real), captured_(captured), materials_(real, captured.materials) {
+    for (const InheritedSlot& slot : inherited) inheriting_[slot.slot] = slot.vertices;
+  }
 
   void sendOpen(const Primitive& primitive) {
     const uint32_t* indices = captured_.indices.empty() ? nullptr : captured_.indices.data();
     gl::sendOpen(
         materials_, primitive, indices, [&](uint32_t i) { return materialOf(i); },
-        [&](uint32_t i) { sendVertex(captured_.vertex(i)); });
+        [&](uint32_t i) { sendVertex(i); });
   }
 
  private:
@@ -119,27 +124,31 @@ class CaptureSender {
     if (!captured_.layout.has(kMaterialNumber)) return 0;
     return static_cast<uint32_t>(captured_.vertex(i)[captured_.layout.offset[kMaterialNumber]]);
   }
-  void sendVertex(const float* v) const {
+  void sendVertex(uint32_t i) const {
     const VertexLayout& layout = captured_.layout;
+    const float* v = captured_.vertex(i);
     for (int s = kNormal; s < kSlotCount; ++s)
-      if (layout.has(static_cast<Slot>(s))) sendAttribute(real_, static_cast<Slot>(s), v + layout.offset[s]);
+      if (layout.has(static_cast<Slot>(s)) && i >= inheriting_[static_cast<size_t>(s)])
+        sendAttribute(real_, static_cast<Slot>(s), v + layout.offset[s]);
     real_.Vertex4f(v[0], v[1], v[2], layout.has(kPositionW) ? v[layout.offset[kPositionW]] : 1.0f);
   }
 
   const RealGl& real_;
   const CapturedVertices& captured_;
   MaterialSender materials_;
+  std::array<uint32_t, kSlotCount> inheriting_{};  // number of vertices
 };
 
 }  // namespace
 
-void replay(const RealGl& real, const CapturedVertices& captured) {
-  CaptureSender sender(real, captured);
+void replay(const RealGl& real, const CapturedVertices& captured, std::span<const InheritedSlot> inherited) {
+  CaptureSender sender(real, captured, inherited);
   for (const Primitive& p : captured.primitives) sender.sendOpen(p), real.End();
 }
 
-void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open) {
-  CaptureSender(real, captured).sendOpen(open);
+void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open,
+                std::span<const InheritedSlot> inherited) {
+  CaptureSender(real, captured, inherited).sendOpen(open);
 }
 
 void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,

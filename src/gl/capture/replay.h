@@ -14,11 +14,13 @@ void sendAttribute(const RealGl& real, Slot slot, const float* values);
 /// Calls glMaterial for every parameter that `change` sets.
 void sendMaterial(const RealGl& real, const MaterialChange& change);
 
-/// Sends all primitives of `captured`.
-void replay(const RealGl& real, const CapturedVertices& captured);
+/// Sends all primitives of `captured`. `inherited`: slots that are not sent for its first vertices.
+void replay(const RealGl& real, const CapturedVertices& captured,
+            std::span<const InheritedSlot> inherited = {});
 
 /// Sends glBegin and the vertices so far of the open primitive.
-void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open);
+void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open,
+                std::span<const InheritedSlot> inherited);
 
 /// Sends the primitives of a capture whose vertices were moved into `mesh` (see buildMesh).
 void replay(const RealGl& real, const scene::Mesh& mesh, std::span<const Primitive> primitives,

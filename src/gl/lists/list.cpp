@@ -9,6 +9,7 @@ FragmentOp::~FragmentOp() {
 }
 
 void FragmentOp::execute(Context& context) {
+  context.immediate.closeRunOutsideBegin();
   // Between glBegin and glEnd the fragment may be legal: the real OpenGL takes over and decides.
   context.beforeForward(context.immediate.insideBegin() ? Context::Flush::none : Context::Flush::all);
   context.real.CallList(realList_);

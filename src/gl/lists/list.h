@@ -24,6 +24,7 @@ class CallOp final : public ListOp {
   CallOp(Call call, bool anywhere) : call_(std::move(call)), anywhere_(anywhere) {}
   void execute(Context& context) override {
     if (!anywhere_ && context.immediate.insideBegin()) return context.errors.set(GL_INVALID_OPERATION);
+    if (!anywhere_) context.immediate.closeRunIfOpen();
     call_(context);
   }
 

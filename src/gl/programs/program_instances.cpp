@@ -2,6 +2,7 @@
 #include "gl/draws/affine.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/programs/program_draws.h"
+#include "scene/world.h"
 
 #include <algorithm>
 #include <optional>
@@ -60,12 +61,11 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
     const auto m = readers.matrix(elements, i);
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
-    const glm::mat3 linear(*m);
     // Edges are painted in the window: the same condition as in triageAlways().
     if (p_.shadow.state.program.triangleEdges &&
         !isBeforeViewer(mesh, p_.shadow.state.program.clipFromObject * glm::dmat4(*m)))
       return Reason::program;
-    if (glm::determinant(linear) == 0 && linear != glm::mat3(0)) return Reason::singularMatrix;
+    if (glm::mat3(*m) != glm::mat3(0) && !scene::isPlaceable(*m)) return Reason::singularMatrix;
   }
   return Reason::traced;
 }

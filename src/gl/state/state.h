@@ -88,6 +88,9 @@ struct TargetState {
   // Unit of glPolygonOffset; if depthFloats (depth is floats), it is the last bit of the depth instead.
   float offsetUnit = 1.0f / 8388608.0f;
   bool depthFloats = false;
+  // Not read back: number of the context in this process, and its window, pbuffer or pixmap.
+  uint64_t context = 0;
+  uintptr_t drawable = 0;
 };
 
 struct State {
