@@ -4,8 +4,8 @@
 #include "accel/error.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "base/log.h"
-#include "scene/world.h"
 #include "scene/surroundings.h"
+#include "scene/world.h"
 
 #include <algorithm>
 #include <string>

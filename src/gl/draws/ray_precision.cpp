@@ -65,11 +65,21 @@ double nearestSeenW(const std::array<glm::dvec4, 3>& triangle) {
   return nearest;
 }
 
+/// Whether tests of rays against the mesh's triangles leave the range of floats: they multiply three of their
+/// distances.
+bool isBeyondFloats(const scene::Mesh& mesh) {
+  constexpr double kLargest = 1e11, kSmallest = 1e-12;
+  const glm::dvec3 lower(mesh.lower), upper(mesh.upper), reach = glm::max(glm::abs(lower), glm::abs(upper));
+  const double most = std::max({reach.x, reach.y, reach.z}), size = glm::length(upper - lower);
+  return std::isfinite(most) && (most > kLargest || (size > 0 && size < kSmallest));
+}
+
 }  // namespace
 
 bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
                               glm::ivec2 viewport) {
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
+  if (isBeyondFloats(mesh)) return true;
   const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // pixels of error where w is 1
   const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMostPixels * w); };
   const double least = nearestW(mesh, clipFromObject);

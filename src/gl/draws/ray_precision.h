@@ -15,7 +15,8 @@ namespace gluray::gl {
 class RayPrecision {
  public:
   /// Whether rays may see some triangle of `mesh` a tenth of a pixel or more away from where OpenGL draws it,
-  /// in a viewport of that size. Checks the kMostLooked largest triangles.
+  /// in a viewport of that size, or miss it because it is beyond the range of floats. Checks the kMostLooked
+  /// largest triangles.
   bool isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport);
 
   static constexpr size_t kMostLooked = 64;

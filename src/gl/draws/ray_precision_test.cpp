@@ -24,6 +24,16 @@ TEST(RayPrecision, DependsOnHowMuchLargerTrianglesAreThanPixels) {
   EXPECT_FALSE(precision.isTooLarge(*square(1e6f), glm::scale(kParallel, glm::dvec3(1e-5)), kRaysViewport));
 }
 
+TEST(RayPrecision, MeshesBeyondTheRangeOfFloatsAreMissed) {
+  RayPrecision precision;
+  const auto isRefused = [&](double size) {
+    return precision.isTooLarge(*square(static_cast<float>(size)),
+                                glm::scale(kParallel, glm::dvec3(1 / size)), kRaysViewport);
+  };
+  for (const double size : {1e-11, 1e-6, 1e6, 1e10}) EXPECT_FALSE(isRefused(size)) << size;
+  for (const double size : {1e-20, 1e-13, 1e12, 1e20}) EXPECT_TRUE(isRefused(size)) << size;
+}
+
 TEST(RayPrecision, DependsOnTheNearestVisiblePoint) {
   RayPrecision precision;
   const glm::dmat4 projection = glm::perspective(0.8, 1.5, 0.1, 1e7);

@@ -44,7 +44,7 @@ namespace gluray::gl {
   X(multisampleState, "multisample coverage state")                          \
   X(homogeneous, "homogeneous vertices (w is not 1)")                        \
   X(farAway, "vertices farther away than rays reach")                        \
-  X(tooLarge, "triangles too large for the precision of rays")               \
+  X(tooLarge, "triangles too large or small for the precision of rays")      \
   X(singularMatrix, "matrix without inverse")                                \
   X(flat, "flat layer: drawing order decides")                               \
   X(coincident, "coincident surfaces: drawing order decides")                \
