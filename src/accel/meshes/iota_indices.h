@@ -1,8 +1,9 @@
-// Index array 0, 1, 2, ... shared by all meshes without indices. Used by Blas; one thread at a time.
+// Index array 0, 1, 2, ... shared by all meshes without indices. Used by Blas; any thread.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 
 namespace gluray::accel {
 
@@ -13,6 +14,7 @@ class IotaIndices {
   std::shared_ptr<const uint32_t[]> get(size_t count);
 
  private:
+  std::mutex mutex_;
   std::shared_ptr<const uint32_t[]> indices_;
   size_t count_ = 0;
 };
