@@ -16,6 +16,12 @@ bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
   return a == b || (a && b && *a == *b);
 }
 
+/// Layers that are blended in the order of drawing keep the channels that are not written.
+bool isSameWrites(const scene::Snapshot& a, const scene::Snapshot& b) {
+  const bool blended = b.layers && b.layers->of == scene::Layers::Of::drawn;
+  return !blended || a.colorWrites == b.colorWrites;
+}
+
 bool isSameBackdrop(const std::shared_ptr<const scene::Backdrop>& a,
                     const std::shared_ptr<const scene::Backdrop>& b) {
   return a == b || (a && b && *a == *b);
@@ -54,7 +60,8 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   return e.samples == s.samples && e.samplePositions == s.samplePositions &&
          e.polygonOffset == s.polygonOffset && e.wideColors == s.wideColors && e.laterWins == s.laterWins &&
          e.shadings == s.shadings && e.settings == s.settings && e.ground == s.ground &&
-         e.catches == s.catches && isSameLayers(e.layers, s.layers) && isSameBackdrop(e.backdrop, s.backdrop);
+         e.catches == s.catches && isSameLayers(e.layers, s.layers) && isSameWrites(e, s) &&
+         isSameBackdrop(e.backdrop, s.backdrop);
 }
 
 LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor,

@@ -119,6 +119,18 @@ TEST_F(LastPicturesTest, LayersAreComparedByContent) {
   EXPECT_FALSE(pictures_.of(layered(0.25f)));
 }
 
+TEST_F(LastPicturesTest, WrittenChannelsMatterWhereLayersAreBlendedInTheOrderOfDrawing) {
+  for (const auto of : {scene::Layers::Of::order, scene::Layers::Of::sums, scene::Layers::Of::drawn}) {
+    auto layers = std::make_shared<scene::Layers>();
+    layers->of = of;
+    shown_.layers = layers;
+    keep(shown_);
+    EXPECT_TRUE(foundAfter([](scene::Snapshot&) {}));
+    EXPECT_EQ(foundAfter([](scene::Snapshot& s) { s.colorWrites.red = false; }),
+              of != scene::Layers::Of::drawn);
+  }
+}
+
 TEST_F(LastPicturesTest, SeveralAreKeptAndTheOldestIsReplaced) {
   std::vector<scene::Snapshot> others;
   for (int i = 0; i < 3; ++i) {
