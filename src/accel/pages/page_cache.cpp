@@ -43,7 +43,15 @@ RTCSceneTy* Page::enter() noexcept {
   return cache_.load(*this);
 }
 
-void PageCache::add(Page&) { ++pages_; }
+void PageCache::add(Page&) {
+  const std::lock_guard lock(mutex_);
+  const size_t all = pages_ + 1;
+  if (byUse_.capacity() < all) {
+    const size_t room = 2 * all;
+    ready_.reserve(room), retired_.reserve(room), byUse_.reserve(room);
+  }
+  pages_ = all;
+}
 
 void PageCache::remove(Page& page) {
   const std::lock_guard lock(mutex_);
@@ -54,7 +62,7 @@ void PageCache::remove(Page& page) {
   --pages_;
 }
 
-void PageCache::count(size_t gone, size_t come) {
+void PageCache::count(size_t gone, size_t come) noexcept {
   bytes_ += come, bytes_ -= gone;
   mostBytes_ = std::max(mostBytes_.load(), bytes_.load());
 }
@@ -74,7 +82,7 @@ RTCSceneTy* PageCache::load(Page& page) noexcept {
     if (page.state_ == State::ready) return page.blas_->scene();
     page.users_.fetch_sub(1);
     return nullptr;
-  } catch (const std::exception&) { return nullptr; }  // the mutex cannot be locked
+  } catch (const std::exception&) { return nullptr; }  // the mutex cannot be locked: nothing else throws
 }
 
 bool PageCache::build(Page& page, Lock& lock) {
@@ -106,21 +114,20 @@ bool PageCache::build(Page& page, Lock& lock) {
   return true;
 }
 
-void PageCache::makeRoom(size_t most) {
+void PageCache::makeRoom(size_t most) noexcept {
   if (bytes_ <= most) return;
-  std::vector<std::pair<uint64_t, Page*>>
-      all;  // other threads change the times of use while these are sorted
-  all.reserve(ready_.size());
-  for (Page* const page : ready_) all.emplace_back(page->lastUsed_.load(), page);
-  std::ranges::sort(all);
-  for (const auto& [lastUsed, page] : all) {
+  // Other threads change the times of use while these are sorted.
+  byUse_.clear();
+  for (Page* const page : ready_) byUse_.emplace_back(page->lastUsed_.load(), page);
+  std::ranges::sort(byUse_);
+  for (const auto& [lastUsed, page] : byUse_) {
     if (bytes_ <= most) break;
     retire(*page);
   }
 }
 
 /// False: it is in use.
-bool PageCache::retire(Page& page) {
+bool PageCache::retire(Page& page) noexcept {
   page.state_ = Page::State::leaving;
   if (page.users_ != 0) return page.state_ = Page::State::ready, false;
   page.state_ = Page::State::absent;
@@ -135,7 +142,7 @@ bool PageCache::retire(Page& page) {
   return true;
 }
 
-void PageCache::drop(Page& page) {
+void PageCache::drop(Page& page) noexcept {
   page.mesh_.residence->drop();
   count(page.bytes_, 0);
   page.bytes_ = 0, page.loaded_ = false, page.retiredAt_ = 0;
@@ -153,7 +160,7 @@ void PageCache::endReading(uint64_t at) {
 }
 
 /// Drops the arrays that no reader may need.
-void PageCache::sweep() {
+void PageCache::sweep() noexcept {
   const uint64_t oldest = readers_.empty() ? UINT64_MAX : *readers_.begin();
   std::erase_if(retired_, [&](Page* page) {
     if (page->retiredAt_ > oldest) return false;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace gluray::accel {
@@ -48,19 +49,20 @@ class PageCache {
  private:
   friend class Page;
   using Lock = std::unique_lock<std::mutex>;
+  /// Throws std::bad_alloc.
   void add(Page& page);
   void remove(Page& page);
   /// Loads the page for a thread that enters it. Null: it cannot be had.
   RTCSceneTy* load(Page& page) noexcept;
   bool build(Page& page, Lock& lock);
   /// Frees pages that are not in use, those that were met longest ago first, until the others take `most`.
-  void makeRoom(size_t most);
-  bool retire(Page& page);
-  void drop(Page& page);
-  void count(size_t gone, size_t come);
+  void makeRoom(size_t most) noexcept;
+  bool retire(Page& page) noexcept;
+  void drop(Page& page) noexcept;
+  void count(size_t gone, size_t come) noexcept;
   uint64_t startReading();
   void endReading(uint64_t at);
-  void sweep();
+  void sweep() noexcept;
 
   const Device& device_;
   IotaIndices iota_;
@@ -71,8 +73,10 @@ class PageCache {
 
   std::mutex mutex_;
   std::condition_variable came_;
+  // With room for all pages: nothing is allocated while a thread waits for a page that comes.
   std::vector<Page*> ready_, retired_;
-  std::multiset<uint64_t> readers_;  // by the clock of their start
+  std::vector<std::pair<uint64_t, Page*>> byUse_;  // of makeRoom()
+  std::multiset<uint64_t> readers_;                // by the clock of their start
 };
 
 }  // namespace gluray::accel
