@@ -70,8 +70,8 @@ size_t atLeastNone(ptrdiff_t bytes) { return bytes > 0 ? static_cast<size_t>(byt
 
 size_t Device::bytes() { return atLeastNone(heldBytes.load(std::memory_order_relaxed)); }
 
-size_t Device::bytesOfFrames() {
-  return atLeastNone(heldBytes.load(std::memory_order_relaxed) - behindBytes.load(std::memory_order_relaxed));
+ptrdiff_t Device::bytesOfFrames() {
+  return heldBytes.load(std::memory_order_relaxed) - behindBytes.load(std::memory_order_relaxed);
 }
 
 HeldBytes::HeldBytes(size_t bytes) : bytes_(bytes) {

@@ -26,8 +26,10 @@ class Device {
   std::string version() const;
   /// Bytes that Embree, and our own leaves (HeldBytes), hold for acceleration structures at present.
   static size_t bytes();
-  /// The part of bytes() that was allocated outside any BehindScope.
-  static size_t bytesOfFrames();
+  /// bytes() without all that BehindScopes have counted. Only differences of two calls have a meaning: the
+  /// growth that no such scope caused. What a scope allocated may be freed outside it, so that this falls
+  /// below 0.
+  static ptrdiff_t bytesOfFrames();
   /// Throws Error("WHAT: reason") if a call of this thread failed since the last check.
   void check(std::string_view what) const;
 

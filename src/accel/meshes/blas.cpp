@@ -250,10 +250,10 @@ void Blas::commit() {
 
 void Blas::build() {
   const timeline::Span span("build mesh", triangleCount_);
-  const size_t before = Device::bytesOfFrames();
+  const ptrdiff_t before = Device::bytesOfFrames();
   commit();
-  const size_t after = Device::bytesOfFrames();
-  bvhBytes_ += after > before ? after - before : 0;
+  const ptrdiff_t grown = Device::bytesOfFrames() - before;
+  bvhBytes_ += grown > 0 ? static_cast<size_t>(grown) : 0;
 }
 
 BlasPtr Blas::buildAlone(const Device& device, IotaIndices& iota, const Geometry& of, BvhQuality quality) {

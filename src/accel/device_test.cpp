@@ -1,0 +1,42 @@
+// The memory that structures are measured by.
+#include "accel/device.h"
+
+#include "accel/meshes/blas.h"
+#include "accel/test_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gluray::accel {
+namespace {
+
+scene::MeshPtr manyTriangles() {
+  test::MeshData data;
+  for (int i = 0; i < 20000; ++i) {
+    const float x = std::sin(static_cast<float>(7 * i)), y = std::cos(static_cast<float>(11 * i));
+    data.positions.insert(data.positions.end(), {{x, y, 0}, {x + 0.01f, y, 0}, {x, y + 0.01f, 0.01f}});
+  }
+  return test::makeMesh(data);
+}
+
+// Refined structures and pages are built in a BehindScope, and freed wherever their last user is.
+TEST(Device, StructuresAreMeasuredAfterOthersWereFreedOutsideTheirScopes) {
+  const Device device;
+  IotaIndices iota;
+  const auto mesh = manyTriangles();
+  const auto measured = [&] {
+    Blas blas(device, iota, {mesh.get(), {}}, BvhQuality::full);
+    blas.build();
+    return static_cast<double>(blas.bvhBytes());
+  };
+  const double expected = measured();
+  EXPECT_GT(expected, 20000.0);
+  const size_t before = Device::bytes();
+  for (int i = 0; i < 20; ++i) Blas::buildAlone(device, iota, {mesh.get(), {}}, BvhQuality::full);
+  EXPECT_LT(Device::bytes(), before + 20000) << "they are freed";
+  EXPECT_NEAR(measured(), expected, 0.2 * expected);
+}
+
+}  // namespace
+}  // namespace gluray::accel
