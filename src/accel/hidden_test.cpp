@@ -95,6 +95,23 @@ TEST(HiddenFrom, NoStructureOfAMeshIsRebuilt) {
   }
 }
 
+TEST(HiddenFrom, BatchesWithoutAnythingToSeeLeaveCoincidenceUnchanged) {
+  World world;
+  Arena arena(1);
+  const auto square = test::makeMesh(test::squareData());
+  const scene::Snapshot twice = test::makeSnapshot({square, square}), once = test::makeSnapshot({square});
+  const scene::Snapshot apart = test::makeSnapshot({square, test::makeMesh(test::squareData(1))});
+  for (const scene::Snapshot& unseen : {once, apart}) {
+    world.update(twice, arena);
+    EXPECT_TRUE(world.mayCoincide());
+    world.update(unseen, arena, HiddenFrom(unseen.instances.size(), bitOf(RayKind::camera)));
+    EXPECT_TRUE(world.empty());
+    EXPECT_FALSE(world.mayCoincide());
+    EXPECT_EQ(world.update(twice, arena).tlasBuilds, 0u);
+    EXPECT_TRUE(world.mayCoincide());
+  }
+}
+
 TEST(HiddenFrom, BoundsOfLightStay) {
   World world;
   Arena arena(1);

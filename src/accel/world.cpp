@@ -65,6 +65,7 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, co
     const bool empty = first == placed.end();
     const bool lone = !empty && std::none_of(first + 1, placed.end(), filled);
     alone_ = nullptr;
+    bool fromTopLevel = false;
     if (lone && first->worldFromObject == glm::mat4(1)) {
       alone_ = first->blas;
       aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
@@ -73,11 +74,12 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, co
       const bool stay = stayPlaced(snapshot, tlas_.held(), placed);
       if (!stay && tlas_.update(std::move(placed))) ++statistics.tlasBuilds, apart_ = false;
       scene_ = tlas_.scene();
+      fromTopLevel = true;
     }
     cache_.evict();
     if (scene_) readBounds();
     if (!scene_ && unseen && light_.exists()) lower_ = light_.bounds().lower, upper_ = light_.bounds().upper;
-    readOrder(snapshot);
+    readOrder(snapshot, fromTopLevel);
     readImpostors(snapshot);
     return statistics;
   });
@@ -147,7 +149,8 @@ void World::readBounds() {
   if (bounds.empty()) scene_ = nullptr;
 }
 
-void World::readOrder(const scene::Snapshot& snapshot) {
+/// `fromTopLevel`: the rays' scene is the TLAS.
+void World::readOrder(const scene::Snapshot& snapshot, bool fromTopLevel) {
   // Programs draw points and lines that cells share once per cell, each in its own colour; sticks share the
   // round ends at their joints; splats are flat
   // and overlap at equal distance.
@@ -155,12 +158,12 @@ void World::readOrder(const scene::Snapshot& snapshot) {
     return scene::isInWindow(i.mesh->shape) || scene::isSolid(i.mesh->shape) ||
            i.mesh->shape == scene::Shape::sticks;
   };
-  const bool known = !alone_ && apart_;
+  const bool known = fromTopLevel && apart_;
   const bool paged = std::any_of(snapshot.instances.begin(), snapshot.instances.end(), isPage);
   mayCoincide_ =
       paged || (!known && (coincidence_.possible(snapshot.instances) ||
                            std::any_of(snapshot.instances.begin(), snapshot.instances.end(), repeated)));
-  if (!alone_) apart_ = !mayCoincide_;
+  if (fromTopLevel) apart_ = !mayCoincide_;
   order_.laterWins = snapshot.laterWins;
   order_.ranks.clear(), order_.numbers.clear();
   if (!mayCoincide_) return;

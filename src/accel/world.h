@@ -122,7 +122,7 @@ class World {
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*,
            Coherence) const noexcept;
   void readBounds();
-  void readOrder(const scene::Snapshot&);
+  void readOrder(const scene::Snapshot&, bool fromTopLevel);
   void readImpostors(const scene::Snapshot&);
 
   Device device_;
