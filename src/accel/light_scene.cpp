@@ -38,8 +38,8 @@ Bounds sceneBounds(const scene::Snapshot& s, const glm::dmat4& view, std::vector
 bool LightScene::updateOne(const scene::Snapshot& snapshot, size_t kind, std::vector<PlacedBlas> met) {
   std::optional<Tlas>& tlas = tlas_[kind];
   if (!tlas) tlas.emplace(device_);
-  const bool builds = !stayPlaced(snapshot, tlas->held(), met);
-  if (builds) tlas->update(std::move(met));
+  const bool builds = !stayPlaced(snapshot.eyeFromWorld, *tlas, met);
+  if (builds) tlas->update(std::move(met), snapshot.eyeFromWorld);
   return builds;
 }
 

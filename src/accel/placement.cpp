@@ -1,7 +1,6 @@
 #include "accel/placement.h"
 
 #include "accel/embree.h"
-#include "scene/surroundings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,11 +16,36 @@ double largest(const glm::dvec3& v) {
 }
 double largest(const glm::dmat3& m) { return std::max({largest(m[0]), largest(m[1]), largest(m[2])}); }
 
-/// Whether two affine transforms differ by at most `linear` per element, `along` in translations.
-bool isNear(const glm::mat4& a, const glm::mat4& b, double linear, double along) {
+/// Bounds, along the axes of eye space, of the rounding of the columns of an instance's transform.
+///
+/// OpenGL keeps products of float matrices. An element of one is a sum of products, whose rounding is below
+/// 2^-22 (four roundings of floats) of the sum of their absolute values: of those of the transform, turned,
+/// and for a translation that of the camera along the same axis. An axis along which the camera is far away
+/// says nothing about the others: what moves across the view of a distant camera moves visibly.
+glm::dmat4x3 roundingOf(const glm::dmat4& eyeFromWorld, const glm::mat4& worldFromObject) {
+  constexpr double kRounded = 0x1p-22;
+  constexpr double kSolved = 0x1p-46;  // of the inverse of the camera, in doubles
+  const glm::dmat4 eyeFromObject = eyeFromWorld * glm::dmat4(worldFromObject);
+  const double turned = largest(glm::dmat3(eyeFromWorld));
+  const double linear = largest(glm::dmat3(eyeFromObject));
+  glm::dmat4x3 bounds;
+  for (int c = 0; c < 4; ++c) {
+    const glm::dvec3 size = glm::abs(glm::dvec3(worldFromObject[c]));
+    bounds[c] = glm::dvec3(turned * (size.x + size.y + size.z));
+    if (c < 3) bounds[c] += linear;
+  }
+  const glm::dvec3 camera(eyeFromWorld[3]);
+  bounds[3] += glm::abs(glm::dvec3(eyeFromObject[3])) + glm::abs(camera);
+  bounds *= kRounded;
+  bounds[3] += kSolved * largest(camera);
+  return bounds;
+}
+
+/// Whether the columns of a difference are within bounds.
+bool isWithin(const glm::dmat4& difference, const glm::dmat4x3& bounds) {
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 3; ++r)
-      if (!(std::abs(double{a[c][r]} - double{b[c][r]}) <= (c < 3 ? linear : along))) return false;
+      if (!(std::abs(difference[c][r]) <= bounds[c][r])) return false;
   return true;
 }
 
@@ -29,20 +53,21 @@ bool isNear(const glm::mat4& a, const glm::mat4& b, double linear, double along)
 
 /// OpenGL stores the product of camera and instance transform as floats. The instance transforms recovered
 /// from it vary from frame to frame by rounding, about a thousandth of a pixel. Without this check, a moving
-/// camera would rebuild the TLAS. All instances stay or none: coincident surfaces must not separate.
-bool stayPlaced(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& held,
-                const std::vector<PlacedBlas>& placed) {
-  constexpr double kRounded = 0x1p-22;  // of the largest element: twice the spacing of floats
+/// camera would rebuild the TLAS. What is held was rounded along the axes of the camera of its own frame,
+/// which `turn` turns to those of the present one. All instances stay or none: coincident surfaces must not
+/// separate.
+bool stayPlaced(const glm::dmat4& eyeFromWorld, const Tlas& tlas, const std::vector<PlacedBlas>& placed) {
+  const std::vector<PlacedBlas>& held = tlas.held();
   if (held.size() != placed.size()) return false;
-  const double camera = largest(glm::dvec3(snapshot.eyeFromWorld[3]));
-  const double back = 3 * largest(glm::inverse(glm::dmat3(snapshot.eyeFromWorld)));
+  glm::dmat3 turn = glm::dmat3(eyeFromWorld) * glm::inverse(glm::dmat3(tlas.heldFrom()));
+  for (int c = 0; c < 3; ++c) turn[c] = glm::abs(turn[c]);
   for (size_t i = 0; i < placed.size(); ++i) {
     if (placed[i] == held[i]) continue;
     if (placed[i].blas != held[i].blas) return false;
-    const glm::dmat4& inEye = scene::instanceOf(snapshot, i).eyeFromObject;
-    const double linear = kRounded * back * largest(glm::dmat3(inEye));
-    const double along = kRounded * back * (camera + largest(glm::dvec3(inEye[3])));
-    if (!isNear(placed[i].worldFromObject, held[i].worldFromObject, linear, along)) return false;
+    const glm::mat4 &now = placed[i].worldFromObject, &then = held[i].worldFromObject;
+    const glm::dmat4 moved = eyeFromWorld * (glm::dmat4(now) - glm::dmat4(then));
+    const glm::dmat4x3 bounds = roundingOf(eyeFromWorld, now) + turn * roundingOf(tlas.heldFrom(), then);
+    if (!isWithin(moved, bounds)) return false;
   }
   return true;
 }

@@ -1,7 +1,6 @@
 // Where structures are placed in the world, as World and its light need it. Private to accel/, one thread.
 #pragma once
 #include "accel/tlas.h"
-#include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
 
@@ -9,11 +8,9 @@
 
 namespace gluray::accel {
 
-/// Whether a TLAS that holds `held` may stay as it is for the instances of a snapshot, and after them those
-/// of its surroundings: the structures are the same, and transforms are equal up to the rounding of float
-/// matrices.
-bool stayPlaced(const scene::Snapshot&, const std::vector<PlacedBlas>& held,
-                const std::vector<PlacedBlas>& placed);
+/// Whether a TLAS may stay as it is for instances that a camera sees: the structures are the same, and
+/// transforms are equal up to the rounding of float matrices.
+bool stayPlaced(const glm::dmat4& eyeFromWorld, const Tlas&, const std::vector<PlacedBlas>& placed);
 
 struct Bounds {
   glm::vec3 lower{0}, upper{0};

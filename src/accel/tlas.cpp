@@ -42,7 +42,7 @@ void Tlas::place(size_t index, const PlacedBlas* placed) {
   if (fresh) rtcAttachGeometryByID(scene_, geometry, id);
 }
 
-bool Tlas::update(std::vector<PlacedBlas> instances) {
+bool Tlas::update(std::vector<PlacedBlas> instances, const glm::dmat4& eyeFromWorld) {
   if (instances == held_) return false;
   const size_t before = held_.size();
   for (size_t i = instances.size(); i < geometries_.size(); ++i) place(i, nullptr);
@@ -55,7 +55,7 @@ bool Tlas::update(std::vector<PlacedBlas> instances) {
   const timeline::Span span("top level", instances.size());
   commitScene(scene_);
   device_.check("the top-level acceleration structure cannot be built");
-  held_ = std::move(instances);
+  held_ = std::move(instances), heldFrom_ = eyeFromWorld;
   return true;
 }
 

@@ -28,9 +28,12 @@ class Tlas {
 
   /// Replaces the contents by `instances`; hits report indices into it. Does nothing if it holds them
   /// already. True if it built. Throws Error; the next call then rebuilds from scratch.
-  bool update(std::vector<PlacedBlas> instances);
+  /// `eyeFromWorld`: the camera of the snapshot that they are instances of.
+  bool update(std::vector<PlacedBlas> instances, const glm::dmat4& eyeFromWorld);
   /// The current contents; empty if unknown (after an error).
   const std::vector<PlacedBlas>& held() const { return held_; }
+  /// The camera of the update that placed them.
+  const glm::dmat4& heldFrom() const { return heldFrom_; }
   RTCSceneTy* scene() const { return scene_; }
 
  private:
@@ -39,6 +42,7 @@ class Tlas {
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;
   std::vector<PlacedBlas> held_;
+  glm::dmat4 heldFrom_{1};
   std::vector<RTCGeometryTy*> geometries_;  // null: nothing to hit
 };
 

@@ -71,8 +71,9 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, co
       aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
       scene_ = alone_->scene();
     } else if (!empty) {
-      const bool stay = stayPlaced(snapshot, tlas_.held(), placed);
-      if (!stay && tlas_.update(std::move(placed))) ++statistics.tlasBuilds, apart_ = false;
+      const bool stay = stayPlaced(snapshot.eyeFromWorld, tlas_, placed);
+      if (!stay && tlas_.update(std::move(placed), snapshot.eyeFromWorld))
+        ++statistics.tlasBuilds, apart_ = false;
       scene_ = tlas_.scene();
       fromTopLevel = true;
     }
