@@ -71,8 +71,14 @@ bool LightScene::update(const scene::Snapshot& snapshot, const std::vector<Place
 
 void LightScene::clear(const scene::Snapshot& snapshot) {
   scenes_ = {};
-  if (scene::needsSurroundings(snapshot.settings)) return;
-  for (std::optional<Tlas>& tlas : tlas_) tlas.reset();
+  if (!scene::needsSurroundings(snapshot.settings)) release();
+}
+
+bool LightScene::release() {
+  scenes_ = {};
+  bool any = false;
+  for (std::optional<Tlas>& tlas : tlas_) any |= tlas.has_value(), tlas.reset();
+  return any;
 }
 
 }  // namespace gluray::accel

@@ -24,6 +24,8 @@ class LightScene {
   /// The snapshot has no surroundings, so that light meets what the snapshot draws. Gives memory back where
   /// later ones will have none either.
   void clear(const scene::Snapshot&);
+  /// Lets all contents go. True if there were any.
+  bool release();
 
   /// Null: light meets what the viewer's rays meet. Not of RayKind::camera.
   RTCSceneTy* scene(RayKind kind) const { return scenes_[indexOf(kind)]; }

@@ -10,16 +10,35 @@
 
 namespace gluray::accel {
 
-Tlas::Tlas(const Device& device) : device_(device), scene_(rtcNewScene(device.handle())) {
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST | kFilterInQuery);
-  rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
+namespace {
+
+RTCScene newScene(const Device& device) {
+  const RTCScene scene = rtcNewScene(device.handle());
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST | kFilterInQuery);
+  rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+  return scene;
 }
 
-Tlas::~Tlas() {
+}  // namespace
+
+Tlas::Tlas(const Device& device) : device_(device), scene_(newScene(device)) {}
+
+Tlas::~Tlas() { release(); }
+
+void Tlas::release() {
   for (RTCGeometryTy* geometry : geometries_) {
     if (geometry) rtcReleaseGeometry(geometry);
   }
   rtcReleaseScene(scene_);
+}
+
+// A scene without instances would keep memory of its structure.
+bool Tlas::clear() {
+  if (geometries_.empty()) return false;
+  release();
+  geometries_.clear(), held_.clear();
+  scene_ = newScene(device_);
+  return true;
 }
 
 // Attaches, moves or (null) removes the instance of one index.

@@ -30,6 +30,8 @@ class Tlas {
   /// already. True if it built. Throws Error; the next call then rebuilds from scratch.
   /// `eyeFromWorld`: the camera of the snapshot that they are instances of.
   bool update(std::vector<PlacedBlas> instances, const glm::dmat4& eyeFromWorld);
+  /// Lets all instances go. True if there were any.
+  bool clear();
   /// The current contents; empty if unknown (after an error).
   const std::vector<PlacedBlas>& held() const { return held_; }
   /// The camera of the update that placed them.
@@ -38,6 +40,7 @@ class Tlas {
 
  private:
   void place(size_t index, const PlacedBlas*);
+  void release();
 
   const Device& device_;
   RTCSceneTy* scene_ = nullptr;

@@ -60,23 +60,10 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, co
     statistics.blasRefits = cache_.refits() - refits;
     statistics.blasRefinements = cache_.refinements() - refined;
 
-    const auto filled = [](const PlacedBlas& p) { return p.blas != nullptr; };
-    const auto first = std::find_if(placed.begin(), placed.end(), filled);
-    const bool empty = first == placed.end();
-    const bool lone = !empty && std::none_of(first + 1, placed.end(), filled);
-    alone_ = nullptr;
-    bool fromTopLevel = false;
-    if (lone && first->worldFromObject == glm::mat4(1)) {
-      alone_ = first->blas;
-      aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
-      scene_ = alone_->scene();
-    } else if (!empty) {
-      const bool stay = stayPlaced(snapshot.eyeFromWorld, tlas_, placed);
-      if (!stay && tlas_.update(std::move(placed), snapshot.eyeFromWorld))
-        ++statistics.tlasBuilds, apart_ = false;
-      scene_ = tlas_.scene();
-      fromTopLevel = true;
-    }
+    const bool fromTopLevel = chooseScene(snapshot, std::move(placed), statistics);
+    if (fromTopLevel) tlasUsed_ = cache_.frames();
+    if (light_.exists()) lightUsed_ = cache_.frames();
+    releaseUnused();
     cache_.evict();
     if (scene_) readBounds();
     if (!scene_ && unseen && light_.exists()) lower_ = light_.bounds().lower, upper_ = light_.bounds().upper;
@@ -84,6 +71,42 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, co
     readImpostors(snapshot);
     return statistics;
   });
+}
+
+/// Chooses what the viewer's rays are traced in. True: the TLAS.
+bool World::chooseScene(const scene::Snapshot& snapshot, std::vector<PlacedBlas> placed,
+                        UpdateStatistics& statistics) {
+  const auto filled = [](const PlacedBlas& p) { return p.blas != nullptr; };
+  const auto first = std::find_if(placed.begin(), placed.end(), filled);
+  alone_ = nullptr;
+  if (first == placed.end()) return false;
+  const bool lone = std::none_of(first + 1, placed.end(), filled);
+  if (lone && first->worldFromObject == glm::mat4(1)) {
+    alone_ = first->blas;
+    aloneIndex_ = static_cast<uint32_t>(first - placed.begin());
+    scene_ = alone_->scene();
+    return false;
+  }
+  const bool stay = stayPlaced(snapshot.eyeFromWorld, tlas_, placed);
+  if (!stay && tlas_.update(std::move(placed), snapshot.eyeFromWorld))
+    ++statistics.tlasBuilds, apart_ = false;
+  scene_ = tlas_.scene();
+  return true;
+}
+
+/// Lets all structures go that the last update was traced in. Nothing may be traced until one succeeds.
+void World::release() {
+  scene_ = nullptr, alone_ = nullptr;
+  tlas_.clear();
+  light_.release();
+}
+
+/// Lets structures over instances go that no batch of this frame or of the one before was traced in: they
+/// keep those of meshes alive. Batches of one frame may take turns.
+void World::releaseUnused() {
+  const uint64_t now = cache_.frames();
+  if (now - tlasUsed_ > 1) tlas_.clear();
+  if (now - lightUsed_ > 1) light_.release();
 }
 
 std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
@@ -107,8 +130,11 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
   try {
     return cache_.get(meshes, quality);
   } catch (const std::exception&) {
-    // Free idle structures and retry, before building coarser structures or failing.
-    if (cache_.evictAllIdle()) try {
+    // Free idle structures, also where the last update keeps them alive, and retry, before building coarser
+    // structures or failing.
+    const size_t before = Device::bytes();
+    release();
+    if (cache_.evictAllIdle() || Device::bytes() < before) try {
         return cache_.get(meshes, quality);
       } catch (const std::exception&) {}
     if (!cache_.thriftHelps(meshes, quality)) throw;

@@ -121,6 +121,9 @@ class World {
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);
   void ask(QueryState&, bool filtered, const int32_t* valid, RayPacket&, const ImpostorQuery*,
            Coherence) const noexcept;
+  bool chooseScene(const scene::Snapshot&, std::vector<PlacedBlas> placed, UpdateStatistics&);
+  void release();
+  void releaseUnused();
   void readBounds();
   void readOrder(const scene::Snapshot&, bool fromTopLevel);
   void readImpostors(const scene::Snapshot&);
@@ -136,8 +139,9 @@ class World {
   BlasPtr alone_;
   uint32_t aloneIndex_ = 0;
   Coincidence coincidence_;
-  bool mayCoincide_ = false;  // triangles may coincide: hits are compared, which costs time
-  bool apart_ = false;        // the TLAS holds no triangles that may coincide
+  bool mayCoincide_ = false;               // triangles may coincide: hits are compared, which costs time
+  bool apart_ = false;                     // the TLAS holds no triangles that may coincide
+  uint64_t tlasUsed_ = 0, lightUsed_ = 0;  // BlasCache::frames() at the last use of their contents
   DrawOrder order_;
   std::vector<PlacedImpostors> impostors_;  // per instance; empty where all are triangles
   bool hasImpostors_ = false;               // some of the snapshot's own instances are

@@ -45,6 +45,7 @@ class BlasCache {
   bool refining() const { return refinement_.busy(); }   // a full structure is being built
   bool refined() const { return refinement_.done(); }    // a full structure waits for the next batch
   size_t size() const { return entries_.size(); }
+  uint64_t frames() const { return frames_; }  // how often the number of the program's frame has changed
 
  private:
   struct Key {
