@@ -16,36 +16,53 @@ double largest(const glm::dvec3& v) {
 }
 double largest(const glm::dmat3& m) { return std::max({largest(m[0]), largest(m[1]), largest(m[2])}); }
 
+double sum(const glm::vec3& v) {
+  return double{std::abs(v.x)} + double{std::abs(v.y)} + double{std::abs(v.z)};
+}
+
+constexpr double kRounded = 0x1p-22;  // four roundings of floats
+
+/// An affine camera.
+struct Eye {
+  explicit Eye(const glm::dmat4& eyeFromWorld)
+      : turn(eyeFromWorld), at(eyeFromWorld[3]), turned(largest(turn)) {}
+  glm::dmat3 turn;
+  glm::dvec3 at;
+  double turned;  // largest element
+};
+
 /// Bounds, along the axes of eye space, of the rounding of the columns of an instance's transform.
 ///
 /// OpenGL keeps products of float matrices. An element of one is a sum of products, whose rounding is below
-/// 2^-22 (four roundings of floats) of the sum of their absolute values: of those of the transform, turned,
-/// and for a translation that of the camera along the same axis. An axis along which the camera is far away
-/// says nothing about the others: what moves across the view of a distant camera moves visibly.
-glm::dmat4x3 roundingOf(const glm::dmat4& eyeFromWorld, const glm::mat4& worldFromObject) {
-  constexpr double kRounded = 0x1p-22;
+/// 2^-22 of the sum of their absolute values: of those of the transform, turned, and for a translation that
+/// of the camera along the same axis. An axis along which the camera is far away says nothing about the
+/// others: what moves across the view of a distant camera moves visibly.
+glm::dmat4x3 roundingOf(const Eye& eye, const glm::mat4& worldFromObject) {
   constexpr double kSolved = 0x1p-46;  // of the inverse of the camera, in doubles
-  const glm::dmat4 eyeFromObject = eyeFromWorld * glm::dmat4(worldFromObject);
-  const double turned = largest(glm::dmat3(eyeFromWorld));
-  const double linear = largest(glm::dmat3(eyeFromObject));
+  double linear = 0;
+  for (int c = 0; c < 3; ++c) linear = std::max(linear, largest(eye.turn * glm::dvec3(worldFromObject[c])));
   glm::dmat4x3 bounds;
-  for (int c = 0; c < 4; ++c) {
-    const glm::dvec3 size = glm::abs(glm::dvec3(worldFromObject[c]));
-    bounds[c] = glm::dvec3(turned * (size.x + size.y + size.z));
-    if (c < 3) bounds[c] += linear;
-  }
-  const glm::dvec3 camera(eyeFromWorld[3]);
-  bounds[3] += glm::abs(glm::dvec3(eyeFromObject[3])) + glm::abs(camera);
-  bounds *= kRounded;
-  bounds[3] += kSolved * largest(camera);
+  for (int c = 0; c < 4; ++c)
+    bounds[c] = glm::dvec3(kRounded * (eye.turned * sum(worldFromObject[c]) + (c < 3 ? linear : 0)));
+  const glm::dvec3 inEye = eye.turn * glm::dvec3(worldFromObject[3]) + eye.at;
+  bounds[3] += kRounded * (glm::abs(inEye) + glm::abs(eye.at)) + kSolved * largest(eye.at);
   return bounds;
 }
 
-/// Whether the columns of a difference are within bounds.
-bool isWithin(const glm::dmat4& difference, const glm::dmat4x3& bounds) {
+/// Whether the columns of two transforms differ by so little that any roundingOf() exceeds it.
+bool isRounding(const glm::mat4& now, const glm::mat4& then) {
   for (int c = 0; c < 4; ++c)
-    for (int r = 0; r < 3; ++r)
-      if (!(std::abs(difference[c][r]) <= bounds[c][r])) return false;
+    if (!(sum(glm::vec3(now[c]) - glm::vec3(then[c])) <= kRounded * sum(now[c]))) return false;
+  return true;
+}
+
+/// Whether the columns of a difference, turned, are within bounds.
+bool isWithin(const glm::dmat3& turn, const glm::mat4& now, const glm::mat4& then,
+              const glm::dmat4x3& bounds) {
+  for (int c = 0; c < 4; ++c) {
+    const glm::dvec3 moved = glm::abs(turn * (glm::dvec3(now[c]) - glm::dvec3(then[c])));
+    if (!(moved.x <= bounds[c].x && moved.y <= bounds[c].y && moved.z <= bounds[c].z)) return false;
+  }
   return true;
 }
 
@@ -59,15 +76,14 @@ bool isWithin(const glm::dmat4& difference, const glm::dmat4x3& bounds) {
 bool stayPlaced(const glm::dmat4& eyeFromWorld, const Tlas& tlas, const std::vector<PlacedBlas>& placed) {
   const std::vector<PlacedBlas>& held = tlas.held();
   if (held.size() != placed.size()) return false;
-  glm::dmat3 turn = glm::dmat3(eyeFromWorld) * glm::inverse(glm::dmat3(tlas.heldFrom()));
+  const Eye eye(eyeFromWorld), earlier(tlas.heldFrom());
+  glm::dmat3 turn = eye.turn * glm::inverse(earlier.turn);
   for (int c = 0; c < 3; ++c) turn[c] = glm::abs(turn[c]);
   for (size_t i = 0; i < placed.size(); ++i) {
-    if (placed[i] == held[i]) continue;
     if (placed[i].blas != held[i].blas) return false;
     const glm::mat4 &now = placed[i].worldFromObject, &then = held[i].worldFromObject;
-    const glm::dmat4 moved = eyeFromWorld * (glm::dmat4(now) - glm::dmat4(then));
-    const glm::dmat4x3 bounds = roundingOf(eyeFromWorld, now) + turn * roundingOf(tlas.heldFrom(), then);
-    if (!isWithin(moved, bounds)) return false;
+    if (now == then || isRounding(now, then)) continue;
+    if (!isWithin(eye.turn, now, then, roundingOf(eye, now) + turn * roundingOf(earlier, then))) return false;
   }
   return true;
 }
