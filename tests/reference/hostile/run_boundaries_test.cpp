@@ -239,8 +239,8 @@ TEST(RunBoundaries, EvaluatedVerticesOfAListWithTheCallersColor) {
     gl.Disable(GL_LIGHTING);
     const GLuint list = gl.GenLists(1);
     gl.NewList(list, GL_COMPILE);
-    gl.Begin(GL_TRIANGLES), gl.Vertex3f(-0.5f, -0.6f, 0.4f), gl.Color3f(1, 0, 0);
-    gl.EvalCoord2f(0.9f, 0.2f), gl.EvalCoord2f(0.4f, 0.9f), gl.End();
+    gl.Begin(GL_TRIANGLES), triangle(gl, -0.5f, -0.6f), gl.Color3f(1, 0, 0);
+    gl.EvalCoord2f(0.9f, 0.2f), gl.EvalCoord2f(0.4f, 0.9f), gl.EvalCoord2f(0.1f, 0.8f), gl.End();
     gl.EndList();
     gl.Color3f(0, 1, 0), gl.CallList(list);
     gl.Begin(GL_TRIANGLES), triangle(gl, -0.9f, 0.3f), gl.End();
