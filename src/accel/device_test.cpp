@@ -6,25 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace gluray::accel {
 namespace {
-
-scene::MeshPtr manyTriangles() {
-  test::MeshData data;
-  for (int i = 0; i < 20000; ++i) {
-    const float x = std::sin(static_cast<float>(7 * i)), y = std::cos(static_cast<float>(11 * i));
-    data.positions.insert(data.positions.end(), {{x, y, 0}, {x + 0.01f, y, 0}, {x, y + 0.01f, 0.01f}});
-  }
-  return test::makeMesh(data);
-}
 
 // Refined structures and pages are built in a BehindScope, and freed wherever their last user is.
 TEST(Device, StructuresAreMeasuredAfterOthersWereFreedOutsideTheirScopes) {
   const Device device;
   IotaIndices iota;
-  const auto mesh = manyTriangles();
+  const auto mesh = test::scatteredTriangles(20000);
   const auto measured = [&] {
     Blas blas(device, iota, {mesh.get(), {}}, BvhQuality::full);
     blas.build();

@@ -2,6 +2,7 @@
 #pragma once
 #include "scene/snapshot.h"
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -54,6 +55,16 @@ inline MeshData quadData(glm::vec3 a, glm::vec3 b, glm::vec3 c, glm::vec3 d) {
 
 /// The square [-1, 1]^2 at height z, facing +z.
 inline MeshData squareData(float z = 0) { return quadData({-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}); }
+
+/// A soup of small triangles at pseudo-random places in [-1, 1]^2.
+inline scene::MeshPtr scatteredTriangles(int count) {
+  MeshData data;
+  for (int i = 0; i < count; ++i) {
+    const float x = std::sin(static_cast<float>(7 * i)), y = std::cos(static_cast<float>(11 * i));
+    data.positions.insert(data.positions.end(), {{x, y, 0}, {x + 0.01f, y, 0}, {x, y + 0.01f, 0.01f}});
+  }
+  return makeMesh(data);
+}
 
 /// A parallelogram about `center`.
 inline scene::MeshPtr parallelogram(const glm::vec3& center, const glm::vec3& a, const glm::vec3& b) {

@@ -5,20 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace gluray::accel {
 namespace {
-
-/// Some megabytes of structure.
-scene::MeshPtr largeMesh() {
-  test::MeshData data;
-  for (int i = 0; i < 30000; ++i) {
-    const float x = std::sin(static_cast<float>(7 * i)), y = std::cos(static_cast<float>(11 * i));
-    data.positions.insert(data.positions.end(), {{x, y, 0}, {x + 0.01f, y, 0}, {x, y + 0.01f, 0.01f}});
-  }
-  return test::makeMesh(data);
-}
 
 struct WorldMemory : testing::Test {
   static constexpr size_t kLarge = size_t{1} << 20;
@@ -29,7 +17,7 @@ struct WorldMemory : testing::Test {
   size_t few = 0;  // bytes with `lone` alone
 
   WorldMemory() {
-    const auto mesh = largeMesh();
+    const auto mesh = test::scatteredTriangles(30000);
     two = test::makeSnapshot({mesh, mesh});
     two.instances[1].worldFromObject[3].x = two.instances[1].eyeFromObject[3].x = 5;
     draw(lone, 1);

@@ -211,5 +211,61 @@ TEST(TwentyPoints, P13ArraysRewrittenBetweenDrawsOfOneList) {
   });
 }
 
+// --- Matrices that have no place in the world of the batch, and coordinates beyond the range of floats
+
+struct UnplacedCase {
+  const char* name;
+  uint64_t traced;  // draws
+  void (*set)(Gl gl);
+};
+void PrintTo(const UnplacedCase& p, std::ostream* out) { *out << p.name; }
+
+/// Scaled down to the size of the others.
+void scaledTriangle(Gl gl, double scale) {
+  const auto size = static_cast<float>(0.4 / scale);
+  gl.Translatef(0.8f, -0.4f, 0.5f), gl.Scaled(scale, scale, scale);
+  gl.Disable(GL_LIGHTING), gl.Color3f(1, 1, 0);
+  gl.Begin(GL_TRIANGLES);
+  gl.Vertex3f(-size, -size, size / 4), gl.Vertex3f(size, -size, 0), gl.Vertex3f(0, size, -size / 4);
+  gl.End(), gl.Enable(GL_LIGHTING);
+}
+
+class UnplacedSurfaces : public testing::TestWithParam<UnplacedCase> {};
+
+TEST_P(UnplacedSurfaces, AreDrawnWhereTheyAre) {
+  const gl::Statistics s = expectSame(
+      [](Gl gl, Seen&) {
+        stage(gl);
+        send(gl, sphere(16, 24));
+        gl.PushMatrix(), GetParam().set(gl), gl.PopMatrix();
+        sendAt(gl, sphere(16, 24), -0.9f, 0.5f, 0.2f, 0.4f);
+      },
+      {.traced = GetParam().traced});
+  EXPECT_EQ(s.rasterisedBecause[static_cast<size_t>(gl::Reason::failure)], 0u);
+}
+
+const UnplacedCase kUnplaced[] = {
+    {"Shrunk", 3, [](Gl gl) { scaledTriangle(gl, 1e-10); }},
+    {"ShrunkBeyondFloats", 2, [](Gl gl) { scaledTriangle(gl, 1e-13); }},
+    {"Enlarged", 3, [](Gl gl) { scaledTriangle(gl, 1e8); }},
+    {"EnlargedBeyondFloats", 2, [](Gl gl) { scaledTriangle(gl, 1e20); }},
+    {"ShrunkPoint", 2,  // all of one depth
+     [](Gl gl) {
+       gl.Translatef(0.8f, -0.4f, 0.5f), gl.Scaled(1e-13, 1e-13, 1e-13);
+       send(gl, sphere(8, 12));
+     }},
+    {"Projective", 3,
+     [](Gl gl) {
+       constexpr GLfloat kPerspective[] = {1, 0, 0, 0, 0, 1, 0, 0.1f, 0, 0, 1, 0.05f, 0.3f, -0.2f, 0.8f, 1};
+       gl.MultMatrixf(kPerspective), gl.Disable(GL_LIGHTING), gl.Color3f(1, 1, 0);
+       gl.Begin(GL_TRIANGLES);
+       gl.Vertex3f(-0.4f, -0.4f, 0.1f), gl.Vertex3f(0.4f, -0.4f, 0), gl.Vertex3f(0, 0.4f, -0.1f);
+       gl.End(), gl.Enable(GL_LIGHTING);
+     }},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, UnplacedSurfaces, testing::ValuesIn(kUnplaced),
+                         [](const auto& info) { return std::string(info.param.name); });
+
 }  // namespace
 }  // namespace gluray::test::twenty_points

@@ -36,8 +36,8 @@ TEST(FamilyFile, InheritsOnlyFromEarlierFamilies) {
 
 TEST(FamilyFile, PassKeys) {
   const Family f = parsed(
-      "pass.does = \"fxaa\"\npass.input = \"pi\"\npass.texel = \"pt\"\npass.relative_contrast = "
-      "\"rc\"\npass.hard_contrast = 0.5\n"
+      "pass.does = \"fxaa\"\npass.input = \"pi\"\npass.texel = \"pt\"\n"
+      "pass.relative_contrast = \"rc\"\npass.hard_contrast = 0.5\n"
       "pass.subpixel_blend_limit = \"sb\"\npass.subpixel_contrast = \"sc\"\n"
       "pass.endpoint_search_iterations = 12\n");
   EXPECT_EQ(f.pass, Family::Pass::fxaa);
