@@ -3,11 +3,16 @@
 #include "parallel/loops.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace gluray::gl {
 namespace {
 
-Range rangeOf(const Extremes& e) { return e.least > e.most ? Range{} : Range{e.least, e.most + 1}; }
+/// The largest number is no vertex: one past it does not fit.
+Range rangeOf(const Extremes& e) {
+  constexpr uint32_t kMost = std::numeric_limits<uint32_t>::max();
+  return e.least > e.most ? Range{} : Range{e.least, e.most == kMost ? kMost : e.most + 1};
+}
 
 /// Removes primitives of `each` corners that use a vertex from `available` on.
 void dropMissing(std::vector<uint32_t>& corners, uint32_t available, size_t each) {
@@ -119,6 +124,12 @@ Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const E
   const std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
   return {rangeOf(extremesOf(numbers.data(), numbers.size())),
           hashLarge(numbers.data(), numbers.size() * sizeof(uint32_t), seed)};
+}
+
+Range rangeWithout(const RealGl& real, const ArrayState& arrays, const Elements& e, uint32_t restart) {
+  std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
+  std::erase(numbers, restart);
+  return rangeOf(extremesOf(numbers.data(), numbers.size()));
 }
 
 std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,

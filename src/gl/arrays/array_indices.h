@@ -53,6 +53,9 @@ struct Order {
 Order orderOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
               Hash128 seed);
 
+/// The vertices that an indexed draw names besides `restart`.
+Range rangeWithout(const RealGl& real, const ArrayState& arrays, const Elements& elements, uint32_t restart);
+
 /// Some triangles of a fixed-function draw; of a quad, its first three corners.
 std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arrays, GLenum mode,
                                       const Elements& elements);

@@ -1,10 +1,12 @@
 #include "gl/culled/constant_attributes.h"
 
 #include "gl/arrays/array_indices.h"
+#include "gl/culled/clusters/assembly.h"
 #include "gl/culled/instances/instance_arrays.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace gluray::gl {
 namespace {
@@ -61,14 +63,19 @@ bool ConstantAttributes::isOne(ShadowState& shadow, const ArraySource& array, in
   content.vertex = array;
   content.elements = shadow.attributes.elements;
   if (foreignReason(content) != Reason::traced) return false;
-  const int64_t form[] = {component, array.divisor, e.baseInstance, e.repeats()};
+  const std::optional<uint32_t> restart =
+      assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e).restart;
+  const int64_t form[] = {component,   array.divisor,       e.baseInstance,
+                          e.repeats(), restart.has_value(), restart.value_or(0)};
   const Hash128 name = hashBytes(form, sizeof form, contentOf(shadow.real, content, mode, e));
   const auto found = known_.find(name);
   if (found != known_.end()) return found->second;
   if (known_.size() >= kMostKnown) known_.clear();
   const ArrayReader reader(shadow.real, array);
   Range range{e.baseInstance, e.baseInstance + (e.repeats() + array.divisor) / std::max(array.divisor, 1u)};
-  if (array.divisor == 0) range = orderOf(shadow.real, content, mode, e, {}).range;
+  if (array.divisor == 0)
+    range = restart ? rangeWithout(shadow.real, content, e, *restart)
+                    : orderOf(shadow.real, content, mode, e, {}).range;
   return known_[name] = gl::areOnes(reader, range, static_cast<size_t>(component));
 }
 

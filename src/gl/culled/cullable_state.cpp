@@ -1,5 +1,6 @@
 #include "gl/culled/cullable_state.h"
 
+#include "gl/state/buffer_bits.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state_queries.h"
 
@@ -22,11 +23,6 @@ bool offsetsNearer(const RasterState& raster) {
                              : raster.offsetFactor < 0 || raster.offsetUnits < 0;
 }
 
-/// Whether vertices are kept of all primitives that are drawn.
-bool feedsBack(const ShadowState& shadow) {
-  return shadow.state.rare.feedbackActive && integer(shadow.real, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0;
-}
-
 /// Whether something else than fixed function draws while no program is in use.
 bool hasOtherPrograms(const ShadowState& shadow) {
   const RealGl& real = shadow.real;
@@ -45,7 +41,6 @@ Reason hideableState(const ShadowState& shadow, GLenum mode, bool& isTested) {
   if (!isMode(mode, shadow.info.core)) return Reason::mode;
   if (shadow.activeQueries > 0) return Reason::query;
   if (!shadow.info.core && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
-  if (feedsBack(shadow)) return Reason::transformFeedback;
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
   if (raster.program == 0 && hasOtherPrograms(shadow)) return Reason::program;
   if (const Reason rare = rareReason(real, shadow.state.rare); rare != Reason::traced) return rare;
@@ -63,7 +58,6 @@ Reason cullableState(const ShadowState& shadow, GLenum mode) {
   const RealGl& real = shadow.real;
   if (!isMode(mode, shadow.info.core)) return Reason::mode;
   if (shadow.activeQueries > 0) return Reason::query;
-  if (feedsBack(shadow)) return Reason::transformFeedback;
   // Fog changes colours only; a stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
   if (reason != Reason::traced && reason != Reason::fog && reason != Reason::polygonStipple) return reason;
@@ -72,24 +66,15 @@ Reason cullableState(const ShadowState& shadow, GLenum mode) {
   if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)
     return state.target.reason;
   if (offsetsNearer(raster)) return Reason::offsetNearer;
-  if (isPresent(real.DrawBuffers) && integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE)
-    return Reason::drawBuffers;
-  return Reason::traced;
+  return hasMoreDrawBuffers(real) ? Reason::drawBuffers : Reason::traced;
 }
 
 bool hasByteColors(const ShadowState& shadow) {
   const TargetState& target = shadow.state.target;
   if (target.reason != Reason::traced || target.wideColors || target.encodes) return false;
   if (shadow.state.rare.fixedFunction) return target.eightBits;
-  const GLenum buffer = target.framebuffer != 0 ? target.drawBuffer : GLenum{GL_BACK_LEFT};
-  const auto bits = [&](GLenum name) {
-    GLint value = 0;
-    shadow.real.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, buffer, name, &value);
-    return value;
-  };
-  const GLint alpha = bits(GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE);
-  return bits(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE) == 8 && bits(GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE) == 8 &&
-         bits(GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE) == 8 && (alpha == 8 || alpha == 0);
+  const glm::ivec4 bits = colorBits(shadow.real, target.drawBuffer);
+  return glm::ivec3(bits) == glm::ivec3(8) && (bits.a == 8 || bits.a == 0);
 }
 
 Reason cullableBlending(const ShadowState& shadow, bool opaque) {

@@ -56,6 +56,7 @@ Reason CulledDraws::blendingOf(CulledProgram& program, const Varyings& varyings,
   const Opacity opacity = program.opacity(shadow.real, shadow.info.core, varyings);
   if (const Reason reason = cullableBlending(shadow, opacity.opaque); reason != Reason::traced) return reason;
   if (opacity.exact) return Reason::traced;
+  shadow.errors.keepPending();  // finding out whether colours are replaced takes errors
   const bool replaces = hasByteColors(shadow) && p_.flusher.presenter.reader().replacesColors(shadow.real) &&
                         constants_.areOnes(shadow, program.known().program, opacity.ones, mode, e);
   return replaces ? Reason::traced : Reason::blend;
@@ -152,7 +153,7 @@ Reason CulledDraws::planClusters(const Hash128& name,
   if (known.refused) return Reason::arrayState;
   if (known.different) return Reason::notTheSame;
   prepare(known.mesh);
-  if (!known.mesh->isBuilt() || building_ == known.mesh) return Reason::smallDraw;
+  if (building_ == known.mesh || !known.mesh->isBuilt()) return Reason::smallDraw;
   known.mesh->forgetPositions();
   found.mesh = known.mesh, found.known = &known;
   found.byClusters = found.units && areFewAndLarge(*found.units, *found.mesh);
@@ -164,7 +165,7 @@ Reason CulledDraws::planClusters(const Hash128& name,
 /// Has the clusters built; with cull = always at once, so that the first frame is culled, too.
 void CulledDraws::prepare(const std::shared_ptr<CulledMesh>& mesh) {
   if (job_.busy() && job_.poll() != BackgroundJob::Outcome::none) building_.reset();
-  if (mesh->isBuilt()) return;
+  if (building_ == mesh || mesh->isBuilt()) return;  // what the job builds is not looked at
   if (p_.shadow.settings.cull.draws == Culling::always) return mesh->build();
   if (job_.busy()) return;
   building_ = mesh;

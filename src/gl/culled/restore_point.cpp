@@ -1,11 +1,44 @@
 #include "gl/culled/restore_point.h"
 
+#include "gl/state/extensions.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/clears.h"
 
 #include <array>
 
 namespace gluray::gl {
+namespace {
+
+/// While it lives, clears are those of a region. Other viewports' scissor boxes stay as they are.
+class OnlyScissor {
+ public:
+  OnlyScissor(const RealGl& real, const scene::Region& region)
+      : real_(real),
+        indexed_(isPresent(real.ScissorIndexed) && versionOf(real) >= 41),
+        on_(isOn(real, GL_SCISSOR_TEST)) {
+    real.GetIntegerv(GL_SCISSOR_BOX, box_.data());
+    set(true, {region.x, region.y, region.width, region.height});
+  }
+  ~OnlyScissor() { set(on_, box_); }
+  OnlyScissor(const OnlyScissor&) = delete;
+  OnlyScissor& operator=(const OnlyScissor&) = delete;
+
+ private:
+  void set(bool on, const std::array<GLint, 4>& box) const {
+    if (indexed_) {
+      real_.ScissorIndexed(0, box[0], box[1], box[2], box[3]);
+      return on ? real_.Enablei(GL_SCISSOR_TEST, 0) : real_.Disablei(GL_SCISSOR_TEST, 0);
+    }
+    real_.Scissor(box[0], box[1], box[2], box[3]);
+    on ? real_.Enable(GL_SCISSOR_TEST) : real_.Disable(GL_SCISSOR_TEST);
+  }
+
+  const RealGl& real_;
+  const bool indexed_, on_;
+  std::array<GLint, 4> box_{};
+};
+
+}  // namespace
 
 bool RestorePoint::isClear(const scene::Region& region) const {
   const std::optional<ClearedTarget>& below = raster_.clearBelow();
@@ -30,22 +63,16 @@ void RestorePoint::putBack() {
 /// Channels that the draw's colour mask leaves out have kept their values.
 void RestorePoint::clear(const ClearedTarget& as) {
   const RealGl& real = shadow_.real;
-  const bool scissored = isOn(real, GL_SCISSOR_TEST);
-  std::array<GLint, 4> box{};
+  const OnlyScissor scissor(real, region_);
   std::array<GLfloat, 4> color{};
   GLdouble depth = 1;
-  real.GetIntegerv(GL_SCISSOR_BOX, box.data());
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, color.data());
   real.GetDoublev(GL_DEPTH_CLEAR_VALUE, &depth);
-  real.Enable(GL_SCISSOR_TEST);
-  real.Scissor(region_.x, region_.y, region_.width, region_.height);
   real.ClearColor(as.color[0], as.color[1], as.color[2], as.color[3]);
   real.ClearDepth(1);
   real.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   real.ClearColor(color[0], color[1], color[2], color[3]);
   real.ClearDepth(depth);
-  real.Scissor(box[0], box[1], box[2], box[3]);
-  if (!scissored) real.Disable(GL_SCISSOR_TEST);
 }
 
 }  // namespace gluray::gl

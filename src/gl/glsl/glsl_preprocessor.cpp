@@ -74,6 +74,8 @@ class Preprocessor {
       groups_.empty() ? refuse("#endif without #if") : groups_.pop_back();
     else if (name == "undef" && isActive() && !line.empty())
       macros_.erase(line[0]);
+    else if (name == "include" && isActive())
+      refuse("the shader includes other texts");
     else if (name == "version" && isActive() && !line.empty())
       version_ = line[0];
   }

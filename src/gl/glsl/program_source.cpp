@@ -1,6 +1,7 @@
 #include "gl/glsl/program_source.h"
 
 #include "gl/glsl/glsl_conditions.h"
+#include "gl/glsl/glsl_tokens.h"
 #include "gl/glsl/shader_digest.h"
 
 #include <algorithm>
@@ -24,6 +25,15 @@ void appendWithoutComments(std::string_view text, std::string& out) {
   }
 }
 
+/// Whether it needs named texts (ARB_shading_language_include), which are not known here.
+bool includesTexts(std::string_view text) {
+  if (text.find("include") == std::string_view::npos) return false;
+  GlslTokens tokens(text);
+  for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next())
+    if (tokens.isDirective() && tokens.next() == "include") return true;
+  return false;
+}
+
 }  // namespace
 
 void ProgramSource::read() {
@@ -34,7 +44,7 @@ void ProgramSource::read() {
     shaders_.push_back({shader.type, source_.size(), source_.size() + shader.text.size()});
     source_ += shader.text;
   }
-  allRead_ = texts->all;
+  allRead_ = texts->all && !includesTexts(source_);
   isRead_ = true;
 }
 

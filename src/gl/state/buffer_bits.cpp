@@ -26,6 +26,11 @@ GLenum attachmentOfWindow(GLenum drawBuffer) {
   }
 }
 
+/// The attachment of the draw framebuffer that glDrawBuffer(`drawBuffer`) names.
+GLenum attachmentOf(const RealGl& real, GLenum drawBuffer) {
+  return integer(real, GL_DRAW_FRAMEBUFFER_BINDING) == 0 ? attachmentOfWindow(drawBuffer) : drawBuffer;
+}
+
 }  // namespace
 
 GLint depthBits(const RealGl& real, bool fixedFunction) {
@@ -37,9 +42,15 @@ GLint depthBits(const RealGl& real, bool fixedFunction) {
 GLint redBits(const RealGl& real, GLenum drawBuffer, bool fixedFunction) {
   if (drawBuffer == GL_NONE) return 0;
   if (fixedFunction) return integer(real, GL_RED_BITS);
-  const bool window = integer(real, GL_DRAW_FRAMEBUFFER_BINDING) == 0;
-  return sizeOf(real, window ? attachmentOfWindow(drawBuffer) : drawBuffer,
-                GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE);
+  return sizeOf(real, attachmentOf(real, drawBuffer), GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE);
+}
+
+glm::ivec4 colorBits(const RealGl& real, GLenum drawBuffer) {
+  if (drawBuffer == GL_NONE) return glm::ivec4(0);
+  const GLenum attachment = attachmentOf(real, drawBuffer);
+  const auto size = [&](GLenum name) { return sizeOf(real, attachment, name); };
+  return {size(GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE), size(GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE),
+          size(GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE), size(GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE)};
 }
 
 }  // namespace gluray::gl

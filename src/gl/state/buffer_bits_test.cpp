@@ -57,6 +57,13 @@ class BufferBits : public testing::Test {
   RealGl real_ = table();
 };
 
+TEST_F(BufferBits, ColorsOfAWindowWithoutABackBuffer) {
+  g_target = {.sizes = {{GL_FRONT_LEFT, 8}}};
+  EXPECT_EQ(colorBits(real_, GL_FRONT), glm::ivec4(8));
+  EXPECT_EQ(colorBits(real_, GL_BACK), glm::ivec4(0));
+  EXPECT_EQ(colorBits(real_, GL_NONE), glm::ivec4(0));
+}
+
 TEST_F(BufferBits, CoreProfileWindow) {
   g_target = {.sizes = {{GL_DEPTH, 24}, {GL_BACK_LEFT, 8}, {GL_FRONT_LEFT, 10}}};
   EXPECT_EQ(depthBits(real_, false), 24);

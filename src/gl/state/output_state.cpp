@@ -66,6 +66,7 @@ Reason rareReason(const RealGl& real, const RareState& has) {
   if (has.depthClamp && isOn(real, GL_DEPTH_CLAMP)) return Reason::depthClamp;
   if (has.depthBounds && isOn(real, GL_DEPTH_BOUNDS_TEST_EXT)) return Reason::depthClamp;
   if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return Reason::transformFeedback;
+  if (has.feedbackActive && integer(real, GL_TRANSFORM_FEEDBACK_ACTIVE)) return Reason::transformFeedback;
   if (has.clipControl && (integer(real, GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
                           integer(real, GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE))
     return Reason::clipControl;

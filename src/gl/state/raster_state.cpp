@@ -86,7 +86,6 @@ Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState
   raster.colorWrites = {mask[0] != 0, mask[1] != 0, mask[2] != 0, mask[3] != 0};
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
-  if (const Reason fog = fogReason(real, has); fog != Reason::traced) return fog;
   if (raster.program == 0 && isPresent(real.BindProgramPipeline) &&
       integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
     return Reason::program;
@@ -98,7 +97,9 @@ Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState
     return Reason::multisampleState;
   if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
   if (!raster.writesDepth) return Reason::depthMask;
-  return blendReason(real, raster);
+  const Reason blend = blendReason(real, raster);
+  // Culled draws may have any fog, so that it hides no other reason.
+  return blend == Reason::traced ? fogReason(real, has) : blend;
 }
 
 Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
@@ -150,11 +151,10 @@ void readRaster(const RealGl& real, State& state) {
     raster.orderFree = false;
   const bool blended = raster.reason == Reason::depthMask || raster.reason == Reason::blend ||
                        (raster.reason == Reason::traced && raster.unlessOpaque != Reason::traced);
-  const Reason polygon =
-      blended || raster.reason == Reason::traced ? polygonReason(real, state.rare) : Reason::traced;
+  const bool open = raster.butDepthFunc == Reason::traced || raster.butDepthFunc == Reason::fog;
+  const Reason polygon = blended || open ? polygonReason(real, state.rare) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
-  if (raster.butDepthFunc == Reason::traced)
-    raster.butDepthFunc = raster.isReversed() ? polygonReason(real, state.rare) : raster.reason;
+  if (open && polygon != Reason::traced) raster.butDepthFunc = polygon;
   raster.layers =
       blended && polygon == Reason::traced ? readBlending(real, raster.writesDepth) : std::nullopt;
   raster.firstVertexProvokes =

@@ -101,7 +101,7 @@ void ShadowState::readProgramInUse() {
     return;
   }
   readProgram(real, group, state.rare, textures, inUse, drawsAnySolids(settings));
-  // A deleted program lives only while it is in use: the write-back, which uses another, would end it.
+  // A deleted program lives only while it is in use. OtherProgram cannot hold it in each version of OpenGL.
   GLint deleted = 0;
   real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
   if (deleted) inUse.reason = Reason::program;

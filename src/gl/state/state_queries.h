@@ -24,6 +24,15 @@ inline GLuint drawFramebuffer(const RealGl& real) {
                                          : 0;
 }
 
+/// Whether fragments are written to more than the first draw buffer.
+inline bool hasMoreDrawBuffers(const RealGl& real) {
+  if (!isPresent(real.DrawBuffers)) return false;
+  const GLint most = integer(real, GL_MAX_DRAW_BUFFERS);
+  for (GLint i = 1; i < most; ++i)
+    if (integer(real, GL_DRAW_BUFFER0 + static_cast<GLenum>(i)) != GL_NONE) return true;
+  return false;
+}
+
 /// A parameter of an attachment of the framebuffer bound to `target`.
 inline GLint attachmentValue(const RealGl& real, GLenum target, GLenum attachment, GLenum name) {
   GLint value = 0;

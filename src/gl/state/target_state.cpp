@@ -94,7 +94,7 @@ void readTarget(const RealGl& real, AttachedImages& images, State& state) {
   if (target.framebuffer != 0) {
     if (real.CheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
       target.reason = Reason::framebuffer;
-    if (integer(real, GL_DRAW_BUFFER0 + 1) != GL_NONE) target.reason = Reason::drawBuffer;
+    if (hasMoreDrawBuffers(real)) target.reason = Reason::drawBuffer;
     target.size = attachmentSize(real, images, target.drawBuffer);
   }
   const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);

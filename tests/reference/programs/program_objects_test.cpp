@@ -109,6 +109,36 @@ TEST(ProgramObjects, DeletedWhileInUseAndItsNameUsedAgain) {
       2);
 }
 
+/// Their vertices are kept, although the draws are not hidden from the viewer.
+TEST(ProgramObjects, FedBackWhileTheyDraw) {
+  std::vector<std::vector<float>> kept;
+  const ProgramMesh mesh = ball(16);
+  const auto draw = [&](Gl gl) {
+    const Surface surface{.lightCount = 2};
+    const GLuint program = makeProgram(gl, surface);
+    const char* const position = "gl_Position";
+    gl.TransformFeedbackVaryings(program, 1, &position, GL_INTERLEAVED_ATTRIBS);
+    gl.LinkProgram(program);
+    const Upload up = upload(gl, mesh, program);
+    GLuint buffer = 0;
+    std::vector<float> places(4 * mesh.indices.size(), -5.0f);
+    const auto bytes = static_cast<GLsizeiptr>(places.size() * sizeof(float));
+    gl.GenBuffers(1, &buffer), gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+    gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, places.data(), GL_STATIC_DRAW);
+    beginFrame(gl);
+    gl.UseProgram(program);
+    gl.BeginTransformFeedback(GL_TRIANGLES);
+    drawSurface(gl, program, up, mesh, placedAside(0.1), surface);
+    gl.EndTransformFeedback();
+    gl.GetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, places.data());
+    kept.push_back(places);
+  };
+  expectSame("fed_back", draw, 0);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0], kept[1]);
+  EXPECT_NE(kept[0].back(), -5.0f);
+}
+
 TEST(ProgramObjects, LinkedAgainWithOtherPlacesOfUniforms) {
   expectBoth(
       "replaced",

@@ -13,17 +13,16 @@ bool hasFeedbackObjects(const RealGl& real) {
 
 FeedbackStage::FeedbackStage(const RealGl& real, GLuint program, GLuint feedback)
     : real_(real),
-      program_(integer(real, GL_CURRENT_PROGRAM)),
       feedback_(integer(real, GL_TRANSFORM_FEEDBACK_BINDING)),
-      buffer_(integer(real, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING)) {
+      buffer_(integer(real, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING)),
+      program_(real) {
   real.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
-  real.UseProgram(program);
+  program_.use(program);
   real.Enable(GL_RASTERIZER_DISCARD);
 }
 
 FeedbackStage::~FeedbackStage() {
   real_.Disable(GL_RASTERIZER_DISCARD);
-  real_.UseProgram(static_cast<GLuint>(program_));
   real_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, static_cast<GLuint>(feedback_));
   real_.BindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(buffer_));
 }

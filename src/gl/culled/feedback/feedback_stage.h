@@ -1,6 +1,7 @@
 // Transform feedback of our own, beside that of the program. GL thread, context current.
 #pragma once
 #include "gl/real.h"
+#include "gl/state/other_program.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -20,7 +21,8 @@ class FeedbackStage {
 
  private:
   const RealGl& real_;
-  const GLint program_, feedback_, buffer_;
+  const GLint feedback_, buffer_;
+  OtherProgram program_;
 };
 
 /// A buffer that is mapped for reading, unmapped when this ends. It stays bound to

@@ -196,6 +196,7 @@ TEST(PositionSlice, RefusesWhatIsNotLinear) {
   expectUnknown(kHead +
                 "#ifdef GL_ARB_anything\nvoid main() { gl_Position = vec4(p, 1.0); }\n#else\nvoid main() { "
                 "gl_Position = P * vec4(p, 1.0); }\n#endif\n");
+  expectUnknown(kHead + "#include \"/config.glsl\"\nvoid main() { gl_Position = P * vec4(p, 1.0); }");
   expectUnknown("in vec3 p; uniform mat4 missing; void main() { gl_Position = missing * vec4(p, 1.0); }");
 }
 

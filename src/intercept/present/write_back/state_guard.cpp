@@ -21,6 +21,7 @@ StateGuard::StateGuard(const RealGl& real, const Features& features) : real_(rea
 }
 
 StateGuard::~StateGuard() {
+  program_.reset();  // before transform feedback goes on
   for (auto undo = log_.rbegin(); undo != log_.rend(); ++undo) undo->restore(real_, *undo);
 }
 
@@ -259,10 +260,8 @@ void StateGuard::program(GLuint program) {
     keep({[](const RealGl& r, const Undo&) { r.ResumeTransformFeedback(); }});
     real_.PauseTransformFeedback();
   }
-  const GLint was = integer(GL_CURRENT_PROGRAM);
-  if (was == static_cast<GLint>(program)) return;
-  keep({[](const RealGl& r, const Undo& u) { r.UseProgram(static_cast<GLuint>(u.i[0])); }, 0, 0, {was}});
-  real_.UseProgram(program);
+  if (!program_) program_.emplace(real_);
+  program_->use(program);
 }
 
 void StateGuard::vertexArray(GLuint array) {

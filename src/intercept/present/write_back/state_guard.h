@@ -2,10 +2,12 @@
 // first. Queries state before setting it, so that state which is right already costs one query. GL thread,
 // context current, outside glBegin/glEnd and outside list compilation.
 #pragma once
+#include "gl/state/other_program.h"
 #include "intercept/present/features.h"
 #include "scene/snapshot.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace gluray::present {
@@ -100,6 +102,7 @@ class StateGuard {
   const gl::RealGl& real_;
   const Features& features_;
   std::vector<Undo> log_;
+  std::optional<gl::OtherProgram> program_;
 };
 
 }  // namespace gluray::present
