@@ -13,6 +13,22 @@ constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-ex
 
 namespace {
 
+std::atomic<const ThreadState*> g_firstThread{nullptr};  // of those that have made a context current
+std::atomic<bool> g_usedByThreads{false};
+
+}  // namespace
+
+void noteThread() noexcept {
+  const ThreadState* first = nullptr;
+  if (g_usedByThreads || g_firstThread.compare_exchange_strong(first, &t_thread) || first == &t_thread)
+    return;
+  g_usedByThreads = true;
+}
+
+bool usedByThreads() noexcept { return g_usedByThreads; }
+
+namespace {
+
 /// The program reads what is flushed during its life.
 struct Reading {
   FrameClock& clock;
@@ -139,6 +155,7 @@ void Context::prepareToForward(Flush how) noexcept {
 }
 
 void Context::makeCurrent(uintptr_t drawable) {
+  noteThread();
   t_thread.context = this;
   shadow.state.target.drawable = drawable;
   shadow.dirty = kAllGroups;  // the thread or the drawable may have changed

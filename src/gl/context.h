@@ -100,6 +100,8 @@ class Context {
   /// `drawable`: that it draws into; 0: unknown.
   void makeCurrent(uintptr_t drawable = 0);
   void loseCurrent();
+  /// Whether the drawable that it is current with has a back buffer.
+  void setDoubleBuffered(bool doubleBuffered) { shadow.info.doubleBuffered = doubleBuffered; }
   /// Call counts of commands that we do not model, by index into kCommandNames.
   const std::vector<Counter<uint64_t>>& unknownCalls() const { return unknownCalls_; }
   const ContextInfo& info() const { return shadow.info; }

@@ -17,7 +17,7 @@ struct ContextInfo {
   int version = 0;                   // of its OpenGL, 10 times major plus minor
   bool packedFloats = false;         // takesPackedFloats()
   bool core = false;                 // core profile: no fixed function
-  bool doubleBuffered = true;        // otherwise glFlush and glFinish show the picture
+  bool doubleBuffered = true;        // of its drawable; otherwise glFlush and glFinish show the picture
   bool off = false;                  // pass every call through
   Settings settings;                 // used if `source` is null
   SettingsSource* source = nullptr;  // read when the context is created and when a frame begins

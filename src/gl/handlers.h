@@ -145,6 +145,7 @@ uint32_t interleavedArraysSet(Context& c, GLenum format);
 void clear(Context& c, GLbitfield mask);
 void flush(Context& c);
 void finish(Context& c);
+void fenceSync(Context& c, GLenum condition, GLbitfield flags);
 void pushAttrib(Context& c, GLbitfield mask);
 void popAttrib(Context& c);
 GLenum getError(Context& c);

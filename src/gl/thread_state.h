@@ -20,4 +20,9 @@ struct ThreadState {
 // constinit: otherwise every access first checks whether it is initialised.
 extern constinit thread_local ThreadState t_thread __attribute__((tls_model("initial-exec")));
 
+/// Notes that the calling thread has made a context current.
+void noteThread() noexcept;
+/// Whether several threads have. Any thread.
+bool usedByThreads() noexcept;
+
 }  // namespace gluray::gl

@@ -10,6 +10,7 @@
 #include "intercept/windows/present_without_swap.h"
 #include "intercept/windows/x_idle_window.h"
 
+#include <cstdint>
 #include <exception>
 #include <map>
 #include <memory>
@@ -33,6 +34,7 @@ struct Record {
   IdleWindowOfContext idle;
   std::shared_ptr<gl::Context> context;  // null until first current, or if it could not be made
   bool tried = false;
+  std::optional<uintptr_t> asked;  // drawable for which it was asked whether it has a back buffer
   const void* display = nullptr;
   std::string vendor, renderer, version;
   Api api = Api::glx;

@@ -46,9 +46,6 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
   info.version = 10 * major + minor;
   info.packedFloats = !info.off && gl::takesPackedFloats(real, info.version);
-  GLboolean doubleBuffered = GL_TRUE;
-  if (!info.core) real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
-  info.doubleBuffered = doubleBuffered != GL_FALSE;
   GLint flags = 0, profile = 0;
   if (!info.core && major >= 3) real.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
   if (!info.core && (major > 3 || (major == 3 && minor >= 2)))
@@ -56,6 +53,31 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   if ((flags & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) || (profile & GL_CONTEXT_CORE_PROFILE_BIT))
     info.core = true;
   return info;
+}
+
+/// Whether the drawable of the current context has a back buffer. Framebuffer objects have none, so the
+/// window is bound while we ask. Without a surface nothing but a framebuffer object can be drawn into.
+bool hasBackBuffer(const gl::Context& context, Api api, uintptr_t drawable) {
+  if (drawable == 0 && api != Api::osmesa) return true;
+  const gl::RealGl& real = context.real;
+  GLint bound = 0;
+  if (context.info().version >= 30) real.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  if (bound != 0) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  GLboolean doubleBuffered = GL_TRUE;
+  real.GetBooleanv(GL_DOUBLEBUFFER, &doubleBuffered);
+  if (bound != 0) real.BindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return doubleBuffered != GL_FALSE;
+}
+
+/// Call when the record's context became current: asks for its back buffer if the drawable is another one.
+void noteDrawable(Record& record, Api api, uintptr_t drawable) {
+  gl::Context& context = *record.context;
+  std::unique_lock lock(registry().mutex);  // another thread may destroy drawables or compute totals
+  if (std::exchange(record.asked, drawable) == drawable || context.info().off) return;
+  lock.unlock();
+  const bool doubleBuffered = hasBackBuffer(context, api, drawable);
+  lock.lock();
+  context.setDoubleBuffered(doubleBuffered);
 }
 
 void makeContext(Record& record, Api api) {
@@ -211,7 +233,9 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
       makeContext(*record, api);
       watchForReport();
     }
-    if (record->context) record->context->makeCurrent(drawables.draw);
+    if (!record->context) return;
+    noteDrawable(*record, api, drawables.draw);
+    record->context->makeCurrent(drawables.draw);
   });
 }
 
@@ -221,6 +245,10 @@ bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept {
 
 void drawableGoing(uintptr_t drawable) noexcept {
   if (current().drawables.draw == drawable) flushCurrent();
+  // A later drawable may get its name.
+  const std::lock_guard lock(registry().mutex);
+  for (auto& [key, record] : registry().records)
+    if (record->asked == drawable) record->asked.reset();
 }
 
 void passThroughAfterFork() noexcept {

@@ -1,5 +1,6 @@
 /* Desktop OpenGL through EGL. Argument: window, or surfaceless (no display server; draws into a pbuffer of
-   the surfaceless platform). */
+   the surfaceless platform); moved, or bare: a window, after the context was made current with a pbuffer of
+   one pixel, or without a surface, as Qt does. */
 #include "x_window.h"
 
 #include <EGL/egl.h>
@@ -20,7 +21,7 @@ static void* byName(const char* name) { return (void*)eglGetProcAddress(name); }
 
 static EGLConfig chooseConfig(EGLDisplay display, int window) {
   const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                           window ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
+                           window ? EGL_WINDOW_BIT | EGL_PBUFFER_BIT : EGL_PBUFFER_BIT,
                            EGL_RENDERABLE_TYPE,
                            EGL_OPENGL_BIT,
                            EGL_RED_SIZE,
@@ -49,8 +50,31 @@ static EGLSurface windowSurface(EGLDisplay display, EGLConfig config, Display* x
   return eglCreateWindowSurface(display, config, makeWindow(x, visual), NULL);
 }
 
+/* Makes the context current with another surface, or with none, and asks for its version. */
+static int useElsewhere(EGLDisplay display, EGLContext context, EGLSurface surface) {
+  Gl gl;
+  return eglMakeCurrent(display, surface, surface, context) && loadGl(&gl, byName) &&
+         gl.GetString(GL_VERSION) != NULL;
+}
+
+/* The workload without glFinish: frames end where buffers are swapped, and nowhere else. */
+static int swappedWorkload(const Gl* gl, Target* target) {
+  void (*drawBuffer)(GLenum) = (void (*)(GLenum))byName("glDrawBuffer");
+  void (*readBuffer)(GLenum) = (void (*)(GLenum))byName("glReadBuffer");
+  int right = 1;
+  drawBuffer(GL_BACK), readBuffer(GL_BACK); /* a pbuffer's default may be another one */
+  for (int frame = 0; frame < kFrames; ++frame) {
+    drawFrame(gl);
+    right = middleIsRed(gl) && right;
+    show(target);
+  }
+  return right;
+}
+
 int main(int argc, char** argv) {
-  const int window = argc < 2 || strcmp(argv[1], "window") == 0;
+  const char* way = argc < 2 ? "window" : argv[1];
+  const int window = strcmp(way, "surfaceless") != 0, moved = strcmp(way, "moved") == 0,
+            bare = strcmp(way, "bare") == 0;
   Display* x = window ? openDisplay() : NULL;
   const EGLDisplay display = window ? eglGetDisplay((EGLNativeDisplayType)x)
                                     : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
@@ -62,11 +86,16 @@ int main(int argc, char** argv) {
   Target target = {
       display, window ? windowSurface(display, config, x) : eglCreatePbufferSurface(display, config, size)};
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, NULL);
+  if (moved || bare) {
+    const EGLint one[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+    const EGLSurface first = moved ? eglCreatePbufferSurface(display, config, one) : EGL_NO_SURFACE;
+    if (!context || !useElsewhere(display, context, first)) return fprintf(stderr, "no pbuffer\n"), 1;
+  }
   if (!context || !eglMakeCurrent(display, target.surface, target.surface, context))
     return fprintf(stderr, "no context\n"), 1;
   Gl gl;
   if (!loadGl(&gl, byName)) return 1;
-  const int right = workload(&gl, show, &target);
+  const int right = moved || bare ? swappedWorkload(&gl, &target) : workload(&gl, show, &target);
   eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display, context);
   eglTerminate(display);

@@ -25,6 +25,8 @@ class TracedContext {
 
   /// Makes it current in this thread.
   void makeCurrent();
+  /// As if its drawable had a back buffer or not; at first it has none.
+  void setDoubleBuffered(bool doubleBuffered) { context_->setDoubleBuffered(doubleBuffered); }
 
   static Settings vertexShading();
   /// The default settings, except that small scenes are traced, too.

@@ -31,7 +31,7 @@ bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& ele
     return false;
   };
   const DrawPath path = pathOf(elementsOf(0));
-  if (c.clock.passesThrough()) return c.passthrough.takes(path, kindOf(mode), triangles);
+  if (c.clock.passesThrough() && c.passthrough.takes(path, kindOf(mode), triangles)) return true;
   c.passthrough.works();
   if (c.protect([&] { return c.untraced.numbersDraws(); }))
     c.beforeForward(Context::Flush::all);

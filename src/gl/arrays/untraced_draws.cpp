@@ -18,6 +18,14 @@ bool isUntraced(Context& c) {
   return !c.surfaces.passes.any() && c.untraced.areAll();
 }
 
+/// Whether the shaders may take their vertices from fixed function. Those of a pipeline are not inspected.
+bool mayReadFixedVertices(Context& c) {
+  if (c.untraced.inUse() != Reason::traced) return c.untraced.readsFixedVertices();
+  if (c.info().core) return false;
+  c.shadow.refresh(kFixedArrays);
+  return c.shadow.arrays.vertex.enabled;
+}
+
 }  // namespace
 
 bool drawsUntraced(Context& c) {
@@ -28,10 +36,11 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
   c.immediate.closeRunIfOpen();
   c.shadow.refresh(kViewport | kTarget);
   c.protect([&] {
-    const Reason ofContext = c.triage.ofContext();
-    const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? c.untraced.inUse() : ofContext;
+    const Reason ofContext = c.triage.ofContext(), inUse = c.untraced.inUse();
+    const Reason ofProgram = inUse == Reason::traced ? Reason::program : inUse;  // a pipeline has no program
+    const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? ofProgram : ofContext;
     c.counts.rasterised(reason, path, kindOf(mode), triangles);
-    if (c.untraced.readsFixedVertices()) c.surfaces.passes.rasterisedFixedUnseen();
+    if (mayReadFixedVertices(c)) c.surfaces.passes.rasterisedFixedUnseen(depthPlaceOf(c.shadow.state));
   });
   c.raster.before(kindOf(mode));
   c.shadow.sendBuffers();
@@ -40,7 +49,7 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
 void rememberUntraced(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return;
   const uint64_t count = countTriangles(mode, static_cast<uint64_t>(e.count));
-  c.protect([&] { c.surfaces.passes.rasterisedUnseen(c.shadow.state.target.framebuffer, count); });
+  c.protect([&] { c.surfaces.passes.rasterisedUnseen(depthPlaceOf(c.shadow.state), count); });
 }
 
 bool drawUntraced(Context& c, GLenum mode, const Elements& e) {

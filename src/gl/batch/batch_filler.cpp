@@ -110,7 +110,7 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   p_.flusher.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
   if (!layer || key.blending.writesDepth)
     p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
-                             p_.triage.isPushedBack());
+                             depthPlaceOf(p_.shadow.state), p_.triage.isPushedBack());
   settleFailure();
 }
 
@@ -126,7 +126,7 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
   p_.flusher.batch.keep(std::move(kept));
   if (key.layers == BatchKey::Layers::none || key.blending.writesDepth)
     p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
-                             p_.triage.isPushedBack());
+                             depthPlaceOf(p_.shadow.state), p_.triage.isPushedBack());
   settleFailure();
 }
 

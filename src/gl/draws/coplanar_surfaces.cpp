@@ -225,7 +225,7 @@ bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
 
 bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& place) {
   if (mesh->shape != scene::Shape::triangles || mesh->triangleCount == 0 ||
-      mesh->triangleCount > kMostTriangles || planar_.size() >= kMostPlanarMeshes)
+      mesh->triangleCount > kMostTriangles || !hasRoom())
     return false;
   const std::optional<glm::dvec4>& plane = planeOf(*mesh);
   if (!plane) return false;
@@ -240,15 +240,34 @@ bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& pla
     met = metNow = true;
     remember(other.mesh->geometryId), remember(mesh->geometryId);
   }
+  planar->epoch = epoch_;
   planar_.push_back(std::move(*planar));
+  used_ = true;
   return met;
 }
 
+void CoplanarSurfaces::clear(const DepthClear& depth) {
+  endEpoch();
+  std::erase_if(planar_, [&](const PlanarMesh& planar) {
+    return depth.removes({planar.place.framebuffer, planar.place.viewport});
+  });
+}
+
 void CoplanarSurfaces::clear() {
-  if (planar_.empty()) return;
+  endEpoch();
   planar_.clear();
+}
+
+void CoplanarSurfaces::endEpoch() {
+  if (!std::exchange(used_, false)) return;
   work_ = 0;
   ++epoch_;
+}
+
+bool CoplanarSurfaces::hasRoom() {
+  if (planar_.size() < kMostPlanarMeshes) return true;
+  std::erase_if(planar_, [&](const PlanarMesh& planar) { return planar.epoch != epoch_; });
+  return planar_.size() < kMostPlanarMeshes;
 }
 
 void CoplanarSurfaces::remember(const Hash128& geometry) {

@@ -3,6 +3,7 @@
 // their vertices, so rays cannot tell: both are rasterised. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
+#include "gl/draws/depth_history.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>
@@ -29,12 +30,17 @@ class CoplanarSurfaces {
   /// Whether `mesh`, which is about to be drawn and could be traced, is planar and overlaps another planar
   /// mesh of the depth epoch in its plane, or did so in one of the last hundred epochs. Equal triangles do
   /// not count, as their depths are equal. Ignores meshes of more than kMostTriangles, and all planar meshes
-  /// after the first kMostPlanarMeshes of a depth epoch.
+  /// after the first kMostPlanarMeshes of a depth epoch; those of earlier epochs make room for them.
   bool meets(const scene::MeshPtr& mesh, const SurfacePlace& place);
   /// Whether, since the last call, a mesh drawn in this depth epoch was first found to overlap another.
   bool takeFound() { return std::exchange(found_, false); }
-  /// Depth was cleared, or the frame ended: a new depth epoch begins.
+  /// Depth was cleared: a new depth epoch begins. Meshes that the clear does not remove stay.
+  void clear(const DepthClear& depth);
+  /// Buffers were swapped: a new depth epoch begins with nothing.
   void clear();
+  /// A frame ended without a swap, which leaves its depth as it is.
+  void shown() { endEpoch(); }
+  bool empty() const { return planar_.empty(); }
   /// Work of this depth epoch: triangles read plus bounding boxes compared (a pair of triangles counts as 8).
   uint64_t work() const { return work_; }
 
@@ -53,6 +59,7 @@ class CoplanarSurfaces {
     glm::dmat3 clipFromPlane;  // clip x, y and w from (s, t, 1)
     glm::dvec2 lower, upper;   // its bounds, clipped to the viewport
     bool before = true;        // all of it is in front of the viewer
+    uint64_t epoch = 0;        // in which it was drawn
   };
   struct Piece;
   struct Common;
@@ -67,10 +74,15 @@ class CoplanarSurfaces {
   bool anyOverlap(std::vector<Piece> a, std::vector<Piece> b);
   /// The plane in which the mesh lies, object space; nullopt if it is not planar.
   const std::optional<glm::dvec4>& planeOf(const scene::Mesh& mesh);
+  /// Ends the depth epoch if it had planar meshes.
+  void endEpoch();
+  /// Whether another mesh may be kept: forgets those of earlier epochs if there are too many.
+  bool hasRoom();
   void remember(const Hash128& geometry);
   bool isRemembered(const Hash128& geometry);
 
-  std::vector<PlanarMesh> planar_;  // of this depth epoch
+  std::vector<PlanarMesh> planar_;  // not cleared yet
+  bool used_ = false;               // some were drawn in this depth epoch
   bool found_ = false;
   uint64_t epoch_ = 0, work_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last depth epoch

@@ -77,6 +77,60 @@ TEST(PlanarMeshes, AreRememberedForAHundredDepthEpochs) {
   }
 }
 
+TEST(PlanarMeshes, StayUntilTheirPixelsAreCleared) {
+  const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
+  const scene::Region all{0, 0, 10000, 10000}, corner{0, 0, 40, 40};
+  const auto meetsAfter = [&](const auto& between) {
+    CoplanarSurfaces planar;
+    EXPECT_FALSE(planar.meets(first, here()));
+    between(planar);
+    return planar.meets(second, here());
+  };
+  EXPECT_TRUE(meetsAfter([&](CoplanarSurfaces& planar) { planar.clear({7, all}); })) << "another framebuffer";
+  EXPECT_TRUE(meetsAfter([&](CoplanarSurfaces& planar) { planar.clear({0, corner}); }));
+  EXPECT_TRUE(meetsAfter([](CoplanarSurfaces& planar) { planar.shown(); }));
+  EXPECT_FALSE(meetsAfter([&](CoplanarSurfaces& planar) { planar.clear({0, all}); }));
+  EXPECT_FALSE(meetsAfter([](CoplanarSurfaces& planar) { planar.clear(); }));
+}
+
+TEST(PlanarMeshes, OfEarlierEpochsMakeRoom) {
+  CoplanarSurfaces planar;
+  for (size_t i = 0; i < CoplanarSurfaces::kMostPlanarMeshes; ++i)
+    planar.meets(rectangle({-1, -1}, {1, 1}, 0.002f * static_cast<float>(i)), here());
+  EXPECT_FALSE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here())) << "no room";
+  planar.shown();
+  EXPECT_FALSE(planar.meets(rectangle({-1, -1}, {1, 1}), here()));
+  EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
+}
+
+TEST(DepthHistory, OtherFramebuffersCountUntilThisOneIsCleared) {
+  DepthHistory history;
+  const DepthStamp drawn = history.stamp({1, {0, 0, 10, 10}});
+  EXPECT_TRUE(history.reaches(drawn, 1));
+  EXPECT_TRUE(history.reaches(drawn, 2)) << "they may share their depth";
+  history.clear({2, {0, 0, 10, 10}});
+  EXPECT_FALSE(history.reaches(drawn, 2));
+  EXPECT_TRUE(history.reaches(drawn, 1));
+  EXPECT_TRUE(history.reaches(history.stamp({1, {0, 0, 10, 10}}), 2)) << "drawn later";
+}
+
+TEST(DepthHistory, ForgetsWhatIsNeverCleared) {
+  DepthHistory history;
+  const DepthStamp drawn = history.stamp({1, {0, 0, 10, 10}});
+  for (uint64_t i = 0; i < DepthHistory::kMostTurns; ++i) history.nextTurn();
+  EXPECT_FALSE(history.isOld(drawn));
+  history.nextTurn();
+  EXPECT_TRUE(history.isOld(drawn));
+}
+
+TEST(DepthClear, RemovesWhatItCovers) {
+  const DepthClear clear{0, {0, 0, 100, 50}};
+  EXPECT_TRUE(clear.removes({0, {0, 0, 100, 50}}));
+  EXPECT_TRUE(clear.removes({0, {-20, -10, 120, 60}})) << "no pixels have negative coordinates";
+  EXPECT_FALSE(clear.removes({1, {0, 0, 100, 50}}));
+  EXPECT_FALSE(clear.removes({0, {0, 0, 101, 50}}));
+}
+
 TEST(PlanarMeshes, BentSurfacesAreNotPlanar) {
   CoplanarSurfaces planar;
   const std::vector<glm::vec3> bent = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},

@@ -12,6 +12,22 @@ namespace {
 /// Key in surfaces_ of what shader programs draw into a framebuffer.
 Hash128 placeIn(uint32_t framebuffer) { return hashBytes(&framebuffer, sizeof framebuffer); }
 
+/// Key in unseen_.
+Hash128 unseenKey(const DepthPlace& place) {
+  static_assert(sizeof place == sizeof place.framebuffer + sizeof place.viewport);
+  return hashBytes(&place, sizeof place);
+}
+
+/// The smallest viewport that contains both.
+glm::ivec4 uniteViewports(const glm::ivec4& a, const glm::ivec4& b) {
+  const glm::ivec2 lower = glm::min(glm::ivec2(a), glm::ivec2(b));
+  const glm::ivec2 upper = glm::max(glm::ivec2(a.x + a.z, a.y + a.w), glm::ivec2(b.x + b.z, b.y + b.w));
+  return glm::ivec4(lower, upper - lower);
+}
+
+constexpr size_t kMostKept = 65536;       // surfaces that are kept from frame to frame
+constexpr size_t kMostAtOnce = 1u << 20;  // surfaces without an end of a frame or a clear
+
 }  // namespace
 
 VertexSet::VertexSet(const scene::Mesh& mesh)
@@ -36,18 +52,22 @@ VertexSet::Place VertexSet::placeOf(const glm::vec3& point) const {
 }
 
 void MultipassSurfaces::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how,
-                              bool pushedBack) {
-  surfaces_.emplace(hashOf(eyeFromObject), Surface{mesh, eyeFromObject, how, pushedBack});
+                              const DepthPlace& place, bool pushedBack) {
+  limit();
+  surfaces_.emplace(hashOf(eyeFromObject),
+                    Surface{mesh, eyeFromObject, how, pushedBack, depths_.stamp(place)});
   rasterised_ = rasterised_ || how == How::rasterised;
+  used_ = true;
 }
 
 void MultipassSurfaces::drawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
-                                       const glm::dmat4& clipFromObject, uint32_t framebuffer,
+                                       const glm::dmat4& clipFromObject, const DepthPlace& place,
                                        bool pushedBack) {
-  Surface surface{mesh, eyeFromObject, How::pending, pushedBack};
+  limit();
+  Surface surface{mesh, eyeFromObject, How::pending, pushedBack, depths_.stamp(place)};
   surface.clipFromObject = clipFromObject;
-  surfaces_.emplace(placeIn(framebuffer), std::move(surface));
-  byProgram_ = true;
+  surfaces_.emplace(placeIn(place.framebuffer), std::move(surface));
+  used_ = true;
 }
 
 void MultipassSurfaces::flushed(const scene::SnapshotPtr& snapshot) {
@@ -76,31 +96,64 @@ std::vector<DepthRedraw> MultipassSurfaces::takeTraced() {
   return all;
 }
 
-void MultipassSurfaces::clear(std::optional<uint32_t> framebuffer) {
-  if (framebuffer) {
-    std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return r.framebuffer == *framebuffer; });
-    unseen_.erase(*framebuffer);
-  } else {
-    rasterisedByProgram_.clear(), unseen_.clear();
-  }
+void MultipassSurfaces::clear(const DepthClear& depth) {
+  depths_.clear(depth);
+  endEpoch();
+  forgetIf([&](const DepthStamp& at) { return depth.removes(at.place) || depths_.isOld(at); });
+}
+
+void MultipassSurfaces::clear() {
+  endEpoch();
+  surfaces_.clear(), sampled_.clear(), unseenFixed_.clear(), rasterisedByProgram_.clear(), unseen_.clear();
+  rasterised_ = false, unseenCounts_ = 0;
+  depths_.forget();
+}
+
+void MultipassSurfaces::shown() {
+  depths_.nextTurn();
+  endEpoch();
+  forgetIf([&](const DepthStamp& at) { return depths_.isOld(at); });
+  forgetMany();
+}
+
+void MultipassSurfaces::endEpoch() {
   lastUnseen_ = {};
-  sampled_.clear(), unseenFixed_ = false;
   ++idle_;
-  if (surfaces_.empty()) return;
-  ++epoch_;
-  if (!byProgram_ || !framebuffer) {
-    surfaces_.clear();
-    rasterised_ = byProgram_ = false;
-    return;
-  }
-  const Hash128 place = placeIn(*framebuffer);
-  std::erase_if(surfaces_, [&](const auto& one) { return !one.second.clipFromObject || one.first == place; });
-  byProgram_ = !surfaces_.empty();
+  if (std::exchange(used_, false)) ++epoch_;
+}
+
+template <class Gone>
+void MultipassSurfaces::forgetIf(const Gone& gone) {
+  std::erase_if(surfaces_, [&](const auto& one) { return gone(one.second.at); });
+  rasterised_ = rasterised_ && !surfaces_.empty();
+  std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return gone(r.at); });
+  std::erase_if(unseen_, [&](const auto& one) { return gone(one.second.at); });
+  std::erase_if(unseenFixed_, [&](const auto& one) { return gone(one.second); });
+  sampled_.eraseIf(gone);
+  if (unseen_.empty()) unseenCounts_ = 0;
 }
 
 void MultipassSurfaces::forgetMany() {
-  constexpr size_t kMany = 65536;
-  if (surfaces_.size() + sampled_.size() > kMany) clear();
+  if (surfaces_.size() + sampled_.size() + unseenCounts_ > kMostKept) clear();
+}
+
+/// For programs that neither clear depth nor end frames.
+void MultipassSurfaces::limit() {
+  if (surfaces_.size() + sampled_.size() + unseenCounts_ + unseenFixed_.size() >= kMostAtOnce) clear();
+}
+
+void MultipassSurfaces::rasterisedFixed(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles,
+                                        const DepthPlace& place, bool pushedBack) {
+  limit();
+  sampled_.add(eyeFromObject, std::move(triangles), depths_.stamp(place), pushedBack);
+}
+
+void MultipassSurfaces::rasterisedFixedUnseen(const DepthPlace& place) {
+  const DepthStamp now = depths_.stamp(place);
+  const auto [known, added] = unseenFixed_.try_emplace(place.framebuffer, now);
+  if (added) return;
+  known->second.turn = now.turn;
+  known->second.place.viewport = uniteViewports(known->second.place.viewport, place.viewport);
 }
 
 bool MultipassSurfaces::anyByProgram(uint32_t framebuffer, uint64_t triangles) const {
@@ -126,13 +179,14 @@ bool MultipassSurfaces::holdsSome(const scene::Mesh& mesh, std::span<const Trian
 }
 
 MultipassSurfaces::Meeting MultipassSurfaces::meets(const glm::dmat4& eyeFromObject,
-                                                    std::span<const Triangle> triangles, bool pushedBack) {
+                                                    std::span<const Triangle> triangles, uint32_t framebuffer,
+                                                    bool pushedBack) {
   Meeting meeting = Meeting::none;
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     Surface& surface = it->second;
     if (surface.pushedBack && !pushedBack) continue;  // the offset makes the later pass win in any case
-    if (!liesUpon(surface, eyeFromObject, triangles)) continue;
+    if (!depths_.reaches(surface.at, framebuffer) || !liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
     meeting = meet(surface, meeting);
   }
@@ -162,20 +216,24 @@ MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(uint32_t framebuffer,
 }
 
 bool MultipassSurfaces::meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
-                                     bool pushedBack) {
+                                     uint32_t framebuffer, bool pushedBack) {
   idle_ = 0;
-  const auto holds = [&](std::span<const Triangle> triangles) { return holdsSome(mesh, triangles); };
-  return unseenFixed_ || sampled_.any(mesh, eyeFromObject, pushedBack, holds);
+  for (const auto& [name, at] : unseenFixed_)
+    if (depths_.reaches(at, framebuffer)) return true;
+  return sampled_.any(mesh, eyeFromObject, pushedBack,
+                      [&](const DepthStamp& at, std::span<const Triangle> triangles) {
+                        return depths_.reaches(at, framebuffer) && holdsSome(mesh, triangles);
+                      });
 }
 
 bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
-                                        bool pushedBack) {
+                                        uint32_t framebuffer, bool pushedBack) {
   if (!rasterised_ || !anyUnder(eyeFromObject)) return false;
   const std::vector<Triangle> triangles = sampleTriangles(mesh);
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     if (it->second.how != How::rasterised || it->second.pushedBack != pushedBack ||
-        !liesUpon(it->second, eyeFromObject, triangles))
+        !depths_.reaches(it->second.at, framebuffer) || !liesUpon(it->second, eyeFromObject, triangles))
       continue;
     remember(it->second.mesh->geometryId);
     remember(mesh.geometryId);
@@ -190,28 +248,32 @@ void MultipassSurfaces::remember(const Hash128& geometry) {
   metIn_[geometry] = epoch_;
 }
 
-void MultipassSurfaces::rasterisedByProgram(uint32_t framebuffer, uint64_t count,
+void MultipassSurfaces::rasterisedByProgram(const DepthPlace& place, uint64_t count,
                                             std::vector<Triangle> triangles, const glm::dmat4* clipFromObject,
                                             bool pushedBack) {
   if (rasterisedByProgram_.size() >= kMostRasterised || triangles.empty()) return;
-  Rasterised r{framebuffer, count, std::move(triangles), {}, pushedBack};
+  Rasterised r{depths_.stamp(place), count, std::move(triangles), {}, pushedBack};
   if (clipFromObject) r.clipFromObject = *clipFromObject;
   rasterisedByProgram_.push_back(std::move(r));
 }
 
-void MultipassSurfaces::rasterisedUnseen(uint32_t framebuffer, uint64_t count) {
-  if (count == 0 || lastUnseen_ == Unseen{framebuffer, count}) return;
-  unseen_[framebuffer].insert(count);
-  lastUnseen_ = {framebuffer, count};
+void MultipassSurfaces::rasterisedUnseen(const DepthPlace& place, uint64_t count) {
+  if (count == 0 || lastUnseen_ == Unseen{place, count}) return;
+  limit();
+  UnseenAt& unseen = unseen_[unseenKey(place)];
+  unseen.at = depths_.stamp(place);
+  if (unseen.counts.insert(count).second) ++unseenCounts_;
+  lastUnseen_ = {place, count};
 }
 
-bool MultipassSurfaces::meetsRasterised(uint32_t framebuffer, const scene::Mesh& mesh,
+bool MultipassSurfaces::meetsRasterised(const DepthPlace& place, const scene::Mesh& mesh,
                                         const glm::dmat4& clipFromObject, bool pushedBack) {
-  const auto unseen = unseen_.find(framebuffer);
-  if (unseen != unseen_.end() && unseen->second.contains(mesh.triangleCount)) return true;
+  const auto unseen = unseen_.empty() ? unseen_.end() : unseen_.find(unseenKey(place));
+  if (unseen != unseen_.end() && unseen->second.counts.contains(mesh.triangleCount)) return true;
   const auto meets = [&](const Rasterised& r) {
-    return r.framebuffer == framebuffer && r.count == mesh.triangleCount && (pushedBack || !r.pushedBack) &&
-           (!r.clipFromObject || *r.clipFromObject == clipFromObject) && holdsSome(mesh, r.triangles);
+    return r.at.place.framebuffer == place.framebuffer && r.count == mesh.triangleCount &&
+           (pushedBack || !r.pushedBack) && (!r.clipFromObject || *r.clipFromObject == clipFromObject) &&
+           holdsSome(mesh, r.triangles);
   };
   if (!std::any_of(rasterisedByProgram_.begin(), rasterisedByProgram_.end(), meets)) return false;
   remember(mesh.geometryId);

@@ -30,25 +30,35 @@ bool RasterDraws::needsVertices(PrimitiveClass kind, Reason reason) const {
 }
 
 void RasterDraws::passUnseen(PrimitiveClass kind, Reason reason) {
-  if (needsOf(kind, reason).unseen) p_.surfaces.passes.rasterisedFixedUnseen();
+  if (needsOf(kind, reason).unseen) leaveUnseen();
+}
+
+DepthPlace RasterDraws::place() const {
+  p_.shadow.refresh(kTarget | kViewport);
+  return depthPlaceOf(p_.shadow.state);
 }
 
 void RasterDraws::leave(std::vector<Triangle> triangles) {
-  p_.surfaces.passes.rasterisedFixed(p_.shadow.state.modelview, std::move(triangles),
+  p_.surfaces.passes.rasterisedFixed(p_.shadow.state.modelview, std::move(triangles), place(),
                                      p_.triage.isPushedBack());
+}
+
+void RasterDraws::leaveUnseen() {
+  p_.failsafe.protect([&] { p_.surfaces.passes.rasterisedFixedUnseen(place()); });
 }
 
 void RasterDraws::remember(const KnownMesh& known) {
   if (known.mesh)
     p_.surfaces.passes.drawn(known.mesh, p_.shadow.state.modelview, MultipassSurfaces::How::rasterised,
-                             p_.triage.isPushedBack());
+                             place(), p_.triage.isPushedBack());
 }
 
 void RasterDraws::meet(std::span<const Triangle> triangles) {
   p_.failsafe.protect([&] {
     const State& state = p_.shadow.state;
     p_.flusher.settleBelow(state.target.samples);
-    rasteriseMet(p_.surfaces.passes.meets(state.modelview, triangles, p_.triage.isPushedBack()));
+    const bool pushedBack = p_.triage.isPushedBack();
+    rasteriseMet(p_.surfaces.passes.meets(state.modelview, triangles, place().framebuffer, pushedBack));
   });
 }
 

@@ -43,7 +43,7 @@ class RasterDraws {
   template <class Sample, class MeshOf>
   void meetPasses(PrimitiveClass kind, Reason reason, const Sample& sample, const MeshOf& meshOf) {
     const Needs needs = needsOf(kind, reason);
-    if (needs.unseen) p_.surfaces.passes.rasterisedFixedUnseen();
+    if (needs.unseen) leaveUnseen();
     if (!needs.any()) return;
     p_.failsafe.protect([&] {
       std::vector<Triangle> triangles;
@@ -73,6 +73,8 @@ class RasterDraws {
   void meet(std::span<const Triangle> triangles);
   void remember(const KnownMesh& known);
   void leave(std::vector<Triangle> triangles);
+  void leaveUnseen();
+  DepthPlace place() const;
   /// Which way the next draw may change depths.
   void noteDepths();
 

@@ -39,10 +39,11 @@ Hash128 hashOf(const glm::dmat4& matrix) {
   return hashBytes(glm::value_ptr(m), sizeof m);
 }
 
-void SampledSurfaces::add(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles, bool pushedBack) {
+void SampledSurfaces::add(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles,
+                          const DepthStamp& at, bool pushedBack) {
   if (triangles.empty()) return;
   constexpr float kFar = std::numeric_limits<float>::max();
-  Box box{glm::vec3(kFar), glm::vec3(-kFar), pushedBack};
+  Box box{glm::vec3(kFar), glm::vec3(-kFar), pushedBack, at};
   for (const Triangle& t : triangles)
     for (const glm::vec3& p : t) box.lower = glm::min(box.lower, p), box.upper = glm::max(box.upper, p);
   Group& group = groups_[hashOf(eyeFromObject)];

@@ -4,12 +4,14 @@
 #pragma once
 #include "base/hash.h"
 #include "gl/capture/captured_vertices.h"
+#include "gl/draws/depth_history.h"
 #include "scene/mesh.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -28,9 +30,10 @@ Hash128 hashOf(const glm::dmat4& matrix);
 
 class SampledSurfaces {
  public:
-  void add(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles, bool pushedBack);
-  /// Whether `holds(triangles)` of one with this matrix, which was pushed back if `pushedBack`, and whose box
-  /// meets that of the mesh.
+  void add(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles, const DepthStamp& at,
+           bool pushedBack);
+  /// Whether `holds(stamp, triangles)` of one with this matrix, which was pushed back if `pushedBack`, and
+  /// whose box meets that of the mesh.
   template <class Holds>
   bool any(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack,
            const Holds& holds) const {
@@ -39,23 +42,44 @@ class SampledSurfaces {
     const Group& group = found->second;
     for (size_t i = 0; i < group.boxes.size(); ++i)
       if (group.boxes[i].pushedBack == pushedBack && group.boxes[i].meetsBoxOf(mesh) &&
-          holds(group.triangles[i]))
+          holds(group.boxes[i].at, group.triangles[i]))
         return true;
     return false;
   }
   size_t size() const { return size_; }
   void clear() { groups_.clear(), size_ = 0; }
+  /// Forgets those of which `gone(stamp)`.
+  template <class Gone>
+  void eraseIf(const Gone& gone) {
+    size_ = 0;
+    for (auto it = groups_.begin(); it != groups_.end();) {
+      it->second.eraseIf(gone);
+      size_ += it->second.boxes.size();
+      it = it->second.boxes.empty() ? groups_.erase(it) : std::next(it);
+    }
+  }
 
  private:
   struct Box {
-    glm::vec3 lower, upper;
-    bool pushedBack;
+    glm::vec3 lower{0}, upper{0};
+    bool pushedBack = false;
+    DepthStamp at;
     bool meetsBoxOf(const scene::Mesh& mesh) const;
   };
   /// Of one matrix, one box for each sample.
   struct Group {
     std::vector<Box> boxes;
     std::vector<std::vector<Triangle>> triangles;
+    template <class Gone>
+    void eraseIf(const Gone& gone) {
+      size_t kept = 0;
+      for (size_t i = 0; i < boxes.size(); ++i) {
+        if (gone(boxes[i].at)) continue;
+        if (kept != i) boxes[kept] = boxes[i], triangles[kept] = std::move(triangles[i]);
+        ++kept;
+      }
+      boxes.resize(kept), triangles.resize(kept);
+    }
   };
   std::unordered_map<Hash128, Group> groups_;
   size_t size_ = 0;  // samples in all groups

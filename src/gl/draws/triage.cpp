@@ -149,7 +149,8 @@ Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& mat
   const State& state = p_.shadow.state;
   const auto meetsSampled = [&] {
     return !scene::isSolid(known.mesh->shape) &&
-           p_.surfaces.passes.meetsSampled(*known.mesh, state.modelview, isPushedBack());
+           p_.surfaces.passes.meetsSampled(*known.mesh, state.modelview, state.target.framebuffer,
+                                           isPushedBack());
   };
   if (reason == Reason::traced && meetsSampled()) reason = Reason::passes;
   const auto place = [&] { return placeOf(state.projection * state.modelview, Batch::keyOf(state).offset); };
@@ -177,7 +178,7 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
   if (surfaces.precision.isTooLarge(*known.mesh, clipFromObject, {state.viewport.z, state.viewport.w}))
     return Reason::tooLarge;
   if (surfaces.passes.several(known.mesh->geometryId) ||
-      surfaces.passes.meetsRasterised(*known.mesh, state.modelview, isPushedBack()))
+      surfaces.passes.meetsRasterised(*known.mesh, state.modelview, state.target.framebuffer, isPushedBack()))
     return Reason::passes;
   if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
   if (state.raster.program != 0) return ofProgramsMesh(*known.mesh, materials);

@@ -145,7 +145,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
 
 bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
   return p_.surfaces.passes.several(mesh.geometryId) ||
-         p_.surfaces.passes.meetsRasterised(p_.shadow.state.target.framebuffer, mesh,
+         p_.surfaces.passes.meetsRasterised(depthPlaceOf(p_.shadow.state), mesh,
                                             p_.shadow.state.program.clipFromObject,
                                             offsetOf(p_.shadow.state, mesh.shape).pushesBack());
 }
@@ -208,7 +208,8 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
       p_.raster.rasteriseMet(
           p_.surfaces.passes.meetsProgram(framebuffer, samples, count, matrix, pushedBack));
     if (leaves)
-      p_.surfaces.passes.rasterisedByProgram(framebuffer, count, std::move(samples), matrix, pushedBack);
+      p_.surfaces.passes.rasterisedByProgram(depthPlaceOf(p_.shadow.state), count, std::move(samples), matrix,
+                                             pushedBack);
   }
 }
 
@@ -264,7 +265,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
                            (key.layers == BatchKey::Layers::drawn && key.blending.writesDepth);
     if (seenAgain && mesh->shape == scene::Shape::triangles)
       p_.surfaces.passes.drawnByProgram(mesh, p_.shadow.state.modelview, program.clipFromObject,
-                                        p_.shadow.state.target.framebuffer,
+                                        depthPlaceOf(p_.shadow.state),
                                         p_.flusher.batch.key().offset.pushesBack());
   }
   p_.flusher.batch.keep(std::move(kept));

@@ -1,14 +1,24 @@
 #include "gl/programs/untraced_programs.h"
 
 #include "gl/programs/program_state.h"
+#include "gl/state/state_queries.h"
 
 #include <algorithm>
 #include <string>
 
 namespace gluray::gl {
 
+GLuint UntracedPrograms::nameInUse() const {
+  return shadow_.dirty & kRaster ? shadow_.program.name() : shadow_.state.raster.program;
+}
+
+bool UntracedPrograms::isPipeline() const {
+  return nameInUse() == 0 && isPresent(shadow_.real.BindProgramPipeline) &&
+         integer(shadow_.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
+}
+
 Reason UntracedPrograms::inUse() {
-  const GLuint name = shadow_.dirty & kRaster ? shadow_.program.name() : shadow_.state.raster.program;
+  const GLuint name = nameInUse();
   if (name == 0) return Reason::traced;
   if (name != name_ || changes_ != shadow_.group.programChanges()) find(name);
   return reason_;

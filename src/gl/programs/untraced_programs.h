@@ -17,8 +17,9 @@ class UntracedPrograms {
   /// Why draws of the program in use are not traced, whatever the state is. Reason::traced: they may be
   /// traced, or no program is in use. Reads no state back. May throw std::bad_alloc.
   Reason inUse();
-  /// Whether its shaders may read which draw of a multi-draw they belong to.
-  bool numbersDraws() { return inUse() != Reason::traced && numbersDraws_; }
+  /// Whether its shaders may read which draw of a multi-draw they belong to. Those of a program pipeline are
+  /// not inspected: they may.
+  bool numbersDraws() { return inUse() == Reason::traced ? isPipeline() : numbersDraws_; }
   /// Whether it takes its vertices from fixed function.
   bool readsFixedVertices() { return inUse() != Reason::traced && readsFixedVertices_; }
   /// Whether all linked programs of the share group are such, so that no draw by a program will be traced. In
@@ -26,6 +27,9 @@ class UntracedPrograms {
   bool areAll();
 
  private:
+  GLuint nameInUse() const;
+  /// Whether no program is in use, but a program pipeline.
+  bool isPipeline() const;
   void find(GLuint name);
 
   ShadowState& shadow_;

@@ -31,7 +31,7 @@ class ShadowState {
   const RealGl& real;
   const std::shared_ptr<ShareGroup> sharedGroup;
   ShareGroup& group;
-  const ContextInfo info;
+  ContextInfo info;
   const Settings& settings;  // of this frame
   Errors& errors;
 

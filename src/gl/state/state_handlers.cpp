@@ -1,4 +1,5 @@
-// Handlers of clears, glFlush, glFinish, the attribute stack, queries, and changes of textures and programs.
+// Handlers of clears, glFlush, glFinish, fences, the attribute stack, queries, and changes of textures and
+// programs.
 #include "gl/handlers.h"
 #include "gl/state/hidden_extensions.h"
 #include "gl/state/state_queries.h"
@@ -46,10 +47,26 @@ void flush(Context& c) {
 }
 
 void finish(Context& c) {
-  c.protect([&] { c.window.showLagged(); });
-  c.frames.showIfVisible();
+  c.protect([&] {
+    c.window.showLagged();
+    if (c.layers.holdsDepths() || c.layers.asks()) c.flusher.flush();
+  });
+  c.frames.finish();
   c.shadow.textures.finished();
   c.real.Finish();
+}
+
+/// A fence signals after all earlier draws (OpenGL 4.6, 4.1.2). Contexts that wait for it see only what they
+/// share, which is the images of framebuffer objects. A fence ends no frame.
+void fenceSync(Context& c, GLenum, GLbitfield) {
+  if (c.shadow.group.contexts == 1) return;
+  const Batch& batch = c.flusher.batch;
+  const bool isPending = !batch.empty() && batch.key().framebuffer != 0;
+  if (isPending || c.layers.holdsDepths() || c.layers.asks())
+    c.flusher.flush();
+  else if (c.resolves.waits())
+    c.flusher.settle();
+  c.shadow.textures.finished();
 }
 
 void pushAttrib(Context& c, GLbitfield mask) {

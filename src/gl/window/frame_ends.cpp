@@ -4,6 +4,7 @@
 #include "gl/capture/immediate.h"
 #include "gl/lists/list_compiler.h"
 #include "gl/state/state_queries.h"
+#include "gl/thread_state.h"
 #include "gl/window/clears.h"
 #include "gl/window/window_frames.h"
 
@@ -40,6 +41,12 @@ void FrameEnds::beforeSwap() {
 }
 
 void FrameEnds::afterSwap() {
+  nextFrame();
+  p_.surfaces.passes.clear();
+  p_.surfaces.coplanar.clear();
+}
+
+void FrameEnds::nextFrame() {
   p_.cleared.forget();  // the back buffer is undefined
   p_.surfaces.objects.shown(p_.settings.frame());
   ++p_.counts.statistics.frames;
@@ -50,8 +57,6 @@ void FrameEnds::afterSwap() {
   begun_ = false, drawsBefore_ = draws();
   p_.settings.endFrame();
   p_.failsafe.protect([&] { takeSettings(); });
-  p_.surfaces.passes.clear();
-  p_.surfaces.coplanar.clear();
   p_.surfaces.views.swapped();
   forgetOld();
 }
@@ -124,11 +129,21 @@ void FrameEnds::clearing(GLbitfield mask) {
   p_.passthrough.works();
 }
 
+/// Forgets the surfaces whose depth the clear has removed.
+void FrameEnds::endDepths() {
+  SurfaceHistory& surfaces = p_.surfaces;
+  if (!surfaces.passes.remembers() && surfaces.coplanar.empty()) return surfaces.passes.clear();
+  const RealGl& real = p_.shadow.real;
+  if (!clearsInFull(real, p_.shadow.state.rare, GL_DEPTH_BUFFER_BIT)) return;
+  const glm::ivec4 box = scissorBox(real);
+  const bool objects = p_.shadow.state.rare.framebufferObjects;
+  const DepthClear depth{objects ? drawFramebuffer(real) : 0, {box.x, box.y, box.z, box.w}};
+  surfaces.passes.clear(depth);
+  surfaces.coplanar.clear(depth);
+}
+
 void FrameEnds::cleared(GLbitfield mask) {
-  if (mask & GL_DEPTH_BUFFER_BIT) {
-    if (p_.surfaces.passes.anyByProgram()) p_.shadow.refresh(kTarget);
-    p_.surfaces.passes.clear(p_.shadow.state.target.framebuffer), p_.surfaces.coplanar.clear();
-  }
+  if (mask & GL_DEPTH_BUFFER_BIT) p_.failsafe.protect([&] { endDepths(); });
   if (!p_.surfaces.views.empty() || !p_.surfaces.objects.empty() ||
       scene::needsSurroundings(p_.shadow.settings) || wantsShownViews(p_.shadow.settings))
     endViews(mask);
@@ -164,11 +179,18 @@ void FrameEnds::endViews(GLbitfield mask) {
   if (depth) p_.surfaces.views.depthCleared(framebuffer, box);
 }
 
+/// The framebuffer keeps its depth: passes over surfaces of this frame may follow.
+void FrameEnds::endFrameInPlace() {
+  nextFrame();
+  p_.surfaces.passes.shown();
+  p_.surfaces.coplanar.shown();
+}
+
 void FrameEnds::endFrame() {
   p_.passthrough.stopMeasuring();
   const ContextInfo& info = p_.shadow.info;
   if (info.frameEnding) info.frameEnding();
-  afterSwap();
+  endFrameInPlace();
   if (info.frameEnded) info.frameEnded();
 }
 
@@ -194,20 +216,28 @@ void FrameEnds::showDrawn() {
   if (!p_.clock.choice.drawn()) return;
   p_.shadow.refresh(kTarget);
   if (p_.shadow.state.target.framebuffer != 0)
-    return p_.counts.work() != workForgotten_ ? afterSwap() : void();
+    return p_.counts.work() != workForgotten_ ? endFrameInPlace() : void();
   endFrame();
 }
 
-void FrameEnds::showIfVisible() {
+/// Other APIs may read the images of framebuffer objects, and other threads may show or read the window.
+void FrameEnds::finish() {
+  const bool threads = usedByThreads();
+  if (threads) p_.failsafe.protect([&] { p_.window.settle(); });
+  show(true, threads);
+}
+
+void FrameEnds::show(bool objects, bool windows) {
   p_.shadow.syncCurrent();
   const bool doubleBuffered = p_.shadow.info.doubleBuffered;
   const int sharing = p_.shadow.group.contexts;
   if (p_.resolves.waits() && sharing > 1) p_.failsafe.protect([&] { p_.flusher.settle(); });
   const Batch& batch = p_.flusher.batch;
   if (batch.empty()) return doubleBuffered ? showFront() : showDrawn();
-  // Only contexts that share its images can see a framebuffer object's content.
   const bool object = batch.key().framebuffer != 0;
-  if (object ? sharing == 1 : doubleBuffered && !isFront(batch.key().drawBuffer)) return;
+  const bool visible =
+      object ? objects || sharing > 1 : windows || !doubleBuffered || isFront(batch.key().drawBuffer);
+  if (!visible) return;
   p_.flusher.flush();
   if (object) return;
   doubleBuffered ? showFront() : endFrame();

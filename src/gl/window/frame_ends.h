@@ -37,8 +37,12 @@ class FrameEnds {
   void beforeSwap();
   /// Call after a buffer swap: ends the frame, chooses the next one's engine, forgets old meshes.
   void afterSwap();
-  /// For glFlush and glFinish: flushes if the pending batch could be seen before the next swap.
-  void showIfVisible();
+  /// For glFlush: flushes if the pending batch could be seen before the next swap, by contexts that share the
+  /// images of its framebuffer object, or in the window.
+  void showIfVisible() { show(false, false); }
+  /// For glFinish: the same, and whatever uses of the framebuffer could follow without a call of this
+  /// context.
+  void finish();
   /// Call before a clear: if the frame begins with it, takes the current settings.
   void beforeClear(GLbitfield mask) noexcept;
   /// Call before and after the real clear. Clears of colour and depth end frames of programs that never swap.
@@ -49,8 +53,13 @@ class FrameEnds {
   void takeSettings();
   void endWithOthers(GLbitfield mask);
   uint64_t draws() const;
+  void nextFrame();
   void endFrame();
+  void endFrameInPlace();
+  void endDepths();
   void endViews(GLbitfield mask);
+  /// Flushes in any case into framebuffer objects if `objects`, into windows if `windows`.
+  void show(bool objects, bool windows);
   void showFront();
   void showDrawn();
   void chooseEngine();

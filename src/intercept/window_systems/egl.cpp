@@ -1,5 +1,5 @@
-// EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps. EGL 1.5 and the extensions that
-// show pictures.
+// EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps, fences. EGL 1.5 and the extensions
+// that show pictures and make fences.
 #include "base/timeline.h"
 #include "intercept/contexts.h"
 #include "intercept/control/shown_windows.h"
@@ -149,6 +149,15 @@ struct Egl {
     REAL(D, decltype(&eglWaitClient), "eglWaitClient");
     return afterFlush([&] { return real(); });
   }
+  /// Other APIs and processes may wait for the fence, too.
+  static EGLSync createSync(EGLDisplay display, EGLenum type, const EGLAttrib* attributes) {
+    REAL(D, decltype(&eglCreateSync), "eglCreateSync");
+    return afterFlush([&] { return real(display, type, attributes); });
+  }
+  static EGLSyncKHR createSyncKhr(EGLDisplay display, EGLenum type, const EGLint* attributes) {
+    REAL(D, PFNEGLCREATESYNCKHRPROC, "eglCreateSyncKHR");
+    return afterFlush([&] { return real(display, type, attributes); });
+  }
   static EGLBoolean bindTexImage(EGLDisplay display, EGLSurface surface, EGLint buffer) {
     REAL(D, decltype(&eglBindTexImage), "eglBindTexImage");
     const EGLBoolean done = afterFlush([&] { return real(display, surface, buffer); });
@@ -202,6 +211,8 @@ struct Egl {
         HOOK("eglCopyBuffers", copyBuffers),
         HOOK("eglWaitGL", waitGl),
         HOOK("eglWaitClient", waitClient),
+        HOOK("eglCreateSync", createSync),
+        HOOK("eglCreateSyncKHR", createSyncKhr),
         HOOK("eglBindTexImage", bindTexImage),
         HOOK("eglCreateWindowSurface", createWindowSurface),
         HOOK("eglCreatePlatformWindowSurface", createPlatformWindow),

@@ -1,6 +1,7 @@
 // Surfaces drawn in several passes over many frames: rasterised while the passes come, traced again
 // afterwards.
 #include "scenes/stage.h"
+#include "tests/reference/both.h"
 #include "tests/reference/framebuffer.h"
 #include "tests/support/gl_state.h"
 #include "tests/support/traced_context.h"
@@ -138,6 +139,54 @@ TEST(Passes, FindTheDepthOfEverySampleWithoutStencil) { expectFirstFrame(GL_DEPT
 TEST(Passes, FindTheDepthOfEverySampleIn32Bits) { expectFirstFrame(GL_DEPTH_COMPONENT32, true); }
 TEST(Passes, FindTheDepthOfEverySampleInFloats) { expectFirstFrame(GL_DEPTH_COMPONENT32F, true); }
 TEST(Passes, FindTheDepthOfPixelsThatIgnoreTheirSamples) { expectFirstFrame(GL_DEPTH24_STENCIL8, false); }
+
+/// A ball that is traced; then `between`; then the ball again, which shows where its depth is found.
+void expectBothPasses(const std::string& name, const Draw& between) {
+  const BothStage stage{kPassesWidth, kPassesHeight, "passes", [](Gl) {}};
+  const gl::Statistics counts = compareBoth(stage, name, [&](Gl gl) {
+    begin(gl, kPassesWidth, kPassesHeight), camera(gl, kPassesWidth, kPassesHeight), keyLight(gl);
+    paint(gl, 0.3f, 0.5f, 0.7f);
+    const Model ball = scenes::sphere(24, 36);
+    send(gl, ball);
+    between(gl);
+    gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), gl.DepthFunc(GL_EQUAL);
+    paint(gl, 0.5f, 0.2f, 0);
+    send(gl, ball);
+  });
+  EXPECT_GE(counts.drawsTraced, 1u) << name;
+}
+
+void sendWidget(Gl gl) { sendAt(gl, scenes::sphere(8, 12), 0, 0, 0, 0.1f); }
+
+TEST(Passes, AreFoundAfterAnotherFramebufferWasCleared) {
+  expectBothPasses("other_framebuffer", [](Gl gl) {
+    bindNewFramebuffer(gl, {kPassesWidth, kPassesHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    sendWidget(gl);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  });
+}
+
+TEST(Passes, AreFoundAfterAPartOfTheDepthWasCleared) {
+  for (const bool view : {false, true})
+    expectBothPasses(view ? "corner_view" : "corner", [&](Gl gl) {
+      gl.Enable(GL_SCISSOR_TEST), gl.Scissor(0, 0, 30, 30);
+      if (view) gl.Viewport(0, 0, 30, 30);
+      gl.Clear(GL_DEPTH_BUFFER_BIT);
+      sendWidget(gl);
+      gl.Disable(GL_SCISSOR_TEST), gl.Viewport(0, 0, kPassesWidth, kPassesHeight);
+    });
+}
+
+TEST(Passes, AreFoundAfterAClearThatKeepsDepth) {
+  expectBothPasses(
+      "masked", [](Gl gl) { gl.DepthMask(GL_FALSE), gl.Clear(GL_DEPTH_BUFFER_BIT), gl.DepthMask(GL_TRUE); });
+}
+
+TEST(Passes, AreFoundAfterAFrameWithoutASwap) {
+  expectBothPasses("flushed", [](Gl gl) { gl.Flush(); });
+  expectBothPasses("finished", [](Gl gl) { gl.Finish(), sendWidget(gl), gl.Finish(); });
+}
 
 /// Boxes as in occlusion culling: they write nothing.
 TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {

@@ -270,5 +270,29 @@ TEST(TextureUploads, NoticeDrawsOfOtherContexts) {
   EXPECT_EQ(useCount(Quirk::softwarePut), before);
 }
 
+/// A fence comes after the picture only where another context may wait for it.
+TEST(TextureUploads, ComeBeforeFencesOfSharedTextures) {
+  const auto drawThenFence = [](Gl gl) {
+    const GLuint texture = makeCanvas(gl).color;
+    gl.Enable(GL_DEPTH_TEST), clear(gl), flatSheet(gl);
+    gl.DeleteSync(gl.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
+    return texture;
+  };
+  TracedContext one;
+  drawThenFence(one.gl());
+  EXPECT_FALSE(one.context().flusher.batch.empty());
+  const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);
+  one.makeCurrent();
+  const GLuint texture = drawThenFence(one.gl());
+  EXPECT_TRUE(one.context().flusher.batch.empty());
+  std::vector<uint32_t> seen(kUploadSize * kUploadSize);
+  const OsmesaContext &here = one.below(), &there = other.below();
+  const_cast<OsmesaContext&>(there).makeCurrent();  // without GLuRay, which would flush
+  there.real().BindTexture(GL_TEXTURE_2D, texture);
+  there.real().GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, seen.data());
+  const_cast<OsmesaContext&>(here).makeCurrent();
+  EXPECT_NEAR(static_cast<int>(seen[kUploadSize * (kUploadSize + 1) / 2] & 0xFF), 129, 6) << "its centre";
+}
+
 }  // namespace
 }  // namespace gluray::test

@@ -1,5 +1,6 @@
 // State that is read back with one group and changed by another group's call: the picture must follow.
 #include "scenes/texels.h"
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/hostile/habits.h"
 
 #include <thread>
@@ -191,6 +192,38 @@ TEST(StaleState, AnotherThreadsContextChangesASharedTexture) {
   }).join();
   EXPECT_EQ(middleOfSphere(first, texture), kGreen);
   EXPECT_GE(first.context().counts.statistics.drawsTraced, 2u);
+}
+
+/// Other APIs may read the images of a framebuffer object, as CUDA does.
+TEST(StaleState, FinishDrawsIntoFramebufferObjects) {
+  const TracedContext ours({kWidth, kHeight});
+  const gl::RealGl& gl = ours.gl();
+  bindNewFramebuffer(gl, {kWidth, kHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24);
+  stage(gl);
+  send(gl, sphere(12, 16));
+  gl.PushMatrix(), gl.PopMatrix();  // the run ends
+  EXPECT_FALSE(ours.context().flusher.batch.empty());
+  const uint64_t frames = ours.context().counts.statistics.frames;
+  gl.Finish();
+  EXPECT_TRUE(ours.context().flusher.batch.empty());
+  EXPECT_EQ(ours.context().counts.statistics.frames, frames) << "the window's frame goes on";
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
+}
+
+/// Another thread may swap buffers, or read them, once glFinish has returned.
+TEST(StaleState, FinishDrawsIntoTheWindowWhereThreadsShareIt) {
+  TracedContext ours({kWidth, kHeight});
+  std::thread([] { const TracedContext other({kWidth, kHeight}); }).join();
+  EXPECT_TRUE(gl::usedByThreads());
+  ours.setDoubleBuffered(true);
+  const gl::RealGl& gl = ours.gl();
+  gl.DrawBuffer(GL_BACK);
+  EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  stage(gl);
+  send(gl, sphere(12, 16));
+  gl.Finish();
+  EXPECT_TRUE(ours.context().flusher.batch.empty());
+  EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,71 @@ TEST_P(UntracedDraws, AreTheSameOneByOneAndTogether) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shaders, UntracedDraws, testing::Values(kPlainShader, kCountingShader));
+
+/// One stage of a pipeline.
+GLuint makeSeparable(Gl gl, GLenum stage, std::string text) {
+  text.replace(0, std::strlen("#version 150"), "#version 410");
+  if (stage == GL_VERTEX_SHADER)
+    text.insert(text.find("uniform"), "out gl_PerVertex { vec4 gl_Position; };\n");
+  for (const char* declared : {"in vec3 position", "flat "})
+    if (const size_t at = text.find(declared); at != std::string::npos)
+      text.insert(at, "layout(location = 0) ");
+  const char* const source = text.c_str();
+  const GLuint program = gl.CreateShaderProgramv(stage, 1, &source);
+  GLint linked = 0;
+  gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
+  EXPECT_TRUE(linked);
+  return program;
+}
+
+TEST(UntracedDrawsAmongOthers, AreNumberedInPipelines) {
+  const Outcome o = expectSame(
+      "untraced_pipeline",
+      [](Gl gl) {
+        const GLuint vertex = makeSeparable(gl, GL_VERTEX_SHADER, kCountingShader);
+        const GLuint fragment = makeSeparable(gl, GL_FRAGMENT_SHADER, kPaintShader);
+        GLuint pipeline = 0, array = 0;
+        gl.GenVertexArrays(1, &array), gl.BindVertexArray(array), useTriangles(gl);
+        gl.GenProgramPipelines(1, &pipeline);
+        gl.UseProgramStages(pipeline, GL_VERTEX_SHADER_BIT, vertex);
+        gl.UseProgramStages(pipeline, GL_FRAGMENT_SHADER_BIT, fragment);
+        gl.ActiveShaderProgram(pipeline, vertex);
+        beginFrame(gl);
+        gl.UseProgram(0), gl.BindProgramPipeline(pipeline);
+        drawByMultiDraws(gl, vertex);
+        gl.BindProgramPipeline(0), gl.BindVertexArray(0);
+      },
+      0, coreWish(4, 5));
+  EXPECT_EQ(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::program)], 3u);
+}
+
+/// The last of three frames is too large for the real OpenGL alone, to which it was left up to this draw.
+TEST(UntracedDrawsAmongOthers, AreNumberedWhereTheyEndAPassthroughFrame) {
+  constexpr size_t kCorners = 30000;
+  const auto drawn = [](Gl gl, const std::function<bool()>& passesThrough) {
+    const std::array<GLsizei, 3> counts{kCorners, kCorners, kCorners};
+    const std::array<const void*, 3> starts{};
+    std::vector<GLushort> indices;
+    for (size_t i = 0; i < kCorners; ++i) indices.push_back(static_cast<GLushort>(i % 3));
+    const GLuint program = makeOwnProgram(gl, kCountingShader);
+    useTriangles(gl);
+    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, 2 * kCorners, indices.data(), GL_STATIC_DRAW);
+    gl.UseProgram(program);
+    for (int frame = 0; frame < 2; ++frame) beginFrame(gl), gl.DrawArrays(GL_TRIANGLES, 0, 9), gl.Finish();
+    beginFrame(gl);
+    EXPECT_TRUE(passesThrough());
+    gl.MultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_SHORT, starts.data(), 3);
+    return readPicture(gl, kProgramWidth, kProgramHeight);
+  };
+  const auto real = OsmesaContext::create(kOld);
+  const Picture expected = drawn(real->real(), [] { return true; });
+  Settings settings = TracedContext::tracing();
+  settings.engine = Engine::automatic;
+  TracedContext ours(kOld, settings);
+  const Picture got = drawn(ours.gl(), [&] { return ours.context().clock.passesThrough(); });
+  EXPECT_TRUE(got == expected);
+  EXPECT_EQ(ours.context().counts.statistics.drawsRasterised, 3u);
+}
 
 /// Traced surfaces wait until something is drawn that needs them, and before that draw they are shown.
 TEST(UntracedDrawsAmongOthers, MeetTracedSurfaces) {

@@ -1,0 +1,61 @@
+// When and where surfaces were drawn, and which clears have removed their depth since. A part of
+// MultipassSurfaces and CoplanarSurfaces, GL thread.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <unordered_map>
+
+namespace gluray::gl {
+
+struct State;
+
+/// The framebuffer and viewport that a surface is drawn into.
+struct DepthPlace {
+  uint32_t framebuffer = 0;
+  glm::ivec4 viewport{0};
+  bool operator==(const DepthPlace&) const = default;
+};
+
+/// The one of a draw in this state, whose target and viewport were read.
+DepthPlace depthPlaceOf(const State& state);
+
+/// A clear of all depths of `framebuffer` in `box`.
+struct DepthClear {
+  uint32_t framebuffer = 0;
+  scene::Region box;
+  /// Whether it clears all pixels that a surface drawn there can have.
+  bool removes(const DepthPlace& place) const;
+};
+
+/// A place, and the turn (DepthHistory) in which a surface was drawn into it.
+struct DepthStamp {
+  DepthPlace place;
+  uint64_t turn = 0;
+};
+
+/// Counts turns, which end with clears of depth and where frames end without a swap, and keeps the last clear
+/// of each framebuffer.
+class DepthHistory {
+ public:
+  /// Turns for which surfaces are remembered whose depth is not cleared.
+  static constexpr uint64_t kMostTurns = 256;
+
+  DepthStamp stamp(const DepthPlace& place) const { return {place, turn_}; }
+  void nextTurn() { ++turn_; }
+  void clear(const DepthClear& clear);
+  /// Forgets the clears.
+  void forget() { cleared_.clear(); }
+  /// Whether a surface that was drawn there may have left depth in `framebuffer`. Framebuffers may share
+  /// their depth, so that of another framebuffer counts unless `framebuffer` was cleared later.
+  bool reaches(const DepthStamp& drawn, uint32_t framebuffer) const;
+  bool isOld(const DepthStamp& drawn) const { return drawn.turn + kMostTurns < turn_; }
+
+ private:
+  uint64_t turn_ = 0;
+  std::unordered_map<uint32_t, uint64_t> cleared_;  // framebuffer -> first turn after its last clear
+};
+
+}  // namespace gluray::gl
