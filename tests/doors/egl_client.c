@@ -61,8 +61,11 @@ static int useElsewhere(EGLDisplay display, EGLContext context, EGLSurface surfa
 static int swappedWorkload(const Gl* gl, Target* target) {
   void (*drawBuffer)(GLenum) = (void (*)(GLenum))byName("glDrawBuffer");
   void (*readBuffer)(GLenum) = (void (*)(GLenum))byName("glReadBuffer");
+  void (*viewport)(GLint, GLint, GLsizei, GLsizei) =
+      (void (*)(GLint, GLint, GLsizei, GLsizei))byName("glViewport");
   int right = 1;
-  drawBuffer(GL_BACK), readBuffer(GL_BACK); /* a pbuffer's default may be another one */
+  /* Those of the surface that was current first. */
+  drawBuffer(GL_BACK), readBuffer(GL_BACK), viewport(0, 0, kWindowSize, kWindowSize);
   for (int frame = 0; frame < kFrames; ++frame) {
     drawFrame(gl);
     right = middleIsRed(gl) && right;
