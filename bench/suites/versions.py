@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import statistics
@@ -34,6 +35,7 @@ def arguments(argv):
     parser.add_argument("new", type=pathlib.Path)
     parser.add_argument("--groups", default=",".join(GROUPS), help=f"some of {','.join(GROUPS)} (all)")
     parser.add_argument("--sizes", default="1,4", help="millions of triangles of the group frames (1,4)")
+    parser.add_argument("--only", default="", help="programs whose names match this regular expression (all)")
     parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring everything once with each build (5)")
     parser.add_argument("--threads", type=int, default=2, help="threads of GLuRay and of llvmpipe (2)")
     parser.add_argument("--name", default="versions", help="name of the result file")
@@ -165,8 +167,12 @@ def run(options, argv):
     with display(own=options.xvfb) as name, tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
         os.environ.update({"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)})
         for program in programs_of(options, pathlib.Path(folder)):
+            if not re.search(options.only, program.name):
+                continue
             result["rows"].append(measure(program, options))
             print_row(result["rows"][-1])
+    if not result["rows"]:
+        raise SystemExit(f"bench: no program of these groups matches '{options.only}'")
     ratios = [ratio for row in result["rows"] for ratio in row["new_over_old"].values()]
     result["median_ratio"] = statistics.median(ratios)
     print(f"median of the ratios: {result['median_ratio']:.3f}")
