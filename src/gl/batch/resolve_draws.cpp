@@ -140,9 +140,7 @@ void ResolveDraws::meetBlit() {
 
 bool ResolveDraws::readsSamples() {
   const GLuint name = p_.shadow.state.raster.program;
-  if (name == 0)
-    return isPresent(p_.shadow.real.BindProgramPipeline) &&
-           integer(p_.shadow.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
+  if (name == 0) return programPipeline(p_.shadow.real, p_.shadow.state.rare.pipelines) != 0;
   const Program& program = p_.shadow.program.known(name)->program;
   return program.writes || std::any_of(program.uniforms.begin(), program.uniforms.end(),
                                        [](const auto& u) { return isSampledPerSample(u.second.type); });

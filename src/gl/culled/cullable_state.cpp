@@ -26,7 +26,7 @@ bool offsetsNearer(const RasterState& raster) {
 /// Whether something else than fixed function draws while no program is in use.
 bool hasOtherPrograms(const ShadowState& shadow) {
   const RealGl& real = shadow.real;
-  if (isPresent(real.BindProgramPipeline) && integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0) return true;
+  if (programPipeline(real, shadow.state.rare.pipelines) != 0) return true;
   return shadow.state.rare.assemblyPrograms &&
          (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB));
 }
@@ -58,9 +58,9 @@ Reason cullableState(const ShadowState& shadow, GLenum mode) {
   const RealGl& real = shadow.real;
   if (!isMode(mode, shadow.info.core)) return Reason::mode;
   if (shadow.activeQueries > 0) return Reason::query;
-  // Fog changes colours only; a stipple discards pixels.
+  // A stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
-  if (reason != Reason::traced && reason != Reason::fog && reason != Reason::polygonStipple) return reason;
+  if (reason != Reason::traced && reason != Reason::polygonStipple) return reason;
   // Without multisampling all samples of a pixel may take a depth from anywhere in it, outside the triangle.
   if (state.target.samples > 1 && !raster.multisample) return Reason::multisampleState;
   if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)

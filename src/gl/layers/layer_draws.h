@@ -47,6 +47,8 @@ class LayerDraws {
   /// Whether traced layers wait until we know how many peels the program draws. Its clears and draws are held
   /// back meanwhile.
   bool asks() const { return peeling_.stage == Peeling::Stage::peels; }
+  /// Whether something is held back that a flush draws.
+  bool holdsBack() const { return holdsDepths() || asks(); }
   /// While asks(): holds back a draw of a later peel, or the counted draw that blends its farthest layers.
   /// False: nothing is held any more; draw or trace it.
   bool holdLater(GLenum mode, const Elements& elements);

@@ -12,9 +12,10 @@ GLuint UntracedPrograms::nameInUse() const {
   return shadow_.dirty & kRaster ? shadow_.program.name() : shadow_.state.raster.program;
 }
 
-bool UntracedPrograms::isPipeline() const {
-  return nameInUse() == 0 && isPresent(shadow_.real.BindProgramPipeline) &&
-         integer(shadow_.real, GL_PROGRAM_PIPELINE_BINDING) != 0;
+bool UntracedPrograms::isPipeline() {
+  if (nameInUse() != 0) return false;
+  if (!shadow_.state.rare.asked) shadow_.refresh(kTarget);
+  return programPipeline(shadow_.real, shadow_.state.rare.pipelines) != 0;
 }
 
 Reason UntracedPrograms::inUse() {

@@ -29,7 +29,7 @@ class UntracedPrograms {
  private:
   GLuint nameInUse() const;
   /// Whether no program is in use, but a program pipeline.
-  bool isPipeline() const;
+  bool isPipeline();
   void find(GLuint name);
 
   ShadowState& shadow_;

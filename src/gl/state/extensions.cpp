@@ -107,6 +107,7 @@ RareState readRareState(const RealGl& real) {
   rare.anisotropy = has(46, "GL_EXT_texture_filter_anisotropic");
   rare.seamlessCubes = has(32, "GL_ARB_seamless_cube_map");
   rare.debugOutput = has(43, "GL_KHR_debug");
+  rare.pipelines = has(41, "GL_ARB_separate_shader_objects");
   rare.assemblyPrograms = extensions.has("GL_ARB_vertex_program");
   rare.secondaryColor = has(14, "GL_EXT_secondary_color");
   rare.fogCoord = has(14, "GL_EXT_fog_coord");

@@ -43,7 +43,7 @@ struct RareState {
   bool offsetClamp = false, fogDistance = false, sampleMask = false, rectangles = false;
   bool textureTypes = false, textureSwizzle = false, textureStorage = false, textureSrgb = false;
   bool anisotropy = false, seamlessCubes = false;
-  bool debugOutput = false;
+  bool debugOutput = false, pipelines = false;
   bool assemblyPrograms = false, secondaryColor = false, fogCoord = false;
   bool fogsWholeSum = false;  // quirk fog-sum
 };

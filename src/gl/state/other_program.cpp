@@ -33,8 +33,7 @@ GLint valueOf(const RealGl& real, GLuint program, GLenum name) {
 OtherProgram::OtherProgram(const RealGl& real)
     : real_(real), program_(static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM))), inUse_(program_) {
   const int version = versionOf(real);
-  if (program_ == 0 && hasPipelines(real, version))
-    pipeline_ = static_cast<GLuint>(integer(real, GL_PROGRAM_PIPELINE_BINDING));
+  if (program_ == 0) pipeline_ = programPipeline(real, hasPipelines(real, version));
   if (program_ == 0 && pipeline_ == 0) return;
   readSubroutines(version);
   if (program_ != 0) keepAlive(version);

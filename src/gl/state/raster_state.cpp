@@ -77,8 +77,8 @@ Reason fogReason(const RealGl& real, const RareState& has) {
   return unusual ? Reason::fog : Reason::traced;
 }
 
-/// Why per-fragment operations other than the depth test rule out tracing; the cheapest and commonest queries
-/// come first.
+/// Why per-fragment operations other than the depth test and fog rule out tracing; the cheapest and commonest
+/// queries come first.
 Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
   GLboolean mask[4] = {};
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
@@ -86,9 +86,7 @@ Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState
   raster.colorWrites = {mask[0] != 0, mask[1] != 0, mask[2] != 0, mask[3] != 0};
   if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
   if (isOn(real, GL_COLOR_LOGIC_OP)) return Reason::logicOp;
-  if (raster.program == 0 && isPresent(real.BindProgramPipeline) &&
-      integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
-    return Reason::program;
+  if (raster.program == 0 && programPipeline(real, has.pipelines) != 0) return Reason::program;
   if (raster.program == 0 && has.assemblyPrograms &&
       (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB)))
     return Reason::program;
@@ -97,9 +95,7 @@ Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState
     return Reason::multisampleState;
   if (const Reason rare = rareReason(real, has); rare != Reason::traced) return rare;
   if (!raster.writesDepth) return Reason::depthMask;
-  const Reason blend = blendReason(real, raster);
-  // Culled draws may have any fog, so that it hides no other reason.
-  return blend == Reason::traced ? fogReason(real, has) : blend;
+  return blendReason(real, raster);
 }
 
 Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
@@ -109,7 +105,10 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   if (!isOn(real, GL_DEPTH_TEST)) return raster.butDepthFunc = Reason::noDepthTest;
   const bool isUsual = raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL;
   if (isUsual || raster.isReversed()) raster.butDepthFunc = otherFragmentReason(real, has, raster);
-  return isUsual ? raster.butDepthFunc : Reason::depthFunc;
+  const Reason reason = isUsual ? raster.butDepthFunc : Reason::depthFunc;
+  // What is traced otherwise: surfaces, and layers.
+  const bool traced = reason == Reason::traced || reason == Reason::depthMask || reason == Reason::blend;
+  return traced && fogReason(real, has) != Reason::traced ? Reason::fog : reason;
 }
 
 Reason polygonReason(const RealGl& real, const RareState& has) {
@@ -146,12 +145,12 @@ void readRaster(const RealGl& real, State& state) {
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND) && raster.writesDepth;
   // Programs of a pipeline are not inspected: they may write memory, where the order of draws matters.
-  if (raster.program == 0 && raster.reason == Reason::program && isPresent(real.BindProgramPipeline) &&
-      integer(real, GL_PROGRAM_PIPELINE_BINDING) != 0)
+  if (raster.program == 0 && raster.reason == Reason::program &&
+      programPipeline(real, state.rare.pipelines) != 0)
     raster.orderFree = false;
   const bool blended = raster.reason == Reason::depthMask || raster.reason == Reason::blend ||
                        (raster.reason == Reason::traced && raster.unlessOpaque != Reason::traced);
-  const bool open = raster.butDepthFunc == Reason::traced || raster.butDepthFunc == Reason::fog;
+  const bool open = raster.butDepthFunc == Reason::traced;
   const Reason polygon = blended || open ? polygonReason(real, state.rare) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
   if (open && polygon != Reason::traced) raster.butDepthFunc = polygon;

@@ -47,11 +47,12 @@ uint32_t groupsOfCapability(GLenum capability);
 constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection};
 
 struct RasterState {
-  GLuint program = 0;                       // current shader program
-  Reason reason = Reason::traced;           // why no surface can be traced, or `traced`
-  Reason unlessOpaque = Reason::traced;     // why surfaces whose alpha is not 1 cannot be traced, or `traced`
-  Reason butDepthFunc = Reason::depthFunc;  // the same as `reason`, were GREATER and GEQUAL traced
-  scene::ColorWrites colorWrites;           // channels that glColorMask and blending let draws write
+  GLuint program = 0;                    // current shader program
+  Reason reason = Reason::traced;        // why no surface can be traced, or `traced`
+  Reason unlessOpaque = Reason::traced;  // why surfaces whose alpha is not 1 cannot be traced, or `traced`
+  // The same as `reason`, were all fog, GREATER and GEQUAL traced.
+  Reason butDepthFunc = Reason::depthFunc;
+  scene::ColorWrites colorWrites;  // channels that glColorMask and blending let draws write
   bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
   /// Whether larger depths are nearer.

@@ -49,7 +49,7 @@ void flush(Context& c) {
 void finish(Context& c) {
   c.protect([&] {
     c.window.showLagged();
-    if (c.layers.holdsDepths() || c.layers.asks()) c.flusher.flush();
+    if (c.layers.holdsBack()) c.flusher.flush();
   });
   c.frames.finish();
   c.shadow.textures.finished();
@@ -62,7 +62,7 @@ void fenceSync(Context& c, GLenum, GLbitfield) {
   if (c.shadow.group.contexts == 1) return;
   const Batch& batch = c.flusher.batch;
   const bool isPending = !batch.empty() && batch.key().framebuffer != 0;
-  if (isPending || c.layers.holdsDepths() || c.layers.asks())
+  if (isPending || c.layers.holdsBack())
     c.flusher.flush();
   else if (c.resolves.waits())
     c.flusher.settle();

@@ -24,6 +24,11 @@ inline GLuint drawFramebuffer(const RealGl& real) {
                                          : 0;
 }
 
+/// The bound program pipeline's name; 0: none. `hasPipelines`: of the context (RareState::pipelines).
+inline GLuint programPipeline(const RealGl& real, bool hasPipelines) {
+  return hasPipelines ? static_cast<GLuint>(integer(real, GL_PROGRAM_PIPELINE_BINDING)) : 0;
+}
+
 /// Whether fragments are written to more than the first draw buffer.
 inline bool hasMoreDrawBuffers(const RealGl& real) {
   if (!isPresent(real.DrawBuffers)) return false;

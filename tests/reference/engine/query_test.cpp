@@ -70,6 +70,12 @@ const Rare kRares[] = {
      [](Gl gl) { gl.ShadeModel(GL_FLAT), gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); },
      gl::Reason::provokingVertex},
     {"rasteriser off", [](Gl gl) { gl.Enable(GL_RASTERIZER_DISCARD); }, gl::Reason::transformFeedback},
+    {"radial fog over layers",
+     [](Gl gl) {
+       gl.Enable(GL_FOG), gl.Fogi(GL_FOG_DISTANCE_MODE_NV, GL_EYE_RADIAL_NV);
+       gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), gl.DepthMask(GL_FALSE);
+     },
+     gl::Reason::fog},
     {"sample mask", [](Gl gl) { gl.Enable(GL_SAMPLE_MASK); }, gl::Reason::multisampleState},
 };
 
