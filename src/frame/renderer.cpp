@@ -136,21 +136,23 @@ Renderer& Renderer::shared() {
 
 namespace {
 
-/// Runs `body`; false, with the reason in `error`, if it throws.
+/// Runs `body`; false, with the reason in `error` and the loss in `cost`, if it throws.
 template <class Body>
-bool caught(std::string& error, const Body& body) noexcept {
+bool caught(scene::TraceCost& cost, std::string& error, const Body& body) noexcept {
   const char* reason = "unknown failure while tracing";
   try {
     body();
     return true;
   } catch (const std::bad_alloc&) {
+    cost.loss = scene::Loss::frames;
     reason = "out of memory while tracing";
   } catch (const std::exception& e) {
+    cost.loss = scene::lossOf(e);
     try {
       error = e.what();
       return false;
     } catch (...) { reason = "out of memory while tracing"; }
-  } catch (...) {}
+  } catch (...) { cost.loss = scene::Loss::tracing; }
   try {
     error = reason;
   } catch (...) {  // out of memory: leave the error line empty
@@ -162,7 +164,7 @@ bool caught(std::string& error, const Body& body) noexcept {
 
 bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                       std::string& error) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     engine_->render(snapshot, image, cost);
   });
@@ -172,7 +174,7 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
                             std::string& error, const std::function<bool()>& stop) noexcept {
   bool whole = false;
   error.clear();
-  const bool done = caught(error, [&] {
+  const bool done = caught(cost, error, [&] {
     const std::unique_lock lock(engine_->mutex, std::try_to_lock);
     if (!lock) return;
     const auto interrupt = [&] { return engine_->wanted > 0 || stop(); };
@@ -185,7 +187,7 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
 
 bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                            std::string& error, render::TileSource& source, bool averages) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.averages = averages;
@@ -196,7 +198,7 @@ bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene:
 bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                             std::string& error, render::FilmSource& source, bool averages,
                             const render::MovingRays& rays) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.film = &source;
@@ -208,7 +210,7 @@ bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene
 bool Renderer::renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                           std::string& error, render::FilmSource& source, bool averages,
                           render::RemoteSurfaces& remote) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.film = &source;
