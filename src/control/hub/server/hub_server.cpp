@@ -2,6 +2,7 @@
 
 #include "control/auth/handshake.h"
 #include "control/auth/refusals.h"
+#include "control/auth/waiting_peers.h"
 #include "control/connect.h"
 #include "control/connect_tcp.h"
 #include "control/connection.h"
@@ -29,7 +30,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr size_t kMostConnections = 1024, kMostUnproven = 64;
+constexpr size_t kMostConnections = 1024;
 constexpr std::chrono::milliseconds kProofPatience{5000};
 constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
 constexpr std::chrono::milliseconds kSoonest{1};
@@ -82,7 +83,9 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   template <class Call>
   void withCore(Call call);
   void rest();
-  bool full() const { return connections_.size() + unproven_ >= kMostConnections; }
+  /// Makes room for one more connection, if only those that have not proved anything are in its way.
+  bool hasRoom();
+  void close(uint64_t unproven);
 
   asio::io_context& io_;
   asio::steady_timer timer_, waking_;
@@ -97,7 +100,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   std::shared_ptr<Listener> here_, tcp_;
   std::map<uint64_t, std::shared_ptr<Connection>> connections_;
   uint64_t last_ = 0;
-  size_t unproven_ = 0;
+  WaitingPeers unproven_;
+  std::map<uint64_t, std::function<void()>> closing_;  // of each of these
   bool running_ = false;
 };
 
@@ -152,7 +156,7 @@ std::string HubServer::Parts::start(const HubOptions& options) {
 
 void HubServer::Parts::wake(size_t times) {
   for (const ProgramFile& file : programFiles(directory))
-    if (!core_.hasProcess(file.pid)) wake_(file.display, file.window);
+    if (file.window != 0 && !core_.hasProcess(file.pid)) wake_(file.display, file.window);
   if (times >= std::size(kWakeAgain)) return;
   waking_.expires_after(kWakeAgain[times]);
   waking_.async_wait([weak = weak_from_this(), times](const asio::error_code& error) {
@@ -173,17 +177,35 @@ void HubServer::Parts::stop() {
 }
 
 void HubServer::Parts::acceptHere(Connection::Socket socket) {
-  if (running_ && !full() && sameUser(socket.native_handle())) take(std::move(socket));
+  if (running_ && sameUser(socket.native_handle()) && hasRoom()) take(std::move(socket));
+}
+
+bool HubServer::Parts::hasRoom() {
+  if (connections_.size() >= kMostConnections) return false;
+  if (connections_.size() + unproven_.size() >= kMostConnections) close(*unproven_.leastDeserving());
+  return true;
+}
+
+void HubServer::Parts::close(uint64_t unproven) {
+  unproven_.leave(unproven);
+  const auto found = closing_.find(unproven);
+  if (found == closing_.end()) return;
+  const std::function<void()> closeIt = std::move(found->second);
+  closing_.erase(found);
+  closeIt();
 }
 
 void HubServer::Parts::acceptTcp(HandshakeSocket socket, const std::string& address) {
-  if (!running_ || full() || unproven_ >= kMostUnproven || refusals_.refused(address, steady_clock::now()))
-    return;
+  if (!running_ || refusals_.refused(address, steady_clock::now()) || !hasRoom()) return;
+  if (const auto other = unproven_.toClose(address)) close(*other);
   keepAlive(socket.native_handle());
-  ++unproven_;
+  const uint64_t number = unproven_.join(address);
   // Counted as long as the handshake keeps it, however that ends.
-  const std::shared_ptr<void> counted(nullptr, [self = shared_from_this()](void*) { --self->unproven_; });
-  proveAsHub(
+  const std::shared_ptr<void> counted(nullptr, [self = shared_from_this(), number](void*) {
+    self->unproven_.leave(number);
+    self->closing_.erase(number);
+  });
+  closing_[number] = proveAsHub(
       std::move(socket), key_, kProofPatience,
       [self = shared_from_this(), address](HubProof&& proof) {
         if (proof.wrong) self->refusals_.failed(address, steady_clock::now());
@@ -230,7 +252,7 @@ HubCore::Beginning HubServer::Parts::beginning() {
   const auto age = now - began_;
   if (counted_ == HubTime::min() || now - counted_ >= (age < kYoung ? kCountAgain : kYoung))
     expected_ = expected(), counted_ = now;
-  return {expected_, std::chrono::duration<double>(age).count()};
+  return {expected_, std::chrono::duration<double>(age).count(), tcp_ != nullptr};
 }
 
 size_t HubServer::Parts::expected() const {
