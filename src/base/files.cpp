@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace gluray::files {
 namespace {
@@ -170,11 +171,11 @@ Content readIf(const std::string& path, size_t mostBytes, std::string (*problem)
   Content content;
   content.why = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
   if (content.why.empty() && problem) content.why = problem(status);
-  char piece[1 << 14];
+  std::vector<char> piece(size_t{1} << 14);
   for (ssize_t bytes = 1; content.why.empty() && bytes != 0;) {
-    bytes = ::read(file, piece, sizeof piece);
+    bytes = ::read(file, piece.data(), piece.size());
     if (bytes < 0 && errno != EINTR) content.why = reason(errno);
-    if (bytes > 0) content.text.append(piece, static_cast<size_t>(bytes));
+    if (bytes > 0) content.text.append(piece.data(), static_cast<size_t>(bytes));
     if (content.text.size() > mostBytes)
       content.why = "it is larger than " + std::to_string(mostBytes) + " bytes";
   }

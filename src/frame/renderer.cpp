@@ -1,6 +1,7 @@
 #include "frame/renderer.h"
 
 #include "accel/world.h"
+#include "base/ample_stack.h"
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "frame/pace.h"
@@ -136,12 +137,13 @@ Renderer& Renderer::shared() {
 
 namespace {
 
-/// Runs `body`; false, with the reason in `error` and the loss in `cost`, if it throws.
+/// Runs `body`, where its stack is ample; false, with the reason in `error` and the loss in `cost`, if it
+/// throws.
 template <class Body>
 bool caught(scene::TraceCost& cost, std::string& error, const Body& body) noexcept {
   const char* reason = "unknown failure while tracing";
   try {
-    body();
+    onAmpleStack(body);
     return true;
   } catch (const std::bad_alloc&) {
     cost.loss = scene::Loss::frames;
