@@ -85,7 +85,8 @@ static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __G
 
 __attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const __GLXapiExports* exports,
                                                        __GLXvendorInfo* info, __GLXapiImports* imports) {
-  if (!startRealVendor(version, exports, info, imports)) return False;
+  glurayNoteStreams();
+  if (glurayIsPrivileged() || !startRealVendor(version, exports, info, imports)) return False;
   *imports = real;
   imports->getProcAddress = getProcAddress;
   imports->isScreenSupported = isScreenSupported;
