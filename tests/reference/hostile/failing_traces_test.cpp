@@ -1,5 +1,6 @@
 // The tracer fails for some pictures: each failure costs what it concerns (scene::Loss), and every picture is
 // the real OpenGL's.
+#include "base/files.h"
 #include "frame/renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "tests/support/traced_context.h"
@@ -55,6 +56,7 @@ Outcome frames(int count, const std::vector<int>& failing, scene::Loss loss) {
   }
   Outcome outcome;
   testing::internal::CaptureStderr();
+  files::ownStreams();
   TracedContext ours({kSize, kSize}, TracedContext::tracing(),
                      std::make_unique<present::TracingPresenter>(frame::Tracer{trace}));
   for (; frame < count; ++frame) {
