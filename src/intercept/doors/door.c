@@ -4,6 +4,7 @@
 #include "base/guarded_write.h"
 #include "base/printable.h"
 #include "intercept/doors/door_table.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -109,7 +110,7 @@ static void loadEngine(void) {
     cannotLoad(dlerror());
     return;
   }
-  GlurayEngineEntry entry = (GlurayEngineEntry)dlsym(library, GLURAY_ENGINE_ENTRY);
+  GlurayEngineEntry entry = (GlurayEngineEntry)gluraySymbol(library, GLURAY_ENGINE_ENTRY);
   const char* why = "the engine has no entry point";
   const GlurayEngine* loaded = entry ? entry(&glurayDoor, &why) : NULL;
   if (!loaded) {

@@ -5,6 +5,7 @@
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <glvnd/libeglabi.h>
@@ -87,7 +88,7 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
     return 0; /* its structures are smaller than ours */
   }
   if (!handle) handle = openRealVendor();
-  __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)dlsym(handle, __EGL_MAIN_PROTO_NAME) : NULL;
+  __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)gluraySymbol(handle, __EGL_MAIN_PROTO_NAME) : NULL;
   if (!realMain) return 0;
   if (glurayIsOurs((const void*)realMain)) {
     gluraySay("the real EGL is GLuRay itself; GLURAY_REAL_EGL must name another library", NULL);
