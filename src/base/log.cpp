@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include <atomic>
 #include <deque>
 #include <mutex>
 #include <set>
@@ -21,13 +20,7 @@ struct State {
   Level level = Level::warning;
   std::set<std::string, std::less<>> said;
   std::deque<std::string> recent;
-  std::deque<std::string> deferred;
 };
-
-constexpr size_t kMostDeferred = 100;
-
-std::atomic<bool> g_deferred{false};  // there are deferred lines
-thread_local bool t_defers = false;
 
 State& state() {
   static NeverDestroyed<State> state;
@@ -44,20 +37,6 @@ void writeLine(State& s, std::string_view message) {
   int error = 0;
   const GlurayOutput out = files::stream(STDERR_FILENO);
   glurayWrite(&out, line.data(), line.size(), 0, &error);
-}
-
-/// Writes the line, or keeps it where this thread cannot write. The mutex is locked.
-void writeOrDefer(State& s, std::string_view message) {
-  if (t_defers) {
-    if (s.deferred.size() == kMostDeferred) return;
-    s.deferred.emplace_back(message);
-    g_deferred = true;
-    return;
-  }
-  for (const std::string& line : s.deferred) writeLine(s, line);
-  s.deferred.clear();
-  g_deferred = false;
-  if (!message.empty()) writeLine(s, message);
 }
 
 void keep(std::deque<std::string>& recent, std::string_view message) {
@@ -88,7 +67,7 @@ void write(Level level, std::string_view message) noexcept {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (level == Level::off) return;
-    if (level >= s.level) writeOrDefer(s, message);
+    if (level >= s.level) writeLine(s, message);
     if (level >= Level::warning) keep(s.recent, message);
   } catch (...) {  // drop the line
   }
@@ -103,17 +82,6 @@ void once(Level level, std::string_view key, std::string_view message) noexcept 
     }
     write(level, message);
   } catch (...) {}
-}
-
-void deferOnThisThread() noexcept { t_defers = true; }
-
-void flush() noexcept {
-  if (!g_deferred.load(std::memory_order_relaxed) || t_defers) return;
-  try {
-    State& s = state();
-    const std::lock_guard lock(s.mutex);
-    writeOrDefer(s, "");
-  } catch (...) {}  // out of memory: the lines are lost
 }
 
 std::vector<std::string> recent() {

@@ -19,12 +19,6 @@ void write(Level level, std::string_view message) noexcept;
 /// Writes `message` unless one with the same `key` was written before.
 void once(Level level, std::string_view key, std::string_view message) noexcept;
 
-/// The calling thread has a descriptor table of its own: its lines are kept for other threads to write.
-void deferOnThisThread() noexcept;
-
-/// Writes lines that threads have deferred. Costs one load of a flag if there are none.
-void flush() noexcept;
-
 /// The last kRecent messages at level warning or above, oldest first, as far as memory allowed; also those
 /// that configure() keeps from being written. Long ones are cut.
 inline constexpr int kRecent = 20;

@@ -32,7 +32,8 @@ struct PresentResult {
   GLenum pendingError = GL_NO_ERROR;  // the program's error that was found on the way, to be reported to it
   std::string why;                    // if not traced: one line for the user, not logged yet
 
-  /// What a failure costs. Draws are lost only if the real OpenGL could not make them either.
+  /// What a picture that was not traced costs. Where the real OpenGL could not draw the instances either, the
+  /// framebuffer lacks them: tracing ends.
   scene::Loss loss() const { return outcome == failed ? scene::Loss::tracing : cost.loss; }
   /// `why`, or a general line where it is empty.
   const char* reason() const { return why.empty() ? "the ray tracer could not make a picture" : why.c_str(); }
