@@ -7,6 +7,8 @@
 
    Ends with 0 if the picture is right and its files hold what it wrote. */
 #define _GNU_SOURCE
+#include "egl_config.h"
+
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
@@ -22,23 +24,11 @@ static EGLDisplay display;
 static EGLSurface surface;
 
 static int start(void) {
-  const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                           EGL_PBUFFER_BIT,
-                           EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
-                           EGL_RED_SIZE,
-                           8,
-                           EGL_ALPHA_SIZE,
-                           8,
-                           EGL_DEPTH_SIZE,
-                           16,
-                           EGL_NONE};
   const EGLint size[] = {EGL_WIDTH, kSize, EGL_HEIGHT, kSize, EGL_NONE};
-  EGLConfig config;
-  EGLint count = 0;
   display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) return 0;
-  if (!eglChooseConfig(display, wanted, &config, 1, &count) || count != 1) return 0;
+  const EGLConfig config = chooseEglConfig(display, 0);
+  if (!config) return 0;
   surface = eglCreatePbufferSurface(display, config, size);
   EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, NULL);
   return context != EGL_NO_CONTEXT && eglMakeCurrent(display, surface, surface, context);

@@ -105,10 +105,10 @@ class Lives(Folder):
 
 
 class OpenGl(Folder):
-    def traced(self, gluray, *words, door="auto"):
+    def traced(self, gluray, *words, door="auto", **environment):
         report = self.folder / "report.json"
         report.unlink(missing_ok=True)
-        done = run(gluray, "--door", door, *ALWAYS, "--report", report, "--", *words, **WITHOUT_DISPLAY)
+        done = run(gluray, "--door", door, *ALWAYS, "--report", report, "--", *words, **WITHOUT_DISPLAY, **environment)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return report.exists() and json.loads(report.read_text())["triangles"]["traced"] > 0
 
@@ -134,12 +134,11 @@ class OpenGl(Folder):
         return tree
 
     def test_folders_with_names_that_lists_cannot_hold(self):
-        os.environ["XDG_RUNTIME_DIR"] = str(self.folder)
         for name in ("a:b", "a;b", "$LIB", "$ORIGIN", "${PLATFORM}", "a b", 'a"b', "a\\b"):
             tree = self.moved(name)
             for door in ("auto", *DOORS):
                 with self.subTest(name=name, door=door):
-                    self.assertTrue(self.traced(tree / "bin/gluray", CLIENT, "plain", door=door))
+                    self.assertTrue(self.traced(tree / "bin/gluray", CLIENT, "plain", door=door, XDG_RUNTIME_DIR=self.folder))
 
     def test_gluray_that_vanishes(self):
         tree = self.moved("vanishing")

@@ -31,8 +31,8 @@ struct Habit {
 /// Four corners of a square from x on; strips take the last two in the other order.
 void primitive(Gl gl, GLenum mode, Sent sent, float x) {
   const bool strip = mode == GL_TRIANGLE_STRIP || mode == GL_QUAD_STRIP;
-  const float y = strip ? 0.5f : -0.5f;
-  const GLfloat corners[] = {x, -0.5f, x + 0.6f, -0.5f, strip ? x : x + 0.6f, 0.5f, strip ? x + 0.6f : x, -y};
+  const GLfloat corners[] = {x,   -0.5f, x + 0.6f, -0.5f, strip ? x : x + 0.6f, 0.5f, strip ? x + 0.6f : x,
+                             0.5f};
   const GLsizei count = mode == GL_TRIANGLES ? 3 : 4;
   if (sent == Sent::arrays) {
     gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(2, GL_FLOAT, 0, corners);
