@@ -22,6 +22,8 @@ struct State {
   std::deque<std::string> recent;
 };
 
+thread_local Run t_run = nullptr;
+
 State& state() {
   static NeverDestroyed<State> state;
   return *state;
@@ -67,7 +69,12 @@ void write(Level level, std::string_view message) noexcept {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (level == Level::off) return;
-    if (level >= s.level) writeLine(s, message);
+    if (level >= s.level) {
+      if (t_run)
+        t_run([&] { writeLine(s, message); });
+      else
+        writeLine(s, message);
+    }
     if (level >= Level::warning) keep(s.recent, message);
   } catch (...) {  // drop the line
   }
@@ -83,6 +90,8 @@ void once(Level level, std::string_view key, std::string_view message) noexcept 
     write(level, message);
   } catch (...) {}
 }
+
+void writeBy(Run run) noexcept { t_run = run; }
 
 std::vector<std::string> recent() {
   State& s = state();

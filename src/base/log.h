@@ -2,6 +2,7 @@
 // process that the user launched, not in helpers that it starts. A line is dropped if writing it would block,
 // or if the host program has closed the descriptor. Any thread.
 #pragma once
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,11 @@ void write(Level level, std::string_view message) noexcept;
 
 /// Writes `message` unless one with the same `key` was written before.
 void once(Level level, std::string_view key, std::string_view message) noexcept;
+
+/// Lines of the calling thread are written by `run`, which calls its argument on another thread and waits for
+/// it: for threads with a descriptor table of their own. Null: by the calling thread.
+using Run = void (*)(const std::function<void()>& write);
+void writeBy(Run run) noexcept;
 
 /// The last kRecent messages at level warning or above, oldest first, as far as memory allowed; also those
 /// that configure() keeps from being written. Long ones are cut.

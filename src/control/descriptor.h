@@ -1,5 +1,8 @@
-// An open descriptor that closes itself, until somebody else owns it. Any thread.
+// An open descriptor that closes itself, until somebody else owns it; but not after the host program has
+// closed it and reused its number. Any thread.
 #pragma once
+#include "base/guarded_write.h"
+
 #include <unistd.h>
 
 #include <utility>
@@ -8,20 +11,22 @@ namespace gluray::control {
 
 class Descriptor {
  public:
-  explicit Descriptor(int descriptor = -1) : descriptor_(descriptor) {}
-  Descriptor(Descriptor&& other) noexcept : descriptor_(other.release()) {}
+  explicit Descriptor(int descriptor = -1) : file_(glurayOutputOf(descriptor)) {}
+  Descriptor(Descriptor&& other) noexcept : file_(std::exchange(other.file_, glurayNoOutput())) {}
   Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
+    std::swap(file_, other.file_);
     return *this;
   }
   ~Descriptor() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+    if (isOurs()) ::close(file_.descriptor);
   }
-  int get() const { return descriptor_; }
-  int release() { return std::exchange(descriptor_, -1); }
+  int get() const { return file_.descriptor; }
+  /// Whether the number still means the same file.
+  bool isOurs() const { return file_.descriptor >= 0 && glurayIsSame(&file_); }
+  int release() { return std::exchange(file_, glurayNoOutput()).descriptor; }
 
  private:
-  int descriptor_;
+  GlurayOutput file_;
 };
 
 }  // namespace gluray::control

@@ -2,15 +2,18 @@
  * picture that it reads back: client [exposed | always [MILLISECONDS [egl]]]. exposed: Expose events of
  * its window make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a
  * frame in so many milliseconds (0: as fast as it can). egl: it shows its window by EGL. The line "fork"
- * makes a child process that ends a second later, and prints its number; "count" prints the number of frames
- * since the start and the seconds of the monotonic clock. The line "show" draws a frame that is not read
- * back, and prints "shown"; from then on so do Expose events.
+ * makes a child process that ends a second later, and prints its number; "reuse" closes all descriptors above
+ * 2 but the display's, and opens the file "data" as often, to which it writes "mine" each time; "check"
+ * prints how many of these are open; "count" prints the number of frames since the start and the seconds of
+ * the monotonic clock. The line "show" draws a frame that is not read back, and prints "shown"; from then on
+ * so do Expose events.
  */
 #include "tests/doors/two_rings.h"
 #include "tests/doors/x_window.h"
 
 #include <EGL/egl.h>
 #include <GL/glx.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -54,6 +57,25 @@ static void showUnread(Display* display, Window window) {
   isRead = 0;
   showRings(display, window, 0, 0);
   printf("shown\n"), fflush(stdout);
+}
+
+enum { kFiles = 60 };
+static int files[kFiles];
+
+static void reuseDescriptors(Display* display) {
+  for (int number = 3; number < 1000; ++number)
+    if (number != ConnectionNumber(display)) close(number);
+  for (int i = 0; i < kFiles; ++i) {
+    files[i] = open("data", O_WRONLY | O_APPEND | O_CREAT, 0600);
+    if (write(files[i], "mine\n", 5) != 5) exit(5);
+  }
+  printf("reused\n"), fflush(stdout);
+}
+
+static void checkDescriptors(void) {
+  int count = 0;
+  for (int i = 0; i < kFiles; ++i) count += fcntl(files[i], F_GETFD) >= 0;
+  printf("%d\n", count), fflush(stdout);
 }
 
 static void makeChild(void) {
@@ -119,6 +141,10 @@ int main(int argc, char** argv) {
     if (!fgets(line, sizeof line, stdin)) return 0;
     if (strcmp(line, "fork\n") == 0)
       makeChild();
+    else if (strcmp(line, "reuse\n") == 0)
+      reuseDescriptors(display);
+    else if (strcmp(line, "check\n") == 0)
+      checkDescriptors();
     else if (strcmp(line, "count\n") == 0)
       printf("%ld %.9f\n", frames, now()), fflush(stdout);
     else if (strcmp(line, "show\n") == 0)

@@ -10,7 +10,7 @@ import time
 import unittest
 
 from fake_hub import Hub
-from linked import Linked
+from linked import CLIENT, Linked
 
 
 class Ends(Linked):
@@ -206,6 +206,11 @@ class Forks(Linked):
             return None
         return {name for name in opened if name.startswith("socket:")} if opened else None
 
+    def connections(self):
+        """The sockets of all threads: that of the link has a descriptor table of its own."""
+        tasks = os.listdir(f"/proc/{self.client.pid}/task")
+        return set().union(*(self.sockets(f"{self.client.pid}/task/{task}") or () for task in tasks))
+
     def stopped_child(self):
         """A child that lives on until it is continued, and what its sockets were when it had left fork(): it waits then."""
         for _ in range(20):
@@ -233,7 +238,8 @@ class Forks(Linked):
         before = self.sockets(self.client.pid)
         hub = self.hub()
         self.connect(hub)
-        connection = self.sockets(self.client.pid) - before
+        self.assertEqual(self.sockets(self.client.pid), before, "the program sees the connection")
+        connection = self.connections() - before
         self.assertEqual(len(connection), 1)
         child, inherited = self.stopped_child()
         self.assertEqual(inherited & connection, set())
@@ -241,9 +247,38 @@ class Forks(Linked):
         os.kill(child, signal.SIGCONT)
         self.set(hub, values={"ao": True})
         self.wait_until(lambda: self.state(child) == "Z")  # its exit handlers have run
-        self.assertEqual(self.sockets(self.client.pid) - before, connection)
+        self.assertEqual(self.connections() - before, connection)
         self.assertEqual(hub.ask("get", names=["ao"])["values"]["ao"]["value"], True)
         self.assertTrue((self.runtime / "programs" / str(self.client.pid)).exists())
+
+    def test_the_program_reuses_all_descriptors(self):
+        """The link goes on, and no byte of it is in the program's files; they stay open when the link ends."""
+        hub = self.linked()
+        plain = self.frame()
+        print("reuse", file=self.client.stdin, flush=True)
+        self.assertEqual(self.answer(), "reused")
+        hub.ask("observe", what=["state", "settings"], every=0.05)
+        self.set(hub, values={"ao": True})
+        self.assertNotEqual(self.frame(), plain)
+        hub.event("state")
+        data = self.folder / "data"
+        self.assertEqual(data.read_text(), "mine\n" * 60)
+        hub.close()
+        self.assertTrue(self.frames_until(lambda: "gluray-control" not in self.threads()))
+        print("check", file=self.client.stdin, flush=True)
+        self.assertEqual(self.answer(), "60")
+        self.connect(self.hub())
+        self.client.stdin.close()
+        self.client.wait(20)
+        self.assertEqual(data.read_text(), "mine\n" * 60)
+
+    def test_the_link_works_where_descriptor_tables_are_refused(self):
+        """As in containers of older kinds."""
+        self.before = pathlib.Path(CLIENT).parents[1] / "doors/door_forbid", "tables"
+        hub = self.linked()
+        plain = self.frame()
+        self.set(hub, values={"ao": True})
+        self.assertNotEqual(self.frame(), plain)
 
     def test_the_connection_ends_with_the_program(self):
         hub = self.linked()

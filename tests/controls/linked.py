@@ -27,11 +27,12 @@ class Linked(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.runtime, self.log = self.folder / "runtime", self.folder / "log"
         self.client, self.code = None, 0
+        self.before = ()  # a program that starts the launcher, and its arguments
 
     def start(self, *options, **variables):
         environment = plain_environment() | {"XDG_CONFIG_HOME": "/nowhere", "GLURAY_RUNTIME": str(self.runtime), **variables}
         with self.log.open("w") as log:
-            self.client = subprocess.Popen([GLURAY, *options, "--", CLIENT, "exposed"], cwd=self.folder, env=environment, text=True,
+            self.client = subprocess.Popen([*self.before, GLURAY, *options, "--", CLIENT, "exposed"], cwd=self.folder, env=environment, text=True,
                                            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
         self.addCleanup(self.end)
         return self.settled()

@@ -1,5 +1,7 @@
 #include "control/link/calls.h"
 
+#include "control/link/apart.h"
+
 #include <exception>
 #include <limits>
 #include <utility>
@@ -19,7 +21,9 @@ bool Calls::carryOut(const std::string& name, const json& id, const json& argume
   json value;
   std::string why;
   try {
-    if (program_.call(name, arguments, value, why) == Called::later) return false;
+    Called called{};
+    inProcess([&] { called = program_.call(name, arguments, value, why); });
+    if (called == Called::later) return false;
   } catch (const std::exception& e) { why = std::string("it failed: ") + e.what(); }
   answer_(id, why.empty() ? json{{"value", std::move(value)}} : json{{"why", why}});
   return true;

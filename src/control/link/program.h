@@ -1,5 +1,6 @@
 // What a program tells the hub about itself and what the hub may ask of it: implemented by the engine, and by
-// a fake one in tests. All calls on the control thread.
+// a fake one in tests. All calls on the control thread, which may have a descriptor table of its own; call()
+// on a thread with that of the process (control/link/apart.h).
 #pragma once
 #include "control/link/pictures/picture.h"
 

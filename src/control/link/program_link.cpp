@@ -4,15 +4,16 @@
 #include "base/hash.h"
 #include "base/log.h"
 #include "base/own_thread.h"
+#include "control/link/apart.h"
 #include "control/link/program_side.h"
 #include "control/runtime_directory.h"
 
 #include <asio/error.hpp>
 #include <asio/io_context.hpp>
+#include <asio/posix/stream_descriptor.hpp>
 #include <asio/steady_timer.hpp>
 #include <pthread.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -56,12 +57,6 @@ void noteFailure(const std::exception& error) noexcept {
   } catch (...) {}  // out of memory
 }
 
-uint64_t inodeOf(int descriptor) {
-  struct stat status {};
-  if (descriptor < 0 || fstat(descriptor, &status) != 0 || !S_ISSOCK(status.st_mode)) return 0;
-  return static_cast<uint64_t>(status.st_ino);
-}
-
 /// Tells a socket's file from the one that another hub makes in its place, which may get the same inode.
 /// Never 0.
 uint64_t identityOf(const struct stat& status) {
@@ -79,10 +74,12 @@ struct ProgramLink::Serving {
 
   /// Returns when the connection has ended, or there is none.
   void run() {
+    if (const int descriptor = wakeDescriptor(); descriptor >= 0) wake.assign(descriptor);
+    waitForExit();
     connectToHub(io, link.hub_,
                  [this](std::shared_ptr<Connection> made, const std::string& why, ConnectFailure failure) {
                    link.failure_ = failure;
-                   if (!made) return noteNoHub(why, failure);
+                   if (!made) return wake.close(), noteNoHub(why, failure);
                    connection = std::move(made);
                    serve();
                  });
@@ -90,7 +87,6 @@ struct ProgramLink::Serving {
   }
 
   void serve() {
-    link.noteSocket(connection->descriptor());
     side.emplace(link.program_, link.live_, link.source_, link.history_,
                  ProgramSide::Peer{[this](Connection::Line line) { connection->send(std::move(line)); },
                                    [this](const std::string& why) { connection->finish(why); },
@@ -102,13 +98,23 @@ struct ProgramLink::Serving {
                          schedule();
                        },
                        [this](const std::string& why) {
-                         link.noteSocket(-1);
                          timer.cancel();
+                         wake.close();
                          log::write(log::Level::debug, "the hub has gone: " + why);
                        },
                        {}});
     side->begin(nowSeconds());
     schedule();
+  }
+
+  /// Ends the connection when the process exits.
+  void waitForExit() {
+    if (!wake.is_open()) return;
+    wake.async_wait(asio::posix::stream_descriptor::wait_read, [this](const error_code& error) {
+      if (error) return;
+      if (link.exiting_) return io.stop();
+      waitForExit();
+    });
   }
 
   void schedule() {
@@ -126,6 +132,8 @@ struct ProgramLink::Serving {
   ProgramLink& link;
   asio::io_context io{1};
   asio::steady_timer timer{io};
+  asio::posix::stream_descriptor wake{io};
+  const pthread_t thread = pthread_self();
   std::shared_ptr<Connection> connection;
   std::optional<ProgramSide> side;
   bool greeted = false;
@@ -175,9 +183,19 @@ void ProgramLink::start() noexcept {
     running_ = false, next_ = nowSeconds() + kMostBackoff;
 }
 
-/// The thread's main function.
+/// The main function of the thread in whose place the other one asks and answers.
 void ProgramLink::run() noexcept {
   pthread_setname_np(pthread_self(), "gluray-control");
+  bool ran = false;
+  try {
+    ran = runApart([this] { serveHubs(); });
+  } catch (const std::exception& e) { noteFailure(e); }
+  next_ = nowSeconds() + (ran ? kLookSeconds : kMostBackoff);
+  running_ = false;
+}
+
+/// On the thread with its own descriptors.
+void ProgramLink::serveHubs() noexcept {
   const bool tcp = !hub_.host.empty();
   double pause = kTcpSeconds;
   do {
@@ -186,7 +204,6 @@ void ProgramLink::run() noexcept {
       greeted = serve();
     } catch (const std::exception& e) { noteFailure(e); } catch (...) {
     }
-    noteSocket(-1);
     if (!exiting_) program_.linkEnded();
     if (!tcp) {
       noteAttempt(greeted);
@@ -198,8 +215,6 @@ void ProgramLink::run() noexcept {
       std::this_thread::sleep_for(std::chrono::duration<double>(kLookSeconds));
     pause = refused ? kTcpSeconds : std::min(2 * pause, kMostTcpSeconds);
   } while (!exiting_);
-  next_ = nowSeconds() + kLookSeconds;
-  running_ = false;
 }
 
 /// A socket where no hub says hello is tried again ever more seldom; another one in its place, at the next
@@ -236,26 +251,14 @@ bool ProgramLink::serve() {
   return greeted;
 }
 
-/// Keeps the socket for forked(). Below 0: there is none.
-void ProgramLink::noteSocket(int descriptor) noexcept {
-  descriptor_ = -1;
-  socketNumber_ = inodeOf(descriptor);
-  descriptor_ = descriptor;
-}
-
-void ProgramLink::forked() noexcept {
-  forked_ = true;
-  // The number may have been closed and used again by another thread just before the fork.
-  const int descriptor = descriptor_;
-  if (descriptor >= 0 && socketNumber_ != 0 && inodeOf(descriptor) == socketNumber_) close(descriptor);
-}
+void ProgramLink::forked() noexcept { forked_ = true; }
 
 void ProgramLink::exiting() noexcept {
   if (forked_) return;
   exiting_ = true;
   constexpr int kPatience = 500;  // milliseconds
   for (int i = 0; i < kPatience && running_; ++i) {
-    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock && serving_) serving_->io.stop();
+    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock && serving_) wakeApart(serving_->thread);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }

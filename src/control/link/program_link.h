@@ -1,5 +1,5 @@
-// The link from this program to the hub: a thread that exists while there is a hub. Never destroyed: programs
-// draw while they exit.
+// The link from this program to the hub: two threads that exist while there is a hub (control/link/apart.h).
+// Never destroyed: programs draw while they exit.
 #pragma once
 #include "control/connect.h"
 #include "control/link/program.h"
@@ -7,7 +7,6 @@
 #include "settings/live/settings_history.h"
 
 #include <atomic>
-#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -24,12 +23,12 @@ class ProgramLink {
   ProgramLink(const ProgramLink&) = delete;
   ProgramLink& operator=(const ProgramLink&) = delete;
 
-  /// Call when a frame begins. Looks for a hub at most every kLookSeconds, and starts the thread if there is
+  /// Call when a frame begins. Looks for a hub at most every kLookSeconds, and starts the threads if there is
   /// one. Any thread; `now`: nowSeconds().
   void look(double now) noexcept;
-  /// In the child of a fork, which has no such thread: closes the child's copy of the socket.
+  /// In the child of a fork, which has no such threads.
   void forked() noexcept;
-  /// When the process exits: ends the thread, and waits for it for a short time.
+  /// When the process exits: ends the threads, and waits for them for a short time.
   void exiting() noexcept;
 
  private:
@@ -38,8 +37,8 @@ class ProgramLink {
   void noteAttempt(bool greeted);
   void start() noexcept;
   void run() noexcept;
+  void serveHubs() noexcept;
   bool serve();
-  void noteSocket(int descriptor) noexcept;
 
   ControlledProgram& program_;
   LiveSettings& live_;
@@ -54,12 +53,10 @@ class ProgramLink {
   ConnectFailure failure_ = ConnectFailure::none;  // the thread's: of the last attempt
   // Sockets of this machine's hubs, by device, inode and time of change; 0: none. A killed hub leaves its
   // socket.
-  std::atomic<uint64_t> seen_{0};          // found by the last look
-  std::atomic<uint64_t> useless_{0};       // no hub answered there
-  std::atomic<double> retry_{0};           // when `useless_` is tried again
-  double backoff_ = kLookSeconds;          // the thread's: before that
-  std::atomic<int> descriptor_{-1};        // of the connection
-  std::atomic<uint64_t> socketNumber_{0};  // its inode
+  std::atomic<uint64_t> seen_{0};     // found by the last look
+  std::atomic<uint64_t> useless_{0};  // no hub answered there
+  std::atomic<double> retry_{0};      // when `useless_` is tried again
+  double backoff_ = kLookSeconds;     // the thread's: before that
 };
 
 }  // namespace gluray::control

@@ -82,7 +82,7 @@ bool Line::receiveMore(std::byte* bytes, size_t size, size_t& got) {
 }
 
 bool Line::send(uint16_t type, std::span<const std::byte> body, int attached, int timeoutMs) {
-  if (body.size() > kMostBytes) return false;
+  if (body.size() > kMostBytes || !socket_.isOurs()) return false;
   Head head;
   head.type = type, head.attached = attached >= 0, head.bytes = body.size();
   const int64_t deadline = nowMs() + timeoutMs;
@@ -91,6 +91,7 @@ bool Line::send(uint16_t type, std::span<const std::byte> body, int attached, in
 }
 
 std::optional<Message> Line::receive() {
+  broken_ = broken_ || !socket_.isOurs();
   if (broken_ || !receiveMore(reinterpret_cast<std::byte*>(&head_), sizeof head_, headBytes_)) return {};
   if (head_.magic != Head::kMagic || head_.bytes > kMostBytes ||
       (head_.attached == 1) != (message_.attached.get() >= 0)) {
@@ -111,7 +112,7 @@ std::optional<Message> Line::receive() {
 
 std::optional<Message> Line::receive(int timeoutMs) {
   const int64_t deadline = nowMs() + timeoutMs;
-  for (;;) {
+  for (;;) {  // each time it looks whether the socket is ours: the host may close it meanwhile
     if (auto message = receive()) return message;
     if (broken_ || !ready(POLLIN, deadline)) return {};
   }

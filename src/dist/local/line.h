@@ -1,5 +1,6 @@
 // The connection between a program and a worker of its machine: messages with a type and, if wanted, a file
-// descriptor, over a socket of the Unix domain. One thread at each end.
+// descriptor, over a socket of the Unix domain. It breaks when the host program closes the socket's
+// descriptor, and then leaves alone whatever has its number. One thread at each end.
 #pragma once
 #include "dist/local/sealed_memory.h"
 

@@ -2,6 +2,7 @@
 
 #include "dist/stream/byte_stream.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -121,6 +122,27 @@ TEST(Line, AnEndThatSaysNothingOrReadsNothingIsGivenUp) {
   EXPECT_FALSE(there.receive(30));
   EXPECT_FALSE(there.isBroken());
   EXPECT_FALSE(here.send(1, numbered(size_t{16} << 20), -1, 30));
+}
+
+/// The host program closes our socket and gets its number for one of its own.
+TEST(Line, AnotherSocketWithTheSameNumberIsLeftAlone) {
+  std::array<int, 2> theirs{};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, theirs.data()), 0);
+  int number = -1;
+  {
+    auto [here, there] = ends();
+    number = here.descriptor();
+    ASSERT_EQ(dup2(theirs[0], number), number);
+    ASSERT_EQ(::write(theirs[1], "theirs", 6), 6);
+    EXPECT_FALSE(here.send(1, numbered(10), -1, kPatienceMs));
+    EXPECT_FALSE(here.receive(kPatienceMs));
+    EXPECT_TRUE(here.isBroken());
+  }
+  EXPECT_GE(fcntl(number, F_GETFD), 0) << "the host's socket was closed";
+  std::array<char, 16> text{};
+  EXPECT_EQ(recv(number, text.data(), text.size(), MSG_DONTWAIT), 6);
+  EXPECT_EQ(recv(theirs[1], text.data(), text.size(), MSG_DONTWAIT), -1) << "the host's peer got our bytes";
+  for (const int socket : {number, theirs[0], theirs[1]}) close(socket);
 }
 
 TEST(Line, AMessageThatPromisesMoreThanItHasTakesNoMemory) {

@@ -22,6 +22,7 @@ Xcb::Xcb() {
   find(core, "xcb_connect", connect);
   find(core, "xcb_disconnect", disconnect);
   find(core, "xcb_connection_has_error", failed);
+  find(core, "xcb_get_file_descriptor", descriptorOf);
   find(core, "xcb_put_image_checked", putWords);
   find(core, "xcb_get_maximum_request_length", longestRequest);
   find(core, "xcb_get_image", askImage);

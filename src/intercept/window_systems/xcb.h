@@ -20,6 +20,7 @@ struct Xcb {
   decltype(xcb_connect)* connect;
   decltype(xcb_disconnect)* disconnect;
   decltype(xcb_connection_has_error)* failed;
+  decltype(xcb_get_file_descriptor)* descriptorOf;
   decltype(xcb_put_image_checked)* putWords;
   decltype(xcb_get_maximum_request_length)* longestRequest;
   decltype(xcb_get_image)* askImage;

@@ -1,5 +1,6 @@
 #include "intercept/windows/background_window.h"
 
+#include "base/guarded_write.h"
 #include "frame/pixel_rows.h"
 #include "intercept/window_systems/xcb.h"
 
@@ -13,8 +14,13 @@ namespace {
 class XcbBackgroundWindow final : public BackgroundWindow {
  public:
   XcbBackgroundWindow(const std::string& display, uint32_t window)
-      : connection_(xcb().connect(display.c_str(), nullptr)), window_(window) {}
-  ~XcbBackgroundWindow() override { xcb().disconnect(connection_); }
+      : connection_(xcb().connect(display.c_str(), nullptr)), window_(window) {
+    if (!xcb().failed(connection_)) socket_ = glurayOutputOf(xcb().descriptorOf(connection_));
+  }
+  /// A connection whose descriptor the program has closed is never freed: XCB would close the number again.
+  ~XcbBackgroundWindow() override {
+    if (socket_.descriptor < 0 || isConnected()) xcb().disconnect(connection_);
+  }
 
   bool ready() {
     if (xcb().failed(connection_)) return false;
@@ -29,6 +35,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
 
   bool read(WindowPixels& out) noexcept override {
     try {
+      if (!isConnected()) return false;
       const auto geometry = askGeometry();
       if (!geometry || geometry->width == 0 || !xcb().askImage) return false;
       const auto cookie = xcb().askImage(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, window_, 0, 0,
@@ -49,12 +56,16 @@ class XcbBackgroundWindow final : public BackgroundWindow {
 
   bool paint(const uint32_t* pixels, glm::ivec2 size) noexcept override {
     try {
+      if (!isConnected()) return false;
       const auto geometry = askGeometry();
       return geometry && geometry->width == size.x && geometry->height == size.y && put(pixels, size);
     } catch (const std::exception&) { return false; }
   }
 
  private:
+  /// Whether the descriptor still means the connection.
+  bool isConnected() const { return glurayIsSame(&socket_); }
+
   ReplyPtr<xcb_get_geometry_reply_t> askGeometry() const {
     return replyTo(xcb().geometry, connection_, xcb().askGeometry(connection_, window_));
   }
@@ -80,7 +91,8 @@ class XcbBackgroundWindow final : public BackgroundWindow {
         const uint32_t* const from = pixels + width * static_cast<size_t>(size.y - 1 - top - row);
         std::transform(from, from + width, rows_.data() + width * static_cast<size_t>(row), frame::bgra);
       }
-      done = succeeded(xcb().putWords(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, window_, context_,
+      done = isConnected() &&
+             succeeded(xcb().putWords(connection_, XCB_IMAGE_FORMAT_Z_PIXMAP, window_, context_,
                                       static_cast<uint16_t>(size.x), static_cast<uint16_t>(count), 0,
                                       static_cast<int16_t>(top), 0, depth_,
                                       static_cast<uint32_t>(width * kUnit * static_cast<size_t>(count)),
@@ -90,6 +102,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
   }
 
   xcb_connection_t* connection_;
+  GlurayOutput socket_ = glurayNoOutput();
   uint32_t window_;
   xcb_gcontext_t context_ = 0;
   uint8_t depth_ = 0;
@@ -99,7 +112,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
 }  // namespace
 
 std::unique_ptr<BackgroundWindow> BackgroundWindow::open(const std::string& display, uint32_t window) {
-  if (!xcb().connectionOf || !xcb().putWords) return nullptr;
+  if (!xcb().connectionOf || !xcb().putWords || !xcb().descriptorOf) return nullptr;
   auto opened = std::make_unique<XcbBackgroundWindow>(display, window);
   return opened->ready() ? std::move(opened) : nullptr;
 }
