@@ -17,7 +17,7 @@ class Attention {
       : real_(real), immediate_(immediate), lists_(lists), clock_(clock), off_(off) {}
 
   /// True if stubs must ask Context::gate(): the context is off, or calls come inside glBegin, while a run is
-  /// open, or while a list is compiled.
+  /// open, while glBegin relies on an earlier answer, or while a list is compiled.
   explicit operator bool() const { return needed_; }
   /// Call after any of these changes. Also sets where the calling thread's vertices go (t_thread).
   void update();

@@ -113,6 +113,10 @@ void Context::drawHeld() {
 
 Gate Context::gate(bool anywhere, bool compiled) noexcept {
   if (shadow.info.off) return Gate::forward;
+  if (!anywhere && immediate.reliesOnAnswer() && !immediate.insideBegin()) {
+    immediate.forgetAnswer();
+    attention.update();
+  }
   if (anywhere) return lists.compiling() && !immediate.insideBegin() ? Gate::compile : Gate::run;
   if (immediate.insideBegin()) {
     if (lists.compiling() && !lists.executing()) return Gate::compile;  // no glBegin has been executed
@@ -160,6 +164,7 @@ void Context::makeCurrent(uintptr_t drawable) {
   shadow.state.target.drawable = drawable;
   shadow.dirty = kAllGroups;  // the thread or the drawable may have changed
   filler.forgetDrawable();
+  immediate.forgetAnswer();
   attention.update();
 }
 

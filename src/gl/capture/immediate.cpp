@@ -128,6 +128,7 @@ void Immediate::begin(GLenum mode) {
     if (kind != class_ && !stream_.empty()) closeRun();
     class_ = kind;
   } else if (p_.clock.passesThrough()) {
+    forgetAnswer();
     if (p_.counts.kinds()) p_.counts.kinds()->start();
     p_.passthrough.takes(DrawPath::immediate, kind, 0);  // end() counts its triangles
     openPrimitive_ = {mode, 0, 0};
@@ -176,8 +177,7 @@ void Immediate::countOpenPrimitive() {
 /// programs may not fit them, the blending or the primitive. A draw of no vertices is refused for the same
 /// reasons. An empty glBegin and glEnd would change what follows: Mesa 22.3 then loses line strips. Buffers
 /// that are mapped refuse draws from arrays, but not glBegin: then it is asked.
-bool Immediate::canBegin(GLenum mode) {
-  if (p_.shadow.state.target.framebuffer == 0 && p_.shadow.state.raster.program == 0) return true;
+bool Immediate::askCanBegin(GLenum mode) {
   const RealGl& real = p_.shadow.real;
   p_.shadow.errors.keepPending();
   real.DrawArrays(mode, 0, 0);
@@ -186,6 +186,16 @@ bool Immediate::canBegin(GLenum mode) {
   const GLenum error = p_.shadow.errors.takeReal();
   if (error != GL_NO_ERROR) p_.shadow.errors.set(error);
   return error == GL_NO_ERROR;
+}
+
+/// The answer is kept until a command comes that may change it: a draw of no vertices makes Mesa draw all
+/// primitives before it, one by one.
+bool Immediate::canBegin(GLenum mode) {
+  if (p_.shadow.state.target.framebuffer == 0 && p_.shadow.state.raster.program == 0) return true;
+  if (mode == canBegin_) return true;
+  const bool can = askCanBegin(mode);
+  canBegin_ = can && !p_.lists.compiling() && !p_.lists.calling() ? mode : kNoMode;
+  return can;
 }
 
 void Immediate::end() {

@@ -51,6 +51,9 @@ class Immediate {
 
   void begin(GLenum mode);
   void end();
+  /// Whether begin() relies on an earlier answer of the real OpenGL, which the next command may change.
+  bool reliesOnAnswer() const { return canBegin_ != kNoMode; }
+  void forgetAnswer() { canBegin_ = kNoMode; }
   void attribute(Slot slot, const float* values);
   void vertex(float x, float y, float z, float w);
   void material(GLenum face, GLenum pname, const float* params);
@@ -94,6 +97,7 @@ class Immediate {
   void setCurrent(Slot slot, const float* values);
   void noteColor(Slot slot);
   bool canBegin(GLenum mode);
+  bool askCanBegin(GLenum mode);
   void recordMisuse();
   void countOpenPrimitive();
   bool takesSlot(Slot slot);
@@ -102,6 +106,8 @@ class Immediate {
   KnownMesh meshOfRun();
   void keepRunValues();
   void sendRunValues();
+
+  static constexpr GLenum kNoMode = ~GLenum{0};
 
   Parts p_;
   VertexStream::Welding welding_;
@@ -112,6 +118,7 @@ class Immediate {
   PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
   Reason reason_ = Reason::traced;                   // why the captured run will be rasterised
   DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs
+  GLenum canBegin_ = kNoMode;                        // the real OpenGL's glBegin of this mode succeeds
   Primitive openPrimitive_{};                        // of a rasterised glBegin: mode and vertices so far
   Inside executed_ = Inside::nothing;     // of the commands that the list being compiled has executed
   GLuint openFragment_ = 0;               // real list that compiles the rest of a surrendered primitive

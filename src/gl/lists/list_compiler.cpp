@@ -101,6 +101,7 @@ void ListCompiler::callList(GLuint name) {
   const auto list = p_.shadow.group.lists.find(name);
   if (!list || depth_ >= kDeepest) return;
   p_.immediate.closeRunOutsideBegin();
+  if (!p_.immediate.insideBegin()) p_.immediate.forgetAnswer();
   if (depth_ == 0 && !p_.immediate.insideBegin() && !p_.clock.passesThrough()) {
     p_.shadow.current.store(p_.shadow.real);
     p_.shadow.latch.called(p_.shadow.real);
