@@ -8,6 +8,7 @@ import fcntl
 import json
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
@@ -96,6 +97,17 @@ class Lives(Folder):
                         self.skipTest("no filters of system calls here")
                     self.assertEqual(done.returncode, 42 if program[0] == "sh" else 0, done.stderr)
 
+    def test_without_proc(self):
+        hidden = ["unshare", *(["--mount"] if os.geteuid() == 0 else ["--map-root-user", "--mount"]), "sh", "-c",
+                  'mount -t tmpfs none /proc && exec "$@"', "sh"]
+        if run(*hidden, "true").returncode != 0:
+            self.skipTest("no name spaces of mounts here")
+        for door in ("auto", *DOORS):
+            for program, code in (([CLIENT, "plain"], 0), (["sh", "-c", "exit 42"], 42)):
+                with self.subTest(door=door, program=program):
+                    done = run(*hidden, GLURAY, "--door", door, *ALWAYS, "--", *program, **WITHOUT_DISPLAY)
+                    self.assertEqual((done.returncode, done.stderr), (code, ""))
+
     def test_another_libstdcxx_in_the_library_path(self):
         source = self.folder / "old.c"
         source.write_text("int old;\n")
@@ -139,6 +151,31 @@ class OpenGl(Folder):
             for door in ("auto", *DOORS):
                 with self.subTest(name=name, door=door):
                     self.assertTrue(self.traced(tree / "bin/gluray", CLIENT, "plain", door=door, XDG_RUNTIME_DIR=self.folder))
+
+    def privileged(self, name):
+        """A copy of the client that gets privileges: the loader and Mesa then ignore most variables."""
+        os.chmod(self.folder, 0o755)
+        program = self.folder / name
+        shutil.copy(CLIENT, program)
+        program.chmod(0o2755 if name == "group" else 0o755)
+        if name == "capabilities":
+            kRevision2, kEffective, kBindService = 0x02000000, 1, 1 << 10
+            os.setxattr(program, "security.capability", struct.pack("<5I", kRevision2 | kEffective, kBindService, 0, 0, 0))
+        return program
+
+    def test_privileged_programs_keep_their_opengl(self):
+        nobody = ("setpriv", "--reuid=65534", "--regid=65534", "--clear-groups")
+        if os.geteuid() != 0 or run(*nobody, "test", "-x", GLURAY).returncode != 0:
+            self.skipTest("only root can give privileges, and nobody must reach GLuRay")
+        for name in ("capabilities", "group"):
+            program = self.privileged(name)
+            self.assertEqual(run(*nobody, program, "plain", **WITHOUT_DISPLAY).returncode, 0)
+            for door in ("auto", *DOORS):
+                with self.subTest(name=name, door=door):
+                    done = run(*nobody, GLURAY, "--door", door, *ALWAYS, "--", program, "plain", **WITHOUT_DISPLAY, HOME=self.folder)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    said = "has file capabilities" if name == "capabilities" else "is set-gid"
+                    self.assertRegex(done.stderr, rf"^gluray: not ray traced: .* {said}: .*\n$")
 
     def test_gluray_that_vanishes(self):
         tree = self.moved("vanishing")

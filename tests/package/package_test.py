@@ -43,6 +43,14 @@ def check_control(package: pathlib.Path) -> None:
             fail(f"does not depend on {name}: {depends}")
 
 
+def check_licences(prefix: pathlib.Path) -> None:
+    """Of the libraries whose copies are installed."""
+    copies = {path.name.removesuffix("-gluray") for path in (prefix / "lib/gluray/private").iterdir()}
+    texts = {path.stem for path in (prefix / "share/doc/gluray/licences").iterdir() if path.stat().st_size > 100}
+    if not copies or copies != texts:
+        fail(f"licences of {sorted(texts)} for copies of {sorted(copies)}")
+
+
 def check_report(file: pathlib.Path) -> None:
     report = json.loads(file.read_text())
     traced = report["triangles"]["traced"] if "triangles" in report else report["trianglesTraced"]
@@ -103,6 +111,7 @@ def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) ->
         report = folder / f"{door}.json"
         run(gluray, "--door", door, "--report", report, "--", client, "surfaceless")
         check_report(report)
+    check_licences(tree / "usr")
     check_man(tree / "usr/share/man")
     check_completion(tree / "usr/share/bash-completion/completions/gluray", gluray)
 

@@ -130,9 +130,7 @@ void examineProgram(const CommandLine& line, Diagnosis& diagnosis) {
   if (program.path.empty())
     return diagnosis.broken(
         kTopic, line.program[0] + (program.error == ENOENT ? " was not found" : " cannot be executed"));
-  if (program.setUid)
-    return diagnosis.broken(kTopic,
-                            program.path + " is set-uid: the system does not let GLuRay see its calls");
+  if (!program.privilege.empty()) return diagnosis.broken(kTopic, program.whyUnseen());
   if (!program.interpreter.empty()) return examineScript(line, program, diagnosis);
   if (!program.elf.elf)
     return diagnosis.limited(kTopic,

@@ -117,7 +117,7 @@ Session sessionOf(const CommandLine& line) {
 std::string openDoors(const CommandLine& line, const Program& program) {
   const std::string directory = libraryDirectory();
   if (directory.empty()) return "GLuRay's libraries are missing beside " + launcherFile();
-  if (program.setUid) return program.path + " is set-uid: the system does not let GLuRay see its calls";
+  if (!program.privilege.empty()) return program.whyUnseen();
   passSettings(line);
   const DoorFiles files = doorFiles(directory);
   if (files.directory.empty()) return files.why;

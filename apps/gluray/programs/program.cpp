@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -112,17 +113,23 @@ void readLibraryList(const std::string& list, Program& program) {
   program.bundledGl = gl && !glvnd;
 }
 
+std::string privilegeOf(const std::string& path, const struct stat& status) {
+  if ((status.st_mode & S_ISUID) && status.st_uid != getuid()) return "is set-uid";
+  if ((status.st_mode & S_ISGID) && status.st_gid != getgid()) return "is set-gid";
+  if (getuid() != 0 && getxattr(path.c_str(), "security.capability", nullptr, 0) > 0)
+    return "has file capabilities";
+  return "";
+}
+
 Program inspect(const std::string& name) {
   Program program;
   search(name, program);
   if (program.path.empty()) return program;
   struct stat status {};
-  if (stat(program.path.c_str(), &status) == 0)
-    program.setUid = ((status.st_mode & S_ISUID) && status.st_uid != getuid()) ||
-                     ((status.st_mode & S_ISGID) && status.st_gid != getgid());
+  if (stat(program.path.c_str(), &status) == 0) program.privilege = privilegeOf(program.path, status);
   program.elf = readElf(program.path);
   // Lists only programs that name a loader: a static one would really run.
-  if (!program.setUid && !program.elf.interpreter.empty())
+  if (program.privilege.empty() && !program.elf.interpreter.empty())
     readLibraryList(program.libraries = listLibraries(program.path), program);
   if (!program.elf.elf) program.interpreter = scriptInterpreter(program.path);
   return program;
