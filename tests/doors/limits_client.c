@@ -1,7 +1,8 @@
 /* Draws a few frames of a shaded scene where something is short, and writes the last one as a PPM picture to
    standard output, VmHWM in kB to standard error. Arguments: glx or egl (surfaceless, without a display);
-   small, large or sizes; the stack of the drawing thread in kB, 0: the main thread draws.
-   small, large: a lit ball of few or many triangles over a floor. sizes: the small scene, ten times into each
+   small, grows, large or sizes; the stack of the drawing thread in kB, 0: the main thread draws.
+   small, large: a lit ball of few or many triangles over a floor. grows: small; after the first frame, the
+   program takes its limit of address space but for 200 MB. sizes: the small scene, ten times into each
    of three framebuffers of very different shapes; the picture is the middle of the last one. */
 #define GL_GLEXT_PROTOTYPES
 #include "x_window.h"
@@ -13,6 +14,7 @@
 #include <math.h>
 #include <pthread.h>
 #include <string.h>
+#include <sys/mman.h>
 
 enum { kSide = 128, kDrawn = 3, kTimes = 10 };
 
@@ -78,8 +80,18 @@ static void writePicture(int x, int y) {
   fflush(stdout);
 }
 
+static void takeAddressSpace(void) {
+  const size_t kept = (size_t)200 << 20, piece = (size_t)16 << 20;
+  void* room = mmap(NULL, kept, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) failed = 1;
+  while (mmap(NULL, piece, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED)
+    continue;
+  munmap(room, kept);
+}
+
 static void drawFrames(void (*show)(void)) {
   for (int i = 0; i < kDrawn; ++i) {
+    if (i == 1 && strcmp(scene, "grows") == 0) takeAddressSpace();
     drawScene(kSide, kSide, i);
     if (i + 1 < kDrawn) show();
   }
@@ -188,7 +200,7 @@ static void sayPeak(void) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 4) return fprintf(stderr, "usage: limits_client glx|egl small|large|sizes STACK_KB\n"), 2;
+  if (argc != 4) return fprintf(stderr, "usage: limits_client glx|egl small|grows|large|sizes STACK_KB\n"), 2;
   api = argv[1], scene = argv[2];
   const size_t stack = (size_t)atoi(argv[3]) << 10;
   if (!makeBall(strcmp(scene, "large") == 0 ? 600 : 32)) return 1;

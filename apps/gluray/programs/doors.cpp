@@ -1,12 +1,16 @@
 #include "programs/doors.h"
 
+#include "base/address_space.h"
 #include "base/environment_variable.h"
 #include "base/files.h"
 #include "intercept/probe/real_vendor.h"
 #include "settings/layers/layers.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -67,6 +71,20 @@ std::string openVendorDoor(const std::string& directory) {
   return "";
 }
 
+/// Why the engine can never be loaded below these limits, which the program cannot raise; empty: it may.
+/// Doors would take a little of what the real OpenGL needs.
+std::string shortAddressSpace() {
+  const unsigned long long least = glurayLoadBytes();
+  for (const auto which : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limit;
+    if (getrlimit(which, &limit) != 0 || limit.rlim_max == RLIM_INFINITY || limit.rlim_max >= least) continue;
+    std::array<char, 128> why;
+    std::snprintf(why.data(), why.size(), GLURAY_ADDRESS_SPACE_IS_SHORT, least >> 20);
+    return why.data();
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string libraryDirectory() {
@@ -89,6 +107,7 @@ std::string openDoors(const CommandLine& line, const Program& program) {
   if (directory.empty())
     return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
   if (program.setUid) return program.path + " is set-uid: the system does not let GLuRay see its calls";
+  if (std::string why = shortAddressSpace(); !why.empty()) return why;
   passSettings(line);
   const auto openPreloadDoor = [&]() -> std::string {
     if (directory.find_first_of(" :") != directory.npos)

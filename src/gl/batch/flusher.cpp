@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/process_exit.h"
 #include "base/timeline.h"
+#include "gl/batch/address_space_gate.h"
 #include "gl/batch/resolve_draws.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
@@ -54,6 +55,9 @@ void Flusher::present(Reason reason) {
   if (peeled && !p_.layers.haveSurfaces()) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
     reason = Reason::framebuffer;
+  // Layers of the program's own peels are drawn otherwise.
+  const bool isShort = reason == Reason::traced && !peeled && !factors && addressSpaceIsShort();
+  if (isShort) reason = Reason::failure;
   const bool rasterise = reason != Reason::traced;
   if (!rasterise) surround();
   const scene::SnapshotPtr snapshot = batch.take();
@@ -84,6 +88,8 @@ void Flusher::present(Reason reason) {
   if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
   const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
   if (result.outcome != wanted) p_.failsafe.stepAside(result.reason());
+  if (isShort)
+    p_.failsafe.stepAside("the limit of its address space (ulimit -v, -d) leaves too little for OpenGL");
 }
 
 void Flusher::takeResult(const PresentResult& result, bool known) {
