@@ -19,6 +19,7 @@ MOST_BYTES = 1 << 20  # of a message
 MOST_EVENTS = 1000    # that wait to be taken; older ones are lost
 LIST_SECONDS, ANSWER_SECONDS = 5.0, 12.0  # the second is more than the hub gives a program: then it says which one does not answer
 MOST_SECONDS = 1e6    # of a wait: poll() counts milliseconds in 32 bits
+OLD = 1e6             # seconds since hubs began that do not say it
 NO_ANSWER = "the hub does not answer; end it, and start gluray hub"
 
 
@@ -73,6 +74,10 @@ class Connection:
         if hello["type"] != "hello" or hello.get("role") != "hub" or not isinstance(version, int) or version < 1:
             self.close()
             raise HubError(_why(hello) if hello["type"] == "error" else "what listens there is no hub of GLuRay; end it, and start gluray hub")
+        age, expected = hello.get("age"), hello.get("expected")
+        self.began = time.monotonic() - (age if isinstance(age, (int, float)) and 0 <= age < OLD else OLD)
+        self.expected = expected if isinstance(expected, int) else 0  # programs that run and had not connected
+        self.tcp = hello.get("tcp") is True                           # programs of other machines may come, which it cannot expect
 
     def close(self):
         if self._socket:

@@ -13,6 +13,9 @@ _lock = threading.RLock()
 _address = ("", "")        # "HOST:PORT" and key file; empty: this machine
 _connection = _child = None
 generation = 0             # of connections
+# How old a hub is from which on programs are not waited for: at first; while none is there, but it expects some; while none is there, but some may
+# come from other machines.
+YOUNG_SECONDS, EXPECTED_SECONDS, FAR_SECONDS = 1.0, 5.0, 9.0
 LATE = 0.5                 # seconds from taking the hub's lock to listening, at most
 
 
@@ -80,6 +83,7 @@ def _connected():
             if hub or "no hub runs here" not in str(error):
                 raise
             _connection = _with_own_hub(error)
+        _settle(_connection)
         generation += 1
     return _connection
 
@@ -117,7 +121,6 @@ def _with_own_hub(error):
                 ended, end = True, min(end, time.monotonic() + LATE)
             time.sleep(0.02)
     threading.Thread(target=_empty, args=[_child.stderr], daemon=True).start()
-    _settle(connection)
     return connection
 
 
@@ -128,14 +131,22 @@ def _empty(pipe):
 
 
 def _settle(connection):
-    """Gives programs a second to find the new hub: they look for one when a frame begins, at most every 50 ms."""
-    end, before = time.monotonic() + 1, None
-    while time.monotonic() < end:
-        time.sleep(0.15)
+    """Gives programs time to find a new hub: they look for one when a frame begins, at most every 50 ms. As apps/gluray/control/hub_session.cpp."""
+    before, expected = None, connection.expected
+    while (age := time.monotonic() - connection.began) < FAR_SECONDS:
         now = connection.ask({"type": "list"}).get("programs")
-        if now and now == before:
+        if now and now == before and not expected:
             return
         before = now
+        if age >= (YOUNG_SECONDS if now else FAR_SECONDS if connection.tcp else EXPECTED_SECONDS if expected else YOUNG_SECONDS):
+            return
+        time.sleep(0.15)
+        try:
+            probe = Connection(*_where())  # each hello says it anew
+            expected = probe.expected
+            probe.close()
+        except HubError:
+            return
 
 
 def _end(child, owner):

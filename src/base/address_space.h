@@ -15,7 +15,8 @@ static const unsigned long long glurayEngineBytes = 376ull << 20;
 /* Left to the program and the real OpenGL while a picture is traced: for compiling shaders, for an arena. */
 static const unsigned long long glurayFrameReserve = 384ull << 20;
 
-/* Bytes below the limits of address space and data; ULLONG_MAX if there are none, or nothing is known. */
+/* Bytes that limits of address space and data leave; ULLONG_MAX if there are none. Without /proc, the limits.
+ */
 static inline unsigned long long glurayAddressSpaceLeft(void) {
   struct rlimit all, data;
   if (getrlimit(RLIMIT_AS, &all) != 0) all.rlim_cur = RLIM_INFINITY;
@@ -25,18 +26,18 @@ static inline unsigned long long glurayAddressSpaceLeft(void) {
   const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
   const ssize_t length = file >= 0 ? read(file, text, sizeof text - 1) : -1;
   if (file >= 0) close(file);
-  if (length <= 0) return ULLONG_MAX;
-  text[length] = 0;
+  text[length > 0 ? length : 0] = 0;
   /* Pages: all, resident, shared, code, libraries, data and stack. */
   unsigned long long pages[6] = {0, 0, 0, 0, 0, 0};
   char* at = text;
   for (int i = 0; i < 6; ++i) pages[i] = strtoull(at, &at, 10);
   const unsigned long long page = (unsigned long long)sysconf(_SC_PAGESIZE);
+  const unsigned long long used[2] = {pages[0] * page, pages[5] * page};
+  const rlim_t limits[2] = {all.rlim_cur, data.rlim_cur};
   unsigned long long least = ULLONG_MAX;
-  if (all.rlim_cur != RLIM_INFINITY)
-    least = all.rlim_cur > pages[0] * page ? all.rlim_cur - pages[0] * page : 0;
-  if (data.rlim_cur != RLIM_INFINITY) {
-    const unsigned long long left = data.rlim_cur > pages[5] * page ? data.rlim_cur - pages[5] * page : 0;
+  for (int i = 0; i < 2; ++i) {
+    if (limits[i] == RLIM_INFINITY) continue;
+    const unsigned long long left = limits[i] > used[i] ? limits[i] - used[i] : 0;
     if (left < least) least = left;
   }
   return least;
@@ -57,9 +58,9 @@ static inline unsigned long long glurayRealGlBytes(void) {
   return compiler + ((unsigned long long)(threads * glurayThreadMegabytes) << 20);
 }
 
-/* The reason why nothing is traced; the number is glurayLoadBytes() in MB. */
+/* Why nothing is traced; the number is glurayLoadBytes() in MB. */
 #define GLURAY_ADDRESS_SPACE_IS_SHORT \
-  "the limit of its address space (ulimit -v, -d) leaves less than %llu MB"
+  "limits of the process (ulimit -v, -d) leave less than the %llu MB that OpenGL and ray tracing need"
 
 /* Bytes that must be left when the engine is loaded. */
 static inline unsigned long long glurayLoadBytes(void) { return glurayEngineBytes + glurayRealGlBytes(); }

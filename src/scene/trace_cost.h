@@ -1,5 +1,7 @@
 // Cost of one traced snapshot, passed from the renderer through the presenter to the report. Plain data.
 #pragma once
+#include "scene/failure.h"
+
 #include <cstdint>
 
 namespace gluray::scene {
@@ -10,6 +12,7 @@ struct TraceCost {
   uint64_t blasRefinements = 0;             // fast BLASes replaced by full ones, built in the background
   uint64_t bvhBytes = 0;                    // of all acceleration structures at present
   bool blasRefining = false;                // a full BLAS is being built
+  Loss loss = Loss::tracing;                // if the snapshot could not be traced
 };
 
 }  // namespace gluray::scene

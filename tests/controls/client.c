@@ -1,14 +1,15 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
- * picture that it reads back: client [exposed | always [MILLISECONDS]]. exposed: Expose events of its window
- * make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a frame in so
- * many milliseconds (0: as fast as it can). The line "fork" makes a child process that ends a second later,
- * and prints its number; "count" prints the number of frames since the start and the seconds of the monotonic
- * clock. The line "show" draws a frame that is not read back, and prints "shown"; from then on so do Expose
- * events.
+ * picture that it reads back: client [exposed | always [MILLISECONDS [egl]]]. exposed: Expose events of
+ * its window make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a
+ * frame in so many milliseconds (0: as fast as it can). egl: it shows its window by EGL. The line "fork"
+ * makes a child process that ends a second later, and prints its number; "count" prints the number of frames
+ * since the start and the seconds of the monotonic clock. The line "show" draws a frame that is not read
+ * back, and prints "shown"; from then on so do Expose events.
  */
 #include "tests/doors/two_rings.h"
 #include "tests/doors/x_window.h"
 
+#include <EGL/egl.h>
 #include <GL/glx.h>
 #include <poll.h>
 #include <stdint.h>
@@ -29,13 +30,18 @@ static uint64_t checksum(void) {
 
 static int isRead = 1; /* frames are read back */
 static long frames;
+static EGLDisplay egl;
+static EGLSurface surface;
 
 static void showRings(Display* display, Window window, int turns, int prints) {
   ++frames;
   drawTwoRings(kWidth, kHeight, 20 + (turns ? (float)(frames % 360) : 0));
   if (prints) printf("%016llx\n", (unsigned long long)checksum());
   fflush(stdout);
-  glXSwapBuffers(display, window);
+  if (!egl)
+    glXSwapBuffers(display, window);
+  else
+    eglSwapBuffers(egl, surface);
 }
 
 static double now(void) {
@@ -65,6 +71,19 @@ static int takeExposures(Display* display) {
   return exposed;
 }
 
+/* Shows a window by EGL, whose surface is made before the first context: GLuRay does not know the window. */
+static void showByEgl(Display* display, Window shown) {
+  static const EGLint wanted[] = {
+      EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_DEPTH_SIZE, 24, EGL_NONE};
+  EGLConfig config;
+  EGLint count = 0;
+  egl = eglGetDisplay((EGLNativeDisplayType)display);
+  eglInitialize(egl, NULL, NULL), eglBindAPI(EGL_OPENGL_API);
+  if (!eglChooseConfig(egl, wanted, &config, 1, &count) || count == 0) fprintf(stderr, "no EGL\n"), exit(1);
+  surface = eglCreateWindowSurface(egl, config, shown, NULL);
+  eglMakeCurrent(egl, surface, surface, eglCreateContext(egl, config, EGL_NO_CONTEXT, NULL));
+}
+
 int main(int argc, char** argv) {
   const int exposed = argc > 1 && strcmp(argv[1], "exposed") == 0;
   const int always = argc > 1 && strcmp(argv[1], "always") == 0;
@@ -77,7 +96,10 @@ int main(int argc, char** argv) {
   XResizeWindow(display, window, kWidth, kHeight);
   XSync(display, False);
   if (exposed) XSelectInput(display, window, ExposureMask);
-  glXMakeCurrent(display, window, glXCreateContext(display, visual, NULL, True));
+  if (argc > 3 && strcmp(argv[3], "egl") == 0)
+    showByEgl(display, window);
+  else
+    glXMakeCurrent(display, window, glXCreateContext(display, visual, NULL, True));
   setvbuf(stdin, NULL, _IONBF, 0); /* poll() sees what is not read yet */
   struct pollfd inputs[] = {{STDIN_FILENO, POLLIN, 0}, {ConnectionNumber(display), POLLIN, 0}};
   double due = now();

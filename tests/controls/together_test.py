@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import unittest
 
 from fake_programs import FakePrograms, Peer, wait_for
@@ -77,6 +78,45 @@ class Together(Parts):
         done = wait_for(found)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return json.loads(done.stdout)[0]["values"]
+
+    def killed_hub(self, programs):
+        """A hub that knew so many programs and was killed long enough ago for all of them to have looked for it often."""
+        hub = self.hub()
+        self.listed(programs)
+        self.kill(hub)
+        self.assertTrue((self.runtime / "hub.sock").exists())
+        time.sleep(4)
+
+    def test_commands_find_programs_whose_hub_was_killed(self):
+        self.two()
+        for spp in (2, 3, 4):
+            self.killed_hub(2)
+            self.assertEqual({name: one["values"] for name, one in self.results("set", f"spp={spp}").items()}, dict.fromkeys(["painter", "sleeper"], {"spp": spp}))
+
+    def test_commands_wait_for_programs_with_slow_frames(self):
+        self.program("slow", "always", "2500")
+        self.killed_hub(1)
+        self.assertEqual(self.results("set", "spp=2")["slow"]["values"], {"spp": 2})
+        self.killed_hub(1)
+        self.assertEqual(self.python("gluray.programs('slow')[0]['spp']"), "2")
+
+    def test_commands_wait_for_slow_programs_whose_windows_are_not_known(self):
+        self.program("slow", "always", "2500", "egl"), self.program("painter", "always", "10")
+        self.killed_hub(2)
+        windows = {(one := json.loads(file.read_text()))["name"]: one["window"] for file in (self.runtime / "programs").iterdir()}
+        self.assertEqual((windows["slow"], windows["painter"] > 0), (0, True))
+        self.assertEqual(self.results("set", "-p", "slow", "spp=2")["slow"]["values"], {"spp": 2})
+
+    def test_programs_that_do_not_come_are_not_waited_for_long(self):
+        asleep = self.program("painter", "always", "10")
+        self.killed_hub(1)
+        asleep.send_signal(signal.SIGSTOP)
+        self.assertIn("a program runs under GLuRay that has not connected", self.refusal("set", "spp=2"))
+        asleep.send_signal(signal.SIGCONT)
+        self.assertEqual(self.results("set", "spp=2")["painter"]["values"], {"spp": 2})
+        self.kill(asleep)
+        self.assertIn("no program runs under GLuRay", self.refusal("set", "spp=2"))
+        self.assertEqual(os.listdir(self.runtime / "programs"), [])
 
     def test_commands_that_are_hubs_for_a_moment(self):
         self.two()

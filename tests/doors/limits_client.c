@@ -5,6 +5,7 @@
    program takes its limit of address space but for 200 MB. sizes: the small scene, ten times into each
    of three framebuffers of very different shapes; the picture is the middle of the last one. */
 #define GL_GLEXT_PROTOTYPES
+#include "egl_config.h"
 #include "x_window.h"
 
 #include <EGL/egl.h>
@@ -137,21 +138,11 @@ static EGLSurface eglSurface;
 static void showEgl(void) { eglSwapBuffers(eglDisplay, eglSurface); }
 
 static int runEgl(void) {
-  static const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                                  EGL_PBUFFER_BIT,
-                                  EGL_RENDERABLE_TYPE,
-                                  EGL_OPENGL_BIT,
-                                  EGL_RED_SIZE,
-                                  8,
-                                  EGL_DEPTH_SIZE,
-                                  24,
-                                  EGL_NONE};
   static const EGLint size[] = {EGL_WIDTH, kSide, EGL_HEIGHT, kSide, EGL_NONE};
-  EGLConfig config;
-  EGLint count = 0;
   eglDisplay = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
   if (!eglInitialize(eglDisplay, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) return 0;
-  if (!eglChooseConfig(eglDisplay, wanted, &config, 1, &count) || count < 1) return 0;
+  const EGLConfig config = chooseEglConfig(eglDisplay, 0);
+  if (!config) return 0;
   eglSurface = eglCreatePbufferSurface(eglDisplay, config, size);
   const EGLContext context = eglCreateContext(eglDisplay, config, EGL_NO_CONTEXT, NULL);
   if (!context || !eglMakeCurrent(eglDisplay, eglSurface, eglSurface, context)) return 0;

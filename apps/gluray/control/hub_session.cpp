@@ -25,6 +25,11 @@ constexpr double kConnectSeconds = 5, kListSeconds = 5;
 constexpr double kAnswerSeconds = 12;
 // Programs look for a hub when a frame begins, at most every 50 ms. Those that draw nothing are woken.
 constexpr milliseconds kLeast{120}, kMost{1000};
+// While none is there, or not the one that the command names, but the hub expects some: those with slow
+// frames. A hub asks windows to draw for the last time after three seconds.
+constexpr milliseconds kMostExpected{5000};
+// Programs of other machines try to reach a hub at least this often, and cannot be expected.
+constexpr milliseconds kMostFar{9000};
 constexpr milliseconds kPause{20};
 constexpr std::chrono::seconds kMostForOthers{15};
 constexpr int64_t kNoProgram = 0;
@@ -47,7 +52,7 @@ control::HubAddress addressOf(const CommandLine& line) {
   return address;
 }
 
-HubSession::HubSession(const CommandLine& line) : address_(addressOf(line)) {
+HubSession::HubSession(const CommandLine& line) : address_(addressOf(line)), wanted_(line.control.programs) {
   join();
   waitForPrograms();
 }
@@ -100,13 +105,20 @@ void HubSession::beHub() {
   isHub_ = true;
 }
 
+/// How old a hub is from which on programs that are not there are not waited for.
+double HubSession::secondsToWait(const std::vector<RunningProgram>& programs) const {
+  const bool complete = areThere(programs, wanted_);
+  if (complete && client_.hubExpects() == 0) return seconds(kLeast);
+  if (!complete && client_.hubListensOnTcp()) return seconds(kMostFar);
+  return seconds(!complete && client_.hubExpects() > 0 ? kMostExpected : kMost);
+}
+
 /// Each hello says anew how many programs are expected.
 void HubSession::waitForPrograms() {
-  const auto end = steady_clock::now() + kMost;
-  while (client_.hubAge() < seconds(kMost) && steady_clock::now() < end) {
-    if (client_.hubAge() >= seconds(kLeast) && client_.hubExpects() == 0 &&
-        !programsOf(client_.ask({{"type", "list"}}, kListSeconds).message).empty())
-      return;
+  const auto end = steady_clock::now() + kMostFar;
+  while (client_.hubAge() < seconds(kMostFar) && steady_clock::now() < end) {
+    const json list = client_.ask({{"type", "list"}}, kListSeconds).message;
+    if (client_.hubAge() >= secondsToWait(programsOf(list))) return;
     pause();
     join();
   }
@@ -117,6 +129,16 @@ std::vector<RunningProgram> HubSession::programs() {
   numbers_.clear();
   known_ = programsOf(ask({{"type", "list"}}));
   return known_;
+}
+
+std::vector<RunningProgram> HubSession::chosen() {
+  const std::vector<RunningProgram> all = programs();
+  if (const int64_t expected = client_.hubExpects(); all.empty() && expected > 0)
+    throw std::runtime_error((expected == 1
+                                  ? "a program runs under GLuRay that has"
+                                  : std::to_string(expected) + " programs run under GLuRay that have") +
+                             std::string(" not connected to this hub yet; try again after its next frame"));
+  return chosenPrograms(all, wanted_);
 }
 
 /// The hub has ended: its programs have other numbers at the next one.

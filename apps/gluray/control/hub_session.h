@@ -19,8 +19,8 @@ control::HubAddress addressOf(const CommandLine& line);
 
 class HubSession {
  public:
-  /// Connects; where no hub runs on this machine, is one. Gives programs a second to connect to a hub that
-  /// has just begun. Throws std::runtime_error with one line.
+  /// Connects; where no hub runs on this machine, is one. Gives programs time to connect to a hub that has
+  /// just begun. Throws std::runtime_error with one line.
   explicit HubSession(const CommandLine& line);
   /// A hub of its own ends when no other client is connected, or after 15 s.
   ~HubSession();
@@ -29,6 +29,8 @@ class HubSession {
 
   /// The programs that the hub knows. Throws.
   std::vector<RunningProgram> programs();
+  /// Those of them that the command names. Throws where there is none, or a word names none.
+  std::vector<RunningProgram> chosen();
   /// The hub's answer. Where the hub ends instead, asks the next one, unless the request may have changed
   /// something. Numbers of programs are those that programs() returned. Throws where there is none, or the
   /// request failed as a whole.
@@ -40,11 +42,13 @@ class HubSession {
   void join();
   void beHub();
   void waitForPrograms();
+  double secondsToWait(const std::vector<RunningProgram>& programs) const;
   void joinNext();
   nlohmann::json numbered(nlohmann::json request) const;
   void pause();
 
   const control::HubAddress address_;
+  const std::vector<std::string> wanted_;  // programs that the command names
   bool isHub_ = false;
   std::vector<RunningProgram> known_;   // what programs() returned
   std::map<int64_t, int64_t> numbers_;  // of these at the next hub; empty: it is still the same

@@ -16,8 +16,8 @@ json resultOf(HubSession& hub, const RunningProgram& program, json request) {
   return found;
 }
 
-RunningProgram oneProgram(HubSession& hub, const CommandLine& line) {
-  const std::vector<RunningProgram> programs = chosenPrograms(hub.programs(), line.control.programs);
+RunningProgram oneProgram(HubSession& hub) {
+  const std::vector<RunningProgram> programs = hub.chosen();
   if (programs.size() > 1) throw std::runtime_error("several programs run; choose one with -p");
   return programs.front();
 }

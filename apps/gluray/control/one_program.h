@@ -11,7 +11,7 @@
 namespace gluray::launcher {
 
 /// The one program that the command is about. Throws where several are chosen, or none.
-RunningProgram oneProgram(HubSession& hub, const CommandLine& line);
+RunningProgram oneProgram(HubSession& hub);
 
 /// The program's result. Throws std::runtime_error with its reason if it failed.
 nlohmann::json resultOf(HubSession& hub, const RunningProgram& program, nlohmann::json request);

@@ -21,7 +21,7 @@ std::string tableOf(const ListKind& kind, const json& list) {
 
 int printLists(const CommandLine& line, const ListKind& kind) {
   HubSession hub(line);
-  const std::vector<RunningProgram> programs = chosenPrograms(hub.programs(), line.control.programs);
+  const std::vector<RunningProgram> programs = hub.chosen();
   json all = json::array();
   bool failed = false;
   for (const RunningProgram& program : programs) {

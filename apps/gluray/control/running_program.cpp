@@ -69,6 +69,13 @@ std::string labelOf(const RunningProgram& program) {
          (elsewhere ? " on " + printable(program.host) : "") + ")";
 }
 
+bool areThere(const std::vector<RunningProgram>& all, const std::vector<std::string>& words) {
+  return !all.empty() && std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& program) { return names(word, program, all); });
+  });
+}
+
 std::vector<RunningProgram> chosenPrograms(const std::vector<RunningProgram>& all,
                                            const std::vector<std::string>& words) {
   if (all.empty()) throw std::runtime_error("no program runs under GLuRay; start one with: gluray PROGRAM");

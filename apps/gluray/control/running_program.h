@@ -21,6 +21,9 @@ std::vector<RunningProgram> programsOf(const nlohmann::json& message);
 /// "paraview (4242)"; "paraview (4242 on node7)" for another machine's.
 std::string labelOf(const RunningProgram& program);
 
+/// Whether there is a program, and one for each word.
+bool areThere(const std::vector<RunningProgram>& all, const std::vector<std::string>& words);
+
 /// Those that the words name: numbers, process ids, names; none, or "all": all of them. Throws
 /// std::runtime_error with one line where a word names none.
 std::vector<RunningProgram> chosenPrograms(const std::vector<RunningProgram>& all,

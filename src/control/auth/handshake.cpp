@@ -70,6 +70,8 @@ class HandshakeLines : public std::enable_shared_from_this<HandshakeLines> {
     failed(failure);
   }
 
+  bool isOver() const { return over_; }
+
   HandshakeSocket handOver() {
     over_ = true;
     timer_.cancel();
@@ -106,6 +108,13 @@ class HubSide : public HandshakeLines {
   using Done = std::function<void(HubProof&&)>;
   HubSide(HandshakeSocket socket, const Key& key, Done done, std::function<void()> ended)
       : HandshakeLines(std::move(socket), key), done_(std::move(done)), ended_(std::move(ended)) {}
+
+  void cancel() {
+    if (isOver())
+      timer_.cancel();  // it waits, at most, to close
+    else
+      fail(Failure::gone);
+  }
 
   void start(milliseconds patience) {
     limit(patience);
@@ -190,9 +199,13 @@ class PeerSide : public HandshakeLines {
 
 }  // namespace
 
-void proveAsHub(HandshakeSocket socket, const Key& key, milliseconds patience,
-                std::function<void(HubProof&&)> done, std::function<void()> ended) {
-  std::make_shared<HubSide>(std::move(socket), key, std::move(done), std::move(ended))->start(patience);
+std::function<void()> proveAsHub(HandshakeSocket socket, const Key& key, milliseconds patience,
+                                 std::function<void(HubProof&&)> done, std::function<void()> ended) {
+  const auto side = std::make_shared<HubSide>(std::move(socket), key, std::move(done), std::move(ended));
+  side->start(patience);
+  return [weak = std::weak_ptr(side)] {
+    if (const auto self = weak.lock()) self->cancel();
+  };
 }
 
 void proveAsPeer(HandshakeSocket socket, const Key& key, milliseconds patience,

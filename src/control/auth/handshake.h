@@ -23,9 +23,10 @@ struct HubProof {
   std::optional<HandshakeSocket> socket;  // nothing else was read from it or sent over it
   bool wrong = false;
 };
-/// Calls `done` once, and `ended` when the socket is handed over or closed.
-void proveAsHub(HandshakeSocket socket, const Key& key, std::chrono::milliseconds patience,
-                std::function<void(HubProof&&)> done, std::function<void()> ended);
+/// Calls `done` once, and `ended` when the socket is handed over or closed. Returns what closes the socket at
+/// once, as if the other side had gone; without effect when it is over.
+std::function<void()> proveAsHub(HandshakeSocket socket, const Key& key, std::chrono::milliseconds patience,
+                                 std::function<void(HubProof&&)> done, std::function<void()> ended);
 
 /// The other side. The socket, over which nothing else was read or sent, or one line that says why there is
 /// none.

@@ -93,6 +93,7 @@ void Client::takeHello(const json& message) {
   const auto age = message.find("age"), expected = message.find("expected");
   hubAge_ = age != message.end() && age->is_number() && *age >= 0 ? age->get<double>() : kOld;
   hubExpects_ = expected != message.end() && expected->is_number_integer() ? expected->get<int64_t>() : 0;
+  hubListensOnTcp_ = isTrue(member(message, "tcp"));
   greeted_ = true;
 }
 

@@ -40,6 +40,8 @@ class Client {
   /// say so is old, and expects none.
   double hubAge() const { return hubAge_; }
   int64_t hubExpects() const { return hubExpects_; }
+  /// Whether programs of other machines may come, which the hub cannot expect.
+  bool hubListensOnTcp() const { return hubListensOnTcp_; }
   /// Ends the connection.
   void leave() { close("the client has left"); }
   /// The answer to a request, which gets an id. Events that arrive meanwhile wait for next().
@@ -72,6 +74,7 @@ class Client {
   bool ended_ = false;
   double hubAge_ = kOld;
   int64_t hubExpects_ = 0;
+  bool hubListensOnTcp_ = false;
   bool interrupted_ = false;
   Answer answer_;
   std::string whyClosed_ = "not connected";

@@ -43,7 +43,8 @@ void HubCore::connected(uint64_t connection, PeerLink link, HubTime now, const B
                                {"pid", self_.pid},
                                {"host", self_.host},
                                {"expected", beginning.expected},
-                               {"age", beginning.age}});
+                               {"age", beginning.age},
+                               {"tcp", beginning.tcp}});
 }
 
 void HubCore::received(uint64_t connection, const json& message, HubTime now) {

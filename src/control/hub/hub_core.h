@@ -23,6 +23,7 @@ class HubCore {
   struct Beginning {
     size_t expected = 0;  // programs that left a file, run, and are not connected
     double age = 0;       // seconds since the hub began
+    bool tcp = false;     // it listens there: programs of other machines leave no files
   };
   /// A new connection, with a number that was not used before, not 0. Sends the hub's hello.
   void connected(uint64_t connection, PeerLink link, HubTime now, const Beginning& beginning);

@@ -12,7 +12,8 @@ TEST_F(HubCoreRequests, TheHubSaysHelloAtOnce) {
                                      {"pid", 4100},
                                      {"host", "node7"},
                                      {"expected", 0},
-                                     {"age", 0.0}}));
+                                     {"age", 0.0},
+                                     {"tcp", false}}));
 }
 
 TEST_F(HubCoreRequests, AFirstMessageThatIsNoRightHelloEndsTheConnection) {

@@ -50,6 +50,8 @@ class ControlledProgram {
   virtual void wantPicture(Wanted /*wanted*/) noexcept {}
   /// The picture that was kept since the last call; null: none was.
   virtual std::unique_ptr<Picture> takePicture() noexcept { return nullptr; }
+  /// The hub has said hello. `here`: it runs on this machine, and its runtime directory is used.
+  virtual void linkBegan(bool /*here*/) noexcept {}
   /// The connection to the hub has ended: lets go of what is needed only for that.
   virtual void linkEnded() noexcept {}
 };

@@ -1,6 +1,7 @@
 #include "control/link/program_link.h"
 
 #include "base/clock.h"
+#include "base/hash.h"
 #include "base/log.h"
 #include "base/own_thread.h"
 #include "control/link/program_side.h"
@@ -61,6 +62,15 @@ uint64_t inodeOf(int descriptor) {
   return static_cast<uint64_t>(status.st_ino);
 }
 
+/// Tells a socket's file from the one that another hub makes in its place, which may get the same inode.
+/// Never 0.
+uint64_t identityOf(const struct stat& status) {
+  const uint64_t parts[] = {static_cast<uint64_t>(status.st_dev), static_cast<uint64_t>(status.st_ino),
+                            static_cast<uint64_t>(status.st_ctim.tv_sec),
+                            static_cast<uint64_t>(status.st_ctim.tv_nsec)};
+  return hashBytes(parts, sizeof parts).low | 1;
+}
+
 }  // namespace
 
 /// One connection to the hub, from the attempt to its end.
@@ -87,7 +97,8 @@ struct ProgramLink::Serving {
                                    [this] { return connection->waiting(); }});
     connection->start({[this](json&& message) {
                          side->take(message, nowSeconds());
-                         greeted = greeted || side->greeted();
+                         if (!std::exchange(greeted, side->greeted()) && greeted)
+                           link.program_.linkBegan(link.hub_.host.empty());
                          schedule();
                        },
                        [this](const std::string& why) {
@@ -140,6 +151,9 @@ void ProgramLink::look(double now) noexcept {
 bool ProgramLink::hubIsHere(double now) {
   struct stat status {};
   if (stat(socket_.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
+  const uint64_t socket = identityOf(status);
+  seen_ = socket;
+  if (socket == useless_ && now < retry_) return false;
   const std::string why = whyUnsafe(hub_.directory);
   if (why.empty()) return true;
   log::once(log::Level::warning, "unsafe runtime directory", "the hub is not used: " + why);
@@ -174,16 +188,28 @@ void ProgramLink::run() noexcept {
     }
     noteSocket(-1);
     if (!exiting_) program_.linkEnded();
-    backoff_ = greeted ? kLookSeconds : std::min(2 * backoff_, kMostBackoff);
-    if (!tcp) break;
+    if (!tcp) {
+      noteAttempt(greeted);
+      break;
+    }
     const bool refused = failure_ == ConnectFailure::key || failure_ == ConnectFailure::refused;
     pause = greeted ? kTcpSeconds : refused ? kRefusedSeconds : pause;
     for (double slept = 0; slept < pause && !exiting_; slept += kLookSeconds)
       std::this_thread::sleep_for(std::chrono::duration<double>(kLookSeconds));
     pause = refused ? kTcpSeconds : std::min(2 * pause, kMostTcpSeconds);
   } while (!exiting_);
-  next_ = nowSeconds() + backoff_;
+  next_ = nowSeconds() + kLookSeconds;
   running_ = false;
+}
+
+/// A socket where no hub says hello is tried again ever more seldom; another one in its place, at the next
+/// look.
+void ProgramLink::noteAttempt(bool greeted) {
+  const uint64_t socket = greeted ? 0 : seen_.load();
+  if (socket != useless_) backoff_ = kLookSeconds;
+  backoff_ = std::min(2 * backoff_, kMostBackoff);
+  useless_ = socket;
+  retry_ = nowSeconds() + backoff_;
 }
 
 /// Serves one connection. Returns whether the hub has said hello.

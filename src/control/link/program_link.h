@@ -15,8 +15,8 @@ namespace gluray::control {
 
 class ProgramLink {
  public:
-  static constexpr double kLookSeconds = 0.05,
-                          kMostBackoff = 2;  // between two looks for a hub of this machine
+  static constexpr double kLookSeconds = 0.05;  // between two looks for a hub of this machine
+  static constexpr double kMostBackoff = 2;     // between two attempts at one socket
   static constexpr double kTcpSeconds = 2, kMostTcpSeconds = 8;  // between two attempts to reach another one
   static constexpr double kRefusedSeconds = 90;  // longer than hubs refuse a machine whose key is wrong
 
@@ -35,6 +35,7 @@ class ProgramLink {
  private:
   struct Serving;
   bool hubIsHere(double now);
+  void noteAttempt(bool greeted);
   void start() noexcept;
   void run() noexcept;
   bool serve();
@@ -51,9 +52,14 @@ class ProgramLink {
   std::mutex mutex_;
   Serving* serving_ = nullptr;                     // guarded by mutex_; null: nothing to stop
   ConnectFailure failure_ = ConnectFailure::none;  // the thread's: of the last attempt
-  double backoff_ = kLookSeconds;                  // the thread's, or of who starts it
-  std::atomic<int> descriptor_{-1};                // of the connection
-  std::atomic<uint64_t> socketNumber_{0};          // its inode
+  // Sockets of this machine's hubs, by device, inode and time of change; 0: none. A killed hub leaves its
+  // socket.
+  std::atomic<uint64_t> seen_{0};          // found by the last look
+  std::atomic<uint64_t> useless_{0};       // no hub answered there
+  std::atomic<double> retry_{0};           // when `useless_` is tried again
+  double backoff_ = kLookSeconds;          // the thread's: before that
+  std::atomic<int> descriptor_{-1};        // of the connection
+  std::atomic<uint64_t> socketNumber_{0};  // its inode
 };
 
 }  // namespace gluray::control

@@ -1,4 +1,4 @@
-// The file by which a hub that starts finds a program that draws nothing: programs/PID in the runtime
+// The file by which a hub that starts knows of a program that is not connected: programs/PID in the runtime
 // directory (docs/control-protocol.md). Any thread.
 #pragma once
 #include <cstdint>
@@ -8,8 +8,8 @@ namespace gluray::control {
 
 struct Registration {
   std::string name;     // of the program
-  std::string display;  // of the X server
-  uint64_t window = 0;  // X's name of a window that the program shows
+  std::string display;  // of the X server; empty: the program shows no window
+  uint64_t window = 0;  // X's name of a window that the program shows; 0: it shows none
 };
 
 /// The path of this process's file.

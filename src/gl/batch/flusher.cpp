@@ -19,6 +19,20 @@
 #include <utility>
 
 namespace gluray::gl {
+namespace {
+
+/// Why the draws of a batch that could not be traced were rasterised.
+Reason reasonOf(scene::Loss loss) {
+  switch (loss) {
+    case scene::Loss::draws: return Reason::untraceable;
+    case scene::Loss::frames: return Reason::shortage;
+    default: return Reason::failure;
+  }
+}
+
+constexpr const char* kShort = "limits of the process (ulimit -v, -d) leave too little for OpenGL";
+
+}  // namespace
 
 bool Flusher::canTrace() {
   if (supported_) return *supported_;
@@ -45,6 +59,12 @@ void Flusher::present(Reason reason) {
   p_.window.showLagged();
   pictured.collect(batch);
   if (batch.empty()) return;
+  const bool isShort = reason == Reason::traced && addressSpaceIsShort();
+  presentBatch(isShort ? Reason::shortage : reason);
+  if (isShort) p_.failsafe.fail(scene::Loss::frames, kShort);
+}
+
+void Flusher::presentBatch(Reason reason) {
   timeline::writeIfDue();
   const timeline::Span span("batch", batch.waiting().instances.size());
   const BatchKey key = batch.key();
@@ -52,12 +72,9 @@ void Flusher::present(Reason reason) {
   const bool factors = key.layers == BatchKey::Layers::factors;
   if (factors && reason != Reason::traced) return void(batch.take());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
-  if (peeled && !p_.layers.haveSurfaces()) return p_.layers.giveUp();
+  if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
     reason = Reason::framebuffer;
-  // Layers of the program's own peels are drawn otherwise.
-  const bool isShort = reason == Reason::traced && !peeled && !factors && addressSpaceIsShort();
-  if (isShort) reason = Reason::failure;
   const bool rasterise = reason != Reason::traced;
   if (!rasterise) surround();
   const scene::SnapshotPtr snapshot = batch.take();
@@ -87,9 +104,9 @@ void Flusher::present(Reason reason) {
   const bool declined = result.layers && result.outcome == PresentResult::rasterised;
   if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
   const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
-  if (result.outcome != wanted) p_.failsafe.stepAside(result.reason());
-  if (isShort)
-    p_.failsafe.stepAside("the limit of its address space (ulimit -v, -d) leaves too little for OpenGL");
+  if (result.outcome == wanted) return;
+  if (!rasterise && !factors) p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
+  p_.failsafe.fail(result.loss(), result.reason());
 }
 
 void Flusher::takeResult(const PresentResult& result, bool known) {
@@ -152,17 +169,23 @@ void Flusher::beforeBlit() noexcept {
 void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
                           std::vector<ProgramDraw> draws, bool known) {
   const RealGl& real = p_.shadow.real;
+  const bool isShort = !known && addressSpaceIsShort();
   const PresentResult result = [&] {
     const DrawBinding binding(real, key.framebuffer);
     return presenter.present(real, snapshot,
                              {.depthFunc = key.depthFunc,
                               .core = p_.shadow.info.core,
+                              .rasterise = isShort,
                               .programDraws = std::move(draws),
                               .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
   }();
   p_.shadow.latch.restore(real);
   takeResult(result, known);
-  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(result.reason());
+  if (result.outcome == PresentResult::traced) return;
+  const bool costsFrames = isShort && result.outcome == PresentResult::rasterised;
+  const scene::Loss loss = costsFrames ? scene::Loss::frames : result.loss();
+  p_.counts.asRasterised(*snapshot, reasonOf(loss));
+  p_.failsafe.fail(loss, costsFrames ? kShort : result.reason());
 }
 
 void Flusher::imagesChange() noexcept {

@@ -66,7 +66,8 @@ class Flusher {
   }
   /// The same for a glBindFramebuffer: the batch may stay pending until it is resolved (ResolveDraws).
   void leave();
-  /// Traces the batch or, for any other `reason`, has the real OpenGL draw it.
+  /// Traces the batch or, for any other `reason`, has the real OpenGL draw it; also where limits of address
+  /// space leave too little for both.
   void present(Reason reason = Reason::traced);
   /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already.
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
@@ -93,6 +94,7 @@ class Flusher {
 
  private:
   std::shared_ptr<const scene::Backdrop> backdrop();
+  void presentBatch(Reason reason);
 
   Parts p_;
   std::optional<bool> supported_;

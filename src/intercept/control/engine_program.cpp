@@ -5,6 +5,7 @@
 #include "control/process_start.h"
 #include "frame/idle_refiner.h"
 #include "intercept/contexts.h"
+#include "intercept/control/link.h"
 #include "intercept/control/window_pictures.h"
 
 #include <nlohmann/json.hpp>
@@ -142,6 +143,10 @@ void EngineProgram::tellSize(bool wider) noexcept {
 void EngineProgram::wantPicture(control::Wanted wanted) noexcept { wantWindowPicture(wanted); }
 
 std::unique_ptr<control::Picture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
+
+void EngineProgram::linkBegan(bool here) noexcept {
+  if (here) leaveFile();
+}
 
 void EngineProgram::linkEnded() noexcept {
   gl::shownFrames().wantUntil(0);

@@ -25,6 +25,7 @@ class EngineProgram final : public control::ControlledProgram {
   void tellSize(bool wider) noexcept override;
   void wantPicture(control::Wanted wanted) noexcept override;
   std::unique_ptr<control::Picture> takePicture() noexcept override;
+  void linkBegan(bool here) noexcept override;
   void linkEnded() noexcept override;
 
  private:

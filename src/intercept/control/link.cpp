@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <exception>
+#include <mutex>
 #include <string>
 
 namespace gluray::intercept {
@@ -32,7 +33,7 @@ struct Link {
   }
 };
 std::atomic<Link*> g_link{nullptr};
-std::atomic<bool> g_left{false};  // the file was written, or cannot be
+std::atomic<bool> g_tried{false}, g_triedWindow{false};  // the file was written, or cannot be; with a window
 
 Link& link() {
   static Link* const once = [] {
@@ -43,10 +44,23 @@ Link& link() {
   return *once;
 }
 
-const std::string* g_file = nullptr;  // that was left
+std::atomic<const std::string*> g_file{nullptr};  // that was left
+std::mutex g_writing;
 
 void removeFile() {
-  if (!isForkedChild()) unlink(g_file->c_str());
+  if (!isForkedChild()) unlink(g_file.load()->c_str());
+}
+
+void writeFile(const ShownWindow& window) {
+  const std::lock_guard lock(g_writing);
+  if (window.window == 0 && g_triedWindow) return;
+  const std::string directory = control::runtimeDirectory();
+  const std::string why =
+      control::leaveRegistration(directory, {programName(), window.display, window.window});
+  if (!why.empty()) return log::write(log::Level::debug, "hubs will not find this program: " + why);
+  if (g_file) return;
+  g_file = new std::string(control::registrationFile(directory));  // never destroyed
+  std::atexit(removeFile);
 }
 
 }  // namespace
@@ -63,14 +77,9 @@ void lookForHub(double now) noexcept {
 }
 
 void leaveFile(const ShownWindow& window) noexcept {
-  if (g_left.exchange(true)) return;
+  if ((window.window != 0 ? g_triedWindow : g_tried).exchange(true)) return;
   try {
-    const std::string directory = control::runtimeDirectory();
-    const std::string why =
-        control::leaveRegistration(directory, {programName(), window.display, window.window});
-    if (!why.empty()) return log::write(log::Level::debug, "hubs will not find this program: " + why);
-    g_file = new std::string(control::registrationFile(directory));  // never destroyed
-    std::atexit(removeFile);
+    writeFile(window);
   } catch (const std::exception&) {}  // out of memory: hubs find it when it draws
 }
 

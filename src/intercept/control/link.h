@@ -18,8 +18,8 @@ bool mayBeControlled() noexcept;
 /// Call when a frame begins: looks for a hub now and then. `now`: nowSeconds().
 void lookForHub(double now) noexcept;
 
-/// Leaves the file by which hubs find this program, once.
-void leaveFile(const ShownWindow& window) noexcept;
+/// Leaves the file by which hubs find this program, once; with a window, also where one without was left.
+void leaveFile(const ShownWindow& window = {}) noexcept;
 
 /// Call in the child of a fork.
 void leaveHubToParent() noexcept;

@@ -124,7 +124,7 @@ int makeFilm(const CommandLine& line) {
   FilmPlan plan;
   if (const std::string why = readFilmPlan(line.control, plan); !why.empty()) return say(why), kUsageError;
   HubSession hub(line);
-  const RunningProgram program = oneProgram(hub, line);
+  const RunningProgram program = oneProgram(hub);
   const FilmMade made = labelled(program, [&] {
     FilmMaker maker(line, plan, hub, program);
     return maker.make([&](int number) { showProgress(number, plan.frames); });

@@ -14,7 +14,7 @@ int saveShot(const CommandLine& line) {
   const std::string file = line.control.file;
   if (const std::string why = whyNotInto(file); !why.empty()) return say(why), kUsageError;
   HubSession hub(line);
-  const RunningProgram program = oneProgram(hub, line);
+  const RunningProgram program = oneProgram(hub);
   const WindowPicture picture = labelled(program, [&] { return pictureOf(hub, program); });
   const Pixels& pixels = picture.pixels;
   if (const std::string why = files::replace(file, pngOf(pixels)); !why.empty()) return say(why), 1;

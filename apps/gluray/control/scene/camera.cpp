@@ -63,7 +63,7 @@ bool lensIsClosed(HubSession& hub, const RunningProgram& program) {
 
 int focusAt(const CommandLine& line, const Point& point) {
   HubSession hub(line);
-  const RunningProgram program = oneProgram(hub, line);
+  const RunningProgram program = oneProgram(hub);
   const json values = labelled(program, [&] { return settingsForFocus(hub, program, point); });
   if (values.is_null()) return say(labelOf(program) + ": nothing is there"), 1;
   const int code = sendChange(line, hub, {program}, {{"type", "set"}, {"values", values}});

@@ -66,7 +66,7 @@ json settingsForHighlight(HubSession& hub, const RunningProgram& program, const 
 
 int lightAt(const CommandLine& line, const Point& point) {
   HubSession hub(line);
-  const RunningProgram program = oneProgram(hub, line);
+  const RunningProgram program = oneProgram(hub);
   std::string why;
   const json values = labelled(program, [&] { return settingsForHighlight(hub, program, point, why); });
   if (values.is_null()) return say(labelOf(program) + ": nothing is there"), 1;

@@ -150,7 +150,7 @@ int changeMaterials(const CommandLine& line) {
   if (const std::string why = readMaterialChange(line.control, change); !why.empty())
     return say(why), kUsageError;
   HubSession hub(line);
-  const RunningProgram program = oneProgram(hub, line);
+  const RunningProgram program = oneProgram(hub);
   json values;
   Entries entries;
   const Entries before = labelled(program, [&] {

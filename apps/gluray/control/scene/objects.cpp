@@ -89,7 +89,7 @@ int pickObject(const CommandLine& line) {
   if (const std::string why = readPoint("pick", line.control.words, point); !why.empty())
     return say(why), kUsageError;
   HubSession hub(line);
-  const RunningProgram program = oneProgram(hub, line);
+  const RunningProgram program = oneProgram(hub);
   labelled(program, [&] {
     const json found = callOf(hub, program, "pick", argumentsOf(point));
     const std::string text = pickText(AnswerReader(found));

@@ -46,7 +46,7 @@ std::string whenText(const json& result) {
 /// For the chosen programs.
 int change(const CommandLine& line, const json& request) {
   HubSession hub(line);
-  return sendChange(line, hub, chosenPrograms(hub.programs(), line.control.programs), request);
+  return sendChange(line, hub, hub.chosen(), request);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ int getLiveSettings(const CommandLine& line) {
   for (const std::string& name : line.names)
     if (!findSetting(name)) return say(unknownSetting(name)), kUsageError;
   HubSession hub(line);
-  const std::vector<RunningProgram> programs = chosenPrograms(hub.programs(), line.control.programs);
+  const std::vector<RunningProgram> programs = hub.chosen();
   json request = {{"type", "get"}, {"program", numbersOf(programs)}, {"names", line.names}};
   if (line.layers) request["layers"] = true;
   json list = json::array();

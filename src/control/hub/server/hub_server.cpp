@@ -8,6 +8,7 @@
 #include "control/hub/hub_core.h"
 #include "control/hub/server/listener.h"
 #include "control/hub/server/program_files.h"
+#include "control/hub/server/unproven_connections.h"
 #include "control/listening_place.h"
 #include "control/local_socket.h"
 
@@ -29,7 +30,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr size_t kMostConnections = 1024, kMostUnproven = 64;
+constexpr size_t kMostConnections = 1024;
 constexpr std::chrono::milliseconds kProofPatience{5000};
 constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
 constexpr std::chrono::milliseconds kSoonest{1};
@@ -82,7 +83,8 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   template <class Call>
   void withCore(Call call);
   void rest();
-  bool full() const { return connections_.size() + unproven_ >= kMostConnections; }
+  /// Makes room for one more connection, if only those that have not proved anything are in its way.
+  bool hasRoom();
 
   asio::io_context& io_;
   asio::steady_timer timer_, waking_;
@@ -97,7 +99,7 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   std::shared_ptr<Listener> here_, tcp_;
   std::map<uint64_t, std::shared_ptr<Connection>> connections_;
   uint64_t last_ = 0;
-  size_t unproven_ = 0;
+  UnprovenConnections unproven_;
   bool running_ = false;
 };
 
@@ -152,7 +154,7 @@ std::string HubServer::Parts::start(const HubOptions& options) {
 
 void HubServer::Parts::wake(size_t times) {
   for (const ProgramFile& file : programFiles(directory))
-    if (!core_.hasProcess(file.pid)) wake_(file.display, file.window);
+    if (file.window != 0 && !core_.hasProcess(file.pid)) wake_(file.display, file.window);
   if (times >= std::size(kWakeAgain)) return;
   waking_.expires_after(kWakeAgain[times]);
   waking_.async_wait([weak = weak_from_this(), times](const asio::error_code& error) {
@@ -173,23 +175,31 @@ void HubServer::Parts::stop() {
 }
 
 void HubServer::Parts::acceptHere(Connection::Socket socket) {
-  if (running_ && !full() && sameUser(socket.native_handle())) take(std::move(socket));
+  if (running_ && sameUser(socket.native_handle()) && hasRoom()) take(std::move(socket));
+}
+
+bool HubServer::Parts::hasRoom() {
+  if (connections_.size() >= kMostConnections) return false;
+  if (connections_.size() + unproven_.size() >= kMostConnections) unproven_.closeOne();
+  return true;
 }
 
 void HubServer::Parts::acceptTcp(HandshakeSocket socket, const std::string& address) {
-  if (!running_ || full() || unproven_ >= kMostUnproven || refusals_.refused(address, steady_clock::now()))
-    return;
+  if (!running_ || refusals_.refused(address, steady_clock::now()) || !hasRoom()) return;
+  unproven_.makeRoomFor(address);
   keepAlive(socket.native_handle());
-  ++unproven_;
+  const uint64_t number = unproven_.join(address);
   // Counted as long as the handshake keeps it, however that ends.
-  const std::shared_ptr<void> counted(nullptr, [self = shared_from_this()](void*) { --self->unproven_; });
-  proveAsHub(
+  const std::shared_ptr<void> counted(
+      nullptr, [self = shared_from_this(), number](void*) { self->unproven_.leave(number); });
+  auto close = proveAsHub(
       std::move(socket), key_, kProofPatience,
       [self = shared_from_this(), address](HubProof&& proof) {
         if (proof.wrong) self->refusals_.failed(address, steady_clock::now());
         if (proof.socket && self->running_) self->take(std::move(*proof.socket));
       },
       [counted] {});
+  unproven_.setClose(number, std::move(close));
 }
 
 void HubServer::Parts::take(Connection::Socket socket) {
@@ -230,7 +240,7 @@ HubCore::Beginning HubServer::Parts::beginning() {
   const auto age = now - began_;
   if (counted_ == HubTime::min() || now - counted_ >= (age < kYoung ? kCountAgain : kYoung))
     expected_ = expected(), counted_ = now;
-  return {expected_, std::chrono::duration<double>(age).count()};
+  return {expected_, std::chrono::duration<double>(age).count(), tcp_ != nullptr};
 }
 
 size_t HubServer::Parts::expected() const {

@@ -236,6 +236,12 @@ TEST_F(HubServerTest, FilesOfProgramsAreReadWithCare) {
     std::ofstream(files / std::to_string(self)) << wrong;
     EXPECT_EQ(hub_.expected(), 0u) << wrong;
   }
+  std::ofstream(files / std::to_string(self)) << json{{"pid", self}, {"display", ""}, {"window", 0}}.dump();
+  EXPECT_EQ(hub_.expected(), 1u) << "without a window";
+  const size_t before = woken.size();
+  hub_.stop();
+  start();
+  EXPECT_EQ(woken.size(), before) << "there is none to wake";
   json dated = json::parse(content(self));
   std::ifstream stat("/proc/self/stat");
   std::string word;

@@ -76,9 +76,9 @@ std::optional<ProgramFile> programFile(const std::string& text, int pid) {
   const json content = json::parse(text, nullptr, false);
   const auto said = wholeNumber(member(content, "pid"), 1, std::numeric_limits<int>::max());
   const auto name = textMember(content, "name", kMostDisplayCharacters, "");
-  const auto display = textMember(content, "display", kMostDisplayCharacters);
-  const auto window = wholeNumber(member(content, "window"), 1, std::numeric_limits<uint32_t>::max());
-  if (said != pid || !name || !display || !window) return std::nullopt;
+  const auto display = textMember(content, "display", kMostDisplayCharacters, "");
+  const auto window = wholeNumber(member(content, "window"), 0, std::numeric_limits<uint32_t>::max());
+  if (said != pid || !name || !display || !window || (*window != 0 && display->empty())) return std::nullopt;
   return ProgramFile{pid, *name, *display, static_cast<unsigned long>(*window)};
 }
 

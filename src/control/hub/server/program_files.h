@@ -1,4 +1,4 @@
-// The files that programs with windows leave in the runtime directory (docs/control-protocol.md). Any thread.
+// The files that programs leave in the runtime directory (docs/control-protocol.md). Any thread.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace gluray::control {
 struct ProgramFile {
   int pid = 0;
   std::string name, display;
-  unsigned long window = 0;
+  unsigned long window = 0;  // 0: it shows none
 };
 
 /// Those whose process runs, and began when the file says. Removes the others. Takes regular files of this

@@ -2,6 +2,7 @@
 #include "control/auth/handshake.h"
 #include "control/auth/key.h"
 #include "control/auth/refusals.h"
+#include "control/auth/waiting_peers.h"
 #include "control/connect_tcp.h"
 #include "control/hub/server/server_fixture.h"
 
@@ -23,6 +24,28 @@ struct HubTcp : HubServerTest {
     options_.keyFile = folder_ / "key";
     ASSERT_EQ(writeNewKey(options_.keyFile), "");
     key = readKey(options_.keyFile).key;
+  }
+  /// From this address of the loopback network.
+  int connectTcp(in_addr_t from) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(from);
+    const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    EXPECT_EQ(bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    address.sin_port = htons(static_cast<uint16_t>(hub_.port()));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0)
+      return ::close(socket), -1;
+    sockets_.push_back(socket);
+    return socket;
+  }
+  /// Proves that it has the key, after the challenge.
+  void proves(int socket) {
+    const json challenge = next(socket);
+    ASSERT_EQ(challenge["type"], "challenge");
+    give(socket, proof(challenge["nonce"]));
+    EXPECT_EQ(next(socket)["type"], "proof");
+    EXPECT_EQ(next(socket)["role"], "hub");
   }
   int connectTcp() {
     sockaddr_in address{};
@@ -159,6 +182,36 @@ TEST_F(HubTcp, WhoeverGoesInTheMiddleIsForgiven) {
     sockets_.pop_back();
   }
   EXPECT_EQ(connectAsProgram(options_.keyFile), "");
+}
+
+TEST_F(HubTcp, SilentConnectionsOfOneAddressKeepNobodyOut) {
+  constexpr in_addr_t kFirst = INADDR_LOOPBACK, kSecond = INADDR_LOOPBACK + 1;
+  start();
+  std::vector<int> silent;
+  for (size_t i = 0; i < WaitingPeers::kMostOfNetwork + 16; ++i) {
+    silent.push_back(connectTcp(kSecond));
+    ASSERT_GE(silent.back(), 0);
+    ASSERT_EQ(next(silent.back())["type"], "challenge") << i;
+  }
+  proves(connectTcp(kFirst));
+  proves(connectTcp(kSecond));
+  for (size_t i = 0; i <= 16; ++i) EXPECT_TRUE(closes(silent[i])) << i;
+  char byte = 0;
+  for (size_t i = 17; i < silent.size(); ++i)
+    EXPECT_EQ(recv(silent[i], &byte, 1, MSG_DONTWAIT), -1) << i << " may still prove";
+  proves(connectTcp(kSecond));
+}
+
+TEST_F(HubTcp, SilentConnectionsOfManyAddressesKeepNobodyOut) {
+  start();
+  std::vector<int> silent;
+  for (size_t i = 0; i < WaitingPeers::kMost + 16; ++i) {
+    silent.push_back(connectTcp(static_cast<in_addr_t>(INADDR_LOOPBACK + 2 + i % 8)));
+    ASSERT_GE(silent.back(), 0);
+    ASSERT_EQ(next(silent.back())["type"], "challenge") << i;
+  }
+  proves(connectTcp(INADDR_LOOPBACK));
+  EXPECT_TRUE(closes(silent[0]));
 }
 
 TEST_F(HubTcp, AfterThreeWrongProofsAnAddressIsRefused) {
