@@ -10,13 +10,14 @@
 
 /* Bytes. A thread takes its stack, and 64 MB for an arena of malloc. */
 enum { glurayThreadMegabytes = 8 + 64 + 16 };
-/* For loading the engine: its libraries, one thread that traces, one that builds, one for the hub. */
-static const unsigned long long glurayEngineBytes = 376ull << 20;
+/* For the engine: its libraries (60 MB), a thread that traces, one that builds, and what they need at first.
+ */
+static const unsigned long long glurayEngineBytes = 248ull << 20;
 /* Left to the program and the real OpenGL while a picture is traced: for compiling shaders, for an arena. */
 static const unsigned long long glurayFrameReserve = 384ull << 20;
 
-/* Bytes that limits of address space and data leave; ULLONG_MAX if there are none. Without /proc, the limits.
- */
+/* Bytes that limits of address space and data leave; ULLONG_MAX: there are none. Without /proc, the lower
+   limit. */
 static inline unsigned long long glurayAddressSpaceLeft(void) {
   struct rlimit all, data;
   if (getrlimit(RLIMIT_AS, &all) != 0) all.rlim_cur = RLIM_INFINITY;

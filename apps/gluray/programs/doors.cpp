@@ -86,20 +86,6 @@ std::string openVendorDoor(const DoorFiles& files) {
   return "";
 }
 
-/// Why the engine can never be loaded below these limits, which the program cannot raise; empty: it may.
-/// Doors would take a little of what the real OpenGL needs.
-std::string shortAddressSpace() {
-  const unsigned long long least = glurayLoadBytes();
-  for (const auto which : {RLIMIT_AS, RLIMIT_DATA}) {
-    rlimit limit;
-    if (getrlimit(which, &limit) != 0 || limit.rlim_max == RLIM_INFINITY || limit.rlim_max >= least) continue;
-    std::array<char, 128> why;
-    std::snprintf(why.data(), why.size(), GLURAY_ADDRESS_SPACE_IS_SHORT, least >> 20);
-    return why.data();
-  }
-  return "";
-}
-
 std::string openPreloadDoor(const DoorFiles& files) {
   if (std::string problem = unlessThere(files.directory, "libgluray.so"); !problem.empty()) return problem;
   return putFirst("LD_PRELOAD", files.directory + "/libgluray.so"), "";
@@ -132,10 +118,23 @@ Session sessionOf(const CommandLine& line) {
   return sessionFromEnvironment([](const std::string&) {});
 }
 
+std::string shortAddressSpace() {
+  const unsigned long long least = glurayLoadBytes();
+  for (const auto which : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limit;
+    if (getrlimit(which, &limit) != 0 || limit.rlim_max == RLIM_INFINITY || limit.rlim_max >= least) continue;
+    std::array<char, 128> why;
+    std::snprintf(why.data(), why.size(), GLURAY_ADDRESS_SPACE_IS_SHORT, least >> 20);
+    return why.data();
+  }
+  return "";
+}
+
 std::string openDoors(const CommandLine& line, const Program& program) {
   const std::string directory = libraryDirectory();
   if (directory.empty()) return "GLuRay's libraries are missing beside " + launcherFile();
   if (program.setUid) return program.path + " is set-uid: the system does not let GLuRay see its calls";
+  // Doors alone would take a little of what the real OpenGL needs.
   if (std::string why = shortAddressSpace(); !why.empty()) return why;
   passSettings(line);
   const DoorFiles files = doorFiles(directory);

@@ -4,7 +4,8 @@
 
 namespace gluray::gl {
 
-/// Asked before each picture is traced. Costs two system calls where there are no limits.
+/// Asked before each picture is traced, because programs take memory and set limits (adr/0088). Where there
+/// were no limits, only each 32nd call looks for them.
 bool addressSpaceIsShort() noexcept;
 
 }  // namespace gluray::gl

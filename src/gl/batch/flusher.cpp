@@ -169,7 +169,7 @@ void Flusher::beforeBlit() noexcept {
 void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
                           std::vector<ProgramDraw> draws, bool known) {
   const RealGl& real = p_.shadow.real;
-  const bool isShort = !known && addressSpaceIsShort();
+  const bool isShort = addressSpaceIsShort();
   const PresentResult result = [&] {
     const DrawBinding binding(real, key.framebuffer);
     return presenter.present(real, snapshot,
