@@ -216,7 +216,7 @@ class Memory(unittest.TestCase):
 
     def test_little_address_space(self):
         """The engine is not loaded where memory is too small for it. (Below 600 MB Mesa alone sometimes crashes.)"""
-        shy = r"^gluray: not ray traced: the limit of its address space \(ulimit -v, -d\) leaves less than \d+ MB\n"
+        shy = r"^gluray: (OpenGL is )?not ray traced.*: limits of the process \(ulimit -v, -d\) leave less than the \d+ MB that OpenGL and ray tracing need\n"
         for door in ("vendor", "preload"):
             for kilobytes in (270_000, 300_000, 330_000):
                 self.assertRegex(self.limited(kilobytes, door).stderr, shy)
