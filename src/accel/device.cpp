@@ -45,7 +45,8 @@ const char* describe(RTCError error) {
 
 }  // namespace
 
-Device::Device() : device_(rtcNewDevice("verbose=0,ignore_config_files=1")) {
+// The cache is for subdivision surfaces, which we have none of, and takes 128 MB of address space.
+Device::Device() : device_(rtcNewDevice("verbose=0,ignore_config_files=1,tessellation_cache_size=0")) {
   if (!device_) throw Error(std::string("Embree does not start: ") + describe(rtcGetDeviceError(nullptr)));
   rtcSetDeviceMemoryMonitorFunction(device_, onMemory, nullptr);
   if (rtcGetDeviceProperty(device_, RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED))

@@ -3,8 +3,12 @@
 
 #include "accel/meshes/blas.h"
 #include "accel/test_scene.h"
+#include "base/sanitized.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
 
 namespace gluray::accel {
 namespace {
@@ -25,6 +29,21 @@ TEST(Device, StructuresAreMeasuredAfterOthersWereFreedOutsideTheirScopes) {
   for (int i = 0; i < 20; ++i) Blas::buildAlone(device, iota, {mesh.get(), {}}, BvhQuality::full);
   EXPECT_LT(Device::bytes(), before + 20000) << "they are freed";
   EXPECT_NEAR(measured(), expected, 0.2 * expected);
+}
+
+/// Address space of this process in bytes.
+size_t mappedBytes() {
+  size_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<size_t>(sysconf(_SC_PAGESIZE));
+}
+
+// Limits of address space are met by what is mapped, not by what is used.
+TEST(Device, MapsNoCacheForSurfacesThatWeDoNotHave) {
+  if (kSanitized) GTEST_SKIP() << "sanitizers map memory of their own";
+  const size_t before = mappedBytes();
+  const Device device;
+  EXPECT_LT(mappedBytes(), before + (size_t{64} << 20));
 }
 
 }  // namespace

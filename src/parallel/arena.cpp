@@ -1,5 +1,6 @@
 #include "parallel/arena.h"
 
+#include "base/address_space.h"
 #include "base/never_destroyed.h"
 
 #include <tbb/info.h>
@@ -28,9 +29,24 @@ class Arena::Observer : public tbb::task_scheduler_observer {
   }
 };
 
-// At most one thread per core: more would not help, and TBB would warn on stderr.
-Arena::Arena(int threads)
-    : arena_(threads > 0 ? std::min(threads, tbb::info::default_concurrency()) : tbb::task_arena::automatic) {
+namespace {
+
+/// At most one thread per core: more would not help, and TBB would warn on stderr. Fewer where limits of the
+/// process leave little address space, most of which the real OpenGL needs.
+int threadsWithin(int threads) {
+  const int cores = tbb::info::default_concurrency();
+  const int wanted = threads > 0 ? std::min(threads, cores) : cores;
+  const unsigned long long left = glurayAddressSpaceLeft();
+  if (left == ULLONG_MAX) return threads > 0 ? wanted : tbb::task_arena::automatic;
+  const unsigned long long kept = glurayFrameReserve,
+                           each = (unsigned long long){glurayThreadMegabytes} << 20;
+  const unsigned long long more = left > kept ? (left - kept) / each : 0;
+  return static_cast<int>(std::min<unsigned long long>(static_cast<unsigned>(wanted), more + 1));
+}
+
+}  // namespace
+
+Arena::Arena(int threads) : arena_(threadsWithin(threads)) {
   arena_.initialize();
   observer_ = std::make_unique<Observer>(arena_);
 }

@@ -1,8 +1,11 @@
 /* Draws a few frames of a shaded scene where something is short, and writes the last one as a PPM picture to
    standard output, VmHWM in kB to standard error. Arguments: glx or egl (surfaceless, without a display);
-   small, large or sizes; the stack of the drawing thread in kB, 0: the main thread draws.
-   small, large: a lit ball of few or many triangles over a floor. sizes: the small scene, ten times into each
-   of three framebuffers of very different shapes; the picture is the middle of the last one. */
+   small, grows, lowers, large or sizes; the stack of the drawing thread in kB, 0: the main thread draws.
+   small, large: a lit ball of few or many triangles over a floor.
+   grows: small; after the first frame, the program takes all but 200 MB of its limit of address space.
+   lowers: small, and more frames; after the first, the program sets a limit that leaves 200 MB.
+   sizes: the small scene, ten times into each of three framebuffers of very different shapes; the picture is
+   the middle of the last one. */
 #define GL_GLEXT_PROTOTYPES
 #include "egl_config.h"
 #include "x_window.h"
@@ -14,8 +17,11 @@
 #include <math.h>
 #include <pthread.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
-enum { kSide = 128, kDrawn = 3, kTimes = 10 };
+enum { kSide = 128, kDrawn = 3, kManyDrawn = 50, kTimes = 10 };
 
 static const char *api, *scene;
 static float* ball; /* position and normal of each vertex */
@@ -79,10 +85,33 @@ static void writePicture(int x, int y) {
   fflush(stdout);
 }
 
+static void takeAddressSpace(void) {
+  const size_t kept = (size_t)200 << 20, piece = (size_t)16 << 20;
+  void* room = mmap(NULL, kept, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) failed = 1;
+  while (mmap(NULL, piece, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0) != MAP_FAILED)
+    continue;
+  munmap(room, kept);
+}
+
+static void lowerLimit(void) {
+  FILE* file = fopen("/proc/self/statm", "r");
+  unsigned long pages = 0;
+  if (!file || fscanf(file, "%lu", &pages) != 1) failed = 1;
+  if (file) fclose(file);
+  struct rlimit limit;
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = pages * (rlim_t)sysconf(_SC_PAGESIZE) + ((rlim_t)200 << 20);
+  if (setrlimit(RLIMIT_AS, &limit) != 0) failed = 1;
+}
+
 static void drawFrames(void (*show)(void)) {
-  for (int i = 0; i < kDrawn; ++i) {
+  const int frames = strcmp(scene, "lowers") == 0 ? kManyDrawn : kDrawn;
+  for (int i = 0; i < frames; ++i) {
+    if (i == 1 && strcmp(scene, "grows") == 0) takeAddressSpace();
+    if (i == 1 && strcmp(scene, "lowers") == 0) lowerLimit();
     drawScene(kSide, kSide, i);
-    if (i + 1 < kDrawn) show();
+    if (i + 1 < frames) show();
   }
   writePicture(0, 0);
   show();
@@ -179,7 +208,8 @@ static void sayPeak(void) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 4) return fprintf(stderr, "usage: limits_client glx|egl small|large|sizes STACK_KB\n"), 2;
+  if (argc != 4)
+    return fprintf(stderr, "usage: limits_client glx|egl small|grows|lowers|large|sizes STACK_KB\n"), 2;
   api = argv[1], scene = argv[2];
   const size_t stack = (size_t)atoi(argv[3]) << 10;
   if (!makeBall(strcmp(scene, "large") == 0 ? 600 : 32)) return 1;

@@ -61,7 +61,8 @@ Said runProbe(const CommandLine& given, const std::string& api, const std::strin
     line.settings.set("report", folder + "/report.json");
     line.settings.remove("off");
     line.settings.set("engine", "always");  // the picture is so small that `auto` would not trace it
-    openDoors(line, Program{});
+    if (const std::string why = openDoors(line, Program{}); !why.empty())
+      dprintf(STDERR_FILENO, "gluray: not ray traced: %s\n", why.c_str());
     setenv("GLURAY_EXPLAIN", "1000", 1);
     execl(launcherFile().c_str(), "gluray", kProbeWord, api.c_str(), static_cast<char*>(nullptr));
     _exit(127);
@@ -159,11 +160,14 @@ void reportProbe(const std::string& api, const Said& said, const std::string& fo
                                          : "sudo apt install libegl1 libegl-mesa0 libgl1-mesa-dri");
   }
   if (words.size() >= 3) diagnosis.ok(topic, words[0] + ", " + words[1] + ", " + words[2]);
+  bool explained = false;
   for (const std::string& complaint : complaints)
-    if (complaint.starts_with("gluray: ")) diagnosis.broken("engine", complaint.substr(8));
+    if (complaint.starts_with("gluray: ")) diagnosis.broken("engine", complaint.substr(8)), explained = true;
   const json report = readReport(folder);
-  if (!report.is_object() || !report.contains("explain"))
-    return diagnosis.broken("engine", "OpenGL works, but GLuRay saw no context of the test program");
+  if (!report.is_object() || !report.contains("explain")) {
+    if (!explained) diagnosis.broken("engine", "OpenGL works, but GLuRay saw no context of the test program");
+    return;
+  }
   reportTracer(report, diagnosis);
   reportPicture(report, diagnosis);
   reportWay(report, diagnosis);

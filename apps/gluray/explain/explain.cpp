@@ -117,6 +117,7 @@ int explain(const CommandLine& line) {
     if (run.ending == WatchedRun::Ending::byItself && run.exitCode >= kNotExecutable &&
         run.exitCode <= kNotFound)
       return run.exitCode;
+    if (!shortAddressSpace().empty()) return 1;  // said when the program was started
     say(line.program[0] + " showed no frame of an OpenGL context that GLuRay could see (" +
         endingText(run, line) + "); try: gluray doctor " + line.program[0]);
     return 1;

@@ -1,5 +1,6 @@
 #include "programs/doors.h"
 
+#include "base/address_space.h"
 #include "base/environment_variable.h"
 #include "base/files.h"
 #include "base/guarded_write.h"
@@ -9,8 +10,11 @@
 #include "settings/layers/layers.h"
 
 #include <sys/auxv.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
@@ -114,10 +118,24 @@ Session sessionOf(const CommandLine& line) {
   return sessionFromEnvironment([](const std::string&) {});
 }
 
+std::string shortAddressSpace() {
+  const unsigned long long least = glurayLoadBytes();
+  for (const auto which : {RLIMIT_AS, RLIMIT_DATA}) {
+    rlimit limit;
+    if (getrlimit(which, &limit) != 0 || limit.rlim_max == RLIM_INFINITY || limit.rlim_max >= least) continue;
+    std::array<char, 128> why;
+    std::snprintf(why.data(), why.size(), GLURAY_ADDRESS_SPACE_IS_SHORT, least >> 20);
+    return why.data();
+  }
+  return "";
+}
+
 std::string openDoors(const CommandLine& line, const Program& program) {
   const std::string directory = libraryDirectory();
   if (directory.empty()) return "GLuRay's libraries are missing beside " + launcherFile();
   if (!program.privilege.empty()) return program.whyUnseen();
+  // Doors alone would take a little of what the real OpenGL needs.
+  if (std::string why = shortAddressSpace(); !why.empty()) return why;
   passSettings(line);
   const DoorFiles files = doorFiles(directory);
   if (files.directory.empty()) return files.why;

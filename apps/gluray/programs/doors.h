@@ -18,6 +18,10 @@ std::string libraryDirectory();
 /// into the environment of this process, as for a program about to be started. The engine reports errors.
 Session sessionOf(const CommandLine& line);
 
+/// Why no program started from here can be traced: hard limits of address space or data, which it cannot
+/// raise, are below what must be left when the engine is loaded. Empty: none is.
+std::string shortAddressSpace();
+
 /// Sets every variable that the doors and the engine read. Returns an empty string, or one line for the user
 /// if the program cannot be traced (it then runs without GLuRay).
 std::string openDoors(const CommandLine& line, const Program& program);

@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/process_exit.h"
 #include "base/timeline.h"
+#include "gl/batch/address_space_gate.h"
 #include "gl/batch/resolve_draws.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
@@ -28,6 +29,8 @@ Reason reasonOf(scene::Loss loss) {
     default: return Reason::failure;
   }
 }
+
+constexpr const char* kShort = "limits of the process (ulimit -v, -d) leave too little for OpenGL";
 
 }  // namespace
 
@@ -56,6 +59,12 @@ void Flusher::present(Reason reason) {
   p_.window.showLagged();
   pictured.collect(batch);
   if (batch.empty()) return;
+  const bool isShort = reason == Reason::traced && addressSpaceIsShort();
+  presentBatch(isShort ? Reason::shortage : reason);
+  if (isShort) p_.failsafe.fail(scene::Loss::frames, kShort);
+}
+
+void Flusher::presentBatch(Reason reason) {
   timeline::writeIfDue();
   const timeline::Span span("batch", batch.waiting().instances.size());
   const BatchKey key = batch.key();
@@ -63,7 +72,7 @@ void Flusher::present(Reason reason) {
   const bool factors = key.layers == BatchKey::Layers::factors;
   if (factors && reason != Reason::traced) return void(batch.take());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
-  if (peeled && !p_.layers.haveSurfaces()) return p_.layers.giveUp();
+  if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
     reason = Reason::framebuffer;
   const bool rasterise = reason != Reason::traced;
@@ -160,19 +169,23 @@ void Flusher::beforeBlit() noexcept {
 void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
                           std::vector<ProgramDraw> draws, bool known) {
   const RealGl& real = p_.shadow.real;
+  const bool isShort = addressSpaceIsShort();
   const PresentResult result = [&] {
     const DrawBinding binding(real, key.framebuffer);
     return presenter.present(real, snapshot,
                              {.depthFunc = key.depthFunc,
                               .core = p_.shadow.info.core,
+                              .rasterise = isShort,
                               .programDraws = std::move(draws),
                               .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
   }();
   p_.shadow.latch.restore(real);
   takeResult(result, known);
   if (result.outcome == PresentResult::traced) return;
-  p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
-  p_.failsafe.fail(result.loss(), result.reason());
+  const bool costsFrames = isShort && result.outcome == PresentResult::rasterised;
+  const scene::Loss loss = costsFrames ? scene::Loss::frames : result.loss();
+  p_.counts.asRasterised(*snapshot, reasonOf(loss));
+  p_.failsafe.fail(loss, costsFrames ? kShort : result.reason());
 }
 
 void Flusher::imagesChange() noexcept {

@@ -66,9 +66,11 @@ class Flusher {
   }
   /// The same for a glBindFramebuffer: the batch may stay pending until it is resolved (ResolveDraws).
   void leave();
-  /// Traces the batch or, for any other `reason`, has the real OpenGL draw it.
+  /// Traces the batch or, for any other `reason`, has the real OpenGL draw it; also where limits of address
+  /// space leave too little for both.
   void present(Reason reason = Reason::traced);
-  /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already.
+  /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already. The
+  /// real OpenGL draws it where limits of address space leave too little for compiling what writes pictures.
   void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
                    bool known);
   /// Numbers the surfaces of the pending batch, and tells it what surrounds it. Call before it is traced or
@@ -93,6 +95,7 @@ class Flusher {
 
  private:
   std::shared_ptr<const scene::Backdrop> backdrop();
+  void presentBatch(Reason reason);
 
   Parts p_;
   std::optional<bool> supported_;

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "gl/batch/address_space_gate.h"
 #include "gl/batch/resolve_draws.h"
 #include "gl/capture/immediate.h"
 #include "gl/errors.h"
@@ -50,7 +51,8 @@ LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
       p_.resolves.waits() || p_.lists.compiling() ||
       (!p_.flusher.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
     return LagRefusal::state;
-  return p_.failsafe.aside() || p_.shadow.info.off ? LagRefusal::failure : LagRefusal::none;
+  return p_.failsafe.aside() || p_.shadow.info.off || addressSpaceIsShort() ? LagRefusal::failure
+                                                                            : LagRefusal::none;
 }
 
 void WindowFrames::noteBegin() {

@@ -1,5 +1,6 @@
 // WindowFrames: pictures that are shown without the back buffer (ADR 0024).
 #include "base/timeline.h"
+#include "gl/batch/address_space_gate.h"
 #include "gl/capture/immediate.h"
 #include "gl/state/draw_binding.h"
 #include "gl/window/clears.h"
@@ -29,7 +30,7 @@ bool WindowFrames::mayShowDirectly() noexcept {
            !p_.flusher.batch.waiting().wideColors && key.colorWrites.all() &&
            contains(p_.cleared.target()->region, p_.flusher.batch.waiting().region) && !p_.shadow.info.off &&
            !p_.immediate.insideBegin() && !p_.failsafe.aside() && !p_.clock.passesThrough() &&
-           p_.shadow.activeQueries == 0;
+           p_.shadow.activeQueries == 0 && !addressSpaceIsShort();
   });
 }
 

@@ -1,20 +1,19 @@
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 
+#include "base/address_space.h"
 #include "base/guarded_write.h"
 #include "base/printable.h"
 #include "intercept/doors/door_table.h"
 #include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <limits.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/auxv.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 static pthread_once_t engineOnce = PTHREAD_ONCE_INIT;
@@ -72,24 +71,15 @@ static void cannotLoad(const char* why) {
          why);
 }
 
-/* Address space that the process has mapped, in bytes; 0: unknown. */
-static unsigned long long mappedBytes(void) {
-  char text[64];
-  const int file = open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
-  const ssize_t length = file >= 0 ? read(file, text, sizeof text - 1) : -1;
-  if (file >= 0) close(file);
-  if (length <= 0) return 0;
-  text[length] = 0;
-  return strtoull(text, NULL, 10) * (unsigned long long)sysconf(_SC_PAGESIZE);
-}
-
-/* Whether a limit (ulimit -v) leaves so little address space that libraries would run out of it and crash,
-   such as the real OpenGL's compiler. */
+/* Whether limits leave so little address space that libraries would run out of it and crash, such as the real
+   OpenGL's compiler. Says so. */
 static int addressSpaceIsShort(void) {
-  const unsigned long long least = 512ull << 20;
-  struct rlimit limit;
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return 0;
-  return limit.rlim_cur < mappedBytes() + least;
+  const unsigned long long least = glurayLoadBytes();
+  char why[128];
+  if (glurayAddressSpaceLeft() >= least) return 0;
+  snprintf(why, sizeof why, GLURAY_ADDRESS_SPACE_IS_SHORT, least >> 20);
+  giveUp("OpenGL is not ray traced in this program", why);
+  return 1;
 }
 
 static void loadEngine(void) {
@@ -99,11 +89,7 @@ static void loadEngine(void) {
     __atomic_store_n(&engineFailed, 1, __ATOMIC_RELEASE);
     return;
   }
-  if (addressSpaceIsShort()) {
-    giveUp("OpenGL is not ray traced in this program",
-           "the limit of its address space (ulimit -v) leaves less than 512 MB");
-    return;
-  }
+  if (addressSpaceIsShort()) return;
   enginePath(path, sizeof path);
   void* library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (!library) {

@@ -1,0 +1,11 @@
+// Whether limits of the process leave enough address space for the real OpenGL while a picture is traced. GL
+// thread.
+#pragma once
+
+namespace gluray::gl {
+
+/// Asked before each picture is traced, because programs take memory and set limits (adr/0088). Where there
+/// were no limits, only each 32nd call looks for them.
+bool addressSpaceIsShort() noexcept;
+
+}  // namespace gluray::gl
