@@ -38,6 +38,10 @@ using Improves = std::function<bool()>;
 /// the view: a later snapshot that is equal may have another picture. Never throws.
 using StandsAlone = std::function<bool(const scene::Snapshot&)>;
 
+/// Hears of each new picture that is shown, after all passes. `finished`: no more passes make it better.
+/// Never throws.
+using Shown = std::function<void(const scene::Snapshot&, const Image&, bool finished)>;
+
 /// All of them; an empty function is skipped.
 struct Tracer {
   Trace trace;
@@ -46,6 +50,7 @@ struct Tracer {
   Improves improves = {};
   TraceBehind behind = {};
   StandsAlone standsAlone = {};
+  Shown shown = {};
 };
 
 }  // namespace gluray::frame

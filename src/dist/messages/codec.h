@@ -24,8 +24,10 @@ void fields(auto& archive, Like<LayerCounts> auto& value) {
   archive(open, before);
 }
 void fields(auto& archive, Like<scene::TraceCost> auto& value) {
-  auto& [buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining] = value;
-  archive(buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining);
+  auto& [buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining,
+         elsewhere, refined] = value;
+  archive(buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining,
+          elsewhere, refined);
 }
 
 class WriteMessage : public WriteArchive<WriteMessage> {

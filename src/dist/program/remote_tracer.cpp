@@ -32,9 +32,20 @@ void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, con
 RemoteTracer::RemoteTracer(std::string directory, std::string job, MpiPlace place, frame::TraceBehind here,
                            std::function<void(const std::string&)> say)
     : job_(job),
+      hasPeers_(place.ranks > 1),
       here_(std::move(here)),
       say_(std::move(say)),
       link_(std::move(directory), std::move(job), std::move(place)) {}
+
+void RemoteTracer::shown(const scene::Snapshot& snapshot, const Image& image, bool finished) noexcept {
+  try {
+    const std::lock_guard lock(mutex_);
+    if (!link_.isGathered(snapshot) || link_.isMadeElsewhere(snapshot)) return;
+    if (!link_.show(snapshot, image, finished)) link_.disconnect("the worker is gone", nowSeconds());
+  } catch (const std::exception& why) {  // the other ranks trace their parts
+    say_(std::string("the other ranks do not get the picture: ") + why.what());
+  }
+}
 
 void RemoteTracer::tell(const std::string& why) {
   if (why == told_ && !traced_) return;
@@ -43,9 +54,28 @@ void RemoteTracer::tell(const std::string& why) {
   say_("workers = " + job_ + ": " + why + "; this process traces until they do");
 }
 
-bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+std::unique_ptr<scene::Snapshot> RemoteTracer::withoutScenery(const scene::Snapshot& snapshot) {
+  const bool has = snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
+  if (!has || !hasPeers_ || !snapshot.settings.gather) return nullptr;
+  if (!toldOfScenery_.exchange(true))
+    say_(
+        "gather: ground and background are left out. Programs that compose the pictures of their ranks take "
+        "from "
+        "each only the box of its own data");
+  auto without = std::make_unique<scene::Snapshot>(snapshot);
+  without->ground = scene::GroundUse::none;
+  without->backdrop = nullptr;
+  return without;
+}
+
+bool RemoteTracer::trace(const scene::Snapshot& given, Image& image, scene::TraceCost& cost,
                          std::string& error, const std::function<bool()>& stop) noexcept {
   Result result = Result::nobody;
+  std::unique_ptr<scene::Snapshot> without;
+  try {
+    without = withoutScenery(given);
+  } catch (const std::exception&) { return error = "out of memory", false; }
+  const scene::Snapshot& snapshot = without ? *without : given;
   try {
     error.clear();
     const struct Wanted {
@@ -62,6 +92,7 @@ bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::T
       lock.lock();
     else if (!lock.try_lock() || wanted_ > 0)
       return false;
+    if (stop && link_.isMadeElsewhere(snapshot)) return error = "another rank makes the picture", false;
     result = byWorkers(snapshot, image, cost, error, stop);
     // A picture of this rank's part would lack what the others leave to it, or show what they show.
     if ((result == Result::nobody || result == Result::failed) && link_.isGathered(snapshot)) {
@@ -115,6 +146,8 @@ RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Imag
     copyPixels(snapshot, picture, link_.pixels(), image);
     cost = picture.cost;
     improves_ = picture.improves;
+    if (picture.note != toldNote_ && !(toldNote_ = picture.note).empty())
+      say_("gather: " + toldNote_ + ": each rank traces its own part");
     return Result::done;
   }
 }

@@ -118,6 +118,7 @@ struct Program {
     image.missColor = missColor;
     std::string error;
     EXPECT_TRUE(tracer.trace(snapshot, image, cost, error, nullptr)) << error;
+    if (shows && !cost.elsewhere) tracer.shown(snapshot, image, finishes);
     return image;
   }
 
@@ -125,6 +126,7 @@ struct Program {
   int tracedHere = 0;
   std::string said;
   scene::TraceCost cost;
+  bool shows = true, finishes = true;  // each picture, which is the last pass
   RemoteTracer tracer;
 };
 
