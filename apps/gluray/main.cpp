@@ -1,5 +1,6 @@
 // gluray, the launcher: sets the environment so that a program's OpenGL calls go through GLuRay, and replaces
 // itself by the program (exec); or runs one of the other commands, such as explain and doctor.
+#include "base/files.h"
 #include "command_line.h"
 #include "control/control_commands.h"
 #include "control/hub.h"
@@ -9,12 +10,14 @@
 #include "explain/explain.h"
 #include "programs/launch.h"
 #include "programs/program.h"
+#include "programs/streams.h"
 #include "say.h"
 #include "settings/presets_list.h"
 #include "settings/quirks_list.h"
 #include "settings/settings_list.h"
 #include "timeline/show_timeline.h"
 
+#include <cerrno>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -25,7 +28,7 @@ using namespace gluray::launcher;
 
 int run(const CommandLine& line) {
   const Program program = inspect(line.program[0]);
-  if (program.path.empty()) return failToStart(line.program[0], program.error);
+  if (program.path.empty() && program.error == ENOENT) return failToStart(line.program[0], program.error);
   return becomeProgram(line, program);
 }
 
@@ -49,6 +52,8 @@ int perform(const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  fillClosedStreams();
+  gluray::files::ownStreams();
   if (argc == 3 && !std::strcmp(argv[1], kProbeWord)) return probeContext(argv[2]);
   const Parsed parsed = parse(argc, argv);
   if (!parsed.run) return parsed.exitCode;

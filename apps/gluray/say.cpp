@@ -1,16 +1,22 @@
 #include "say.h"
 
 #include "base/files.h"
+#include "base/guarded_write.h"
 #include "base/printable.h"
 
 #include <nlohmann/json.hpp>
 
-#include <iostream>
 #include <stdexcept>
 
 namespace gluray::launcher {
 
-void say(const std::string& text) { std::cerr << "gluray: " << printable(text) << "\n"; }
+void say(const std::string& text) {
+  constexpr int kPatienceMs = 100;
+  const std::string line = "gluray: " + printable(text) + "\n";
+  const GlurayOutput out = glurayOutputOf(STDERR_FILENO);
+  int error = 0;
+  glurayWrite(&out, line.data(), line.size(), kPatienceMs, &error);
+}
 
 std::string jsonText(const nlohmann::json& value) {
   return value.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

@@ -6,7 +6,7 @@
 
 namespace gluray::launcher {
 
-/// Writes one line "gluray: TEXT" to stderr.
+/// Writes one line "gluray: TEXT" to stderr. Drops it if nobody reads stderr.
 void say(const std::string& text);
 /// Indented JSON; replaces invalid UTF-8.
 std::string jsonText(const nlohmann::json& value);

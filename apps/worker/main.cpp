@@ -2,6 +2,7 @@
 // mpirun or srun as a job of many ranks.
 #include "accel/memory/free_memory.h"
 #include "base/environment_variable.h"
+#include "base/files.h"
 #include "control/listening_place.h"
 #include "control/runtime_directory.h"
 #include "dist/program/worker_link.h"
@@ -108,6 +109,7 @@ int work(const Options& options, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  files::ownStreams();
   CLI::App app(
       "Traces pictures for programs started with gluray --workers JOB.\n"
       "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");

@@ -85,7 +85,9 @@ size_t BehindScope::bytes() const { return atLeastNone(t_behindBytes); }
 
 void Device::check(std::string_view what) const {
   const RTCError error = rtcGetDeviceError(device_);
-  if (error != RTC_ERROR_NONE) throw Error(std::string(what) + ": " + describe(error));
+  if (error == RTC_ERROR_NONE) return;
+  const std::string line = std::string(what) + ": " + describe(error);
+  throw Error(line, error == RTC_ERROR_OUT_OF_MEMORY ? scene::Loss::frames : scene::Loss::tracing);
 }
 
 void failNextCommits(int count, int after) { commitsToSpare = after, commitsToFail = count; }

@@ -30,7 +30,8 @@ class Device {
   /// growth that no such scope caused. What a scope allocated may be freed outside it, so that this falls
   /// below 0.
   static ptrdiff_t bytesOfFrames();
-  /// Throws Error("WHAT: reason") if a call of this thread failed since the last check.
+  /// Throws Error("WHAT: reason") if a call of this thread failed since the last check. A lack of memory
+  /// costs frames.
   void check(std::string_view what) const;
 
  private:

@@ -120,7 +120,8 @@ std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
   for (size_t i = 0; i < blases.size(); ++i) {
     placed[i] = {std::move(blases[i]), snapshot.instances[i].worldFromObject};
     if (placed[i].blas && !scene::isPlaceable(placed[i].worldFromObject)) {
-      throw Error("instance " + std::to_string(i) + " has a transform that cannot be inverted");
+      throw Error("instance " + std::to_string(i) + " has a transform that cannot be inverted",
+                  scene::Loss::draws);
     }
   }
   return placed;

@@ -1,13 +1,13 @@
 #include "base/background_job.h"
 
 #include "base/never_destroyed.h"
+#include "base/own_thread.h"
 
 #include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <vector>
@@ -58,28 +58,6 @@ struct RunningJobs {
   }
 };
 
-namespace {
-
-/// Blocks the host's signals for threads started during its lifetime: the host's handlers must not run on our
-/// threads.
-class SignalsBlocked {
- public:
-  SignalsBlocked() {
-    sigset_t blocked;
-    sigfillset(&blocked);
-    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP}) sigdelset(&blocked, fault);
-    pthread_sigmask(SIG_SETMASK, &blocked, &saved_);
-  }
-  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &saved_, nullptr); }
-  SignalsBlocked(const SignalsBlocked&) = delete;
-  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
-
- private:
-  sigset_t saved_;
-};
-
-}  // namespace
-
 void parkAtExit() noexcept {
   if (!g_abandoned) return;
   ++g_parked;
@@ -97,16 +75,18 @@ bool BackgroundJob::start(Work work, Priority priority) noexcept {
   cancelled_ = false;
   state_ = State::running;
   process_ = getpid();
-  try {
+  const auto run = [](void* job) -> void* {
+    static_cast<BackgroundJob*>(job)->run();
+    return nullptr;
+  };
+  {
     const std::lock_guard lock(threadMutex_);
-    const SignalsBlocked signals;
-    thread_ = std::thread(&BackgroundJob::run, this);
-  } catch (...) {
-    RunningJobs::instance().remove(this);
-    work_ = nullptr;
-    return false;
+    joinable_ = startThread(thread_, run, this);
+    if (joinable_) return true;
   }
-  return true;
+  RunningJobs::instance().remove(this);
+  work_ = nullptr;
+  return false;
 }
 
 namespace {
@@ -148,10 +128,8 @@ void BackgroundJob::stop() noexcept {
 void BackgroundJob::join() noexcept {
   if (process_ == getpid()) RunningJobs::instance().remove(this);
   const std::lock_guard lock(threadMutex_);
-  if (thread_.joinable() && process_ == getpid())
-    thread_.join();
-  else if (thread_.joinable())
-    thread_.detach();
+  if (joinable_ && process_ == getpid()) pthread_join(thread_, nullptr);
+  joinable_ = false;  // a forked child does not have the thread
   work_ = nullptr;
 }
 
@@ -159,7 +137,7 @@ void BackgroundJob::abandonAtExit() noexcept {
   if (process_ != getpid()) return;
   cancel();
   const std::unique_lock lock(threadMutex_, std::try_to_lock);
-  if (!lock || !thread_.joinable()) return;
+  if (!lock || !joinable_) return;
   timespec now;
   clock_gettime(CLOCK_REALTIME, &now);
   const time_t latest = now.tv_sec + kExitPatience;
@@ -168,17 +146,13 @@ void BackgroundJob::abandonAtExit() noexcept {
     constexpr long kNap = 1'000'000, kSecond = 1'000'000'000;  // nanoseconds
     now.tv_nsec += kNap;
     if (now.tv_nsec >= kSecond) now.tv_nsec -= kSecond, ++now.tv_sec;
-    joined = pthread_timedjoin_np(thread_.native_handle(), nullptr, &now) == 0;
+    joined = pthread_timedjoin_np(thread_, nullptr, &now) == 0;
     clock_gettime(CLOCK_REALTIME, &now);
   }
   // Gives the job's other threads time to park, too.
   if (!joined) usleep(kParkingMicroseconds);
-  // Keep a joined thread's object: std::thread does not know that pthread_timedjoin_np() joined it.
-  static NeverDestroyed<std::vector<std::thread>> ended;
-  if (joined)
-    (*ended).push_back(std::move(thread_));
-  else
-    thread_.detach();
+  if (!joined) pthread_detach(thread_);
+  joinable_ = false;
 }
 
 }  // namespace gluray

@@ -1,12 +1,12 @@
 // Background jobs: one at a time on a thread of its own, at low priority unless it is short. One thread makes
 // all calls.
 #pragma once
+#include <pthread.h>
 #include <sys/types.h>
 
 #include <atomic>
 #include <functional>
 #include <mutex>
-#include <thread>
 
 namespace gluray {
 
@@ -53,8 +53,9 @@ class BackgroundJob {
 
   Work work_;
   Priority priority_ = Priority::low;
-  std::mutex threadMutex_;  // guards thread_: any thread may call exit()
-  std::thread thread_;
+  std::mutex threadMutex_;  // guards the thread: any thread may call exit()
+  pthread_t thread_{};
+  bool joinable_ = false;
   pid_t process_ = 0;  // owner of the thread
   std::atomic<bool> cancelled_{false};
   std::atomic<State> state_{State::failed};

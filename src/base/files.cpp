@@ -6,11 +6,13 @@
 #include <sys/sysmacros.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace gluray::files {
 namespace {
@@ -43,10 +45,43 @@ bool isNull(const std::string& path) {
   return lstat(path.c_str(), &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
 }
 
-Opened opened(int descriptor) { return {descriptor, descriptor < 0 ? reason(errno) : ""}; }
+constexpr int kPatienceMs = 1000;  // for the reader of a whole report
+
+Opened opened(int descriptor, std::string path = "") {
+  if (descriptor < 0) return {glurayNoOutput(), "", reason(errno)};
+  return {glurayOutputOf(descriptor), std::move(path), ""};
+}
+
+Opened failed(std::string why) { return {glurayNoOutput(), "", std::move(why)}; }
+
+Opened openedStream(int number) {
+  const GlurayOutput output = stream(number);
+  return output.descriptor >= 0 ? Opened{output, "", ""} : failed(reason(EBADF));
+}
+
+using Streams = std::array<GlurayOutput, 3>;  // by number; the first is not used
+
+Streams& streams() {
+  static Streams both{glurayNoOutput(), glurayStream(STDOUT_FILENO), glurayStream(STDERR_FILENO)};
+  return both;
+}
+
+/// Opens the file again if its name still means it.
+bool reopen(Opened& opened) {
+  const int flags = O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+  const int descriptor = opened.path.empty() ? -1 : open(opened.path.c_str(), flags);
+  const GlurayOutput now = glurayOutputOf(descriptor);
+  const bool same =
+      now.descriptor >= 0 && now.device == opened.output.device && now.inode == opened.output.inode;
+  if (same)
+    opened.output = now;
+  else if (descriptor >= 0)
+    ::close(descriptor);
+  return same;
+}
 
 /// Creates a file with a new name beside `path`; returns it and its name.
-std::pair<Opened, std::string> openDraft(const std::string& path, mode_t mode) {
+std::pair<int, std::string> openDraft(const std::string& path, mode_t mode) {
   constexpr int kAttempts = 16;
   const std::string folder = path.substr(0, path.rfind('/') + 1);
   for (int i = 0;; ++i) {
@@ -57,7 +92,7 @@ std::pair<Opened, std::string> openDraft(const std::string& path, mode_t mode) {
     snprintf(name, sizeof name, ".gluray-%016llx", static_cast<unsigned long long>(number));
     std::string draft = folder + name;
     const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    if (file >= 0 || errno != EEXIST || i == kAttempts) return {opened(file), std::move(draft)};
+    if (file >= 0 || errno != EEXIST || i == kAttempts) return {file, std::move(draft)};
   }
 }
 
@@ -85,60 +120,89 @@ bool isStream(const std::string& path) { return streamOf(path) >= 0 || isNull(pa
 bool isOutput(const std::string& path) { return streamOf(path) == STDOUT_FILENO; }
 
 bool writeAll(int descriptor, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = write(descriptor, content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    content.remove_prefix(static_cast<size_t>(written));
+  const GlurayOutput output = glurayOutputOf(descriptor);
+  int error = 0;
+  glurayWrite(&output, content.data(), content.size(), kPatienceMs, &error);
+  if (error != 0) errno = error;
+  return error == 0;
+}
+
+bool write(Opened& opened, std::string& content, int patienceMs) {
+  int error = 0;
+  size_t written = glurayWrite(&opened.output, content.data(), content.size(), patienceMs, &error);
+  content.erase(0, written);
+  if (error == EBADF && reopen(opened)) {
+    written = glurayWrite(&opened.output, content.data(), content.size(), patienceMs, &error);
+    content.erase(0, written);
   }
-  return true;
+  if (error == 0 || error == EAGAIN) return true;
+  opened.why = error == EBADF ? "the program has closed it" : reason(error);
+  return false;
+}
+
+void close(Opened& opened) {
+  if (!opened.path.empty() && glurayIsSame(&opened.output)) ::close(opened.output.descriptor);
+  opened = Opened();
+}
+
+GlurayOutput stream(int number) { return streams()[static_cast<size_t>(number)]; }
+
+void ownStreams() {
+  for (const int number : {STDOUT_FILENO, STDERR_FILENO})
+    streams()[static_cast<size_t>(number)] = glurayOutputOf(number);
 }
 
 std::string replace(const std::string& path, std::string_view content) {
-  if (const int stream = streamOf(path); stream >= 0) return writeAll(stream, content) ? "" : reason(errno);
+  if (const int number = streamOf(path); number >= 0) {
+    Opened stream = openedStream(number);
+    if (!stream.isOpen()) return stream.why;
+    std::string left(content);
+    if (!write(stream, left, kPatienceMs)) return stream.why;
+    return left.empty() ? "" : "its reader is too slow";
+  }
   if (isNull(path)) return "";
   const auto [mode, problem] = inspect(path);
   if (!problem.empty()) return problem;
   const auto [file, draft] = openDraft(path, mode);
-  if (file.descriptor < 0) return file.why;
-  std::string why = writeAll(file.descriptor, content) ? "" : reason(errno);
-  if (close(file.descriptor) != 0 && why.empty()) why = reason(errno);
+  if (file < 0) return reason(errno);
+  std::string why = writeAll(file, content) ? "" : reason(errno);
+  if (::close(file) != 0 && why.empty()) why = reason(errno);
   if (why.empty()) return place(draft, path);
   unlink(draft.c_str());
   return why;
 }
 
 Opened start(const std::string& path) {
-  if (const int stream = streamOf(path); stream >= 0) return {stream, ""};
-  if (isNull(path)) return opened(open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (const int number = streamOf(path); number >= 0) return openedStream(number);
+  if (isNull(path)) return opened(open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
   auto [mode, problem] = inspect(path);
-  if (!problem.empty()) return {-1, std::move(problem)};
-  auto [file, draft] = openDraft(path, mode);
-  if (file.descriptor < 0) return file;
+  if (!problem.empty()) return failed(std::move(problem));
+  const auto [file, draft] = openDraft(path, mode);
+  if (file < 0) return opened(file);
   if (std::string why = place(draft, path); !why.empty()) {
-    close(file.descriptor);
-    return {-1, std::move(why)};
+    ::close(file);
+    return failed(std::move(why));
   }
-  return file;
+  return opened(file, path);
 }
 
 Opened append(const std::string& path) {
-  if (const int stream = streamOf(path); stream >= 0) return {stream, ""};
-  if (isNull(path)) return opened(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (std::string problem = inspect(path).second; !problem.empty()) return {-1, std::move(problem)};
+  if (const int number = streamOf(path); number >= 0) return openedStream(number);
+  if (isNull(path)) return opened(open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
+  if (std::string problem = inspect(path).second; !problem.empty()) return failed(std::move(problem));
   const int flags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int file = open(path.c_str(), flags, kMode);
   if (file < 0) return opened(file);
   struct stat status {};  // the name may mean another file by now
   std::string problem = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
-  if (problem.empty()) return {file, ""};
-  close(file);
-  return {-1, std::move(problem)};
+  if (problem.empty()) return opened(file, path);
+  ::close(file);
+  return failed(std::move(problem));
 }
 
 bool claim(const std::string& path) {
   const int fresh = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode);
-  if (fresh >= 0) close(fresh);
+  if (fresh >= 0) ::close(fresh);
   return fresh >= 0 || errno != EEXIST;
 }
 
@@ -170,15 +234,15 @@ Content readIf(const std::string& path, size_t mostBytes, std::string (*problem)
   Content content;
   content.why = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
   if (content.why.empty() && problem) content.why = problem(status);
-  char piece[1 << 14];
+  std::vector<char> piece(size_t{1} << 14);
   for (ssize_t bytes = 1; content.why.empty() && bytes != 0;) {
-    bytes = ::read(file, piece, sizeof piece);
+    bytes = ::read(file, piece.data(), piece.size());
     if (bytes < 0 && errno != EINTR) content.why = reason(errno);
-    if (bytes > 0) content.text.append(piece, static_cast<size_t>(bytes));
+    if (bytes > 0) content.text.append(piece.data(), static_cast<size_t>(bytes));
     if (content.text.size() > mostBytes)
       content.why = "it is larger than " + std::to_string(mostBytes) + " bytes";
   }
-  close(file);
+  ::close(file);
   if (!content.why.empty()) content.text.clear();
   return content;
 }

@@ -3,6 +3,8 @@
 // /dev/stdout and /dev/stderr are the process's streams; /dev/null discards. Errors are returned as one line;
 // empty: none. Any thread.
 #pragma once
+#include "base/guarded_write.h"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -18,17 +20,31 @@ bool isOutput(const std::string& path);
 /// directly to a stream.
 std::string replace(const std::string& path, std::string_view content);
 
-/// A descriptor for writing. The caller closes it if it is above 2.
+/// Something that is written over time: a stream of the process, or a file that stays open.
 struct Opened {
-  int descriptor = -1;
-  std::string why;  // the error, if the descriptor is -1
+  GlurayOutput output = glurayNoOutput();
+  std::string path;  // of a file; empty: a stream
+  std::string why;   // the error, if there is no descriptor
+  bool isOpen() const { return output.descriptor >= 0; }
 };
 /// Opens a new, empty file that replaces an older one.
 Opened start(const std::string& path);
 /// Opens a file for appending.
 Opened append(const std::string& path);
-/// Writes all of `content`; false: see errno.
+/// Writes to it and removes from `content` what was written. Never blocks, but waits up to `patienceMs` for a
+/// slow reader. Opens the file again if the host program has closed its descriptor. False: the output cannot
+/// be written any more; why it cannot is in `opened.why`. True with content left: the reader is slow.
+bool write(Opened& opened, std::string& content, int patienceMs);
+/// Closes a file, unless the host program has closed its descriptor.
+void close(Opened& opened);
+/// Writes all of `content` to a descriptor that the caller has just opened; false: see errno.
 bool writeAll(int descriptor, std::string_view content);
+
+/// Standard output (1) or standard error (2), as base/guarded_write.h says. Identified at the first call.
+GlurayOutput stream(int number);
+/// The streams are those that the process has now, whatever the launcher of an outer program said. Call this
+/// at the start of main() of our own programs.
+void ownStreams();
 
 /// Creates an empty file; false if the name exists.
 bool claim(const std::string& path);

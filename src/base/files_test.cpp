@@ -131,20 +131,20 @@ TEST_F(Files, FailedWritesLeaveNoFile) {
 TEST_F(Files, StartedFilesExistAtOnce) {
   put("a", "old");
   const Opened opened = start(path("a"));
-  ASSERT_GE(opened.descriptor, 0);
+  ASSERT_TRUE(opened.isOpen());
   EXPECT_EQ(textOf(path("a")), "");
-  EXPECT_TRUE(writeAll(opened.descriptor, "more"));
+  EXPECT_TRUE(writeAll(opened.output.descriptor, "more"));
   EXPECT_EQ(textOf(path("a")), "more");
-  close(opened.descriptor);
+  ::close(opened.output.descriptor);
 }
 
 TEST_F(Files, AppendingKeepsTheContent) {
   put("a", "old ");
   for (const char* name : {"a", "b"}) {
     const Opened opened = append(path(name));
-    ASSERT_GE(opened.descriptor, 0);
-    EXPECT_TRUE(writeAll(opened.descriptor, "new"));
-    close(opened.descriptor);
+    ASSERT_TRUE(opened.isOpen());
+    EXPECT_TRUE(writeAll(opened.output.descriptor, "new"));
+    ::close(opened.output.descriptor);
   }
   EXPECT_EQ(textOf(path("a")), "old new");
   EXPECT_EQ(textOf(path("b")), "new");
@@ -154,7 +154,8 @@ TEST_F(Files, StreamsAreNotFiles) {
   const fs::path before = fs::current_path();
   fs::current_path(folder_);
   put("-", "a file of that name");
-  EXPECT_EQ(start("-").descriptor, STDOUT_FILENO);
+  ownStreams();
+  EXPECT_EQ(start("-").output.descriptor, STDOUT_FILENO);
   removeOld("-");
   EXPECT_EQ(textOf(path("-")), "a file of that name");
   fs::current_path(before);
@@ -168,9 +169,12 @@ TEST_F(Files, StreamsAreNotFiles) {
   EXPECT_FALSE(isStream("a"));
   EXPECT_EQ(replace("/dev/null", "text"), "");
   testing::internal::CaptureStdout();
+  EXPECT_EQ(replace("-", "text"), "the program has closed it");  // it means another file
+  ownStreams();
   EXPECT_EQ(replace("-", "text"), "");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "text");
-  EXPECT_EQ(append("/dev/stderr").descriptor, STDERR_FILENO);
+  ownStreams();
+  EXPECT_EQ(append("/dev/stderr").output.descriptor, STDERR_FILENO);
 }
 
 TEST_F(Files, DevicesAreRefused) {

@@ -16,7 +16,7 @@ namespace {
 
 struct State {
   std::mutex mutex;
-  int descriptor = STDERR_FILENO;
+  files::Opened file;  // not open: standard error
   Level level = Level::warning;
   std::set<std::string, std::less<>> said;
   std::deque<std::string> recent;
@@ -28,8 +28,15 @@ State& state() {
 }
 
 /// Writes a line in one piece, so that lines of several processes do not mix.
-void writeLine(int descriptor, std::string_view message) {
-  files::writeAll(descriptor, "gluray: " + printable(message) + "\n");
+void writeLine(State& s, std::string_view message) {
+  std::string line = "gluray: " + printable(message) + "\n";
+  if (s.file.isOpen()) {
+    files::write(s.file, line, 0);
+    return;
+  }
+  int error = 0;
+  const GlurayOutput out = files::stream(STDERR_FILENO);
+  glurayWrite(&out, line.data(), line.size(), 0, &error);
 }
 
 void keep(std::deque<std::string>& recent, std::string_view message) {
@@ -44,14 +51,15 @@ void configure(Level level, std::string_view file) {
   State& s = state();
   const std::lock_guard lock(s.mutex);
   s.level = level;
-  s.descriptor = STDERR_FILENO;
+  files::stream(STDERR_FILENO);  // identified now, before the host program may open another file
+  files::close(s.file);
   if (file.empty()) return;
   const std::string path(file);
-  const files::Opened opened = files::append(path);
-  if (opened.descriptor >= 0)
-    s.descriptor = opened.descriptor;
+  files::Opened opened = files::append(path);
+  if (opened.isOpen())
+    s.file = std::move(opened);
   else
-    writeLine(STDERR_FILENO, "cannot write the log file " + path + ": " + opened.why + "; logging to stderr");
+    writeLine(s, "cannot write the log file " + path + ": " + opened.why + "; logging to stderr");
 }
 
 void write(Level level, std::string_view message) noexcept {
@@ -59,7 +67,7 @@ void write(Level level, std::string_view message) noexcept {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (level == Level::off) return;
-    if (level >= s.level) writeLine(s.descriptor, message);
+    if (level >= s.level) writeLine(s, message);
     if (level >= Level::warning) keep(s.recent, message);
   } catch (...) {  // drop the line
   }

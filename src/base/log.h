@@ -1,5 +1,6 @@
 // The log. By default only messages of level warning or above go to stderr, one line each, and only in the
-// process that the user launched, not in helpers that it starts. Any thread.
+// process that the user launched, not in helpers that it starts. A line is dropped if writing it would block,
+// or if the host program has closed the descriptor. Any thread.
 #pragma once
 #include <string>
 #include <string_view>

@@ -17,9 +17,11 @@
 namespace gluray::timeline {
 namespace {
 
-constexpr int64_t kClose = 30'000;               // nanoseconds: joined spans closer than this are merged
-constexpr int64_t kInterval = 500'000'000;       // nanoseconds between two writes
-constexpr size_t kMostEvents = size_t{1} << 20;  // unwritten events per thread: about 40 MB
+constexpr int64_t kClose = 30'000;                   // nanoseconds: joined spans closer than this are merged
+constexpr int64_t kInterval = 500'000'000;           // nanoseconds between two writes
+constexpr size_t kMostUnwritten = size_t{64} << 20;  // bytes
+constexpr int kPatienceMs = 1000;                    // for a slow reader, when the process ends
+constexpr size_t kMostEvents = size_t{1} << 20;      // unwritten events per thread: about 40 MB
 
 struct Event {
   const char* name;
@@ -43,8 +45,8 @@ struct Recorder {
   std::mutex mutex;  // guards the members below and the file
   std::vector<std::unique_ptr<Track>> tracks;
   std::string file;
-  int descriptor = -1;
-  std::string why;  // error of opening the file
+  files::Opened output;
+  std::string unwritten;  // its reader is slow
   pid_t process = 0;
   int64_t start = 0;
   std::atomic<int64_t> nextWrite{0};
@@ -129,11 +131,19 @@ void take(const Recorder& recorder, Track& track, bool all, std::string& out) {
 }
 
 bool openFile(Recorder& recorder) {
-  if (recorder.descriptor >= 0) return true;
-  files::Opened opened = files::start(recorder.file);
-  recorder.descriptor = opened.descriptor;
-  recorder.why = std::move(opened.why);
-  return recorder.descriptor >= 0 && files::writeAll(recorder.descriptor, "[\n");
+  if (recorder.output.isOpen()) return true;
+  recorder.output = files::start(recorder.file);
+  recorder.unwritten = "[\n";
+  return recorder.output.isOpen();
+}
+
+/// Writes `out`, as far as the file's reader takes it. False: it cannot be written any more.
+bool writeOn(Recorder& recorder, const std::string& out, bool last) {
+  if (!openFile(recorder)) return false;
+  recorder.unwritten += out;
+  if (!files::write(recorder.output, recorder.unwritten, last ? kPatienceMs : 0)) return false;
+  if (recorder.unwritten.size() > kMostUnwritten) recorder.output.why = "its reader is too slow";
+  return recorder.unwritten.size() <= kMostUnwritten;
 }
 
 void writeOut(bool all) noexcept {
@@ -144,11 +154,11 @@ void writeOut(bool all) noexcept {
     if (getpid() != recorder.process) return;  // forked: the file is the parent's
     std::string out;
     for (const std::unique_ptr<Track>& track : recorder.tracks) take(recorder, *track, all, out);
-    if (out.empty()) return;
-    if (openFile(recorder) && files::writeAll(recorder.descriptor, out)) return;
+    if (out.empty() && recorder.unwritten.empty()) return;
+    if (writeOn(recorder, out, all)) return;
     g_recording = false;
-    log::write(log::Level::error, "cannot write the timeline " + recorder.file +
-                                      (recorder.why.empty() ? "" : ": " + recorder.why) + "; recording ends");
+    log::write(log::Level::error, "cannot write the timeline " + recorder.file + ": " + recorder.output.why +
+                                      "; recording ends");
   } catch (...) {  // out of memory: the timeline has a gap
   }
 }

@@ -1,5 +1,7 @@
 #include "base/toml_text.h"
 
+#include "base/ample_stack.h"
+
 #include <cstddef>
 #include <string>
 
@@ -84,7 +86,7 @@ toml::table parseToml(std::string_view text, std::string_view file) {
     throw toml::parse_error("a name, a value or a bracket is missing",
                             toml::source_region{place, place, nullptr});
   }
-  return toml::parse(text, file);
+  return onAmpleStack([&] { return toml::table(toml::parse(text, file)); });
 }
 
 }  // namespace gluray

@@ -78,11 +78,14 @@ bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::strin
   for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
     guides.lightSampling = {mode};
     scene::TraceCost own;
-    if (!trace(guides, image, own, error)) return false;
+    if (!trace(guides, image, own, error)) return cost.loss = own.loss, false;
     addCost(own, cost);
     try {
       keepGuides(mode, image, found);
-    } catch (const std::bad_alloc&) { return error = "out of memory", false; }
+    } catch (const std::bad_alloc&) {
+      cost.loss = scene::Loss::frames;
+      return error = "out of memory", false;
+    }
   }
   refinement_.guides = std::move(found);
   return true;
@@ -96,7 +99,7 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     snapshot_.lightSampling.tiles = whole_ ? refinement_.tiles() : nullptr;
     image_.missColor = missColor;
     scene::TraceCost own;
-    if (!trace(snapshot_, image_, own, error)) return whole_ = false;
+    if (!trace(snapshot_, image_, own, error)) return cost.loss = own.loss, whole_ = false;
     addCost(own, cost);
     elsewhere_ = own.elsewhere, finishedElsewhere_ = own.refined;
     if (elsewhere_) return true;
@@ -108,7 +111,8 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     }
     refinement_.add(image_);
     return true;
-  } catch (const std::exception&) {
+  } catch (const std::exception& e) {
+    cost.loss = scene::lossOf(e);
     error = "out of memory while refining a picture";
     return false;
   }

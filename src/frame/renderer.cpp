@@ -1,6 +1,7 @@
 #include "frame/renderer.h"
 
 #include "accel/world.h"
+#include "base/ample_stack.h"
 #include "base/clock.h"
 #include "base/timeline.h"
 #include "frame/pace.h"
@@ -136,21 +137,24 @@ Renderer& Renderer::shared() {
 
 namespace {
 
-/// Runs `body`; false, with the reason in `error`, if it throws.
+/// Runs `body`, where its stack is ample; false, with the reason in `error` and the loss in `cost`, if it
+/// throws.
 template <class Body>
-bool caught(std::string& error, const Body& body) noexcept {
+bool caught(scene::TraceCost& cost, std::string& error, const Body& body) noexcept {
   const char* reason = "unknown failure while tracing";
   try {
-    body();
+    onAmpleStack(body);
     return true;
   } catch (const std::bad_alloc&) {
+    cost.loss = scene::Loss::frames;
     reason = "out of memory while tracing";
   } catch (const std::exception& e) {
+    cost.loss = scene::lossOf(e);
     try {
       error = e.what();
       return false;
     } catch (...) { reason = "out of memory while tracing"; }
-  } catch (...) {}
+  } catch (...) { cost.loss = scene::Loss::tracing; }
   try {
     error = reason;
   } catch (...) {  // out of memory: leave the error line empty
@@ -162,7 +166,7 @@ bool caught(std::string& error, const Body& body) noexcept {
 
 bool Renderer::render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                       std::string& error) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     engine_->render(snapshot, image, cost);
   });
@@ -172,7 +176,7 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
                             std::string& error, const std::function<bool()>& stop) noexcept {
   bool whole = false;
   error.clear();
-  const bool done = caught(error, [&] {
+  const bool done = caught(cost, error, [&] {
     const std::unique_lock lock(engine_->mutex, std::try_to_lock);
     if (!lock) return;
     const auto interrupt = [&] { return engine_->wanted > 0 || stop(); };
@@ -185,7 +189,7 @@ bool Renderer::renderBehind(const scene::Snapshot& snapshot, Image& image, scene
 
 bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                            std::string& error, render::TileSource& source, bool averages) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.averages = averages;
@@ -196,7 +200,7 @@ bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene:
 bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                             std::string& error, render::FilmSource& source, bool averages,
                             const render::MovingRays& rays) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.film = &source;
@@ -208,7 +212,7 @@ bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene
 bool Renderer::renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                           std::string& error, render::FilmSource& source, bool averages,
                           render::RemoteSurfaces& remote) noexcept {
-  return caught(error, [&] {
+  return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
     options.source = &source, options.film = &source;

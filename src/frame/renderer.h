@@ -35,7 +35,7 @@ class Renderer {
   static Renderer& shared();
 
   /// Traces `snapshot` into `image`, which takes the region's shape. False on any failure, with one line in
-  /// `error`; the image is then undefined, and later snapshots may succeed. Any thread.
+  /// `error` and what is lost in `cost.loss`; the image is then undefined. Any thread.
   bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
               std::string& error) noexcept;
 

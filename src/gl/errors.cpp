@@ -21,4 +21,10 @@ GLenum Errors::take() {
   return error_ != GL_NO_ERROR ? std::exchange(error_, GL_NO_ERROR) : below;
 }
 
+GLenum Errors::takeReal() {
+  const GLenum oldest = real_.GetError();
+  for (GLenum more = oldest; more != GL_NO_ERROR;) more = real_.GetError();
+  return oldest;
+}
+
 }  // namespace gluray::gl

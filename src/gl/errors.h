@@ -21,6 +21,9 @@ class Errors {
   void keepPending() {
     if (const GLenum pending = real_.GetError()) set(pending);
   }
+  /// The oldest error of the real OpenGL, whose errors are then cleared. Call after keepPending(), for calls
+  /// of our own that may raise errors.
+  GLenum takeReal();
 
  private:
   const RealGl& real_;

@@ -40,22 +40,31 @@ class CommandIndex {
 }  // namespace
 
 void loadRealGl(RealGl& table, Lookup lookup, void* user) {
-  void* pointers[kCommandCount];
-  for (int i = 0; i < kCommandCount; ++i) pointers[i] = lookup(user, kCommandNames[i].name);
-  const CommandIndex index;
+  // In the table itself: the program's stack may be small.
+  static_assert(sizeof table == kCommandCount * sizeof(void*));
+  const auto at = [&](int i) {
+    return reinterpret_cast<char*>(&table) + static_cast<size_t>(i) * sizeof(void*);
+  };
+  const auto set = [&](int i, void* pointer) { std::memcpy(at(i), &pointer, sizeof pointer); };
+  const auto get = [&](int i) {
+    void* pointer;
+    std::memcpy(&pointer, at(i), sizeof pointer);
+    return pointer;
+  };
+  for (int i = 0; i < kCommandCount; ++i) set(i, lookup(user, kCommandNames[i].name));
+  static const CommandIndex index;
   for (int i = 0; i < kCommandCount; ++i) {
-    if (pointers[i] || !kCommandNames[i].alias) continue;
-    if (const int alias = index.find(kCommandNames[i].alias); alias >= 0) pointers[i] = pointers[alias];
+    if (get(i) || !kCommandNames[i].alias) continue;
+    if (const int alias = index.find(kCommandNames[i].alias); alias >= 0) set(i, get(alias));
   }
   // Where only the alias exists (an old driver with ARB names), it serves the core name too.
   for (int i = 0; i < kCommandCount; ++i) {
-    if (!pointers[i] || !kCommandNames[i].alias) continue;
+    if (!get(i) || !kCommandNames[i].alias) continue;
     const int core = index.find(kCommandNames[i].alias);
-    if (core >= 0 && !pointers[core]) pointers[core] = pointers[i];
+    if (core >= 0 && !get(core)) set(core, get(i));
   }
-  for (void*& p : pointers)
-    if (!p) p = missingCommand();
-  std::memcpy(&table, pointers, sizeof table);
+  for (int i = 0; i < kCommandCount; ++i)
+    if (!get(i)) set(i, missingCommand());
 }
 
 }  // namespace gluray::gl

@@ -1,11 +1,12 @@
 // Thread pools for parallel loops; the calling thread takes part in the work. All our loops run in one of
 // these. TBB's implicit arena would use all cores, and its workers would handle the program's signals.
 #pragma once
+#include "base/ample_stack.h"
+
 #include <tbb/task_arena.h>
 
 #include <cstdint>
 #include <memory>
-#include <utility>
 
 namespace gluray {
 
@@ -19,9 +20,10 @@ class Arena {
   Arena& operator=(const Arena&) = delete;
 
   /// Runs `work` inside the arena and returns its result; parallel algorithms in it use the arena's threads.
+  /// Where the caller's stack is short, a thread of ours takes the caller's part.
   template <class Work>
   auto execute(Work&& work) {
-    return arena_.execute(std::forward<Work>(work));
+    return onAmpleStack([&] { return arena_.execute(work); });
   }
   int threads() { return arena_.max_concurrency(); }
 

@@ -9,6 +9,7 @@
 #include "render/moving/trace_moving.h"
 #include "render/remote/remote_surfaces.h"
 #include "scene/effects.h"
+#include "scene/failure.h"
 #include "settings/samples.h"
 
 #include <algorithm>
@@ -45,9 +46,9 @@ bool arePixels(const scene::Layers& layers, size_t pixels) {
 
 void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
   const scene::Region& region = snapshot.region;
-  if (region.width <= 0 || region.height <= 0) throw std::runtime_error("the region to trace is empty");
+  if (region.width <= 0 || region.height <= 0) throw scene::Untraceable("the region to trace is empty");
   if (region.width > kLargestSide || region.height > kLargestSide || snapshot.samples > 64) {
-    throw std::runtime_error("the region to trace is larger than any framebuffer");
+    throw scene::Untraceable("the region to trace is larger than any framebuffer");
   }
   const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
   if (snapshot.layers && (snapshot.samples > 1 || !arePixels(*snapshot.layers, pixels))) {

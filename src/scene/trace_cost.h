@@ -1,5 +1,7 @@
 // Cost of one traced snapshot, passed from the renderer through the presenter to the report. Plain data.
 #pragma once
+#include "scene/failure.h"
+
 #include <cstdint>
 
 namespace gluray::scene {
@@ -13,6 +15,7 @@ struct TraceCost {
   // Another process makes the picture, and this is what it shows: no passes follow. `refined`: it is
   // finished.
   bool elsewhere = false, refined = false;
+  Loss loss = Loss::tracing;                // if the snapshot could not be traced
 };
 
 }  // namespace gluray::scene

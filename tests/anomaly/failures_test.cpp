@@ -1,6 +1,7 @@
 // Commits of acceleration structures fail, threads cannot be started: the picture must stay the real
 // OpenGL's, and stderr has at most one line.
 #include "accel/device.h"
+#include "base/files.h"
 #include "tests/anomaly/picture_of_all.h"
 
 #include <dlfcn.h>
@@ -41,6 +42,7 @@ TEST(Failures, EveryCommitMayFailOnce) {
     TracedContext context({kSize, kSize});
     accel::failNextCommits(1, n);
     testing::internal::CaptureStderr();
+    files::ownStreams();
     drawAll(context.gl());
     const Picture got = context.read();
     const std::string said = testing::internal::GetCapturedStderr();
@@ -60,6 +62,7 @@ TEST(Failures, NoThreadCanBeStarted) {
   Settings settings = TracedContext::vertexShading();
   settings.threads = 2;
   testing::internal::CaptureStderr();
+  files::ownStreams();
   {
     TracedContext context({kSize, kSize}, settings);
     drawAll(context.gl());

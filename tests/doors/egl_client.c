@@ -1,6 +1,7 @@
 /* Desktop OpenGL through EGL. Argument: window, or surfaceless (no display server; draws into a pbuffer of
    the surfaceless platform); moved, or bare: a window, after the context was made current with a pbuffer of
    one pixel, or without a surface, as Qt does. */
+#include "egl_config.h"
 #include "x_window.h"
 
 #include <EGL/egl.h>
@@ -18,26 +19,6 @@ static void show(void* user) {
 }
 
 static void* byName(const char* name) { return (void*)eglGetProcAddress(name); }
-
-static EGLConfig chooseConfig(EGLDisplay display, int window) {
-  const EGLint wanted[] = {EGL_SURFACE_TYPE,
-                           window ? EGL_WINDOW_BIT | EGL_PBUFFER_BIT : EGL_PBUFFER_BIT,
-                           EGL_RENDERABLE_TYPE,
-                           EGL_OPENGL_BIT,
-                           EGL_RED_SIZE,
-                           8,
-                           EGL_DEPTH_SIZE,
-                           24,
-                           EGL_NONE};
-  EGLConfig configs[64];
-  EGLint count = 0;
-  eglChooseConfig(display, wanted, configs, 64, &count);
-  for (EGLint i = 0; i < count; ++i) { /* eight bits a colour: the default order puts deeper ones first */
-    EGLint red = 0;
-    if (eglGetConfigAttrib(display, configs[i], EGL_RED_SIZE, &red) && red == 8) return configs[i];
-  }
-  return NULL;
-}
 
 static EGLSurface windowSurface(EGLDisplay display, EGLConfig config, Display* x) {
   XVisualInfo wanted = {0};
@@ -83,7 +64,7 @@ int main(int argc, char** argv) {
                                     : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, NULL, NULL);
   if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API))
     return fprintf(stderr, "no EGL\n"), 1;
-  const EGLConfig config = chooseConfig(display, window);
+  const EGLConfig config = chooseEglConfig(display, window);
   const EGLint size[] = {EGL_WIDTH, kWindowSize, EGL_HEIGHT, kWindowSize, EGL_NONE};
   if (!config) return fprintf(stderr, "no configuration\n"), 1;
   Target target = {

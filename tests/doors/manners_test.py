@@ -193,6 +193,7 @@ class Missing(Folder):
         engine = self.folder / "libgluray-engine.so"
         text = (LIBRARIES / "libgluray-engine.so").read_bytes()
         engine.write_bytes(re.sub(rb"libembree\d\.so", b"libembreeX.so", text))
+        shutil.copytree(LIBRARIES / "private", self.folder / "private")
         for door in ("vendor", "preload"):
             self.survives(r"^gluray: .*not ray traced.*libembreeX", door=door, GLURAY_ENGINE_LIBRARY=engine)
 

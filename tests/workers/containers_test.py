@@ -7,14 +7,15 @@ import unittest
 
 from jobs import Jobs, wait_for
 
-# Its own /tmp and /dev/shm; of the host's, sockets of X and what is shared.
+# Its own /tmp and /dev/shm; of the host's, sockets of X, what is shared, and the build where that lies below /tmp.
 INSIDE = """set -e
 mkdir -p "$0/tmp/.X11-unix" "$0/tmp/run"
 mount --bind /tmp/.X11-unix "$0/tmp/.X11-unix"
 mount --bind "$1" "$0/tmp/run"
+case "$2" in /tmp/*) mkdir -p "$0$2"; mount --bind "$2" "$0$2" ;; esac
 mount --rbind "$0/tmp" /tmp
 mount -t tmpfs tmpfs /dev/shm
-shift
+shift 2
 exec env GLURAY_RUNTIME=/tmp/run "$@"
 """
 UNSHARE = ["unshare", "--user", "--map-root-user", "--net", "--uts", "--ipc", "--mount", "--pid", "--fork", "--kill-child", "--mount-proc"]
@@ -28,7 +29,8 @@ class Containers(Jobs):
 
     def contained(self, shared, *words):
         """A command line that runs `words` in a container, with the directory `shared` as runtime directory."""
-        return [*UNSHARE, "sh", "-c", INSIDE, str(self.folder / "container"), str(shared), *words]
+        build = os.path.commonpath([str(self.gluray), str(self.worker), str(self.client)])
+        return [*UNSHARE, "sh", "-c", INSIDE, str(self.folder / "container"), str(shared), build, *words]
 
     def program(self, *words):
         path = self.log()

@@ -1,6 +1,7 @@
 #include "control/panel.h"
 
 #include "control/hub_session.h"
+#include "programs/doors.h"
 #include "say.h"
 
 #include <unistd.h>
@@ -19,10 +20,9 @@ constexpr const char* kPanel = "gluray-panel";
 /// Beside this executable; in a build tree beside its folder; otherwise on the PATH.
 std::string panelProgram() {
   namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path folder = fs::path(launcherFile()).parent_path();
   for (const fs::path& place : {folder / kPanel, folder.parent_path() / "panel" / kPanel})
-    if (!error && access(place.c_str(), X_OK) == 0) return place;
+    if (access(place.c_str(), X_OK) == 0) return place;
   return kPanel;
 }
 

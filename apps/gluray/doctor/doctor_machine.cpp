@@ -63,7 +63,7 @@ Said runProbe(const CommandLine& given, const std::string& api, const std::strin
     line.settings.set("engine", "always");  // the picture is so small that `auto` would not trace it
     openDoors(line, Program{});
     setenv("GLURAY_EXPLAIN", "1000", 1);
-    execl("/proc/self/exe", "gluray", kProbeWord, api.c_str(), static_cast<char*>(nullptr));
+    execl(launcherFile().c_str(), "gluray", kProbeWord, api.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
   close(out[1]), close(errors[1]);
@@ -186,8 +186,7 @@ int usableCores() {
 bool examineInstall(Diagnosis& diagnosis) {
   const std::string directory = libraryDirectory();
   if (directory.empty()) {
-    diagnosis.broken("install",
-                     "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string(),
+    diagnosis.broken("install", "GLuRay's libraries are missing beside " + launcherFile(),
                      "install GLuRay again: cmake --install BUILD --prefix DIR");
     return false;
   }

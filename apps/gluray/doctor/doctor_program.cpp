@@ -106,7 +106,7 @@ void examineScript(const CommandLine& line, const Program& program, Diagnosis& d
 bool hasDisplay() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"); }
 
 void examineBinary(const CommandLine& line, const Program& program, Diagnosis& diagnosis) {
-  if (!program.elf.is64 || program.elf.machine != readElf("/proc/self/exe").machine)
+  if (!program.elf.is64 || program.elf.machine != readElf(launcherFile()).machine)
     return diagnosis.broken(kTopic,
                             program.path + " is a 32-bit program, or for another processor than GLuRay");
   if (program.elf.interpreter.empty())

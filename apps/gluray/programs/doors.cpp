@@ -2,9 +2,13 @@
 
 #include "base/environment_variable.h"
 #include "base/files.h"
+#include "base/guarded_write.h"
 #include "intercept/probe/real_vendor.h"
+#include "programs/door_files.h"
+#include "programs/streams.h"
 #include "settings/layers/layers.h"
 
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -28,6 +32,7 @@ void putFirst(const char* name, const std::string& entry) {
 /// GLURAY_COMMAND_LINE lists these settings, so that they can name the command line as their origin.
 void passSettings(const CommandLine& line) {
   set("GLURAY_PID", std::to_string(getpid()));
+  set(GLURAY_STREAMS, streamIdentities());
   if (!line.config.empty()) set("GLURAY_CONFIG", fs::absolute(line.config).string());
   set("GLURAY_PROJECT", projectFileHere());
   set("GLURAY_PROGRAM", line.program.empty() ? "" : fs::path(line.program[0]).filename().string());
@@ -49,29 +54,54 @@ std::string unlessThere(const std::string& directory, const char* library) {
          ": install GLuRay again; gluray doctor lists what it needs";
 }
 
-std::string openVendorDoor(const std::string& directory) {
+/// Puts our EGL vendor file before the machine's own: libEGL reads these where it cannot load ours, and the
+/// door keeps it from loading the real vendor a second time.
+void openEglDoor(const std::string& vendorFile) {
+  std::string files = vendorFile;
+  for (const std::string& file : probe::eglVendorFiles(environmentVariable("__EGL_VENDOR_LIBRARY_FILENAMES"),
+                                                       environmentVariable("__EGL_VENDOR_LIBRARY_DIRS")))
+    files.append(":").append(file);
+  set("__EGL_VENDOR_LIBRARY_FILENAMES", files);
+}
+
+std::string openVendorDoor(const DoorFiles& files) {
   const probe::RealVendors real = probe::findRealVendors();
   if (real.glx.empty() && real.egl.empty())
     return "no OpenGL driver for libglvnd was found; try --door preload";
   const char* const library = real.glx.empty() ? "libEGL_gluray.so.0" : "libGLX_gluray.so.0";
-  if (std::string problem = unlessThere(directory, library); !problem.empty()) return problem;
-  putFirst("LD_LIBRARY_PATH", directory);
+  if (std::string problem = unlessThere(files.directory, library); !problem.empty()) return problem;
+  putFirst("LD_LIBRARY_PATH", files.directory);
   if (!real.glx.empty()) {
     set("__GLX_VENDOR_LIBRARY_NAME", "gluray");
     set("GLURAY_REAL_GLX", real.glx);
   }
-  if (!real.egl.empty()) {
-    set("__EGL_VENDOR_LIBRARY_FILENAMES", directory + "/gluray_egl.json");
+  if (!real.egl.empty() && !files.eglVendorFile.empty()) {
+    openEglDoor(files.eglVendorFile);
     set("GLURAY_REAL_EGL", real.egl);
   }
   return "";
 }
 
+std::string openPreloadDoor(const DoorFiles& files) {
+  if (std::string problem = unlessThere(files.directory, "libgluray.so"); !problem.empty()) return problem;
+  return putFirst("LD_PRELOAD", files.directory + "/libgluray.so"), "";
+}
+
 }  // namespace
+
+std::string launcherFile() {
+  std::error_code error;
+  if (const fs::path linked = fs::read_symlink("/proc/self/exe", error); !error) return linked;
+  const auto* const started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+  const fs::path named = started ? started : "";
+  if (const fs::path real = fs::canonical(named, error); !error) return real;
+  const fs::path whole = fs::absolute(named, error);
+  return error ? named : whole.lexically_normal();
+}
 
 std::string libraryDirectory() {
   std::error_code error;
-  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path here = fs::path(launcherFile()).parent_path();
   for (const char* way : {"../lib/gluray", "../../lib/gluray"}) {
     const fs::path candidate = (here / way).lexically_normal();
     if (fs::exists(candidate / "libgluray-engine.so", error)) return candidate;
@@ -86,21 +116,16 @@ Session sessionOf(const CommandLine& line) {
 
 std::string openDoors(const CommandLine& line, const Program& program) {
   const std::string directory = libraryDirectory();
-  if (directory.empty())
-    return "GLuRay's libraries are missing beside " + fs::read_symlink("/proc/self/exe").string();
+  if (directory.empty()) return "GLuRay's libraries are missing beside " + launcherFile();
   if (program.setUid) return program.path + " is set-uid: the system does not let GLuRay see its calls";
   passSettings(line);
-  const auto openPreloadDoor = [&]() -> std::string {
-    if (directory.find_first_of(" :") != directory.npos)
-      return "LD_PRELOAD takes no name with a space or colon: move GLuRay out of " + directory;
-    if (std::string problem = unlessThere(directory, "libgluray.so"); !problem.empty()) return problem;
-    return putFirst("LD_PRELOAD", directory + "/libgluray.so"), "";
-  };
-  if (line.door == "preload") return openPreloadDoor();
-  if (line.door == "vendor") return openVendorDoor(directory);
+  const DoorFiles files = doorFiles(directory);
+  if (files.directory.empty()) return files.why;
+  if (line.door == "preload") return openPreloadDoor(files);
+  if (line.door == "vendor") return openVendorDoor(files);
   // The vendor door, and the preload door too if some calls do not come through libglvnd.
-  const std::string problem = openVendorDoor(directory);
-  if (program.osMesa || program.bundledGl || !problem.empty()) return openPreloadDoor();
+  const std::string problem = openVendorDoor(files);
+  if (program.osMesa || program.bundledGl || !problem.empty()) return openPreloadDoor(files);
   return "";
 }
 

@@ -8,6 +8,9 @@
 
 namespace gluray::launcher {
 
+/// The file of this executable: /proc/self/exe, or where there is none the name by which it was started.
+std::string launcherFile();
+
 /// The directory of our libraries, found from this executable's own place; empty if they are not there.
 std::string libraryDirectory();
 

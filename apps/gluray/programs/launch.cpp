@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <thread>
 #include <vector>
 
@@ -21,14 +22,25 @@ int failToStart(const std::string& program, int error) {
   return error == ENOENT ? kNotFound : kNotExecutable;
 }
 
+/// openDoors(); any exception becomes its line, so that the program starts.
+static std::string openDoorsOrSay(const CommandLine& line, const Program& program) {
+  try {
+    return openDoors(line, program);
+  } catch (const std::exception& error) { return error.what(); }
+}
+
 int becomeProgram(const CommandLine& line, const Program& program) {
   if (program.usesX && !std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
     say("DISPLAY is not set; without a screen, try: xvfb-run -s '-screen 0 1280x1024x24' gluray ...");
-  if (const std::string why = openDoors(line, program); !why.empty()) say("not ray traced: " + why);
+  if (const std::string why = openDoorsOrSay(line, program); !why.empty()) say("not ray traced: " + why);
 
   std::vector<char*> arguments;
   for (const std::string& word : line.program) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  if (program.path.empty()) {  // not found, but the kernel may know better
+    execvp(line.program[0].c_str(), arguments.data());
+    return failToStart(line.program[0], errno);
+  }
   execv(program.path.c_str(), arguments.data());
   if (errno == ENOEXEC) {  // a script without #!: /bin/sh runs it, as in a shell
     arguments.insert(arguments.begin(), const_cast<char*>("/bin/sh"));

@@ -1,11 +1,14 @@
 #include "programs/program.h"
 
+#include "programs/doors.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -15,29 +18,42 @@
 namespace gluray::launcher {
 namespace {
 
-bool isFile(const std::string& path) {
+enum class Fitness : uint8_t { none, unknown, executable };
+
+/// Whether the file at `path` may be executed. unknown: access() says no or is forbidden, but the file's mode
+/// has execute permission. Sets error unless it is executable.
+Fitness fitnessOf(const std::string& path, int& error) {
   struct stat status {};
-  return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  if (stat(path.c_str(), &status) != 0) {
+    if (errno != ENOENT && errno != ENOTDIR) error = errno;
+    return Fitness::none;
+  }
+  error = EACCES;
+  if (!S_ISREG(status.st_mode)) return Fitness::none;
+  if (access(path.c_str(), X_OK) == 0) return error = 0, Fitness::executable;
+  return status.st_mode & 0111 ? Fitness::unknown : Fitness::none;
 }
 
 /// Sets path or error, searching as execvp does.
 void search(const std::string& name, Program& program) {
   program.error = ENOENT;
+  std::string unknown;
   const auto accept = [&](const std::string& path) {
-    if (!isFile(path)) return false;
-    if (access(path.c_str(), X_OK) == 0) return program.path = path, program.error = 0, true;
-    program.error = EACCES;
-    return false;
+    const Fitness fitness = fitnessOf(path, program.error);
+    if (fitness == Fitness::unknown && unknown.empty()) unknown = path;
+    if (fitness == Fitness::executable) program.path = path;
+    return fitness == Fitness::executable;
   };
   if (name.find('/') != std::string::npos) {
-    struct stat status {};
-    if (!accept(name) && stat(name.c_str(), &status) == 0) program.error = EACCES;
-    return;
+    accept(name);
+  } else {
+    const char* path = std::getenv("PATH");
+    std::istringstream directories(path ? path : "/bin:/usr/bin");
+    for (std::string directory; std::getline(directories, directory, ':');)
+      if (accept((directory.empty() ? "." : directory) + "/" + name)) return;
   }
-  const char* path = std::getenv("PATH");
-  std::istringstream directories(path ? path : "/bin:/usr/bin");
-  for (std::string directory; std::getline(directories, directory, ':');)
-    if (accept((directory.empty() ? "." : directory) + "/" + name)) return;
+  if (program.path.empty()) program.path = unknown;
+  if (!program.path.empty()) program.error = 0;
 }
 
 /// The interpreter that a script's first line names; empty for other files.
@@ -63,7 +79,7 @@ std::string listLibraries(const std::string& path) {
     dup2(ends[1], STDOUT_FILENO);
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDERR_FILENO);
-    const std::string loader = readElf("/proc/self/exe").interpreter;
+    const std::string loader = readElf(launcherFile()).interpreter;
     // A program names its loader; for a library, the launcher's own loader is used.
     if (readElf(path).interpreter.empty())
       execl(loader.c_str(), loader.c_str(), path.c_str(), static_cast<char*>(nullptr));

@@ -7,8 +7,8 @@
 namespace gluray::launcher {
 
 struct Program {
-  std::string path;         // empty: not found
-  int error = 0;            // errno of the search where it was not found or cannot be executed
+  std::string path;         // empty: the search found none
+  int error = 0;            // then errno of the search; ENOENT: there is none. Else execvp may find one
   bool setUid = false;      // for another user or group: the loader ignores LD_LIBRARY_PATH and LD_PRELOAD
   bool osMesa = false;      // links libOSMesa
   bool bundledGl = false;   // links a libGL that is not libglvnd's
@@ -18,7 +18,8 @@ struct Program {
   std::string interpreter;  // of a script: the interpreter that its first line names
 };
 
-/// Looks `name` up as execvp does and asks the loader what it links.
+/// Looks `name` up as execvp does and asks the loader what it links. Where the system does not tell whether a
+/// file may be executed, the first that looks executable is taken.
 Program inspect(const std::string& name);
 
 /// The libraries that the loader lists for a program or library, as ldd does; runs no code of it.

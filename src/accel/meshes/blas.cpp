@@ -41,13 +41,13 @@ void checkArrays(const scene::Mesh& mesh) {
     return reinterpret_cast<uintptr_t>(a.data) % 4 != 0 || a.stride % 4 != 0;
   };
   if (!mesh.positions || mesh.positions.format != scene::Format::float3 || misaligned(mesh.positions)) {
-    throw Error("a mesh has positions that are not three aligned floats");
+    throw Error("a mesh has positions that are not three aligned floats", scene::Loss::draws);
   }
   if (mesh.indices && (mesh.indices.stride != 4 || misaligned(mesh.indices))) {
-    throw Error("a mesh has indices that are not tightly packed");
+    throw Error("a mesh has indices that are not tightly packed", scene::Loss::draws);
   }
   if (!mesh.indices && uint64_t{mesh.triangleCount} * scene::cornersOf(mesh.shape) > mesh.vertexCount) {
-    throw Error("a mesh has fewer vertices than its primitives need");
+    throw Error("a mesh has fewer vertices than its primitives need", scene::Loss::draws);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/hash.h"
 #include "base/log.h"
+#include "base/own_thread.h"
 #include "control/link/program_side.h"
 #include "control/runtime_directory.h"
 
@@ -10,7 +11,6 @@
 #include <asio/io_context.hpp>
 #include <asio/steady_timer.hpp>
 #include <pthread.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -54,22 +54,6 @@ void noteFailure(const std::exception& error) noexcept {
   try {
     log::once(log::Level::warning, "control", std::string("the link to the hub failed: ") + error.what());
   } catch (...) {}  // out of memory
-}
-
-/// Starts a detached thread with all signals blocked. False: none can be started.
-bool startThread(void* (*run)(void*), void* argument) {
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  pthread_attr_t attributes;
-  pthread_attr_init(&attributes);
-  pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
-  pthread_t thread;
-  // The usual stack: a smaller one may be used up by the program's thread-local objects.
-  const bool started = pthread_create(&thread, &attributes, run, argument) == 0;
-  pthread_attr_destroy(&attributes);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return started;
 }
 
 uint64_t inodeOf(int descriptor) {
@@ -184,7 +168,11 @@ void ProgramLink::start() noexcept {
     static_cast<ProgramLink*>(link)->run();
     return nullptr;
   };
-  if (!startThread(run, this)) running_ = false, next_ = nowSeconds() + kMostBackoff;
+  pthread_t thread;
+  if (startThread(thread, run, this))
+    pthread_detach(thread);
+  else
+    running_ = false, next_ = nowSeconds() + kMostBackoff;
 }
 
 /// The thread's main function.

@@ -25,9 +25,9 @@ void fields(auto& archive, Like<LayerCounts> auto& value) {
 }
 void fields(auto& archive, Like<scene::TraceCost> auto& value) {
   auto& [buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining,
-         elsewhere, refined] = value;
+         elsewhere, refined, loss] = value;
   archive(buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining,
-          elsewhere, refined);
+          elsewhere, refined, loss);
 }
 
 class WriteMessage : public WriteArchive<WriteMessage> {

@@ -97,6 +97,7 @@ bool RemoteTracer::trace(const scene::Snapshot& given, Image& image, scene::Trac
     // A picture of this rank's part would lack what the others leave to it, or show what they show.
     if ((result == Result::nobody || result == Result::failed) && link_.isGathered(snapshot)) {
       if (error.empty()) error = "the workers of all ranks do not answer";
+      if (cost.loss == scene::Loss::tracing) cost.loss = scene::Loss::frames;  // they may answer again
       return false;
     }
   } catch (const std::exception&) {}  // no memory: the other way may need less
@@ -141,6 +142,7 @@ RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Imag
     const PictureDone& picture = link_.picture();
     if (!picture.whole) {
       tell(picture.error);
+      cost.loss = picture.cost.loss;
       return error = picture.error, Result::failed;
     }
     copyPixels(snapshot, picture, link_.pixels(), image);

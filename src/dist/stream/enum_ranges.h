@@ -1,5 +1,6 @@
 // Which values the enumerations of scenes have: what comes from outside is checked. Any thread.
 #pragma once
+#include "scene/failure.h"
 #include "scene/snapshot.h"
 
 #include <type_traits>
@@ -10,6 +11,8 @@ namespace gluray::dist {
 template <class E>
 inline constexpr E kLast = E::no_range_is_known;
 
+template <>
+inline constexpr auto kLast<scene::Loss> = scene::Loss::tracing;
 template <>
 inline constexpr auto kLast<scene::CullFace> = scene::CullFace::both;
 template <>

@@ -90,7 +90,8 @@ void Picture::finished(int rank, const Finished& result) {
   ended_[static_cast<size_t>(rank)] = true;
   if (!result.error.empty()) {
     drop(rank);
-    if (rank == self_ || std::ranges::none_of(here_, [](bool here) { return here; })) error_ = result.error;
+    if (rank == self_ || std::ranges::none_of(here_, [](bool here) { return here; }))
+      error_ = result.error, result_.cost.loss = result.cost.loss;
     return;
   }
   for (size_t n = 0; n < LayerCounts::kMost; ++n)

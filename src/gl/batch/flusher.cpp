@@ -18,6 +18,18 @@
 #include <utility>
 
 namespace gluray::gl {
+namespace {
+
+/// Why the draws of a batch that could not be traced were rasterised.
+Reason reasonOf(scene::Loss loss) {
+  switch (loss) {
+    case scene::Loss::draws: return Reason::untraceable;
+    case scene::Loss::frames: return Reason::shortage;
+    default: return Reason::failure;
+  }
+}
+
+}  // namespace
 
 bool Flusher::canTrace() {
   if (supported_) return *supported_;
@@ -83,7 +95,9 @@ void Flusher::present(Reason reason) {
   const bool declined = result.layers && result.outcome == PresentResult::rasterised;
   if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
   const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
-  if (result.outcome != wanted) p_.failsafe.stepAside(result.reason());
+  if (result.outcome == wanted) return;
+  if (!rasterise && !factors) p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
+  p_.failsafe.fail(result.loss(), result.reason());
 }
 
 void Flusher::takeResult(const PresentResult& result, bool known) {
@@ -156,7 +170,9 @@ void Flusher::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapsho
   }();
   p_.shadow.latch.restore(real);
   takeResult(result, known);
-  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(result.reason());
+  if (result.outcome == PresentResult::traced) return;
+  p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
+  p_.failsafe.fail(result.loss(), result.reason());
 }
 
 void Flusher::imagesChange() noexcept {

@@ -16,7 +16,7 @@ namespace gluray::gl {
 struct PresentResult {
   enum Outcome {
     traced,      // colour and depth are in the framebuffer
-    rasterised,  // tracing failed; the same instances were drawn by the real OpenGL
+    rasterised,  // tracing failed; the real OpenGL has drawn the same instances, now or before
     failed,      // neither was possible
   } outcome = failed;
   scene::TraceCost cost;
@@ -32,6 +32,9 @@ struct PresentResult {
   GLenum pendingError = GL_NO_ERROR;  // the program's error that was found on the way, to be reported to it
   std::string why;                    // if not traced: one line for the user, not logged yet
 
+  /// What a picture that was not traced costs. Where the real OpenGL could not draw the instances either, the
+  /// framebuffer lacks them: tracing ends.
+  scene::Loss loss() const { return outcome == failed ? scene::Loss::tracing : cost.loss; }
   /// `why`, or a general line where it is empty.
   const char* reason() const { return why.empty() ? "the ray tracer could not make a picture" : why.c_str(); }
 };

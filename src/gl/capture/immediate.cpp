@@ -173,14 +173,17 @@ void Immediate::countOpenPrimitive() {
 }
 
 /// Whether the real OpenGL's glBegin succeeds; raises its error if not. Framebuffers may be incomplete, and
-/// programs may not fit them, the blending or the primitive.
+/// programs may not fit them, the blending or the primitive. A draw of no vertices is refused for the same
+/// reasons. An empty glBegin and glEnd would change what follows: Mesa 22.3 then loses line strips. Buffers
+/// that are mapped refuse draws from arrays, but not glBegin: then it is asked.
 bool Immediate::canBegin(GLenum mode) {
   if (p_.shadow.state.target.framebuffer == 0 && p_.shadow.state.raster.program == 0) return true;
   const RealGl& real = p_.shadow.real;
   p_.shadow.errors.keepPending();
+  real.DrawArrays(mode, 0, 0);
+  if (p_.shadow.errors.takeReal() == GL_NO_ERROR) return true;
   real.Begin(mode), real.End();
-  const GLenum error = real.GetError();
-  while (real.GetError() != GL_NO_ERROR) {}  // of glEnd
+  const GLenum error = p_.shadow.errors.takeReal();
   if (error != GL_NO_ERROR) p_.shadow.errors.set(error);
   return error == GL_NO_ERROR;
 }

@@ -55,7 +55,7 @@ void Immediate::recordRun() {
   try {
     recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
   } catch (...) {
-    stream_.captured() = std::move(run);  // not yet moved from: stepAside() gives it to the real OpenGL
+    stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
     throw;
   }
   inherited_.clear();
@@ -122,7 +122,7 @@ void Immediate::drawRun() {
   weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
   const DrawTimer timer(p_.counts.kinds());
   const Reason reason = p_.failsafe.attempt([&] {
-    if (p_.failsafe.aside()) return Reason::failure;
+    if (p_.failsafe.aside()) return p_.failsafe.reason();
     if (reason_ != Reason::traced) return reason_;
     const KnownMesh known = meshOfRun();
     const Reason fine = p_.triage.of(known, run.materials);
@@ -165,7 +165,7 @@ void Immediate::surrender() {
   }
   if (!p_.lists.compiling() && (!run.empty() || open)) {
     if (open && p_.counts.kinds()) p_.counts.kinds()->start();
-    p_.counts.rasterised(p_.failsafe.aside() ? Reason::failure : Reason::evaluators, path_, class_,
+    p_.counts.rasterised(p_.failsafe.aside() ? p_.failsafe.reason() : Reason::evaluators, path_, class_,
                          countTriangles(run));
   }
   replay(p_.shadow.real, run, inherited_);

@@ -1,6 +1,7 @@
 #include "gl/culled/raster_light.h"
 
 #include "gl/arrays/array_draws.h"
+#include "gl/capture/mesh_builder.h"
 #include "gl/context.h"
 #include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
@@ -115,7 +116,9 @@ Reason light(Context& c, GLenum mode, const Elements& e) {
   const KnownMesh known = meshOf(c, positions, mode, e);
   if (known.homogeneous || !known.mesh) return Reason::homogeneous;
   if (known.mesh->triangleCount == 0) return Reason::traced;
+  if (isFarAway(*known.mesh)) return Reason::farAway;
   const glm::dmat4& matrix = from.matrix.clipFromObject;
+  if (!isInvertible(matrix)) return Reason::singularMatrix;
   const glm::ivec4& viewport = shadow.state.viewport;
   if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, {viewport.z, viewport.w})) return Reason::tooLarge;
   addSurface(c, known.mesh, matrix);

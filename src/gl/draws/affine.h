@@ -1,4 +1,4 @@
-// Tests on clipFromObject matrices: whether they are affine, and where they put meshes' bounds. Any thread.
+// Tests on matrices: whether they are affine or invertible, and where they put meshes' bounds. Any thread.
 #pragma once
 #include "scene/mesh.h"
 
@@ -17,6 +17,15 @@ inline bool isAffine(const glm::dmat4& m, const glm::dvec3& reach) {
   double change = 0;
   for (int c = 0; c < 3; ++c) change += std::abs(m[c][3]) * reach[c];
   return m[3][3] > 0 && change <= kRounding * m[3][3];
+}
+
+/// Whether the matrix and its inverse are finite: rays are transformed by both.
+inline bool isInvertible(const glm::dmat4& m) {
+  const glm::dmat4 inverse = glm::inverse(m);
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r)
+      if (!std::isfinite(m[c][r]) || !std::isfinite(inverse[c][r])) return false;
+  return true;
 }
 
 /// The mesh's largest distance from the origin along each axis.

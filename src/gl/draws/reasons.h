@@ -46,6 +46,7 @@ namespace gluray::gl {
   X(farAway, "vertices farther away than rays reach")                        \
   X(tooLarge, "triangles too large or small for the precision of rays")      \
   X(singularMatrix, "matrix without inverse")                                \
+  X(untraceable, "surface that rays cannot meet")                            \
   X(flat, "flat layer: drawing order decides")                               \
   X(coincident, "coincident surfaces: drawing order decides")                \
   X(passes, "drawn in several passes")                                       \
@@ -77,6 +78,7 @@ namespace gluray::gl {
   X(leavesOut, "fragment shader that discards")                              \
   X(notTheSame, "culled picture was not the same")                           \
   X(off, "switched off")                                                     \
+  X(shortage, "memory or threads ran out")                                   \
   X(failure, "GLuRay failed and stepped aside")
 
 enum class Reason {

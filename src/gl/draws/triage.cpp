@@ -69,7 +69,7 @@ bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material
 }  // namespace
 
 Reason Triage::ofContext() const {
-  if (p_.failsafe.aside()) return Reason::failure;
+  if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
   const State& state = p_.shadow.state;
@@ -232,14 +232,14 @@ bool Triage::meetsDepth(PrimitiveClass kind) const {
   const RasterState& raster = p_.shadow.state.raster;
   const bool tested = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                       raster.depthFunc != GL_ALWAYS && raster.depthFunc != GL_NEVER;
-  return kind == PrimitiveClass::surfaces && tested && !p_.failsafe.aside();
+  return kind == PrimitiveClass::surfaces && tested && !p_.failsafe.gone();
 }
 
 bool Triage::leavesDepth(PrimitiveClass kind) const {
   const RasterState& raster = p_.shadow.state.raster;
   const bool drawn = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                      raster.depthFunc != GL_EQUAL && raster.depthFunc != GL_NEVER;
-  return kind == PrimitiveClass::surfaces && drawn && raster.writesDepth && !p_.failsafe.aside() &&
+  return kind == PrimitiveClass::surfaces && drawn && raster.writesDepth && !p_.failsafe.gone() &&
          !p_.shadow.info.off;
 }
 

@@ -78,6 +78,7 @@ class Parser {
 
   // Expressions.
   ExpressionPtr node(Kind kind, std::string_view text, ExpressionPtr a = nullptr, ExpressionPtr b = nullptr);
+  static void addPart(Expression& to, ExpressionPtr part);
   ExpressionPtr expression();
   ExpressionPtr assignment();
   /// The binary operator here; empty: there is none.

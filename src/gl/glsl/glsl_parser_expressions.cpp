@@ -11,9 +11,15 @@ namespace gluray::gl::glsl {
 ExpressionPtr Parser::node(Kind kind, std::string_view text, ExpressionPtr a, ExpressionPtr b) {
   auto made = std::make_unique<Expression>();
   made->kind = kind, made->text = text;
-  if (a) made->parts.push_back(std::move(a));
-  if (b) made->parts.push_back(std::move(b));
+  if (a) addPart(*made, std::move(a));
+  if (b) addPart(*made, std::move(b));
   return made;
+}
+
+void Parser::addPart(Expression& to, ExpressionPtr part) {
+  to.height = std::max(to.height, part->height + 1);
+  if (to.height > kDeepest) fail();
+  to.parts.push_back(std::move(part));
 }
 
 ExpressionPtr Parser::expression() {
@@ -29,7 +35,7 @@ ExpressionPtr Parser::assignment() {
   if (accept("?")) {
     ExpressionPtr made = node(Kind::ternary, "?", std::move(left), assignment());
     expect(":");
-    made->parts.push_back(assignment());
+    addPart(*made, assignment());
     return made;
   }
   static constexpr std::array<std::string_view, 8> kBefore{"+", "-", "*", "/", "%", "&", "|", "^"};
@@ -133,7 +139,7 @@ ExpressionPtr Parser::primary() {
   ExpressionPtr call = node(Kind::call, word);
   if (peek() == "void" && peek(1) == ")") take();
   while (!accept(")")) {
-    call->parts.push_back(assignment());
+    addPart(*call, assignment());
     if (peek() != ")") expect(",");
   }
   return call;

@@ -26,6 +26,7 @@ struct Expression {
   } kind;
   std::string_view text;
   std::vector<ExpressionPtr> parts;
+  int height = 1;  // levels of the tree, bounded by the parser: trees are followed and freed by recursion
 };
 
 /// A type as it is written; arrays by their sizes, outermost first; null: no size.

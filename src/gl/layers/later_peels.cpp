@@ -245,7 +245,8 @@ bool LayerDraws::showWaiting() {
     if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
     countHeld();
     p_.flusher.withdrawPeeled();
-    p_.failsafe.stepAside(result.why.empty() ? "traced layers could not be shown" : result.why.c_str());
+    p_.failsafe.fail(result.loss(),
+                     result.why.empty() ? "traced layers could not be shown" : result.why.c_str());
   }
   end();
   return shown;

@@ -112,7 +112,7 @@ Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
 
 Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
-  if (p_.failsafe.aside()) return Reason::failure;
+  if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (peeling_.stage == Stage::none || p_.shadow.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
   if (inputTexture(p_.shadow.real, p_.shadow.state.program) != peeling_.depthsFound)
@@ -223,7 +223,8 @@ void LayerDraws::giveUp() {
   if (counts) p_.shadow.real.BeginQuery(peeling_.query, peeling_.queryName);
   end();
   if (result.outcome != PresentResult::rasterised)
-    p_.failsafe.stepAside(result.why.empty() ? "held draws could not be drawn" : result.why.c_str());
+    p_.failsafe.fail(scene::Loss::tracing,
+                     result.why.empty() ? "held draws could not be drawn" : result.why.c_str());
 }
 
 void LayerDraws::meetRasterDraw() {

@@ -14,7 +14,7 @@
 namespace gluray::gl {
 
 Reason LayerDraws::triageSum(PrimitiveClass kind) {
-  if (p_.failsafe.aside()) return Reason::failure;
+  if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;

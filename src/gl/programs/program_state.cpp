@@ -196,11 +196,7 @@ glm::vec4 ProgramReader::current(const std::string& name) const {
 namespace {
 
 bool isSane(const ProgramState& s) {
-  const auto finite = [](const glm::dmat4& m) {
-    const double d = glm::determinant(m);
-    return std::isfinite(d) && d != 0;
-  };
-  return finite(s.clipFromObject) && (!s.eyeFromObject || finite(*s.eyeFromObject));
+  return isInvertible(s.clipFromObject) && (!s.eyeFromObject || isInvertible(*s.eyeFromObject));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "gl/state/state.h"
 
+#include "gl/draws/affine.h"
 #include "gl/state/state_queries.h"
 
 #include <GL/gl.h>
@@ -15,11 +16,6 @@ glm::dmat4 matrix(const RealGl& real, GLenum name) {
   glm::dmat4 m(1);
   real.GetDoublev(name, glm::value_ptr(m));
   return m;
-}
-
-bool isInvertible(const glm::dmat4& m) {
-  const double d = glm::determinant(m);
-  return std::isfinite(d) && d != 0.0;
 }
 
 }  // namespace

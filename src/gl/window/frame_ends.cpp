@@ -143,7 +143,10 @@ void FrameEnds::endDepths() {
 }
 
 void FrameEnds::cleared(GLbitfield mask) {
-  if (mask & GL_DEPTH_BUFFER_BIT) p_.failsafe.protect([&] { endDepths(); });
+  if (mask & GL_DEPTH_BUFFER_BIT) {
+    p_.failsafe.protect([&] { endDepths(); });
+    p_.failsafe.depthCleared();
+  }
   if (!p_.surfaces.views.empty() || !p_.surfaces.objects.empty() ||
       scene::needsSurroundings(p_.shadow.settings) || wantsShownViews(p_.shadow.settings))
     endViews(mask);

@@ -132,7 +132,7 @@ void WindowFrames::showLagged() {
       p_.shadow.errors.set(pending);
   if (p_.counts.kinds()) [[unlikely]]
     p_.counts.kinds()->exclude(nowSeconds() - start);
-  if (result.outcome != PresentResult::traced) p_.failsafe.stepAside(result.reason());
+  if (result.outcome != PresentResult::traced) p_.failsafe.fail(result.loss(), result.reason());
 }
 
 bool WindowFrames::clearsLater(GLbitfield mask) {

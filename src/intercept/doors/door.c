@@ -1,8 +1,10 @@
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 
+#include "base/guarded_write.h"
 #include "base/printable.h"
 #include "intercept/doors/door_table.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -11,6 +13,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/auxv.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -18,12 +21,30 @@ static pthread_once_t engineOnce = PTHREAD_ONCE_INIT;
 static const GlurayEngine* engine;
 static int engineFailed;
 
+static pthread_once_t streamsOnce = PTHREAD_ONCE_INIT;
+static GlurayOutput standardError;
+
+static void noteStreams(void) { standardError = glurayStream(STDERR_FILENO); }
+
+void glurayNoteStreams(void) { pthread_once(&streamsOnce, noteStreams); }
+
+int glurayIsPrivileged(void) { return getauxval(AT_SECURE) != 0; }
+
+/* Whether the launcher started this very process, or there is no launcher. */
+static int mayTalk(void) {
+  const char* launched = getenv("GLURAY_PID");
+  return !launched || strtol(launched, NULL, 10) == (long)getpid();
+}
+
 void gluraySay(const char* line, const char* detail) {
   char text[1024];
+  if (!mayTalk()) return;
   size_t length = (size_t)snprintf(text, sizeof text, "gluray: %s%s", line, detail ? ": " : "");
   if (detail) length += glurayPrintable(text + length, sizeof text - length, detail, strlen(detail));
   text[length] = '\n';
-  if (write(STDERR_FILENO, text, length + 1) < 0) return; /* stderr is closed */
+  int error = 0;
+  glurayNoteStreams();
+  glurayWrite(&standardError, text, length + 1, 0, &error);
 }
 
 /* The engine is in the door's directory, unless GLURAY_ENGINE_LIBRARY names it. */
@@ -73,6 +94,11 @@ static int addressSpaceIsShort(void) {
 
 static void loadEngine(void) {
   char path[PATH_MAX];
+  glurayNoteStreams();
+  if (glurayIsPrivileged()) {
+    __atomic_store_n(&engineFailed, 1, __ATOMIC_RELEASE);
+    return;
+  }
   if (addressSpaceIsShort()) {
     giveUp("OpenGL is not ray traced in this program",
            "the limit of its address space (ulimit -v) leaves less than 512 MB");
@@ -84,7 +110,7 @@ static void loadEngine(void) {
     cannotLoad(dlerror());
     return;
   }
-  GlurayEngineEntry entry = (GlurayEngineEntry)dlsym(library, GLURAY_ENGINE_ENTRY);
+  GlurayEngineEntry entry = (GlurayEngineEntry)gluraySymbol(library, GLURAY_ENGINE_ENTRY);
   const char* why = "the engine has no entry point";
   const GlurayEngine* loaded = entry ? entry(&glurayDoor, &why) : NULL;
   if (!loaded) {

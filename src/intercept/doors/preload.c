@@ -6,6 +6,7 @@
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
 #include "intercept/doors/real_libraries.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <string.h>
@@ -75,7 +76,7 @@ static void* answer(int api, const char* name) {
     handle = gluraySelf();
     __atomic_store_n(&self, handle, __ATOMIC_RELAXED);
   }
-  void* ours = handle ? dlsym(handle, name) : NULL;
+  void* ours = handle ? gluraySymbol(handle, name) : NULL;
   return ours ? ours : real;
 }
 

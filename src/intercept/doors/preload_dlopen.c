@@ -5,6 +5,7 @@
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/real_libraries.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <limits.h>
@@ -23,7 +24,7 @@ static Dlopen realDlopen(void) {
   static Dlopen real;
   Dlopen function = __atomic_load_n(&real, __ATOMIC_RELAXED);
   if (!function) {
-    function = (Dlopen)dlsym(RTLD_NEXT, "dlopen");
+    function = (Dlopen)gluraySymbol(RTLD_NEXT, "dlopen");
     __atomic_store_n(&real, function, __ATOMIC_RELAXED);
   }
   return function;

@@ -2,6 +2,7 @@
 #include "intercept/doors/real_libraries.h"
 
 #include "intercept/doors/door.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <string.h>
@@ -48,7 +49,7 @@ static void* ofSystem(int library, const char* name) {
       {"libGLX.so.0", "libOpenGL.so.0", "libGL.so.1"}, {"libEGL.so.1"}, {"libOSMesa.so.8", "libOSMesa.so.6"}};
   for (int i = 0; files[library][i]; ++i) {
     void* handle = dlopen(files[library][i], RTLD_LAZY | RTLD_LOCAL);
-    void* function = handle ? accept(dlsym(handle, name)) : NULL;
+    void* function = handle ? accept(gluraySymbol(handle, name)) : NULL;
     if (function) return function;
   }
   return NULL;
@@ -58,19 +59,19 @@ static void* ofOpened(int library, const char* name) {
   void* function = NULL;
   for (int i = 0; !function && i < OPENED_MAX; ++i) {
     void* handle = __atomic_load_n(&opened[library][i], __ATOMIC_ACQUIRE);
-    if (handle) function = accept(dlsym(handle, name));
+    if (handle) function = accept(gluraySymbol(handle, name));
   }
   return function;
 }
 
 void* glurayExported(int library, const char* name) {
-  void* function = accept(dlsym(RTLD_NEXT, name));
+  void* function = accept(glurayNextSymbol(name));
   if (!function) function = ofOpened(library, name);
   return function ? function : ofSystem(library, name);
 }
 
 void* glurayOfProgram(const char* name) {
-  void* function = accept(dlsym(RTLD_NEXT, name));
+  void* function = accept(glurayNextSymbol(name));
   if (!function) function = ofOpened(GLURAY_LIB_GL, name);
   return function ? function : ofOpened(GLURAY_LIB_OSMESA, name);
 }

@@ -1,8 +1,11 @@
 /* The GLVND door for EGL: a vendor library that wraps the real vendor. libEGL finds it through
    gluray_egl.json
-   (__EGL_VENDOR_LIBRARY_FILENAMES). */
+   (__EGL_VENDOR_LIBRARY_FILENAMES). The machine's vendor files stand behind it, so that programs have EGL
+   where this door cannot be loaded. */
+#define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <glvnd/libeglabi.h>
@@ -18,7 +21,10 @@ static void* realProc(const char* name, int api) {
 
 const GlurayDoor glurayDoor = {GLURAY_DOOR_ABI, sizeof(GlurayDoor), GLURAY_DOOR_VENDOR_EGL, realProc};
 
+static int devicesAreAnothers; /* the real vendor is loaded a second time, and lists its devices itself */
+
 static void* getProcAddress(const char* name) {
+  if (devicesAreAnothers && !strcmp(name, "eglQueryDevicesEXT")) return NULL;
   void* function = realProc(name, GLURAY_API_EGL);
   if (!function) return NULL;
   const int entry = glurayFind(name);
@@ -28,11 +34,45 @@ static void* getProcAddress(const char* name) {
   return ours ? ours : function;
 }
 
-static void* openRealVendor(void) {
+static const char* realVendor(void) {
   const char* chosen = getenv("GLURAY_REAL_EGL");
-  void* handle = dlopen(chosen && *chosen ? chosen : "libEGL_mesa.so.0", RTLD_LAZY | RTLD_LOCAL);
+  return chosen && *chosen ? chosen : "libEGL_mesa.so.0";
+}
+
+static void* openRealVendor(void) {
+  void* handle = dlopen(realVendor(), RTLD_LAZY | RTLD_LOCAL);
   if (!handle) gluraySay("cannot load the real EGL; GLURAY_REAL_EGL says which", dlerror());
   return handle;
+}
+
+/* Handle of this library, as libEGL has it. */
+static void* ownHandle(void) {
+  Dl_info info;
+  if (!dladdr((const void*)&glurayDoor, &info) || !info.dli_fname) return NULL;
+  return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+}
+
+/* libEGL loads no library that one of its vendors has loaded: it compares the handles in their records. Puts
+   the real vendor's handle in place of ours, so that a vendor file behind ours does not load that vendor
+   again. The record begins with an identifier and the handle (libglvnd's src/EGL/libeglvendor.h, 1.0 to 1.7).
+ */
+static int standInFor(const char* library, __EGLvendorInfo* vendor) {
+  enum { kMostWords = 4 };
+  void** const words = (void**)vendor;
+  void* const own = ownHandle();
+  for (int i = 0; own && i < kMostWords; ++i) {
+    if (words[i] != own) continue;
+    void* const handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL); /* libEGL closes it */
+    if (handle) words[i] = handle;
+    return handle != NULL;
+  }
+  return 0;
+}
+
+/* Whether vendor files stand behind ours. */
+static int othersFollow(void) {
+  const char* files = getenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+  return files && strchr(files, ':');
 }
 
 /* A program may close libEGL and open it again: libEGL then initialises again, while we and the real vendor
@@ -48,7 +88,7 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
     return 0; /* its structures are smaller than ours */
   }
   if (!handle) handle = openRealVendor();
-  __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)dlsym(handle, __EGL_MAIN_PROTO_NAME) : NULL;
+  __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)gluraySymbol(handle, __EGL_MAIN_PROTO_NAME) : NULL;
   if (!realMain) return 0;
   if (glurayIsOurs((const void*)realMain)) {
     gluraySay("the real EGL is GLuRay itself; GLURAY_REAL_EGL must name another library", NULL);
@@ -58,13 +98,15 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
   lasting = *exports;
   if (!realMain(version, &lasting, vendor, &filled)) return 0;
   if (filled.getProcAddress) real = filled;
+  devicesAreAnothers = !standInFor(realVendor(), vendor) && othersFollow();
   return real.getProcAddress != NULL;
 }
 
 __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version, const __EGLapiExports* exports,
                                                              __EGLvendorInfo* vendor,
                                                              __EGLapiImports* imports) {
-  if (!startRealVendor(version, exports, vendor, imports)) return EGL_FALSE;
+  glurayNoteStreams();
+  if (glurayIsPrivileged() || !startRealVendor(version, exports, vendor, imports)) return EGL_FALSE;
   *imports = real;
   imports->getProcAddress = getProcAddress;
   /* A vendor that patches libglvnd's entry points would bypass us. */

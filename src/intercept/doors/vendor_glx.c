@@ -5,6 +5,7 @@
 #include "intercept/doors/dispatch_first.h"
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
+#include "intercept/doors/real_symbols.h"
 
 #include <dlfcn.h>
 #include <glvnd/libglxabi.h>
@@ -70,7 +71,7 @@ static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __G
     return 0; /* its structures are smaller than ours */
   }
   if (!vendor) vendor = openRealVendor();
-  __PFNGLXMAINPROC realMain = vendor ? (__PFNGLXMAINPROC)dlsym(vendor, __GLX_MAIN_PROTO_NAME) : NULL;
+  __PFNGLXMAINPROC realMain = vendor ? (__PFNGLXMAINPROC)gluraySymbol(vendor, __GLX_MAIN_PROTO_NAME) : NULL;
   if (!realMain) return 0;
   if (glurayIsOurs((const void*)realMain)) {
     gluraySay("the real OpenGL is GLuRay itself; GLURAY_REAL_GLX must name another vendor", NULL);
@@ -85,7 +86,8 @@ static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __G
 
 __attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const __GLXapiExports* exports,
                                                        __GLXvendorInfo* info, __GLXapiImports* imports) {
-  if (!startRealVendor(version, exports, info, imports)) return False;
+  glurayNoteStreams();
+  if (glurayIsPrivileged() || !startRealVendor(version, exports, info, imports)) return False;
   *imports = real;
   imports->getProcAddress = getProcAddress;
   imports->isScreenSupported = isScreenSupported;

@@ -59,7 +59,8 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     result.why = why.empty() ? "the picture could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
     pending.insert(pending.end(), more.begin(), more.end());
-    if (!snapshot.catches && drawByRealGl(real, shared_.features(real), snapshot, target))
+    // What takes only light stands in the framebuffer already.
+    if (snapshot.catches || drawByRealGl(real, shared_.features(real), snapshot, target))
       result.outcome = PresentResult::rasterised;
     takeErrors(real);
   }

@@ -118,22 +118,27 @@ std::string readUntilClosed(int pipe) {
 
 }  // namespace
 
-std::string eglVendorLibraries(const std::string& fileNames, const std::string& directories) {
+std::vector<std::string> eglVendorFiles(const std::string& fileNames, const std::string& directories) {
   std::vector<std::string> files = split(fileNames, ':');
-  if (files.empty()) {
-    const std::string places =
-        directories.empty() ? "/etc/glvnd/egl_vendor.d:/usr/share/glvnd/egl_vendor.d" : directories;
-    for (const std::string& directory : split(places, ':')) {
-      std::vector<std::string> here;
-      std::error_code ignored;
-      for (const auto& entry : std::filesystem::directory_iterator(directory, ignored))
-        if (entry.path().extension() == ".json") here.push_back(entry.path());
-      std::sort(here.begin(), here.end());
-      files.insert(files.end(), here.begin(), here.end());
-    }
+  std::erase_if(files, [](const std::string& file) { return file.ends_with("/gluray_egl.json"); });
+  if (!files.empty()) return files;
+  const std::string places =
+      directories.empty() ? "/etc/glvnd/egl_vendor.d:/usr/share/glvnd/egl_vendor.d" : directories;
+  for (const std::string& directory : split(places, ':')) {
+    std::vector<std::string> here;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end;
+         entry.increment(error))
+      if (entry->path().extension() == ".json") here.push_back(entry->path());
+    std::sort(here.begin(), here.end());
+    files.insert(files.end(), here.begin(), here.end());
   }
+  return files;
+}
+
+std::string eglVendorLibraries(const std::string& fileNames, const std::string& directories) {
   std::string libraries;
-  for (const std::string& file : files)
+  for (const std::string& file : eglVendorFiles(fileNames, directories))
     if (const std::string library = libraryOf(file); !library.empty())
       libraries += (libraries.empty() ? "" : ":") + library;
   return libraries;

@@ -2,6 +2,7 @@
 // process, because drivers and X servers may hang or crash.
 #pragma once
 #include <string>
+#include <vector>
 
 namespace gluray::probe {
 
@@ -15,8 +16,11 @@ struct RealVendors {
 /// it is ours. Takes at most about two seconds, if the X server does not answer.
 RealVendors findRealVendors();
 
-/// EGL vendor libraries in the order in which libEGL tries them: the library_path of each JSON file.
-/// `fileNames` and `directories` are colon-separated, as in the environment variables.
+/// EGL vendor files (JSON) in the order in which libEGL reads them. `fileNames` and `directories` are
+/// colon-separated, as in the environment variables; files named gluray_egl.json are left out.
+std::vector<std::string> eglVendorFiles(const std::string& fileNames, const std::string& directories);
+
+/// The library_path of each of these files, colon-separated.
 std::string eglVendorLibraries(const std::string& fileNames, const std::string& directories);
 
 }  // namespace gluray::probe

@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "base/never_destroyed.h"
+#include "base/own_thread.h"
 #include "frame/idle_refiner.h"
 #include "gl/buffers/buffer.h"
 #include "intercept/contexts.h"
@@ -15,7 +16,6 @@
 #include <errno.h>
 #include <nlohmann/json.hpp>
 #include <pthread.h>
-#include <signal.h>
 #include <unistd.h>
 
 #include <array>
@@ -213,18 +213,18 @@ void watch() noexcept {
   }
 }
 
-/// Starts watch() on a thread with all signals blocked. Requires the mutex.
+/// Starts watch() on a thread; if that fails, the next frame tries again. Requires the mutex.
 void startWatching(Reporter& r) {
   if (r.watched) return;
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  try {
-    std::thread(watch).detach();
-    r.watched = true;
-  } catch (const std::exception&) {  // the next frame tries again
-  }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  pthread_t thread;
+  r.watched = startThread(
+      thread,
+      [](void*) -> void* {
+        watch();
+        return nullptr;
+      },
+      nullptr);
+  if (r.watched) pthread_detach(thread);
 }
 
 /// walkedPast() for the report. Call it before locking the reporter: it takes the dynamic linker's lock,

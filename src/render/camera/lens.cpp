@@ -1,8 +1,9 @@
 #include "render/camera/lens.h"
 
+#include "scene/failure.h"
+
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gluray::render {
 namespace {
@@ -11,7 +12,7 @@ glm::dmat4 inverseOf(const glm::dmat4& m, const char* what) {
   const glm::dmat4 inverse = glm::inverse(m);
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
-      if (!std::isfinite(inverse[c][r])) throw std::runtime_error(std::string(what) + " cannot be inverted");
+      if (!std::isfinite(inverse[c][r])) throw scene::Untraceable(std::string(what) + " cannot be inverted");
   return inverse;
 }
 

@@ -1,7 +1,8 @@
 #include "render/camera/ray_setup.h"
 
+#include "scene/failure.h"
+
 #include <cmath>
-#include <stdexcept>
 
 namespace gluray::render {
 namespace {
@@ -17,7 +18,7 @@ bool finite(const glm::dmat4& m) {
 
 glm::dmat4 invert(const glm::dmat4& m, const char* what) {
   const glm::dmat4 inverse = glm::inverse(m);
-  if (!finite(m) || !finite(inverse)) throw std::runtime_error(std::string(what) + " cannot be inverted");
+  if (!finite(m) || !finite(inverse)) throw scene::Untraceable(std::string(what) + " cannot be inverted");
   return inverse;
 }
 
@@ -79,7 +80,7 @@ LinearRays makeLinearRays(const RaySetup& rays, const glm::ivec4& viewport, cons
 }  // namespace
 
 WindowMap::WindowMap(const glm::ivec4& viewport) {
-  if (viewport.z <= 0 || viewport.w <= 0) throw std::runtime_error("the viewport has no area");
+  if (viewport.z <= 0 || viewport.w <= 0) throw scene::Untraceable("the viewport has no area");
   const glm::dvec2 corner(viewport.x, viewport.y), size(viewport.z, viewport.w);
   ndcScale = 2.0 / size;
   ndcOffset = -1.0 - corner * ndcScale;

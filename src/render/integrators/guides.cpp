@@ -2,8 +2,7 @@
 
 #include "render/lights/relit.h"
 #include "scene/effects.h"
-
-#include <stdexcept>
+#include "scene/failure.h"
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
@@ -73,7 +72,7 @@ void ReflectanceGuide::light(const ColoredHits& hits, ColorRows& rows) const noe
 }
 
 GeometryGuide::GeometryGuide(const FrameData& of) : frame(of), metric(of), space(of) {
-  if (!space.usable) throw std::runtime_error("the projection has no linear rays");
+  if (!space.usable) throw scene::Untraceable("the projection has no linear rays");
 }
 
 void GeometryGuide::light(const ColoredHits& hits, ColorRows& rows) const noexcept {

@@ -1,10 +1,10 @@
 #include "render/integrators/metric.h"
 
 #include "render/remote/remote_surfaces.h"
+#include "scene/failure.h"
 #include "scene/surroundings.h"
 
 #include <cmath>
-#include <stdexcept>
 
 namespace gluray::render {
 namespace {
@@ -22,7 +22,7 @@ Metric::Metric(const FrameData& frame) {
   for (int c = 0; c < 4; ++c)
     for (int r = 0; r < 4; ++r)
       if (!std::isfinite(worldFromEye[c][r]))
-        throw std::runtime_error("the modelview matrix cannot be inverted");
+        throw scene::Untraceable("the modelview matrix cannot be inverted");
   away = frame.eyeRays.step;
   axes = axisScales(m);
   const accel::Bounds bounds = frame.remote ? frame.remote->bounds() : frame.world->lightBounds();

@@ -1,10 +1,10 @@
 #include "render/local/surface.h"
 
 #include "render/lights/lighting_space.h"
+#include "scene/failure.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace gluray::render {
 namespace {
@@ -99,7 +99,7 @@ Surface makeSurface(const View& view, const scene::Instance& instance, const Lig
   const glm::dmat4 objectFromEye = glm::inverse(instance.eyeFromObject);
   const glm::dmat4 objectFromClip = objectFromEye * view.eyeFromClip;
   if (!std::isfinite(glm::determinant(objectFromClip))) {
-    throw std::runtime_error("the modelview matrix of an instance cannot be inverted");
+    throw scene::Untraceable("the modelview matrix of an instance cannot be inverted");
   }
   s.depth = makePlaneDepth(view, objectFromClip, instance.eyeFromObject);
   if (s.mesh->shape != scene::Shape::triangles) s.impostors = makeImpostorSpace(view, s, objectFromClip);

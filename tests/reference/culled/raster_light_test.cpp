@@ -131,6 +131,33 @@ TEST(RasterLight, OccludesAsIfTheSurfacesWereTraced) {
   EXPECT_EQ(drawn.picture.depths, plain.picture.depths);
 }
 
+/// Text and captions are flattened by a matrix without inverse: they stay as drawn, and the rest stays lit.
+TEST(RasterLight, AMatrixWithoutInverseCostsItsOwnDrawAlone) {
+  const auto frames = [](Gl gl, bool flattened) {
+    const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
+    glm::mat4 flat(1);
+    flat[2][2] = 0, flat[3] = {0.6f, 0.6f, -2, 1};
+    for (int frame = 0; frame < 2; ++frame) {
+      begin(gl);
+      draw(gl, program, corner());
+      if (flattened) draw(gl, program, square(0, 0.01f), flat);
+      draw(gl, program, square(0.4f, 0.2f));
+    }
+  };
+  for (const LightIntegrator integrator : {LightIntegrator::local, LightIntegrator::path}) {
+    Settings settings = lit(true);
+    settings.integrator = integrator;
+    const CountedPicture with = seen(settings, [&](Gl gl) { frames(gl, true); });
+    const CountedPicture without = seen(settings, [&](Gl gl) { frames(gl, false); });
+    EXPECT_EQ(with.counts.drawsLit, 4u) << "two in each frame";
+    EXPECT_EQ(with.counts.rasterisedBecause[static_cast<size_t>(gl::Reason::failure)], 0u);
+    size_t different = 0;
+    for (size_t i = 0; i < with.picture.colors.size(); ++i)
+      different += with.picture.colors[i] != without.picture.colors[i];
+    if (integrator == LightIntegrator::local) { EXPECT_LT(different, 30u) << "the text's own"; }
+  }
+}
+
 TEST(RasterLight, SwitchedOffChangesNoBit) {
   const Settings none = TracedContext::tracing();
   Settings noEffect = none;

@@ -2,13 +2,13 @@
 
 #include "control/auth/handshake.h"
 #include "control/auth/refusals.h"
-#include "control/auth/waiting_peers.h"
 #include "control/connect.h"
 #include "control/connect_tcp.h"
 #include "control/connection.h"
 #include "control/hub/hub_core.h"
 #include "control/hub/server/listener.h"
 #include "control/hub/server/program_files.h"
+#include "control/hub/server/unproven_connections.h"
 #include "control/listening_place.h"
 #include "control/local_socket.h"
 
@@ -85,7 +85,6 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   void rest();
   /// Makes room for one more connection, if only those that have not proved anything are in its way.
   bool hasRoom();
-  void close(uint64_t unproven);
 
   asio::io_context& io_;
   asio::steady_timer timer_, waking_;
@@ -100,8 +99,7 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
   std::shared_ptr<Listener> here_, tcp_;
   std::map<uint64_t, std::shared_ptr<Connection>> connections_;
   uint64_t last_ = 0;
-  WaitingPeers unproven_;
-  std::map<uint64_t, std::function<void()>> closing_;  // of each of these
+  UnprovenConnections unproven_;
   bool running_ = false;
 };
 
@@ -182,36 +180,26 @@ void HubServer::Parts::acceptHere(Connection::Socket socket) {
 
 bool HubServer::Parts::hasRoom() {
   if (connections_.size() >= kMostConnections) return false;
-  if (connections_.size() + unproven_.size() >= kMostConnections) close(*unproven_.leastDeserving());
+  if (connections_.size() + unproven_.size() >= kMostConnections) unproven_.closeOne();
   return true;
-}
-
-void HubServer::Parts::close(uint64_t unproven) {
-  unproven_.leave(unproven);
-  const auto found = closing_.find(unproven);
-  if (found == closing_.end()) return;
-  const std::function<void()> closeIt = std::move(found->second);
-  closing_.erase(found);
-  closeIt();
 }
 
 void HubServer::Parts::acceptTcp(HandshakeSocket socket, const std::string& address) {
   if (!running_ || refusals_.refused(address, steady_clock::now()) || !hasRoom()) return;
-  if (const auto other = unproven_.toClose(address)) close(*other);
+  unproven_.makeRoomFor(address);
   keepAlive(socket.native_handle());
   const uint64_t number = unproven_.join(address);
   // Counted as long as the handshake keeps it, however that ends.
-  const std::shared_ptr<void> counted(nullptr, [self = shared_from_this(), number](void*) {
-    self->unproven_.leave(number);
-    self->closing_.erase(number);
-  });
-  closing_[number] = proveAsHub(
+  const std::shared_ptr<void> counted(
+      nullptr, [self = shared_from_this(), number](void*) { self->unproven_.leave(number); });
+  auto close = proveAsHub(
       std::move(socket), key_, kProofPatience,
       [self = shared_from_this(), address](HubProof&& proof) {
         if (proof.wrong) self->refusals_.failed(address, steady_clock::now());
         if (proof.socket && self->running_) self->take(std::move(*proof.socket));
       },
       [counted] {});
+  unproven_.setClose(number, std::move(close));
 }
 
 void HubServer::Parts::take(Connection::Socket socket) {

@@ -1,5 +1,6 @@
 #include "gl/culled/shader_slice/position_slice.h"
 
+#include "base/ample_stack.h"
 #include "gl/culled/shader_slice/slice_run.h"
 #include "gl/glsl/glsl_preprocessor.h"
 
@@ -21,7 +22,7 @@ ShaderSlice::ShaderSlice(std::string_view source) {
   auto parsed = std::make_unique<Parsed>();
   parsed->source = source;
   try {
-    parsed->tree = glsl::parse(preprocessed(parsed->source));
+    parsed->tree = onAmpleStack([&] { return glsl::parse(preprocessed(parsed->source)); });
   } catch (const std::runtime_error& error) { parsed->why = error.what(); }
   parsed_ = std::move(parsed);
 }

@@ -200,6 +200,41 @@ TEST(PositionSlice, RefusesWhatIsNotLinear) {
   expectUnknown("in vec3 p; uniform mat4 missing; void main() { gl_Position = missing * vec4(p, 1.0); }");
 }
 
+// Long chains are deep trees, which are followed and freed by recursion.
+TEST(PositionSlice, RefusesLongChains) {
+  for (const std::string link : {" + 0.0 * p.x", ", p.x", " * 1.0", ".x"}) {
+    std::string chain = "p.x";
+    for (int i = 0; i < 200'000; ++i) chain += link;
+    expectUnknown(kHead + "void main() { gl_Position = P * vec4((" + chain + "), p.yz, 1.0); }");
+    expectUnknown(kHead + "float f(float a) { return a; } void main() { gl_Position = P * vec4(f(f(" + chain +
+                  ")), p.yz, 1.0); }");
+  }
+}
+
+// Nested as deeply as the parser accepts, and calls of functions in each other, on a thread of 64 kB.
+TEST(PositionSlice, DeepShadersFitSmallStacks) {
+  std::string body = "p.x", functions = "float f0(float a) { return a; } ";
+  for (int i = 0; i < 90; ++i) body = "(" + body + ")";
+  for (int i = 1; i < 30; ++i)
+    functions +=
+        "float f" + std::to_string(i) + "(float a) { return ((((f" + std::to_string(i - 1) + "(a))))); } ";
+  static std::string text;
+  text = kHead + functions + "void main() { gl_Position = P * vec4(f29(" + body + "), p.yz, 1.0); }";
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, size_t{64} << 10);
+  pthread_t thread;
+  const auto run = [](void*) -> void* {
+    const FakeUniforms u = usual();
+    std::string why;
+    PositionSlice(text).evaluate(u, why);
+    return nullptr;
+  };
+  ASSERT_EQ(pthread_create(&thread, &attributes, run, nullptr), 0);
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+}
+
 TEST(PositionSlice, SurvivesAnyText) {
   const std::string text =
       kHead +

@@ -1,5 +1,6 @@
 #include "gl/culled/shader_slice/slice_run.h"
 
+#include "base/ample_stack.h"
 #include "gl/culled/shader_slice/slice_functions.h"
 
 #include <algorithm>
@@ -48,6 +49,9 @@ Value SliceRun::color() const {
 }
 
 void SliceRun::tick() {
+  // Uniforms are read from OpenGL, so a run cannot leave the program's thread for a larger stack.
+  constexpr size_t kStackReserve = size_t{24} << 10;
+  if (stackLeft() < kStackReserve) give("the shader nests too deeply for the thread's stack");
   if (++steps_ <= mostSteps_) return;
   if (mostSteps_ < kMostSteps) throw TooLong();
   give("the shader runs for too long");

@@ -1,12 +1,12 @@
 #include "intercept/present/read_back/sample_copy.h"
 
 #include "gl/state/state_queries.h"
+#include "intercept/present/texture_growth.h"
 #include "intercept/present/write_back/state_guard.h"
 #include "intercept/present/write_back/texture_names.h"
 
 #include <GL/glext.h>
 
-#include <algorithm>
 #include <array>
 #include <mutex>
 
@@ -43,7 +43,7 @@ bool allocateSamples(const RealGl& real, const Features& features, const SampleC
   StateGuard guard(real, features);
   guard.textureMultisample(features.textureUnit, copy.texture);
   real.TexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, copy.samples, kSampleFormats[copy.format].format,
-                             copy.width, copy.height, GL_TRUE);
+                             copy.size.x, copy.size.y, GL_TRUE);
   return takeErrors(real).empty();
 }
 
@@ -75,7 +75,7 @@ bool copySamples(const RealGl& real, const Features& features, const scene::Regi
   StateGuard guard(real, features);
   guard.scissorOff();
   const glm::ivec2 end = to + glm::ivec2(region.width, region.height);
-  if (into.texture != 0 && into.samples == samples && into.width >= end.x && into.height >= end.y &&
+  if (into.texture != 0 && into.samples == samples && grownSize(into.size, end) == into.size &&
       blitSamplesInto(real, into, region, to))
     return true;
   if (into.texture == 0) {
@@ -84,11 +84,11 @@ bool copySamples(const RealGl& real, const Features& features, const scene::Regi
     StateGuard bound(real, features);
     bound.textureMultisample(features.textureUnit, into.texture);
   }
-  into.width = std::max(into.width, end.x), into.height = std::max(into.height, end.y);
+  into.size = grownSize(into.size, end);
   into.samples = samples;
   for (into.format = 0; into.format < kSampleFormats.size(); ++into.format)
     if (allocateSamples(real, features, into) && blitSamplesInto(real, into, region, to)) return true;
-  into.width = into.height = 0, into.format = 0;
+  into.size = {}, into.format = 0;
   return false;
 }
 

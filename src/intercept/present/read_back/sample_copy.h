@@ -28,11 +28,11 @@ class CopyFramebuffer {
   GLuint name_ = 0;
 };
 
-/// A multisampled depth texture, which the owner deletes. It grows but never shrinks.
+/// A multisampled depth texture, which the owner deletes. Its size: see grownSize().
 struct SampleCopy {
   GLuint texture = 0;
-  size_t format = 0;  // which of those that are tried
-  int width = 0, height = 0;
+  size_t format = 0;         // which of those that are tried
+  glm::ivec2 size = {0, 0};  // texels
   GLsizei samples = 0;
 };
 

@@ -2,13 +2,13 @@
 
 #include "gl/state/state_queries.h"
 #include "intercept/present/read_back/view_program.h"
+#include "intercept/present/texture_growth.h"
 #include "intercept/present/write_back/state_guard.h"
 #include "intercept/present/write_back/texture_names.h"
 
 #include <GL/glext.h>
 #include <glm/glm.hpp>
 
-#include <algorithm>
 #include <array>
 #include <mutex>
 
@@ -82,11 +82,10 @@ bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::
     if (target_.texture == 0) lock.lock(), target_.texture = newTextureName(real, has);
     guard.texture2D(has.textureUnit + 1, target_.texture);
   }
-  if (region.width > target_.width || region.height > target_.height) {
-    target_.width = std::max(region.width, target_.width);
-    target_.height = std::max(region.height, target_.height);
+  if (const glm::ivec2 size = grownSize(target_.size, {region.width, region.height}); size != target_.size) {
+    target_.size = size;
     real.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    real.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, target_.width, target_.height, 0, GL_RED, GL_FLOAT, nullptr);
+    real.TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, size.x, size.y, 0, GL_RED, GL_FLOAT, nullptr);
   }
   guard.textureMultisample(has.textureUnit, from.texture);
   const CopyFramebuffer framebuffer(real);
@@ -96,7 +95,7 @@ bool SampleDepths::reduce(const RealGl& real, const Features& has, const scene::
   real.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.name());
   real.ReadPixels(0, 0, region.width, region.height, GL_RED, GL_FLOAT, out);
   const bool read = takeErrors(real).empty();
-  if (!read) target_.width = target_.height = 0;
+  if (!read) target_.size = {};
   return read;
 }
 
@@ -180,8 +179,8 @@ void SampleDepths::attachColors(const RealGl& real, GLint samples) {
   const GLint bound = gl::integer(real, GL_RENDERBUFFER_BINDING);
   real.GenRenderbuffers(1, &stage_.colors);
   real.BindRenderbuffer(GL_RENDERBUFFER, stage_.colors);
-  real.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA32F, stage_.depths.width,
-                                      stage_.depths.height);
+  real.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA32F, stage_.depths.size.x,
+                                      stage_.depths.size.y);
   real.BindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(bound));
   real.FramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, stage_.colors);
   real.DrawBuffer(GL_COLOR_ATTACHMENT0);

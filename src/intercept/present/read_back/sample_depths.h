@@ -33,10 +33,10 @@ class SampleDepths {
   gl::SharedNames takeNames();
 
  private:
-  /// A texture of floats that is drawn into; it grows but never shrinks.
+  /// A texture of floats that is drawn into, see grownSize().
   struct Target {
     GLuint texture = 0;
-    int width = 0, height = 0;
+    glm::ivec2 size = {0, 0};  // texels
   };
   /// Samples [first, end) of a pixel, of which the largest or the smallest depth is wanted.
   struct Range {

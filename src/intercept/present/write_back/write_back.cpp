@@ -1,6 +1,7 @@
 #include "intercept/present/write_back/write_back.h"
 
 #include "base/timeline.h"
+#include "intercept/present/texture_growth.h"
 #include "intercept/present/write_back/texture_names.h"
 #include "intercept/present/write_back/write_back_program.h"
 
@@ -67,15 +68,15 @@ bool WriteBack::makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLen
     for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
       real_.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
   }
-  if (width <= plane.width && height <= plane.height) return true;
-  const int newWidth = std::max(width, plane.width), newHeight = std::max(height, plane.height);
-  real_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), newWidth, newHeight, 0, format, type,
+  const glm::ivec2 size = grownSize(plane.size, {width, height});
+  if (size == plane.size) return true;
+  real_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size.x, size.y, 0, format, type,
                    nullptr);
   if (real_.GetError() != GL_NO_ERROR) {
-    plane.width = plane.height = 0;
+    color_.size = depth_.size = {};  // both have one size
     return false;
   }
-  plane.width = newWidth, plane.height = newHeight;
+  plane.size = size;
   return true;
 }
 
@@ -114,8 +115,8 @@ void WriteBack::upload(const Image& image, const Sheet& sheet, Part part) const 
 
 void WriteBack::draw(const Image& image, const Sheet& sheet) const {
   real_.Uniform4f(programs_[0].place, static_cast<GLfloat>(image.x),
-                  static_cast<GLfloat>(image.y - sheet.row), 1.0f / static_cast<GLfloat>(color_.width),
-                  1.0f / static_cast<GLfloat>(color_.height));
+                  static_cast<GLfloat>(image.y - sheet.row), 1.0f / static_cast<GLfloat>(color_.size.x),
+                  1.0f / static_cast<GLfloat>(color_.size.y));
   GLfloat corners[frame::kMaxBands][4];  // left, lower, right, upper in clip space
   const auto clip = [](int at, int size) {
     return 2.0f * static_cast<float>(at) / static_cast<float>(size) - 1.0f;

@@ -7,6 +7,8 @@
 #include "gl/batch/presenter.h"
 #include "intercept/present/write_back/state_guard.h"
 
+#include <glm/glm.hpp>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -55,10 +57,10 @@ class WriteBack {
   void release();
 
  private:
-  /// A texture that grows but never shrinks, so that several viewports of one frame share it.
+  /// A texture that several viewports of one frame share, see grownSize().
   struct PlaneTexture {
     GLuint texture = 0;
-    int width = 0, height = 0;  // texels
+    glm::ivec2 size = {0, 0};  // texels
   };
   bool compile(std::string& why);
   bool makePlane(StateGuard& guard, int unit, PlaneTexture& plane, GLenum internalFormat, GLenum format,
