@@ -42,6 +42,14 @@ using StandsAlone = std::function<bool(const scene::Snapshot&)>;
 /// Never throws.
 using Shown = std::function<void(const scene::Snapshot&, const Image&, bool finished)>;
 
+/// For MPI programs that compose the pictures of their ranks: ground and background, which pictures of
+/// trace() lack where they show what several ranks draw. Functions never throw.
+struct Scenery {
+  std::function<bool(const scene::Snapshot&)> isLeftOut;  // of the last picture, which is of this snapshot
+  Trace trace;                                            // traces the snapshot with all that it holds
+  std::function<void()> leaveOut;                         // the program's picture stays without
+};
+
 /// All of them; an empty function is skipped.
 struct Tracer {
   Trace trace;
@@ -51,6 +59,7 @@ struct Tracer {
   TraceBehind behind = {};
   StandsAlone standsAlone = {};
   Shown shown = {};
+  Scenery scenery = {};
 };
 
 }  // namespace gluray::frame

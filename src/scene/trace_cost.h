@@ -15,7 +15,7 @@ struct TraceCost {
   // Another process makes the picture, and this is what it shows: no passes follow. `refined`: it is
   // finished.
   bool elsewhere = false, refined = false;
-  Loss loss = Loss::tracing;                // if the snapshot could not be traced
+  Loss loss = Loss::tracing;  // if the snapshot could not be traced
 };
 
 }  // namespace gluray::scene

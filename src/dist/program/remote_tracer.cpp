@@ -54,28 +54,55 @@ void RemoteTracer::tell(const std::string& why) {
   say_("workers = " + job_ + ": " + why + "; this process traces until they do");
 }
 
-std::unique_ptr<scene::Snapshot> RemoteTracer::withoutScenery(const scene::Snapshot& snapshot) {
+bool RemoteTracer::leavesOut(const scene::Snapshot& snapshot) const {
   const bool has = snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
-  if (!has || !hasPeers_ || !snapshot.settings.gather) return nullptr;
-  if (!toldOfScenery_.exchange(true))
-    say_(
-        "gather: ground and background are left out. Programs that compose the pictures of their ranks take "
-        "from "
-        "each only the box of its own data");
-  auto without = std::make_unique<scene::Snapshot>(snapshot);
-  without->ground = scene::GroundUse::none;
-  without->backdrop = nullptr;
-  return without;
+  return has && hasPeers_ && snapshot.settings.gather;
 }
 
-bool RemoteTracer::trace(const scene::Snapshot& given, Image& image, scene::TraceCost& cost,
+void RemoteTracer::leaveSceneryOut() noexcept {
+  if (toldOfScenery_.exchange(true)) return;
+  say_(
+      "gather: ground and background are left out: no picture of all ranks' data, drawn over an even "
+      "background and composed by one of the ranks that draw, was found in a framebuffer");
+}
+
+bool RemoteTracer::isSceneryLeftOut(const scene::Snapshot& snapshot) noexcept {
+  const std::lock_guard lock(mutex_);
+  return leavesOut(snapshot) && link_.isGathered(snapshot) && !link_.isMadeElsewhere(snapshot);
+}
+
+bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                          std::string& error, const std::function<bool()>& stop) noexcept {
-  Result result = Result::nobody;
-  std::unique_ptr<scene::Snapshot> without;
+  if (!leavesOut(snapshot)) return traceAll(snapshot, image, cost, error, stop);
   try {
-    without = withoutScenery(given);
-  } catch (const std::exception&) { return error = "out of memory", false; }
-  const scene::Snapshot& snapshot = without ? *without : given;
+    scene::Snapshot without = snapshot;
+    without.ground = scene::GroundUse::none;
+    without.backdrop = nullptr;
+    if (!traceAll(without, image, cost, error, stop)) return false;
+    const std::lock_guard lock(mutex_);
+    if (!link_.isGathered(snapshot)) leaveSceneryOut();
+    return true;
+  } catch (const std::bad_alloc&) {
+    cost.loss = scene::Loss::frames;
+    return error = "out of memory", false;
+  }
+}
+
+bool RemoteTracer::traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                                 std::string& error) noexcept {
+  try {
+    scene::Snapshot complete = snapshot;
+    complete.view = ~snapshot.view;  // it has films of its own
+    return traceAll(complete, image, cost, error, nullptr);
+  } catch (const std::bad_alloc&) {
+    cost.loss = scene::Loss::frames;
+    return error = "out of memory", false;
+  }
+}
+
+bool RemoteTracer::traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                            std::string& error, const std::function<bool()>& stop) noexcept {
+  Result result = Result::nobody;
   try {
     error.clear();
     const struct Wanted {

@@ -24,6 +24,12 @@ class RemoteTracer {
              const std::function<bool()>& stop) noexcept;
   /// As frame::Shown.
   void shown(const scene::Snapshot& snapshot, const Image& image, bool finished) noexcept;
+  /// As frame::Scenery. trace() leaves ground and background out where the program has several ranks and the
+  /// setting `gather` is on.
+  bool isSceneryLeftOut(const scene::Snapshot& snapshot) noexcept;
+  bool traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                     std::string& error) noexcept;
+  void leaveSceneryOut() noexcept;
   /// As frame::Improves, of the last picture.
   bool improves() const noexcept { return improves_; }
   /// As frame::StandsAlone.
@@ -36,9 +42,10 @@ class RemoteTracer {
   Result receive(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                  const std::function<bool()>& stop);
   void tell(const std::string& why);
-  /// The snapshot without what shows outside of all ranks' data, if the setting `gather` is on; null: it has
-  /// nothing of the kind.
-  std::unique_ptr<scene::Snapshot> withoutScenery(const scene::Snapshot& snapshot);
+  bool traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                const std::function<bool()>& stop) noexcept;
+  /// Whether trace() leaves out what shows outside of all ranks' data.
+  bool leavesOut(const scene::Snapshot& snapshot) const;
 
   const std::string job_;
   const bool hasPeers_;  // other ranks of the same program

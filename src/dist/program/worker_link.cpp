@@ -41,7 +41,8 @@ bool hasBlended(const scene::Snapshot& snapshot) {
 
 /// Whether the parts of other ranks belong to the picture. Without light, parts are as good.
 bool isGathering(const scene::Snapshot& snapshot) {
-  return snapshot.settings.gather && scene::needsSurroundings(snapshot.settings);
+  const Settings& settings = snapshot.settings;
+  return settings.gather && (scene::needsSurroundings(settings) || scene::wantsBackdrop(settings));
 }
 
 PartView partViewOf(const scene::Snapshot& s) {

@@ -1,0 +1,89 @@
+#include "intercept/present/complete_pictures.h"
+
+#include "intercept/present/layers.h"
+#include "intercept/present/present_result.h"
+#include "intercept/present/write_back/state_guard.h"
+
+#include <exception>
+
+namespace gluray::present {
+namespace {
+
+constexpr int kMaxUnshown = 2;  // then no more are made: the program does not show them by OpenGL
+
+/// Of complete pictures: nobody hears of them, and each shows what is left out elsewhere.
+frame::Tracer completeTracer(const frame::Tracer& tracer) {
+  frame::Tracer complete;
+  complete.trace = tracer.scenery.trace;
+  complete.improves = tracer.improves;
+  complete.standsAlone = tracer.standsAlone;
+  return complete;
+}
+
+}  // namespace
+
+CompletePictures::CompletePictures(const frame::Tracer& tracer, PresentedPictures& shared)
+    : tracer_(tracer), pictures_(completeTracer(tracer)), shared_(shared) {}
+
+frame::Tracer CompletePictures::tracer() {
+  frame::Tracer tracer = tracer_;
+  if (tracer_.scenery.trace && tracer_.shown)
+    tracer.shown = [this](const scene::Snapshot& snapshot, const Image& image, bool finished) {
+      make(snapshot, finished);
+      tracer_.shown(snapshot, image, finished);
+    };
+  return tracer;
+}
+
+bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
+  const bool has = snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
+  return has && snapshot.settings.gather && tracer_.scenery.trace;
+}
+
+void CompletePictures::make(const scene::Snapshot& snapshot, bool finished) noexcept {
+  try {
+    made_.reset();
+    if (!mayMake(snapshot) || !tracer_.scenery.isLeftOut(snapshot)) return;
+    if (unshown_ >= kMaxUnshown) return leaveOut();
+    const frame::Pictures::Result result =
+        pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
+    if (result.picture)
+      made_ = std::make_shared<const Image>(result.picture->image);
+    else
+      leaveOut();
+  } catch (const std::exception&) {  // no memory
+    leaveOut();
+  }
+}
+
+bool CompletePictures::keep(const gl::RealGl& real, const scene::Region& region, Copy copy) noexcept {
+  try {
+    return (copy == Copy::beforeDraw ? before_ : after_).keep(real, shared_, region);
+  } catch (const std::exception&) { return false; }
+}
+
+void CompletePictures::putBack(const gl::RealGl& real, Copy copy) noexcept {
+  try {
+    (copy == Copy::beforeDraw ? before_ : after_).putBack(real, shared_);
+  } catch (const std::exception&) {}  // no memory for the state guard's list
+}
+
+bool CompletePictures::write(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
+                             GLenum depthFunc) noexcept {
+  try {
+    PendingErrors pending;
+    const WriteBackTarget into{
+        .depthFunc = depthFunc, .colorWrites = snapshot.colorWrites, .encodes = snapshot.encodes};
+    const bool written = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, pending);
+    takeErrors(real);
+    if (written) unshown_ = 0;
+    return written;
+  } catch (const std::exception&) { return false; }
+}
+
+void CompletePictures::leaveOut() noexcept {
+  ++unshown_;
+  if (tracer_.scenery.leaveOut) tracer_.scenery.leaveOut();
+}
+
+}  // namespace gluray::present
