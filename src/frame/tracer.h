@@ -45,9 +45,10 @@ using Shown = std::function<void(const scene::Snapshot&, const Image&, bool fini
 /// For MPI programs that compose the pictures of their ranks: ground and background, which pictures of
 /// trace() lack where they show what several ranks draw. Functions never throw.
 struct Scenery {
-  std::function<bool(const scene::Snapshot&)> isLeftOut;  // of the last picture, which is of this snapshot
-  Trace trace;                                            // traces the snapshot with all that it holds
-  std::function<void()> leaveOut;                         // the program's picture stays without
+  // Whether the last picture is of this snapshot, shows what several ranks draw, and was made for this one.
+  std::function<bool(const scene::Snapshot&)> isGathered;
+  Trace trace;                     // traces the snapshot with all that it holds
+  std::function<void()> leaveOut;  // the program's picture stays without
 };
 
 /// All of them; an empty function is skipped.

@@ -59,7 +59,7 @@ std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::
     tracer.shown = [job](const scene::Snapshot& snapshot, const Image& image, bool finished) {
       job->shown(snapshot, image, finished);
     };
-    tracer.scenery = {[job](const scene::Snapshot& snapshot) { return job->isSceneryLeftOut(snapshot); },
+    tracer.scenery = {[job](const scene::Snapshot& snapshot) { return job->isGathered(snapshot); },
                       [job](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                             std::string& error) { return job->traceComplete(snapshot, image, cost, error); },
                       [job] { job->leaveSceneryOut(); }};

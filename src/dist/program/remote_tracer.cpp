@@ -66,9 +66,9 @@ void RemoteTracer::leaveSceneryOut() noexcept {
       "background and composed by one of the ranks that draw, was found in a framebuffer");
 }
 
-bool RemoteTracer::isSceneryLeftOut(const scene::Snapshot& snapshot) noexcept {
+bool RemoteTracer::isGathered(const scene::Snapshot& snapshot) noexcept {
   const std::lock_guard lock(mutex_);
-  return leavesOut(snapshot) && link_.isGathered(snapshot) && !link_.isMadeElsewhere(snapshot);
+  return link_.isGathered(snapshot) && !link_.isMadeElsewhere(snapshot);
 }
 
 bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,

@@ -26,7 +26,7 @@ class RemoteTracer {
   void shown(const scene::Snapshot& snapshot, const Image& image, bool finished) noexcept;
   /// As frame::Scenery. trace() leaves ground and background out where the program has several ranks and the
   /// setting `gather` is on.
-  bool isSceneryLeftOut(const scene::Snapshot& snapshot) noexcept;
+  bool isGathered(const scene::Snapshot& snapshot) noexcept;
   bool traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                      std::string& error) noexcept;
   void leaveSceneryOut() noexcept;

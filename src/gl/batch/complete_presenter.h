@@ -1,5 +1,6 @@
 // Complete pictures of MPI programs: gathered pictures with the ground and the background, which the pictures
-// that the ranks show lack (adr/0089). Implemented in intercept/present/. GL thread, context current.
+// that the ranks show lack, and with whole edges (adr/0089). Implemented in intercept/present/. GL thread,
+// context current.
 #pragma once
 #include "base/image.h"
 #include "gl/real.h"
@@ -32,7 +33,7 @@ class CompletePresenter {
   }
   /// A complete picture was not shown: the program does not compose its ranks' pictures here, or not in a way
   /// that is recognised.
-  virtual void leaveOut() noexcept {}
+  virtual void leaveOut(const scene::Snapshot&) noexcept {}
 };
 
 }  // namespace gluray::gl

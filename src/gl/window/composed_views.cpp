@@ -69,7 +69,7 @@ void ComposedViews::presented(const BatchKey& key, const scene::SnapshotPtr& sna
 }
 
 void ComposedViews::drop() noexcept {
-  if (waits()) presenter_.complete().leaveOut();
+  for (const Complete& one : pictures_) presenter_.complete().leaveOut(*one.snapshot);
   pictures_.clear(), drawn_ = false;
 }
 
@@ -84,7 +84,6 @@ bool ComposedViews::isCandidate() {
 
 void ComposedViews::drawing() noexcept {
   withMemory([&] {
-    antialiased_ = p_.cleared.antialiased();
     if (!isCandidate()) return;
     ++draws_;
     framebuffer_ = p_.shadow.state.target.framebuffer;
@@ -113,12 +112,11 @@ void ComposedViews::show() {
   });
   p_.shadow.latch.restore(real);
   if (!written) return complete.putBack(real, Copy::afterDraw), drop();
+  p_.cleared.forget();
   const bool averages =
       std::ranges::all_of(pictures_, [](const Complete& one) { return one.image->isAverages(); });
-  p_.cleared.forget();
-  BatchKey key = pictures_.front().key;
-  key.framebuffer = framebuffer_, key.drawBuffer = p_.shadow.state.target.drawBuffer;
-  if (averages) p_.cleared.wroteAntialiased(antialiased_, key);
+  if (averages && isEven(before_))
+    p_.cleared.holdsAntialiased(framebuffer_, p_.shadow.state.target.drawBuffer, region_);
   pictures_.clear();
 }
 

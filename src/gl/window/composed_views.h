@@ -1,12 +1,11 @@
 // Shows complete pictures (CompletePresenter) where an MPI program draws the composed picture of its ranks:
 // compares pixels before and after draws that could do so. A part of each Context, GL thread. Does nothing
-// unless the setting `gather` and a ground or a background are on.
+// unless `gather` is on, and a ground, a background or several samples per pixel.
 #pragma once
 #include "base/image.h"
 #include "gl/batch/batch.h"
 #include "gl/failsafe.h"
 #include "gl/state/shadow_state.h"
-#include "gl/window/antialiased_picture.h"
 #include "gl/window/cleared_framebuffers.h"
 #include "scene/snapshot.h"
 
@@ -66,7 +65,6 @@ class ComposedViews {
   int draws_ = 0;                   // that were looked at for pictures_
   bool drawn_ = false;              // a draw that could have composed the pictures has begun
   GLuint framebuffer_ = 0;          // of that draw
-  AntialiasedPicture antialiased_;  // before it
   std::vector<uint32_t> before_, colors_;
 };
 

@@ -3,6 +3,7 @@
 #include "intercept/present/layers.h"
 #include "intercept/present/present_result.h"
 #include "intercept/present/write_back/state_guard.h"
+#include "settings/samples.h"
 
 #include <exception>
 
@@ -10,6 +11,10 @@ namespace gluray::present {
 namespace {
 
 constexpr int kMaxUnshown = 2;  // then no more are made: the program does not show them by OpenGL
+
+bool hasScenery(const scene::Snapshot& snapshot) {
+  return snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
+}
 
 /// Of complete pictures: nobody hears of them, and each shows what is left out elsewhere.
 frame::Tracer completeTracer(const frame::Tracer& tracer) {
@@ -29,30 +34,32 @@ frame::Tracer CompletePictures::tracer() {
   frame::Tracer tracer = tracer_;
   if (tracer_.scenery.trace && tracer_.shown)
     tracer.shown = [this](const scene::Snapshot& snapshot, const Image& image, bool finished) {
-      make(snapshot, finished);
+      make(snapshot, image, finished);
       tracer_.shown(snapshot, image, finished);
     };
   return tracer;
 }
 
 bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
-  const bool has = snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
-  return has && snapshot.settings.gather && tracer_.scenery.trace;
+  return snapshot.settings.gather && tracer_.scenery.trace &&
+         (hasScenery(snapshot) || samplesPerPixel(snapshot.settings) > 1);
 }
 
-void CompletePictures::make(const scene::Snapshot& snapshot, bool finished) noexcept {
+std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& snapshot, bool finished) {
+  if (unshown_ >= kMaxUnshown) return nullptr;
+  const frame::Pictures::Result result =
+      pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
+  return result.picture ? std::make_shared<const Image>(result.picture->image) : nullptr;
+}
+
+void CompletePictures::make(const scene::Snapshot& snapshot, const Image& shown, bool finished) noexcept {
   try {
     made_.reset();
-    if (!mayMake(snapshot) || !tracer_.scenery.isLeftOut(snapshot)) return;
-    if (unshown_ >= kMaxUnshown) return leaveOut();
-    const frame::Pictures::Result result =
-        pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
-    if (result.picture)
-      made_ = std::make_shared<const Image>(result.picture->image);
-    else
-      leaveOut();
+    if (!mayMake(snapshot) || !tracer_.scenery.isGathered(snapshot)) return;
+    made_ = hasScenery(snapshot) ? traced(snapshot, finished) : std::make_shared<const Image>(shown);
+    if (!made_) leaveOut(snapshot);
   } catch (const std::exception&) {  // no memory
-    leaveOut();
+    leaveOut(snapshot);
   }
 }
 
@@ -76,12 +83,13 @@ bool CompletePictures::write(const gl::RealGl& real, const Image& image, const s
         .depthFunc = depthFunc, .colorWrites = snapshot.colorWrites, .encodes = snapshot.encodes};
     const bool written = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, pending);
     takeErrors(real);
-    if (written) unshown_ = 0;
+    if (written && hasScenery(snapshot)) unshown_ = 0;
     return written;
   } catch (const std::exception&) { return false; }
 }
 
-void CompletePictures::leaveOut() noexcept {
+void CompletePictures::leaveOut(const scene::Snapshot& snapshot) noexcept {
+  if (!hasScenery(snapshot)) return;
   ++unshown_;
   if (tracer_.scenery.leaveOut) tracer_.scenery.leaveOut();
 }

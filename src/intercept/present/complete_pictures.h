@@ -24,17 +24,18 @@ class CompletePictures final : public gl::CompletePresenter {
   void putBack(const gl::RealGl& real, Copy copy) noexcept override;
   bool write(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
              GLenum depthFunc) noexcept override;
-  void leaveOut() noexcept override;
+  void leaveOut(const scene::Snapshot& snapshot) noexcept override;
 
  private:
-  void make(const scene::Snapshot& snapshot, bool finished) noexcept;
+  void make(const scene::Snapshot& snapshot, const Image& shown, bool finished) noexcept;
+  std::shared_ptr<const Image> traced(const scene::Snapshot& snapshot, bool finished);
 
   frame::Tracer tracer_;
   frame::Pictures pictures_;
   PresentedPictures& shared_;
   std::shared_ptr<const Image> made_;
   KeptFramebuffer before_, after_;
-  int unshown_ = 0;  // complete pictures since the last one that was shown
+  int unshown_ = 0;  // complete pictures with scenery since the last one that was shown
 };
 
 }  // namespace gluray::present
