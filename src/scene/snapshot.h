@@ -173,4 +173,7 @@ struct Snapshot {
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
+/// Whether the settings `ground` or `background` add anything to it.
+inline bool hasScenery(const Snapshot& s) { return s.ground != GroundUse::none || s.backdrop; }
+
 }  // namespace gluray::scene

@@ -108,6 +108,45 @@ TEST_P(ComposedInBoxesTest, IsThatOfOneProcess) {
   EXPECT_GT(lost, 0) << "one rank's box holds it all";
 }
 
+/// A ground and a background lie outside of all boxes: the picture of the rank that gathers has them beside
+/// the one that all ranks show, in front of data, too, and with the light between both.
+TEST_P(ComposedInBoxesTest, CompletePictureHasGroundAndBackground) {
+  const int ranks = GetParam();
+  WorkerJob job(directory_, 2);
+  test::ProgramRanks programs(directory_, ranks);
+  programs.program(0).completes = true;
+  scene::Snapshot all = gatheredPlates(48);
+  all.instances.erase(all.instances.begin());
+  all.settings.ground.kind = GroundKind::plane, all.settings.ground.offset = -0.2f;
+  all.settings.lights.up = static_cast<decltype(all.settings.lights.up)>(2);  // z: it hides some plates
+  all.settings.background.kind = BackgroundKind::color;
+  const size_t count = all.instances.size();
+  int beneath = 0, outside = 0;
+  for (int frame = 1; frame < 6; ++frame) {
+    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.ground = scene::GroundUse::none, all.backdrop = nullptr;
+    all.eyeFromWorld = glm::rotate(all.eyeFromWorld, 0.3, {0.2, 1, 0.1});
+    for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
+    const Image without = expectedPicture(all);
+    all.ground = scene::GroundUse::drawn;
+    if (frame % 2 == 0) all.backdrop = std::make_shared<scene::Backdrop>();  // then the picture is averages
+    const Image whole = expectedPicture(all);
+    std::vector<scene::Snapshot> parts(static_cast<size_t>(ranks), all);
+    for (scene::Snapshot& part : parts) part.instances.clear();
+    for (size_t i = 0; i < count; ++i) parts[i * parts.size() / count].instances.push_back(all.instances[i]);
+    std::vector<Image> pictures = programs.pictures(parts);
+    for (const Image& picture : pictures) EXPECT_EQ(differing(picture, without), 0) << job.said();
+    EXPECT_EQ(differing(programs.program(0).complete, whole), 0) << job.said();
+    for (size_t i = 0; i < whole.depth.size() && !all.backdrop; ++i)
+      beneath += without.depth[i] != Image::kMiss && whole.depth[i] < without.depth[i];
+    outside += test::cropToBoxes(pictures, parts);
+  }
+  EXPECT_TRUE(programs.allByWorkers());
+  EXPECT_EQ(programs.program(0).said + programs.program(1).said, "");
+  EXPECT_GT(beneath, 0) << "the ground hides nothing";
+  EXPECT_GT(outside, 0) << "data cover the pictures";
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ComposedInBoxesTest, testing::Values(2, 3, 4, 7));
 
 TEST_F(GatherTest, RanksShowWhatIsMadeOfAllPasses) {
@@ -176,10 +215,10 @@ TEST_F(GatherTest, SceneryIsLeftOut) {
     for (const Image& picture : programs.pictures(all))
       EXPECT_EQ(differing(picture, expectedPicture(expected)), 0) << job.said();
   }
-  for (int rank = 0; rank < 2; ++rank) {
-    const std::string& said = programs.program(rank).said;
-    EXPECT_EQ(said.find("ground and background are left out"), said.rfind("gather: ") + 8) << said;
-  }
+  EXPECT_EQ(programs.program(0).said + programs.program(1).said, "");
+  for (int times = 0; times < 2; ++times) programs.program(0).tracer.leaveSceneryOut();
+  const std::string& said = programs.program(0).said;
+  EXPECT_EQ(said.find("ground and background are left out"), said.rfind("gather: ") + 8) << said;
   scene::Snapshot all = plain;
   all.settings.gather = false, all.settings.ao.enabled = false;
   all.settings.ground.kind = GroundKind::plane, all.ground = scene::GroundUse::drawn;
@@ -242,6 +281,8 @@ TEST_F(GatherTest, BlendedSurfacesAreNotGathered) {
   around->instances = {all.instances.back()};
   around->blended = {1};
   parts[1].surroundings = around;
+  parts[0].settings.background.kind = BackgroundKind::color;
+  parts[0].backdrop = std::make_shared<scene::Backdrop>();
   const std::vector<Image> pictures = programs.pictures(parts);
   for (size_t rank = 0; rank < 2; ++rank)
     EXPECT_EQ(pictures[rank].depth, expectedPicture(parts[rank]).depth) << "each rank draws its own";
@@ -249,6 +290,8 @@ TEST_F(GatherTest, BlendedSurfacesAreNotGathered) {
   for (int rank = 0; rank < 2; ++rank)
     EXPECT_NE(programs.program(rank).said.find("blends surfaces: each rank traces its own part"),
               std::string::npos);
+  EXPECT_NE(programs.program(0).said.find("background are left out"), std::string::npos);
+  EXPECT_EQ(programs.program(1).said.find("background are left out"), std::string::npos) << "it has none";
 }
 
 TEST_F(GatherTest, RankThatDrawsNothingIsLeftOut) {

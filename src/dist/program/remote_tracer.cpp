@@ -55,8 +55,7 @@ void RemoteTracer::tell(const std::string& why) {
 }
 
 bool RemoteTracer::leavesOut(const scene::Snapshot& snapshot) const {
-  const bool has = snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
-  return has && hasPeers_ && snapshot.settings.gather;
+  return scene::hasScenery(snapshot) && hasPeers_ && snapshot.settings.gather;
 }
 
 void RemoteTracer::leaveSceneryOut() noexcept {

@@ -3,6 +3,7 @@
 #include "gl/batch/presenter.h"
 #include "gl/state/state_queries.h"
 #include "gl/window/composed_pixels.h"
+#include "settings/samples.h"
 
 #include <algorithm>
 #include <exception>
@@ -38,21 +39,27 @@ bool ComposedViews::read(std::vector<uint32_t>& colors) {
   return presenter_.reader().readColors(p_.shadow.real, region_, colors) && !colors.empty();
 }
 
+/// Whether the batch belongs to the view of the pictures that wait.
+bool ComposedViews::follows(const BatchKey& key) const {
+  return waits() && pictures_.front().key.framebuffer == key.framebuffer &&
+         pictures_.front().key.viewport == key.viewport;
+}
+
 void ComposedViews::presenting(const BatchKey& key, const scene::Snapshot& snapshot) noexcept {
   watches_ = false;
-  if (presenter_.complete().mayMake(snapshot) && key.layers == BatchKey::Layers::none &&
-      snapshot.samples == 1)
-    withMemory([&] { watch(key, snapshot); });
+  if (!presenter_.complete().mayMake(snapshot) || key.layers != BatchKey::Layers::none ||
+      snapshot.samples != 1)
+    return;
+  const bool begins = scene::hasScenery(snapshot) || (!waits() && samplesPerPixel(snapshot.settings) > 1);
+  if (begins || follows(key)) withMemory([&] { watch(key, snapshot); });
 }
 
 /// Finds out whether the framebuffer holds nothing but one colour, or the pictures that wait.
 void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) {
-  const scene::Region before = region_;
+  const bool sameRegion = region_ == snapshot.region;
   region_ = snapshot.region;
-  if (!read(colors_)) return;
-  const bool continues =
-      waits() && region_ == before && pictures_.front().key.framebuffer == key.framebuffer &&
-      pictures_.front().key.viewport == key.viewport && pictures_.size() < kMaxPictures && colors_ == shown_;
+  if (!read(colors_)) return drop();
+  const bool continues = follows(key) && sameRegion && pictures_.size() < kMaxPictures && colors_ == shown_;
   if (!continues) drop();
   watches_ = continues || isEven(colors_);
   if (watches_ && !continues) empty_ = colors_.front();

@@ -49,6 +49,7 @@ class ComposedViews {
   template <class Body>
   void withMemory(const Body& body) noexcept;
   bool read(std::vector<uint32_t>& colors);
+  bool follows(const BatchKey& key) const;
   void watch(const BatchKey& key, const scene::Snapshot& snapshot);
   bool isCandidate();
   void finishDraw() noexcept;

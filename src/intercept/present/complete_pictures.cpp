@@ -3,7 +3,6 @@
 #include "intercept/present/layers.h"
 #include "intercept/present/present_result.h"
 #include "intercept/present/write_back/state_guard.h"
-#include "settings/samples.h"
 
 #include <exception>
 
@@ -11,10 +10,6 @@ namespace gluray::present {
 namespace {
 
 constexpr int kMaxUnshown = 2;  // then no more are made: the program does not show them by OpenGL
-
-bool hasScenery(const scene::Snapshot& snapshot) {
-  return snapshot.ground != scene::GroundUse::none || snapshot.backdrop;
-}
 
 /// Of complete pictures: nobody hears of them, and each shows what is left out elsewhere.
 frame::Tracer completeTracer(const frame::Tracer& tracer) {
@@ -41,8 +36,7 @@ frame::Tracer CompletePictures::tracer() {
 }
 
 bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
-  return snapshot.settings.gather && tracer_.scenery.trace &&
-         (hasScenery(snapshot) || samplesPerPixel(snapshot.settings) > 1);
+  return snapshot.settings.gather && tracer_.scenery.trace;
 }
 
 std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& snapshot, bool finished) {
@@ -56,7 +50,7 @@ void CompletePictures::make(const scene::Snapshot& snapshot, const Image& shown,
   try {
     made_.reset();
     if (!mayMake(snapshot) || !tracer_.scenery.isGathered(snapshot)) return;
-    made_ = hasScenery(snapshot) ? traced(snapshot, finished) : std::make_shared<const Image>(shown);
+    made_ = scene::hasScenery(snapshot) ? traced(snapshot, finished) : std::make_shared<const Image>(shown);
     if (!made_) leaveOut(snapshot);
   } catch (const std::exception&) {  // no memory
     leaveOut(snapshot);
@@ -83,13 +77,13 @@ bool CompletePictures::write(const gl::RealGl& real, const Image& image, const s
         .depthFunc = depthFunc, .colorWrites = snapshot.colorWrites, .encodes = snapshot.encodes};
     const bool written = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, pending);
     takeErrors(real);
-    if (written && hasScenery(snapshot)) unshown_ = 0;
+    if (written && scene::hasScenery(snapshot)) unshown_ = 0;
     return written;
   } catch (const std::exception&) { return false; }
 }
 
 void CompletePictures::leaveOut(const scene::Snapshot& snapshot) noexcept {
-  if (!hasScenery(snapshot)) return;
+  if (!scene::hasScenery(snapshot)) return;
   ++unshown_;
   if (tracer_.scenery.leaveOut) tracer_.scenery.leaveOut();
 }
