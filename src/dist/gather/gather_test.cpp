@@ -24,6 +24,18 @@ scene::Snapshot gatheredPlates(int size = 64) {
   return all;
 }
 
+/// Grounds are placed below the bounds of meshes.
+void setBounds(scene::Snapshot& all) {
+  for (scene::Instance& instance : all.instances) {
+    auto mesh = std::make_shared<scene::Mesh>(*instance.mesh);
+    mesh->lower = mesh->upper = mesh->position(0);
+    for (uint32_t vertex = 1; vertex < mesh->vertexCount; ++vertex)
+      mesh->lower = glm::min(mesh->lower, glm::vec3(mesh->position(vertex))),
+      mesh->upper = glm::max(mesh->upper, glm::vec3(mesh->position(vertex)));
+    instance.mesh = std::move(mesh);
+  }
+}
+
 struct GatherTest : testing::Test {
   /// All ranks draw, and each shows it all.
   static void expectGathered(WorkerJob& job, test::ProgramRanks& programs, const scene::Snapshot& all,
@@ -117,6 +129,7 @@ TEST_P(ComposedInBoxesTest, CompletePictureHasGroundAndBackground) {
   programs.program(0).completes = true;
   scene::Snapshot all = gatheredPlates(48);
   all.instances.erase(all.instances.begin());
+  setBounds(all);
   all.settings.ground.kind = GroundKind::plane, all.settings.ground.offset = -0.2f;
   all.settings.lights.up = static_cast<decltype(all.settings.lights.up)>(2);  // z: it hides some plates
   all.settings.background.kind = BackgroundKind::color;
@@ -201,7 +214,8 @@ TEST_F(GatherTest, PicturesThatAreNotShownAreNotWaitedFor) {
 TEST_F(GatherTest, SceneryIsLeftOut) {
   WorkerJob job(directory_, 2);
   test::ProgramRanks programs(directory_, 2);
-  const scene::Snapshot plain = gatheredPlates();
+  scene::Snapshot plain = gatheredPlates();
+  setBounds(plain);
   for (int which = 0; which < 3; ++which) {
     scene::Snapshot all = plain;
     all.frame = all.number = static_cast<uint64_t>(which + 1);
