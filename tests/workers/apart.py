@@ -1,5 +1,5 @@
-"""Data of ranks that lie away from each other on the screen: apart.py FOLDER, run by pvbatch. Writes pictures of three views, 0.png, 1.png, 2.png. Of
-eight pieces, each rank has neighbouring ones: between the boxes of the ranks' data the background shows, and some data lie outside of the view."""
+"""Data of ranks that lie away from each other on the screen: apart.py FOLDER, run by pvbatch. Writes pictures of three cameras, 0.png, 1.png, 2.png, and of a
+layout with two views, 3.png. Of eight pieces, each rank has neighbouring ones: between the boxes of the ranks' data the background shows, and some data lie outside of the view."""
 import sys
 
 import paraview.simple as pv
@@ -47,3 +47,19 @@ for number, position in enumerate(((0, -7, 3), (5, -4, 1.5), (-0.5, -0.5, 4.5)))
     view.CameraPosition = position
     pv.Render(view)
     pv.SaveScreenshot(f"{sys.argv[1]}/{number}.png", view)
+
+# The second view has a background that the program draws itself, and its camera is low.
+second = pv.CreateView("RenderView")
+second.OrientationAxesVisibility = 1
+second.UseColorPaletteForBackground = 0
+second.BackgroundColorMode = "Gradient"
+second.Background, second.Background2 = [0.2, 0.3, 0.2], [1, 0.8, 0.6]
+pv.Show(pv.ProgrammableSource(Script=PIECES), second).DiffuseColor = [0.3, 0.6, 0.9]
+second.CameraPosition, second.CameraFocalPoint, second.CameraViewUp = (0.3, -7, -0.2), [0, 0, 0], [0, 0, 1]
+layout = pv.CreateLayout("both")
+pv.AssignViewToLayout(view, layout)
+pv.AssignViewToLayout(second, layout, hint=1)
+layout.SetSize(161, 120)
+for each in (view, second):
+    pv.Render(each)
+pv.SaveScreenshot(f"{sys.argv[1]}/3.png", layout)
