@@ -48,18 +48,22 @@ for number, position in enumerate(((0, -7, 3), (5, -4, 1.5), (-0.5, -0.5, 4.5)))
     pv.Render(view)
     pv.SaveScreenshot(f"{sys.argv[1]}/{number}.png", view)
 
-# The second view has a background that the program draws itself, and its camera is low.
-second = pv.CreateView("RenderView")
-second.OrientationAxesVisibility = 1
-second.UseColorPaletteForBackground = 0
-second.BackgroundColorMode = "Gradient"
-second.Background, second.Background2 = [0.2, 0.3, 0.2], [1, 0.8, 0.6]
-pv.Show(pv.ProgrammableSource(Script=PIECES), second).DiffuseColor = [0.3, 0.6, 0.9]
-second.CameraPosition, second.CameraFocalPoint, second.CameraViewUp = (0.3, -7, -0.2), [0, 0, 0], [0, 0, 1]
+# Two views of one layout, in which all ranks have data. The second one has a background that the program draws itself.
 layout = pv.CreateLayout("both")
-pv.AssignViewToLayout(view, layout)
-pv.AssignViewToLayout(second, layout, hint=1)
-layout.SetSize(161, 120)
-for each in (view, second):
-    pv.Render(each)
+views = []
+for position in ((0, -11, 4), (4, -13, 0.5)):
+    one = pv.CreateView("RenderView")
+    one.OrientationAxesVisibility = 1
+    one.UseColorPaletteForBackground = 0
+    one.Background = [0.2, 0.3, 0.2]
+    pv.AssignViewToLayout(one, layout, hint=len(views))
+    pv.Show(pv.ProgrammableSource(Script=PIECES), one).DiffuseColor = [0.3, 0.6, 0.9]
+    one.CameraPosition, one.CameraFocalPoint, one.CameraViewUp = position, [0, 0, 0], [0, 0, 1]
+    views.append(one)
+views[1].BackgroundColorMode = "Gradient"
+views[1].Background2 = [1, 0.8, 0.6]
+layout.SetSplitFraction(0, 0.6)
+layout.SetSize(241, 100)
+for one in views:
+    pv.Render(one)
 pv.SaveScreenshot(f"{sys.argv[1]}/3.png", layout)
