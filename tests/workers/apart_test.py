@@ -51,7 +51,6 @@ def check(pictures, name, settings):
             differing = [far(a, b) for a, b in zip(expected, found)]
             print(f"{name}, {ranks} ranks: pixels that differ {differing}, mean {[round(compare(a, b)[0], 4) for a, b in zip(expected, found)]}")
             assert max(differing) <= STRAY, log.read_text() + said
-            assert "left out" not in said, said
     finally:
         job.terminate()
         job.wait()

@@ -9,7 +9,8 @@
 namespace gluray::present {
 namespace {
 
-constexpr int kMaxUnshown = 2;  // then no more are made: the program does not show them by OpenGL
+constexpr int kMaxUnshown = 4;   // from then on the program is taken not to draw composed pictures here ...
+constexpr int kTrialEvery = 16;  // ... but for a trial every so many pictures
 
 /// Of complete pictures: nobody hears of them, and each shows what is left out elsewhere.
 frame::Tracer completeTracer(const frame::Tracer& tracer) {
@@ -40,7 +41,7 @@ bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
 }
 
 std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& snapshot, bool finished) {
-  if (unshown_ >= kMaxUnshown) return nullptr;
+  if (unshown_ >= kMaxUnshown && unshown_ % kTrialEvery != 0) return nullptr;
   const frame::Pictures::Result result =
       pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
   return result.picture ? std::make_shared<const Image>(result.picture->image) : nullptr;
