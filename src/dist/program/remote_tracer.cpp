@@ -79,7 +79,7 @@ bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::T
     without.backdrop = nullptr;
     if (!traceAll(without, image, cost, error, stop)) return false;
     const std::lock_guard lock(mutex_);
-    if (!link_.isGathered(snapshot)) leaveSceneryOut();
+    if (!link_.isGathered(snapshot) && scene::showsScenery(snapshot)) leaveSceneryOut();
     return true;
   } catch (const std::bad_alloc&) {
     cost.loss = scene::Loss::frames;

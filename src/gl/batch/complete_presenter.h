@@ -19,7 +19,9 @@ class CompletePresenter {
   virtual ~CompletePresenter() = default;
   /// Whether present() may make a complete picture beside the one of the snapshot that it writes.
   virtual bool mayMake(const scene::Snapshot&) const noexcept { return false; }
-  /// The complete picture of the snapshot that was presented last; null: there is none. Returned once.
+  /// present() shall make one of the snapshot that it gets next. Otherwise it makes none.
+  virtual void expect() noexcept {}
+  /// The complete picture of the snapshot that was presented after expect(); null: there is none.
   virtual std::shared_ptr<const Image> take() noexcept { return nullptr; }
   enum class Copy : uint8_t { beforeDraw, afterDraw };
   /// Keeps a copy of the bound draw framebuffer's colours and depths in `region`. False: it cannot. No error

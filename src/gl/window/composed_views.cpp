@@ -63,6 +63,7 @@ void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) 
   if (!continues) drop();
   watches_ = continues || isEven(colors_);
   if (watches_ && !continues) empty_ = colors_.front();
+  if (watches_) presenter_.complete().expect();
 }
 
 void ComposedViews::presented(const BatchKey& key, const scene::SnapshotPtr& snapshot, bool traced) noexcept {

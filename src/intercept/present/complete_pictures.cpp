@@ -49,8 +49,8 @@ std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& sna
 
 void CompletePictures::make(const scene::Snapshot& snapshot, const Image& shown, bool finished) noexcept {
   try {
-    made_.reset();
     if (!mayMake(snapshot) || !tracer_.scenery.isGathered(snapshot)) return;
+    if (!isExpected_) return leaveOut(snapshot);
     made_ = scene::hasScenery(snapshot) ? traced(snapshot, finished) : std::make_shared<const Image>(shown);
     if (!made_) leaveOut(snapshot);
   } catch (const std::exception&) {  // no memory
@@ -78,13 +78,13 @@ bool CompletePictures::write(const gl::RealGl& real, const Image& image, const s
         .depthFunc = depthFunc, .colorWrites = snapshot.colorWrites, .encodes = snapshot.encodes};
     const bool written = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, pending);
     takeErrors(real);
-    if (written && scene::hasScenery(snapshot)) unshown_ = 0;
+    if (written && scene::showsScenery(snapshot)) unshown_ = 0;
     return written;
   } catch (const std::exception&) { return false; }
 }
 
 void CompletePictures::leaveOut(const scene::Snapshot& snapshot) noexcept {
-  if (!scene::hasScenery(snapshot)) return;
+  if (!scene::showsScenery(snapshot)) return;
   ++unshown_;
   if (tracer_.scenery.leaveOut) tracer_.scenery.leaveOut();
 }

@@ -7,6 +7,7 @@
 #include "intercept/present/read_back/kept_framebuffer.h"
 
 #include <memory>
+#include <utility>
 
 namespace gluray::present {
 
@@ -19,7 +20,11 @@ class CompletePictures final : public gl::CompletePresenter {
   frame::Tracer tracer();
 
   bool mayMake(const scene::Snapshot& snapshot) const noexcept override;
-  std::shared_ptr<const Image> take() noexcept override { return std::exchange(made_, nullptr); }
+  void expect() noexcept override { isExpected_ = true, made_.reset(); }
+  std::shared_ptr<const Image> take() noexcept override {
+    isExpected_ = false;
+    return std::exchange(made_, nullptr);
+  }
   bool keep(const gl::RealGl& real, const scene::Region& region, Copy copy) noexcept override;
   void putBack(const gl::RealGl& real, Copy copy) noexcept override;
   bool write(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
@@ -33,6 +38,7 @@ class CompletePictures final : public gl::CompletePresenter {
   frame::Tracer tracer_;
   frame::Pictures pictures_;
   PresentedPictures& shared_;
+  bool isExpected_ = false;
   std::shared_ptr<const Image> made_;
   KeptFramebuffer before_, after_;
   int unshown_ = 0;  // complete pictures with scenery since the last one that was shown
