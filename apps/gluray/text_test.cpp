@@ -80,6 +80,14 @@ json report() {
             {"unknownFunctions", {"glFooBarXYZ"}}}}};
 }
 
+TEST(Text, ExplanationEndsWithWarnings) {
+  json warned = report();
+  warned["warnings"] = {"gather: rank 1 of the program blends surfaces", "a line\nbreak"};
+  EXPECT_EQ(explanationText(warned), explanationText(report()) +
+                                         "\nwarnings\n  gather: rank 1 of the program blends surfaces\n"
+                                         "  a line\\nbreak\n");
+}
+
 TEST(Text, ExplanationHasEveryPart) {
   EXPECT_EQ(explanationText(report()),
             R"(viewer (process 42): 10 frames, 75.0 % of 40 000 triangles traced

@@ -98,7 +98,10 @@ void traceAll(std::list<Rank>& ranks) {
     all.push_back(std::async(std::launch::async, [&rank] {
       scene::TraceCost cost;
       std::string error;
-      if (rank.tracer.trace(rank.snapshot, rank.image, cost, error, nullptr)) return true;
+      if (rank.tracer.trace(rank.snapshot, rank.image, cost, error, nullptr)) {
+        if (!cost.elsewhere) rank.tracer.shown(rank.snapshot, rank.image, true);
+        return true;
+      }
       std::fprintf(stderr, "gluray-bench-scale: %s\n", error.c_str());
       return false;
     }));

@@ -41,8 +41,9 @@ bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool 
                  Pictures::Result& result) {
   const double start = nowSeconds();
   double now = start, last = 0;
-  while (!refiner.hasPass() ||
-         (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds))) {
+  while (!refiner.elsewhere() &&
+         (!refiner.hasPass() ||
+          (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds)))) {
     if (!refiner.pass(trace, missColor, result.cost, result.why)) return false;
     ++result.passes;
     last = nowSeconds() - now, now += last;
@@ -60,6 +61,10 @@ bool Pictures::finish(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     Refiner refiner(snapshot, refinement);
     const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, true, 0, result);
     if (!all) logUnrefined(std::exchange(result.why, {}));
+    if (const Image* const image = refiner.elsewhere()) {
+      picture.image = *image;
+      return picture.refined = refiner.finishedElsewhere(), true;
+    }
     if (refinement.passes() == 0) return false;
     refiner.show(picture.image);
     result.noise = refinement.noise();
@@ -78,6 +83,13 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
     const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish,
                                  redrawSeconds(snapshot.settings), result);
     if (!all) logUnrefined(std::exchange(result.why, {}));
+    if (const Image* const image = refiner.elsewhere()) {
+      last_.renew(picture);
+      picture.image = *image;
+      picture.refined = refiner.finishedElsewhere();
+      result.repeated = false;
+      return;
+    }
     // Fewer passes may be worse than the first picture, which may have been filtered.
     if (result.passes > 0 && (refiner.finished() || passes->passes() >= kLeastPasses)) {
       last_.renew(picture);
@@ -141,6 +153,11 @@ bool Pictures::traceOnce(const scene::Snapshot& snapshot, bool full, LastPicture
   return tracer_.trace(all, picture.image, result.cost, result.why);
 }
 
+void Pictures::tellShown(const scene::Snapshot& snapshot, const LastPictures::Picture& picture,
+                         const Result& result) noexcept {
+  if (tracer_.shown && !result.cost.elsewhere) tracer_.shown(snapshot, picture.image, picture.refined);
+}
+
 Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
   if (auto* const picture = wish.asShown ? ofColor(snapshot, wish.missColor) : nullptr) {
@@ -156,6 +173,7 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
     if (refines || !picture->moving) {
       result.repeated = true, result.picture = picture;
       if (refines && !picture->refined) refine(snapshot, *picture, full, result);
+      if (!result.repeated) tellShown(snapshot, *picture, result);
       return result;
     }
     last_.drop(*picture);
@@ -169,8 +187,10 @@ Pictures::Result Pictures::of(const scene::Snapshot& snapshot, const Wish& wish)
   const bool done = finished || (ahead ? ahead_->take(fresh.image, result.cost, result.why)
                                        : traceOnce(snapshot, full, fresh, result));
   if (!done) return result;
-  if (!finished) paintUnrefined(snapshot, fresh.image);
+  if (!finished && !result.cost.elsewhere) paintUnrefined(snapshot, fresh.image);
+  if (result.cost.elsewhere) fresh.refined = result.cost.refined;
   last_.keep(snapshot);
+  tellShown(snapshot, fresh, result);
   result.picture = &fresh;
   return result;
 }

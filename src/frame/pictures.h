@@ -52,6 +52,8 @@ class Pictures {
   void dropAhead() noexcept;
 
  private:
+  void tellShown(const scene::Snapshot& snapshot, const LastPictures::Picture& picture,
+                 const Result& result) noexcept;
   bool traceOnce(const scene::Snapshot& snapshot, bool full, LastPictures::Picture& picture, Result& result);
   LastPictures::Picture* lastOf(const scene::Snapshot& snapshot,
                                 std::optional<uint32_t> missColor = {}) noexcept;

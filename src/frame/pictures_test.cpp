@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace gluray::frame {
 namespace {
@@ -90,6 +92,59 @@ TEST_F(PicturesTest, PicturesThatDependOnOtherProcessesAreNotRepeated) {
   alone = true;
   scene.number = 3;
   EXPECT_TRUE(shared.of(scene, {.finished = true}).repeated);
+}
+
+/// Other processes may show what this one makes.
+TEST_F(PicturesTest, EachNewPictureIsToldOnceAfterAllPasses) {
+  std::vector<std::pair<Image, bool>> told;
+  Pictures made{
+      Tracer{.trace = tracer.trace, .shown = [&](const scene::Snapshot&, const Image& image, bool finished) {
+               told.emplace_back(image, finished);
+             }}};
+  const Pictures::Result first = made.of(scene, {});
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].first.color, first.picture->image.color);
+  EXPECT_FALSE(told[0].second);
+  const Pictures::Result finished = made.of(scene, {.finished = true});
+  EXPECT_GT(finished.passes, 1u);
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[1].first.color, finished.picture->image.color);
+  EXPECT_TRUE(told[1].second);
+  EXPECT_TRUE(made.of(scene, {}).repeated);
+  EXPECT_EQ(told.size(), 2u);
+}
+
+/// Pictures that another process makes are shown as they come, without passes, guides or filters.
+TEST_F(PicturesTest, PicturesOfAnotherProcessAreShownAsTheyCome) {
+  int traces = 0;
+  bool refined = false;
+  Pictures given{
+      Tracer{.trace =
+                 [&](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string&) {
+                   EXPECT_EQ(s.lightSampling.mode, LightSampling::Mode::full);
+                   image.resize(s.region.width, s.region.height, 1);
+                   std::ranges::fill(image.color, static_cast<uint32_t>(++traces));
+                   std::ranges::fill(image.depth, 0.5f);
+                   cost.elsewhere = true, cost.refined = refined;
+                   return true;
+                 },
+             .standsAlone = [](const scene::Snapshot&) { return false; },
+             .shown = [](const scene::Snapshot&, const Image&, bool) { ADD_FAILURE(); }}};
+  scene.settings.denoise = Denoise::filter;
+  scene.lightSampling.mode = LightSampling::Mode::full;
+  scene.number = 1;
+  const auto color = [&] { return given.of(scene, {.finished = true}).picture->image.color[0]; };
+  EXPECT_EQ(color(), 1u);
+  EXPECT_EQ(color(), 2u) << "it becomes better there";
+  refined = true;
+  EXPECT_EQ(color(), 3u);
+  EXPECT_EQ(color(), 3u) << "it is finished";
+  scene.number = 2;
+  EXPECT_EQ(color(), 4u);
+  scene.settings.noise = 0;  // no passes at all
+  scene.number = 3;
+  EXPECT_EQ(color(), 5u);
+  EXPECT_EQ(traces, 5);
 }
 
 TEST_F(PicturesTest, AveragesHaveMissesOfNoColor) {

@@ -74,13 +74,14 @@ bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::strin
   scene::Snapshot guides = snapshot_;
   guides.wideColors = true;
   LightGuides found;
+  Image image;
   for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
     guides.lightSampling = {mode};
     scene::TraceCost own;
-    if (!trace(guides, image_, own, error)) return cost.loss = own.loss, false;
+    if (!trace(guides, image, own, error)) return cost.loss = own.loss, false;
     addCost(own, cost);
     try {
-      keepGuides(mode, image_, found);
+      keepGuides(mode, image, found);
     } catch (const std::bad_alloc&) {
       cost.loss = scene::Loss::frames;
       return error = "out of memory", false;
@@ -92,11 +93,6 @@ bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::strin
 
 bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cost, std::string& error) {
   try {
-    if (filters_ && !refinement_.guides.known() && !traceGuides(trace, cost, error)) {
-      if (error.empty()) return false;
-      logNoFilter(error);
-      filters_ = false, error.clear();
-    }
     snapshot_.lightSampling.pass = refinement_.passes();
     if (snapshot_.settings.refine.adaptive && isSimple(snapshot_))
       refinement_.leaveOut(kQuiet * double{snapshot_.settings.noise});
@@ -104,8 +100,15 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     image_.missColor = missColor;
     scene::TraceCost own;
     if (!trace(snapshot_, image_, own, error)) return cost.loss = own.loss, whole_ = false;
-    whole_ = true;
     addCost(own, cost);
+    elsewhere_ = own.elsewhere, finishedElsewhere_ = own.refined;
+    if (elsewhere_) return true;
+    whole_ = true;
+    if (filters_ && !refinement_.guides.known() && !traceGuides(trace, cost, error)) {
+      if (error.empty()) return whole_ = false;
+      logNoFilter(error);
+      filters_ = false, error.clear();
+    }
     refinement_.add(image_);
     return true;
   } catch (const std::exception& e) {

@@ -28,6 +28,10 @@ class Refiner {
   /// Whether show() may be called.
   bool hasPass() const { return whole_; }
   bool finished() const { return isFinished(refinement_, snapshot_.settings); }
+  /// After pass(): the picture that another process makes; null: passes are made here. It is none of them.
+  const Image* elsewhere() const { return elsewhere_ ? &image_ : nullptr; }
+  /// Whether that is finished.
+  bool finishedElsewhere() const { return finishedElsewhere_; }
   const Refinement& refinement() const { return refinement_; }
 
  private:
@@ -39,6 +43,7 @@ class Refiner {
   Image image_;         // of the last pass
   bool whole_ = false;  // image_ has all tiles
   bool filters_;        // pictures are smoothed
+  bool elsewhere_ = false, finishedElsewhere_ = false;
 };
 
 }  // namespace gluray::frame

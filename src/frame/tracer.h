@@ -38,6 +38,19 @@ using Improves = std::function<bool()>;
 /// the view: a later snapshot that is equal may have another picture. Never throws.
 using StandsAlone = std::function<bool(const scene::Snapshot&)>;
 
+/// Hears of each new picture that is shown, after all passes. `finished`: no more passes make it better.
+/// Never throws.
+using Shown = std::function<void(const scene::Snapshot&, const Image&, bool finished)>;
+
+/// For MPI programs that compose the pictures of their ranks: ground and background, which pictures of
+/// trace() lack where they show what several ranks draw. Functions never throw.
+struct Scenery {
+  // Whether the last picture is of this snapshot, shows what several ranks draw, and was made for this one.
+  std::function<bool(const scene::Snapshot&)> isGathered;
+  Trace trace;                     // traces the snapshot with all that it holds
+  std::function<void()> leaveOut;  // the program's picture stays without
+};
+
 /// All of them; an empty function is skipped.
 struct Tracer {
   Trace trace;
@@ -46,6 +59,8 @@ struct Tracer {
   Improves improves = {};
   TraceBehind behind = {};
   StandsAlone standsAlone = {};
+  Shown shown = {};
+  Scenery scenery = {};
 };
 
 }  // namespace gluray::frame

@@ -18,6 +18,7 @@
 #include "gl/state/attrib_stack.h"
 #include "gl/state/shadow_state.h"
 #include "gl/thread_state.h"
+#include "gl/window/composed_views.h"
 #include "gl/window/frame_ends.h"
 #include "gl/window/frame_settings.h"
 #include "gl/window/fullscreen_passes.h"
@@ -57,6 +58,7 @@ class Context {
   DrawCounts counts;
   SurfaceHistory surfaces;
   ClearedFramebuffers cleared;
+  ComposedViews composed;
   Flusher flusher;
   Triage triage;
   BatchFiller filler;

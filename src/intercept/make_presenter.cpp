@@ -54,8 +54,16 @@ std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
   frame::Tracer tracer{trace, antialias, resolve, improves};
   if (refinesWindows) tracer.behind = behind;
-  if (const dist::RemoteTracer* const job = workers())
+  if (dist::RemoteTracer* const job = workers()) {
     tracer.standsAlone = [job](const scene::Snapshot& snapshot) { return job->standsAlone(snapshot); };
+    tracer.shown = [job](const scene::Snapshot& snapshot, const Image& image, bool finished) {
+      job->shown(snapshot, image, finished);
+    };
+    tracer.scenery = {[job](const scene::Snapshot& snapshot) { return job->isGathered(snapshot); },
+                      [job](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                            std::string& error) { return job->traceComplete(snapshot, image, cost, error); },
+                      [job] { job->leaveSceneryOut(); }};
+  }
   return std::make_unique<present::TracingPresenter>(tracer, std::move(onWritten));
 }
 

@@ -173,4 +173,9 @@ struct Snapshot {
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
+/// Whether the settings `ground` or `background` add anything to it.
+inline bool hasScenery(const Snapshot& s) { return s.ground != GroundUse::none || s.backdrop; }
+/// Whether its picture shows it.
+inline bool showsScenery(const Snapshot& s) { return s.ground == GroundUse::drawn || s.backdrop; }
+
 }  // namespace gluray::scene

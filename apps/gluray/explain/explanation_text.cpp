@@ -195,6 +195,14 @@ std::string lightLine(const json& report) {
          noise(idle) + "\n";
 }
 
+std::string warningLines(const json& report) {
+  const json warnings = report.value("warnings", json::array());
+  std::string lines = warnings.empty() ? "" : "\nwarnings\n";
+  for (const json& warning : warnings)
+    if (warning.is_string()) lines += "  " + printable(warning.get<std::string>()) + "\n";
+  return lines;
+}
+
 }  // namespace
 
 double tracedPercent(const json& report) {
@@ -212,7 +220,7 @@ std::string explanationText(const json& report) {
          programLines(explain.value("programs", json::array())) + "\ncontexts, through the door " +
          text(report, "door") + "\n" + contextLines(explain.at("contexts")) + walkedPastLines(report) +
          "\nframebuffers\n" + targetLines(explain.at("framebuffers")) + "\nquirks\n" +
-         quirkLines(explain.at("quirks")) + unknownCallLines(report);
+         quirkLines(explain.at("quirks")) + unknownCallLines(report) + warningLines(report);
 }
 
 }  // namespace gluray::launcher

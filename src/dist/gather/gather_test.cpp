@@ -24,25 +24,34 @@ scene::Snapshot gatheredPlates(int size = 64) {
   return all;
 }
 
-bool isEmpty(const Image& image) {
-  return std::ranges::all_of(image.depth, [](float depth) { return depth == Image::kMiss; });
+/// Grounds are placed below the bounds of meshes.
+void setBounds(scene::Snapshot& all) {
+  for (scene::Instance& instance : all.instances) {
+    auto mesh = std::make_shared<scene::Mesh>(*instance.mesh);
+    mesh->lower = mesh->upper = mesh->position(0);
+    for (uint32_t vertex = 1; vertex < mesh->vertexCount; ++vertex)
+      mesh->lower = glm::min(mesh->lower, glm::vec3(mesh->position(vertex))),
+      mesh->upper = glm::max(mesh->upper, glm::vec3(mesh->position(vertex)));
+    instance.mesh = std::move(mesh);
+  }
 }
 
 struct GatherTest : testing::Test {
-  /// All ranks draw, and the first shows it all.
+  /// All ranks draw, and each shows it all.
   static void expectGathered(WorkerJob& job, test::ProgramRanks& programs, const scene::Snapshot& all,
                              int ranks) {
     std::vector<int> everyone;
     for (int rank = 0; rank < ranks; ++rank) everyone.push_back(rank);
-    std::vector<Image> pictures = programs.pictures(all);
-    for (int rank = 1; rank < ranks; ++rank)
-      EXPECT_TRUE(isEmpty(pictures[static_cast<size_t>(rank)])) << rank << job.said();
-    EXPECT_EQ(differing(composed(std::move(pictures)), expectedPicture(partsOf(all, everyone, ranks))), 0)
-        << job.said();
+    const Image whole = expectedPicture(partsOf(all, everyone, ranks));
+    const std::vector<Image> pictures = programs.pictures(all);
+    for (const Image& picture : pictures) EXPECT_EQ(differing(picture, whole), 0) << job.said();
     EXPECT_TRUE(programs.allByWorkers());
   }
   test::RuntimeFolder folder_;
   const std::string directory_ = folder_.directory();
+  Image scratch_;
+  scene::TraceCost cost_;
+  std::string error_;
 };
 
 struct Light {
@@ -76,22 +85,171 @@ INSTANTIATE_TEST_SUITE_P(
                           [](scene::Snapshot& s) {
                             s.settings.integrator = LightIntegrator::path;
                             s.settings.material.kind = SurfaceMaterial::mirror;
-                          }},
-                    Light{"Ground", [](scene::Snapshot& s) { s.settings.ground.kind = GroundKind::plane; }}),
+                          }}),
     [](const auto& info) { return std::string(info.param.name); });
 
-TEST_F(GatherTest, PassesReuseTheParts) {
+/// Programs compose of each rank's picture what lies in the box of the rank's own data.
+class ComposedInBoxesTest : public GatherTest, public testing::WithParamInterface<int> {};
+
+TEST_P(ComposedInBoxesTest, IsThatOfOneProcess) {
+  const int ranks = GetParam();
+  WorkerJob job(directory_, 2);
+  test::ProgramRanks programs(directory_, ranks);
+  scene::Snapshot all = gatheredPlates(48);
+  all.instances.erase(all.instances.begin());  // the wall, behind all others
+  all.settings.integrator = LightIntegrator::path;
+  all.settings.material.kind = SurfaceMaterial::mirror;
+  const size_t count = all.instances.size();
+  int outside = 0, lost = 0;
+  for (int frame = 1; frame < 6; ++frame) {
+    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.eyeFromWorld = glm::rotate(all.eyeFromWorld, 0.3, {0.2, 1, 0.1});
+    for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
+    std::vector<scene::Snapshot> parts(static_cast<size_t>(ranks), all);
+    for (scene::Snapshot& part : parts) part.instances.clear();
+    for (size_t i = 0; i < count; ++i) parts[i * parts.size() / count].instances.push_back(all.instances[i]);
+    const Image whole = expectedPicture(all);
+    std::vector<Image> pictures = programs.pictures(parts);
+    std::vector<Image> first = {pictures[0]};
+    test::cropToBoxes(first, {parts[0]});
+    lost += differing(first[0], whole);
+    outside += test::cropToBoxes(pictures, parts);
+    EXPECT_EQ(differing(composed(std::move(pictures)), whole), 0) << job.said();
+  }
+  EXPECT_GT(outside, 0) << "data cover the pictures";
+  EXPECT_GT(lost, 0) << "one rank's box holds it all";
+}
+
+/// A ground and a background lie outside of all boxes: the picture of the rank that gathers has them beside
+/// the one that all ranks show, in front of data, too, and with the light between both.
+TEST_P(ComposedInBoxesTest, CompletePictureHasGroundAndBackground) {
+  const int ranks = GetParam();
+  WorkerJob job(directory_, 2);
+  test::ProgramRanks programs(directory_, ranks);
+  programs.program(0).completes = true;
+  scene::Snapshot all = gatheredPlates(48);
+  all.instances.erase(all.instances.begin());
+  setBounds(all);
+  all.settings.ground.kind = GroundKind::plane, all.settings.ground.offset = -0.2f;
+  all.settings.lights.up = static_cast<decltype(all.settings.lights.up)>(2);  // z: it hides some plates
+  all.settings.background.kind = BackgroundKind::color;
+  const size_t count = all.instances.size();
+  int beneath = 0, outside = 0;
+  for (int frame = 1; frame < 6; ++frame) {
+    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.ground = scene::GroundUse::none, all.backdrop = nullptr;
+    all.eyeFromWorld = glm::rotate(all.eyeFromWorld, 0.3, {0.2, 1, 0.1});
+    for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
+    const Image without = expectedPicture(all);
+    all.ground = scene::GroundUse::drawn;
+    if (frame % 2 == 0) all.backdrop = std::make_shared<scene::Backdrop>();  // then the picture is averages
+    const Image whole = expectedPicture(all);
+    std::vector<scene::Snapshot> parts(static_cast<size_t>(ranks), all);
+    for (scene::Snapshot& part : parts) part.instances.clear();
+    for (size_t i = 0; i < count; ++i) parts[i * parts.size() / count].instances.push_back(all.instances[i]);
+    std::vector<Image> pictures = programs.pictures(parts);
+    for (const Image& picture : pictures) EXPECT_EQ(differing(picture, without), 0) << job.said();
+    EXPECT_EQ(differing(programs.program(0).complete, whole), 0) << job.said();
+    for (size_t i = 0; i < whole.depth.size() && !all.backdrop; ++i)
+      beneath += without.depth[i] != Image::kMiss && whole.depth[i] < without.depth[i];
+    outside += test::cropToBoxes(pictures, parts);
+  }
+  EXPECT_TRUE(programs.allByWorkers());
+  EXPECT_EQ(programs.program(0).said + programs.program(1).said, "");
+  EXPECT_GT(beneath, 0) << "the ground hides nothing";
+  EXPECT_GT(outside, 0) << "data cover the pictures";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ComposedInBoxesTest, testing::Values(2, 3, 4, 7));
+
+TEST_F(GatherTest, RanksShowWhatIsMadeOfAllPasses) {
   WorkerJob job(directory_, 2);
   test::ProgramRanks programs(directory_, 2);
   scene::Snapshot all = gatheredPlates();
+  const scene::Snapshot part = partOf(all, 1, 2);
+  programs.program(0).shows = false;
+  std::future<Image> other =
+      std::async(std::launch::async, [&] { return programs.program(1).picture(part); });
+  Image last;
   for (uint32_t pass = 0; pass < 3; ++pass) {
     all.lightSampling.pass = pass;
-    expectGathered(job, programs, all, 2);
+    last = programs.program(0).picture(partOf(all, 0, 2));
+    EXPECT_EQ(differing(last, expectedPicture(partsOf(all, {0, 1}, 2))), 0) << job.said();
   }
-  // The second rank's picture is finished: the first one's goes on without it.
-  all.lightSampling.pass = 3;
-  const Image last = programs.program(0).picture(partOf(all, 0, 2));
-  EXPECT_EQ(differing(last, expectedPicture(partsOf(all, {0, 1}, 2))), 0) << job.said();
+  EXPECT_NE(other.wait_for(std::chrono::milliseconds(50)), std::future_status::ready);
+  std::ranges::fill(last.color, 0x12345678u);  // as filters may change them
+  programs.program(0).tracer.shown(partOf(all, 0, 2), last, false);
+  EXPECT_EQ(differing(other.get(), last), 0) << job.said();
+  EXPECT_TRUE(programs.program(1).cost.elsewhere);
+  EXPECT_FALSE(programs.program(1).cost.refined);
+  // More passes are shown later.
+  std::ranges::fill(last.color, 0x87654321u);
+  programs.program(0).tracer.shown(partOf(all, 0, 2), last, true);
+  EXPECT_EQ(differing(programs.program(1).picture(part), last), 0) << job.said();
+  EXPECT_TRUE(programs.program(1).cost.refined);
+  EXPECT_TRUE(programs.allByWorkers());
+}
+
+TEST_F(GatherTest, PicturesThatAreNotShownAreNotWaitedFor) {
+  WorkerJob job(directory_, 2);
+  test::ProgramRanks programs(directory_, 2);
+  scene::Snapshot all = gatheredPlates();
+  programs.program(0).shows = false;
+  const scene::Snapshot part = partOf(all, 1, 2);
+  for (const bool ends : {false, true}) {
+    std::future<Image> other =
+        std::async(std::launch::async, [&] { return programs.program(1).picture(part); });
+    programs.program(0).picture(partOf(all, 0, 2));
+    if (ends)
+      programs.end(0);
+    else
+      ++all.number,
+          programs.program(0).tracer.trace(partOf(all, 0, 2), scratch_, cost_, error_, [] { return true; });
+    EXPECT_EQ(differing(other.get(), expectedPicture(part)), 0) << job.said();
+    ++all.number;
+  }
+}
+
+/// Pixels outside of all ranks' data reach no composed picture.
+TEST_F(GatherTest, SceneryIsLeftOut) {
+  WorkerJob job(directory_, 2);
+  test::ProgramRanks programs(directory_, 2);
+  scene::Snapshot plain = gatheredPlates();
+  setBounds(plain);
+  for (int which = 0; which < 3; ++which) {
+    scene::Snapshot all = plain;
+    all.frame = all.number = static_cast<uint64_t>(which + 1);
+    if (which != 1) {
+      all.settings.ground.kind = GroundKind::plane;
+      all.ground = which == 0 ? scene::GroundUse::drawn : scene::GroundUse::around;
+    }
+    if (which != 0) all.backdrop = std::make_shared<scene::Backdrop>();
+    scene::Snapshot expected = partsOf(all, {0, 1}, 2);
+    expected.ground = scene::GroundUse::none, expected.backdrop = nullptr;
+    for (const Image& picture : programs.pictures(all))
+      EXPECT_EQ(differing(picture, expectedPicture(expected)), 0) << job.said();
+  }
+  EXPECT_EQ(programs.program(0).said + programs.program(1).said, "");
+  for (int times = 0; times < 2; ++times) programs.program(0).tracer.leaveSceneryOut();
+  const std::string& said = programs.program(0).said;
+  EXPECT_EQ(said.find("ground and background are left out"), said.rfind("gather: ") + 8) << said;
+  scene::Snapshot all = plain;
+  all.settings.gather = false, all.settings.ao.enabled = false;
+  all.settings.ground.kind = GroundKind::plane, all.ground = scene::GroundUse::drawn;
+  all.frame = all.number = 4;
+  EXPECT_EQ(programs.pictures(all)[1].depth, expectedPicture(partOf(all, 1, 2)).depth)
+      << "without the setting";
+}
+
+TEST_F(GatherTest, MissesHaveTheColorThatEachRankAsksFor) {
+  WorkerJob job(directory_, 1);
+  test::ProgramRanks programs(directory_, 2);
+  scene::Snapshot all = gatheredPlates();
+  all.instances.erase(all.instances.begin());
+  std::future<Image> other = std::async(
+      std::launch::async, [&] { return programs.program(1).picture(partOf(all, 1, 2), 0xff00ff00u); });
+  programs.program(0).picture(partOf(all, 0, 2), 0xffff0000u);
+  EXPECT_EQ(differing(other.get(), expectedPicture(partsOf(all, {0, 1}, 2), 0xff00ff00u)), 0) << job.said();
 }
 
 TEST_F(GatherTest, SeveralScenesOfAFrame) {
@@ -118,8 +276,8 @@ TEST_F(GatherTest, ScenesWithoutFrames) {
     all.instances[static_cast<size_t>(scene % 2)].eyeFromObject[3][2] += 0.01;
     const std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
     const std::vector<Image> pictures = programs.pictures(parts);
-    EXPECT_TRUE(isEmpty(pictures[1])) << scene;
-    EXPECT_EQ(differing(pictures[0], expectedPicture(partsOf(all, {0, 1}, 3))), 0) << scene << job.said();
+    for (const Image& picture : pictures)
+      EXPECT_EQ(differing(picture, expectedPicture(partsOf(all, {0, 1}, 3))), 0) << scene << job.said();
   }
   int waited = 0;
   std::istringstream said(job.said());
@@ -137,10 +295,17 @@ TEST_F(GatherTest, BlendedSurfacesAreNotGathered) {
   around->instances = {all.instances.back()};
   around->blended = {1};
   parts[1].surroundings = around;
+  parts[0].settings.background.kind = BackgroundKind::color;
+  parts[0].backdrop = std::make_shared<scene::Backdrop>();
   const std::vector<Image> pictures = programs.pictures(parts);
-  EXPECT_FALSE(isEmpty(pictures[0]));
-  EXPECT_FALSE(isEmpty(pictures[1])) << "each rank draws its own";
+  for (size_t rank = 0; rank < 2; ++rank)
+    EXPECT_EQ(pictures[rank].depth, expectedPicture(parts[rank]).depth) << "each rank draws its own";
   EXPECT_NE(job.said().find("rank 1 of the program blends surfaces"), std::string::npos) << job.said();
+  for (int rank = 0; rank < 2; ++rank)
+    EXPECT_NE(programs.program(rank).said.find("blends surfaces: each rank traces its own part"),
+              std::string::npos);
+  EXPECT_NE(programs.program(0).said.find("background are left out"), std::string::npos);
+  EXPECT_EQ(programs.program(1).said.find("background are left out"), std::string::npos) << "it has none";
 }
 
 TEST_F(GatherTest, RankThatDrawsNothingIsLeftOut) {
@@ -150,8 +315,8 @@ TEST_F(GatherTest, RankThatDrawsNothingIsLeftOut) {
   for (int frame = 1; frame < 4; ++frame) {
     all.frame = all.number = static_cast<uint64_t>(frame);
     const std::vector<Image> pictures = programs.pictures({partOf(all, 0, 3), partOf(all, 1, 3)});
-    EXPECT_TRUE(isEmpty(pictures[1]));
-    EXPECT_EQ(differing(pictures[0], expectedPicture(partsOf(all, {0, 1}, 3))), 0) << job.said();
+    for (const Image& picture : pictures)
+      EXPECT_EQ(differing(picture, expectedPicture(partsOf(all, {0, 1}, 3))), 0) << job.said();
   }
   EXPECT_NE(job.said().find("rank 2 of the program draws nothing here"), std::string::npos) << job.said();
 }
@@ -164,8 +329,8 @@ TEST_F(GatherTest, FirstRankMayDrawNothing) {
   for (const int rank : {1, 2})
     coming.push_back(std::async(std::launch::async,
                                 [&, rank] { return programs.program(rank).picture(partOf(all, rank, 3)); }));
-  EXPECT_EQ(differing(coming[0].get(), expectedPicture(partsOf(all, {1, 2}, 3))), 0) << job.said();
-  EXPECT_TRUE(isEmpty(coming[1].get()));
+  for (std::future<Image>& one : coming)
+    EXPECT_EQ(differing(one.get(), expectedPicture(partsOf(all, {1, 2}, 3))), 0) << job.said();
 }
 
 TEST_F(GatherTest, RankThatEndsIsGone) {
@@ -192,7 +357,7 @@ TEST_F(GatherTest, StoppedRankDrawsItsOwnPartWhenItGoesOn) {
   EXPECT_EQ(differing(programs.program(0).picture(part), expectedPicture(part)), 0) << job.said();
   job.rank(1).isDeaf = false;
   const Image late = programs.program(1).picture(partOf(all, 1, 2));
-  EXPECT_FALSE(isEmpty(late)) << job.said();
+  EXPECT_EQ(differing(late, expectedPicture(partOf(all, 1, 2))), 0) << job.said();
   for (uint64_t frame = 3; frame < 6; ++frame) {
     all.frame = all.number = frame;
     const Image image = composed(programs.pictures(all));
@@ -211,7 +376,8 @@ TEST_F(GatherTest, SwitchedOnWhileTheProgramRuns) {
   expectGathered(job, programs, all, 2);
   all.settings.gather = false;
   all.frame = all.number = 3;
-  EXPECT_FALSE(isEmpty(programs.pictures(all)[1]));
+  const Image own = programs.pictures(all)[1];
+  EXPECT_EQ(own.depth, expectedPicture(partOf(all, 1, 2)).depth) << "its own part";
 }
 
 }  // namespace

@@ -57,11 +57,4 @@ void merge(const std::vector<std::shared_ptr<scene::Snapshot>>& parts, scene::Sn
   whole.surroundings = std::move(around);
 }
 
-void clear(scene::Snapshot& snapshot) {
-  snapshot.shadings.clear();
-  snapshot.instances.clear();
-  snapshot.surroundings.reset();
-  snapshot.ground = scene::GroundUse::none;
-}
-
 }  // namespace gluray::dist

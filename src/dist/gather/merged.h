@@ -12,7 +12,4 @@ namespace gluray::dist {
 /// seen by one camera; `whole` is undefined then.
 void merge(const std::vector<std::shared_ptr<scene::Snapshot>>& parts, scene::Snapshot& whole);
 
-/// Leaves nothing of the snapshot but its backdrop.
-void clear(scene::Snapshot& snapshot);
-
 }  // namespace gluray::dist

@@ -9,6 +9,7 @@ namespace {
 constexpr size_t kMostDecided = 16;
 constexpr int64_t kKept = 16;         // scenes of a viewport
 constexpr size_t kMostPlaces = 1024;  // of all
+constexpr double kShowPatience = 10;  // seconds between the end of tracing and the picture that is shown
 
 /// As dist/peers/meetings knows parts.
 SceneHeld heldOf(const PartHere& part) {
@@ -59,7 +60,12 @@ void PartGatherer::forgetBefore(const Place& place) {
 }
 
 void PartGatherer::begin(const TraceRequest& request, double now) {
-  end(false);
+  end(false, now);
+  if (made_.number == request.number)
+    made_.isOwed = !made_.ranks.empty();  // more passes
+  else if (made_.isOwed)
+    giveUpMade();
+  atWork(now);
   if (request.part.frame != own_.view.frame) decided_.clear(), scenes_.clear();
   const auto known = std::ranges::find(decided_, request.number, &Decided::number);
   const bool isRetry = number_ == request.number && own_.round > 0;  // it was cancelled before
@@ -67,6 +73,9 @@ void PartGatherer::begin(const TraceRequest& request, double now) {
   number_ = request.number;
   if (known != decided_.end()) {
     current_ = static_cast<size_t>(known - decided_.begin());
+    if (known->share != Share::shown || theirs_.isNew || theirs_.number != number_) return;
+    state_ = State::following;
+    at(to_ = theirs_.picture.address.from) = now;
     return;
   }
   if (!isRetry) own_.ordinal = scenes_[placeOf(own_, 0)]++;
@@ -90,6 +99,10 @@ PartGatherer::Share PartGatherer::look(const TraceRequest& request, double now) 
       if (!isSilent(to_, now)) return Share::awaited;
       meetings().fail(to_);
       return decide(Share::own);
+    case State::following:
+      if (!theirs_.isNew && !isSilent(to_, now)) return Share::awaited;
+      state_ = State::idle;
+      break;
     case State::tracing:
       if (!lost_) return Share::whole;
       lost_ = false;
@@ -130,6 +143,7 @@ PartGatherer::Share PartGatherer::meet(const TraceRequest& request, double now) 
     if (std::exchange(saidWhy_, why) != why) say_(why + ": each rank traces its own part");
     return decide(Share::own);
   }
+  saidWhy_.clear();
   if (!peers.empty() && peers.front() < self_) {
     to_ = peers.front(), toRound_ = partOf(to_).round;
     at(to_) = now;
@@ -154,32 +168,59 @@ PartGatherer::Share PartGatherer::collect(double now) {
   }
   if (!all) return Share::awaited;
   state_ = State::tracing;
-  Decided& whole = decided_.emplace_back(Decided{number_, own_.round, Share::whole, {}, false});
+  Decided& whole = decided_.emplace_back(Decided{number_, own_.round, Share::whole, {}});
   for (const auto& [rank, part] : given_) whole.parts.push_back(part);
   return Share::whole;
 }
 
 PartGatherer::Share PartGatherer::decide(Share share) {
-  rest(false);
-  decided_.push_back({number_, own_.round, share, {}, true});
+  rest(false, 0);
+  decided_.push_back({number_, own_.round, share, {}});
   return share;
 }
 
-void PartGatherer::end(bool shown) {
+void PartGatherer::end(bool traced, double now) {
   if (state_ == State::idle) return;
   if (state_ == State::given) sendTo(to_, PartGone{});
-  if (state_ == State::tracing) {
-    decided_.back().shown = shown;
-    if (!shown) decided_.pop_back();
-  }
-  rest(shown);
+  if (state_ == State::following) return void(state_ = State::idle);
+  if (state_ == State::tracing && !traced) decided_.pop_back();
+  rest(traced, now);
 }
 
-/// `shown`: whether our picture shows the parts that peers have given.
-void PartGatherer::rest(bool shown) {
-  for (const auto& [rank, part] : std::exchange(given_, {})) sendTo(rank, PartDone{{}, part.round, shown});
+/// `traced`: whether our picture shows the parts that peers have given.
+void PartGatherer::rest(bool traced, double now) {
+  const auto given = std::exchange(given_, {});
+  if (traced) {
+    made_ = {number_, own_.round, {}, !given.empty(), now, {}};
+    for (const auto& [rank, part] : given) made_.ranks.push_back(rank);
+  } else {
+    for (const auto& [rank, part] : given) sendTo(rank, PartDone{{}, part.round});
+  }
   meetings().end();
   state_ = State::idle;
+}
+
+/// The program does not show the picture: its parts' ranks trace them.
+void PartGatherer::giveUpMade() {
+  if (!made_.shown.pixels.empty()) return void(made_.isOwed = false);
+  const Made made = std::exchange(made_, {});
+  for (const int rank : made.ranks) sendTo(rank, PartDone{{}, made.round});
+}
+
+void PartGatherer::atWork(double now) { made_.since = now; }
+
+void PartGatherer::show(uint64_t number, const PartPicture& picture) {
+  if (number != made_.number || made_.ranks.empty()) return;
+  made_.isOwed = false;
+  made_.shown = picture;
+  made_.shown.round = made_.round;
+  for (const int rank : made_.ranks) sendTo(rank, made_.shown);
+}
+
+const PartPicture* PartGatherer::picture() {
+  if (theirs_.number != number_ || theirs_.picture.pixels.empty()) return nullptr;
+  theirs_.isNew = false;
+  return &theirs_.picture;
 }
 
 void PartGatherer::joins(int rank) {
@@ -215,19 +256,27 @@ void PartGatherer::take(PartGiven part, double now) {
     given_[rank] = std::move(part);
     return;
   }
-  // It may have asked for its picture once more, after the whole was shown.
-  const bool shown = std::ranges::any_of(decided_, [&](const Decided& d) {
-    return d.shown && d.round == part.round && std::ranges::any_of(d.parts, [&](const PartGiven& p) {
-             return p.address.from == rank && p.number == part.number;
-           });
-  });
-  sendTo(rank, PartDone{{}, part.round, shown});
+  // It may have asked for its picture once more, after the whole was traced.
+  const bool isMade = made_.round == part.round && std::ranges::find(made_.ranks, rank) != made_.ranks.end();
+  if (isMade && !made_.shown.pixels.empty()) return sendTo(rank, made_.shown);
+  if (!isMade || !made_.isOwed) sendTo(rank, PartDone{{}, part.round});
 }
 
 void PartGatherer::take(const PartDone& done, double now) {
   at(done.address.from) = now;
   if (state_ != State::given || done.address.from != to_ || done.round != toRound_) return;
-  answer_ = done.shown ? Share::nothing : Share::own;
+  answer_ = Share::own;
+}
+
+void PartGatherer::take(PartPicture picture, double now) {
+  const int rank = picture.address.from;
+  at(rank) = now;
+  const bool isAwaited = state_ == State::given && rank == to_ && picture.round == toRound_;
+  const PartPicture& last = theirs_.picture;
+  const bool isBetter = !last.pixels.empty() && rank == last.address.from && picture.round == last.round;
+  if (!isAwaited && !isBetter) return;
+  theirs_ = {isAwaited ? number_ : theirs_.number, true, std::move(picture)};
+  if (isAwaited) answer_ = Share::shown;
 }
 
 void PartGatherer::take(const PartGone& gone, double now) { loses(gone.address.from, now); }
@@ -235,7 +284,9 @@ void PartGatherer::take(const PartGone& gone, double now) { loses(gone.address.f
 void PartGatherer::take(const PartAtWork& work, double now) { at(work.address.from) = now; }
 
 void PartGatherer::tick(double now) {
-  if (state_ == State::idle || state_ == State::given || now - said_ < Meetings::kSayEvery) return;
+  if (made_.isOwed && now - made_.since > kShowPatience) giveUpMade();
+  const bool waits = state_ == State::idle || state_ == State::given || state_ == State::following;
+  if ((waits && !made_.isOwed) || now - said_ < Meetings::kSayEvery) return;
   said_ = now;
   for (int rank = 0; rank < ranks_; ++rank)
     if (rank != self_) sendTo(rank, PartAtWork{});

@@ -1,6 +1,7 @@
 // Brings the parts that the ranks of a sort-last program have of a view together, for one of these ranks: it
-// gathers the parts of the others, gives its own part to the rank that gathers, or traces its part alone.
-// What was decided for a snapshot holds for all passes over it. The worker's main thread.
+// gathers the parts of the others and gives them the picture that its program shows, or gives its own part to
+// the rank that gathers and gets that picture, or traces its part alone. What was decided for a snapshot
+// holds for all passes over it. The worker's main thread.
 #pragma once
 #include "dist/messages/part_messages.h"
 #include "dist/messages/program_messages.h"
@@ -31,23 +32,32 @@ class PartGatherer {
   enum class Share : uint8_t {
     awaited,  // not known yet
     whole,    // the picture of all parts()
-    nothing,  // another rank's picture shows the part
+    shown,    // picture(): another rank has made it
     own,      // the part alone
   };
   /// Which share of the picture of the view is the rank's. `request`: that of begin().
   Share look(const TraceRequest& request, double now);
   /// Parts of other ranks, for Share::whole.
   const std::vector<PartGiven>& parts() const { return decided_[current_].parts; }
+  /// Why the last part that was not gathered was not; empty: there was no reason that lasts.
+  const std::string& whyOwn() const { return saidWhy_; }
+  /// For Share::shown; null: it is kept no longer.
+  const PartPicture* picture();
   /// Whether a part of the whole is gone: its picture must end, and look() decides anew.
   bool isLost() const { return state_ == State::tracing && lost_; }
-  /// The whole has been traced and shown; not `shown`: it has not.
-  void end(bool shown);
+  /// The whole has been traced; not `traced`: it has not.
+  void end(bool traced, double now);
+  /// Work on a picture of the program goes on.
+  void atWork(double now);
+  /// The program shows the picture of a snapshot whose parts were traced here: gives it to their ranks.
+  void show(uint64_t number, const PartPicture& picture);
 
   void joins(int rank);
   void leaves(int rank, double now);
   void take(const PartHere& part, double now);
   void take(PartGiven part, double now);
   void take(const PartDone& done, double now);
+  void take(PartPicture picture, double now);
   void take(const PartGone& gone, double now);
   void take(const PartAtWork& work, double now);
   /// Says to peers that work goes on. Call ten times a second or more.
@@ -58,7 +68,8 @@ class PartGatherer {
     idle,
     meeting,     // who holds a part of the view?
     collecting,  // waits for parts
-    given,       // waits for PartDone
+    given,       // waits for PartDone or PartPicture
+    following,   // waits for another picture of a part that was given
     tracing,     // Share::whole has been returned
   };
   struct Decided {
@@ -66,7 +77,20 @@ class PartGatherer {
     uint64_t round = 0;   // of this rank
     Share share = Share::own;
     std::vector<PartGiven> parts;
-    bool shown = false;
+  };
+  /// The last picture of parts that was made here.
+  struct Made {
+    uint64_t number = 0, round = 0;  // of the snapshot; of this rank
+    std::vector<int> ranks;          // that have given parts
+    bool isOwed = false;             // the program has not shown it, or adds passes
+    double since = 0;                // when the program last had something traced for it
+    PartPicture shown;               // without pixels: it never did
+  };
+  /// The last picture that shows parts given by this rank.
+  struct Theirs {
+    uint64_t number = 0;  // of the snapshot
+    bool isNew = false;   // picture() has not returned it
+    PartPicture picture;
   };
   template <class M>
   void sendTo(int peer, M message) const {
@@ -85,7 +109,8 @@ class PartGatherer {
   Share meet(const TraceRequest& request, double now);
   Share collect(double now);
   Share decide(Share share);
-  void rest(bool shown);
+  void rest(bool traced, double now);
+  void giveUpMade();
   void loses(int rank, double now);
   bool isSilent(int rank, double now) const { return now - at(rank) > Meetings::kPatience; }
   double& at(int rank) { return heard_[static_cast<size_t>(rank)]; }
@@ -99,12 +124,14 @@ class PartGatherer {
   std::map<std::pair<Place, int>, PartHere> others_;  // the last of each peer
   std::vector<double> heard_;                         // when each peer said something
   State state_ = State::idle;
-  PartHere own_;                      // of the current picture; its round rises with each
-  uint64_t number_ = 0;               // of its snapshot
-  std::map<int, PartGiven> given_;    // to this rank, for the current picture
-  int to_ = -1;                       // the rank that has our part
-  uint64_t toRound_ = 0;              // its round
-  std::optional<Share> answer_;       // of that rank
+  PartHere own_;                    // of the current picture; its round rises with each
+  uint64_t number_ = 0;             // of its snapshot
+  std::map<int, PartGiven> given_;  // to this rank, for the current picture
+  int to_ = -1;                     // the rank that has our part
+  uint64_t toRound_ = 0;            // its round
+  std::optional<Share> answer_;     // of that rank
+  Made made_;
+  Theirs theirs_;
   bool lost_ = false;                 // a part is gone
   std::map<Place, uint32_t> scenes_;  // of the frame own_.view.frame, in each viewport; ordinals 0
   std::vector<Decided> decided_;      // of that frame; the last ones

@@ -24,9 +24,10 @@ void fields(auto& archive, Like<LayerCounts> auto& value) {
   archive(open, before);
 }
 void fields(auto& archive, Like<scene::TraceCost> auto& value) {
-  auto& [buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining, loss] =
-      value;
-  archive(buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining, loss);
+  auto& [buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining,
+         elsewhere, refined, loss] = value;
+  archive(buildSeconds, traceSeconds, blasBuilds, tlasBuilds, blasRefinements, bvhBytes, blasRefining,
+          elsewhere, refined, loss);
 }
 
 class WriteMessage : public WriteArchive<WriteMessage> {

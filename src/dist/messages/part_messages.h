@@ -30,12 +30,22 @@ struct PartGiven {
   std::vector<Hash128> arrays;  // that the snapshot names
   std::vector<std::byte> snapshot;
 };
-/// Answers PartGiven when the picture is finished.
+/// Answers PartGiven: the part belongs to no picture.
 struct PartDone {
   static constexpr uint16_t kType = 62;
   PeerAddress address;
   uint64_t round = 0;  // of PartGiven
-  bool shown = false;  // false: the part belongs to no picture
+};
+/// Answers PartGiven, each time that the sender's program shows the picture of all parts.
+struct PartPicture {
+  static constexpr uint16_t kType = 65;
+  PeerAddress address;
+  uint64_t round = 0;      // of PartGiven
+  bool finished = false;   // it will not become better
+  uint32_t missColor = 0;  // Image::missColor
+  ImageShape shape;
+  LayerCounts layers;
+  std::vector<std::byte> pixels;  // of planesIn(shape)
 };
 /// The sender's part does not belong to the picture any more.
 struct PartGone {
@@ -61,8 +71,12 @@ void fields(auto& archive, Like<PartGiven> auto& value) {
   archive(address, round, number, arrays, snapshot);
 }
 void fields(auto& archive, Like<PartDone> auto& value) {
-  auto& [address, round, shown] = value;
-  archive(address, round, shown);
+  auto& [address, round] = value;
+  archive(address, round);
+}
+void fields(auto& archive, Like<PartPicture> auto& value) {
+  auto& [address, round, finished, missColor, shape, layers, pixels] = value;
+  archive(address, round, finished, missColor, shape, layers, pixels);
 }
 void fields(auto& archive, Like<PartGone> auto& value) {
   auto& [address] = value;

@@ -57,6 +57,16 @@ struct Cancel {
   static constexpr uint16_t kType = 5;
   uint64_t id = 0;
 };
+/// What the program shows of its last gathered picture, once all passes over it are made. Its pixels, of
+/// planesIn(shape), are attached, in sealed memory.
+struct PictureShown {
+  static constexpr uint16_t kType = 6;
+  uint64_t number = 0;     // TraceRequest::number
+  bool finished = false;   // no passes make it better
+  uint32_t missColor = 0;  // Image::missColor
+  ImageShape shape;
+  LayerCounts layers;
+};
 /// The job's ranks and their hosts are asked for.
 struct JobQuestion {
   static constexpr uint16_t kType = 50;
@@ -84,8 +94,9 @@ struct PictureDone {
   uint64_t id = 0;
   bool whole = false;  // false: cancelled, or `error` says why
   bool improves = false;
-  bool gathered = false;  // it shows the surfaces of other ranks, or theirs shows this rank's
+  bool gathered = false;  // it shows the surfaces of other ranks, too
   std::string error;
+  std::string note;  // why it does not show the surfaces of other ranks, which it should; may be empty
   ImageShape shape;
   LayerCounts layers;
   scene::TraceCost cost;
@@ -122,6 +133,10 @@ void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;
   archive(id);
 }
+void fields(auto& archive, Like<PictureShown> auto& value) {
+  auto& [number, finished, missColor, shape, layers] = value;
+  archive(number, finished, missColor, shape, layers);
+}
 void fields(auto&, Like<JobQuestion> auto&) {}
 void fields(auto& archive, Like<Welcome> auto& value) {
   auto& [refusal, ranks, threads] = value;
@@ -136,8 +151,8 @@ void fields(auto& archive, Like<PictureMemory> auto& value) {
   archive(bytes);
 }
 void fields(auto& archive, Like<PictureDone> auto& value) {
-  auto& [id, whole, improves, gathered, error, shape, layers, cost] = value;
-  archive(id, whole, improves, gathered, error, shape, layers, cost);
+  auto& [id, whole, improves, gathered, error, note, shape, layers, cost] = value;
+  archive(id, whole, improves, gathered, error, note, shape, layers, cost);
 }
 void fields(auto& archive, Like<JobFacts> auto& value) {
   auto& [ranks] = value;

@@ -62,7 +62,6 @@ struct TraceOrder {
   bool averages = true;     // frame::Renderer::renderTiles
   bool meetsPeers = false;  // TraceRequest::meetsPeers
   FilmOrder film;
-  bool empty = false;  // nothing of the snapshot is shown but its backdrop
   uint32_t missColor = 0;
   std::vector<Hash128> needs;  // arrays that may still be on their way
   std::vector<std::byte> snapshot;
@@ -148,8 +147,8 @@ void fields(auto& archive, Like<FilmOrder> auto& value) {
   archive(moving, index, raysOfPixel, quarter);
 }
 void fields(auto& archive, Like<TraceOrder> auto& value) {
-  auto& [id, shared, averages, meetsPeers, film, empty, missColor, needs, snapshot, parts] = value;
-  archive(id, shared, averages, meetsPeers, film, empty, missColor, needs, snapshot, parts);
+  auto& [id, shared, averages, meetsPeers, film, missColor, needs, snapshot, parts] = value;
+  archive(id, shared, averages, meetsPeers, film, missColor, needs, snapshot, parts);
 }
 void fields(auto& archive, Like<FilmShape> auto& value) {
   auto& [width, height, factors] = value;

@@ -118,6 +118,7 @@ bool PeerPrograms::take(int from, uint16_t type, std::span<const std::byte> body
     case PartHere::kType: return to(&Local::gatherer, PartHere{});
     case PartGiven::kType: return to(&Local::gatherer, PartGiven{});
     case PartDone::kType: return to(&Local::gatherer, PartDone{});
+    case PartPicture::kType: return to(&Local::gatherer, PartPicture{});
     case PartGone::kType: return to(&Local::gatherer, PartGone{});
     case PartAtWork::kType: return to(&Local::gatherer, PartAtWork{});
     default: return false;

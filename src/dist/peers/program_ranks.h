@@ -57,10 +57,11 @@ class ProgramRanks {
     for (auto& one : coming) images.push_back(one.get());
     return images;
   }
-  std::vector<Image> pictures(const scene::Snapshot& all) {
+  std::vector<Image> pictures(const scene::Snapshot& all) { return pictures(partsOfAll(all)); }
+  std::vector<scene::Snapshot> partsOfAll(const scene::Snapshot& all) const {
     std::vector<scene::Snapshot> parts;
     for (size_t i = 0; i < programs_.size(); ++i) parts.push_back(partOf(all, static_cast<int>(i), ranks_));
-    return pictures(parts);
+    return parts;
   }
   Program& program(int rank) { return *programs_[static_cast<size_t>(rank)]; }
   void end(int rank) { programs_[static_cast<size_t>(rank)].reset(); }
@@ -83,6 +84,44 @@ inline Image composed(std::vector<Image> images) {
       all.color[i] = images[k].color[i];
     }
   return all;
+}
+
+/// Where IceT takes pixels of a rank's picture from: the box of the rank's data, on the screen.
+inline glm::ivec4 boxOf(const scene::Snapshot& part) {
+  glm::dvec3 lower(1e300), upper(-1e300);
+  for (const scene::Instance& instance : part.instances)
+    for (uint32_t vertex = 0; vertex < instance.mesh->vertexCount; ++vertex) {
+      const glm::dvec3 point(glm::dmat4(instance.worldFromObject) *
+                             glm::dvec4(instance.mesh->position(vertex), 1));
+      lower = glm::min(lower, point), upper = glm::max(upper, point);
+    }
+  const scene::Region& region = part.region;
+  glm::dvec2 least(1e300), most(-1e300);
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec4 point((corner & 1 ? upper : lower).x, (corner & 2 ? upper : lower).y,
+                           (corner & 4 ? upper : lower).z, 1);
+    const glm::dvec4 clip = part.camera.clipFromEye * part.eyeFromWorld * point;
+    const glm::dvec2 pixel =
+        (glm::dvec2(clip) / clip.w + 1.0) * 0.5 * glm::dvec2(region.width, region.height);
+    least = glm::min(least, glm::floor(pixel)), most = glm::max(most, glm::ceil(pixel));
+  }
+  return {glm::max(least, glm::dvec2(0)), glm::min(most, glm::dvec2(region.width, region.height))};
+}
+
+/// As IceT composes the pictures of these parts. Returns how many pixels lie in no part's box.
+inline int cropToBoxes(std::vector<Image>& images, const std::vector<scene::Snapshot>& parts) {
+  std::vector<uint8_t> inside(images[0].depth.size());
+  for (size_t k = 0; k < images.size(); ++k) {
+    const glm::ivec4 box = boxOf(parts[k]);
+    for (size_t i = 0; i < inside.size(); ++i) {
+      const int x = static_cast<int>(i) % images[k].width, y = static_cast<int>(i) / images[k].width;
+      if (x >= box.x && x < box.z && y >= box.y && y < box.w)
+        inside[i] = 1;
+      else
+        images[k].depth[i] = Image::kMiss, images[k].color[i] = images[k].missColor;
+    }
+  }
+  return static_cast<int>(std::ranges::count(inside, 0));
 }
 
 inline int differing(const Image& a, const Image& b) {

@@ -32,9 +32,20 @@ void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, con
 RemoteTracer::RemoteTracer(std::string directory, std::string job, MpiPlace place, frame::TraceBehind here,
                            std::function<void(const std::string&)> say)
     : job_(job),
+      hasPeers_(place.ranks > 1),
       here_(std::move(here)),
       say_(std::move(say)),
       link_(std::move(directory), std::move(job), std::move(place)) {}
+
+void RemoteTracer::shown(const scene::Snapshot& snapshot, const Image& image, bool finished) noexcept {
+  try {
+    const std::lock_guard lock(mutex_);
+    if (!link_.isGathered(snapshot) || link_.isMadeElsewhere(snapshot)) return;
+    if (!link_.show(snapshot, image, finished)) link_.disconnect("the worker is gone", nowSeconds());
+  } catch (const std::exception& why) {  // the other ranks trace their parts
+    say_(std::string("the other ranks do not get the picture: ") + why.what());
+  }
+}
 
 void RemoteTracer::tell(const std::string& why) {
   if (why == told_ && !traced_) return;
@@ -43,8 +54,53 @@ void RemoteTracer::tell(const std::string& why) {
   say_("workers = " + job_ + ": " + why + "; this process traces until they do");
 }
 
+bool RemoteTracer::leavesOut(const scene::Snapshot& snapshot) const {
+  return scene::hasScenery(snapshot) && hasPeers_ && snapshot.settings.gather;
+}
+
+void RemoteTracer::leaveSceneryOut() noexcept {
+  if (toldOfScenery_.exchange(true)) return;
+  say_(
+      "gather: ground and background are left out: no picture of all ranks' data, drawn over an even "
+      "background and composed by one of the ranks that draw, was found in a framebuffer");
+}
+
+bool RemoteTracer::isGathered(const scene::Snapshot& snapshot) noexcept {
+  const std::lock_guard lock(mutex_);
+  return link_.isGathered(snapshot) && !link_.isMadeElsewhere(snapshot);
+}
+
 bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                          std::string& error, const std::function<bool()>& stop) noexcept {
+  if (!leavesOut(snapshot)) return traceAll(snapshot, image, cost, error, stop);
+  try {
+    scene::Snapshot without = snapshot;
+    without.ground = scene::GroundUse::none;
+    without.backdrop = nullptr;
+    if (!traceAll(without, image, cost, error, stop)) return false;
+    const std::lock_guard lock(mutex_);
+    if (!link_.isGathered(snapshot) && scene::showsScenery(snapshot)) leaveSceneryOut();
+    return true;
+  } catch (const std::bad_alloc&) {
+    cost.loss = scene::Loss::frames;
+    return error = "out of memory", false;
+  }
+}
+
+bool RemoteTracer::traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                                 std::string& error) noexcept {
+  try {
+    scene::Snapshot complete = snapshot;
+    complete.view = ~snapshot.view;  // it has films of its own
+    return traceAll(complete, image, cost, error, nullptr);
+  } catch (const std::bad_alloc&) {
+    cost.loss = scene::Loss::frames;
+    return error = "out of memory", false;
+  }
+}
+
+bool RemoteTracer::traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                            std::string& error, const std::function<bool()>& stop) noexcept {
   Result result = Result::nobody;
   try {
     error.clear();
@@ -62,6 +118,7 @@ bool RemoteTracer::trace(const scene::Snapshot& snapshot, Image& image, scene::T
       lock.lock();
     else if (!lock.try_lock() || wanted_ > 0)
       return false;
+    if (stop && link_.isMadeElsewhere(snapshot)) return error = "another rank makes the picture", false;
     result = byWorkers(snapshot, image, cost, error, stop);
     // A picture of this rank's part would lack what the others leave to it, or show what they show.
     if ((result == Result::nobody || result == Result::failed) && link_.isGathered(snapshot)) {
@@ -117,6 +174,8 @@ RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Imag
     copyPixels(snapshot, picture, link_.pixels(), image);
     cost = picture.cost;
     improves_ = picture.improves;
+    if (picture.note != toldNote_ && !(toldNote_ = picture.note).empty())
+      say_("gather: " + toldNote_ + ": each rank traces its own part");
     return Result::done;
   }
 }

@@ -41,7 +41,8 @@ bool hasBlended(const scene::Snapshot& snapshot) {
 
 /// Whether the parts of other ranks belong to the picture. Without light, parts are as good.
 bool isGathering(const scene::Snapshot& snapshot) {
-  return snapshot.settings.gather && scene::needsSurroundings(snapshot.settings);
+  const Settings& settings = snapshot.settings;
+  return settings.gather && (scene::needsSurroundings(settings) || scene::wantsBackdrop(settings));
 }
 
 PartView partViewOf(const scene::Snapshot& s) {
@@ -190,10 +191,21 @@ WorkerLink::Came WorkerLink::wait(int timeoutMs, double now) {
       if (picture.whole && bytesOf(picture.shape) > memoryBytes_) throw Malformed("its pixels are missing");
       picture_ = std::move(picture);
       if (picture_.gathered) gathered_ = asked_;
+      if (picture_.cost.elsewhere) elsewhere_ = asked_;
       return Came::picture;
     }
     default: throw Malformed("its kind is not known");
   }
+}
+
+bool WorkerLink::show(const scene::Snapshot& snapshot, const Image& image, bool finished) {
+  PictureShown shown{snapshot.number, finished, image.missColor, shapeOf(image), image.layers};
+  const PlanePointers from = planesOf(const_cast<Image&>(image));
+  const Descriptor memory = sealedMemory(bytesOf(shown.shape), [&](std::byte* at) {
+    const PlanePointers to = planesIn(at, shown.shape);
+    copyTile(from, to, shown.shape, {0, 0, shown.shape.width, shown.shape.height});
+  });
+  return send(shown, memory.get());
 }
 
 void WorkerLink::cancel() { send(Cancel{lastId_}); }

@@ -34,9 +34,15 @@ class WorkerLink {
   /// Whether pictures of the snapshot depend on nothing else: false where surfaces of the program's other
   /// ranks belong to them or block their light.
   bool standsAlone(const scene::Snapshot& snapshot) const;
-  /// Whether the last picture showed surfaces of other ranks, or another rank's showed those of the snapshot:
-  /// then this process must not trace it.
+  /// Whether the last picture of the snapshot showed surfaces of other ranks, too: then this process must not
+  /// trace it.
   bool isGathered(const scene::Snapshot& snapshot) const;
+  /// Whether another rank's process makes that picture.
+  bool isMadeElsewhere(const scene::Snapshot& snapshot) const {
+    return isGathered(snapshot) && elsewhere_ == snapshot.number;
+  }
+  /// Tells what this process shows of a gathered picture. False: the connection has failed.
+  bool show(const scene::Snapshot& snapshot, const Image& image, bool finished);
   /// Sends the snapshot and those of its arrays that the worker lacks. False: the connection has failed.
   bool ask(const scene::Snapshot& snapshot, uint32_t missColor);
   enum class Came : uint8_t { nothing, sign, picture, failure };
@@ -71,7 +77,8 @@ class WorkerLink {
   std::shared_ptr<const std::byte> memory_;
   size_t memoryBytes_ = 0;
   PictureDone picture_;
-  uint64_t asked_ = 0, gathered_ = 0;  // Snapshot::number of the last request and the last gathered picture
+  // Snapshot::number of the last request, the last gathered picture, and the last one of another process.
+  uint64_t asked_ = 0, gathered_ = 0, elsewhere_ = 0;
 };
 
 }  // namespace gluray::dist

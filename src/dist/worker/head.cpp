@@ -59,6 +59,7 @@ void Head::askNow(ProgramSide& program, double now) {
 
 void Head::gather(ProgramSide& program, double now) {
   program.share = peers_.gatherer(program.peer).look(program.given(), now);
+  if (program.share == Share::shown) return giveShown(program);
   if (!program.isGathering()) start(program, true, now);
 }
 
@@ -69,7 +70,6 @@ TraceOrder Head::orderOf(ProgramSide& program, bool averages) {
   order.shared = program.picture->kind() != Picture::Kind::alone;
   if (program.picture->kind() == Picture::Kind::moving) order.film = filmOrderOf(program);
   order.meetsPeers = request.meetsPeers && program.share == Share::own;
-  order.empty = program.share == Share::nothing;
   order.missColor = request.missColor;
   order.needs = program.isWhole() && program.paged ? request.arrays : program.newArrays,
   order.snapshot = request.snapshot;
@@ -166,12 +166,12 @@ void Head::end(ProgramSide& program) {
     if (picture.asks(rank)) ranks_.send(rank, forRanks(EndOfPicture{picture.id()}));
 }
 
-void Head::endPicture(ProgramSide& program) {
+void Head::endPicture(ProgramSide& program, double now) {
   if (program.picture) end(program);
   endPages(program);
   program.picture.reset();
   if (program.isGathering()) program.share = Share::own;
-  if (program.peer) peers_.gatherer(program.peer).end(false);
+  if (program.peer) peers_.gatherer(program.peer).end(false, now);
 }
 
 void Head::finish(ProgramSide& program, double now) {
@@ -185,9 +185,11 @@ void Head::finish(ProgramSide& program, double now) {
     animation.pace.took(result.cost.traceSeconds, 1 / static_cast<double>(program.request->fps));
   }
   result.gathered = program.request->gathers && result.whole && program.share != Share::own;
+  if (program.request->gathers && program.share == Share::own)
+    result.note = peers_.gatherer(program.peer).whyOwn();
   program.send(result);
-  if (result.gathered) peers_.gatherer(program.peer).end(true);
-  endPicture(program);
+  if (result.gathered) peers_.gatherer(program.peer).end(true, now);
+  endPicture(program, now);
 }
 
 void Head::tick(double now) {
@@ -218,6 +220,7 @@ void Head::sayAtWork(ProgramSide& program, double now) {
   if (!(program.picture || program.isWaiting()) || now - program.saidAtWork <= kAtWorkEvery) return;
   program.saidAtWork = now;
   program.send(AtWork{program.request->id});
+  if (program.peer) peers_.gatherer(program.peer).atWork(now);
 }
 
 void Head::leaveOut(int rank) {

@@ -91,12 +91,15 @@ class Head {
   void giveTiles(ProgramSide& program);
   void giveTiles(Picture& picture, int rank);
   void end(ProgramSide& program);
-  void endPicture(ProgramSide& program);
+  void endPicture(ProgramSide& program, double now);
   /// Gives the program its picture, if that is done.
   void finish(ProgramSide& program, double now);
+  /// Gives the program the picture that another rank's program shows.
+  void giveShown(ProgramSide& program);
+  void takeShown(ProgramSide& program, const PictureShown& shown, const control::Descriptor& memory);
   void sayAtWork(ProgramSide& program, double now);
   void leaveOut(int rank);
-  void leave(ProgramSide& program);
+  void leave(ProgramSide& program, double now);
   ProgramSide* programOf(uint64_t picture);
 
   Ranks& ranks_;

@@ -35,7 +35,7 @@ void Head::readPrograms(double now) {
       ++it;
       continue;
     }
-    leave(*it);
+    leave(*it, now);
     it = programs_.erase(it);
   }
 }
@@ -51,14 +51,15 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
     case ArrayComes::kType: return takeArray(program, as(ArrayComes{}), message.attached);
     case ArraysGo::kType: return forget(program, as(ArraysGo{}).names);
     case TraceRequest::kType:
-      endPicture(program);
+      endPicture(program, now);
       program.request = as(TraceRequest{});
       return ask(program, now);
     case Cancel::kType:
       if (!(program.picture || program.isWaiting()) || program.request->id != as(Cancel{}).id) return;
-      endPicture(program);
+      endPicture(program, now);
       return program.send(
-          PictureDone{program.request->id, false, false, false, "", {1, 1, 1, Image::kPicture}, {}, {}});
+          PictureDone{program.request->id, false, false, false, "", "", {1, 1, 1, Image::kPicture}, {}, {}});
+    case PictureShown::kType: return takeShown(program, as(PictureShown{}), message.attached);
     case JobQuestion::kType: as(JobQuestion{}); return inquiry_.ask(program, now);
     default: throw Malformed("its kind is not known");
   }
@@ -80,8 +81,8 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
   if (!welcome.refusal.empty()) program.end();
 }
 
-void Head::leave(ProgramSide& program) {
-  endPicture(program);
+void Head::leave(ProgramSide& program, double now) {
+  endPicture(program, now);
   if (program.paging.number) pages_.forget(program.paging.number);
   if (program.peer) peers_.remove(program.peer);
   inquiry_.forget(program);

@@ -118,6 +118,11 @@ struct Program {
     image.missColor = missColor;
     std::string error;
     EXPECT_TRUE(tracer.trace(snapshot, image, cost, error, nullptr)) << error;
+    if (completes && tracer.isGathered(snapshot)) {
+      scene::TraceCost more;
+      EXPECT_TRUE(tracer.traceComplete(snapshot, complete, more, error)) << error;
+    }
+    if (shows && !cost.elsewhere) tracer.shown(snapshot, image, finishes);
     return image;
   }
 
@@ -125,6 +130,9 @@ struct Program {
   int tracedHere = 0;
   std::string said;
   scene::TraceCost cost;
+  bool shows = true, finishes = true;  // each picture, which is the last pass
+  bool completes = false;              // makes a complete picture before the other ranks get theirs
+  Image complete;
   RemoteTracer tracer;
 };
 

@@ -42,6 +42,12 @@ class ProgramSide {
   /// Its picture is wanted and not begun.
   bool isWaiting() const { return isGathering() || paging.job != 0; }
   bool isWhole() const { return share == Share::whole; }
+  /// Makes `memory` large enough for a picture, and says so.
+  void makeRoom(size_t bytes) {
+    if (bytes <= memory.bytes) return;
+    memory = writtenMemory(bytes);
+    send(PictureMemory{memory.bytes}, memory.memory.get());
+  }
   /// Its pictures show the geometry of all ranks, so that all workers need it.
   bool spreads = true;
   int ranks = 1;            // of the program

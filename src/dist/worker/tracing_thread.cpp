@@ -83,7 +83,6 @@ void TracingThread::trace(const Task& task) {
 
 std::shared_ptr<scene::Snapshot> TracingThread::decode(const TraceOrder& order) {
   std::shared_ptr<scene::Snapshot> snapshot = decoder_.decode(order.snapshot);
-  if (order.empty) clear(*snapshot);
   if (order.parts.empty()) return gathered_.clear(), snapshot;
   std::vector<std::shared_ptr<scene::Snapshot>> parts;
   for (const std::vector<std::byte>& part : order.parts) parts.push_back(decoder_.decode(part));

@@ -9,6 +9,7 @@
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/state/draw_binding.h"
+#include "gl/window/composed_views.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
@@ -85,6 +86,7 @@ void Flusher::presentBatch(Reason reason) {
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : p_.cleared.under(*snapshot, key);
   const AntialiasedPicture antialiased = p_.cleared.antialiased();
   p_.cleared.forget();
+  if (!rasterise) p_.composed.presenting(key, *snapshot);
   const PresentResult result = peeled ? p_.layers.present(snapshot, key)
                                       : presenter.present(p_.shadow.real, snapshot,
                                                           {.depthFunc = key.depthFunc,
@@ -94,6 +96,7 @@ void Flusher::presentBatch(Reason reason) {
                                                            .wish = p_.clock.wish(),
                                                            .cleared = under});
   if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.traced(key, snapshot);
+  if (!rasterise) p_.composed.presented(key, snapshot, result.outcome == PresentResult::traced);
   p_.cleared.wrote(key.framebuffer, result.uploaded);
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
   p_.resolves.cleanIs({});
@@ -132,6 +135,7 @@ void Flusher::takeResult(const PresentResult& result, bool known) {
 }
 
 void Flusher::settle() {
+  p_.composed.settle();
   p_.window.settle();
   p_.resolves.settle();
 }
@@ -142,12 +146,14 @@ void Flusher::settleBelow(int samples) {
 }
 
 void Flusher::leave() {
+  p_.composed.settle();
   p_.window.showLagged();
   pictured.collect(batch);
   if (!batch.empty() && !p_.resolves.hold()) present();
 }
 
 UnresolvedPicture::Cleared Flusher::beforeClear(GLbitfield mask) {
+  p_.composed.settle();
   p_.window.stopRefining();
   const UnresolvedPicture::Cleared clean = p_.resolves.clearedBy(mask);
   present();
@@ -161,6 +167,7 @@ void Flusher::beforeBlit() noexcept {
     p_.shadow.syncCurrent();
     flushBatch();
     p_.resolves.meetBlit();
+    p_.composed.settle();
     p_.window.settle();
     p_.shadow.sendBuffers();
   });

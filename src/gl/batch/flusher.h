@@ -20,6 +20,7 @@
 
 namespace gluray::gl {
 
+class ComposedViews;
 class LayerDraws;
 class ResolveDraws;
 class WindowFrames;
@@ -37,6 +38,7 @@ class Flusher {
     LayerDraws& layers;
     ResolveDraws& resolves;
     WindowFrames& window;
+    ComposedViews& composed;
   };
   Flusher(const Parts& parts, Presenter& with)
       : presenter(with), pictured({parts.shadow, parts.clock, parts.surfaces, with}), p_(parts) {}

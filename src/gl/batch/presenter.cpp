@@ -12,6 +12,11 @@ WindowPresenter& Presenter::window() noexcept {
   return none;
 }
 
+CompletePresenter& Presenter::complete() noexcept {
+  static CompletePresenter none;
+  return none;
+}
+
 FramebufferReader& Presenter::reader() noexcept {
   static FramebufferReader none;
   return none;

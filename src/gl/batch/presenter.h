@@ -2,6 +2,7 @@
 // in tests. GL thread.
 #pragma once
 #include "gl/batch/cleared_target.h"
+#include "gl/batch/complete_presenter.h"
 #include "gl/batch/framebuffer_reader.h"
 #include "gl/batch/picture_wish.h"
 #include "gl/batch/present_result.h"
@@ -83,6 +84,7 @@ class Presenter {
   virtual LayerPresenter& layers() noexcept;
   virtual WindowPresenter& window() noexcept;
   virtual FramebufferReader& reader() noexcept;
+  virtual CompletePresenter& complete() noexcept;
   /// Names that it has created in the share group, which deletes them. Called when the context is destroyed.
   virtual SharedNames takeNames() { return {}; }
   /// A context is being destroyed; it may or may not be current. Its own objects need not be deleted.

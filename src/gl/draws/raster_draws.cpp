@@ -3,6 +3,7 @@
 #include "gl/batch/resolve_draws.h"
 #include "gl/errors.h"
 #include "gl/layers/layer_draws.h"
+#include "gl/window/composed_views.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {
@@ -76,6 +77,7 @@ void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
 }
 
 void RasterDraws::before(PrimitiveClass kind) {
+  p_.failsafe.protect([&] { p_.composed.settle(); });
   if (p_.window.lags() || p_.window.lacks()) p_.failsafe.protect([&] { p_.window.meetDraw(); });
   Batch& batch = p_.flusher.batch;
   // The pending batch was just found to be coplanar with this draw: rasterise both.
@@ -100,6 +102,8 @@ void RasterDraws::before(PrimitiveClass kind) {
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }
   clearBelow_ = p_.cleared.target();
+  if (p_.composed.waits() && kind == PrimitiveClass::surfaces) [[unlikely]]
+    p_.failsafe.protect([&] { p_.composed.drawing(); });
   noteDepths();
   p_.shadow.syncCurrent();
 }

@@ -26,6 +26,7 @@ class RasterDraws {
     LayerDraws& layers;
     ResolveDraws& resolves;
     WindowFrames& window;
+    ComposedViews& composed;
   };
   explicit RasterDraws(const Parts& parts) : p_(parts) {}
 

@@ -14,6 +14,10 @@ namespace gluray::gl {
 /// spp), and the texture that a part of it was copied into since then.
 class AntialiasedPicture {
  public:
+  AntialiasedPicture() = default;
+  /// Nothing was copied yet.
+  AntialiasedPicture(GLuint framebuffer, GLenum buffer, const scene::Region& region)
+      : framebuffer_(framebuffer), buffer_(buffer), region_(region) {}
   bool any() const { return framebuffer_ != 0; }
   bool copied() const { return texture_ != 0; }
   /// The draw framebuffer's colours are cleared.

@@ -7,6 +7,7 @@
 #include "gl/state/shadow_state.h"
 #include "gl/window/antialiased_picture.h"
 #include "gl/window/frame_clock.h"
+#include "settings/samples.h"
 
 #include <GL/gl.h>
 #include <glm/glm.hpp>
@@ -52,6 +53,11 @@ class ClearedFramebuffers {
   }
 
   const AntialiasedPicture& antialiased() const { return antialiased_; }
+  /// Pictures of averages were written into the region of the draw framebuffer, which had one colour.
+  void holdsAntialiased(GLuint framebuffer, GLenum drawBuffer, const scene::Region& region) {
+    if (framebuffer != 0 && samplesPerPixel(shadow_.settings) > 1)
+      antialiased_ = AntialiasedPicture(framebuffer, drawBuffer, region);
+  }
   /// A picture of averages was written over the content described by `before`.
   void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
 

@@ -2,6 +2,7 @@
 // per context. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
+#include "intercept/present/complete_pictures.h"
 #include "intercept/present/presented_pictures.h"
 #include "intercept/present/read_back/buffer_reader.h"
 #include "intercept/present/read_back/reused_pictures.h"
@@ -18,7 +19,11 @@ namespace gluray::present {
 class TracingPresenter final : public gl::Presenter {
  public:
   explicit TracingPresenter(const frame::Tracer& tracer, Written onWritten = {})
-      : shared_(tracer, std::move(onWritten)), layers_(shared_), window_(shared_), reader_(shared_) {}
+      : complete_(tracer, shared_),
+        shared_(complete_.tracer(), std::move(onWritten)),
+        layers_(shared_),
+        window_(shared_),
+        reader_(shared_) {}
 
   bool supports(const gl::RealGl& real, bool, std::string& why) noexcept override {
     return shared_.supported(real, why);
@@ -32,6 +37,7 @@ class TracingPresenter final : public gl::Presenter {
   gl::LayerPresenter& layers() noexcept override { return layers_; }
   gl::WindowPresenter& window() noexcept override { return window_; }
   gl::FramebufferReader& reader() noexcept override { return reader_; }
+  gl::CompletePresenter& complete() noexcept override { return complete_; }
   gl::SharedNames takeNames() override { return shared_.takeNames(); }
   void forget(const gl::RealGl&) noexcept override { shared_.forget(); }
 
@@ -48,6 +54,7 @@ class TracingPresenter final : public gl::Presenter {
   gl::PresentResult resolved(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                              const gl::ResolveTarget& target);
 
+  CompletePictures complete_;
   PresentedPictures shared_;
   TracedLayers layers_;
   TracedWindow window_;

@@ -96,6 +96,7 @@ json makeReport(const Totals& totals) {
         {"trace", s.traceSeconds * perFrame},
         {"present", s.presentSeconds * perFrame}}},
       {"unknownCalls", totals.unknownCalls},
+      {"warnings", log::recent()},
   };
 }
 

@@ -1,0 +1,92 @@
+#include "intercept/present/complete_pictures.h"
+
+#include "intercept/present/layers.h"
+#include "intercept/present/present_result.h"
+#include "intercept/present/write_back/state_guard.h"
+
+#include <exception>
+
+namespace gluray::present {
+namespace {
+
+constexpr int kMaxUnshown = 4;   // from then on the program is taken not to draw composed pictures here ...
+constexpr int kTrialEvery = 16;  // ... but for a trial every so many pictures
+
+/// Of complete pictures: nobody hears of them, and each shows what is left out elsewhere.
+frame::Tracer completeTracer(const frame::Tracer& tracer) {
+  frame::Tracer complete;
+  complete.trace = tracer.scenery.trace;
+  complete.improves = tracer.improves;
+  complete.standsAlone = tracer.standsAlone;
+  return complete;
+}
+
+}  // namespace
+
+CompletePictures::CompletePictures(const frame::Tracer& tracer, PresentedPictures& shared)
+    : tracer_(tracer), pictures_(completeTracer(tracer)), shared_(shared) {}
+
+frame::Tracer CompletePictures::tracer() {
+  frame::Tracer tracer = tracer_;
+  if (tracer_.scenery.trace && tracer_.shown)
+    tracer.shown = [this](const scene::Snapshot& snapshot, const Image& image, bool finished) {
+      make(snapshot, image, finished);
+      tracer_.shown(snapshot, image, finished);
+    };
+  return tracer;
+}
+
+bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
+  return snapshot.settings.gather && tracer_.scenery.trace;
+}
+
+std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& snapshot, bool finished) {
+  if (unshown_ >= kMaxUnshown && unshown_ % kTrialEvery != 0) return nullptr;
+  const frame::Pictures::Result result =
+      pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
+  return result.picture ? std::make_shared<const Image>(result.picture->image) : nullptr;
+}
+
+void CompletePictures::make(const scene::Snapshot& snapshot, const Image& shown, bool finished) noexcept {
+  try {
+    if (!mayMake(snapshot) || !tracer_.scenery.isGathered(snapshot)) return;
+    if (!isExpected_) return leaveOut(snapshot);
+    made_ = scene::hasScenery(snapshot) ? traced(snapshot, finished) : std::make_shared<const Image>(shown);
+    if (!made_) leaveOut(snapshot);
+  } catch (const std::exception&) {  // no memory
+    leaveOut(snapshot);
+  }
+}
+
+bool CompletePictures::keep(const gl::RealGl& real, const scene::Region& region, Copy copy) noexcept {
+  try {
+    return (copy == Copy::beforeDraw ? before_ : after_).keep(real, shared_, region);
+  } catch (const std::exception&) { return false; }
+}
+
+void CompletePictures::putBack(const gl::RealGl& real, Copy copy) noexcept {
+  try {
+    (copy == Copy::beforeDraw ? before_ : after_).putBack(real, shared_);
+  } catch (const std::exception&) {}  // no memory for the state guard's list
+}
+
+bool CompletePictures::write(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
+                             GLenum depthFunc) noexcept {
+  try {
+    PendingErrors pending;
+    const WriteBackTarget into{
+        .depthFunc = depthFunc, .colorWrites = snapshot.colorWrites, .encodes = snapshot.encodes};
+    const bool written = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, pending);
+    takeErrors(real);
+    if (written && scene::showsScenery(snapshot)) unshown_ = 0;
+    return written;
+  } catch (const std::exception&) { return false; }
+}
+
+void CompletePictures::leaveOut(const scene::Snapshot& snapshot) noexcept {
+  if (!scene::showsScenery(snapshot)) return;
+  ++unshown_;
+  if (tracer_.scenery.leaveOut) tracer_.scenery.leaveOut();
+}
+
+}  // namespace gluray::present

@@ -1,0 +1,47 @@
+// Makes complete pictures of MPI programs beside the pictures that their ranks show, before the other ranks
+// get these, and writes them (adr/0089). One per context. GL thread.
+#pragma once
+#include "frame/pictures.h"
+#include "gl/batch/complete_presenter.h"
+#include "intercept/present/presented_pictures.h"
+#include "intercept/present/read_back/kept_framebuffer.h"
+
+#include <memory>
+#include <utility>
+
+namespace gluray::present {
+
+class CompletePictures final : public gl::CompletePresenter {
+ public:
+  /// `shared` need not be constructed yet.
+  CompletePictures(const frame::Tracer& tracer, PresentedPictures& shared);
+
+  /// The tracer for pictures that are shown: makes complete ones before others hear of these.
+  frame::Tracer tracer();
+
+  bool mayMake(const scene::Snapshot& snapshot) const noexcept override;
+  void expect() noexcept override { isExpected_ = true, made_.reset(); }
+  std::shared_ptr<const Image> take() noexcept override {
+    isExpected_ = false;
+    return std::exchange(made_, nullptr);
+  }
+  bool keep(const gl::RealGl& real, const scene::Region& region, Copy copy) noexcept override;
+  void putBack(const gl::RealGl& real, Copy copy) noexcept override;
+  bool write(const gl::RealGl& real, const Image& image, const scene::Snapshot& snapshot,
+             GLenum depthFunc) noexcept override;
+  void leaveOut(const scene::Snapshot& snapshot) noexcept override;
+
+ private:
+  void make(const scene::Snapshot& snapshot, const Image& shown, bool finished) noexcept;
+  std::shared_ptr<const Image> traced(const scene::Snapshot& snapshot, bool finished);
+
+  frame::Tracer tracer_;
+  frame::Pictures pictures_;
+  PresentedPictures& shared_;
+  bool isExpected_ = false;
+  std::shared_ptr<const Image> made_;
+  KeptFramebuffer before_, after_;
+  int unshown_ = 0;  // complete pictures with scenery since the last one that was shown
+};
+
+}  // namespace gluray::present

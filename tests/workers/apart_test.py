@@ -1,0 +1,74 @@
+"""Pictures of pvbatch whose ranks' data lie away from each other, with `gather`: those of one process. apart_test.py GLURAY WORKER [FOLDER], with an X
+server at hand; FOLDER keeps the pictures. Exits with 77 where pvbatch, Open MPI or ImageMagick is missing."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from sort_last_test import HERE, Pictures, compare, pixels
+
+PICTURES, RANKS = 4, (2, 3, 4, 8)
+LIGHTS = {
+    "mirrors": ["integrator=whitted", "material=mirror"],
+    "paths": ["integrator=path", "path.samples=4", "refine.passes=4"],
+    "shadows": ["ao=on", "ao.samples=8", "shadows=on", "refine.passes=2"],
+    "filtered": ["ao=on", "ao.samples=2", "refine.passes=4", "denoise=filter"],
+    "ground": ["ao=on", "ao.samples=8", "refine.passes=1", "ground=plane", "lights.up=z"],
+    "ground in front": ["integrator=whitted", "material=mirror", "ground=plane", "lights.up=z", "ground.offset=-0.2"],
+    "background": ["integrator=path", "path.samples=4", "refine.passes=4", "ground=plane", "lights.up=z", "background=environment"],
+    "catcher": ["shadows=on", "lights=headlight+key", "refine.passes=2", "ground=catcher", "lights.up=z"],
+    "averages": ["ao=on", "ao.samples=8", "refine.passes=2", "spp=4"],
+}
+FAR = 24  # of 255
+STRAY = 20  # pixels of a view whose samples hit another side of an edge, because each rank rounds coordinates in a space of its own
+
+
+class Views(Pictures):
+    def views(self, name, ranks, settings, *options):
+        """The pictures of all cameras, and what was said."""
+        folder = self.folder / name
+        folder.mkdir()
+        words = [word for setting in settings for word in ("--set", setting)]
+        done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *words, *options, "--", "pvbatch", "--force-offscreen-rendering",
+                               HERE / "apart.py", folder], env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
+        assert done.returncode == 0, done.stderr
+        return [pixels(folder / f"{number}.png") for number in range(PICTURES)], done.stderr
+
+
+def far(a, b):
+    """Pixels that differ by more than FAR."""
+    return sum(any(abs(x - y) > FAR for x, y in zip(a[i:i + 3], b[i:i + 3])) for i in range(0, len(a), 3))
+
+
+def check(pictures, name, settings):
+    expected, _ = pictures.views(f"{name}-1", 1, settings)
+    job, log = pictures.job()
+    try:
+        for ranks in RANKS:
+            found, said = pictures.views(f"{name}-{ranks}", ranks, settings, "--set", "gather=on", "--workers", "test")
+            differing = [far(a, b) for a, b in zip(expected, found)]
+            print(f"{name}, {ranks} ranks: pixels that differ {differing}, mean {[round(compare(a, b)[0], 4) for a, b in zip(expected, found)]}")
+            assert max(differing) <= STRAY, log.read_text() + said
+    finally:
+        job.terminate()
+        job.wait()
+
+
+def main(gluray, worker, keep=None):
+    if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
+        return 77
+    with tempfile.TemporaryDirectory() as folder:
+        pictures = Views(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
+        try:
+            for name, settings in LIGHTS.items():
+                check(pictures, name, settings)
+        finally:
+            if keep:
+                shutil.copytree(folder, keep, dirs_exist_ok=True, ignore=shutil.ignore_patterns("run"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
