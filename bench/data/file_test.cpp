@@ -5,6 +5,7 @@
 #include "bench/data/triangle_mesh.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include <cstdio>
@@ -16,7 +17,10 @@
 namespace gluray::bench {
 namespace {
 
-std::string scratch(const std::string& name) { return testing::TempDir() + "gluray_bench_" + name; }
+/// Other users may run the tests, too.
+std::string scratch(const std::string& name) {
+  return testing::TempDir() + "gluray_bench_" + std::to_string(getpid()) + "_" + name;
+}
 
 template <typename T>
 void put(std::string& bytes, size_t offset, T value) {
