@@ -22,7 +22,7 @@ class Descriptor {
   }
   int get() const { return file_.descriptor; }
   /// Whether the number still means the same file.
-  bool isOurs() const { return file_.descriptor >= 0 && glurayIsSame(&file_); }
+  bool isOurs() const { return glurayIsSame(&file_); }
   int release() { return std::exchange(file_, glurayNoOutput()).descriptor; }
 
  private:
