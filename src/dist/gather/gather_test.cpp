@@ -1,6 +1,8 @@
 // Which parts of a view one worker gathers, where ranks draw nothing, stop, end, or draw otherwise.
 #include "dist/gather/gather_fixture.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <sstream>
 #include <string>
 #include <vector>
@@ -14,9 +16,28 @@ using test::expectedPicture;
 using test::gatheredPlates;
 using test::partOf;
 using test::partsOf;
+using test::setBounds;
 using test::WorkerJob;
 
-struct GatherTest : test::GatherFixture {};
+struct GatherTest : test::GatherFixture {
+  /// The second of two ranks has its data `x` to the right.
+  static scene::Snapshot apart(scene::Snapshot all, double x) {
+    setBounds(all);
+    for (size_t i = 1; i < all.instances.size(); i += 2) {
+      const glm::dmat4 moved = glm::translate(glm::dmat4(1), {x, 0, 0});
+      all.instances[i].worldFromObject = moved;
+      all.instances[i].eyeFromObject = all.eyeFromWorld * moved;
+    }
+    return all;
+  }
+  static scene::Snapshot seenFrom(scene::Snapshot all, double x, uint64_t number) {
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1), {-x, 0, 0});
+    all.number = number;
+    all.eyeFromWorld = moved * all.eyeFromWorld;
+    for (scene::Instance& instance : all.instances) instance.eyeFromObject = moved * instance.eyeFromObject;
+    return all;
+  }
+};
 
 TEST_F(GatherTest, SeveralScenesOfAFrame) {
   WorkerJob job(directory_, 2);
@@ -37,7 +58,7 @@ TEST_F(GatherTest, ScenesWithoutFrames) {
   WorkerJob job(directory_, 2);
   test::ProgramRanks programs(directory_, 3, 2);
   scene::Snapshot all = gatheredPlates();
-  for (int scene = 0; scene < 40; ++scene) {
+  for (int scene = 0; scene < 20; ++scene) {
     ++all.number;
     all.instances[static_cast<size_t>(scene % 2)].eyeFromObject[3][2] += 0.01;
     const std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
@@ -49,6 +70,52 @@ TEST_F(GatherTest, ScenesWithoutFrames) {
   std::istringstream said(job.said());
   for (std::string line; std::getline(said, line);) waited += line.find("draws nothing") != std::string::npos;
   EXPECT_EQ(waited, 2) << "each rank waits once: " << job.said();
+}
+
+/// The camera passes from one rank's data to those of the other.
+TEST_F(GatherTest, RanksMissScenesWhereTheirDataLieOutside) {
+  WorkerJob job(directory_, 2);
+  test::ProgramRanks programs(directory_, 2);
+  const scene::Snapshot all = apart(gatheredPlates(), 4);
+  uint64_t number = 0;
+  for (const double camera : {0.0, 2.0, 5.5, 2.2, 0.0, 0.1, 2.0, 5.5, 5.4, 5.5, 1.8, 2.0}) {
+    const scene::Snapshot scene = seenFrom(all, camera, ++number);
+    const bool first = camera < 5, second = camera > 1;
+    std::future<Image> other = std::async(std::launch::async, [&] {
+      return second ? programs.program(1).picture(partOf(scene, 1, 2)) : Image();
+    });
+    std::vector<Image> pictures;
+    if (first) pictures.push_back(programs.program(0).picture(partOf(scene, 0, 2)));
+    if (Image picture = other.get(); second) pictures.push_back(std::move(picture));
+    const std::vector<int> drawn = !first ? std::vector{1} : second ? std::vector{0, 1} : std::vector{0};
+    const Image expected = expectedPicture(partsOf(scene, drawn, 2));
+    for (const Image& picture : pictures)
+      EXPECT_EQ(differing(picture, expected), 0) << "scene " << number << job.said();
+  }
+}
+
+/// Views of one size, of which each rank misses another one in all frames.
+TEST_F(GatherTest, RanksMissViews) {
+  WorkerJob job(directory_, 1);
+  test::ProgramRanks programs(directory_, 3);
+  scene::Snapshot all = gatheredPlates();
+  for (uint64_t scene = 0; scene < 15; ++scene) {
+    all.number = scene + 1, all.view = 1 + scene % 3;
+    std::vector<std::future<Image>> pictures;
+    std::vector<int> drawn;
+    for (int rank = 0; rank < 3; ++rank)
+      if (rank != static_cast<int>(scene % 3)) drawn.push_back(rank);
+    for (const int rank : drawn)
+      pictures.push_back(std::async(std::launch::async,
+                                    [&, rank] { return programs.program(rank).picture(partOf(all, rank, 3)); }));
+    const Image expected = expectedPicture(partsOf(all, drawn, 3));
+    for (std::future<Image>& picture : pictures)
+      EXPECT_EQ(differing(picture.get(), expected), 0) << "scene " << scene << job.said();
+  }
+  std::istringstream said(job.said());
+  int waited = 0;
+  for (std::string line; std::getline(said, line);) waited += line.find("draws nothing") != std::string::npos;
+  EXPECT_EQ(waited, 8) << "two ranks wait once in each view, and again for one that joins later: " << job.said();
 }
 
 TEST_F(GatherTest, BlendedSurfacesAreNotGathered) {

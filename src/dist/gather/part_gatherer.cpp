@@ -7,56 +7,18 @@ namespace gluray::dist {
 namespace {
 
 constexpr size_t kMostDecided = 16;
-constexpr int64_t kKept = 16;         // scenes of a viewport
-constexpr size_t kMostPlaces = 1024;  // of all
 constexpr double kShowPatience = 10;  // seconds between the end of tracing and the picture that is shown
-
-/// As dist/peers/meetings knows parts.
-SceneHeld heldOf(const PartHere& part) {
-  SceneHeld scene;
-  scene.address = part.address, scene.round = part.round;
-  scene.frame = part.view.frame, scene.viewport = part.view.viewport;
-  scene.clipFromEye = part.view.clipFromEye, scene.eyeFromWorld = part.view.eyeFromWorld;
-  return scene;
-}
 
 }  // namespace
 
 PartGatherer::PartGatherer(const Hash128& program, int self, int ranks, Send send, Say say)
     : program_(program),
       self_(self),
-      ranks_(ranks),
       send_(std::move(send)),
       say_(std::move(say)),
+      meetings_(self, ranks),
       heard_(static_cast<size_t>(ranks)) {
   own_.address = {program, self, self};
-}
-
-PartGatherer::Place PartGatherer::placeOf(const PartHere& part, uint32_t ordinal) {
-  const glm::ivec4& v = part.view.viewport;
-  return {v.x, v.y, v.z, v.w, ordinal};
-}
-
-/// What is known of peers in the scene before is expected of them in a new one.
-Meetings& PartGatherer::meetings(const Place& place) {
-  const auto known = meetings_.find(place);
-  if (known != meetings_.end()) return known->second;
-  Place before = place;
-  --before.back();
-  const auto last = meetings_.find(before);
-  return meetings_.emplace(place, last == meetings_.end() ? Meetings(self_, ranks_) : last->second.next())
-      .first->second;
-}
-
-/// Contexts that never swap have one frame, and ever more scenes in it.
-void PartGatherer::forgetBefore(const Place& place) {
-  const bool tooMany = meetings_.size() > kMostPlaces;
-  const auto isOld = [&](const Place& other) {
-    const bool sameViewport = std::equal(place.begin(), place.end() - 1, other.begin());
-    return sameViewport ? other.back() + kKept < place.back() : tooMany;
-  };
-  std::erase_if(meetings_, [&](const auto& one) { return isOld(one.first); });
-  std::erase_if(others_, [&](const auto& one) { return isOld(one.first.first); });
 }
 
 void PartGatherer::begin(const TraceRequest& request, double now) {
@@ -66,9 +28,7 @@ void PartGatherer::begin(const TraceRequest& request, double now) {
   else if (made_.isOwed)
     giveUpMade();
   atWork(now);
-  if (request.part.frame != own_.view.frame) decided_.clear(), scenes_.clear();
   const auto known = std::ranges::find(decided_, request.number, &Decided::number);
-  const bool isRetry = number_ == request.number && own_.round > 0;  // it was cancelled before
   own_.view = request.part;
   number_ = request.number;
   if (known != decided_.end()) {
@@ -78,27 +38,33 @@ void PartGatherer::begin(const TraceRequest& request, double now) {
     at(to_ = theirs_.picture.address.from) = now;
     return;
   }
-  if (!isRetry) own_.ordinal = scenes_[placeOf(own_, 0)]++;
   ++own_.round;
   if (decided_.size() >= kMostDecided) decided_.erase(decided_.begin(), decided_.begin() + kMostDecided / 2);
   current_ = decided_.size();
-  answer_.reset(), lost_ = false;
+  refusedBy_.clear();
+  isShown_ = lost_ = false;
+  const Hash128 data = hashBytes(request.arrays.data(), request.arrays.size() * sizeof(Hash128));
+  meetings_.begin({own_, request.view, data, request.moving}, now);
+  meetAgain();
+}
+
+/// Decides anew with whom.
+void PartGatherer::meetAgain() {
+  if (state_ == State::given) sendTo(to_, PartGone{});
+  if (!std::exchange(isOpen_, true)) sendToAll(own_);
   state_ = State::meeting;
-  forgetBefore(placeOf(own_, own_.ordinal));
-  meetings().begin(heldOf(own_), now);
-  for (int rank = 0; rank < ranks_; ++rank)
-    if (rank != self_) sendTo(rank, own_);
 }
 
 PartGatherer::Share PartGatherer::look(const TraceRequest& request, double now) {
   switch (state_) {
     case State::meeting: return meet(request, now);
-    case State::collecting: return collect(now);
+    case State::collecting: return collect(request, now);
     case State::given:
-      if (answer_) return decide(*answer_);
+      if (isShown_) return decide(Share::shown);
       if (!isSilent(to_, now)) return Share::awaited;
-      meetings().fail(to_);
-      return decide(Share::own);
+      refusedBy_[to_] = toRound_;
+      meetAgain();
+      return meet(request, now);
     case State::following:
       if (!theirs_.isNew && !isSilent(to_, now)) return Share::awaited;
       state_ = State::idle;
@@ -107,63 +73,73 @@ PartGatherer::Share PartGatherer::look(const TraceRequest& request, double now) 
       if (!lost_) return Share::whole;
       lost_ = false;
       decided_.pop_back();
-      state_ = State::collecting;
-      return collect(now);
+      return meet(request, now);
     case State::idle: break;
   }
   return decided_[current_].share;
 }
 
+/// Those that may make a picture with this rank.
 std::vector<int> PartGatherer::peersHere(double now) {
-  std::vector<int> here;
-  for (int rank = 0; rank < ranks_; ++rank)
-    if (meetings().stateOf(rank, now) == Meetings::State::here) here.push_back(rank);
-  return here;
+  std::vector<int> peers = meetings_.here(now);
+  std::erase_if(peers, [&](int rank) {
+    const auto refused = refusedBy_.find(rank);
+    return refused != refusedBy_.end() && refused->second == meetings_.partOf(rank).round;
+  });
+  return peers;
 }
 
 /// Why the parts of these peers and our own make no picture; empty: they do.
-std::string PartGatherer::whyNot(const std::vector<int>& peers) {
+std::string PartGatherer::whyNot(const std::vector<int>& peers) const {
   const auto blends = [](int rank) { return peerName(rank) + " blends surfaces"; };
   if (own_.view.blends) return blends(self_);
   for (const int rank : peers) {
-    const PartView& view = partOf(rank).view;
+    const PartView& view = meetings_.partOf(rank).view;
     if (view.blends) return blends(rank);
-    if (view.likeness != own_.view.likeness || meetings().eyeFromPeer(rank) != glm::dmat4(1))
+    if (view.likeness != own_.view.likeness || !meetings_.hasOurEyeSpace(rank))
       return peerName(rank) + " draws the view in another way";
   }
   return {};
 }
 
 PartGatherer::Share PartGatherer::meet(const TraceRequest& request, double now) {
-  if (meetings().awaits(now)) return Share::awaited;
-  for (const int rank : meetings().newlyLate())
+  state_ = State::meeting;
+  if (meetings_.awaits(now)) return Share::awaited;
+  for (const int rank : meetings_.newlyLate())
     say_(peerName(rank) + " draws nothing here: the picture is that of the others");
   const std::vector<int> peers = peersHere(now);
   if (const std::string why = whyNot(peers); !why.empty()) {
     if (std::exchange(saidWhy_, why) != why) say_(why + ": each rank traces its own part");
-    return decide(Share::own);
+    return decide(Share::own);  // and stays here, so that the peers see why, too
   }
   saidWhy_.clear();
-  if (!peers.empty() && peers.front() < self_) {
-    to_ = peers.front(), toRound_ = partOf(to_).round;
-    at(to_) = now;
-    state_ = State::given;
-    sendTo(to_, PartGiven{{}, toRound_, number_, request.arrays, request.snapshot});
-    return Share::awaited;
+  const bool isLeft = peers.empty() && !refusedBy_.empty();
+  if (isLeft) {
+    decide(Share::own);
+    close();
+    return Share::own;
   }
-  state_ = State::collecting;
-  return collect(now);
+  if (peers.empty() || peers.front() > self_) return collect(request, now);
+  giveBack();
+  to_ = peers.front(), toRound_ = meetings_.partOf(to_).round;
+  at(to_) = now;
+  state_ = State::given;
+  sendTo(to_, PartGiven{{}, toRound_, number_, request.arrays, request.snapshot});
+  return Share::awaited;
 }
 
-PartGatherer::Share PartGatherer::collect(double now) {
+PartGatherer::Share PartGatherer::collect(const TraceRequest& request, double now) {
+  const std::vector<int> peers = peersHere(now);
+  if (!peers.empty() && peers.front() < self_) return meet(request, now);
+  state_ = State::collecting;
   bool all = true;
-  for (const int rank : peersHere(now)) {
+  for (const int rank : peers) {
     if (given_.contains(rank)) continue;
     if (!isSilent(rank, now)) {
       all = false;
       continue;
     }
-    meetings().fail(rank);
+    meetings_.fail(rank);
     say_(peerName(rank) + " does not give its surfaces: it traces them alone");
   }
   if (!all) return Share::awaited;
@@ -174,33 +150,36 @@ PartGatherer::Share PartGatherer::collect(double now) {
 }
 
 PartGatherer::Share PartGatherer::decide(Share share) {
-  rest(false, 0);
+  giveBack();
+  state_ = State::idle;
   decided_.push_back({number_, own_.round, share, {}});
+  if (share == Share::shown) close();
   return share;
 }
 
 void PartGatherer::end(bool traced, double now) {
-  if (state_ == State::idle) return;
-  if (state_ == State::given) sendTo(to_, PartGone{});
-  if (state_ == State::following) return void(state_ = State::idle);
-  if (state_ == State::tracing && !traced) decided_.pop_back();
-  rest(traced, now);
-}
-
-/// `traced`: whether our picture shows the parts that peers have given.
-void PartGatherer::rest(bool traced, double now) {
-  const auto given = std::exchange(given_, {});
-  if (traced) {
-    made_ = {number_, own_.round, {}, !given.empty(), now, {}};
-    for (const auto& [rank, part] : given) made_.ranks.push_back(rank);
-  } else {
-    for (const auto& [rank, part] : given) sendTo(rank, PartDone{{}, part.round});
+  const State state = std::exchange(state_, State::idle);
+  if (state == State::given) sendTo(to_, PartGone{});
+  if (state == State::tracing && traced) {
+    made_ = {number_, own_.round, {}, !given_.empty(), now, {}};
+    for (const auto& [rank, part] : std::exchange(given_, {})) made_.ranks.push_back(rank);
+  } else if (state == State::tracing) {
+    decided_.pop_back();
   }
-  meetings().end();
-  state_ = State::idle;
+  giveBack();
+  close(state == State::tracing && traced ? made_.ranks : std::vector<int>());
 }
 
-/// The program does not show the picture: its parts' ranks trace them.
+/// The peers' parts do not belong to a picture of this rank.
+void PartGatherer::giveBack() {
+  for (const auto& [rank, part] : std::exchange(given_, {})) sendTo(rank, PartDone{{}, part.round});
+}
+
+/// This rank's part is for no picture of peers any more. `with`: whose parts its own picture shows.
+void PartGatherer::close(const std::vector<int>& with) {
+  if (std::exchange(isOpen_, false)) sendToAll(PartOver{{}, with});
+}
+
 void PartGatherer::giveUpMade() {
   if (!made_.shown.pixels.empty()) return void(made_.isOwed = false);
   const Made made = std::exchange(made_, {});
@@ -224,14 +203,14 @@ const PartPicture* PartGatherer::picture() {
 }
 
 void PartGatherer::joins(int rank) {
-  for (auto& [place, meetings] : meetings_) meetings.joins(rank);
-  if (state_ != State::idle) sendTo(rank, own_);  // what was sent before did not reach it
+  meetings_.joins(rank);
+  if (isOpen_) sendTo(rank, own_);  // what was sent before did not reach it
 }
 
 void PartGatherer::leaves(int rank, double now) {
   loses(rank, now);
-  for (auto& [place, meetings] : meetings_) meetings.leaves(rank);
-  if (state_ == State::given && rank == to_) answer_ = Share::own;
+  meetings_.leaves(rank);
+  if (state_ == State::given && rank == to_) refused();
 }
 
 /// The peer may give another part soon.
@@ -243,17 +222,35 @@ void PartGatherer::loses(int rank, double now) {
 void PartGatherer::take(const PartHere& part, double now) {
   const int rank = part.address.from;
   at(rank) = now;
-  const Place place = placeOf(part, part.ordinal);
-  others_[{place, rank}] = part;
-  meetings(place).holds(heldOf(part));
+  meetings_.opens(part);
+  if (!isOpen_) return;
+  if (!part.isAnswer) sendTo(rank, PartHere{{}, own_.round, true, own_.view});
+  if (meetings_.stateOf(rank, now) != PartMeetings::State::here) return;
+  if (state_ == State::tracing) lost_ = true;
+  if (state_ == State::given && rank < to_) meetAgain();
+}
+
+void PartGatherer::take(const PartOver& over, double now) {
+  const int rank = over.address.from;
+  meetings_.closes(rank);
+  loses(rank, now);
+  if (state_ != State::given || rank != to_) return;
+  if (std::ranges::find(over.with, self_) != over.with.end()) return close();
+  refused();
+}
+
+void PartGatherer::take(const PartComes& comes, double now) {
+  at(comes.address.from) = now;
+  meetings_.comes(comes.address.from, now);
 }
 
 void PartGatherer::take(PartGiven part, double now) {
   const int rank = part.address.from;
   at(rank) = now;
-  const bool isAwaited = state_ == State::meeting || state_ == State::collecting;
-  if (isAwaited && part.round == own_.round) {
+  const bool isWhole = state_ == State::meeting || state_ == State::collecting || state_ == State::tracing;
+  if (isWhole && part.round == own_.round) {
     given_[rank] = std::move(part);
+    lost_ = state_ == State::tracing;
     return;
   }
   // It may have asked for its picture once more, after the whole was traced.
@@ -265,7 +262,14 @@ void PartGatherer::take(PartGiven part, double now) {
 void PartGatherer::take(const PartDone& done, double now) {
   at(done.address.from) = now;
   if (state_ != State::given || done.address.from != to_ || done.round != toRound_) return;
-  answer_ = Share::own;
+  refused();
+}
+
+/// The rank that has our part does not use it.
+void PartGatherer::refused() {
+  refusedBy_[to_] = toRound_;
+  state_ = State::idle;  // nothing is to be taken back
+  meetAgain();
 }
 
 void PartGatherer::take(PartPicture picture, double now) {
@@ -276,20 +280,25 @@ void PartGatherer::take(PartPicture picture, double now) {
   const bool isBetter = !last.pixels.empty() && rank == last.address.from && picture.round == last.round;
   if (!isAwaited && !isBetter) return;
   theirs_ = {isAwaited ? number_ : theirs_.number, true, std::move(picture)};
-  if (isAwaited) answer_ = Share::shown;
+  if (isAwaited) isShown_ = true;
 }
 
 void PartGatherer::take(const PartGone& gone, double now) { loses(gone.address.from, now); }
 
 void PartGatherer::take(const PartAtWork& work, double now) { at(work.address.from) = now; }
 
+void PartGatherer::comes(double now) {
+  if (isOpen_ || !meetings_.someWait() || now - saidComes_ < Meetings::kSayEvery) return;
+  saidComes_ = now;
+  sendToAll(PartComes{});
+}
+
 void PartGatherer::tick(double now) {
   if (made_.isOwed && now - made_.since > kShowPatience) giveUpMade();
   const bool waits = state_ == State::idle || state_ == State::given || state_ == State::following;
   if ((waits && !made_.isOwed) || now - said_ < Meetings::kSayEvery) return;
   said_ = now;
-  for (int rank = 0; rank < ranks_; ++rank)
-    if (rank != self_) sendTo(rank, PartAtWork{});
+  sendToAll(PartAtWork{});
 }
 
 }  // namespace gluray::dist

@@ -3,11 +3,11 @@
 // the rank that gathers and gets that picture, or traces its part alone. What was decided for a snapshot
 // holds for all passes over it. The worker's main thread.
 #pragma once
+#include "dist/gather/part_meetings.h"
 #include "dist/messages/part_messages.h"
 #include "dist/messages/program_messages.h"
 #include "dist/peers/meetings.h"
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -43,10 +43,12 @@ class PartGatherer {
   const std::string& whyOwn() const { return saidWhy_; }
   /// For Share::shown; null: it is kept no longer.
   const PartPicture* picture();
-  /// Whether a part of the whole is gone: its picture must end, and look() decides anew.
+  /// Whether a part of the whole is gone or has come late: its picture must end, and look() decides anew.
   bool isLost() const { return state_ == State::tracing && lost_; }
   /// The whole has been traced; not `traced`: it has not.
   void end(bool traced, double now);
+  /// The program sends geometry.
+  void comes(double now);
   /// Work on a picture of the program goes on.
   void atWork(double now);
   /// The program shows the picture of a snapshot whose parts were traced here: gives it to their ranks.
@@ -55,6 +57,8 @@ class PartGatherer {
   void joins(int rank);
   void leaves(int rank, double now);
   void take(const PartHere& part, double now);
+  void take(const PartOver& over, double now);
+  void take(const PartComes& comes, double now);
   void take(PartGiven part, double now);
   void take(const PartDone& done, double now);
   void take(PartPicture picture, double now);
@@ -66,7 +70,7 @@ class PartGatherer {
  private:
   enum class State : uint8_t {
     idle,
-    meeting,     // who holds a part of the view?
+    meeting,     // who draws a part of the view?
     collecting,  // waits for parts
     given,       // waits for PartDone or PartPicture
     following,   // waits for another picture of a part that was given
@@ -97,19 +101,20 @@ class PartGatherer {
     message.address = {program_, self_, peer};
     send_(peer, forRanks(message));
   }
-  /// What belongs together: a viewport and an ordinal.
-  using Place = std::array<int64_t, 5>;
-  static Place placeOf(const PartHere& part, uint32_t ordinal);
-  Meetings& meetings(const Place& place);
-  void forgetBefore(const Place& place);
-  Meetings& meetings() { return meetings(placeOf(own_, own_.ordinal)); }
-  const PartHere& partOf(int rank) const { return others_.at({placeOf(own_, own_.ordinal), rank}); }
+  template <class M>
+  void sendToAll(const M& message) const {
+    for (int rank = 0; rank < meetings_.ranks(); ++rank)
+      if (rank != self_) sendTo(rank, message);
+  }
   std::vector<int> peersHere(double now);
-  std::string whyNot(const std::vector<int>& peers);
+  std::string whyNot(const std::vector<int>& peers) const;
   Share meet(const TraceRequest& request, double now);
-  Share collect(double now);
+  Share collect(const TraceRequest& request, double now);
   Share decide(Share share);
-  void rest(bool traced, double now);
+  void meetAgain();
+  void giveBack();
+  void close(const std::vector<int>& with = {});
+  void refused();
   void giveUpMade();
   void loses(int rank, double now);
   bool isSilent(int rank, double now) const { return now - at(rank) > Meetings::kPatience; }
@@ -117,26 +122,26 @@ class PartGatherer {
   double at(int rank) const { return heard_[static_cast<size_t>(rank)]; }
 
   const Hash128 program_;
-  const int self_, ranks_;
+  const int self_;
   const Send send_;
   const Say say_;
-  std::map<Place, Meetings> meetings_;
-  std::map<std::pair<Place, int>, PartHere> others_;  // the last of each peer
-  std::vector<double> heard_;                         // when each peer said something
+  PartMeetings meetings_;
+  std::vector<double> heard_;  // when each peer said something
   State state_ = State::idle;
-  PartHere own_;                    // of the current picture; its round rises with each
-  uint64_t number_ = 0;             // of its snapshot
-  std::map<int, PartGiven> given_;  // to this rank, for the current picture
-  int to_ = -1;                     // the rank that has our part
-  uint64_t toRound_ = 0;            // its round
-  std::optional<Share> answer_;     // of that rank
+  PartHere own_;                           // of the current picture; its round rises with each
+  bool isOpen_ = false;                    // peers have been told of it, and not that it is over
+  uint64_t number_ = 0;                    // of its snapshot
+  std::map<int, PartGiven> given_;         // to this rank, for the current picture
+  std::map<int, uint64_t> refusedBy_;      // rounds of peers that do not take the current part
+  int to_ = -1;                            // the rank that has our part
+  uint64_t toRound_ = 0;                   // its round
+  bool isShown_ = false;                   // it has answered with the picture
   Made made_;
   Theirs theirs_;
-  bool lost_ = false;                 // a part is gone
-  std::map<Place, uint32_t> scenes_;  // of the frame own_.view.frame, in each viewport; ordinals 0
-  std::vector<Decided> decided_;      // of that frame; the last ones
-  size_t current_ = 0;                // index into decided_, once it is decided
-  double said_ = 0;
+  bool lost_ = false;             // the parts of the whole are not those that belong to it
+  std::vector<Decided> decided_;  // the last ones
+  size_t current_ = 0;            // index into decided_, once it is decided
+  double said_ = 0, saidComes_ = 0;
   std::string saidWhy_;
 };
 

@@ -7,19 +7,31 @@ namespace gluray::dist {
 
 /// What a rank shows, as far as parts must agree in it.
 struct PartView {
-  uint64_t frame = 0;  // frameOf()
+  uint64_t frame = 0;  // Snapshot::frame
   glm::ivec4 viewport{0};
   glm::dmat4 clipFromEye{1}, eyeFromWorld{1};
-  Hash128 likeness;     // of all else: region, samples, depth range ...
-  bool blends = false;  // it cannot be gathered
+  glm::dvec3 lower{1}, upper{0};  // of the surfaces, in eye space; lower > upper: not known
+  Hash128 likeness;               // of all else: region, samples, depth range ...
+  bool blends = false;            // it cannot be gathered
 };
-/// The sender has a part of this view, and looks for those of others.
+/// The sender has a part of this view, waits for its picture, and looks for the parts of others.
 struct PartHere {
   static constexpr uint16_t kType = 60;
   PeerAddress address;
-  uint64_t round = 0;    // rises
-  uint32_t ordinal = 0;  // of the frame's scenes in this viewport
+  uint64_t round = 0;     // rises
+  bool isAnswer = false;  // to a PartHere of this view: the sender still waits
   PartView view;
+};
+/// It waits no longer.
+struct PartOver {
+  static constexpr uint16_t kType = 66;
+  PeerAddress address;
+  std::vector<int32_t> with;  // ranks whose parts the sender's picture shows, too
+};
+/// The sender's program sends geometry: a part comes.
+struct PartComes {
+  static constexpr uint16_t kType = 67;
+  PeerAddress address;
 };
 /// To the lowest rank: the sender's part belongs to its picture.
 struct PartGiven {
@@ -30,7 +42,7 @@ struct PartGiven {
   std::vector<Hash128> arrays;  // that the snapshot names
   std::vector<std::byte> snapshot;
 };
-/// Answers PartGiven: the part belongs to no picture.
+/// Answers PartGiven: the part belongs to no picture of the sender.
 struct PartDone {
   static constexpr uint16_t kType = 62;
   PeerAddress address;
@@ -47,7 +59,7 @@ struct PartPicture {
   LayerCounts layers;
   std::vector<std::byte> pixels;  // of planesIn(shape)
 };
-/// The sender's part does not belong to the picture any more.
+/// The sender takes back the part that it has given.
 struct PartGone {
   static constexpr uint16_t kType = 63;
   PeerAddress address;
@@ -59,12 +71,20 @@ struct PartAtWork {
 };
 
 void fields(auto& archive, Like<PartView> auto& value) {
-  auto& [frame, viewport, clipFromEye, eyeFromWorld, likeness, blends] = value;
-  archive(frame, viewport, clipFromEye, eyeFromWorld, likeness, blends);
+  auto& [frame, viewport, clipFromEye, eyeFromWorld, lower, upper, likeness, blends] = value;
+  archive(frame, viewport, clipFromEye, eyeFromWorld, lower, upper, likeness, blends);
 }
 void fields(auto& archive, Like<PartHere> auto& value) {
-  auto& [address, round, ordinal, view] = value;
-  archive(address, round, ordinal, view);
+  auto& [address, round, isAnswer, view] = value;
+  archive(address, round, isAnswer, view);
+}
+void fields(auto& archive, Like<PartOver> auto& value) {
+  auto& [address, with] = value;
+  archive(address, with);
+}
+void fields(auto& archive, Like<PartComes> auto& value) {
+  auto& [address] = value;
+  archive(address);
 }
 void fields(auto& archive, Like<PartGiven> auto& value) {
   auto& [address, round, number, arrays, snapshot] = value;

@@ -34,6 +34,7 @@ struct SceneHeld {
   PeerAddress address;
   uint64_t round = 0;  // rises
   uint64_t frame = 0;  // frameOf(), as the sender's program counts
+  uint64_t swaps = 0;  // Snapshot::frame, the same
   glm::ivec4 viewport{0};
   glm::dmat4 clipFromEye{1}, eyeFromWorld{1}, viewFromWorld{1};
   glm::vec3 lower{1}, upper{0};  // of what light meets, in the space of viewFromWorld; lower > upper: nothing
@@ -85,10 +86,10 @@ void fields(auto& archive, Like<PeerLeaves> auto& value) {
   archive(address);
 }
 void fields(auto& archive, Like<SceneHeld> auto& value) {
-  auto& [address, round, frame, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper, changes,
-         eyeFromLargest] = value;
-  archive(address, round, frame, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper, changes,
-          eyeFromLargest);
+  auto& [address, round, frame, swaps, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper,
+         changes, eyeFromLargest] = value;
+  archive(address, round, frame, swaps, viewport, clipFromEye, eyeFromWorld, viewFromWorld, lower, upper,
+          changes, eyeFromLargest);
 }
 void fields(auto& archive, Like<OcclusionQueries> auto& value) {
   auto& [address, round, id, rays] = value;

@@ -26,14 +26,9 @@ bool Meetings::isNow(const Peer& peer) const {
   return static_cast<int64_t>(peer.scene->frame - own_->frame) == peer.ahead;
 }
 
-Meetings Meetings::next() const {
-  Meetings next(self_, ranks_);
-  for (const auto& [rank, peer] : peers_) {
-    Peer& known = next.at(rank);
-    known.ahead = peer.ahead, known.metBefore = peer.metBefore;
-    known.late = peer.late, known.told = peer.told;
-  }
-  return next;
+/// Ranks that draw nothing of some views count fewer frames of them than others. Swaps are counted by all.
+bool Meetings::mayBeNow(const Peer& peer) const {
+  return !peer.metBefore || swapsAhead(peer) == peer.swapsAhead;
 }
 
 void Meetings::leaves(int rank) {
@@ -50,6 +45,7 @@ void Meetings::comes(int rank, const glm::ivec4& viewport, double now) {
 void Meetings::holds(const SceneHeld& scene) {
   Peer& peer = at(scene.address.from);
   peer.scene = scene;
+  peer.waits = true;
   peer.coming.reset();
   peer.arrival = ++arrivals_;
   // Whoever draws the view again is awaited again.
@@ -71,15 +67,13 @@ Meetings::State Meetings::stateOf(int rank, double now) {
   Peer& peer = at(rank);
   if (rank == self_ || peer.failed || !own_) return State::absent;
   const bool shows = peer.scene && showsView(*peer.scene);
+  // Came after the last picture: the peer waits for us, too.
+  const bool waits = shows && peer.waits && peer.arrival > ended_;
+  if (waits && mayBeNow(peer) && now - began_ > kCountsDiffer)
+    peer.ahead = static_cast<int64_t>(peer.scene->frame - own_->frame);
   if (holdsTheSame(rank)) {
     peer.metBefore = true;
-    return State::here;
-  }
-  // Came after the last picture: the peer waits for us, too.
-  const bool waits = shows && peer.arrival > ended_;
-  if (waits && !peer.metBefore && now - began_ > kCountsDiffer) {
-    peer.ahead = static_cast<int64_t>(peer.scene->frame - own_->frame);
-    peer.metBefore = true;
+    peer.swapsAhead = swapsAhead(peer);
     return State::here;
   }
   if (peer.late) return State::absent;

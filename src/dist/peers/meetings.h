@@ -21,14 +21,14 @@ class Meetings {
 
   Meetings(int self, int ranks) : self_(self), ranks_(ranks) {}
 
-  /// For another scene: what is known of peers, without their scenes.
-  Meetings next() const;
   void joins(int rank) { at(rank) = {}; }
   void leaves(int rank);
   /// The peer builds a scene of that view: it is awaited as long as it says so.
   void comes(int rank, const glm::ivec4& viewport, double now);
   /// The peer has this scene now.
   void holds(const SceneHeld& scene);
+  /// The peer has the picture of its scene: it waits for nobody.
+  void ends(int rank) { at(rank).waits = false; }
   /// The rank itself has this scene now, and meets those that show the same view.
   void begin(const SceneHeld& own, double now);
   /// The picture is there.
@@ -61,13 +61,19 @@ class Meetings {
     std::optional<glm::ivec4> coming;
     double comesAt = 0;
     uint64_t arrival = 0;    // when the scene came, counted in arrivals
+    bool waits = false;      // for the picture of the scene
     int64_t ahead = 0;       // its count of frames, less ours
-    bool metBefore = false;  // so that `ahead` is known
+    int64_t swapsAhead = 0;  // the same of swaps
+    bool metBefore = false;  // so that both are known
     bool late = false, failed = false, told = false;
   };
   Peer& at(int rank) { return peers_[rank]; }
   bool showsView(const SceneHeld& scene) const;
   bool isNow(const Peer& peer) const;
+  bool mayBeNow(const Peer& peer) const;
+  int64_t swapsAhead(const Peer& peer) const {
+    return static_cast<int64_t>(peer.scene->swaps - own_->swaps);
+  }
   bool comesHere(const Peer& peer) const { return own_ && peer.coming == own_->viewport; }
 
   const int self_, ranks_;

@@ -11,6 +11,7 @@ SceneHeld sceneOf(int rank, uint64_t frame, int width = 100) {
   SceneHeld scene;
   scene.address.from = rank;
   scene.frame = frame;
+  scene.swaps = 1;  // of programs that do not swap
   scene.viewport = {0, 0, width, 100};
   scene.lower = glm::vec3(0), scene.upper = glm::vec3(1);
   return scene;
@@ -81,13 +82,52 @@ TEST(Meetings, CountsThatDifferByAConstantAreFoundOut) {
   }
 }
 
-TEST(Meetings, AfterThatNoOtherCountIsTakenForIt) {
+/// This rank draws nothing in frame 2, for which the peer waits.
+TEST(Meetings, FramesOfProgramsThatSwapAreKeptApart) {
+  const auto swapped = [](int rank, uint64_t frame) {
+    SceneHeld scene = sceneOf(rank, frame);
+    scene.swaps = frame;
+    return scene;
+  };
+  Meetings meetings(0, 2);
+  meetings.begin(swapped(0, 1), 0);
+  meetings.holds(swapped(1, 1));
+  EXPECT_EQ(meetings.stateOf(1, 0), State::here);
+  meetings.end();
+  meetings.holds(swapped(1, 2));
+  meetings.begin(swapped(0, 3), 1);
+  EXPECT_EQ(meetings.stateOf(1, 1.5), State::awaited);
+  meetings.holds(swapped(1, 3));
+  EXPECT_EQ(meetings.stateOf(1, 1.5), State::here);
+}
+
+/// The peer draws nothing of some views, and counts fewer frames. Both wait for the same picture.
+TEST(Meetings, RanksThatMissViewsMeetInTheNextOnes) {
+  Meetings meetings(0, 2);
+  uint64_t counted = 0;
+  for (uint64_t frame = 1; frame < 9; ++frame) {
+    const double now = static_cast<double>(2 * frame);
+    meetings.begin(sceneOf(0, frame), now);
+    if (frame % 3 == 0) {
+      EXPECT_EQ(meetings.stateOf(1, now + 0.5), State::awaited);
+      EXPECT_EQ(meetings.stateOf(1, now + 1.5), State::absent);
+    } else {
+      meetings.holds(sceneOf(1, ++counted));
+      EXPECT_EQ(meetings.stateOf(1, now + 0.2), State::here) << frame;
+      meetings.ends(1);
+    }
+    meetings.end();
+  }
+}
+
+TEST(Meetings, PeersThatHaveTheirPictureWaitForNobody) {
   Meetings meetings(0, 2);
   meetings.begin(sceneOf(0, 1), 0);
   meetings.holds(sceneOf(1, 1));
   EXPECT_EQ(meetings.stateOf(1, 0), State::here);
   meetings.end();
-  meetings.holds(sceneOf(1, 2));  // this rank drew nothing in frame 2
+  meetings.holds(sceneOf(1, 2));
+  meetings.ends(1);
   meetings.begin(sceneOf(0, 3), 1);
   EXPECT_EQ(meetings.stateOf(1, 1.5), State::awaited);
 }

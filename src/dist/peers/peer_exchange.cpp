@@ -87,6 +87,7 @@ void PeerExchange::take(const DoneAsking& done, double now) {
   const std::lock_guard lock(mutex_);
   heard_[static_cast<size_t>(done.address.from)] = now;
   asking_[static_cast<size_t>(done.address.from)] = false;
+  meetings_.ends(done.address.from);
   changed_.notify_all();
 }
 

@@ -116,6 +116,8 @@ bool PeerPrograms::take(int from, uint16_t type, std::span<const std::byte> body
     case DoneAsking::kType: return to(&Local::exchange, DoneAsking{});
     case StillHere::kType: return to(&Local::exchange, StillHere{});
     case PartHere::kType: return to(&Local::gatherer, PartHere{});
+    case PartOver::kType: return to(&Local::gatherer, PartOver{});
+    case PartComes::kType: return to(&Local::gatherer, PartComes{});
     case PartGiven::kType: return to(&Local::gatherer, PartGiven{});
     case PartDone::kType: return to(&Local::gatherer, PartDone{});
     case PartPicture::kType: return to(&Local::gatherer, PartPicture{});

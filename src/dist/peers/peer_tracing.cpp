@@ -32,7 +32,8 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
                         const render::FrameData* frame) {
   SceneHeld scene;
   scene.address = {program_, self_, self_};
-  scene.frame = frameOf(snapshot), scene.viewport = snapshot.camera.viewport;
+  scene.frame = frameOf(snapshot), scene.swaps = snapshot.frame;
+  scene.viewport = snapshot.camera.viewport;
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
   if (snapshot.surroundings) scene.viewFromWorld = snapshot.surroundings->viewFromWorld;
   scene.lower = bounds.lower, scene.upper = bounds.upper;

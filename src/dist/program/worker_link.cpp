@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <limits>
 #include <exception>
 #include <utility>
 
@@ -45,17 +46,33 @@ bool isGathering(const scene::Snapshot& snapshot) {
   return settings.gather && (scene::needsSurroundings(settings) || scene::wantsBackdrop(settings));
 }
 
+/// Encloses the surfaces, in eye space.
+void setBox(PartView& view, const scene::Snapshot& s) {
+  glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper(-lower);
+  for (const scene::Instance& instance : s.instances) {
+    if (instance.ground) continue;
+    for (int i = 0; i < 8; ++i) {
+      const glm::bvec3 high(i & 1, i & 2, i & 4);
+      const glm::vec3 corner = glm::mix(instance.mesh->lower, instance.mesh->upper, high);
+      const glm::dvec3 eye = instance.eyeFromObject * glm::dvec4(corner, 1);
+      lower = glm::min(lower, eye), upper = glm::max(upper, eye);
+    }
+  }
+  if (lower.x <= upper.x) view.lower = lower, view.upper = upper;
+}
+
 PartView partViewOf(const scene::Snapshot& s) {
   WriteMessage all;
   all(s.camera.depthNear, s.camera.depthFar, s.camera.rowsFromTop, s.region, s.samples, s.samplePositions,
       s.polygonOffset, s.wideColors, s.encodes, s.colorWrites, s.laterWins);
   const std::vector<std::byte> bytes = all.out().take();
-  return {frameOf(s),
-          s.camera.viewport,
-          s.camera.clipFromEye,
-          s.eyeFromWorld,
-          hashBytes(bytes.data(), bytes.size()),
-          hasBlended(s)};
+  PartView view;
+  view.frame = s.frame, view.viewport = s.camera.viewport;
+  view.clipFromEye = s.camera.clipFromEye, view.eyeFromWorld = s.eyeFromWorld;
+  setBox(view, s);
+  view.likeness = hashBytes(bytes.data(), bytes.size());
+  view.blends = hasBlended(s);
+  return view;
 }
 
 }  // namespace

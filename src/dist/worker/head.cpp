@@ -174,9 +174,15 @@ void Head::endPicture(ProgramSide& program, double now) {
   if (program.peer) peers_.gatherer(program.peer).end(false, now);
 }
 
+/// The picture must be traced anew, with other parts: at the next tick.
+bool Head::lacksParts(const ProgramSide& program) const {
+  return program.isWhole() && program.peer && peers_.gatherer(program.peer).isLost();
+}
+
 void Head::finish(ProgramSide& program, double now) {
   const Picture& picture = *program.picture;
   if (picture.error().empty() && !picture.isDone()) return;
+  if (lacksParts(program)) return;
   program.costs[program.request->view] = picture.costs();
   PictureDone result = picture.result(now);
   if (picture.hasFilm()) {
@@ -194,7 +200,7 @@ void Head::finish(ProgramSide& program, double now) {
 
 void Head::tick(double now) {
   for (ProgramSide& program : programs_) {
-    if (program.picture && program.isWhole() && program.peer && peers_.gatherer(program.peer).isLost()) {
+    if (program.picture && lacksParts(program)) {
       end(program);
       program.picture.reset();
       program.share = Share::awaited;

@@ -92,6 +92,7 @@ class Head {
   void giveTiles(Picture& picture, int rank);
   void end(ProgramSide& program);
   void endPicture(ProgramSide& program, double now);
+  bool lacksParts(const ProgramSide& program) const;
   /// Gives the program its picture, if that is done.
   void finish(ProgramSide& program, double now);
   /// Gives the program the picture that another rank's program shows.

@@ -48,7 +48,9 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
   }
   if (program.name.empty()) throw Malformed("it says no hello");
   switch (message.type) {
-    case ArrayComes::kType: return takeArray(program, as(ArrayComes{}), message.attached);
+    case ArrayComes::kType:
+      if (program.peer) peers_.gatherer(program.peer).comes(now);
+      return takeArray(program, as(ArrayComes{}), message.attached);
     case ArraysGo::kType: return forget(program, as(ArraysGo{}).names);
     case TraceRequest::kType:
       endPicture(program, now);
