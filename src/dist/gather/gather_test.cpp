@@ -80,7 +80,7 @@ TEST_F(GatherTest, RanksMissScenesWhereTheirDataLieOutside) {
   uint64_t number = 0;
   for (const double camera : {0.0, 2.0, 5.5, 2.2, 0.0, 0.1, 2.0, 5.5, 5.4, 5.5, 1.8, 2.0}) {
     const scene::Snapshot scene = seenFrom(all, camera, ++number);
-    const bool first = camera < 5, second = camera > 1;
+    const bool first = camera<5, second = camera> 1;
     std::future<Image> other = std::async(std::launch::async, [&] {
       return second ? programs.program(1).picture(partOf(scene, 1, 2)) : Image();
     });
@@ -106,8 +106,8 @@ TEST_F(GatherTest, RanksMissViews) {
     for (int rank = 0; rank < 3; ++rank)
       if (rank != static_cast<int>(scene % 3)) drawn.push_back(rank);
     for (const int rank : drawn)
-      pictures.push_back(std::async(std::launch::async,
-                                    [&, rank] { return programs.program(rank).picture(partOf(all, rank, 3)); }));
+      pictures.push_back(std::async(
+          std::launch::async, [&, rank] { return programs.program(rank).picture(partOf(all, rank, 3)); }));
     const Image expected = expectedPicture(partsOf(all, drawn, 3));
     for (std::future<Image>& picture : pictures)
       EXPECT_EQ(differing(picture.get(), expected), 0) << "scene " << scene << job.said();
@@ -115,7 +115,8 @@ TEST_F(GatherTest, RanksMissViews) {
   std::istringstream said(job.said());
   int waited = 0;
   for (std::string line; std::getline(said, line);) waited += line.find("draws nothing") != std::string::npos;
-  EXPECT_EQ(waited, 8) << "two ranks wait once in each view, and again for one that joins later: " << job.said();
+  EXPECT_EQ(waited, 8) << "two ranks wait once in each view, and again for one that joins later: "
+                       << job.said();
 }
 
 TEST_F(GatherTest, BlendedSurfacesAreNotGathered) {

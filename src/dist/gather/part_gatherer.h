@@ -128,14 +128,14 @@ class PartGatherer {
   PartMeetings meetings_;
   std::vector<double> heard_;  // when each peer said something
   State state_ = State::idle;
-  PartHere own_;                           // of the current picture; its round rises with each
-  bool isOpen_ = false;                    // peers have been told of it, and not that it is over
-  uint64_t number_ = 0;                    // of its snapshot
-  std::map<int, PartGiven> given_;         // to this rank, for the current picture
-  std::map<int, uint64_t> refusedBy_;      // rounds of peers that do not take the current part
-  int to_ = -1;                            // the rank that has our part
-  uint64_t toRound_ = 0;                   // its round
-  bool isShown_ = false;                   // it has answered with the picture
+  PartHere own_;                       // of the current picture; its round rises with each
+  bool isOpen_ = false;                // peers have been told of it, and not that it is over
+  uint64_t number_ = 0;                // of its snapshot
+  std::map<int, PartGiven> given_;     // to this rank, for the current picture
+  std::map<int, uint64_t> refusedBy_;  // rounds of peers that do not take the current part
+  int to_ = -1;                        // the rank that has our part
+  uint64_t toRound_ = 0;               // its round
+  bool isShown_ = false;               // it has answered with the picture
   Made made_;
   Theirs theirs_;
   bool lost_ = false;             // the parts of the whole are not those that belong to it

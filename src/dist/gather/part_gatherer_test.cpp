@@ -172,7 +172,8 @@ TEST(PartGatherer, AllRanksShowAllParts) {
 
 TEST(PartGatherer, RanksThatMissScenesShiftNoOtherScenes) {
   SimulatedProgram program(3);
-  const std::vector<Parts> drawing = {{0, 1, 2}, {0, 2}, {1, 2}, {0, 1, 2}, {0, 1}, {2}, {0, 1, 2}, {1}, {0, 2}};
+  const std::vector<Parts> drawing = {{0, 1, 2}, {0, 2},    {1, 2}, {0, 1, 2}, {0, 1},
+                                      {2},       {0, 1, 2}, {1},    {0, 2}};
   for (int round = 0; round < 3; ++round)
     for (const Parts& parts : drawing) EXPECT_EQ(program.sceneOf(parts), all(parts)) << round;
 }
@@ -224,8 +225,8 @@ TEST(PartGatherer, WhereOneRankBlendsNoneGathers) {
   EXPECT_NE(program.rank(1).said.find("rank 2 of the program blends surfaces"), std::string::npos);
 }
 
-/// Whatever the times: each picture shows its rank's part, and none waits for ever. All parts where ranks draw
-/// at about the same time.
+/// Whatever the times: each picture shows its rank's part, and none waits for ever. All parts where ranks
+/// draw at about the same time.
 TEST(PartGatherer, AnyTimesLeadToPictures) {
   std::mt19937 random(7);
   const auto upTo = [&](double most) { return std::uniform_real_distribution<double>(0, most)(random); };

@@ -108,7 +108,8 @@ std::optional<bool> PartMeetings::isInView(const Habit& habit) const {
 
 bool PartMeetings::showsView(const Peer& peer) const {
   const PartView& view = peer.part.view;
-  return own_ && peer.isOpen && !peer.mayBeOld && own_->part.view.viewport == view.viewport && eyeFromEye(own_->part.view, view);
+  return own_ && peer.isOpen && !peer.mayBeOld && own_->part.view.viewport == view.viewport &&
+         eyeFromEye(own_->part.view, view);
 }
 
 bool PartMeetings::hasOurEyeSpace(int rank) const {
@@ -155,7 +156,9 @@ PartMeetings::State PartMeetings::meet(int rank) {
   peer.patience = 0;
   habit.changes = 0, habit.pause = 1;
   if (peer.drawsOutside) peer.skipsOutside = false;
-  if (hasBox(view)) habit.box = cornersOf(view, glm::inverse(own_->part.view.eyeFromWorld) * *eyeFromEye(own_->part.view, view));
+  if (hasBox(view))
+    habit.box =
+        cornersOf(view, glm::inverse(own_->part.view.eyeFromWorld) * *eyeFromEye(own_->part.view, view));
   return State::here;
 }
 

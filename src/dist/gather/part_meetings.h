@@ -1,7 +1,7 @@
-// Which peers draw a part of the view that this rank draws, in the scene that it waits for. Ranks count neither
-// views nor scenes alike, because a rank draws nothing where its data lie outside of a view. But they compose
-// each view before they go on to the next one: peers that wait at the same time, with the same camera and
-// viewport, wait for the same picture. The worker's main thread.
+// Which peers draw a part of the view that this rank draws, in the scene that it waits for. Ranks count
+// neither views nor scenes alike, because a rank draws nothing where its data lie outside of a view. But they
+// compose each view before they go on to the next one: peers that wait at the same time, with the same camera
+// and viewport, wait for the same picture. The worker's main thread.
 #pragma once
 #include "dist/messages/part_messages.h"
 
@@ -32,8 +32,8 @@ class PartMeetings {
   /// Of this rank, which waits for the picture of its part of a view.
   struct Scene {
     PartHere part;
-    uint64_t view = 0;  // equal for all scenes of one view of this rank's program
-    Hash128 data;       // changes with what the program draws, the camera excepted
+    uint64_t view = 0;    // equal for all scenes of one view of this rank's program
+    Hash128 data;         // changes with what the program draws, the camera excepted
     bool moving = false;  // a frame of an animation: better soon than with all parts
   };
   void begin(const Scene& own, double now);
@@ -82,7 +82,8 @@ class PartMeetings {
     int alike = 0;        // meetings in a row with that difference
     double patience = 0;  // seconds for which the current scene of this rank waits for it
     bool met = false;     // in that scene
-    bool mayBeOld = false;  // it opened its scene before that one, which may be over, unless it says otherwise
+    bool mayBeOld =
+        false;  // it opened its scene before that one, which may be over, unless it says otherwise
   };
   Peer& at(int rank) { return peers_[static_cast<size_t>(rank)]; }
   const Peer& at(int rank) const { return peers_[static_cast<size_t>(rank)]; }

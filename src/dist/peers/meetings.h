@@ -71,9 +71,7 @@ class Meetings {
   bool showsView(const SceneHeld& scene) const;
   bool isNow(const Peer& peer) const;
   bool mayBeNow(const Peer& peer) const;
-  int64_t swapsAhead(const Peer& peer) const {
-    return static_cast<int64_t>(peer.scene->swaps - own_->swaps);
-  }
+  int64_t swapsAhead(const Peer& peer) const { return static_cast<int64_t>(peer.scene->swaps - own_->swaps); }
   bool comesHere(const Peer& peer) const { return own_ && peer.coming == own_->viewport; }
 
   const int self_, ranks_;

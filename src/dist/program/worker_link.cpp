@@ -8,8 +8,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <limits>
 #include <exception>
+#include <limits>
 #include <utility>
 
 namespace gluray::dist {
