@@ -50,7 +50,7 @@ def _gate(c: glxml.Command, policy: Policy, compile_case: str) -> str:
     done = "" if returns else " return;"
     nothing = "return {};" if returns else "return;"
     _, real = _call(c, "*ctx")
-    how = "true" if policy.begin else "false, false" if policy.immediate else ""
+    how = f'"{c.name}"' + (", true" if policy.begin else ", false, false" if policy.immediate else "")
     return (f"  if (ctx->attention) [[unlikely]] {{\n"
             f"    switch (ctx->gate({how})) {{\n"
             f"      case Gate::forward: {returns}{real};{done}\n"

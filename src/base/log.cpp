@@ -64,6 +64,14 @@ void configure(Level level, std::string_view file) {
     writeLine(s, "cannot write the log file " + path + ": " + opened.why + "; logging to stderr");
 }
 
+bool enabled(Level level) noexcept {
+  try {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    return level != Level::off && level >= s.level;
+  } catch (...) { return false; }
+}
+
 void write(Level level, std::string_view message) noexcept {
   try {
     State& s = state();

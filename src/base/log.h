@@ -14,6 +14,9 @@ enum class Level { trace, debug, info, warning, error, off };
 /// Sets the level and the destination: appends to `file`, or writes to stderr if it is empty.
 void configure(Level level, std::string_view file);
 
+/// Whether messages of this level are written.
+bool enabled(Level level) noexcept;
+
 /// Writes one line "gluray: MESSAGE", with control characters escaped, if `level` is enabled. Never throws.
 void write(Level level, std::string_view message) noexcept;
 

@@ -55,7 +55,7 @@ std::shared_ptr<Context> Context::create(const RealGl& real, std::shared_ptr<Sha
 Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const ContextInfo& info,
                  Presenter& presenter)
     : real(realGl),
-      attention(realGl, info.off, immediate, lists, clock),
+      attention(realGl, info.off, info.decisions != nullptr, immediate, lists, clock),
       errors(realGl, immediate),
       failsafe([this] { drawHeld(); }),
       settings(info),
@@ -113,7 +113,9 @@ void Context::drawHeld() {
   attention.update();
 }
 
-Gate Context::gate(bool anywhere, bool compiled) noexcept {
+Gate Context::gate(const char* command, bool anywhere, bool compiled) noexcept {
+  if (shadow.info.decisions) [[unlikely]]
+    shadow.info.decisions->command(command);
   if (shadow.info.off) return Gate::forward;
   if (!anywhere && immediate.reliesOnAnswer() && !immediate.insideBegin()) {
     immediate.forgetAnswer();

@@ -77,16 +77,16 @@ class Context {
   AttribStack attribStack;
 
   // --- for generated stubs
-  /// `anywhere`: the command is legal between glBegin and glEnd, and handles runs and lists itself.
+  /// `command`: its name. `anywhere`: it is legal between glBegin and glEnd, and handles runs and lists itself.
   /// `compiled`: display lists record it.
-  Gate gate(bool anywhere = false, bool compiled = true) noexcept;
+  Gate gate(const char* command, bool anywhere = false, bool compiled = true) noexcept;
   /// Call before forwarding a command that we do not model: sends current attributes to the real OpenGL and
   /// flushes the batch. Flush describes the command. look: draws nothing, but reads what was drawn; read: the
   /// same, and the program gets the colours; leave: binds another framebuffer, reads nothing; redirect: sends
   /// later draws elsewhere, or changes what pending draws need, and reads nothing; all: may do anything.
   enum class Flush { none, look, read, leave, redirect, all };
   void beforeForward(Flush flush) noexcept {
-    if (flush != Flush::none || attention || shadow.current.anyUnsent()) [[unlikely]]
+    if (flush != Flush::none || attention.isNeeded() || shadow.current.anyUnsent()) [[unlikely]]
       prepareToForward(flush);
   }
   void count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }

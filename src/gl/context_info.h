@@ -1,6 +1,7 @@
 // The arguments with which intercept/ or a test creates a Context.
 #pragma once
 #include "base/clock.h"
+#include "gl/draws/decisions.h"
 #include "gl/draws/draw_kinds.h"
 #include "gl/engine_choice/engine_choice.h"
 #include "gl/families/family.h"
@@ -28,6 +29,7 @@ struct ContextInfo {
   /// while settings change pictures. Empty: no.
   std::function<bool()> isShown;
   std::shared_ptr<DrawKinds> kinds;            // records draws for `gluray explain`; null: not explaining
+  std::shared_ptr<Decisions> decisions;        // logs them; null: nobody asks. Needs `kinds`
   std::shared_ptr<const FamilyList> families;  // of shader programs; null: builtInFamilies()
   /// Called before and after a frame of a single-buffered context ends. May be empty.
   std::function<void()> frameEnding, frameEnded;

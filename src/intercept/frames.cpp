@@ -1,5 +1,6 @@
 // The end of a frame: counting it, keeping its picture, drawing the HUD.
 #include "base/clock.h"
+#include "base/log.h"
 #include "base/timeline.h"
 #include "intercept/context_record.h"
 #include "intercept/control/link.h"
@@ -67,7 +68,8 @@ void addExplaining(Record& record, gl::ContextInfo& info) {
       takePicture(record, GL_FRONT);
       keepBuffer(record, GL_FRONT, ShownFrame::now);
     };
-  if (!session().explainFrames) return;
+  if (log::enabled(log::Level::trace)) info.decisions = std::make_shared<gl::Decisions>();
+  if (!session().explainFrames && !info.decisions) return;
   info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
   if (!es && pictures) record.picture = std::make_unique<present::FramePicture>();
 }

@@ -80,6 +80,8 @@ void Flusher::presentBatch(Reason reason) {
   if (!rasterise) surround();
   const scene::SnapshotPtr snapshot = batch.take();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
+  if (p_.counts.decisions()) [[unlikely]]
+    p_.counts.decisions()->batch(key, snapshot->instances.size(), reason);
   p_.shadow.syncCurrent();
   p_.surfaces.passes.flushed(rasterise || factors ? nullptr : snapshot);
   if (rasterise) p_.counts.asRasterised(*snapshot, reason);
@@ -115,6 +117,8 @@ void Flusher::presentBatch(Reason reason) {
 void Flusher::takeResult(const PresentResult& result, bool known) {
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   p_.clock.drawn();
+  if (p_.counts.decisions()) [[unlikely]]
+    p_.counts.decisions()->presented(result, known);
   Statistics& statistics = p_.counts.statistics;
   statistics.presentSeconds += result.presentSeconds;
   if (!known) {

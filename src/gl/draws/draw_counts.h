@@ -18,6 +18,9 @@ class DrawCounts {
   /// Records draws by kind; null: nobody explains.
   DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
 
+  /// Logs decisions; null: nobody asks. Null if kinds() is.
+  Decisions* decisions() const { return shadow_.info.decisions.get(); }
+
   void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
     if (kinds()) [[unlikely]]
       explain(reason, path, kind, triangles);

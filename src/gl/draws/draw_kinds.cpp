@@ -146,14 +146,15 @@ void DrawKinds::exclude(double seconds) noexcept {
   for (Open& open : open_) open.start += seconds;
 }
 
-void DrawKinds::record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
+uint32_t DrawKinds::record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
                        PrimitiveClass primitive, uint64_t triangles,
                        const std::shared_ptr<const KnownProgram>& program, const std::string& why) noexcept {
   const std::lock_guard lock(mutex_);
   last_ = nullptr;
-  if (closed_) return;
+  if (closed_) return 0;
+  const uint32_t state = StateReader(real, fixedFunction_).read(target);
   try {
-    DrawCost& cost = kinds_[{primitive, path, reason, StateReader(real, fixedFunction_).read(target)}];
+    DrawCost& cost = kinds_[{primitive, path, reason, state}];
     ++cost.count;
     cost.triangles += triangles;
     last_ = &cost;
@@ -163,6 +164,7 @@ void DrawKinds::record(const RealGl& real, const TargetState& target, Reason rea
     if (program) programs_[program.get()] += {program, traced ? 1u : 0u, traced ? 0u : 1u, triangles, why};
   } catch (...) {  // no row
   }
+  return state;
 }
 
 void DrawKinds::culled(uint64_t leftOut) noexcept {
