@@ -4,6 +4,7 @@ unpacked   unpacked into a folder with a space in its name and run from there
 root       installed, run and removed in a root of its own, which debootstrap makes; needs a mirror and root
 """
 import argparse
+import gzip
 import json
 import os
 import pathlib
@@ -58,13 +59,51 @@ def check_report(file: pathlib.Path) -> None:
         fail(f"nothing was traced: {file.read_text()[:500]}")
 
 
-def check_man(pages: pathlib.Path) -> None:
-    for page in ("man1/gluray.1.gz", "man5/gluray.toml.5.gz", "man7/gluray.7.gz"):
-        done = run("man", "--warnings", "-l", pages / page, env={**os.environ, "MANROFFOPT": "-ww", "LC_ALL": "C.UTF-8", "MANWIDTH": "100"})
-        if done.stderr:
-            fail(f"{page}: {done.stderr}")
-        if "NAME" not in done.stdout or "SEE ALSO" not in done.stdout:
-            fail(f"{page} is not a manual page:\n{done.stdout[:300]}")
+OPTION = r"(?<![\w-])--?[A-Za-z][\w-]*"
+
+
+def options_of(*command) -> set[str]:
+    """The options that its --help lists, short ones too."""
+    shown = run(*command, "--help", env={**os.environ, "QT_QPA_PLATFORM": "offscreen"}).stdout
+    return {option for line in re.findall(r"^  (-[^\s,]+(?:, ?-[^\s,]+)*)", shown, re.MULTILINE) for option in re.findall(OPTION, line)}
+
+
+def commands_of(gluray: pathlib.Path) -> set[str]:
+    """The commands that its --help lists."""
+    return set(re.findall(r"gluray ([a-z]+)", run(gluray, "--help").stdout.split("\nCommands, ")[1]))
+
+
+def check_page(page: pathlib.Path, options: set[str] | None = None) -> None:
+    """A manual page without warnings; of a program with these options, it names all of them and describes no others."""
+    done = run("man", "--warnings", "-l", page, env={**os.environ, "MANROFFOPT": "-ww", "LC_ALL": "C.UTF-8", "MANWIDTH": "100"})
+    if done.stderr:
+        fail(f"{page.name}: {done.stderr}")
+    if "NAME" not in done.stdout or "SEE ALSO" not in done.stdout:
+        fail(f"{page.name} is not a manual page:\n{done.stdout[:300]}")
+    if options is None:
+        return
+    text = re.sub(r"\\f[BIPR]|\\(?=-)", "", gzip.decompress(page.read_bytes()).decode())
+    if not options or (missing := options - set(re.findall(OPTION, text))):
+        fail(f"{page.name} does not name {missing}")
+    heads = re.findall(r"^\.TP\n(\.B.*)", text.split("\n.SH OPTIONS")[1].split("\n.SH ")[0], re.MULTILINE)
+    if surplus := set(re.findall(OPTION, "\n".join(heads))) - options:
+        fail(f"{page.name} describes {surplus}, which it does not take")
+
+
+def check_man(prefix: pathlib.Path) -> None:
+    """Of the main package."""
+    pages, gluray = prefix / "share/man", prefix / "bin/gluray"
+    check_page(pages / "man5/gluray.toml.5.gz")
+    check_page(pages / "man7/gluray.7.gz")
+    check_page(pages / "man1/gluray-worker.1.gz", options_of(prefix / "bin/gluray-worker"))
+    check_page(pages / "man1/gluray.1.gz", options_of(gluray).union(*(options_of(gluray, command) for command in sorted(commands_of(gluray)))))
+
+
+def check_panel(packages: pathlib.Path, folder: pathlib.Path) -> None:
+    """The package of the panel, if there is one."""
+    for package in packages.glob("gluray-panel_*.deb"):
+        run("dpkg-deb", "-x", package, folder)
+        check_page(folder / "usr/share/man/man1/gluray-panel.1.gz", options_of(folder / "usr/bin/gluray-panel"))
 
 
 def completions(file: pathlib.Path, *words: str) -> list[str]:
@@ -112,7 +151,8 @@ def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) ->
         run(gluray, "--door", door, "--report", report, "--", client, "surfaceless")
         check_report(report)
     check_licences(tree / "usr")
-    check_man(tree / "usr/share/man")
+    check_man(tree / "usr")
+    check_panel(package.parent, folder / "panel")
     check_completion(tree / "usr/share/bash-completion/completions/gluray", gluray)
 
 
