@@ -8,7 +8,7 @@
 namespace gluray::panel {
 namespace {
 
-constexpr qint64 kMostToml = 1 << 20;  // bytes that are read
+constexpr qint64 kMaxTomlBytes = 1 << 20;  // bytes that are read
 
 bool hasTable(const QString& text, const QString& name) {
   const QRegularExpression table("^\\s*\\[\\[\\s*" + name + "\\s*\\]\\]",
@@ -19,7 +19,7 @@ bool hasTable(const QString& text, const QString& name) {
 DropMeaning meaningOfToml(const QString& path, const QString& name) {
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly)) return {nullptr, name + ": " + file.errorString()};
-  const QString text = QString::fromUtf8(file.read(kMostToml));
+  const QString text = QString::fromUtf8(file.read(kMaxTomlBytes));
   const bool rules = hasTable(text, "rule"), lights = hasTable(text, "light");
   if (rules == lights)
     return {

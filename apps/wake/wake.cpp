@@ -41,11 +41,11 @@ struct WakeQueue {
     std::string display;
     xcb_window_t number;
   };
-  static constexpr size_t kMost = 4096;
+  static constexpr size_t kMax = 4096;
 
   void add(const std::string& display, xcb_window_t window) {
     const std::lock_guard lock(mutex);
-    if (waiting.size() < kMost) waiting.push_back({display, window});
+    if (waiting.size() < kMax) waiting.push_back({display, window});
     if (running) return;
     std::thread([this] { work(); }).detach();
     running = true;

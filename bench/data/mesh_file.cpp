@@ -60,8 +60,8 @@ TriangleMesh readMesh(const std::string& path) {
   if (std::fread(&header, sizeof header, 1, file.get()) != 1 || header.magic != kMagic)
     fail(path, "is not a mesh file of the benchmarks");
   struct stat status {};
-  constexpr uint64_t kMost = uint64_t{1} << 40;  // beyond that the sum below could overflow
-  if (fstat(fileno(file.get()), &status) != 0 || header.vertices > kMost || header.indices > kMost ||
+  constexpr uint64_t kMax = uint64_t{1} << 40;  // beyond that the sum below could overflow
+  if (fstat(fileno(file.get()), &status) != 0 || header.vertices > kMax || header.indices > kMax ||
       uint64_t(status.st_size) != sizeof header + 24 * header.vertices + 4 * header.indices)
     fail(path, "has the wrong length for its header");
   TriangleMesh mesh;

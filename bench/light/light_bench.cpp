@@ -75,10 +75,10 @@ class Measurement {
 
   /// Passes over a frame at rest until its error is 40 dB.
   void atRest() {
-    constexpr int kMost = 256;
+    constexpr int kMax = 256;
     frame::Refinement refinement;
     double seconds = 0, error = 0;
-    for (uint32_t pass = 0; pass < kMost && error < kGoal; ++pass) {
+    for (uint32_t pass = 0; pass < kMax && error < kGoal; ++pass) {
       Way way = kFull;
       way.wide = true, way.pass = pass;
       way.more = {"ao.samples=" + std::to_string(kPassRays), "shadows.samples=" + std::to_string(kPassRays)};
@@ -94,7 +94,7 @@ class Measurement {
 
   /// The same with `denoise = filter`: passes, guides, and smoothing once, when the picture is shown.
   void atRestSmoothed() {
-    constexpr int kMost = 64, kRays = 2;
+    constexpr int kMax = 64, kRays = 2;
     const std::string count = std::to_string(kRays);
     frame::Refinement refinement;
     frame::Refiner refiner(
@@ -104,7 +104,7 @@ class Measurement {
       return stage_.trace(s, image) >= 0;
     };
     double passes = 0, show = 0, error = 0;
-    for (int pass = 0; pass < kMost && error < kGoal; ++pass) {
+    for (int pass = 0; pass < kMax && error < kGoal; ++pass) {
       scene::TraceCost cost;
       std::string why;
       Image picture;

@@ -93,10 +93,10 @@ struct Reached {
 template <class Pass, class Show>
 Reached reach(double decibels, const Pixels& reference, const std::vector<uint8_t>& hits, Pass&& pass,
               Show&& show) {
-  constexpr int kMost = 4096;
+  constexpr int kMax = 4096;
   Reached reached;
   do reached.seconds += seconds([&] { pass(reached.passes > 0); });
-  while (++reached.passes < kMost && bench::psnr(show(), reference, hits) < decibels);
+  while (++reached.passes < kMax && bench::psnr(show(), reference, hits) < decibels);
   return reached;
 }
 

@@ -9,7 +9,7 @@ namespace gluray::accel {
 
 class NextHits {
  public:
-  static constexpr int kMost = 8;  // hits per ray and query
+  static constexpr int kMax = 8;  // hits per ray and query
   struct Hit {
     float distance = 0, u = 0, v = 0;  // as in RayPacket
     uint32_t instance = 0, primitive = 0;
@@ -19,13 +19,13 @@ class NextHits {
   /// Sorted by distance, nearest first.
   const Hit& at(int lane, int i) const { return hits_[lane][i]; }
   /// Whether the ray may have more hits beyond these.
-  bool full(int lane) const { return counts_[lane] == kMost; }
+  bool full(int lane) const { return counts_[lane] == kMax; }
 
   /// Makes later queries skip the lane's hits. Returns the tNear for the next query: slightly less than the
   /// last hit's distance, because more hits may lie there, up to rounding. Only where full.
   float passOn(int lane) {
     constexpr float kBefore = 1 - 0x1p-20f;
-    const float from = hits_[lane][kMost - 1].distance * kBefore;
+    const float from = hits_[lane][kMax - 1].distance * kBefore;
     std::vector<Hit>& passed = passed_[lane];
     std::erase_if(passed, [&](const Hit& hit) { return hit.distance < from; });
     for (const Hit& hit : hits_[lane])
@@ -42,19 +42,19 @@ class NextHits {
     if (std::any_of(passed_[lane].begin(), passed_[lane].end(), isThis)) return false;
     Hit* const hits = hits_[lane];
     int& count = counts_[lane];
-    if (count == kMost && hit.distance >= hits[kMost - 1].distance) return false;
-    int at = std::min(count, kMost - 1);
+    if (count == kMax && hit.distance >= hits[kMax - 1].distance) return false;
+    int at = std::min(count, kMax - 1);
     for (; at > 0 && hits[at - 1].distance > hit.distance; --at) hits[at] = hits[at - 1];
     hits[at] = hit;
-    count = std::min(count + 1, kMost);
-    if (count < kMost) return false;
-    distance = hits[kMost - 1].distance;
+    count = std::min(count + 1, kMax);
+    if (count < kMax) return false;
+    distance = hits[kMax - 1].distance;
     return true;
   }
 
  private:
   int counts_[kLanes] = {};
-  Hit hits_[kLanes][kMost];
+  Hit hits_[kLanes][kMax];
   std::vector<Hit> passed_[kLanes];  // processed hits near the start of the next query
 };
 

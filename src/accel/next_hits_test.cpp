@@ -30,10 +30,10 @@ TEST(NextHits, TheNearestAreKeptInOrder) {
     if (distance < farthest && hits.add(5, hitAt(distance, static_cast<uint32_t>(i)), distance))
       farthest = distance;
   }
-  ASSERT_EQ(hits.count(5), NextHits::kMost);
+  ASSERT_EQ(hits.count(5), NextHits::kMax);
   EXPECT_TRUE(hits.full(5));
-  EXPECT_EQ(farthest, NextHits::kMost - 1);
-  for (int i = 0; i < NextHits::kMost; ++i) EXPECT_EQ(hits.at(5, i).primitive, static_cast<uint32_t>(i));
+  EXPECT_EQ(farthest, NextHits::kMax - 1);
+  for (int i = 0; i < NextHits::kMax; ++i) EXPECT_EQ(hits.at(5, i).primitive, static_cast<uint32_t>(i));
   EXPECT_EQ(hits.count(4), 0);
 }
 

@@ -68,7 +68,7 @@ class World {
                  const ImpostorQuery* impostors = nullptr,
                  Coherence coherence = Coherence::coherent) const noexcept;
 
-  /// Finds up to NextHits::kMost nearest hits of each valid lane, except those already passed on. Of
+  /// Finds up to NextHits::kMax nearest hits of each valid lane, except those already passed on. Of
   /// coincident triangles it reports all. The packet's own fields are undefined afterwards.
   void intersectNext(const int32_t* valid, RayPacket&, NextHits&, const ImpostorQuery* impostors,
                      Coherence coherence = Coherence::coherent) const noexcept;

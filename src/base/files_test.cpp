@@ -1,5 +1,7 @@
 #include "base/files.h"
 
+#include "base/testing/temporary_folder.h"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -15,29 +17,15 @@ namespace gluray::files {
 namespace {
 
 namespace fs = std::filesystem;
+using test::textOf;
 
 class Files : public testing::Test {
  protected:
-  Files() {
-    std::string pattern = fs::temp_directory_path() / "files-XXXXXX";
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~Files() override { fs::remove_all(folder_); }
-
-  std::string path(const char* name) const { return folder_ / name; }
-  std::string put(const char* name, const std::string& text) const {
-    std::ofstream(path(name)) << text;
-    return path(name);
-  }
-  static std::string textOf(const std::string& file) {
-    std::ifstream in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
+  std::string path(const char* name) const { return folder_.file(name); }
+  std::string put(const char* name, const std::string& text) const { return folder_.write(name, text); }
   std::set<std::string> names() const {
     std::set<std::string> all;
-    for (const auto& entry : fs::directory_iterator(folder_)) all.insert(entry.path().filename());
+    for (const auto& entry : fs::directory_iterator(folder_.path())) all.insert(entry.path().filename());
     return all;
   }
   /// Expects that a file of another kind is not replaced, written, appended to, waited for or removed.
@@ -57,7 +45,7 @@ class Files : public testing::Test {
     EXPECT_EQ(after.st_mode, before.st_mode);
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(Files, WholeFilesAreReplaced) {
@@ -70,7 +58,7 @@ TEST_F(Files, WholeFilesAreReplaced) {
 
 TEST_F(Files, FilesInTheWorkingDirectoryNeedNoFolder) {
   const fs::path before = fs::current_path();
-  fs::current_path(folder_);
+  fs::current_path(folder_.path());
   EXPECT_EQ(replace("a", "text"), "");
   fs::current_path(before);
   EXPECT_EQ(textOf(path("a")), "text");
@@ -124,7 +112,7 @@ TEST_F(Files, FailedWritesLeaveNoFile) {
   EXPECT_EQ(replace(path("none") + "/a", "text"), "No such file or directory");
   EXPECT_EQ(replace("/proc/nowhere/a", "text"), "No such file or directory");
   EXPECT_EQ(replace(put("file", "") + "/a", "text"), "Not a directory");
-  EXPECT_EQ(replace(folder_.string() + "/", "text"), "Is a directory");
+  EXPECT_EQ(replace(folder_.path().string() + "/", "text"), "Is a directory");
   EXPECT_EQ(names(), std::set<std::string>{"file"});
 }
 
@@ -152,7 +140,7 @@ TEST_F(Files, AppendingKeepsTheContent) {
 
 TEST_F(Files, StreamsAreNotFiles) {
   const fs::path before = fs::current_path();
-  fs::current_path(folder_);
+  fs::current_path(folder_.path());
   put("-", "a file of that name");
   ownStreams();
   EXPECT_EQ(start("-").output.descriptor, STDOUT_FILENO);
@@ -192,7 +180,7 @@ TEST_F(Files, DevicesAreRefused) {
 TEST_F(Files, OnlyRegularFilesAreRead) {
   mkfifo(path("fifo").c_str(), 0666);
   EXPECT_EQ(read(path("fifo"), 100).why, "it is a FIFO, not a regular file");  // does not block
-  EXPECT_EQ(read(folder_, 100).why, "Is a directory");
+  EXPECT_EQ(read(folder_.path(), 100).why, "Is a directory");
   const Content none = read(path("none"), 100);
   EXPECT_TRUE(none.missing);
   EXPECT_EQ(none.why, "No such file or directory");

@@ -1,6 +1,7 @@
 #include "base/guarded_write.h"
 
 #include "base/files.h"
+#include "base/testing/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -41,21 +42,12 @@ struct Pipe {
   }
 };
 
+using test::textOf;
+
 class GuardedWrite : public testing::Test {
  protected:
-  GuardedWrite() {
-    std::string pattern = std::filesystem::temp_directory_path() / "guarded-XXXXXX";
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~GuardedWrite() override { std::filesystem::remove_all(folder_); }
-  std::string path(const char* name) const { return folder_ / name; }
-  static std::string textOf(const std::string& file) {
-    std::ifstream in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-  std::filesystem::path folder_;
+  std::string path(const char* name) const { return folder_.file(name); }
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(GuardedWrite, AnotherFileWithTheSameNumberGetsNothing) {

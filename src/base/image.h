@@ -12,9 +12,9 @@ namespace gluray {
 /// element also counts those with more. Invisible layers are excluded unless only some are peeled
 /// (scene::Layers::peels).
 struct LayerCounts {
-  static constexpr size_t kMost = 64;
-  std::array<uint32_t, kMost> open{};    // pixels without an opaque surface behind the layers
-  std::array<uint32_t, kMost> before{};  // pixels with an opaque surface behind them
+  static constexpr size_t kMax = 64;
+  std::array<uint32_t, kMax> open{};    // pixels without an opaque surface behind the layers
+  std::array<uint32_t, kMax> before{};  // pixels with an opaque surface behind them
 };
 
 /// Values that an image may hold per pixel, or per sample of a multisampled framebuffer.

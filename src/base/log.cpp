@@ -42,8 +42,8 @@ void writeLine(State& s, std::string_view message) {
 }
 
 void keep(std::deque<std::string>& recent, std::string_view message) {
-  constexpr size_t kMostOfIt = 400;
-  recent.emplace_back(printable(message.substr(0, kMostOfIt)));
+  constexpr size_t kMaxQuotedBytes = 400;
+  recent.emplace_back(printable(message.substr(0, kMaxQuotedBytes)));
   if (recent.size() > kRecent) recent.pop_front();
 }
 

@@ -17,11 +17,11 @@
 namespace gluray::timeline {
 namespace {
 
-constexpr int64_t kClose = 30'000;                   // nanoseconds: joined spans closer than this are merged
-constexpr int64_t kInterval = 500'000'000;           // nanoseconds between two writes
-constexpr size_t kMostUnwritten = size_t{64} << 20;  // bytes
-constexpr int kPatienceMs = 1000;                    // for a slow reader, when the process ends
-constexpr size_t kMostEvents = size_t{1} << 20;      // unwritten events per thread: about 40 MB
+constexpr int64_t kClose = 30'000;          // nanoseconds: joined spans closer than this are merged
+constexpr int64_t kInterval = 500'000'000;  // nanoseconds between two writes
+constexpr size_t kMaxUnwrittenBytes = size_t{64} << 20;  // bytes
+constexpr int kPatienceMs = 1000;                        // for a slow reader, when the process ends
+constexpr size_t kMaxEvents = size_t{1} << 20;           // unwritten events per thread: about 40 MB
 
 struct Event {
   const char* name;
@@ -85,7 +85,7 @@ void add(const Event& event) noexcept {
         event.start - last->end < kClose) {
       last->end = event.end;
       last->amount += event.amount;
-    } else if (track.events.size() < kMostEvents) {
+    } else if (track.events.size() < kMaxEvents) {
       track.events.push_back(event);
     } else {
       ++track.lost;
@@ -142,8 +142,8 @@ bool writeOn(Recorder& recorder, const std::string& out, bool last) {
   if (!openFile(recorder)) return false;
   recorder.unwritten += out;
   if (!files::write(recorder.output, recorder.unwritten, last ? kPatienceMs : 0)) return false;
-  if (recorder.unwritten.size() > kMostUnwritten) recorder.output.why = "its reader is too slow";
-  return recorder.unwritten.size() <= kMostUnwritten;
+  if (recorder.unwritten.size() > kMaxUnwrittenBytes) recorder.output.why = "its reader is too slow";
+  return recorder.unwritten.size() <= kMaxUnwrittenBytes;
 }
 
 void writeOut(bool all) noexcept {

@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kConnectPatience{3000};
-constexpr int kMostPort = 65535;
+constexpr int kMaxPort = 65535;
 
 /// A socket that child processes do not get. Throws where it cannot be watched.
 std::optional<HandshakeSocket> newSocket(asio::io_context& io, const tcp::endpoint& to) {
@@ -118,7 +118,7 @@ std::optional<HostAndPort> hostAndPort(const std::string& text) {
   HostAndPort result{text.substr(0, colon), 0};
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data() + colon + 1, end, result.port);
-  if (read.ec != std::errc{} || read.ptr != end || result.port < 0 || result.port > kMostPort)
+  if (read.ec != std::errc{} || read.ptr != end || result.port < 0 || result.port > kMaxPort)
     return std::nullopt;
   std::string& host = result.host;
   if (host.size() > 2 && host.front() == '[' && host.back() == ']')

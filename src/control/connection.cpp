@@ -17,7 +17,7 @@ using asio::error_code;
 using nlohmann::json;
 using std::chrono::steady_clock;
 
-constexpr size_t kMostLinesAtOnce = 64;
+constexpr size_t kMaxLinesPerRead = 64;
 constexpr std::chrono::seconds kLastWords{1};  // for what waits when a connection is finished
 
 std::string reasonOf(const error_code& error) {
@@ -93,7 +93,7 @@ void Connection::send(const json& message) { send(sharedLine(message)); }
 
 void Connection::send(Line line) {
   if (!open_ || !finishing_.empty()) return;
-  if (waiting_ + line->size() > kMostWaiting) return close("it does not read what is sent to it");
+  if (waiting_ + line->size() > kMaxWaiting) return close("it does not read what is sent to it");
   waiting_ += line->size();
   lines_.push_back(std::move(line));
   if (started_ && !writing_) write();
@@ -103,7 +103,7 @@ void Connection::write() {
   std::vector<asio::const_buffer> buffers;
   std::vector<Line> kept;
   for (const Line& line : lines_) {
-    if (kept.size() == kMostLinesAtOnce) break;
+    if (kept.size() == kMaxLinesPerRead) break;
     buffers.emplace_back(asio::buffer(*line));
     kept.push_back(line);
   }

@@ -19,8 +19,8 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostWaiting = size_t{4} << 20;  // bytes that wait for a slow peer
-inline constexpr int kMostMessages = 2000;               // a second, from one peer of a hub
+inline constexpr size_t kMaxWaiting = size_t{4} << 20;  // bytes that wait for a slow peer
+inline constexpr int kMaxMessages = 2000;               // a second, from one peer of a hub
 
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
@@ -37,7 +37,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   /// Begins to read. The connection keeps itself until it closes; handlers are released then.
   void start(Handlers handlers);
-  /// Sends a message after those sent before. Closes the connection if more than kMostWaiting bytes wait.
+  /// Sends a message after those sent before. Closes the connection if more than kMaxWaiting bytes wait.
   /// Ignored once closed.
   void send(const nlohmann::json& message);
   void send(Line line);

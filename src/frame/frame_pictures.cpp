@@ -10,7 +10,7 @@
 namespace gluray::frame {
 namespace {
 
-constexpr size_t kMost = 4;  // views of one window
+constexpr size_t kMax = 4;  // views of one window
 
 /// Pixels of a multisampled picture whose samples differ.
 std::vector<uint8_t> mixedPixels(const Image& image) {
@@ -49,7 +49,7 @@ void FramePictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures
   const auto known = std::find_if(written_.begin(), written_.end(),
                                   [&](const IdlePicture& one) { return one.id == picture.id; });
   if (known != written_.end()) return;
-  if (written_.size() == kMost) return void(tooMany_ = true);
+  if (written_.size() == kMax) return void(tooMany_ = true);
   try {
     IdlePicture one{snapshot, picture.id, {pixels.x, pixels.y}, {pixels.width, pixels.height}, pixels.color};
     if (how) one.resolve = *how;
@@ -63,7 +63,7 @@ void FramePictures::wrote(const scene::SnapshotPtr& snapshot, const LastPictures
 void FramePictures::antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
                                 const Settings& settings) noexcept {
   if (written_.empty()) return;
-  if (antialiased_.size() == kMost) return void(tooMany_ = true);
+  if (antialiased_.size() == kMax) return void(tooMany_ = true);
   try {
     const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
     takeBackPasses();

@@ -8,8 +8,8 @@
 namespace gluray::frame {
 
 int rowsOfBands(int height) {
-  constexpr int kLeastRows = 16;
-  return std::max(kLeastRows, (height + kMaxBands - 1) / kMaxBands);
+  constexpr int kMinRows = 16;
+  return std::max(kMinRows, (height + kMaxBands - 1) / kMaxBands);
 }
 
 Band hitBand(const float* depth, int width, int height, int y) {

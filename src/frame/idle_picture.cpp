@@ -7,7 +7,7 @@ namespace gluray::frame {
 namespace {
 
 constexpr uint32_t kColors = 0xffffff;  // without alpha
-constexpr double kLeastShare = 0.5;     // of a picture's hits that the window must show to the bit
+constexpr double kMinShare = 0.5;       // of a picture's hits that the window must show to the bit
 constexpr uint32_t kBetter = 2;         // as many passes as the last shown picture had, and then it is shown
 
 }  // namespace
@@ -89,7 +89,7 @@ bool findSeen(IdleFxaa& pass, const std::vector<uint32_t>& after, const WindowPi
     compared.equal[i] = ((*compared.shownAt(compared.placeOf(i)) ^ after[i]) & kColors) == 0;
     same += compared.equal[i];
   }
-  if (static_cast<double>(same) < kLeastShare * static_cast<double>(after.size())) return false;
+  if (static_cast<double>(same) < kMinShare * static_cast<double>(after.size())) return false;
   pass.seen.assign(after.size(), false);
   for (size_t i = 0; i < after.size(); ++i)
     pass.seen[i] = compared.equal[i] && isVisible(compared, compared.placeOf(i));
@@ -153,7 +153,7 @@ bool IdleFrame::findVisible(Part& part) {
     compared.equal[i] = ((*shown ^ p.colors[i]) & kColors) == 0;
     same += compared.equal[i];
   }
-  if (static_cast<double>(same) < kLeastShare * static_cast<double>(hits)) return false;
+  if (static_cast<double>(same) < kMinShare * static_cast<double>(hits)) return false;
   for (size_t i = 0; i < p.colors.size(); ++i) {
     const glm::ivec2 at = compared.placeOf(i);
     if (!compared.equal[i] || (!p.mixed.empty() && p.mixed[i]) || !isVisible(compared, at)) continue;
@@ -233,7 +233,7 @@ IdleFrame::Step IdleFrame::step(const Tracer& tracer, const Trace& trace, Done& 
   }
   part->finished = part->refiner->finished();
   const uint32_t passes = part->refinement->passes();
-  const bool better = passes >= kLeastPasses && passes >= kBetter * part->shownPasses;
+  const bool better = passes >= kMinPasses && passes >= kBetter * part->shownPasses;
   if (!better && !part->finished) return Step::more;
   const Image* const image = imageOf(*part, tracer);
   if (!image || image->width != part->picture.size.x || image->height != part->picture.size.y)

@@ -9,7 +9,7 @@
 namespace gluray::frame {
 namespace {
 
-constexpr size_t kMostInstances = 2000;  // more are not worth the time to compare and copy
+constexpr size_t kMaxInstances = 2000;  // more are not worth the time to compare and copy
 
 bool isSameLayers(const std::shared_ptr<const scene::Layers>& a,
                   const std::shared_ptr<const scene::Layers>& b) {
@@ -111,7 +111,7 @@ LastPictures::Picture& LastPictures::next() noexcept {
 }
 
 void LastPictures::keep(const scene::Snapshot& snapshot) noexcept {
-  if (scene::countAll(snapshot) > kMostInstances) return;
+  if (scene::countAll(snapshot) > kMaxInstances) return;
   const auto takeMeshes = [this](std::vector<scene::Instance>& instances) {
     for (scene::Instance& instance : instances)
       next_->meshes.push_back(std::exchange(instance.mesh, nullptr));

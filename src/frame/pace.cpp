@@ -22,7 +22,7 @@ void Pace::took(double seconds, double target) {
   slow_ = seconds > kTooSlow * target ? slow_ + 1 : 0;
   fast_ = seconds * growth < target ? fast_ + 1 : 0;
   if (slow_ >= kSlowFrames || (slow_ > 0 && seconds > kFarTooSlow * target)) {
-    patience_ = tried_ ? std::min(2 * patience_, kMostPatience) : kPatience;
+    patience_ = tried_ ? std::min(2 * patience_, kMaxPatience) : kPatience;
     tried_ = false;
     return step(-1);
   }

@@ -17,8 +17,8 @@ class Pace {
  private:
   void step(int by);
 
-  static constexpr int kFirst = 1, kLevels = 6;             // one ray a pixel; a quarter, 1, 2, 4, 8, 16
-  static constexpr int kPatience = 4, kMostPatience = 256;  // frames
+  static constexpr int kFirst = 1, kLevels = 6;            // one ray a pixel; a quarter, 1, 2, 4, 8, 16
+  static constexpr int kPatience = 4, kMaxPatience = 256;  // frames
   int level_ = kFirst;
   int slow_ = 0, fast_ = 0;  // frames in a row
   int patience_ = kPatience;

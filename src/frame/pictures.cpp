@@ -91,7 +91,7 @@ void Pictures::refine(const scene::Snapshot& snapshot, LastPictures::Picture& pi
       return;
     }
     // Fewer passes may be worse than the first picture, which may have been filtered.
-    if (result.passes > 0 && (refiner.finished() || passes->passes() >= kLeastPasses)) {
+    if (result.passes > 0 && (refiner.finished() || passes->passes() >= kMinPasses)) {
       last_.renew(picture);
       refiner.show(picture.image);
       result.repeated = false;

@@ -239,7 +239,7 @@ TEST_F(PicturesTest, ThereAreMostPasses) {
 
 TEST_F(PicturesTest, LightWithoutNoiseNeedsTheLeastPasses) {
   scene = litScene(test::Hides::nothing);
-  EXPECT_EQ(ask(true).passes, kLeastPasses);
+  EXPECT_EQ(ask(true).passes, kMinPasses);
 }
 
 TEST_F(PicturesTest, AnotherPictureOfTheViewFreesThePasses) {

@@ -10,7 +10,7 @@
 namespace gluray::frame {
 namespace {
 
-constexpr size_t kMostBytes = size_t{1} << 30;  // of sums
+constexpr size_t kMaxBytes = size_t{1} << 30;  // of sums
 constexpr double kQuiet = 0.5;  // of the noise that a picture may have: tiles with less take no more passes
 
 size_t valuesOf(const scene::Snapshot& s) {
@@ -40,7 +40,7 @@ bool isSimple(const scene::Snapshot& s) {
 
 bool isFiltered(const scene::Snapshot& s) {
   return !s.catches && s.settings.denoise != Denoise::off && s.settings.look != Look::noise && isSimple(s) &&
-         Refinement::bytesFor(valuesOf(s), true) <= kMostBytes;
+         Refinement::bytesFor(valuesOf(s), true) <= kMaxBytes;
 }
 
 }  // namespace
@@ -48,13 +48,13 @@ bool isFiltered(const scene::Snapshot& s) {
 bool isRefinable(const scene::Snapshot& snapshot) {
   return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
          snapshot.settings.renderer == gluray::Renderer::embree &&
-         Refinement::bytesFor(valuesOf(snapshot)) <= kMostBytes;
+         Refinement::bytesFor(valuesOf(snapshot)) <= kMaxBytes;
 }
 
 bool isFinished(const Refinement& refinement, const Settings& settings) {
   const uint32_t passes = refinement.passes();
   if (passes >= static_cast<uint32_t>(settings.refine.passes)) return true;
-  return passes >= kLeastPasses && refinement.noise() <= double{settings.noise};
+  return passes >= kMinPasses && refinement.noise() <= double{settings.noise};
 }
 
 Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)

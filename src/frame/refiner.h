@@ -14,7 +14,7 @@ bool isRefinable(const scene::Snapshot& snapshot);
 bool isFinished(const Refinement& refinement, const Settings& settings);
 
 /// Fewer passes tell little about noise: well distributed rays may agree by chance.
-inline constexpr uint32_t kLeastPasses = 4;
+inline constexpr uint32_t kMinPasses = 4;
 
 class Refiner {
  public:

@@ -87,11 +87,11 @@ class Renderer::Engine {
     const bool picks = snapshot.lightSampling.mode == scene::LightSampling::Mode::surfaces ||
                        snapshot.lightSampling.mode == scene::LightSampling::Mode::points;
     if (!render::hasLight(snapshot) && !picks) histories_.clear(), paces_.clear();
-    if (paces_.size() > kMostPaces) paces_.clear();  // windows come and go
+    if (paces_.size() > kMaxPaces) paces_.clear();  // windows come and go
     return render::hasLight(snapshot) && snapshot.lightSampling.mode == scene::LightSampling::Mode::moving;
   }
 
-  static constexpr size_t kMostPaces = 64;
+  static constexpr size_t kMaxPaces = 64;
 
   void prepareArena(int threads) {
     if (threads_ == Threads::shared)

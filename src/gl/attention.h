@@ -16,8 +16,8 @@ class Attention {
             const FrameClock& clock)
       : real_(real), immediate_(immediate), lists_(lists), clock_(clock), off_(off), watched_(watched) {}
 
-  /// True if stubs must ask Context::gate(): the context is off or watched, or calls come inside glBegin, while
-  /// a run is open, while glBegin relies on an earlier answer, or while a list is compiled.
+  /// True if stubs must ask Context::gate(): the context is off or watched, or calls come inside glBegin,
+  /// while a run is open, while glBegin relies on an earlier answer, or while a list is compiled.
   explicit operator bool() const { return asked_; }
   /// The same if nobody watched.
   bool isNeeded() const { return needed_; }

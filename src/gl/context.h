@@ -77,8 +77,8 @@ class Context {
   AttribStack attribStack;
 
   // --- for generated stubs
-  /// `command`: its name. `anywhere`: it is legal between glBegin and glEnd, and handles runs and lists itself.
-  /// `compiled`: display lists record it.
+  /// `command`: its name. `anywhere`: it is legal between glBegin and glEnd, and handles runs and lists
+  /// itself. `compiled`: display lists record it.
   Gate gate(const char* command, bool anywhere = false, bool compiled = true) noexcept;
   /// Call before forwarding a command that we do not model: sends current attributes to the real OpenGL and
   /// flushes the batch. Flush describes the command. look: draws nothing, but reads what was drawn; read: the

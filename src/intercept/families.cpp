@@ -11,8 +11,8 @@ namespace gluray::intercept {
 namespace {
 
 std::string contentsOf(const std::string& file) {
-  constexpr size_t kMost = size_t{16} << 20;
-  files::Content content = files::read(file, kMost);
+  constexpr size_t kMax = size_t{16} << 20;
+  files::Content content = files::read(file, kMax);
   if (!content.why.empty()) throw gl::FamilyError(file + ": " + content.why);
   return std::move(content.text);
 }

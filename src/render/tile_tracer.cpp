@@ -147,7 +147,7 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
     });
     if (!whole) return Traced::interrupted;
   }
-  for (size_t n = 0; n < LayerCounts::kMost; ++n)
+  for (size_t n = 0; n < LayerCounts::kMax; ++n)
     image.layers.open[n] = frame.layerCounts[0][n], image.layers.before[n] = frame.layerCounts[1][n];
   holdRemote(frame, options, start);
   return snapshot.layers || !frame.seenThrough.load() ? Traced::whole : Traced::seenThrough;

@@ -6,7 +6,7 @@
 
 namespace gluray {
 
-constexpr int kLeastLensSamples = 16;  // rays through an open lens; with fewer, blurred edges fall apart
+constexpr int kMinLensSamples = 16;  // rays through an open lens; with fewer, blurred edges fall apart
 
 /// Whether settings ask for depth of field.
 inline bool hasOpenLens(const Settings& settings) {
@@ -15,7 +15,7 @@ inline bool hasOpenLens(const Settings& settings) {
 
 /// The setting spp, and no fewer rays than an open lens needs.
 inline int samplesPerPixel(const Settings& settings) {
-  return hasOpenLens(settings) ? std::max(settings.spp, kLeastLensSamples) : settings.spp;
+  return hasOpenLens(settings) ? std::max(settings.spp, kMinLensSamples) : settings.spp;
 }
 
 }  // namespace gluray

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { kWidth = 200, kHeight = 200, kMostSteps = 32 };
+enum { kWidth = 200, kHeight = 200, kMaxSteps = 32 };
 
 struct Grid {
   int steps;
@@ -33,7 +33,7 @@ static float* putVertex(float* at, const struct Grid* grid, int i, int k) {
 }
 
 static void drawGrid(const struct Grid* grid) {
-  static float vertices[kMostSteps * kMostSteps * 18];
+  static float vertices[kMaxSteps * kMaxSteps * 18];
   const float diffuse[] = {(float)(grid->color >> 16 & 255) / 255, (float)(grid->color >> 8 & 255) / 255,
                            (float)(grid->color & 255) / 255, 1};
   float* at = vertices;
@@ -57,7 +57,7 @@ static void draw(const char* line) {
     struct Grid grid;
     if (sscanf(item, "%d %f %f %f %f %f %x", &grid.steps, &grid.x, &grid.y, &grid.half, &grid.z, &grid.bump,
                &grid.color) == 7 &&
-        grid.steps <= kMostSteps)
+        grid.steps <= kMaxSteps)
       drawGrid(&grid);
     item = strchr(item, ';');
     if (item) ++item;

@@ -4,7 +4,7 @@
 #include <X11/Xutil.h>
 #include <stdio.h>
 
-enum { kMost = 320 };
+enum { kMax = 320 };
 Display* display;
 Window window;
 XVisualInfo* visual;
@@ -18,7 +18,7 @@ static void writePicture(const unsigned char* rgb, int w, int h) {
 
 /* The window's content, as the user sees it. */
 void window_shows(void) {
-  static unsigned char rgb[kMost * kMost * 3];
+  static unsigned char rgb[kMax * kMax * 3];
   XSync(display, False);
   XImage* image = XGetImage(display, window, 0, 0, (unsigned)width, (unsigned)height, AllPlanes, ZPixmap);
   for (int y = 0; y < height; ++y)
@@ -33,8 +33,8 @@ void window_shows(void) {
 
 /* The buffers, as the program reads them: colours, and the higher bytes of depths. */
 void buffer_holds(void) {
-  static unsigned char rgb[kMost * kMost * 3];
-  static unsigned depth[kMost * kMost];
+  static unsigned char rgb[kMax * kMax * 3];
+  static unsigned depth[kMax * kMax];
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rgb);
   writePicture(rgb, width, height);

@@ -81,8 +81,8 @@ Outcome comparePictures(const test::Picture& expected, const test::Picture& got)
       const auto at = static_cast<size_t>(y * kSize + x);
       strange += !found(expected, x, y, got.colors[at]) && !found(got, x, y, expected.colors[at]);
     }
-  constexpr int kMost = kSize * kSize / 10;
-  if (strange <= kMost) return {};
+  constexpr int kMax = kSize * kSize / 10;
+  if (strange <= kMax) return {};
   return {"pictures differ in " + std::to_string(strange) + " pixels", 0};
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 using Gl = const gl::RealGl&;
 constexpr int kSize = 32, kTriangles = 60;
-constexpr double kMostGrowth = 0.01;
+constexpr double kMaxGrowth = 0.01;
 
 /// Resident memory of the process, bytes.
 double residentBytes() {
@@ -155,7 +155,7 @@ int run(int frames, const std::function<void(int, int)>& draw) {
   const double growth = last / warm - 1;
   std::printf("leak: %d frames, %.2f MB after warming up, %.2f MB at the end, growth %+.2f %%\n", frames,
               warm / 1e6, last / 1e6, 100 * growth);
-  if (growth < kMostGrowth) return 0;
+  if (growth < kMaxGrowth) return 0;
   for (int step = 0; step < kSteps; step += 5)
     std::printf("  frame %7d: %.2f MB\n", frames * step / kSteps, resident[static_cast<size_t>(step)] / 1e6);
   return 1;

@@ -26,7 +26,7 @@ class Answer {
   T* data() { return values_.data(); }
   /// How many values were written: up to the last one that is not untouched.
   size_t count() const {
-    size_t end = kMost;
+    size_t end = kMax;
     while (end > 0 && std::memcmp(&values_[end - kBlock], kBlank.data(), sizeof kBlank) == 0) end -= kBlock;
     while (end > 0 && std::memcmp(&values_[end - 1], kBlank.data(), sizeof(T)) == 0) --end;
     return end;
@@ -34,13 +34,13 @@ class Answer {
   void clear(size_t count) { std::fill_n(values_.begin(), count, kUntouched<T>); }
 
  private:
-  static constexpr size_t kMost = 512, kBlock = 64;
+  static constexpr size_t kMax = 512, kBlock = 64;
   static inline const std::array<T, kBlock> kBlank = [] {
     std::array<T, kBlock> blank;
     blank.fill(kUntouched<T>);
     return blank;
   }();
-  std::array<T, kMost> values_;
+  std::array<T, kMax> values_;
 };
 
 class Query {

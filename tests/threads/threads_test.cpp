@@ -169,8 +169,8 @@ TEST(Threads, ContextsComeAndGoWhileAnotherDraws) {
       done = true;
       return;
     }
-    constexpr int kLeast = 64;
-    for (int frame = 0; !done || frame < kLeast; ++frame) {
+    constexpr int kMin = 64;
+    for (int frame = 0; !done || frame < kMin; ++frame) {
       // Destroyed while its objects remain in the group.
       TracedContext context({kSize, kSize}, TracedContext::vertexShading(), nullptr, &owner);
       Gl gl = context.gl();

@@ -49,7 +49,7 @@ std::optional<double> AnswerReader::number(const char* name) const {
 
 std::optional<int64_t> AnswerReader::whole(const char* name) const {
   const json& found = member(name);
-  const auto number = control::wholeNumber(&found, 0, control::kMostFrame);
+  const auto number = control::wholeNumber(&found, 0, control::kMaxFrame);
   if (!number && !found.is_null()) refuseMember(name, "no whole number");
   return number;
 }

@@ -24,14 +24,14 @@ constexpr double kConnectSeconds = 5, kListSeconds = 5;
 // More than the hub gives a program: then it says which one does not answer.
 constexpr double kAnswerSeconds = 12;
 // Programs look for a hub when a frame begins, at most every 50 ms. Those that draw nothing are woken.
-constexpr milliseconds kLeast{120}, kMost{1000};
+constexpr milliseconds kMin{120}, kMax{1000};
 // While none is there, or not the one that the command names, but the hub expects some: those with slow
 // frames. A hub asks windows to draw for the last time after three seconds.
-constexpr milliseconds kMostExpected{5000};
+constexpr milliseconds kMaxExpected{5000};
 // Programs of other machines try to reach a hub at least this often, and cannot be expected.
-constexpr milliseconds kMostFar{9000};
+constexpr milliseconds kMaxFar{9000};
 constexpr milliseconds kPause{20};
-constexpr std::chrono::seconds kMostForOthers{15};
+constexpr std::chrono::seconds kMaxForOthers{15};
 constexpr int64_t kNoProgram = 0;
 
 double seconds(milliseconds time) { return std::chrono::duration<double>(time).count(); }
@@ -62,7 +62,7 @@ HubSession::~HubSession() {
   if (!isHub_) return;
   std::cout.flush();
   try {
-    const auto end = steady_clock::now() + kMostForOthers;
+    const auto end = steady_clock::now() + kMaxForOthers;
     do {
       while (hub_.clients() > 0 && steady_clock::now() < end) pause();
       if (io_.stopped()) io_.restart();
@@ -83,7 +83,7 @@ void HubSession::pause() {
 
 /// A hub that ends, or one that begins, is in nobody's way for longer than a moment.
 void HubSession::join() {
-  const auto end = steady_clock::now() + kMost;
+  const auto end = steady_clock::now() + kMax;
   while (true) {
     const std::string why = client_.connect(address_, kConnectSeconds);
     if (why.empty()) return;
@@ -108,15 +108,15 @@ void HubSession::beHub() {
 /// How old a hub is from which on programs that are not there are not waited for.
 double HubSession::secondsToWait(const std::vector<RunningProgram>& programs) const {
   const bool complete = areThere(programs, wanted_);
-  if (complete && client_.hubExpects() == 0) return seconds(kLeast);
-  if (!complete && client_.hubListensOnTcp()) return seconds(kMostFar);
-  return seconds(!complete && client_.hubExpects() > 0 ? kMostExpected : kMost);
+  if (complete && client_.hubExpects() == 0) return seconds(kMin);
+  if (!complete && client_.hubListensOnTcp()) return seconds(kMaxFar);
+  return seconds(!complete && client_.hubExpects() > 0 ? kMaxExpected : kMax);
 }
 
 /// Each hello says anew how many programs are expected.
 void HubSession::waitForPrograms() {
-  const auto end = steady_clock::now() + kMostFar;
-  while (client_.hubAge() < seconds(kMostFar) && steady_clock::now() < end) {
+  const auto end = steady_clock::now() + kMaxFar;
+  while (client_.hubAge() < seconds(kMaxFar) && steady_clock::now() < end) {
     const json list = client_.ask({{"type", "list"}}, kListSeconds).message;
     if (client_.hubAge() >= secondsToWait(programsOf(list))) return;
     pause();

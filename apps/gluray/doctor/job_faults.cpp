@@ -110,9 +110,9 @@ void findCrowded(const std::string& host, const RankList& ranks, Diagnosis& diag
 }
 
 void findFullShm(const std::string& host, const RankFacts& rank, Diagnosis& diagnosis) {
-  constexpr uint64_t kLeast = uint64_t{32} << 20;  // bytes that MPI needs for the messages of a host's ranks
+  constexpr uint64_t kMin = uint64_t{32} << 20;  // bytes that MPI needs for the messages of a host's ranks
   if (rank.shmBytes == 0) return;
-  if (rank.shmFreeBytes >= kLeast && rank.shmFreeBytes >= rank.shmBytes / 10) return;
+  if (rank.shmFreeBytes >= kMin && rank.shmFreeBytes >= rank.shmBytes / 10) return;
   diagnosis.limited("/dev/shm",
                     host + ": " + std::to_string(rank.shmFreeBytes >> 20) + " MB free of " +
                         std::to_string(rank.shmBytes >> 20) +

@@ -41,9 +41,9 @@ std::optional<Pixels> readNetpbm(const std::string& path) {
   int largest = 0;
   Pixels pixels;
   if (!(file >> magic >> pixels.width >> pixels.height >> largest)) return std::nullopt;
-  constexpr int kMost = 1 << 15;
+  constexpr int kMax = 1 << 15;
   if ((magic != "P5" && magic != "P6") || largest != 255 || pixels.width <= 0 || pixels.height <= 0 ||
-      pixels.width > kMost || pixels.height > kMost)
+      pixels.width > kMax || pixels.height > kMax)
     return std::nullopt;
   file.get();  // the one character after the header
   pixels.channels = magic == "P6" ? 3 : 1;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kVendorFile = "/gluray_egl.json";
 constexpr const char* kFolders = "doors-";  // in the private directory, one for each place of GLuRay
-constexpr size_t kMost = size_t{1} << 16;   // bytes of a vendor file
+constexpr size_t kMax = size_t{1} << 16;    // bytes of a vendor file
 
 /// A vendor file for the EGL door in `directory`, whose name is plain.
 std::string vendorText(const std::string& directory) {
@@ -67,8 +67,8 @@ std::string privateFolder(const std::string& directory) {
 std::string vendorFileFor(const std::string& directory, const std::string& folder) {
   const std::string text = vendorText(directory), beside = directory + kVendorFile,
                     mine = folder + kVendorFile;
-  if (files::read(beside, kMost).text == text || folder.empty()) return beside;
-  if (files::read(mine, kMost).text == text || files::replace(mine, text).empty()) return mine;
+  if (files::read(beside, kMax).text == text || folder.empty()) return beside;
+  if (files::read(mine, kMax).text == text || files::replace(mine, text).empty()) return mine;
   return beside;
 }
 
@@ -83,7 +83,7 @@ bool isPlainName(const std::string& path) {
 DoorFiles doorFiles(const std::string& directory) {
   DoorFiles files;
   const bool plain = isPlainName(directory);
-  const bool named = plain && files::read(directory + kVendorFile, kMost).text == vendorText(directory);
+  const bool named = plain && files::read(directory + kVendorFile, kMax).text == vendorText(directory);
   const std::string folder = named ? "" : privateFolder(directory);
   if (!plain && folder.empty()) {
     files.why = "LD_LIBRARY_PATH and LD_PRELOAD cannot name " + directory +

@@ -15,8 +15,8 @@ using nlohmann::json;
 
 /// The array of events. The file may be truncated: after a comma, before the bracket, within an event.
 json readEvents(const std::string& file) {
-  constexpr size_t kMost = size_t{4} << 30;
-  const files::Content content = files::read(file, kMost);
+  constexpr size_t kMax = size_t{4} << 30;
+  const files::Content content = files::read(file, kMax);
   if (!content.why.empty()) throw std::runtime_error("cannot read " + file + ": " + content.why);
   const std::string& all = content.text;
   json events = json::parse(all, nullptr, false);

@@ -14,11 +14,13 @@
 namespace gluray::panel {
 namespace {
 
-constexpr double kMostToSlide = 1e7;  // ranges beyond it have no slider
-constexpr double kLinearUpTo = 1e3;   // ratio of the range's ends
-constexpr double kBelowUsual = 1e-2;  // times the usual value: where a logarithmic range from 0 begins
+constexpr double kMaxSliderRange = 1e7;  // ranges beyond it have no slider
+constexpr double kLinearUpTo = 1e3;      // ratio of the range's ends
+constexpr double kBelowUsual = 1e-2;     // times the usual value: where a logarithmic range from 0 begins
 
-bool slides(const Row& row) { return row.ranged && row.most <= kMostToSlide && row.least >= -kMostToSlide; }
+bool slides(const Row& row) {
+  return row.ranged && row.most <= kMaxSliderRange && row.least >= -kMaxSliderRange;
+}
 
 double builtIn(const Row& row) {
   const nlohmann::json value = control::valueOf(row, printValue(row, Session{}));

@@ -11,9 +11,9 @@ namespace {
 using control::member, control::textIn;
 using nlohmann::json;
 
-constexpr size_t kMostWhy = 400;  // bytes that are shown
+constexpr size_t kMaxReasonBytes = 400;  // bytes that are shown
 
-std::string whyIn(const json& object) { return textIn(object, "why").substr(0, kMostWhy); }
+std::string whyIn(const json& object) { return textIn(object, "why").substr(0, kMaxReasonBytes); }
 
 /// Of an answer with one result.
 CallAnswer answerOf(const json& answer) {

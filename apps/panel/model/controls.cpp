@@ -214,7 +214,7 @@ void Controls::takeSettings(Program& program, const json& event) {
 void Controls::takeThumbnail(Program& program, const json& event) {
   const int width = numberIn<int>(event, "width", 0), height = numberIn<int>(event, "height", 0);
   const auto bytes = control::fromBase64(textIn(event, "pixels"));
-  if (width < 1 || height < 1 || width > kMostThumbnail || height > kMostThumbnail || !bytes ||
+  if (width < 1 || height < 1 || width > kMaxThumbnailPixels || height > kMaxThumbnailPixels || !bytes ||
       bytes->size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height))
     return;
   const auto* const rows = reinterpret_cast<const uchar*>(bytes->data());
@@ -227,7 +227,7 @@ void Controls::takeState(Program& program, const json& state) {
   program.state = state;
   const auto keep = [&](std::deque<double>& values, const char* name, double otherwise) {
     values.push_back(numberIn<double>(state, name, otherwise));
-    if (values.size() > kMostPlotted) values.pop_front();
+    if (values.size() > kMaxPlottedEvents) values.pop_front();
   };
   keep(program.fps, "fps", 0);
   keep(program.noise, "noise", std::numeric_limits<double>::quiet_NaN());

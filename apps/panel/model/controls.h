@@ -19,8 +19,8 @@
 
 namespace gluray::panel {
 
-inline constexpr int kMostThumbnail = 512;   // pixels of its longest side: the protocol's limit
-inline constexpr size_t kMostPlotted = 600;  // state events that are remembered
+inline constexpr int kMaxThumbnailPixels = 512;   // pixels of its longest side: the protocol's limit
+inline constexpr size_t kMaxPlottedEvents = 600;  // state events that are remembered
 
 /// A setting's value in a program.
 struct Value {

@@ -58,7 +58,7 @@ void Controls::batch(int program, json requests, QObject* receiver, BatchTaker t
 }
 
 void Controls::wantThumbnails(const QObject* who, int size) {
-  size > 0 ? void(sizes_[who] = std::min(size, kMostThumbnail)) : void(sizes_.erase(who));
+  size > 0 ? void(sizes_[who] = std::min(size, kMaxThumbnailPixels)) : void(sizes_.erase(who));
   if (isConnected_) observe();
 }
 

@@ -17,30 +17,30 @@ constexpr std::chrono::milliseconds kAskAgain{1000};
 constexpr std::chrono::milliseconds kFailureIsShown{
     3000};  // for a comparison, nothing is traced for a moment
 constexpr size_t kPageOfObjects = 1000;
-constexpr size_t kMostObjects = 20000;  // that are shown
-constexpr int kMostCell = 64;           // characters
-constexpr int kMostHidden = 16;         // words
-constexpr int64_t kMostNumber = std::numeric_limits<uint32_t>::max();
+constexpr size_t kMaxObjects = 20000;   // that are shown
+constexpr int kMaxCellCharacters = 64;  // characters
+constexpr int kMaxHiddenWords = 16;     // words
+constexpr int64_t kMaxNumber = std::numeric_limits<uint32_t>::max();
 
 /// As much as a cell shows.
 QString cellText(const json& object, const char* name) {
-  return QString::fromStdString(textIn(object, name)).left(kMostCell);
+  return QString::fromStdString(textIn(object, name)).left(kMaxCellCharacters);
 }
 
 /// None: it has no number.
 std::optional<DrawnObject> objectIn(const json& entry) {
-  const auto number = wholeNumber(member(entry, "object"), 1, kMostNumber);
+  const auto number = wholeNumber(member(entry, "object"), 1, kMaxNumber);
   if (!number) return std::nullopt;
   DrawnObject object;
   object.number = static_cast<uint32_t>(*number);
   if (!textIn(entry, "color").empty()) object.color = QColor(cellText(entry, "color"));
   object.shape = cellText(entry, "shape");
   object.material = cellText(entry, "material");
-  object.triangles = wholeNumber(member(entry, "triangles"), 0, control::kMostFrame).value_or(0);
+  object.triangles = wholeNumber(member(entry, "triangles"), 0, control::kMaxFrame).value_or(0);
   if (const json* hidden = member(entry, "hidden"); hidden && hidden->is_array())
     for (const json& word : *hidden)
-      if (word.is_string() && object.hidden.size() < kMostHidden)
-        object.hidden << QString::fromStdString(word.get<std::string>()).left(kMostCell);
+      if (word.is_string() && object.hidden.size() < kMaxHiddenWords)
+        object.hidden << QString::fromStdString(word.get<std::string>()).left(kMaxCellCharacters);
   return object;
 }
 
@@ -113,9 +113,9 @@ void ObjectList::take(const CallAnswer& answer, uint64_t round) {
     if (auto object = objectIn(entry); object && (next_.empty() || object->number > next_.back().number))
       next_.push_back(*std::move(object));
   nextTotal_ =
-      wholeNumber(member(answer.value, "total"), 0, kMostNumber).value_or(static_cast<int64_t>(next_.size()));
+      wholeNumber(member(answer.value, "total"), 0, kMaxNumber).value_or(static_cast<int64_t>(next_.size()));
   const bool more = static_cast<int64_t>(next_.size()) < nextTotal_ && next_.size() > before;
-  if (more && next_.size() < kMostObjects) return askPage(next_.back().number);
+  if (more && next_.size() < kMaxObjects) return askPage(next_.back().number);
   finish({});
 }
 

@@ -14,8 +14,8 @@ namespace {
 using control::member, control::textIn, control::wholeNumber;
 using nlohmann::json;
 
-constexpr int kMostSide = 1 << 15;  // of a picture
-constexpr int64_t kMostPixels = int64_t{1} << 26;
+constexpr int kMaxSide = 1 << 15;  // of a picture
+constexpr int64_t kMaxPixels = int64_t{1} << 26;
 
 }  // namespace
 
@@ -30,9 +30,9 @@ void ShotFetch::shoot() {
 
 void ShotFetch::fetch(const json& shot) {
   const auto number = wholeNumber(member(shot, "shot"), 0, std::numeric_limits<int>::max());
-  const auto width = wholeNumber(member(shot, "width"), 1, kMostSide),
-             height = wholeNumber(member(shot, "height"), 1, kMostSide);
-  if (!number || !width || !height || *width * *height > kMostPixels)
+  const auto width = wholeNumber(member(shot, "width"), 1, kMaxSide),
+             height = wholeNumber(member(shot, "height"), 1, kMaxSide);
+  if (!number || !width || !height || *width * *height > kMaxPixels)
     return finish({}, "the program's shot cannot be read");
   shot_ = static_cast<int>(*number);
   picture_ = QImage(static_cast<int>(*width), static_cast<int>(*height), QImage::Format_RGB888);

@@ -50,8 +50,8 @@ void findCodes(FoundBlocks& f) {
   Box all{glm::vec3(kFarAway), glm::vec3(-kFarAway)};
   for (const Box& box : f.boxes)
     if (exists(box)) all = joined(all, box);
-  constexpr float kLeastSize = 1e-30f;  // the scale stays finite
-  const glm::vec3 size = glm::max(all.upper - all.lower, glm::vec3(kLeastSize));
+  constexpr float kMinSize = 1e-30f;  // the scale stays finite
+  const glm::vec3 size = glm::max(all.upper - all.lower, glm::vec3(kMinSize));
   const glm::vec3 scale = static_cast<float>(1 << kCodeBits) * 0.4999f / size;  // of twice the centre
   for (size_t b = 0; b < f.boxes.size(); ++b) {
     const Box& box = f.boxes[b];

@@ -27,8 +27,8 @@ glm::vec2 squareAbout(const glm::vec3& center, float radius, bool parallelView) 
     const float cosA = std::clamp(center.z / distance[c], -1.0f, 1.0f);
     const float cosB = distance[c] / std::sqrt(radius * radius + distance[c] * distance[c]);
     const float cosAB = cosA * cosB + std::sqrt((1 - cosA * cosA) * (1 - cosB * cosB));
-    constexpr float kMost = 10;
-    half[c] = radius * std::min(1 / std::abs(cosAB), kMost);
+    constexpr float kMax = 10;
+    half[c] = radius * std::min(1 / std::abs(cosAB), kMax);
   }
   return half;
 }

@@ -155,7 +155,7 @@ BlasPtr BlasCache::deformed(const Geometry& geometry, const std::vector<Geometry
                             BvhQuality quality) {
   const scene::Mesh& mesh = *geometry.mesh;
   const bool wantsBest = quality != BvhQuality::automatic && quality != BvhQuality::fast;
-  if (wantsBest || mesh.shape != scene::Shape::triangles || mesh.triangleCount < Deformations::kLeast)
+  if (wantsBest || mesh.shape != scene::Shape::triangles || mesh.triangleCount < Deformations::kMin)
     return nullptr;
   if (std::find(left_.begin(), left_.end(), mesh.geometryId) != left_.end()) {
     deformations_.comesAround(mesh);
@@ -264,7 +264,7 @@ bool BlasCache::evictAllIdle() {
 
 bool BlasCache::evictDownTo(size_t bytes) {
   // Geometry that is new in every frame leaves many small structures, which take long to fill the budget.
-  constexpr size_t kMostIdle = 2048;
+  constexpr size_t kMaxIdle = 2048;
   std::vector<std::tuple<bool, uint64_t, Key>> idle;  // in eviction order
   size_t idleBytes = 0;
   for (const auto& [key, entry] : entries_) {
@@ -272,7 +272,7 @@ bool BlasCache::evictDownTo(size_t bytes) {
     idle.emplace_back(entry.needed, entry.lastUsed, key);
     idleBytes += sizeOf(entry.blas);
   }
-  const bool tooMany = idle.size() > kMostIdle;
+  const bool tooMany = idle.size() > kMaxIdle;
   const bool all = bytes == 0;  // also those whose memory is counted elsewhere: pages
   if (idle.empty() || (idleBytes <= bytes && !tooMany && !all)) return false;
   std::sort(idle.begin(), idle.end(), [](const auto& a, const auto& b) {
@@ -280,7 +280,7 @@ bool BlasCache::evictDownTo(size_t bytes) {
   });
   size_t left = idle.size();
   for (const auto& [needed, lastUsed, key] : idle) {
-    if (!all && idleBytes <= bytes && (!tooMany || left <= kMostIdle / 2)) break;
+    if (!all && idleBytes <= bytes && (!tooMany || left <= kMaxIdle / 2)) break;
     --left;
     const auto entry = entries_.find(key);
     idleBytes -= sizeOf(entry->second.blas);

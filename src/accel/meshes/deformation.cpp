@@ -96,12 +96,12 @@ double Neighbours::spreadIn(const scene::Mesh& mesh) const {
 }
 
 Deformations::Step Deformations::next(const scene::Mesh& mesh, double spread) {
-  constexpr size_t kMostCourses = 256;
+  constexpr size_t kMaxCourses = 256;
   constexpr int kSettled = 2;     // first changes that are built normally: there may be no more
   constexpr double kFar = 2;      // spread from which rays lose more time than the refit saves
   constexpr int kWorthwhile = 6;  // refits that make up for the slower build
   constexpr int kPause = 60;
-  if (courses_.size() > kMostCourses) courses_.clear();
+  if (courses_.size() > kMaxCourses) courses_.clear();
   Course& course = courses_[{mesh.vertexCount, mesh.triangleCount}];
   if (course.pause > 0) return --course.pause, Step::build;
   if (spread > 0 && spread <= kFar) return ++course.refits, Step::refit;

@@ -41,7 +41,7 @@ class Deformations {
     refit,         // refit the earlier structure: a sixth of that
   };
   /// Smallest mesh, in triangles, that is refitted: smaller ones build in negligible time.
-  static constexpr uint32_t kLeast = 10'000;
+  static constexpr uint32_t kMin = 10'000;
   /// The step for a mesh whose positions changed. `spread`: Blas::spreadIn of the earlier structure; 0: it
   /// cannot be refitted.
   Step next(const scene::Mesh& mesh, double spread);

@@ -24,13 +24,13 @@ float longestSquared(const scene::Mesh& mesh, uint32_t triangle) {
 }  // namespace
 
 float TriangleSizes::longestEdge(const scene::Mesh& mesh) {
-  constexpr size_t kMostKnown = 4096;
+  constexpr size_t kMaxKnown = 4096;
   if (mesh.shape != scene::Shape::triangles) return 0;
   if (mesh.residence) return mesh.residence->whole() ? mesh.residence->whole()->longestEdge : 0;
   const std::lock_guard lock(mutex_);
   const auto known = longest_.find(mesh.geometryId);
   if (known != longest_.end()) return known->second;
-  if (longest_.size() >= kMostKnown) longest_.clear();
+  if (longest_.size() >= kMaxKnown) longest_.clear();
   const float squared = tbb::parallel_reduce(
       tbb::blocked_range<uint32_t>(0, mesh.triangleCount, 4096), 0.0f,
       [&](const tbb::blocked_range<uint32_t>& range, float longest) {

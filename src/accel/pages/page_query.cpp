@@ -8,7 +8,7 @@
 namespace gluray::accel {
 namespace {
 
-constexpr unsigned kMostRays = 16;
+constexpr unsigned kMaxRays = 16;
 // Primitives of a page's structure. The box of the whole mesh, on which nothing lies, gives the scene the
 // bounds that it has where the mesh is not cut into pages.
 constexpr unsigned kWhole = 1;
@@ -28,13 +28,13 @@ bool meets(const Bounds& box, RTCRayN* ray, unsigned count, unsigned i) {
 }
 
 struct Lanes {
-  alignas(64) int valid[kMostRays] = {};
+  alignas(64) int valid[kMaxRays] = {};
   bool any = false;
 };
 
 Lanes lanesThatMeet(const Bounds& box, const int* valid, RTCRayN* ray, unsigned count) {
   Lanes lanes;
-  for (unsigned i = 0; i < count && i < kMostRays; ++i)
+  for (unsigned i = 0; i < count && i < kMaxRays; ++i)
     if (valid[i] == -1 && meets(box, ray, count, i)) lanes.valid[i] = -1, lanes.any = true;
   return lanes;
 }

@@ -87,7 +87,7 @@ class HandshakeLines : public std::enable_shared_from_this<HandshakeLines> {
   void take(const char* type, const std::function<void(const json&)>& then) {
     if (byte_ != '\n') {
       line_ += byte_;
-      return line_.size() < kMostHandshakeBytes ? read(type, then) : fail(Failure::wrong);
+      return line_.size() < kMaxHandshakeBytes ? read(type, then) : fail(Failure::wrong);
     }
     const Parsed parsed = parse(std::exchange(line_, {}));
     if (!parsed.why.empty() || parsed.message["type"] != type) return fail(Failure::wrong);
@@ -100,7 +100,7 @@ class HandshakeLines : public std::enable_shared_from_this<HandshakeLines> {
 };
 
 std::string textOr(const json& message, const char* name) {
-  return textMember(message, name, kMostCharacters).value_or("");
+  return textMember(message, name, kMaxCharacters).value_or("");
 }
 
 class HubSide : public HandshakeLines {

@@ -15,7 +15,7 @@ namespace gluray::control {
 
 using HandshakeSocket = asio::generic::stream_protocol::socket;
 
-inline constexpr size_t kMostHandshakeBytes = 256;  // of a message, with its line feed
+inline constexpr size_t kMaxHandshakeBytes = 256;  // of a message, with its line feed
 
 /// What the hub's side came to. `wrong`: the other side sent something else than a right proof, or nothing in
 /// time; reported at once, the socket closes half a second later. No socket and not `wrong`: it has gone.

@@ -18,7 +18,7 @@ namespace {
 static_assert(std::tuple_size_v<Key> == crypto_auth_hmacsha256_KEYBYTES);
 static_assert(std::tuple_size_v<Key> == crypto_hash_sha256_BYTES);
 
-constexpr size_t kNonceBytes = 32, kLeastKeyBytes = 32, kMostKeyBytes = size_t{1} << 20;
+constexpr size_t kNonceBytes = 32, kMinKeyBytes = 32, kMaxKeyBytes = size_t{1} << 20;
 
 std::string systemReason() { return std::error_code(errno, std::generic_category()).message(); }
 
@@ -36,15 +36,15 @@ std::string mistakeOf(int file, const std::string& path) {
   if (!S_ISREG(status.st_mode)) return path + " is no regular file; gluray hub --new-key FILE writes a key";
   if (status.st_uid != geteuid()) return path + " belongs to another user; use a copy of your own";
   if ((status.st_mode & 077) != 0) return path + " can be used by others; run chmod 600 " + path;
-  if (status.st_size < static_cast<off_t>(kLeastKeyBytes))
+  if (status.st_size < static_cast<off_t>(kMinKeyBytes))
     return path + " is shorter than 32 bytes; gluray hub --new-key FILE writes a key";
-  if (status.st_size > static_cast<off_t>(kMostKeyBytes)) return path + " is longer than 1 MiB: it is no key";
+  if (status.st_size > static_cast<off_t>(kMaxKeyBytes)) return path + " is longer than 1 MiB: it is no key";
   return "";
 }
 
 /// The file's bytes; empty where it cannot be read.
 std::string bytesOf(int file) {
-  std::string bytes(kMostKeyBytes + 1, '\0');
+  std::string bytes(kMaxKeyBytes + 1, '\0');
   size_t size = 0;
   while (size < bytes.size()) {
     const ssize_t got = read(file, bytes.data() + size, bytes.size() - size);
@@ -73,7 +73,7 @@ KeyOrWhy readKey(const std::string& path) {
   result.why = mistakeOf(file, path);
   if (result.why.empty()) {
     std::string bytes = bytesOf(file);
-    if (bytes.size() < kLeastKeyBytes || bytes.size() > kMostKeyBytes) result.why = path + " cannot be read";
+    if (bytes.size() < kMinKeyBytes || bytes.size() > kMaxKeyBytes) result.why = path + " cannot be read";
     crypto_hash_sha256(result.key.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     sodium_memzero(bytes.data(), bytes.size());
   }

@@ -8,7 +8,7 @@ void Refusals::failed(const std::string& address, Time now) {
   std::erase_if(failures_, [&](const auto& each) {
     return each.second.last + kWindow <= now && each.second.refusedUntil <= now;
   });
-  if (failures_.size() >= kMostAddresses && !failures_.contains(address))
+  if (failures_.size() >= kMaxAddresses && !failures_.contains(address))
     failures_.erase(std::min_element(failures_.begin(), failures_.end(), [](const auto& a, const auto& b) {
       return a.second.last < b.second.last;
     }));

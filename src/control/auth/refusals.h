@@ -12,7 +12,7 @@ namespace gluray::control {
 class Refusals {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  static constexpr size_t kMostAddresses = 1024;  // the one that failed longest ago is forgotten
+  static constexpr size_t kMaxAddresses = 1024;  // the one that failed longest ago is forgotten
 
   void failed(const std::string& address, Time now);
   bool refused(const std::string& address, Time now) const;

@@ -21,8 +21,8 @@ std::string networkOf(const std::string& address) {
 std::optional<uint64_t> WaitingPeers::toClose(const std::string& address) const {
   const std::string network = networkOf(address);
   const auto same = counts_.find(network);
-  if (same != counts_.end() && same->second >= kMostOfNetwork) return oldestOf(network);
-  return size() >= kMost ? leastDeserving() : std::nullopt;
+  if (same != counts_.end() && same->second >= kMaxPerNetwork) return oldestOf(network);
+  return size() >= kMax ? leastDeserving() : std::nullopt;
 }
 
 std::optional<uint64_t> WaitingPeers::leastDeserving() const {

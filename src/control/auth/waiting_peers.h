@@ -16,10 +16,10 @@ std::string networkOf(const std::string& address);
 
 class WaitingPeers {
  public:
-  static constexpr size_t kMost = 256, kMostOfNetwork = 64;
+  static constexpr size_t kMax = 256, kMaxPerNetwork = 64;
 
   /// The connection to close before one from this address joins; none: there is room. That is the oldest one
-  /// of the same network if that holds kMostOfNetwork, or, where kMost wait, the oldest one of the network
+  /// of the same network if that holds kMaxPerNetwork, or, where kMax wait, the oldest one of the network
   /// that holds most.
   std::optional<uint64_t> toClose(const std::string& address) const;
   /// The oldest connection of the network that holds most; none: nobody waits.

@@ -7,7 +7,7 @@
 namespace gluray::control {
 namespace {
 
-constexpr size_t kMost = WaitingPeers::kMost, kMostOfNetwork = WaitingPeers::kMostOfNetwork;
+constexpr size_t kMax = WaitingPeers::kMax, kMaxPerNetwork = WaitingPeers::kMaxPerNetwork;
 
 /// As the hub does. Returns the number of the connection that had to go; 0: none.
 uint64_t admit(WaitingPeers& waiting, const std::string& address) {
@@ -30,18 +30,18 @@ TEST(NetworkOf, IsWhatOneMachineMayChooseFrom) {
 
 TEST(WaitingPeers, AnAddressThatOpensManyLosesItsOldest) {
   WaitingPeers waiting;
-  for (size_t i = 0; i < kMostOfNetwork; ++i) EXPECT_EQ(admit(waiting, "192.0.2.1"), 0u);
+  for (size_t i = 0; i < kMaxPerNetwork; ++i) EXPECT_EQ(admit(waiting, "192.0.2.1"), 0u);
   EXPECT_EQ(admit(waiting, "192.0.2.2"), 0u) << "another address has room";
-  for (uint64_t i = 1; i <= 3 * kMostOfNetwork; ++i)
-    EXPECT_EQ(admit(waiting, "::ffff:192.0.2.1"), i <= kMostOfNetwork ? i : i + 1);
-  EXPECT_EQ(waiting.size(), kMostOfNetwork + 1);
+  for (uint64_t i = 1; i <= 3 * kMaxPerNetwork; ++i)
+    EXPECT_EQ(admit(waiting, "::ffff:192.0.2.1"), i <= kMaxPerNetwork ? i : i + 1);
+  EXPECT_EQ(waiting.size(), kMaxPerNetwork + 1);
 }
 
 TEST(WaitingPeers, ThoseOfOneNetworkCountTogether) {
   WaitingPeers waiting;
   uint64_t closed = 0;
   for (size_t i = 0; i < 1000; ++i) closed += admit(waiting, "2001:db8::" + std::to_string(i)) != 0;
-  EXPECT_EQ(closed, 1000 - kMostOfNetwork);
+  EXPECT_EQ(closed, 1000 - kMaxPerNetwork);
   EXPECT_EQ(admit(waiting, "2001:db8:0:1::1"), 0u);
 }
 
@@ -49,17 +49,17 @@ TEST(WaitingPeers, WhereAllPlacesAreTakenTheNetworkThatHoldsMostLosesOne) {
   WaitingPeers waiting;
   admit(waiting, "192.0.2.250");
   for (size_t i = 0; i < 41; ++i) admit(waiting, "192.0.2.251");
-  for (size_t i = 0; waiting.size() < kMost; ++i) admit(waiting, "10.0.0." + std::to_string(i / 39));
+  for (size_t i = 0; waiting.size() < kMax; ++i) admit(waiting, "10.0.0." + std::to_string(i / 39));
   for (uint64_t next = 2; next <= 3; ++next)
     EXPECT_EQ(admit(waiting, "172.16.0." + std::to_string(next)), next);
-  EXPECT_EQ(waiting.size(), kMost);
+  EXPECT_EQ(waiting.size(), kMax);
 }
 
 TEST(WaitingPeers, ThoseThatHaveLeftDoNotCount) {
   WaitingPeers waiting;
   EXPECT_FALSE(waiting.leastDeserving());
   std::vector<uint64_t> numbers;
-  for (size_t i = 0; i < kMostOfNetwork; ++i) numbers.push_back(waiting.join("192.0.2.1"));
+  for (size_t i = 0; i < kMaxPerNetwork; ++i) numbers.push_back(waiting.join("192.0.2.1"));
   waiting.leave(numbers[3]), waiting.leave(numbers[3]), waiting.leave(12345);
   EXPECT_FALSE(waiting.toClose("192.0.2.1"));
   waiting.join("192.0.2.1");

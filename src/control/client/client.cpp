@@ -101,7 +101,7 @@ void Client::take(json&& message) {
   if (!greeted_) return takeHello(message);
   const std::string type = textIn(message, "type");
   if (type == "event") {
-    if (events_.size() >= kMostEvents) events_.pop_front();
+    if (events_.size() >= kMaxEvents) events_.pop_front();
     events_.push_back(std::move(message));
     return;
   }

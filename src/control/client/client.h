@@ -16,7 +16,7 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostEvents = 1000;  // that wait for next(); older ones are lost
+inline constexpr size_t kMaxEvents = 1000;  // that wait for next(); older ones are lost
 
 class Client {
  public:

@@ -142,7 +142,7 @@ TEST_F(HubCoreRequests, AnAnswerThatIsTooLongOrTooDeepSaysSo) {
   program();
   FakePeer& peer = client();
   give(peer, {{"type", "get"}, {"id", 1}, {"program", json::array({1})}});
-  answer(one, one.one("get"), {{"values", std::string(kMostBytes, 'x')}});
+  answer(one, one.one("get"), {{"values", std::string(kMaxBytes, 'x')}});
   EXPECT_NE(answered(peer)["why"].get<std::string>().find("1 MiB"), std::string::npos);
   json deep = json::array();
   for (int i = 0; i < 12; ++i) deep = json::array({deep});
@@ -157,7 +157,7 @@ TEST_F(HubCoreRequests, AnAnswerThatIsTooLongOrTooDeepSaysSo) {
 TEST_F(HubCoreRequests, ARequestThatIsTooLongForAProgramFails) {
   FakePeer& one = program();
   FakePeer& peer = client();
-  give(peer, {{"type", "set"}, {"id", 1}, {"program", 1}, {"values", {{"a", std::string(kMostBytes, 'x')}}}});
+  give(peer, {{"type", "set"}, {"id", 1}, {"program", 1}, {"values", {{"a", std::string(kMaxBytes, 'x')}}}});
   EXPECT_EQ(result(peer)["why"], "the request is too long for one message");
   EXPECT_TRUE(one.got.empty());
 }

@@ -70,7 +70,7 @@ TEST_F(HubCoreChanges, OthersAreNotMerged) {
     const json asked = one.one("set");
     EXPECT_EQ(asked["values"]["a"], value);
     gestures.push_back(asked.value("gesture", ""));
-    EXPECT_LE(gestures.back().size(), kMostCharacters);
+    EXPECT_LE(gestures.back().size(), kMaxCharacters);
     answer(one, asked, {{"frame", value}});
   }
   EXPECT_EQ(gestures[0], gestures[1]);

@@ -51,7 +51,7 @@ void HubCore::received(uint64_t connection, const json& message, HubTime now) {
   questions_.setNow(now);
   Peer* peer = peers_.find(connection);
   if (!peer || peer->finished) return;
-  const auto type = textMember(message, "type", kMostCharacters);
+  const auto type = textMember(message, "type", kMaxCharacters);
   if (peer->role == Role::unknown) {
     hello(connection, *peer, message);
   } else if (type == "hello") {
@@ -67,9 +67,9 @@ void HubCore::received(uint64_t connection, const json& message, HubTime now) {
 void HubCore::hello(uint64_t connection, Peer& peer, const json& message) {
   const json* type = member(message, "type");
   if (!type || *type != "hello") return peers_.expel(connection, "the first message must be hello");
-  if (!wholeNumber(member(message, "version"), 1, kMostFrame))
+  if (!wholeNumber(member(message, "version"), 1, kMaxFrame))
     return peers_.expel(connection, "hello: version: a whole number from 1");
-  const auto role = textMember(message, "role", kMostCharacters);
+  const auto role = textMember(message, "role", kMaxCharacters);
   if (role == "client") return void(peer.role = Role::client);
   if (role != "program") return peers_.expel(connection, "hello: role: program or client");
   const auto read = programHello(message);
@@ -100,7 +100,7 @@ void HubCore::fromClient(uint64_t connection, Peer& peer, const json& message) {
   const std::string text = id.dump();
   if (peer.ids.contains(text))
     return peers_.complain(connection, "a request with this id waits for its answer");
-  if (peer.ids.size() >= kMostRequests)
+  if (peer.ids.size() >= kMaxRequests)
     return peers_.answer(connection, id, failure("256 requests wait for answers; wait for some of them"));
   peer.ids.insert(text);
   requests_.carryOut(connection, message, [this, connection, id, text](json&& body) {

@@ -7,7 +7,7 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostRequests = 256;  // of one client, that wait
+inline constexpr size_t kMaxRequests = 256;  // of one client, that wait
 inline constexpr std::chrono::seconds kHelloPatience{5};
 
 class HubCore {

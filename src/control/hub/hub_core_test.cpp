@@ -177,12 +177,12 @@ TEST_F(HubCoreRequests, AnIdThatWaitsIsNotTakenAgain) {
 TEST_F(HubCoreRequests, SoManyRequestsMayWait) {
   program();
   FakePeer& peer = client();
-  for (size_t i = 0; i < kMostRequests; ++i) give(peer, {{"type", "get"}, {"id", i}, {"program", 1}});
+  for (size_t i = 0; i < kMaxRequests; ++i) give(peer, {{"type", "get"}, {"id", i}, {"program", 1}});
   EXPECT_TRUE(peer.got.empty());
   give(peer, {{"type", "list"}, {"id", "more"}});
   EXPECT_NE(answered(peer, "more").value("why", ""), "");
   wait(milliseconds(10000));
-  EXPECT_EQ(peer.take("answer").size(), kMostRequests);
+  EXPECT_EQ(peer.take("answer").size(), kMaxRequests);
 }
 
 TEST_F(HubCoreRequests, ProgramsMayNotAsk) {

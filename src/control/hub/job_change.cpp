@@ -15,17 +15,17 @@ using nlohmann::json;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHoldPatience{1000}, kApplyPatience{1000}, kDrawPatience{3000};
-constexpr double kMostSeconds = 1e6;  // of an age or a period that counts
+constexpr double kMaxSeconds = 1e6;  // of an age or a period that counts
 
-/// A number of seconds from 0 to kMostSeconds; 0 where there is none.
+/// A number of seconds from 0 to kMaxSeconds; 0 where there is none.
 double secondsOf(const json* value) {
   if (!value || !value->is_number()) return 0;
   const auto seconds = value->get<double>();
-  return seconds >= 0 && seconds <= kMostSeconds ? seconds : 0;
+  return seconds >= 0 && seconds <= kMaxSeconds ? seconds : 0;
 }
 
 std::optional<HeldAt> heldAt(const json& result, HubTime now) {
-  const auto frame = wholeNumber(member(result, "frame"), 0, kMostFrame);
+  const auto frame = wholeNumber(member(result, "frame"), 0, kMaxFrame);
   const json* drawing = member(result, "drawing");
   if (!frame || !drawing || !drawing->is_boolean()) return std::nullopt;
   const std::chrono::duration<double> age(secondsOf(member(result, "age")));

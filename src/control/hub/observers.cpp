@@ -106,7 +106,7 @@ void Observers::speakerCame(uint64_t program) {
 }
 
 void Observers::event(const Program& program, const json& message) {
-  const auto what = textMember(message, "what", kMostCharacters);
+  const auto what = textMember(message, "what", kMaxCharacters);
   if (!what || (*what != "state" && *what != "settings" && *what != "thumbnail")) return;
   json copy = message;
   copy["program"] = program.number;

@@ -13,8 +13,8 @@
 
 namespace gluray::control {
 
-inline constexpr double kLeastEvery = 0.05, kMostEvery = 3600;  // seconds
-inline constexpr int kLeastSize = 16, kMostSize = 512,
+inline constexpr double kMinInterval = 0.05, kMaxInterval = 3600;  // seconds
+inline constexpr int kMinSize = 16, kMaxSize = 512,
                      kUsualSize = 256;                // pixels of a thumbnail's longest side
 inline constexpr size_t kBehind = size_t{256} << 10;  // bytes that wait for a client that reads slowly
 
@@ -22,7 +22,7 @@ inline constexpr size_t kBehind = size_t{256} << 10;  // bytes that wait for a c
 struct Wish {
   bool state = false, settings = false, thumbnail = false;
   int size = 0;  // of thumbnails, in pixels; 0: not said
-  double every = kMostEvery;
+  double every = kMaxInterval;
   bool empty() const { return !state && !settings && !thumbnail; }
   void add(const Wish& other);
   bool operator==(const Wish&) const = default;

@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr size_t kMostNameCharacters = 255;
-constexpr int kMostInt = std::numeric_limits<int>::max();
+constexpr size_t kMaxNameCharacters = 255;
+constexpr int kMaxInt = std::numeric_limits<int>::max();
 
 /// A whole number, `otherwise` where there is none.
 std::optional<int> intMember(const json& message, const char* name, int least, int most, int otherwise) {
@@ -25,20 +25,20 @@ std::optional<int> intMember(const json& message, const char* name, int least, i
 }  // namespace
 
 std::variant<ProgramHello, std::string> programHello(const json& message) {
-  const auto pid = wholeNumber(member(message, "pid"), 1, kMostInt);
+  const auto pid = wholeNumber(member(message, "pid"), 1, kMaxInt);
   if (!pid) return "pid: a whole number above 0";
-  const auto host = textMember(message, "host", kMostNameCharacters);
-  const auto name = textMember(message, "name", kMostNameCharacters);
-  const auto job = textMember(message, "job", kMostNameCharacters, "");
+  const auto host = textMember(message, "host", kMaxNameCharacters);
+  const auto name = textMember(message, "name", kMaxNameCharacters);
+  const auto job = textMember(message, "job", kMaxNameCharacters, "");
   if (!host || !name || !job) return "host, name and job: texts of at most 255 characters";
-  const auto ranks = intMember(message, "ranks", 1, kMostRanks, 1);
-  if (!ranks) return "ranks: a whole number from 1 to " + std::to_string(kMostRanks);
+  const auto ranks = intMember(message, "ranks", 1, kMaxRanks, 1);
+  if (!ranks) return "ranks: a whole number from 1 to " + std::to_string(kMaxRanks);
   const auto rank = intMember(message, "rank", 0, *ranks - 1, 0);
   if (!rank) return "rank: a whole number from 0 to ranks - 1";
-  const auto version = wholeNumber(member(message, "version"), 1, kMostFrame);
+  const auto version = wholeNumber(member(message, "version"), 1, kMaxFrame);
   const int common = static_cast<int>(std::min<int64_t>(version.value_or(1), kProtocolVersion));
   const json* const since = member(message, "since");
-  if (since && !(since->is_number() && *since >= 0 && *since <= kMostFrame))
+  if (since && !(since->is_number() && *since >= 0 && *since <= kMaxFrame))
     return "since: seconds since 1970";
   return ProgramHello{common, static_cast<int>(*pid),          *host, *name, *job, *rank,
                       *ranks, since ? since->get<double>() : 0};

@@ -87,7 +87,7 @@ Requests::Chosen Requests::chosen(const json& request) {
   std::set<uint64_t> seen;
   for (const json& each : list) {
     if (!each.is_number()) return chosen.why = kHowToName, chosen;
-    const auto number = wholeNumber(&each, 1, kMostFrame);
+    const auto number = wholeNumber(&each, 1, kMaxFrame);
     if (!number || !programs_.find(static_cast<uint64_t>(*number)))
       return chosen.why = "no program has number " + each.dump() + "; gluray list shows them", chosen;
     if (seen.insert(static_cast<uint64_t>(*number)).second)
@@ -123,7 +123,7 @@ void Requests::change(uint64_t client, const std::string& type, const json& requ
                       Done done) {
   ChangeRequest asked{type, client, "", json::object()};
   if (type == "set") asked.values = *member(request, "values");
-  if (type == "set") asked.gesture = textMember(request, "gesture", kMostCharacters, "").value_or("");
+  if (type == "set") asked.gesture = textMember(request, "gesture", kMaxCharacters, "").value_or("");
   const auto gathered = gather(chosen.programs.size(), std::move(done));
   for (size_t i = 0; i < chosen.programs.size(); ++i) {
     const uint64_t program = chosen.programs[i];
@@ -162,13 +162,14 @@ void Requests::observe(uint64_t client, const json& request, const Chosen& chose
   if (!known) return done(failure("what: use a list of state, settings, programs, thumbnail"));
   wish.every = 1;
   if (const json* every = member(request, "every")) {
-    if (!every->is_number() || !(every->get<double>() >= kLeastEvery && every->get<double>() <= kMostEvery))
+    if (!every->is_number() ||
+        !(every->get<double>() >= kMinInterval && every->get<double>() <= kMaxInterval))
       return done(failure("every: use a number of seconds from 0.05 to 3600"));
     wish.every = every->get<double>();
   }
   if (wish.thumbnail) wish.size = kUsualSize;
   if (const json* size = member(request, "size")) {
-    const auto pixels = wholeNumber(size, kLeastSize, kMostSize);
+    const auto pixels = wholeNumber(size, kMinSize, kMaxSize);
     if (!pixels) return done(failure("size: use a number of pixels from 16 to 512"));
     if (wish.thumbnail) wish.size = static_cast<int>(*pixels);
   }
@@ -215,7 +216,7 @@ struct Batch : std::enable_shared_from_this<Batch> {
 
 void Requests::batch(uint64_t client, const json& request, Done done) {
   const json* list = member(request, "requests");
-  if (!list || !list->is_array() || list->size() > kMostInBatch)
+  if (!list || !list->is_array() || list->size() > kMaxBatchSize)
     return done(failure("requests: use a list of at most 256 requests"));
   const auto batch = std::make_shared<Batch>();
   batch->requests = this;

@@ -9,7 +9,7 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostInBatch = 256;
+inline constexpr size_t kMaxBatchSize = 256;
 inline constexpr std::chrono::seconds kPatience{10};  // of requests that change nothing
 
 class Requests {

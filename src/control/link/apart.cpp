@@ -41,10 +41,10 @@ bool separateDescriptors() {
   if (syscall(SYS_close_range, 0u, ~0u, CLOSE_RANGE_UNSHARE) == 0) return true;
 #endif
   if (unshare(CLONE_FILES) != 0) return false;  // Linux before 5.9
-  constexpr rlim_t kMost = 1 << 16;
-  rlimit limit{kMost, kMost};
+  constexpr rlim_t kMax = 1 << 16;
+  rlimit limit{kMax, kMax};
   getrlimit(RLIMIT_NOFILE, &limit);
-  for (rlim_t number = 0; number < std::min(limit.rlim_cur, kMost); ++number) close(static_cast<int>(number));
+  for (rlim_t number = 0; number < std::min(limit.rlim_cur, kMax); ++number) close(static_cast<int>(number));
   return true;
 }
 

@@ -12,7 +12,7 @@ using nlohmann::json;
 
 void Calls::take(const std::string& name, const json& id, const json& arguments, double now) {
   if (carryOut(name, id, arguments)) return;
-  if (waiting_.size() >= kMostWaiting) return answer_(id, {{"why", "too many calls wait for a frame"}});
+  if (waiting_.size() >= kMaxWaiting) return answer_(id, {{"why", "too many calls wait for a frame"}});
   waiting_.push_back({name, id, arguments, FrameWait(source_, now)});
 }
 

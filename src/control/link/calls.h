@@ -17,7 +17,7 @@ namespace gluray::control {
 class Calls {
  public:
   static constexpr double kPoll = 0.004;  // between two looks while one waits
-  static constexpr size_t kMostWaiting = 64;
+  static constexpr size_t kMaxWaiting = 64;
 
   /// `result` has `why` if the call is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;

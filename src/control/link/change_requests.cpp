@@ -18,14 +18,14 @@ std::string readChanges(const json* values, LiveSettings::Changes& changes) {
   if (!values || !values->is_object()) return "values must be an object of settings and their values";
   for (const auto& [name, value] : values->items()) {
     const Row* const row = findSetting(name);
-    if (!row) return unknownSetting(name.substr(0, ChangeRequests::kMostOfName));
+    if (!row) return unknownSetting(name.substr(0, ChangeRequests::kMaxNameBytes));
     if (value.is_null()) {
       changes.push_back({name, std::nullopt});
       continue;
     }
     TextOrWhy text = textOf(*row, value);
     if (!text.why.empty()) return text.why;
-    if (text.text.size() > ChangeRequests::kMostOfValue) return name + ": the value is longer than 16 KiB";
+    if (text.text.size() > ChangeRequests::kMaxValueBytes) return name + ": the value is longer than 16 KiB";
     changes.push_back({name, std::move(text.text)});
   }
   return "";
@@ -60,7 +60,7 @@ void ChangeRequests::take(const std::string& type, const json& id, const json& m
   std::string why = read(type, message, change);
   if (why.empty() && isTrue(member(message, "hold"))) return hold(id, std::move(change), now);
   LiveSettings::Answer answer;
-  if (why.empty() && waiting_.size() >= kMostWaiting) why = "too many requests wait for a frame";
+  if (why.empty() && waiting_.size() >= kMaxWaiting) why = "too many requests wait for a frame";
   if (why.empty()) why = make(change, 0, answer);
   if (!why.empty()) return refuse(id, why);
   wait(id, change, std::move(answer), now);
@@ -68,7 +68,7 @@ void ChangeRequests::take(const std::string& type, const json& id, const json& m
 
 std::string ChangeRequests::read(const std::string& type, const json& message, Change& change) const {
   if (type == "set") {
-    const auto gesture = textMember(message, "gesture", kMostCharacters, "");
+    const auto gesture = textMember(message, "gesture", kMaxCharacters, "");
     if (!gesture) return "gesture must be a short text";
     change.gesture = *gesture;
     return readChanges(member(message, "values"), change.changes);
@@ -96,7 +96,7 @@ std::string ChangeRequests::make(const Change& change, uint64_t frame, LiveSetti
 void ChangeRequests::hold(const json& id, Change&& change, double now) {
   if (const std::string why = live_.whyNot(change.changes); !why.empty()) return refuse(id, why);
   std::erase_if(held_, [&](const Held& h) { return h.id == id; });
-  if (held_.size() >= kMostHeld) held_.pop_front();
+  if (held_.size() >= kMaxHeld) held_.pop_front();
   held_.push_back({id, std::move(change), now + kHoldSeconds, std::nullopt});
   const SettingsSource::Begun begun = source_.begun();
   json result{{"frame", begun.frame}, {"drawing", begun.active > 0 && now - begun.active < kPatience}};
@@ -106,7 +106,7 @@ void ChangeRequests::hold(const json& id, Change&& change, double now) {
 }
 
 void ChangeRequests::apply(const json& id, Held& held, const json& message) {
-  const auto asked = wholeNumber(member(message, "frame"), 0, kMostFrame);
+  const auto asked = wholeNumber(member(message, "frame"), 0, kMaxFrame);
   if (!asked) return refuse(id, "frame must be a whole number");
   if (held.applied) return refuse(id, "what is held was applied before");
   const auto frame = static_cast<uint64_t>(*asked);

@@ -21,8 +21,9 @@ class ChangeRequests {
   static constexpr double kAskAgain = 0.15;  // between two requests to draw
   static constexpr double kPoll = 0.004;     // between two looks at the frames
   static constexpr double kHoldSeconds = 5;
-  static constexpr size_t kMostHeld = 16, kMostWaiting = 256, kMostOfValue = size_t{16} << 10;
-  static constexpr size_t kMostOfName = 256;  // bytes of the name of an unknown setting that an answer quotes
+  static constexpr size_t kMaxHeld = 16, kMaxWaiting = 256, kMaxValueBytes = size_t{16} << 10;
+  static constexpr size_t kMaxNameBytes =
+      256;  // bytes of the name of an unknown setting that an answer quotes
 
   /// `result` has `why` if the request is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;

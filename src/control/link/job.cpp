@@ -31,15 +31,15 @@ std::optional<int> rankNumber(const std::string& text) {
   int number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && number >= 0 && number <= kMostRanks ? std::optional(number) : std::nullopt;
+  return whole && number >= 0 && number <= kMaxRanks ? std::optional(number) : std::nullopt;
 }
 
 /// A job of several ranks; nothing if the numbers are missing or wrong.
 std::optional<Job> jobFrom(const std::string& rank, const std::string& ranks, const std::string& name) {
   const std::optional<int> place = rankNumber(rank), count = rankNumber(ranks);
   if (!place || !count || *count < 2 || *place >= *count) return std::nullopt;
-  constexpr size_t kMostOfName = 200;
-  return Job{*place, *count, name.substr(0, kMostOfName)};
+  constexpr size_t kMaxNameBytes = 200;
+  return Job{*place, *count, name.substr(0, kMaxNameBytes)};
 }
 
 /// Host and process of MPICH's launcher on this host, which may have started the rank through a shell; empty:
@@ -47,9 +47,9 @@ std::optional<Job> jobFrom(const std::string& rank, const std::string& ranks, co
 std::string launcherOfThisProcess() {
   char host[256] = {};
   if (gethostname(host, sizeof host - 1) != 0) return "";
-  constexpr int kMostGenerations = 8;
+  constexpr int kMaxGenerations = 8;
   pid_t process = getppid();
-  for (int i = 0; i < kMostGenerations && process > 1; ++i) {
+  for (int i = 0; i < kMaxGenerations && process > 1; ++i) {
     const ProcessStat stat = statOf(process);
     const std::string_view name = stat.name;
     if (name.starts_with("hydra_") || name.starts_with("mpiexec"))

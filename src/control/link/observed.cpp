@@ -23,10 +23,11 @@ json Observed::take(const json& message, double now) {
     return std::find(what->begin(), what->end(), name) != what->end();
   };
   const json* const askedSize = member(message, "size");
-  const auto size = wholeNumber(askedSize, ThumbnailWish::kLeastSize, ThumbnailWish::kMostSize);
+  const auto size = wholeNumber(askedSize, ThumbnailWish::kMinSize, ThumbnailWish::kMaxSize);
   if (askedSize && !size) return {{"why", "size must be a number of pixels from 16 to 512"}};
   every_ = every ? every->get<double>() : 1;
-  every_ = every_ >= kLeastEvery ? std::min(every_, kMostEvery) : kLeastEvery;  // also of what is no number
+  every_ =
+      every_ >= kMinInterval ? std::min(every_, kMaxInterval) : kMinInterval;  // also of what is no number
   state_ = names("state"), settings_ = names("settings");
   thumbnails_ = {names("thumbnail"), size ? static_cast<int>(*size) : ThumbnailWish::kUsualSize, every_};
   first_ = true;

@@ -20,7 +20,7 @@ nlohmann::json described(const LiveSettings::Value& value);
 
 class Observed {
  public:
-  static constexpr double kLeastEvery = 0.05, kMostEvery = 3600;
+  static constexpr double kMinInterval = 0.05, kMaxInterval = 3600;
   static constexpr double kSample = 0.25;  // at most so long between samples for rates
 
   using Send = std::function<void(nlohmann::json event)>;

@@ -165,7 +165,7 @@ bool ProgramLink::hubIsHere(double now) {
   const std::string why = whyUnsafe(hub_.directory);
   if (why.empty()) return true;
   log::once(log::Level::warning, "unsafe runtime directory", "the hub is not used: " + why);
-  next_ = now + kMostBackoff;
+  next_ = now + kMaxBackoff;
   return false;
 }
 
@@ -180,7 +180,7 @@ void ProgramLink::start() noexcept {
   if (startThread(thread, run, this))
     pthread_detach(thread);
   else
-    running_ = false, next_ = nowSeconds() + kMostBackoff;
+    running_ = false, next_ = nowSeconds() + kMaxBackoff;
 }
 
 /// The main function of the thread in whose place the other one asks and answers.
@@ -190,7 +190,7 @@ void ProgramLink::run() noexcept {
   try {
     ran = runApart([this] { serveHubs(); });
   } catch (const std::exception& e) { noteFailure(e); }
-  next_ = nowSeconds() + (ran ? kLookSeconds : kMostBackoff);
+  next_ = nowSeconds() + (ran ? kLookSeconds : kMaxBackoff);
   running_ = false;
 }
 
@@ -213,7 +213,7 @@ void ProgramLink::serveHubs() noexcept {
     pause = greeted ? kTcpSeconds : refused ? kRefusedSeconds : pause;
     for (double slept = 0; slept < pause && !exiting_; slept += kLookSeconds)
       std::this_thread::sleep_for(std::chrono::duration<double>(kLookSeconds));
-    pause = refused ? kTcpSeconds : std::min(2 * pause, kMostTcpSeconds);
+    pause = refused ? kTcpSeconds : std::min(2 * pause, kMaxTcpSeconds);
   } while (!exiting_);
 }
 
@@ -222,7 +222,7 @@ void ProgramLink::serveHubs() noexcept {
 void ProgramLink::noteAttempt(bool greeted) {
   const uint64_t socket = greeted ? 0 : seen_.load();
   if (socket != useless_) backoff_ = kLookSeconds;
-  backoff_ = std::min(2 * backoff_, kMostBackoff);
+  backoff_ = std::min(2 * backoff_, kMaxBackoff);
   useless_ = socket;
   retry_ = nowSeconds() + backoff_;
 }

@@ -14,9 +14,9 @@ namespace gluray::control {
 
 class ProgramLink {
  public:
-  static constexpr double kLookSeconds = 0.05;  // between two looks for a hub of this machine
-  static constexpr double kMostBackoff = 2;     // between two attempts at one socket
-  static constexpr double kTcpSeconds = 2, kMostTcpSeconds = 8;  // between two attempts to reach another one
+  static constexpr double kLookSeconds = 0.05;                  // between two looks for a hub of this machine
+  static constexpr double kMaxBackoff = 2;                      // between two attempts at one socket
+  static constexpr double kTcpSeconds = 2, kMaxTcpSeconds = 8;  // between two attempts to reach another one
   static constexpr double kRefusedSeconds = 90;  // longer than hubs refuse a machine whose key is wrong
 
   ProgramLink(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, HubAddress hub);

@@ -49,7 +49,7 @@ void ProgramSide::begin(double now) {
 
 void ProgramSide::send(const json& message) {
   const Connection::Line line = sharedLine(message);
-  if (line->size() <= kMostBytes) return peer_.send(line);
+  if (line->size() <= kMaxBytes) return peer_.send(line);
   if (const json* const id = member(message, "id"); isId(id))
     answer(*id, {{"why", "the answer is longer than 1 MiB"}});
 }
@@ -66,7 +66,7 @@ void ProgramSide::answer(const json& id, json result) {
 }
 
 void ProgramSide::greet(const std::string& type, const json& message) {
-  greeted_ = type == "hello" && wholeNumber(member(message, "version"), 1, kMostFrame);
+  greeted_ = type == "hello" && wholeNumber(member(message, "version"), 1, kMaxFrame);
   if (greeted_) return;
   const std::string why =
       type == "hello" ? "this version is not supported" : "the first message must be hello";
@@ -75,7 +75,7 @@ void ProgramSide::greet(const std::string& type, const json& message) {
 }
 
 void ProgramSide::take(const json& message, double now) {
-  const std::string type = textMember(message, "type", kMostCharacters).value_or("");
+  const std::string type = textMember(message, "type", kMaxCharacters).value_or("");
   if (!greeted_) return greet(type, message);
   if (type == "hello" || type == "answer" || type == "event" || type == "error") return;
   const json* const id = member(message, "id");
@@ -116,7 +116,7 @@ json ProgramSide::valuesOf(const json* names, bool withLayers) {
     for (const json& name : *names) {
       if (!name.is_string()) return {{"why", "names must be texts"}};
       if (const auto& text = name.get_ref<const std::string&>(); !found.contains(text))
-        return {{"why", unknownSetting(text.substr(0, ChangeRequests::kMostOfName))}};
+        return {{"why", unknownSetting(text.substr(0, ChangeRequests::kMaxNameBytes))}};
     }
   return {{"values", std::move(found)}};
 }
@@ -128,7 +128,7 @@ void ProgramSide::observe(const json& id, const json& message, double now) {
 }
 
 void ProgramSide::call(const json& id, const json& message, double now) {
-  const auto name = textMember(message, "name", kMostCharacters);
+  const auto name = textMember(message, "name", kMaxCharacters);
   const json* const given = member(message, "arguments");
   if (!name) return answer(id, {{"why", "name must be a short text"}});
   if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});

@@ -92,7 +92,7 @@ TEST_F(ProgramSideTest, ObserveChecksWhatItIsAsked) {
   EXPECT_NE(why("state"), "");
   EXPECT_NE(why(json::array({"state"}), "1"), "");
   EXPECT_EQ(why(json::array({"state"}), -3), "");
-  EXPECT_GE(side.next(now), now + 0.9 * Observed::kLeastEvery);
+  EXPECT_GE(side.next(now), now + 0.9 * Observed::kMinInterval);
   EXPECT_EQ(why(json::array({"thumbnail"})), "");
   EXPECT_EQ(why(json::array({"state", "thumbnail", "later", 7})), "");
 }

@@ -29,7 +29,7 @@ void Waker::seeExposure(double now) {
   if (std::exchange(wanted_, false)) program_.wake();
   if (now < due_) return;
   const bool showed = source_.frame() >= frame_ + 2 && draws_ > 0;
-  if (showed && failures_ < kMostFailures) return tellWider(now);
+  if (showed && failures_ < kMaxFailures) return tellWider(now);
   go(Step::rest, 0);
 }
 

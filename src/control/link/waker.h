@@ -11,10 +11,10 @@ namespace gluray::control {
 
 class Waker {
  public:
-  static constexpr double kLook = 0.3;     // until it is clear what an exposure has done
-  static constexpr double kPoll = 0.02;    // between two looks meanwhile
-  static constexpr double kWider = 0.1;    // before windows have their own size again
-  static constexpr int kMostFailures = 2;  // sizes that made nothing draw: no more are told
+  static constexpr double kLook = 0.3;    // until it is clear what an exposure has done
+  static constexpr double kPoll = 0.02;   // between two looks meanwhile
+  static constexpr double kWider = 0.1;   // before windows have their own size again
+  static constexpr int kMaxFailures = 2;  // sizes that made nothing draw: no more are told
 
   Waker(ControlledProgram& program, const SettingsSource& source) : program_(program), source_(source) {}
   /// Windows have their own size afterwards.

@@ -38,11 +38,11 @@ bool LineReader::add(std::string_view bytes) {
     const size_t end = std::min(bytes.find('\n', at), bytes.size() - 1) + 1;
     open_ += end - at;
     const bool ends = bytes[end - 1] == '\n';
-    if (open_ > kMostBytes || (open_ == kMostBytes && !ends)) return *this = {}, failed_ = true, false;
+    if (open_ > kMaxBytes || (open_ == kMaxBytes && !ends)) return *this = {}, failed_ = true, false;
     if (ends) open_ = 0;
     at = end;
   }
-  if (begin_ > kMostBytes || begin_ == bytes_.size()) bytes_.erase(0, begin_), scanned_ -= begin_, begin_ = 0;
+  if (begin_ > kMaxBytes || begin_ == bytes_.size()) bytes_.erase(0, begin_), scanned_ -= begin_, begin_ = 0;
   bytes_.append(bytes);
   return true;
 }
@@ -59,13 +59,13 @@ std::optional<std::string> LineReader::next() {
 }
 
 std::string whyUnfit(std::string_view line) {
-  if (line.size() > kMostBytes) return "the message is longer than 1 MiB";
-  if (depthOf(line) > kMostDepth) return "the message is nested deeper than 16";
+  if (line.size() > kMaxBytes) return "the message is longer than 1 MiB";
+  if (depthOf(line) > kMaxDepth) return "the message is nested deeper than 16";
   return "";
 }
 
 Parsed parse(std::string_view line) {
-  if (line.size() >= kMostBytes) return {{}, "the message is longer than 1 MiB"};
+  if (line.size() >= kMaxBytes) return {{}, "the message is longer than 1 MiB"};
   if (std::string why = whyUnfit(line); !why.empty()) return {{}, std::move(why)};
   try {
     json message = json::parse(line);
@@ -74,8 +74,8 @@ Parsed parse(std::string_view line) {
     if (type == message.end() || !type->is_string()) return {{}, "the message has no type"};
     return {std::move(message), ""};
   } catch (const json::exception& error) {
-    constexpr size_t kMostOfIt = 200;  // it quotes the message
-    return {{}, "the message is not JSON in UTF-8: " + std::string(error.what()).substr(0, kMostOfIt)};
+    constexpr size_t kMaxQuotedBytes = 200;  // it quotes the message
+    return {{}, "the message is not JSON in UTF-8: " + std::string(error.what()).substr(0, kMaxQuotedBytes)};
   }
 }
 

@@ -9,13 +9,13 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMostBytes = size_t{1} << 20;  // of a message, with its line feed
-inline constexpr int kMostDepth = 16;                  // of arrays and objects in each other
+inline constexpr size_t kMaxBytes = size_t{1} << 20;  // of a message, with its line feed
+inline constexpr int kMaxDepth = 16;                  // of arrays and objects in each other
 
 /// Splits a stream of bytes into lines.
 class LineReader {
  public:
-  /// Adds bytes. False: a line is longer than kMostBytes; nothing can be read from then on.
+  /// Adds bytes. False: a line is longer than kMaxBytes; nothing can be read from then on.
   bool add(std::string_view bytes);
   /// The next whole line without its line feed; none: more bytes are needed.
   std::optional<std::string> next();

@@ -35,7 +35,7 @@ TEST(LineReader, ReadsLinesHoweverTheyArrive) {
 
 TEST(LineReader, LinesMayBeAsLongAsTheLimit) {
   LineReader reader;
-  const std::string most(kMostBytes - 1, 'x');
+  const std::string most(kMaxBytes - 1, 'x');
   ASSERT_TRUE(reader.add(most));
   ASSERT_TRUE(reader.add("\n"));
   EXPECT_EQ(linesOf(reader), std::vector<std::string>{most});
@@ -44,8 +44,7 @@ TEST(LineReader, LinesMayBeAsLongAsTheLimit) {
 }
 
 TEST(LineReader, LongerLinesEndIt) {
-  for (const std::string& text :
-       {std::string(kMostBytes, 'x'), "a\n" + std::string(kMostBytes, 'x') + "\n"}) {
+  for (const std::string& text : {std::string(kMaxBytes, 'x'), "a\n" + std::string(kMaxBytes, 'x') + "\n"}) {
     LineReader reader;
     EXPECT_FALSE(reader.add(text));
     EXPECT_FALSE(reader.add("\n"));
@@ -54,7 +53,7 @@ TEST(LineReader, LongerLinesEndIt) {
   }
   LineReader reader;
   bool fine = true;
-  for (size_t i = 0; i < kMostBytes / 1000 + 1; ++i) fine = fine && reader.add(std::string(1000, 'x'));
+  for (size_t i = 0; i < kMaxBytes / 1000 + 1; ++i) fine = fine && reader.add(std::string(1000, 'x'));
   EXPECT_FALSE(fine);
 }
 
@@ -75,7 +74,7 @@ TEST(LineReader, DoesNotKeepWhatWasReadOfALongStream) {
   for (int i = 0; i < 10000; ++i) {  // never empty
     ASSERT_TRUE(reader.add(std::string(1000, 'x') + "\nrest"));
     ASSERT_TRUE(reader.next());
-    ASSERT_LE(reader.held(), kMostBytes + 4000);
+    ASSERT_LE(reader.held(), kMaxBytes + 4000);
   }
 }
 
@@ -97,7 +96,7 @@ TEST(Message, MistakesAreOneLine) {
 }
 
 TEST(Message, MistakesAreShort) {
-  EXPECT_LT(parse("{\"type\": \"" + std::string(kMostBytes / 2, 'x') + "\\q\"}").why.size(), 300u);
+  EXPECT_LT(parse("{\"type\": \"" + std::string(kMaxBytes / 2, 'x') + "\\q\"}").why.size(), 300u);
 }
 
 TEST(Message, MayBeNestedAsDeepAsTheLimit) {
@@ -106,8 +105,8 @@ TEST(Message, MayBeNestedAsDeepAsTheLimit) {
     return R"({"type": "a", "text": "[[[[[[[[[[[[[[[[[[[[\"[", "x": )" + std::string(more, '[') +
            std::string(more, ']') + "}";
   };
-  EXPECT_EQ(parse(nested(kMostDepth)).why, "");
-  EXPECT_NE(parse(nested(kMostDepth + 1)).why, "");
+  EXPECT_EQ(parse(nested(kMaxDepth)).why, "");
+  EXPECT_NE(parse(nested(kMaxDepth + 1)).why, "");
   EXPECT_NE(parse(std::string(500'000, '[')).why, "") << "no stack is used up";
 }
 

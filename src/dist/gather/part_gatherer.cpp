@@ -6,7 +6,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr size_t kMostDecided = 16;
+constexpr size_t kMaxDecisions = 16;
 constexpr double kShowPatience = 10;  // seconds between the end of tracing and the picture that is shown
 
 }  // namespace
@@ -39,7 +39,8 @@ void PartGatherer::begin(const TraceRequest& request, double now) {
     return;
   }
   ++own_.round;
-  if (decided_.size() >= kMostDecided) decided_.erase(decided_.begin(), decided_.begin() + kMostDecided / 2);
+  if (decided_.size() >= kMaxDecisions)
+    decided_.erase(decided_.begin(), decided_.begin() + kMaxDecisions / 2);
   current_ = decided_.size();
   refusedBy_.clear();
   isShown_ = lost_ = false;

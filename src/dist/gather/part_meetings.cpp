@@ -10,8 +10,8 @@ namespace {
 
 /// Seconds to wait for peers that will surely draw, and for those of which nobody knows.
 constexpr double kPatience = Meetings::kPatience, kShortPatience = 0.25;
-constexpr size_t kMostViews = 64;
-constexpr uint32_t kMostPause = 64;  // changes of data
+constexpr size_t kMaxViews = 64;
+constexpr uint32_t kMaxPause = 64;  // changes of data
 /// Meetings in a row after which a difference of the counts of frames is relied on.
 constexpr int kSteady = 3;
 
@@ -69,7 +69,7 @@ void PartMeetings::opens(const PartHere& part) {
 std::vector<PartMeetings::Habit>& PartMeetings::habitsOf(uint64_t view) {
   const auto known = views_.find(view);
   if (known != views_.end()) return known->second;
-  if (views_.size() >= kMostViews) views_.clear();
+  if (views_.size() >= kMaxViews) views_.clear();
   std::vector<Habit>& habits = views_[view];
   // Whoever has drawn nothing anywhere is not awaited in each new view.
   habits.resize(peers_.size());
@@ -139,7 +139,7 @@ void PartMeetings::noticeLate(int rank) {
   const std::optional<bool> inView = isInView(habit);
   habit.wasInView = inView == true;
   if (inView == false && !peer.drawsOutside) peer.skipsOutside = true;
-  if (peer.patience == kPatience) habit.pause = std::min(2 * habit.pause, kMostPause), habit.changes = 0;
+  if (peer.patience == kPatience) habit.pause = std::min(2 * habit.pause, kMaxPause), habit.changes = 0;
   habit.late = peer.hasBeenLate = true;
   peer.patience = 0, peer.alike = 0;
 }

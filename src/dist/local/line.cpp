@@ -82,7 +82,7 @@ bool Line::receiveMore(std::byte* bytes, size_t size, size_t& got) {
 }
 
 bool Line::send(uint16_t type, std::span<const std::byte> body, int attached, int timeoutMs) {
-  if (body.size() > kMostBytes || !socket_.isOurs()) return false;
+  if (body.size() > kMaxBytes || !socket_.isOurs()) return false;
   Head head;
   head.type = type, head.attached = attached >= 0, head.bytes = body.size();
   const int64_t deadline = nowMs() + timeoutMs;
@@ -93,7 +93,7 @@ bool Line::send(uint16_t type, std::span<const std::byte> body, int attached, in
 std::optional<Message> Line::receive() {
   broken_ = broken_ || !socket_.isOurs();
   if (broken_ || !receiveMore(reinterpret_cast<std::byte*>(&head_), sizeof head_, headBytes_)) return {};
-  if (head_.magic != Head::kMagic || head_.bytes > kMostBytes ||
+  if (head_.magic != Head::kMagic || head_.bytes > kMaxBytes ||
       (head_.attached == 1) != (message_.attached.get() >= 0)) {
     broken_ = true;
     return {};

@@ -20,7 +20,7 @@ struct Message {
 
 class Line {
  public:
-  static constexpr size_t kMostBytes = size_t{1} << 30;  // of a message
+  static constexpr size_t kMaxBytes = size_t{1} << 30;  // of a message
 
   explicit Line(Descriptor socket) : socket_(std::move(socket)) {}
 

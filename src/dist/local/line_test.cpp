@@ -147,7 +147,7 @@ TEST(Line, AnotherSocketWithTheSameNumberIsLeftAlone) {
 
 TEST(Line, AMessageThatPromisesMoreThanItHasTakesNoMemory) {
   auto [here, there] = ends();
-  const std::array<uint64_t, 2> head{0x7952'4c47, Line::kMostBytes};
+  const std::array<uint64_t, 2> head{0x7952'4c47, Line::kMaxBytes};
   ASSERT_EQ(::send(here.descriptor(), head.data(), sizeof head, 0), static_cast<ssize_t>(sizeof head));
   here = Line(Descriptor());
   EXPECT_FALSE(there.receive(kPatienceMs));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL;
 // A process may have 65530 mappings (Linux's vm.max_map_count), and programs of many blocks have more arrays.
-constexpr size_t kMostCopied = size_t{1} << 16;  // bytes
+constexpr size_t kMaxCopiedBytes = size_t{1} << 16;  // bytes
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
@@ -68,7 +68,7 @@ Array mapSealed(const Descriptor& memory, size_t bytes) {
   checkSealed(memory, F_SEAL_SHRINK | F_SEAL_WRITE, size);
   const std::shared_ptr<std::byte> at = mapping(memory.get(), size, PROT_READ, MAP_SHARED);
   const std::span<const std::byte> content(at.get(), bytes);
-  return bytes <= kMostCopied ? makeArray(content) : Array{at, content};
+  return bytes <= kMaxCopiedBytes ? makeArray(content) : Array{at, content};
 }
 
 WrittenMemory writtenMemory(size_t bytes) {

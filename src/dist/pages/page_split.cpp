@@ -14,7 +14,7 @@ namespace gluray::dist {
 namespace {
 
 constexpr uint32_t kGrain = 1 << 14;
-constexpr int kMostBits = 8;            // of a cell's place along an axis
+constexpr int kMaxBits = 8;             // of a cell's place along an axis
 constexpr uint32_t kPerCell = 32;       // triangles, where they fill space evenly
 constexpr float kFarthest = 1.844e18f;  // Embree takes no coordinates beyond
 
@@ -61,7 +61,7 @@ uint32_t spread(uint32_t x) {
 class Grid {
  public:
   Grid(const Box& whole, uint64_t triangles)
-      : bits_(std::clamp(static_cast<int>(std::bit_width(triangles / kPerCell) + 2) / 3, 1, kMostBits)),
+      : bits_(std::clamp(static_cast<int>(std::bit_width(triangles / kPerCell) + 2) / 3, 1, kMaxBits)),
         lower_(whole.lower) {
     const float cells = static_cast<float>(1 << bits_);
     for (int c = 0; c < 3; ++c) {

@@ -8,8 +8,8 @@ namespace gluray::dist {
 namespace {
 
 accel::Bounds transformed(const glm::dmat4& m, const glm::vec3& lower, const glm::vec3& upper) {
-  constexpr float kMost = std::numeric_limits<float>::max();
-  accel::Bounds box{glm::vec3(kMost), glm::vec3(-kMost)};
+  constexpr float kMax = std::numeric_limits<float>::max();
+  accel::Bounds box{glm::vec3(kMax), glm::vec3(-kMax)};
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec4 at(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
                         corner & 4 ? upper.z : lower.z, 1);

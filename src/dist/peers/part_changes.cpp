@@ -26,7 +26,7 @@ glm::dmat4 motionOf(const PartState& earlier, const PartState& now) {
 void PartChanges::find(uint64_t name) {
   const auto known = std::ranges::find(views_, name, &View::name);
   if (known != views_.end()) return views_.splice(views_.begin(), views_, known);
-  if (views_.size() >= kMostViews) views_.pop_back();
+  if (views_.size() >= kMaxViews) views_.pop_back();
   views_.emplace_front().name = name;
 }
 

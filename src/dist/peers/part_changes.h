@@ -30,7 +30,7 @@ class PartChanges {
   void keep() { view().kept = now_; }
 
  private:
-  static constexpr size_t kMostViews = 4;
+  static constexpr size_t kMaxViews = 4;
   struct View {
     uint64_t name = 0;
     uint64_t number = 0;  // Snapshot::number of the last one; 0: none

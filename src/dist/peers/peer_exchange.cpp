@@ -10,7 +10,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostRefusals = 3;  // of a picture
+constexpr int kMaxRefusals = 3;  // of a picture
 
 }  // namespace
 
@@ -71,7 +71,7 @@ void PeerExchange::take(const OcclusionReplies& replies, double now) {
   if (replies.id >> 32 != attempt_ || near == near_.size() || ends()) return;  // of an earlier picture
   if (replies.refused) {
     // It has another scene by now: of this view again, or of its next picture.
-    if (++refusals_ > kMostRefusals) return drop(rank, "has gone on to its next picture");
+    if (++refusals_ > kMaxRefusals) return drop(rank, "has gone on to its next picture");
     again_ = true;
     return changed_.notify_all();
   }

@@ -5,7 +5,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostRanks = 1 << 16;  // of a program
+constexpr int kMaxRanks = 1 << 16;  // of a program
 
 }  // namespace
 
@@ -17,7 +17,7 @@ PeerPrograms::~PeerPrograms() {
 }
 
 uint64_t PeerPrograms::add(const Hash128& program, int rank, int ranks) {
-  if (ranks < 2 || ranks > kMostRanks || rank < 0 || rank >= ranks)
+  if (ranks < 2 || ranks > kMaxRanks || rank < 0 || rank >= ranks)
     throw Malformed("it is no rank of a program");
   Local& local = locals_[++last_];
   local.program = program, local.rank = rank, local.ranks = ranks;
@@ -79,7 +79,7 @@ PeerPrograms::Local* PeerPrograms::find(const PeerAddress& address) {
 }
 
 void PeerPrograms::joins(int from, const PeerAddress& address) {
-  if (address.from < 0 || address.from >= kMostRanks) throw Malformed("the program has no such rank");
+  if (address.from < 0 || address.from >= kMaxRanks) throw Malformed("the program has no such rank");
   if (!directory_.add(address.program, address.from, from)) return;
   for (auto& [number, local] : locals_) {
     if (local.program != address.program || local.rank == address.from) continue;

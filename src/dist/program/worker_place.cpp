@@ -15,13 +15,13 @@ std::string workerPlace(const std::string& job, int place) {
 }
 
 std::string whyNoJobName(const std::string& job) {
-  constexpr size_t kMost = 40;  // as the message says
+  constexpr size_t kMax = 40;  // as the message says
   const auto usual = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   };
-  if (!job.empty() && job.size() <= kMost && std::ranges::all_of(job, usual)) return "";
+  if (!job.empty() && job.size() <= kMax && std::ranges::all_of(job, usual)) return "";
   std::string why = "\"";
-  return why.append(job, 0, kMost)
+  return why.append(job, 0, kMax)
       .append("\" names no job of workers: use letters, digits, - and _, 40 at most");
 }
 

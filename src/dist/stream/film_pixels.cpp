@@ -7,7 +7,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostFilmSide = 65536;
+constexpr int kMaxFilmSide = 65536;
 
 /// Calls row(first byte of a row of the tile, its bytes) for all rows of all planes.
 template <class Film, class Row>
@@ -30,8 +30,8 @@ size_t filmBytes(const render::FactorFilm& film, const render::Tile& tile) {
 
 void check(const FilmShape& shape) {
   const auto inside = [](int32_t value, int most) { return value >= 1 && value <= most; };
-  if (!inside(shape.width, kMostFilmSide) || !inside(shape.height, kMostFilmSide) ||
-      !inside(shape.factors, render::Channels::kMost))
+  if (!inside(shape.width, kMaxFilmSide) || !inside(shape.height, kMaxFilmSide) ||
+      !inside(shape.factors, render::Channels::kMax))
     throw Malformed("no film has this shape");
 }
 

@@ -9,8 +9,8 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostPixels = 1 << 15;  // wide and high
-constexpr int kMostSamples = 64;
+constexpr int kMaxPixels = 1 << 15;  // wide and high
+constexpr int kMaxSamples = 64;
 
 void require(bool holds, const char* what) {
   if (!holds) throw Malformed(what);
@@ -22,14 +22,14 @@ bool isOfRegion(size_t count, const scene::Region& region) {
 
 void checkPixels(const scene::Snapshot& s) {
   const scene::Region& r = s.region;
-  require(r.width > 0 && r.height > 0 && r.width <= kMostPixels && r.height <= kMostPixels &&
-              std::abs(r.x) <= kMostPixels && std::abs(r.y) <= kMostPixels,
+  require(r.width > 0 && r.height > 0 && r.width <= kMaxPixels && r.height <= kMaxPixels &&
+              std::abs(r.x) <= kMaxPixels && std::abs(r.y) <= kMaxPixels,
           "the region has no such size");
   const glm::ivec4& v = s.camera.viewport;
-  require(v.z > 0 && v.w > 0 && v.z <= 2 * kMostPixels && v.w <= 2 * kMostPixels,
+  require(v.z > 0 && v.w > 0 && v.z <= 2 * kMaxPixels && v.w <= 2 * kMaxPixels,
           "the viewport has no such size");
-  require(s.samples >= 1 && s.samples <= kMostSamples, "there are too many samples");
-  require(s.samplePositions.size() <= static_cast<size_t>(kMostSamples), "there are too many samples");
+  require(s.samples >= 1 && s.samples <= kMaxSamples, "there are too many samples");
+  require(s.samplePositions.size() <= static_cast<size_t>(kMaxSamples), "there are too many samples");
   require(s.samples == 1 || s.samplePositions.size() == static_cast<size_t>(s.samples),
           "samples have no positions");
   if (s.layers) {

@@ -17,7 +17,7 @@ namespace {
 using scene::Format;
 using Formats = std::initializer_list<Format>;
 
-constexpr size_t kMostUnits = scene::kTextureUnits;
+constexpr size_t kMaxUnits = scene::kTextureUnits;
 
 class Decoding : public ReadArchive<Decoding> {
  public:
@@ -89,7 +89,7 @@ void Decoding::readAttributes(scene::Mesh& mesh) {
   mesh.fogCoords = attribute(count, {Format::float1});
   mesh.materials = attribute(count, {Format::uint32});
   const size_t above = in_.count(1);
-  if (above >= kMostUnits) throw Malformed("too many texture units");
+  if (above >= kMaxUnits) throw Malformed("too many texture units");
   for (size_t i = 0; i < above; ++i) mesh.texcoordsAbove.push_back(attribute(count, kTexcoordFormats));
 }
 
@@ -148,11 +148,11 @@ scene::MeshPtr Decoding::readPage(DecodedParts::Mesh& made) {
   auto read = std::make_shared<scene::Mesh>();
   scene::Mesh& mesh = *read;
   (*this)(mesh.triangleCount, mesh.vertexCount, mesh.lower, mesh.upper, mesh.opaqueColors);
-  constexpr uint32_t kMost = 1 << 26;  // far above what pages have, far below what overflows
-  if (mesh.triangleCount > kMost || mesh.vertexCount > 3 * kMost) throw Malformed("a page is too large");
+  constexpr uint32_t kMax = 1 << 26;  // far above what pages have, far below what overflows
+  if (mesh.triangleCount > kMax || mesh.vertexCount > 3 * kMax) throw Malformed("a page is too large");
   const PageName name = readPageName();
   const size_t above = in_.count(1);
-  if (above >= kMostUnits) throw Malformed("too many texture units");
+  if (above >= kMaxUnits) throw Malformed("too many texture units");
   mesh.texcoordsAbove.resize(above);
   TriangleArrays ofTriangles;
   identify(&name.id, sizeof name.id);
@@ -212,7 +212,7 @@ void Decoding::checkInstance(const scene::Instance& i) const {
   const auto known = std::find(kept_.begin(), kept_.end(), i.mesh) - kept_.begin();
   if (i.materials.size() <= meshes_[static_cast<size_t>(known)].materials)
     throw Malformed("a material does not exist");
-  if (i.texcoordsAbove.size() >= kMostUnits) throw Malformed("too many texture units");
+  if (i.texcoordsAbove.size() >= kMaxUnits) throw Malformed("too many texture units");
 }
 
 void Decoding::readGrid(scene::TexelGrid& grid) {
@@ -220,9 +220,9 @@ void Decoding::readGrid(scene::TexelGrid& grid) {
   (*this)(grid.width, grid.height, grid.depth, isFloats);
   const std::array<int, 4> shape = {grid.width, grid.height, grid.depth, isFloats};
   identify(shape.data(), sizeof shape);
-  constexpr int kMost = 1 << 16;
+  constexpr int kMax = 1 << 16;
   if (std::min({grid.width, grid.height, grid.depth}) < 0 ||
-      std::max({grid.width, grid.height, grid.depth}) > kMost)
+      std::max({grid.width, grid.height, grid.depth}) > kMax)
     throw Malformed("an image has no such size");
   const size_t count =
       static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height) * static_cast<size_t>(grid.depth);

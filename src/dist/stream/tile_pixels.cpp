@@ -5,7 +5,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr int kMostSide = 65536, kMostSamplesOfPixel = 64;
+constexpr int kMaxSide = 65536, kMaxSamplesPerPixel = 64;
 
 using PlaneOf = std::byte* PlanePointers::*;
 struct PlaneSize {
@@ -65,8 +65,8 @@ ImageShape readShape(ByteReader& in) {
   ImageShape shape;
   shape.width = in.get<int32_t>(), shape.height = in.get<int32_t>(), shape.samples = in.get<int32_t>();
   const auto inside = [](int32_t value, int most) { return value >= 1 && value <= most; };
-  if (!inside(shape.width, kMostSide) || !inside(shape.height, kMostSide) ||
-      !inside(shape.samples, kMostSamplesOfPixel))
+  if (!inside(shape.width, kMaxSide) || !inside(shape.height, kMaxSide) ||
+      !inside(shape.samples, kMaxSamplesPerPixel))
     throw Malformed("no image has this size");
   const auto bits = in.get<uint8_t>();
   for (const Planes planes : {Image::kPicture, Image::kWide, Image::kSums})

@@ -9,7 +9,7 @@ namespace {
 using Share = PartGatherer::Share;
 
 constexpr double kAtWorkEvery = 0.2;  // seconds
-constexpr size_t kMostViews = 64;     // whose costs are remembered
+constexpr size_t kMaxViews = 64;      // whose costs are remembered
 
 }  // namespace
 
@@ -88,7 +88,7 @@ void Head::start(ProgramSide& program, bool averages, double now) {
 
 void Head::start(ProgramSide& program, Picture::Kind kind, bool averages, double now) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
-  if (program.costs.size() > kMostViews) program.costs.clear(), program.animations.clear();
+  if (program.costs.size() > kMaxViews) program.costs.clear(), program.animations.clear();
   program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], kind, now);
   const Picture& picture = *program.picture;
   const TraceOrder order = orderOf(program, averages);

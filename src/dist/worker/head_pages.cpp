@@ -12,7 +12,7 @@ namespace {
 constexpr uint64_t kStructures = 4;
 // Pages that fit the memory of a rank, and what a triangle takes there.
 constexpr uint64_t kPagesInMemory = 256, kTriangleBytes = 80;
-constexpr uint64_t kLeast = 1 << 11, kMost = 1 << 18;  // triangles of a page
+constexpr uint64_t kMin = 1 << 11, kMax = 1 << 18;  // triangles of a page
 
 }  // namespace
 
@@ -41,7 +41,7 @@ void Head::makePages(ProgramSide& program, double now) {
   job.snapshot = program.request->snapshot;
   job.needs = program.newArrays;
   job.mostTriangles =
-      static_cast<uint32_t>(std::clamp(memory_ / (kPagesInMemory * kTriangleBytes), kLeast, kMost));
+      static_cast<uint32_t>(std::clamp(memory_ / (kPagesInMemory * kTriangleBytes), kMin, kMax));
   job.cancelled = paging.cancelled;
   pages_.make(std::move(job));
 }

@@ -3,8 +3,8 @@
 namespace gluray::dist {
 namespace {
 
-constexpr double kAliveEvery = 0.2;                 // seconds
-constexpr uint64_t kMostBytes = uint64_t{1} << 46;  // of an array
+constexpr double kAliveEvery = 0.2;                // seconds
+constexpr uint64_t kMaxBytes = uint64_t{1} << 46;  // of an array
 
 }  // namespace
 
@@ -56,8 +56,7 @@ void Member::take(int root, const TurnWanted& wanted) {
 }
 
 void Member::take(const Turn& turn) {
-  if (turn.bytes > kMostBytes || turn.root < 0 || turn.root >= ranks_.size())
-    throw Malformed("no such array");
+  if (turn.bytes > kMaxBytes || turn.root < 0 || turn.root >= ranks_.size()) throw Malformed("no such array");
   if (turn.root == ranks_.rank()) {
     const Array array = store_.find(turn.name);
     if (!array.owner || array.bytes.size() != turn.bytes) throw Malformed("no such array");

@@ -94,7 +94,7 @@ void Picture::finished(int rank, const Finished& result) {
       error_ = result.error, result_.cost.loss = result.cost.loss;
     return;
   }
-  for (size_t n = 0; n < LayerCounts::kMost; ++n)
+  for (size_t n = 0; n < LayerCounts::kMax; ++n)
     result_.layers.open[n] += result.layers.open[n], result_.layers.before[n] += result.layers.before[n];
   if (rank == self_) result_.cost = result.cost, result_.improves = result.improves;
 }

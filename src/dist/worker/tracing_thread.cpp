@@ -12,7 +12,7 @@
 namespace gluray::dist {
 namespace {
 
-constexpr size_t kMostGathered = 4;
+constexpr size_t kMaxGatheredScenes = 4;
 
 }  // namespace
 
@@ -88,7 +88,7 @@ std::shared_ptr<scene::Snapshot> TracingThread::decode(const TraceOrder& order) 
   for (const std::vector<std::byte>& part : order.parts) parts.push_back(decoder_.decode(part));
   merge(parts, *snapshot);
   gathered_.push_back(snapshot);
-  if (gathered_.size() > kMostGathered) gathered_.pop_front();
+  if (gathered_.size() > kMaxGatheredScenes) gathered_.pop_front();
   return snapshot;
 }
 

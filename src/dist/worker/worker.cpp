@@ -17,8 +17,8 @@ namespace gluray::dist {
 namespace {
 
 // How long the loop may sleep, which messages of other ranks do not end.
-constexpr double kAwake = 0.1;   // seconds after the last work, in which more of it is likely
-constexpr int kMostAtOnce = 64;  // messages between two looks at all else
+constexpr double kAwake = 0.1;  // seconds after the last work, in which more of it is likely
+constexpr int kMaxAtOnce = 64;  // messages between two looks at all else
 constexpr timespec kActive{0, 50'000}, kIdle{0, 1'000'000}, kAlone{0, 100'000'000};
 
 int threadsOf(int threads) { return threads > 0 ? threads : Arena(0).threads(); }
@@ -60,7 +60,7 @@ bool Worker::look() {
   for (Outbox::Letter& letter : outbox_.take())
     ranks_.send(letter.to, std::move(letter.message)), found = true;
   ranks_.progress();
-  for (int i = 0; i < kMostAtOnce; ++i) {
+  for (int i = 0; i < kMaxAtOnce; ++i) {
     const std::optional<RankMessage> message = ranks_.receive();
     if (!message) break;
     handle(*message, now), found = true;

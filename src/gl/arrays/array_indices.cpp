@@ -10,8 +10,8 @@ namespace {
 
 /// The largest number is no vertex: one past it does not fit.
 Range rangeOf(const Extremes& e) {
-  constexpr uint32_t kMost = std::numeric_limits<uint32_t>::max();
-  return e.least > e.most ? Range{} : Range{e.least, e.most == kMost ? kMost : e.most + 1};
+  constexpr uint32_t kMax = std::numeric_limits<uint32_t>::max();
+  return e.least > e.most ? Range{} : Range{e.least, e.most == kMax ? kMax : e.most + 1};
 }
 
 /// Removes primitives of `each` corners that use a vertex from `available` on.

@@ -87,10 +87,10 @@ bool readsBuffers(const ArrayState& arrays, const IndirectDraws& d) {
 Elements elementsOf(const std::byte* command, GLenum type) {
   std::array<GLuint, 5> words{};
   std::memcpy(words.data(), command, (type ? 5 : 4) * sizeof(GLuint));
-  constexpr GLuint kMost = std::numeric_limits<GLsizei>::max();
+  constexpr GLuint kMax = std::numeric_limits<GLsizei>::max();
   Elements e;
   e.instances = 0;
-  if (words[0] > kMost || words[1] > kMost || words[2] > kMost) return e;
+  if (words[0] > kMax || words[1] > kMax || words[2] > kMax) return e;
   e.count = static_cast<GLsizei>(words[0]), e.instances = static_cast<GLsizei>(words[1]);
   e.baseInstance = words[type ? 4 : 3];
   if (!type) {
@@ -104,9 +104,9 @@ Elements elementsOf(const std::byte* command, GLenum type) {
 
 /// What the commands describe; empty: not known, or the real OpenGL raises an error.
 std::vector<Elements> readCommands(Context& c, const IndirectDraws& d) {
-  constexpr GLsizei kMost = 1 << 16;
+  constexpr GLsizei kMax = 1 << 16;
   const auto at = reinterpret_cast<uintptr_t>(d.indirect);
-  if (d.draws < 1 || d.draws > kMost || d.stride < 0 || d.stride % 4 != 0 || at % 4 != 0) return {};
+  if (d.draws < 1 || d.draws > kMax || d.stride < 0 || d.stride % 4 != 0 || at % 4 != 0) return {};
   if (d.mode > GL_POLYGON || (d.type && !isIndexType(d.type)) || !exists(c.real, d)) return {};
   const std::shared_ptr<Buffer> buffer = bound(c, GL_DRAW_INDIRECT_BUFFER);
   if (!buffer || buffer->foreign || buffer->mapped() || buffer->mappedBelow) return {};

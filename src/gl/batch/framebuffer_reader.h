@@ -51,7 +51,7 @@ class FramebufferReader {
   }
   /// Binds the program's framebuffer again. Call after bindCopy() has bound one.
   virtual void unbindCopy(const RealGl&) noexcept {}
-  /// Whether blending by alpha, added up, leaves nothing of what was below where alpha is gl::Opacity::kLeast
+  /// Whether blending by alpha, added up, leaves nothing of what was below where alpha is gl::Opacity::kMin
   /// or more, in framebuffers whose colours are normalised bytes; and whether shaders compute the number of
   /// min(), max() and clamp() of a number and a NaN. No error may be pending. Never throws.
   virtual bool replacesColors(const RealGl&) noexcept { return false; }

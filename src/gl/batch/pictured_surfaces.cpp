@@ -102,12 +102,12 @@ void mergeSamples(int width, const std::vector<float>& farthest, float resolutio
 }
 
 void leaveSurfaces(const scene::Snapshot& surfaces, scene::FramebufferPicture& picture) {
-  constexpr double kMostWork = 16;  // times the picture: then all pixels stay
+  constexpr double kMaxWork = 16;  // times the picture: then all pixels stay
   const std::vector<Extent> extents = extentsOf(surfaces, picture);
   const auto width = static_cast<size_t>(picture.region.width);
   double work = 0;
   for (const Extent& e : extents) work += double(std::max(0, e.x1 - e.x0)) * std::max(0, e.y1 - e.y0);
-  if (work > kMostWork * static_cast<double>(picture.depths.size())) return;
+  if (work > kMaxWork * static_cast<double>(picture.depths.size())) return;
   std::vector<uint8_t> stays(picture.depths.size(), 0);
   for (const Extent& e : extents)
     for (int y = e.y0; y < e.y1; ++y) {

@@ -8,7 +8,7 @@
 
 namespace gluray::gl {
 namespace {
-constexpr uint32_t kMost = 1u << 30;   // most vertices in a run
+constexpr uint32_t kMax = 1u << 30;    // most vertices in a run
 constexpr uint32_t kPiece = 1u << 13;  // vertices welded at a time: they stay in the caches
 }  // namespace
 
@@ -50,7 +50,7 @@ void VertexStream::stopWelding() {
 uint32_t VertexStream::nextWeld() const { return behind_.active() || kept_ > 0 ? kept_ + kPiece : weldFrom_; }
 
 void VertexStream::updateLimit() {
-  size_t fitting = std::min<size_t>(kMost, captured_.vertices.capacity() / captured_.layout.stride);
+  size_t fitting = std::min<size_t>(kMax, captured_.vertices.capacity() / captured_.layout.stride);
   if (welds()) fitting = std::min<size_t>(fitting, nextWeld());
   room_ = static_cast<uint32_t>(fitting);
   limit_ = insidePrimitive_ && !has(kPositionW) ? room_ : 0;
@@ -176,11 +176,11 @@ void VertexStream::numberAll() {
 
 void VertexStream::grow() {
   constexpr uint32_t kFirst = 1024;
-  if (sent() >= kMost) throw std::bad_alloc();
+  if (sent() >= kMax) throw std::bad_alloc();
   if (welds() && captured_.vertexCount >= nextWeld()) weldBehind();
   const uint32_t stored = captured_.vertexCount, stride = captured_.layout.stride;
   if (size_t{stored + kPiece} * stride > captured_.vertices.capacity())
-    captured_.vertices.reserve(size_t{std::max(kFirst, std::min(kMost, stored * 2))} * stride);
+    captured_.vertices.reserve(size_t{std::max(kFirst, std::min(kMax, stored * 2))} * stride);
   updateLimit();
   cursor_ = captured_.vertex(stored);
 }

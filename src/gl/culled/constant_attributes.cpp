@@ -11,7 +11,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostKnown = 1024;
+constexpr size_t kMaxKnown = 1024;
 
 /// Whether component `c` of all elements from `range.lower` to `range.upper` is 1.
 bool areOnes(const ArrayReader& reader, const Range& range, size_t c) {
@@ -70,7 +70,7 @@ bool ConstantAttributes::isOne(ShadowState& shadow, const ArraySource& array, in
   const Hash128 name = hashBytes(form, sizeof form, contentOf(shadow.real, content, mode, e));
   const auto found = known_.find(name);
   if (found != known_.end()) return found->second;
-  if (known_.size() >= kMostKnown) known_.clear();
+  if (known_.size() >= kMaxKnown) known_.clear();
   const ArrayReader reader(shadow.real, array);
   Range range{e.baseInstance, e.baseInstance + (e.repeats() + array.divisor) / std::max(array.divisor, 1u)};
   if (array.divisor == 0)

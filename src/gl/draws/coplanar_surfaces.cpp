@@ -196,7 +196,7 @@ bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   common.narrow = kRounding * glm::min(first.upper - first.lower, second.upper - second.lower);
   if (!first.meets(second, common.narrow)) return false;
   work_ += uint64_t{a.mesh->triangleCount} + b.mesh->triangleCount;
-  if (work_ > kMostWork) return true;
+  if (work_ > kMaxWork) return true;
   return anyOverlap(piecesOf(a, glm::dmat3(1), common), piecesOf(b, aFromB, common));
 }
 
@@ -210,7 +210,7 @@ bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
     const Piece& piece = first ? a[i++] : b[j++];
     std::vector<const Piece*>& others = first ? openB : openA;
     work_ += others.size();
-    if (work_ > kMostWork) return true;
+    if (work_ > kMaxWork) return true;
     std::erase_if(others, [&](const Piece* p) { return p->box.upper.x <= piece.box.lower.x + kNarrow; });
     for (const Piece* other : others) {
       if (!piece.box.meets(other->box, glm::dvec2(kNarrow))) continue;
@@ -225,7 +225,7 @@ bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
 
 bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& place) {
   if (mesh->shape != scene::Shape::triangles || mesh->triangleCount == 0 ||
-      mesh->triangleCount > kMostTriangles || !hasRoom())
+      mesh->triangleCount > kMaxTriangles || !hasRoom())
     return false;
   const std::optional<glm::dvec4>& plane = planeOf(*mesh);
   if (!plane) return false;
@@ -265,14 +265,14 @@ void CoplanarSurfaces::endEpoch() {
 }
 
 bool CoplanarSurfaces::hasRoom() {
-  if (planar_.size() < kMostPlanarMeshes) return true;
+  if (planar_.size() < kMaxPlanarMeshes) return true;
   std::erase_if(planar_, [&](const PlanarMesh& planar) { return planar.epoch != epoch_; });
-  return planar_.size() < kMostPlanarMeshes;
+  return planar_.size() < kMaxPlanarMeshes;
 }
 
 void CoplanarSurfaces::remember(const Hash128& geometry) {
-  constexpr size_t kMost = 4096;  // if there are more, most are no longer drawn
-  if (metIn_.size() > kMost) metIn_.clear();
+  constexpr size_t kMax = 4096;  // if there are more, most are no longer drawn
+  if (metIn_.size() > kMax) metIn_.clear();
   metIn_[geometry] = epoch_;
 }
 
@@ -286,8 +286,8 @@ bool CoplanarSurfaces::isRemembered(const Hash128& geometry) {
 }
 
 const std::optional<glm::dvec4>& CoplanarSurfaces::planeOf(const scene::Mesh& mesh) {
-  constexpr size_t kMost = 4096;
-  if (planes_.size() > kMost) planes_.clear();
+  constexpr size_t kMax = 4096;
+  if (planes_.size() > kMax) planes_.clear();
   const auto known = planes_.find(mesh.geometryId);
   if (known != planes_.end()) return known->second;
   return planes_.emplace(mesh.geometryId, findPlane(mesh)).first->second;

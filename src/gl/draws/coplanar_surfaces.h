@@ -29,8 +29,8 @@ class CoplanarSurfaces {
  public:
   /// Whether `mesh`, which is about to be drawn and could be traced, is planar and overlaps another planar
   /// mesh of the depth epoch in its plane, or did so in one of the last hundred epochs. Equal triangles do
-  /// not count, as their depths are equal. Ignores meshes of more than kMostTriangles, and all planar meshes
-  /// after the first kMostPlanarMeshes of a depth epoch; those of earlier epochs make room for them.
+  /// not count, as their depths are equal. Ignores meshes of more than kMaxTriangles, and all planar meshes
+  /// after the first kMaxPlanarMeshes of a depth epoch; those of earlier epochs make room for them.
   bool meets(const scene::MeshPtr& mesh, const SurfacePlace& place);
   /// Whether, since the last call, a mesh drawn in this depth epoch was first found to overlap another.
   bool takeFound() { return std::exchange(found_, false); }
@@ -44,10 +44,10 @@ class CoplanarSurfaces {
   /// Work of this depth epoch: triangles read plus bounding boxes compared (a pair of triangles counts as 8).
   uint64_t work() const { return work_; }
 
-  static constexpr uint32_t kMostTriangles = 4096;
-  static constexpr size_t kMostPlanarMeshes = 512;
+  static constexpr uint32_t kMaxTriangles = 4096;
+  static constexpr size_t kMaxPlanarMeshes = 512;
   /// Limit of work() in a depth epoch. Beyond it, planar meshes overlap if their bounds in one plane do.
-  static constexpr uint64_t kMostWork = 1 << 20;
+  static constexpr uint64_t kMaxWork = 1 << 20;
 
  private:
   /// In normalised device coordinates; depth is x*plane.x + y*plane.y + plane.z.

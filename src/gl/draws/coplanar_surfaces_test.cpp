@@ -95,7 +95,7 @@ TEST(PlanarMeshes, StayUntilTheirPixelsAreCleared) {
 
 TEST(PlanarMeshes, OfEarlierEpochsMakeRoom) {
   CoplanarSurfaces planar;
-  for (size_t i = 0; i < CoplanarSurfaces::kMostPlanarMeshes; ++i)
+  for (size_t i = 0; i < CoplanarSurfaces::kMaxPlanarMeshes; ++i)
     planar.meets(rectangle({-1, -1}, {1, 1}, 0.002f * static_cast<float>(i)), here());
   EXPECT_FALSE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here())) << "no room";
   planar.shown();
@@ -117,7 +117,7 @@ TEST(DepthHistory, OtherFramebuffersCountUntilThisOneIsCleared) {
 TEST(DepthHistory, ForgetsWhatIsNeverCleared) {
   DepthHistory history;
   const DepthStamp drawn = history.stamp({1, {0, 0, 10, 10}});
-  for (uint64_t i = 0; i < DepthHistory::kMostTurns; ++i) history.nextTurn();
+  for (uint64_t i = 0; i < DepthHistory::kMaxTurns; ++i) history.nextTurn();
   EXPECT_FALSE(history.isOld(drawn));
   history.nextTurn();
   EXPECT_TRUE(history.isOld(drawn));
@@ -194,7 +194,7 @@ TEST(PlanarMeshes, BoundsDecideBeyondTheWorkLimit) {
   CoplanarSurfaces planar;
   EXPECT_FALSE(planar.meets(comb(0), here()));
   EXPECT_TRUE(planar.meets(comb(5e-4f), here()));
-  EXPECT_LT(planar.work(), CoplanarSurfaces::kMostWork + 50000);
+  EXPECT_LT(planar.work(), CoplanarSurfaces::kMaxWork + 50000);
   planar.clear();
   EXPECT_EQ(planar.work(), 0u);
 }

@@ -1,5 +1,5 @@
-// Writes to the log, at level trace, what became of each draw and each batch of a context, and in which command:
-// two versions of GLuRay that decide alike write the same lines. GL thread.
+// Writes to the log, at level trace, what became of each draw and each batch of a context, and in which
+// command: two versions of GLuRay that decide alike write the same lines. GL thread.
 #pragma once
 #include "gl/draws/draw_kinds.h"
 #include "gl/draws/reasons.h"

@@ -41,7 +41,7 @@ struct DepthStamp {
 class DepthHistory {
  public:
   /// Turns for which surfaces are remembered whose depth is not cleared.
-  static constexpr uint64_t kMostTurns = 256;
+  static constexpr uint64_t kMaxTurns = 256;
 
   DepthStamp stamp(const DepthPlace& place) const { return {place, turn_}; }
   void nextTurn() { ++turn_; }
@@ -51,7 +51,7 @@ class DepthHistory {
   /// Whether a surface that was drawn there may have left depth in `framebuffer`. Framebuffers may share
   /// their depth, so that of another framebuffer counts unless `framebuffer` was cleared later.
   bool reaches(const DepthStamp& drawn, uint32_t framebuffer) const;
-  bool isOld(const DepthStamp& drawn) const { return drawn.turn + kMostTurns < turn_; }
+  bool isOld(const DepthStamp& drawn) const { return drawn.turn + kMaxTurns < turn_; }
 
  private:
   uint64_t turn_ = 0;

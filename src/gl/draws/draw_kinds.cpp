@@ -147,8 +147,9 @@ void DrawKinds::exclude(double seconds) noexcept {
 }
 
 uint32_t DrawKinds::record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
-                       PrimitiveClass primitive, uint64_t triangles,
-                       const std::shared_ptr<const KnownProgram>& program, const std::string& why) noexcept {
+                           PrimitiveClass primitive, uint64_t triangles,
+                           const std::shared_ptr<const KnownProgram>& program,
+                           const std::string& why) noexcept {
   const std::lock_guard lock(mutex_);
   last_ = nullptr;
   if (closed_) return 0;

@@ -100,9 +100,9 @@ class DrawKinds {
   /// Excludes `seconds` from the time of all open draws.
   void exclude(double seconds) noexcept;
 
-  /// Records the open draw under its kind, and returns its state (DrawState, as bits). Reads the real OpenGL's state, so call it only outside glBegin and
-  /// glEnd. Out of memory: the table lacks the draw. `program`: the one in use, or null. `why`:
-  /// ProgramState::why.
+  /// Records the open draw under its kind, and returns its state (DrawState, as bits). Reads the real
+  /// OpenGL's state, so call it only outside glBegin and glEnd. Out of memory: the table lacks the draw.
+  /// `program`: the one in use, or null. `why`: ProgramState::why.
   uint32_t record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
                   PrimitiveClass primitive, uint64_t triangles,
                   const std::shared_ptr<const KnownProgram>& program = nullptr,

@@ -25,8 +25,8 @@ glm::ivec4 uniteViewports(const glm::ivec4& a, const glm::ivec4& b) {
   return glm::ivec4(lower, upper - lower);
 }
 
-constexpr size_t kMostKept = 65536;       // surfaces that are kept from frame to frame
-constexpr size_t kMostAtOnce = 1u << 20;  // surfaces without an end of a frame or a clear
+constexpr size_t kMaxKept = 65536;       // surfaces that are kept from frame to frame
+constexpr size_t kMaxAtOnce = 1u << 20;  // surfaces without an end of a frame or a clear
 
 }  // namespace
 
@@ -134,12 +134,12 @@ void MultipassSurfaces::forgetIf(const Gone& gone) {
 }
 
 void MultipassSurfaces::forgetMany() {
-  if (surfaces_.size() + sampled_.size() + unseenCounts_ > kMostKept) clear();
+  if (surfaces_.size() + sampled_.size() + unseenCounts_ > kMaxKept) clear();
 }
 
 /// For programs that neither clear depth nor end frames.
 void MultipassSurfaces::limit() {
-  if (surfaces_.size() + sampled_.size() + unseenCounts_ + unseenFixed_.size() >= kMostAtOnce) clear();
+  if (surfaces_.size() + sampled_.size() + unseenCounts_ + unseenFixed_.size() >= kMaxAtOnce) clear();
 }
 
 void MultipassSurfaces::rasterisedFixed(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles,
@@ -243,15 +243,15 @@ bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat
 }
 
 void MultipassSurfaces::remember(const Hash128& geometry) {
-  constexpr size_t kMost = 4096;  // if there are more, most are no longer drawn
-  if (metIn_.size() > kMost) metIn_.clear();
+  constexpr size_t kMax = 4096;  // if there are more, most are no longer drawn
+  if (metIn_.size() > kMax) metIn_.clear();
   metIn_[geometry] = epoch_;
 }
 
 void MultipassSurfaces::rasterisedByProgram(const DepthPlace& place, uint64_t count,
                                             std::vector<Triangle> triangles, const glm::dmat4* clipFromObject,
                                             bool pushedBack) {
-  if (rasterisedByProgram_.size() >= kMostRasterised || triangles.empty()) return;
+  if (rasterisedByProgram_.size() >= kMaxRasterised || triangles.empty()) return;
   Rasterised r{depths_.stamp(place), count, std::move(triangles), {}, pushedBack};
   if (clipFromObject) r.clipFromObject = *clipFromObject;
   rasterisedByProgram_.push_back(std::move(r));

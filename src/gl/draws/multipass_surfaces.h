@@ -61,7 +61,7 @@ class MultipassSurfaces {
   /// The pending batch was traced or, where `snapshot` is null, rasterised.
   void flushed(const scene::SnapshotPtr& snapshot);
   /// Depth was cleared: a new depth epoch begins. What the clear does not remove belongs to it, too, for
-  /// DepthHistory::kMostTurns clears and frames.
+  /// DepthHistory::kMaxTurns clears and frames.
   void clear(const DepthClear& depth);
   /// Buffers were swapped: a new depth epoch begins with nothing.
   void clear();
@@ -147,7 +147,7 @@ class MultipassSurfaces {
     std::optional<glm::dmat4> clipFromObject;  // if known
     bool pushedBack;
   };
-  static constexpr size_t kMostRasterised = 1024;  // per depth epoch
+  static constexpr size_t kMaxRasterised = 1024;  // per depth epoch
   static constexpr uint64_t kRemembered = 100;  // depth epochs: some seconds, or a few frames of many epochs
   /// Ends the depth epoch if it had surfaces.
   void endEpoch();

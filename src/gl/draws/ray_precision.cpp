@@ -9,7 +9,7 @@ namespace gluray::gl {
 namespace {
 
 constexpr double kRounding = 0x1p-24;  // relative rounding error of a float
-constexpr double kMostPixels = 0.1;
+constexpr double kMaxPixels = 0.1;
 
 glm::dvec3 rowOf(const glm::dmat4& m, int row) { return {m[0][row], m[1][row], m[2][row]}; }
 
@@ -81,7 +81,7 @@ bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFro
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
   if (isBeyondFloats(mesh)) return true;
   const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // pixels of error where w is 1
-  const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMostPixels * w); };
+  const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMaxPixels * w); };
   const double least = nearestW(mesh, clipFromObject);
   if (!tooLarge(glm::length(glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower)), least)) return false;
   for (const Large& large : largestOf(mesh)) {
@@ -96,8 +96,8 @@ bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFro
 }
 
 const std::vector<RayPrecision::Large>& RayPrecision::largestOf(const scene::Mesh& mesh) {
-  constexpr size_t kMostKnown = 4096;
-  if (largest_.size() > kMostKnown) largest_.clear();
+  constexpr size_t kMaxKnown = 4096;
+  if (largest_.size() > kMaxKnown) largest_.clear();
   const auto known = largest_.find(mesh.geometryId);
   if (known != largest_.end()) return known->second;
   const auto larger = [](const Large& a, const Large& b) { return a.size > b.size; };
@@ -110,8 +110,8 @@ const std::vector<RayPrecision::Large>& RayPrecision::largestOf(const scene::Mes
     const glm::vec3 a = mesh.position(mesh.corner(t, 0)), b = mesh.position(mesh.corner(t, 1)),
                     c = mesh.position(mesh.corner(t, 2));
     const double size = std::max({0.0, squared(b - a), squared(c - b), squared(a - c)});
-    if (all.size() == kMostLooked && size <= all.front().size) continue;
-    if (all.size() == kMostLooked) std::pop_heap(all.begin(), all.end(), larger), all.pop_back();
+    if (all.size() == kMaxExamined && size <= all.front().size) continue;
+    if (all.size() == kMaxExamined) std::pop_heap(all.begin(), all.end(), larger), all.pop_back();
     all.push_back({t, size});
     std::push_heap(all.begin(), all.end(), larger);
   }

@@ -15,11 +15,11 @@ namespace gluray::gl {
 class RayPrecision {
  public:
   /// Whether rays may see some triangle of `mesh` a tenth of a pixel or more away from where OpenGL draws it,
-  /// in a viewport of that size, or miss it because it is beyond the range of floats. Checks the kMostLooked
+  /// in a viewport of that size, or miss it because it is beyond the range of floats. Checks the kMaxExamined
   /// largest triangles.
   bool isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport);
 
-  static constexpr size_t kMostLooked = 64;
+  static constexpr size_t kMaxExamined = 64;
 
  private:
   struct Large {

@@ -16,10 +16,10 @@ constexpr double kOptimism = 0.6;            // the other way may by now cost th
 constexpr double kSame = 1.5, kStays = 2.0;  // ratio of loads of one kind; ratio at which a kind is left
 constexpr double kFirstLook = 2, kLongestLook = 64;
 constexpr double kFirstTrial = 4, kLongestTrial = 1024, kTrialGrowth = 4;  // seconds between trials
-constexpr double kShare = 0.01;      // of the time in which the real OpenGL draws, for trials of tracing
-constexpr double kMostSaved = 0.25;  // seconds
-constexpr double kHopeless = 2;      // a second traced frame that takes so many times as long ends the trial
-constexpr double kLikely = 2;        // a traced frame likely takes so many times leastTraceSeconds()
+constexpr double kShare = 0.01;  // of the time in which the real OpenGL draws, for trials of tracing
+constexpr double kMaxSavedSeconds = 0.25;  // seconds
+constexpr double kHopeless = 2;  // a second traced frame that takes so many times as long ends the trial
+constexpr double kLikely = 2;    // a traced frame likely takes so many times leastTraceSeconds()
 constexpr double kFirstTrace = 20e-3;  // seconds: the first one starts threads and builds shaders
 constexpr double kNever = 1e300;
 constexpr size_t kKinds = 32;
@@ -52,10 +52,10 @@ EngineChoice::EngineChoice(Engine setting, int threads, Clock clock)
 
 double EngineChoice::mostTriangles(double pixels) {
   constexpr double kAlways = 20000;  // drawn in a millisecond or two
-  constexpr double kMost = 200000;   // their list compiles in some 30 ms
+  constexpr double kMax = 200000;    // their list compiles in some 30 ms
   constexpr double kPerPixel =
       0.2;  // for more triangles a rasteriser on the same cores is slower than tracing
-  return std::clamp(kPerPixel * pixels, kAlways, kMost);
+  return std::clamp(kPerPixel * pixels, kAlways, kMax);
 }
 
 bool EngineChoice::takesAlone(uint64_t triangles, double viewportPixels) const {
@@ -141,7 +141,7 @@ void EngineChoice::account(const Kind& kind, double seconds) {
   everTraced_ |= way_ == Way::traced;
   if (direct < 0) return;
   if (way_ == Way::passthrough)
-    budget_.add(kShare * direct, kMostSaved);
+    budget_.add(kShare * direct, kMaxSavedSeconds);
   else if (trial_ && seconds >= 0)
     budget_.spend(seconds - direct);
 }
@@ -256,7 +256,7 @@ double EngineChoice::likelyLoss(const Kind& kind) const {
 /// Whether a trial of tracing that likely loses so many seconds may be made now. Nothing needs to be saved
 /// for one that likely wins, and never more than can be.
 bool EngineChoice::affords(double loss) const {
-  return loss <= 0 || budget_.left() >= std::min(loss, kMostSaved);
+  return loss <= 0 || budget_.left() >= std::min(loss, kMaxSavedSeconds);
 }
 
 /// Seconds for the rays of an empty picture and its write-back, on fast cores.

@@ -9,7 +9,7 @@
 namespace gluray::gl {
 
 /// The smallest complete family.
-inline const std::string kLeast =
+inline const std::string kMin =
     "[[family]]\nname = \"f\"\nmatch.active = [\"p\", \"m\"]\nvertex.position = \"p\"\n"
     "transform.clip_from_object = \"m\"\n";
 
@@ -21,12 +21,12 @@ inline std::string mistake(const std::string& text) {
   return "none";
 }
 
-/// The same for kLeast with one more line.
-inline std::string mistakeIn(const std::string& line) { return mistake(kLeast + line + "\n"); }
+/// The same for kMin with one more line.
+inline std::string mistakeIn(const std::string& line) { return mistake(kMin + line + "\n"); }
 
-/// The family kLeast with `more` lines appended.
+/// The family kMin with `more` lines appended.
 inline Family parsed(const std::string& more = "") {
-  const FamilyList list = parseFamilies(kLeast + more, "x.toml");
+  const FamilyList list = parseFamilies(kMin + more, "x.toml");
   EXPECT_EQ(list.size(), 1u);
   return *list.at(0);
 }

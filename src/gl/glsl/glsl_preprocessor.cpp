@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-constexpr size_t kMostTokens = 1 << 20;
+constexpr size_t kMaxTokens = 1 << 20;
 constexpr int kDeepestMacros = 64, kDeepestConditions = 256;
 
 struct Macro {
@@ -120,7 +120,7 @@ class Preprocessor {
   void expand(const Words& in, Words& out, int depth) {
     if (depth > kDeepestMacros) refuse("macros nest too deep");
     for (size_t i = 0; i < in.size(); ++i) {
-      if (out.size() > kMostTokens) refuse("the shader is too long");
+      if (out.size() > kMaxTokens) refuse("the shader is too long");
       const auto found = macros_.find(in[i]);
       const bool called = i + 1 < in.size() && in[i + 1] == "(";
       if (in[i] == "__VERSION__") {
@@ -160,7 +160,7 @@ class Preprocessor {
         expand(arguments[parameter], body, depth + 1);
       else
         body.push_back(word);
-      if (body.size() > kMostTokens) refuse("the shader is too long");
+      if (body.size() > kMaxTokens) refuse("the shader is too long");
     }
     open_.push_back(name);
     expand(body, out, depth + 1);

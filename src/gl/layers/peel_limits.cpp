@@ -10,7 +10,7 @@ constexpr uint64_t kSeen = 1000;       // one pixel in so many may lack layers
 
 uint64_t writtenBehind(const LayerCounts& layers, uint32_t peel) {
   uint64_t pixels = 0;
-  for (size_t n = 2 * size_t{peel} - 1; n < LayerCounts::kMost; ++n) {
+  for (size_t n = 2 * size_t{peel} - 1; n < LayerCounts::kMax; ++n) {
     if (n >= 2 * size_t{peel}) pixels += layers.open[n];
     if (peel >= 2) pixels += layers.before[n];
   }
@@ -25,7 +25,7 @@ std::optional<uint64_t> surelyWritten(const LayerCounts& layers, uint32_t peel) 
 
 bool showsAll(uint32_t peels, const LayerCounts& layers, uint64_t pixels) {
   uint64_t left = 0;
-  for (size_t n = 2; n < LayerCounts::kMost; ++n) {
+  for (size_t n = 2; n < LayerCounts::kMax; ++n) {
     if ((n + 1) / 2 > peels) left += layers.open[n];
     if (n / 2 + 1 > peels) left += layers.before[n];
   }

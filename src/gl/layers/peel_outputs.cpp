@@ -7,12 +7,12 @@
 
 namespace gluray::gl {
 
-constexpr GLuint kMostOutputs = 8;
+constexpr GLuint kMaxOutputs = 8;
 
 std::vector<HeldPass::Output> outputsOf(ShadowState& shadow) {
   const RealGl& real = shadow.real;
   std::vector<HeldPass::Output> outputs;
-  for (GLuint i = 0; i < kMostOutputs; ++i) {
+  for (GLuint i = 0; i < kMaxOutputs; ++i) {
     const auto buffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER0 + i));
     outputs.emplace_back();
     if (buffer == GL_NONE) continue;

@@ -50,7 +50,7 @@ void DrawnObjects::number(const BatchKey& key, scene::Snapshot& batch) noexcept 
 void DrawnObjects::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
   if (!asked_) return;
   try {
-    if (batches_.size() >= kMostBatches) batches_.erase(batches_.begin());
+    if (batches_.size() >= kMaxBatches) batches_.erase(batches_.begin());
     batches_.push_back({snapshot, key.framebuffer});
   } catch (const std::exception&) { batches_.clear(); }
   if (!swaps_) publish(0);
@@ -64,7 +64,7 @@ void DrawnObjects::colorCleared(uint32_t framebuffer, const scene::Region& box) 
 }
 
 void DrawnObjects::placed(const std::vector<glm::ivec4>& places) {
-  if (asked_ && places_.size() < kMostPlaces) places_.insert(places_.end(), places.begin(), places.end());
+  if (asked_ && places_.size() < kMaxPlaces) places_.insert(places_.end(), places.begin(), places.end());
 }
 
 void DrawnObjects::publish(uint64_t frame) noexcept {

@@ -41,7 +41,7 @@ class DrawnObjects {
   bool empty() const { return !numbers_ && batches_.empty(); }
 
  private:
-  static constexpr size_t kMostBatches = 256, kMostPlaces = 256;
+  static constexpr size_t kMaxBatches = 256, kMaxPlaces = 256;
   void publish(uint64_t frame) noexcept;
   void forget() noexcept;
 

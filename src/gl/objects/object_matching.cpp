@@ -5,7 +5,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostPairsCompared = size_t{1} << 18;  // pairs
+constexpr size_t kMaxComparedPairs = size_t{1} << 18;  // pairs
 
 using TraitsList = std::vector<const ObjectTraits*>;
 
@@ -44,7 +44,7 @@ double likeness(const ObjectTraits& earlier, const ObjectTraits& now) {
 std::vector<size_t> alignObjects(const TraitsList& before, const TraitsList& now) {
   const auto mayBe = [](const ObjectTraits* a, const ObjectTraits* b) { return likeness(*a, *b) > 0; };
   const bool inOrder = std::equal(before.begin(), before.end(), now.begin(), now.end(), mayBe);
-  if (!inOrder && before.size() * now.size() <= kMostPairsCompared) return alignBest(before, now);
+  if (!inOrder && before.size() * now.size() <= kMaxComparedPairs) return alignBest(before, now);
   std::vector<size_t> found(now.size(), kNoObject);
   for (size_t i = 0; i < std::min(before.size(), now.size()); ++i)
     if (likeness(*before[i], *now[i]) > 0) found[i] = i;

@@ -11,8 +11,8 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostGone = 4096;
-constexpr size_t kMostPlacesCompared = size_t{1} << 16;  // places of surfaces of equal geometry
+constexpr size_t kMaxRemoved = 4096;
+constexpr size_t kMaxComparedPlaces = size_t{1} << 16;  // places of surfaces of equal geometry
 
 uint32_t nextObject() noexcept {
   static std::atomic<uint32_t> last{0};  // of all contexts
@@ -63,7 +63,7 @@ void ObjectNumbers::beginFrame() {
       gone_.emplace(known.traits.geometry, known.number);
       goneSince_.push_back(known.traits.geometry);
     }
-  for (; goneSince_.size() > kMostGone; goneSince_.pop_front())
+  for (; goneSince_.size() > kMaxRemoved; goneSince_.pop_front())
     if (const auto oldest = gone_.find(goneSince_.front()); oldest != gone_.end()) gone_.erase(oldest);
   last_ = std::exchange(now_, {});
   lastViews_ = std::exchange(views_, {});
@@ -172,7 +172,7 @@ std::vector<ObjectNumbers::Pair> ObjectNumbers::atOnePlace(Batch& batch, const s
 /// the batch may begin with another surface.
 void ObjectNumbers::takeByPlace(Batch& batch, std::vector<size_t>& instances,
                                 std::vector<size_t>& candidates) {
-  if (candidates.empty() || instances.size() * candidates.size() > kMostPlacesCompared) return;
+  if (candidates.empty() || instances.size() * candidates.size() > kMaxComparedPlaces) return;
   std::vector<Pair> pairs = atOnePlace(batch, instances, candidates, &Known::inEye);
   if (pairs.size() < std::min(instances.size(), candidates.size())) {
     std::vector<Pair> inWorld = atOnePlace(batch, instances, candidates, &Known::place);

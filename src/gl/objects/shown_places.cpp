@@ -11,7 +11,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostMatrices = 8;
+constexpr size_t kMaxMatrices = 8;
 
 /// The identity, and the values of the program's matrices of four columns and rows.
 std::vector<glm::mat4> matricesOf(const ShadowState& shadow) {
@@ -21,7 +21,7 @@ std::vector<glm::mat4> matricesOf(const ShadowState& shadow) {
   const UniformValuesPtr values =
       state.uniforms ? state.uniforms : readUniforms(shadow.real, state.known->program);
   for (const UniformValue& value : *values)
-    if (value.type == GL_FLOAT_MAT4 && matrices.size() <= kMostMatrices)
+    if (value.type == GL_FLOAT_MAT4 && matrices.size() <= kMaxMatrices)
       matrices.push_back(glm::make_mat4(value.floats.data()));
   return matrices;
 }

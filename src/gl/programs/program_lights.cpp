@@ -74,9 +74,9 @@ std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const Un
   };
   if (sign.empty() && names.direction.given()) return {read(0)};
   const bool many = sign.find("{}") != std::string::npos;
-  constexpr int kMostLights = 64;
+  constexpr int kMaxLights = 64;
   if (!names.names.empty()) most = static_cast<int>(names.names.size());
-  most = std::min(most < 0 ? kMostLights : most, many ? kMostLights : 1);
+  most = std::min(most < 0 ? kMaxLights : most, many ? kMaxLights : 1);
   if (uniforms.has(names.count)) most = std::min(most, uniforms.integer(names.count));
   for (int i = 0; i < most && uniforms.has(ofLight(sign, names, i)); ++i) lights.push_back(read(i));
   return lights;

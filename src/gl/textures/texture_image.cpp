@@ -258,11 +258,11 @@ ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool
 
 std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const RareState& has, GLenum target,
                                                      const ImageRange& range, Reason& reason) {
-  constexpr double kMostTexels = 1 << 26;
+  constexpr double kMaxTexels = 1 << 26;
   const LevelSize size = sizeOf(real, target, range.base);
   const auto form = formOf(real, has, target, range);
   if (!form || levelParameter(real, faceTarget(target, 0), range.base, GL_TEXTURE_BORDER) != 0 ||
-      static_cast<double>(size.width) * size.height * size.depth > kMostTexels) {
+      static_cast<double>(size.width) * size.height * size.depth > kMaxTexels) {
     reason = Reason::textureFormat;
     return nullptr;
   }

@@ -50,14 +50,14 @@ void ShownViews::traced(const BatchKey& key, const scene::Snapshot& s) {
 
 void ShownViews::colorCleared(const Clear& clear) {
   const scene::Region& box = clear.box;
-  constexpr size_t kMostClears = 64;  // of framebuffers and views that come and go
+  constexpr size_t kMaxClears = 64;  // of framebuffers and views that come and go
   std::erase_if(views_, [&](const View& v) {
     return v.framebuffer == clear.framebuffer && contains({box.x, box.y, box.width, box.height}, v.viewport);
   });
   std::erase_if(clears_, [&](const Clear& c) {
     return c.framebuffer == clear.framebuffer && gl::contains(box, c.box);
   });
-  if (clears_.size() >= kMostClears) clears_.erase(clears_.begin());
+  if (clears_.size() >= kMaxClears) clears_.erase(clears_.begin());
   clears_.push_back(clear);
 }
 

@@ -53,7 +53,7 @@ class Movement {
   std::optional<glm::dmat4> shared() const;
 
  private:
-  static constexpr size_t kMost = 16;  // surfaces are enough
+  static constexpr size_t kMax = 16;  // surfaces are enough
   std::vector<glm::dmat4> moved_;
 };
 

@@ -12,7 +12,7 @@ void ViewFrames::cleared(GLuint framebuffer, const scene::Region& box) noexcept 
 }
 
 uint64_t ViewFrames::traced(GLuint framebuffer, const scene::Region& region) {
-  constexpr size_t kMost = 64;  // of framebuffers and regions that come and go
+  constexpr size_t kMax = 64;  // of framebuffers and regions that come and go
   const auto known = std::ranges::find_if(
       views_, [&](const View& v) { return v.framebuffer == framebuffer && v.region == region; });
   if (known != views_.end()) {
@@ -21,7 +21,7 @@ uint64_t ViewFrames::traced(GLuint framebuffer, const scene::Region& region) {
     if (view.isClear) ++view.frame, view.isClear = false;
     return view.frame;
   }
-  if (views_.size() >= kMost) views_.erase(views_.begin());
+  if (views_.size() >= kMax) views_.erase(views_.begin());
   views_.push_back({framebuffer, region, 1, false});
   return 1;
 }

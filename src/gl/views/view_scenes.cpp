@@ -13,9 +13,9 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostBatches = 256;  // of an epoch that no clear ends
-constexpr size_t kMostAlike = 4;      // ended epochs of one viewport: layers of renderers
-constexpr uint64_t kLongAgo = 256;    // ends
+constexpr size_t kMaxBatches = 256;      // of an epoch that no clear ends
+constexpr size_t kMaxSimilarEpochs = 4;  // ended epochs of one viewport: layers of renderers
+constexpr uint64_t kLongAgo = 256;       // ends
 
 scene::Region united(const scene::Region& a, const scene::Region& b) {
   const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
@@ -181,7 +181,7 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
       if (epoch->batches.empty()) epoch->moves = now.of && !drawn.still;
       epoch->repeated = now.repeated;
     }
-    if (epoch->batches.size() >= kMostBatches) epoch->batches.erase(epoch->batches.begin());
+    if (epoch->batches.size() >= kMaxBatches) epoch->batches.erase(epoch->batches.begin());
     epoch->batches.push_back(std::move(drawn));
     if (!drawsAside(key)) epoch->region = united(epoch->region, snapshot->region);
   } catch (const std::exception&) { forget(); }
@@ -221,7 +221,7 @@ void ViewScenes::forgetOld() {
     const auto alike = std::count_if(kept.begin(), kept.end(), [&](const auto& k) {
       return isAt(*k, e.framebuffer, e.drawBuffer, e.viewport);
     });
-    if (clock_ - e.ended < kLongAgo && static_cast<size_t>(alike) < kMostAlike) kept.push_back(*it);
+    if (clock_ - e.ended < kLongAgo && static_cast<size_t>(alike) < kMaxSimilarEpochs) kept.push_back(*it);
   }
   ended_.assign(kept.rbegin(), kept.rend());
 }

@@ -138,7 +138,7 @@ void WindowFrames::showLagged() {
 }
 
 bool WindowFrames::clearsLater(GLbitfield mask) {
-  constexpr size_t kMostClears = 8;
+  constexpr size_t kMaxClears = 8;
   noteBegin();
   stopRefining();
   if (!lagged_ && !lacks()) return false;
@@ -147,7 +147,7 @@ bool WindowFrames::clearsLater(GLbitfield mask) {
       !clearsWindow(p_.shadow.real, p_.shadow.state.rare, mask))
     return false;
   if (!lagged_) return holdsClear(mask);
-  if (lagged_->clears.size() >= kMostClears) return false;
+  if (lagged_->clears.size() >= kMaxClears) return false;
   lagged_->clears.push_back(windowClear(p_.shadow.real, mask));
   return true;
 }

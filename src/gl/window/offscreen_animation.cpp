@@ -14,10 +14,10 @@ bool OffscreenAnimation::isReduced(glm::ivec2 size) const {
 }
 
 bool OffscreenAnimation::isAnimated(glm::ivec2 size, uint64_t frame, double now) {
-  constexpr size_t kMost = 16;  // of sizes that come and go
+  constexpr size_t kMax = 16;  // of sizes that come and go
   const auto known = std::ranges::find(views_, size, &View::size);
   if (known == views_.end()) {
-    if (views_.size() >= kMost) views_.erase(views_.begin());
+    if (views_.size() >= kMax) views_.erase(views_.begin());
     views_.push_back({size, frame, isReduced(size), now});
     return views_.back().animated;
   }

@@ -13,7 +13,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr int kMostInVain = 3, kPause = 120;  // frames
+constexpr int kMaxVainFrames = 3, kPause = 120;  // frames
 constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
 
 }  // namespace
@@ -128,7 +128,7 @@ void WindowFrames::settle() {
   if (!presented_.waiting) return;
   PresentedPicture::Waiting waiting = std::move(*presented_.waiting);
   presented_.waiting.reset();
-  if (++presented_.inVain >= kMostInVain) presented_.inVain = 0, presented_.pause = kPause;
+  if (++presented_.inVain >= kMaxVainFrames) presented_.inVain = 0, presented_.pause = kPause;
   p_.flusher.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
 }
 

@@ -23,7 +23,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr size_t kMostOfName = 200;
+constexpr size_t kMaxNameBytes = 200;
 
 /// Bytes of resident memory; null: unknown.
 json residentMemory() {
@@ -47,10 +47,10 @@ std::string programName() {
   const char* const launched = std::getenv("GLURAY_PID");
   const char* const typed = std::getenv("GLURAY_PROGRAM");
   if (launched && typed && *typed && std::to_string(getpid()) == launched)
-    return std::filesystem::path(typed).filename().string().substr(0, kMostOfName);
+    return std::filesystem::path(typed).filename().string().substr(0, kMaxNameBytes);
   std::error_code error;
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? "" : path.filename().string().substr(0, kMostOfName);
+  return error ? "" : path.filename().string().substr(0, kMaxNameBytes);
 }
 
 EngineProgram::EngineProgram() : name_(programName()), job_(control::jobOfThisProcess()) {}

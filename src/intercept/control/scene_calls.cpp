@@ -19,7 +19,7 @@ using control::Called;
 using nlohmann::json;
 
 constexpr std::array<std::string_view, 5> kCalls = {"objects", "pick", "highlight", "lights", "cameras"};
-constexpr int64_t kMostObjects = 1000;  // of one answer
+constexpr int64_t kMaxObjects = 1000;  // of one answer
 
 /// Throws where the member is no number in its range.
 int64_t wholeIn(const json& arguments, const char* name, int64_t least, int64_t most, int64_t otherwise) {
@@ -110,9 +110,9 @@ void SceneCalls::list(const Frames& frames) {
 }
 
 json SceneCalls::objects(const json& arguments, const Frames& frames) {
-  constexpr int64_t kAny = control::kMostFrame;
+  constexpr int64_t kAny = control::kMaxFrame;
   const int64_t after = wholeIn(arguments, "after", 0, kAny, 0),
-                count = wholeIn(arguments, "count", 1, kMostObjects, kMostObjects),
+                count = wholeIn(arguments, "count", 1, kMaxObjects, kMaxObjects),
                 known = wholeIn(arguments, "known", 0, kAny, -1);
   list(frames);
   json value{{"frame", frameOf(*frames.back())}, {"version", version_}, {"total", list_.size()}};

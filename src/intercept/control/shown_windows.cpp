@@ -18,7 +18,7 @@
 namespace gluray::intercept {
 namespace {
 
-constexpr size_t kMostShown = 16;
+constexpr size_t kMaxShownWindows = 16;
 
 struct Shown {
   std::mutex mutex;
@@ -52,7 +52,7 @@ void note(_XDisplay* display, uintptr_t drawable, const Name& name) noexcept {
       shown.last = drawable, shown.display = display;
       if (now.window == 0) return;
       std::erase(shown.windows, now);
-      if (shown.windows.size() >= kMostShown) shown.windows.pop_back();
+      if (shown.windows.size() >= kMaxShownWindows) shown.windows.pop_back();
       shown.windows.insert(shown.windows.begin(), now);
     }
     leaveFile(now);
@@ -68,8 +68,8 @@ void noteShown(_XDisplay* display, uintptr_t drawable) noexcept {
 }
 
 void noteSurface(const void* surface, uint64_t window) noexcept {
-  constexpr uint64_t kMostX = (uint64_t{1} << 29) - 1;  // X11, chapter 1: names have at most 29 bits
-  if (!surface || window == 0 || window > kMostX) return;
+  constexpr uint64_t kMaxXName = (uint64_t{1} << 29) - 1;  // X11, chapter 1: names have at most 29 bits
+  if (!surface || window == 0 || window > kMaxXName) return;
   try {
     Shown& shown = Shown::instance();
     const std::lock_guard lock(shown.mutex);

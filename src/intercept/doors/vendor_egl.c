@@ -57,10 +57,10 @@ static void* ownHandle(void) {
    again. The record begins with an identifier and the handle (libglvnd's src/EGL/libeglvendor.h, 1.0 to 1.7).
  */
 static int standInFor(const char* library, __EGLvendorInfo* vendor) {
-  enum { kMostWords = 4 };
+  enum { kMaxWords = 4 };
   void** const words = (void**)vendor;
   void* const own = ownHandle();
-  for (int i = 0; own && i < kMostWords; ++i) {
+  for (int i = 0; own && i < kMaxWords; ++i) {
     if (words[i] != own) continue;
     void* const handle = dlopen(library, RTLD_LAZY | RTLD_LOCAL); /* libEGL closes it */
     if (handle) words[i] = handle;

@@ -191,11 +191,11 @@ json newestPicture(const std::string& base) {
 }  // namespace
 
 void noteUnknownFunction(const char* name) noexcept {
-  constexpr size_t kMost = 1000;
+  constexpr size_t kMax = 1000;
   try {
     Notes& n = notes();
     const std::lock_guard lock(n.mutex);
-    if (n.unknownFunctions.size() < kMost) n.unknownFunctions.insert(name);
+    if (n.unknownFunctions.size() < kMax) n.unknownFunctions.insert(name);
   } catch (...) {  // out of memory: the name is missing from the report
   }
 }

@@ -7,13 +7,13 @@ namespace gluray::intercept {
 
 class FollowingFrames {
  public:
-  static constexpr double kMostGap = 0.1;  // seconds from a swap to the first sign of the next frame
-  static constexpr int kFrames = 3;        // consecutive frames that must have come so soon
+  static constexpr double kMaxGap = 0.1;  // seconds from a swap to the first sign of the next frame
+  static constexpr int kFrames = 3;       // consecutive frames that must have come so soon
 
   /// Call when a frame is complete; `began`: time of its first sign, in seconds of any clock. Whether frames
   /// are continuous.
   bool complete(double began) {
-    follow_ = shown_ > 0 && began - shown_ < kMostGap ? std::min(follow_ + 1, kFrames) : 0;
+    follow_ = shown_ > 0 && began - shown_ < kMaxGap ? std::min(follow_ + 1, kFrames) : 0;
     return follow_ == kFrames;
   }
   /// Call when the swap has returned.

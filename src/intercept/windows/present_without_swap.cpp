@@ -96,14 +96,14 @@ bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record)
 /// size, so that the picture may be shown directly. Programs show a few empty frames first. After more of
 /// them the size is unknown, because asking costs a round trip.
 void noteEmptySwap(_XDisplay* display, uintptr_t drawable, Record& record) {
-  constexpr int kMost = 8;
+  constexpr int kMax = 8;
   WindowOfContext& window = record.window;
   gl::ShadowState& shadow = record.context->shadow;
-  if (window.drawable != 0 || window.swapsBefore > kMost || shadow.info.off ||
+  if (window.drawable != 0 || window.swapsBefore > kMax || shadow.info.off ||
       !shadow.settings.quirks.has(Quirk::softwareShow) || !shadow.isSoftwareBelow())
     return;
   window.sized = windowOf(drawable);
-  window.swapped = ++window.swapsBefore > kMost ? glm::ivec2(0) : drawableSize(display, drawable);
+  window.swapped = ++window.swapsBefore > kMax ? glm::ivec2(0) : drawableSize(display, drawable);
 }
 
 }  // namespace

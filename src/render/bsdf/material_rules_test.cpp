@@ -2,10 +2,12 @@
 #include "render/bsdf/material_rules.h"
 
 #include "accel/test_scene.h"
+#include "base/testing/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include <optional>
+#include <utility>
 
 namespace gluray::render {
 namespace {
@@ -96,21 +98,17 @@ TEST(MaterialRules, LaterRulesWinAndUnlitSurfacesStayUnlessARuleNamesThem) {
   std::vector<MaterialModel> models = materialsOf(s, 1);
   EXPECT_EQ(models[0].kind, SurfaceMaterial::program);
   EXPECT_EQ(models[1].kind, SurfaceMaterial::plastic);
-  const std::string path = ::testing::TempDir() + "gluray_rules_test.toml";
-  std::FILE* file = std::fopen(path.c_str(), "w");
-  ASSERT_NE(file, nullptr);
-  std::fputs(
+  std::optional<test::TemporaryFolder> folder(std::in_place);
+  s.settings.material.file = folder->write(
+      "rules.toml",
       "[[rule]]\nobjects = [0, 2]\nmaterial = \"glass\"\n[[rule]]\ncolor = \"#ff0000\"\nmaterial = "
-      "\"mirror\"\n",
-      file);
-  std::fclose(file);
-  s.settings.material.file = path;
+      "\"mirror\"\n");
   models = materialsOf(s, 1);
   EXPECT_EQ(models[0].kind, SurfaceMaterial::glass);
   EXPECT_EQ(models[1].kind, SurfaceMaterial::plastic);
   EXPECT_EQ(models[2].kind, SurfaceMaterial::mirror);
-  std::remove(path.c_str());
-  s.settings.material.file = "/nowhere/rules.toml";
+  folder.reset();
+  s.settings.material.file = "/no/such/folder/rules.toml";
   EXPECT_EQ(materialsOf(s, 1)[2].kind, SurfaceMaterial::mirror) << "the last rules that could be read stay";
 }
 

@@ -90,14 +90,14 @@ HWY_ATTR size_t columnsOfContrast(const scene::Fxaa& settings, const Rows& rows,
 
 /// Filters a row into `out`.
 HWY_ATTR void filterRow(const scene::Fxaa& settings, const FxaaPicture& picture, int y, uint32_t* out) {
-  constexpr size_t kAtOnce = 512, kMostLanes = HWY_MAX_BYTES / sizeof(float);
+  constexpr size_t kAtOnce = 512, kMaxLanes = HWY_MAX_BYTES / sizeof(float);
   const auto width = static_cast<size_t>(picture.width), lanes = hn::Lanes(Filter::D());
   const float* row = picture.luminosity + static_cast<size_t>(y) * width;
   const Rows rows = {y > 0 ? row - width : row, row, y + 1 < picture.height ? row + width : row, width};
   std::copy_n(picture.pixels + static_cast<size_t>(y) * width, width, out);
   const Filter filter(settings, picture);
-  int32_t columns[kAtOnce + kMostLanes];
-  uint32_t colors[kMostLanes];
+  int32_t columns[kAtOnce + kMaxLanes];
+  uint32_t colors[kMaxLanes];
   for (size_t from = 0; from < width; from += kAtOnce) {
     const size_t count = columnsOfContrast(settings, rows, from, std::min(from + kAtOnce, width), columns);
     if (count > 0) std::fill_n(columns + count, lanes, columns[count - 1]);  // pads the last vector

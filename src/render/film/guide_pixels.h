@@ -10,12 +10,12 @@
 namespace gluray::render {
 
 /// Light is colour divided by reflectance: black surfaces need some.
-constexpr float kLeastReflectance = 1.0f / 64;
+constexpr float kMinReflectance = 1.0f / 64;
 
 /// Three mantissas of 9 bits and a common exponent of 5, 2^-16 for 0.
 inline uint32_t packReflectance(const glm::vec3& v) {
-  constexpr float kMost = 32000;
-  const auto inside = [&](float x) { return x > kLeastReflectance ? std::min(x, kMost) : kLeastReflectance; };
+  constexpr float kMax = 32000;
+  const auto inside = [&](float x) { return x > kMinReflectance ? std::min(x, kMax) : kMinReflectance; };
   const glm::vec3 color(inside(v.x), inside(v.y), inside(v.z));
   int exponent = 0;  // the largest is in [0.5, 1) * 2^exponent
   std::frexp(std::max({color.x, color.y, color.z}), &exponent);

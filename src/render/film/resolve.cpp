@@ -11,7 +11,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr int kMostSamples = 64;  // the tracer's limit
+constexpr int kMaxSamples = 64;  // the tracer's limit
 
 /// Power mean of bytes. The result lies between the smallest and the largest input, so few candidates are
 /// tried.
@@ -88,8 +88,8 @@ class Rows {
   /// Resolves `count` pixels from pixel `from` of the picture. N: samples; 0: the picture's number.
   template <int N>
   void resolve(size_t from, size_t count, uint32_t* colors, float* depths) const {
-    const int n = N > 0 ? N : std::min(samples_.samples, kMostSamples);
-    std::array<uint32_t, N ? N : kMostSamples> own{};
+    const int n = N > 0 ? N : std::min(samples_.samples, kMaxSamples);
+    std::array<uint32_t, N ? N : kMaxSamples> own{};
     for (size_t i = 0; i < count; ++i) {
       uint32_t differ = 0;
       for (int s = 0; s < n; ++s) {

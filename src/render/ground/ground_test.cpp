@@ -1,4 +1,5 @@
 // The ground: where it lies, what it shows, and what a catcher and backgrounds leave in pictures.
+#include "base/testing/temporary_folder.h"
 #include "render/ground/backdrop_look.h"
 #include "render/ground/ground_place.h"
 #include "render/ground/staged_scene.h"
@@ -280,12 +281,7 @@ TEST(Background, LiesUnderACatcher) {
 
 /// The wall and a screen that shades it, under a rule.
 Traced screened(const std::string& rule, bool ao = false) {
-  const std::string path = ::testing::TempDir() + "gluray_hidden_test.toml";
-  static int number = 0;
-  const std::string own = path + std::to_string(++number);
-  std::FILE* file = std::fopen(own.c_str(), "w");
-  std::fputs(rule.c_str(), file);
-  std::fclose(file);
+  const test::TemporaryFolder folder;
   scene::Snapshot s =
       test::litView({test::wall(), test::parallelogram({0, 0, 2}, {0.3f, 0, 0}, {0, 0.3f, 0})},
                     test::Shader::fixedFunction, {0.5f, 0, 1, 0});
@@ -294,10 +290,8 @@ Traced screened(const std::string& rule, bool ao = false) {
   s.settings.ao.enabled = ao;
   s.settings.ao.radius = 10;
   s.settings.ao.samples = 64;
-  s.settings.material.file = own;
-  const Traced traced = traceStaged(s);
-  std::remove(own.c_str());
-  return traced;
+  s.settings.material.file = folder.write("rules.toml", rule);
+  return traceStaged(s);
 }
 
 TEST(HiddenFrom, RulesHideObjectsFromTheCameraAlone) {

@@ -31,7 +31,7 @@ HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float*
     if (!(std::abs(depth[i] - g.place[i]) <= tolerance)) {
       for (int c = 0; c < 4; ++c) g.before[c][i] = g.now[c][i];
       g.place[i] = depth[i];
-      if (g.places[i] + 1u < LayerCounts::kMost) ++g.places[i];
+      if (g.places[i] + 1u < LayerCounts::kMax) ++g.places[i];
     }
     const float weight = (1 - g.before[3][i]) * rows.value[3][i];
     for (int c = 0; c < 4; ++c) {
@@ -108,7 +108,7 @@ HWY_ATTR void walkLayers(const FrameData& frame, Work& work, End&& end, Put&& pu
     const accel::ImpostorQuery* impostors = aimRays(frame, work);
     for (int i = 0; i < kLanes; ++i) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
     frame.world->intersectNext(work.valid, work.packet, hits, impostors, work.coherence());
-    for (int i = 0; i < accel::NextHits::kMost; ++i) {
+    for (int i = 0; i < accel::NextHits::kMax; ++i) {
       work.hits = takeHits(hits, i, lanes & ~ended, work);
       if (!work.hits) break;
       fetchVertices(frame, work);

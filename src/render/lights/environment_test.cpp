@@ -1,4 +1,5 @@
 // Environments: pictures of the sky against brute force, files that cannot be read, rotation.
+#include "base/testing/temporary_folder.h"
 #include "render/lights/make_environment.h"
 #include "render/lights/picture_files.h"
 #include "render/lights/preetham.h"
@@ -152,9 +153,9 @@ TEST(RadianceFile, BrokenOnesAreRefused) {
 
 /// A file of this test's own, removed at the end.
 struct TestFile {
+  test::TemporaryFolder folder;
   std::string path;
-  explicit TestFile(const std::string& name) : path(std::filesystem::temp_directory_path() / name) {}
-  ~TestFile() { std::filesystem::remove(path); }
+  explicit TestFile(const std::string& name) : path(folder.file(name)) {}
   void write(const std::string& bytes) const {
     std::ofstream(path, std::ios::binary) << bytes;
     // The next write must have another time.

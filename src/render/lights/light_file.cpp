@@ -180,8 +180,8 @@ struct Known {
 };
 
 void readInto(const std::string& file, Known& known) {
-  constexpr size_t kMost = size_t{1} << 20;
-  const files::Content content = files::read(file, kMost);
+  constexpr size_t kMax = size_t{1} << 20;
+  const files::Content content = files::read(file, kMax);
   try {
     if (!content.why.empty()) throw LightFileError(file + ": " + content.why);
     known.lights = std::make_shared<const std::vector<FileLight>>(parseLights(content.text, file));
@@ -193,7 +193,7 @@ void readInto(const std::string& file, Known& known) {
 }  // namespace
 
 std::vector<FileLight> parseLights(std::string_view text, const std::string& file) {
-  constexpr size_t kMost = 64;
+  constexpr size_t kMax = 64;
   toml::table root;
   try {
     root = parseToml(text, file);
@@ -210,7 +210,7 @@ std::vector<FileLight> parseLights(std::string_view text, const std::string& fil
         throw LightFileError(placeOf(file, entry.source()) + "a light is a table [[light]]");
       Table table(*entry.as_table(), file);
       lights.push_back(readLight(table));
-      if (lights.size() > kMost) table.fail("more than 64 lights");
+      if (lights.size() > kMax) table.fail("more than 64 lights");
     }
   }
   return lights;

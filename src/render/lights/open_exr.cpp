@@ -35,13 +35,13 @@ class MemoryStream final : public Imf::IStream {
 }  // namespace
 
 SkyPicture readOpenExr(const std::string& bytes) {
-  constexpr int64_t kMostPixels = int64_t{1} << 25;
+  constexpr int64_t kMaxPixels = int64_t{1} << 25;
   MemoryStream stream(bytes);
   Imf::RgbaInputFile file(stream, 0);  // on this thread
   const auto window = file.dataWindow();
   const int64_t width = int64_t{window.max.x} - window.min.x + 1,
                 height = int64_t{window.max.y} - window.min.y + 1;
-  if (width <= 0 || height <= 0 || width > kMostPixels || height > kMostPixels / width)
+  if (width <= 0 || height <= 0 || width > kMaxPixels || height > kMaxPixels / width)
     throw std::runtime_error("the picture has more than 33 million pixels");
   Imf::Array<Imf::Rgba> row(static_cast<long>(width));
   SkyPicture picture{static_cast<int>(width), static_cast<int>(height),

@@ -7,8 +7,8 @@
 namespace gluray::render {
 
 SkyPicture readSkyPicture(const std::string& path) {
-  constexpr size_t kMostBytes = size_t{1} << 29;
-  const files::Content content = files::read(path, kMostBytes);
+  constexpr size_t kMaxBytes = size_t{1} << 29;
+  const files::Content content = files::read(path, kMaxBytes);
   if (!content.why.empty()) throw std::runtime_error(content.why);
   if (content.text.starts_with("#?")) return readRadiance(content.text);
   if (content.text.starts_with("\x76\x2f\x31\x01")) return readOpenExr(content.text);

@@ -8,7 +8,7 @@
 namespace gluray::render {
 namespace {
 
-constexpr size_t kMostPixels = size_t{1} << 25;
+constexpr size_t kMaxPixels = size_t{1} << 25;
 
 /// Takes bytes in order; throws at the end.
 struct Bytes {
@@ -82,7 +82,7 @@ SkyPicture readRadiance(const std::string& content) {
   if (std::sscanf(bytes.line().c_str(), "-Y %d +X %d", &height, &width) != 2 || width <= 0 || height <= 0)
     throw std::runtime_error("rows must go down and columns right (-Y height +X width)");
   const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
-  if (w * h > kMostPixels) throw std::runtime_error("the picture has more than 33 million pixels");
+  if (w * h > kMaxPixels) throw std::runtime_error("the picture has more than 33 million pixels");
   SkyPicture picture{width, height, std::vector<glm::vec3>(w * h)};
   std::vector<uint8_t> row(4 * w);
   for (size_t y = 0; y < h; ++y) {

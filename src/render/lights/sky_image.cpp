@@ -28,14 +28,14 @@ glm::vec3 directionAt(const glm::vec2& place, float& sine) {
 }  // namespace
 
 SkyImage::SkyImage(SkyPicture picture) : picture_(std::move(picture)) {
-  constexpr float kMost = 1e6f;
+  constexpr float kMax = 1e6f;
   // The distribution's cells hold several pixels of a large picture.
-  constexpr int kMostColumns = 2048, kMostRows = 1024;
-  const int columns = std::min(picture_.width, kMostColumns), rows = std::min(picture_.height, kMostRows);
+  constexpr int kMaxColumns = 2048, kMaxRows = 1024;
+  const int columns = std::min(picture_.width, kMaxColumns), rows = std::min(picture_.height, kMaxRows);
   std::vector<float> weights(static_cast<size_t>(columns) * static_cast<size_t>(rows));
   for (size_t i = 0; i < picture_.pixels.size(); ++i) {
     glm::vec3& c = picture_.pixels[i];
-    for (int k = 0; k < 3; ++k) c[k] = std::isfinite(c[k]) ? std::clamp(c[k], 0.0f, kMost) : 0;
+    for (int k = 0; k < 3; ++k) c[k] = std::isfinite(c[k]) ? std::clamp(c[k], 0.0f, kMax) : 0;
     const auto w = static_cast<size_t>(picture_.width), h = static_cast<size_t>(picture_.height);
     const size_t column = i % w * static_cast<size_t>(columns) / w,
                  row = i / w * static_cast<size_t>(rows) / h;

@@ -7,7 +7,7 @@
 namespace gluray::render {
 
 struct Channels {
-  static constexpr int kMost = 1 + 3 * kShadowLights;
+  static constexpr int kMax = 1 + 3 * kShadowLights;
 
   UsedFactors used;
   int perLight() const { return used.colored ? 3 : 1; }

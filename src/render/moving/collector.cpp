@@ -74,7 +74,7 @@ HWY_ATTR void traceWaiting(const Collector& c, WaitingPoints& waiting) {
       const Float old = load(waiting.factors[f] + i), now = load(moving.channels.of(fresh, f) + i);
       store(hn::MulAdd(share, hn::Sub(now, old), old), waiting.factors[f] + i);
     }
-    const Words samples = toWord(hn::Min(sum, splat(static_cast<float>(FactorFilm::kMostSamples))));
+    const Words samples = toWord(hn::Min(sum, splat(static_cast<float>(FactorFilm::kMaxSamples))));
     hn::Store(packFactor(load(waiting.factors[0] + i)), WordTag(), first + i);
     const Words other = film.factors > 1 ? packFactor(load(waiting.factors[1] + i)) : hn::Zero(WordTag());
     hn::Store(hn::Or(hn::ShiftLeft<12>(samples), other), WordTag(), second + i);

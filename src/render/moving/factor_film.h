@@ -14,7 +14,7 @@ namespace gluray::render {
 /// Depth is FilmSpace's, as the leading bits of a float; pixels without samples are empty. Factors are 0
 /// .. 1.
 struct FactorFilm {
-  static constexpr uint32_t kMostSamples = 63;
+  static constexpr uint32_t kMaxSamples = 63;
   static constexpr uint32_t kFactorBits = 0xFFFu;       // of both words
   static constexpr uint32_t kNormalBits = 0xFFFC0000u;  // of the second
   static constexpr float kLargest = 4095;               // of a packed factor

@@ -24,15 +24,15 @@ HWY_INLINE Float toFloat(Words v) { return hn::ConvertTo(FloatTag(), hn::BitCast
 HWY_INLINE Words toWord(Float v) { return hn::BitCast(WordTag(), hn::NearestInt(v)); }
 
 // Depths are floats in [2^-31, 2), of which 5 bits of the exponent and 15 of the mantissa are kept.
-constexpr uint32_t kLeastDepth = 0x30000000u;  // 2^-31
+constexpr uint32_t kMinDepth = 0x30000000u;  // 2^-31
 
 HWY_INLINE Words packDepth(Float depth) {
   const Float inside = hn::Min(hn::Max(depth, splat(0x1p-31f)), splat(1.9999f));
-  return hn::ShiftRight<8>(hn::Sub(hn::BitCast(WordTag(), inside), splatWord(kLeastDepth)));
+  return hn::ShiftRight<8>(hn::Sub(hn::BitCast(WordTag(), inside), splatWord(kMinDepth)));
 }
 HWY_INLINE Float unpackDepth(Words code) {
   const Words middle = hn::Or(hn::ShiftLeft<8>(code), splatWord(0x80u));
-  return hn::BitCast(FloatTag(), hn::Add(middle, splatWord(kLeastDepth)));
+  return hn::BitCast(FloatTag(), hn::Add(middle, splatWord(kMinDepth)));
 }
 
 /// A unit vector as a point of the octahedron, unfolded (Q. Meyer and others, "On Floating-Point Normal
@@ -79,7 +79,7 @@ struct FactorPixels {
     const Words factor = splatWord(4095);
     const float scale = 1 / FactorFilm::kLargest;
     return {unpackDepth(hn::ShiftRight<12>(word0)),
-            toFloat(hn::And(hn::ShiftRight<12>(word1), splatWord(FactorFilm::kMostSamples))),
+            toFloat(hn::And(hn::ShiftRight<12>(word1), splatWord(FactorFilm::kMaxSamples))),
             hn::Mul(toFloat(hn::And(word0, factor)), splat(scale)),
             hn::Mul(toFloat(hn::And(word1, factor)), splat(scale)), unpackNormal(hn::ShiftRight<18>(word1))};
   }

@@ -266,9 +266,9 @@ HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileFactors&
   if (!tile.shows) return;
   // Where surfaces are as small as pixels, neighbours farther away show others by chance. That matters less
   // than noise while nothing is known of earlier frames.
-  constexpr int kLeast = 3;
+  constexpr int kMin = 3;
   Sides sides;
-  sides.least = moving.earlier ? kLeast : 0;
+  sides.least = moving.earlier ? kMin : 0;
   findSides(moving.space, tile, at, sides);
   Sums sums;
   for (int f = 0; f < moving.channels.count(); ++f) {

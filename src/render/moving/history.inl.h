@@ -101,7 +101,7 @@ HWY_ATTR inline void lookUp(const MovingFrame& moving, const Row (&point)[3], co
     taps.normal = unit(transform(r.earlierFromEyeNormal, load3(normal, i)));
     taps.along = dot(taps.normal, transformPoint(r.earlierFromEye, now));
     Float weights = hn::Zero(d), samples = weights;
-    Float sums[std::max(Channels::kMost, 2)];
+    Float sums[std::max(Channels::kMax, 2)];
     for (Float& sum : sums) sum = weights;
     for (int tap = 0; tap < 4; ++tap) addTap(moving, taps, tap & 1, tap >> 1, weights, samples, sums);
     const auto known = hn::Gt(weights, splat(0.05f));

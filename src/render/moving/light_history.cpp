@@ -18,7 +18,7 @@ bool isNear(const std::vector<float>& a, const std::vector<float>& b) {
 }  // namespace
 
 void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors, MovingFrame& moving) {
-  constexpr float kMost = 16, kMostAfterChanges = 1;  // samples
+  constexpr float kMax = 16, kMaxSamplesAfterChange = 1;  // samples
   const scene::Snapshot& snapshot = *frame.snapshot;
   const int width = snapshot.region.width, height = snapshot.region.height;
   same_ = known_ && region_ == snapshot.region && settings_ == snapshot.settings &&
@@ -32,13 +32,13 @@ void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors
   now.space = FilmSpace(frame);
   now.placement.take(snapshot);
   moving.space = now.space, moving.film = &now.film, moving.hits = &hits_;
-  moving.mostSamples = kMost;
+  moving.mostSamples = kMax;
   moving.earlier = nullptr;
   if (!same_ || !before.space.usable) return;
   moving.earlier = &before.film, moving.earlierSpace = before.space;
   moving.reprojection = Reprojection(before.placement, before.space, now.placement, frame);
   if (moving.reprojection.changed || (frame.remote && frame.remote->changed()))
-    moving.mostSamples = kMostAfterChanges;
+    moving.mostSamples = kMaxSamplesAfterChange;
 }
 
 size_t LightHistory::bytes() const {
@@ -51,7 +51,7 @@ LightHistory& LightHistories::of(uint64_t view) {
     views_.splice(views_.begin(), views_, it);
     return views_.front().history;
   }
-  if (views_.size() >= kMost) views_.pop_back();
+  if (views_.size() >= kMax) views_.pop_back();
   views_.push_front({view, {}});
   return views_.front().history;
 }

@@ -46,7 +46,7 @@ class LightHistory {
 /// Those of the views seen last.
 class LightHistories {
  public:
-  static constexpr size_t kMost = 4;
+  static constexpr size_t kMax = 4;
   /// Throws std::bad_alloc.
   LightHistory& of(uint64_t view);
   void clear() { views_.clear(); }

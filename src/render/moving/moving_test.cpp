@@ -224,9 +224,9 @@ TEST(Moving, ViewsHaveHistoriesOfTheirOwn) {
   Animation animation;
   scene::Snapshot s = boards();
   turn(s, 0);
-  for (uint64_t view = 0; view < 3 * LightHistories::kMost; ++view) s.view = view, animation.frame(s);
+  for (uint64_t view = 0; view < 3 * LightHistories::kMax; ++view) s.view = view, animation.frame(s);
   const size_t bytes = animation.histories.bytes();
-  EXPECT_LE(bytes, LightHistories::kMost * kMovingSize * kMovingSize * 64);
+  EXPECT_LE(bytes, LightHistories::kMax * kMovingSize * kMovingSize * 64);
   EXPECT_GT(bytes, 0u);
 }
 

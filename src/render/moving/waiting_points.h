@@ -11,7 +11,7 @@ struct WaitingPoints {
   AskedPoints asked;
   alignas(64) uint32_t pixel[kLanes];  // of the film
   alignas(64) Row samples;
-  alignas(64) Row factors[Channels::kMost];
+  alignas(64) Row factors[Channels::kMax];
   int count = 0;  // points that wait, in the first lanes
 };
 

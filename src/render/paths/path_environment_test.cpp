@@ -1,6 +1,7 @@
 // Environments in the path tracer: two ways to draw directions together agree with each alone, and with a
 // second, plain implementation.
 #include "base/sanitized.h"
+#include "base/testing/temporary_folder.h"
 #include "render/lights/make_environment.h"
 #include "render/paths/path_scenes.h"
 
@@ -85,16 +86,12 @@ TEST(PathEnvironment, AnEvenPictureIsAConstantEnvironment) {
     s.settings.environment.kind = EnvironmentKind::constant;
     s.settings.environment.color = glm::vec3(0.5f);
     const glm::vec3 constant = radiances(s).mean();
-    const std::string path = ::testing::TempDir() + "gluray_even.hdr";
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    ASSERT_NE(file, nullptr);
-    std::fputs("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n", file);
-    for (int i = 0; i < 8; ++i) std::fwrite("\x40\x40\x40\x81", 1, 4, file);
-    std::fclose(file);
+    std::string even = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
+    for (int i = 0; i < 8; ++i) even += "\x40\x40\x40\x81";
+    const test::TemporaryFolder folder;
     s.settings.environment.kind = EnvironmentKind::image;
-    s.settings.environment.file = path;
+    s.settings.environment.file = folder.write("even.hdr", even);
     const glm::vec3 image = radiances(s).mean();
-    std::remove(path.c_str());
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(image[c], constant[c], 0.01f * constant[c]) << int(kind);
   }
 }

@@ -36,7 +36,7 @@ inline uint32_t Wave::passing(uint32_t lanes, Row& u, accel::RayPacket& packet) 
 }
 
 HWY_ATTR inline void Wave::extend() {
-  constexpr int kMostLayers = 64;  // translucent or clipped surfaces on one ray
+  constexpr int kMaxLayers = 64;  // translucent or clipped surfaces on one ray
   accel::RayPacket packet;
   alignas(64) Row back[3];
   alignas(64) int32_t valid[kLanes];
@@ -52,7 +52,7 @@ HWY_ATTR inline void Wave::extend() {
   uint32_t under = alive_;
   alignas(64) Row u, unused;
   if (!path_.occluders.areSolid()) draw(PathUse::lobe, unused, u);
-  for (int layer = 0; under && layer < kMostLayers; ++layer) {
+  for (int layer = 0; under && layer < kMaxLayers; ++layer) {
     for (int i = 0; i < kLanes; ++i) {
       valid[i] = under >> i & 1 ? -1 : 0;
       packet.geometry[i] = packet.instance[i] = accel::kNoHit;

@@ -1,5 +1,6 @@
 // Materials of settings in the path tracer: mirrors, glass, furnaces.
 #include "base/sanitized.h"
+#include "base/testing/temporary_folder.h"
 #include "render/paths/path_scenes.h"
 
 #include <fstream>
@@ -171,9 +172,10 @@ scene::Snapshot betweenWalls(int emitter) {
   test::setAlbedo(s.instances[0], {0.5f, 0.25f, 0});
   test::setAlbedo(s.instances[1], glm::vec3(1));
   for (uint32_t i = 0; i < 2; ++i) s.instances[i].order = i;
-  const std::string file = testing::TempDir() + "emissive_" + std::to_string(emitter) + ".toml";
-  std::ofstream(file) << "[[rule]]\nobjects = [" << emitter << "]\nmaterial = \"emissive\"\nemission = 3\n";
-  s.settings.material.file = file;
+  static const test::TemporaryFolder folder;
+  const std::string name = std::to_string(emitter);
+  s.settings.material.file = folder.write(
+      name + ".toml", "[[rule]]\nobjects = [" + name + "]\nmaterial = \"emissive\"\nemission = 3\n");
   return s;
 }
 

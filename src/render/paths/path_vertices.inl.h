@@ -86,9 +86,9 @@ HWY_ATTR inline void finishSolids(const Metric& metric, const Surface& s, Vertex
 
 /// A shading normal that the path's way back sees as well.
 inline glm::vec3 seenNormal(const glm::vec3& normal, const glm::vec3& back) {
-  constexpr float kLeast = 1e-3f;
+  constexpr float kMin = 1e-3f;
   const float cosine = glm::dot(normal, back);
-  return cosine >= kLeast ? normal : glm::normalize(normal + (kLeast - cosine) * back);
+  return cosine >= kMin ? normal : glm::normalize(normal + (kMin - cosine) * back);
 }
 
 /// Writes the vertices of the group's lanes. `x`, `y`: window positions, for textures.

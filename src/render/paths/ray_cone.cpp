@@ -20,9 +20,9 @@ RayCone coneAt(const RaySetup& eyeRays, double x, double y, const glm::vec3& poi
 }
 
 RayCone scattered(const RayCone& cone, float pdf, int samples) {
-  constexpr float kMost = 0.2f;
+  constexpr float kMax = 0.2f;
   const float share = std::sqrt(1 / (std::max(pdf, 1e-6f) * static_cast<float>(std::max(samples, 1))));
-  return {cone.width, std::max(cone.spread, std::min(share, kMost))};
+  return {cone.width, std::max(cone.spread, std::min(share, kMax))};
 }
 
 WeightSteps stepsOn(const glm::dvec3 (&corner)[3], const glm::dvec3& way, double width) {

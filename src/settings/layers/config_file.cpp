@@ -113,10 +113,10 @@ class Collector {
 
 std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, Trust trust,
                                         const Complain& complain) {
-  constexpr size_t kMost = size_t{16} << 20;
+  constexpr size_t kMax = size_t{16} << 20;
   std::vector<FileSetting> settings;
   if (file.empty()) return settings;
-  const files::Content content = trust == Trust::any ? files::read(file, kMost) : files::readOwn(file, kMost);
+  const files::Content content = trust == Trust::any ? files::read(file, kMax) : files::readOwn(file, kMax);
   if (!content.why.empty()) {
     if (absent == Absent::reported || !content.missing) complain(file + ": " + content.why);
     return settings;

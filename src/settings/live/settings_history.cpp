@@ -31,7 +31,7 @@ void SettingsHistory::add(const Changes& changes, const Changes& before, const s
   }
   steps_.push_back(std::move(step));  // may throw: nothing has changed then
   steps_.erase(std::next(steps_.begin(), static_cast<std::ptrdiff_t>(made_)), std::prev(steps_.end()));
-  if (steps_.size() > kMostSteps) steps_.pop_front();
+  if (steps_.size() > kMaxSteps) steps_.pop_front();
   made_ = steps_.size();
   closed_ = false;
 }

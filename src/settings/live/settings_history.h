@@ -12,7 +12,7 @@ namespace gluray {
 class SettingsHistory {
  public:
   using Changes = LiveSettings::Changes;
-  static constexpr size_t kMostSteps = 100;
+  static constexpr size_t kMaxSteps = 100;
 
   /// Adds a step; what was taken back is forgotten. A step continues the one before if both have the same
   /// gesture, not empty. Changes that change nothing are no steps, nor are gestures that end where they

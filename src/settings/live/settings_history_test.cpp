@@ -103,10 +103,10 @@ TEST_F(SettingsHistoryTest, GesturesThatEndWhereTheyBeganAreNoStep) {
 
 TEST_F(SettingsHistoryTest, TheLastHundredStepsAreKept) {
   for (int i = 0; i < 250; ++i) set({{"a", std::to_string(i)}});
-  EXPECT_EQ(history.undoSteps(), SettingsHistory::kMostSteps);
+  EXPECT_EQ(history.undoSteps(), SettingsHistory::kMaxSteps);
   while (history.undoSteps()) undo();
   EXPECT_EQ(live, (Live{{"a", "149"}}));
-  EXPECT_EQ(history.redoSteps(), SettingsHistory::kMostSteps);
+  EXPECT_EQ(history.redoSteps(), SettingsHistory::kMaxSteps);
 }
 
 }  // namespace

@@ -166,16 +166,16 @@ struct Session {
 }  // namespace
 
 HubPlayer::Counts playSession(uint64_t seed) {
-  constexpr uint32_t kLeastSteps = 100, kMostMore = 400, kMostOpen = 10;
+  constexpr uint32_t kMinSteps = 100, kMaxExtraSteps = 400, kMaxOpen = 10;
   Random random(seed);
   Session session;
   HubPlayer& player = session.player;
   std::vector<size_t> open;
-  for (uint32_t steps = kLeastSteps + random.below(kMostMore); steps > 0; --steps) {
+  for (uint32_t steps = kMinSteps + random.below(kMaxExtraSteps); steps > 0; --steps) {
     open.clear();
     for (size_t peer = 0; peer < player.peers(); ++peer)
       if (player.open(peer)) open.push_back(peer);
-    if (open.size() < 3 || (open.size() < kMostOpen && random.chance(8))) {
+    if (open.size() < 3 || (open.size() < kMaxOpen && random.chance(8))) {
       session.connect(random);
       continue;
     }

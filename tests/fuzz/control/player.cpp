@@ -13,7 +13,7 @@ using control::isId;
 using control::member;
 using nlohmann::json;
 
-constexpr size_t kMostQuestions = 1000;  // a program that never answers
+constexpr size_t kMaxQuestions = 1000;  // a program that never answers
 
 void require(bool holds, const char* what, const json& message) {
   if (holds) return;
@@ -83,7 +83,7 @@ void HubPlayer::sent(size_t peer, const std::string& line) {
     ++counts_.answers;
   }
   counts_.asked += one.program && message.contains("id");
-  if (one.program && message.contains("id") && one.questions.size() < kMostQuestions)
+  if (one.program && message.contains("id") && one.questions.size() < kMaxQuestions)
     one.questions.push_back(message);
 }
 
@@ -104,13 +104,13 @@ void HubPlayer::slow(size_t peer, bool slow) {
 std::vector<json> HubPlayer::questions(size_t peer) { return std::exchange(peers_[peer]->questions, {}); }
 
 void HubPlayer::end() {
-  constexpr int kMostRounds = 1000;  // a batch of 256 requests that wait 10 s each
+  constexpr int kMaxRounds = 1000;  // a batch of 256 requests that wait 10 s each
   const auto waits = [&] {
     for (const auto& one : peers_)
       if (one->open && !one->asked.empty()) return true;
     return false;
   };
-  for (int round = 0; round < kMostRounds && waits(); ++round) wait(std::chrono::seconds(10));
+  for (int round = 0; round < kMaxRounds && waits(); ++round) wait(std::chrono::seconds(10));
   for (const auto& one : peers_)
     if (one->open) require(one->asked.empty(), "requests without an answer", json(one->asked));
   require(hub_.next() > now_, "something is due that passed() does not do", json());

@@ -62,14 +62,14 @@ bool save(const std::string& folder, uint64_t seed, const Outcome& outcome) {
 }
 
 bool load(const std::string& folder, uint64_t seed, Outcome& outcome) {
-  constexpr uint64_t kMostAnswers = 1 << 20;
+  constexpr uint64_t kMaxAnswers = 1 << 20;
   std::ifstream in(fileOf(folder, seed), std::ios::binary);
   const auto get = [&](void* data, size_t bytes) {
     in.read(static_cast<char*>(data), static_cast<std::streamsize>(bytes));
   };
   uint64_t answers = 0;
   get(&answers, sizeof answers);
-  if (!in || answers > kMostAnswers) return false;
+  if (!in || answers > kMaxAnswers) return false;
   outcome = {std::vector<float>(answers), emptyPicture()};
   get(outcome.answers.data(), answers * sizeof(float));
   get(outcome.picture.colors.data(), kPixels * sizeof(uint32_t));

@@ -11,7 +11,7 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr size_t kDigits = 4, kMostDigits = 9;
+constexpr size_t kDigits = 4, kMaxDigits = 9;
 const std::string kEnding = ".png";
 
 bool readRampEnd(std::string_view text, double& number) {
@@ -53,7 +53,7 @@ std::string readFilmName(const std::string& text, FilmName& name) {
   const bool padded = width.size() >= 2 && width[0] == '0';
   size_t digits = 1;
   if (padded) std::from_chars(width.data(), width.data() + width.size(), digits);
-  if (text[letter] != 'd' || (!width.empty() && !padded) || digits < 1 || digits > kMostDigits ||
+  if (text[letter] != 'd' || (!width.empty() && !padded) || digits < 1 || digits > kMaxDigits ||
       text.find('%', letter) != text.npos)
     return text + ": use one %d or %04d for the number, and no other % in the name";
   name = {text.substr(0, sign), text.substr(letter + 1), digits};

@@ -29,7 +29,7 @@ FilmSettings::FilmSettings(HubSession& hub, const RunningProgram& program, std::
 
 std::optional<int64_t> FilmSettings::send(const json& values) {
   const json result = resultOf(hub_, program_, {{"type", "set"}, {"values", values}, {"gesture", gesture_}});
-  return control::wholeNumber(control::member(result, "frame"), 0, control::kMostFrame);
+  return control::wholeNumber(control::member(result, "frame"), 0, control::kMaxFrame);
 }
 
 json FilmSettings::values(int picture, int of) const {

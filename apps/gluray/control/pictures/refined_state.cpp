@@ -10,9 +10,9 @@ namespace {
 using nlohmann::json;
 using std::chrono::steady_clock;
 
-constexpr double kEvery = 0.1;         // seconds between states
-constexpr double kFirstSeconds = 1;    // until the first one
-constexpr double kMostForPasses = 60;  // seconds a frame
+constexpr double kEvery = 0.1;          // seconds between states
+constexpr double kFirstSeconds = 1;     // until the first one
+constexpr double kMaxPassSeconds = 60;  // seconds a frame
 // Seconds without a pass, after which none is expected. Programs begin to refine at most 3 s after a frame; a
 // picture that they have refined before is finished at once.
 constexpr double kBegin = 4, kStall = 10;
@@ -23,7 +23,7 @@ double secondsSince(steady_clock::time_point begin) {
 
 /// A member that counts something; 0 where it does not.
 int64_t countIn(const json& state, const char* name) {
-  return control::wholeNumber(control::member(state, name), 0, control::kMostFrame).value_or(0);
+  return control::wholeNumber(control::member(state, name), 0, control::kMaxFrame).value_or(0);
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ bool RefinedState::wait(std::optional<int64_t> frame, const std::function<bool()
   int64_t passes = before_;
   // While a new frame's picture has no passes, the state still has those of the picture before.
   bool own = !frame || before_ == 0;
-  while (secondsSince(begin) < kMostForPasses && secondsSince(progress) < patience && !stopped()) {
+  while (secondsSince(begin) < kMaxPassSeconds && secondsSince(progress) < patience && !stopped()) {
     const json state = next(2 * kEvery);
     if (!state.is_object() || countIn(state, "frame") < frame.value_or(0)) continue;
     const int64_t now = countIn(state, "passes");

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kMostSide = 1 << 15;  // pixels
+constexpr int kMaxSide = 1 << 15;  // pixels
 const char kNoPicture[] = "it sends no picture";
 
 int sideIn(const json& value, const char* name, int most) {
@@ -39,8 +39,8 @@ std::string whyNotInto(const std::string& file) {
 
 Shot takeShot(HubSession& hub, const RunningProgram& program) {
   const json value = callOf(hub, program, "shot", json::object());
-  return {value.value("shot", json()), sideIn(value, "width", kMostSide), sideIn(value, "height", kMostSide),
-          control::wholeNumber(control::member(value, "frame"), 0, control::kMostFrame)};
+  return {value.value("shot", json()), sideIn(value, "width", kMaxSide), sideIn(value, "height", kMaxSide),
+          control::wholeNumber(control::member(value, "frame"), 0, control::kMaxFrame)};
 }
 
 WindowPicture pictureOf(HubSession& hub, const RunningProgram& program, const Shot& shot) {

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using Entries = std::vector<std::string>;
 
-constexpr size_t kMostOfValue = size_t{16} << 10;  // bytes that programs take (docs/control-protocol.md)
+constexpr size_t kMaxValueBytes = size_t{16} << 10;  // bytes that programs take (docs/control-protocol.md)
 
 /// What the user asks for.
 struct MaterialChange {
@@ -114,14 +114,14 @@ Entries changed(const Entries& entries, const std::vector<uint32_t>& objects, si
 }
 
 bool fits(const Entries& entries) {
-  return control::textOf(*findSetting("material.objects"), entries).text.size() <= kMostOfValue;
+  return control::textOf(*findSetting("material.objects"), entries).text.size() <= kMaxValueBytes;
 }
 
 /// Throws if the entries are more than programs take.
 Entries changed(const Entries& entries, const std::vector<uint32_t>& objects, const Entries& words) {
   Entries all = changed(entries, objects, objects.size(), words);
   if (fits(all)) return all;
-  size_t most = 0, tooMany = std::min(objects.size(), kMostOfValue);  // an entry has more than a byte
+  size_t most = 0, tooMany = std::min(objects.size(), kMaxValueBytes);  // an entry has more than a byte
   while (most + 1 < tooMany) {
     const size_t middle = (most + tooMany) / 2;
     (fits(changed(entries, objects, middle, words)) ? most : tooMany) = middle;

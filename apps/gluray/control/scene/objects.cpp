@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kMostInAnswer = 1000;  // objects
+constexpr int kMaxObjectsOfAnswer = 1000;  // objects
 
 std::vector<std::string> objectCells(const AnswerReader& object) {
   const auto triangles = object.whole("triangles");
@@ -61,7 +61,7 @@ json objectsOf(HubSession& hub, const RunningProgram& program) {
   json all = json::array();
   int64_t last = 0;
   while (true) {
-    const json answer = callOf(hub, program, "objects", {{"after", last}, {"count", kMostInAnswer}});
+    const json answer = callOf(hub, program, "objects", {{"after", last}, {"count", kMaxObjectsOfAnswer}});
     const AnswerReader reader(answer);
     const auto total = reader.whole("total");
     const json& some = reader.list("objects");

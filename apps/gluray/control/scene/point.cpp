@@ -9,7 +9,7 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr double kMostCoordinate = 1 << 15;  // pixels
+constexpr double kMaxCoordinate = 1 << 15;  // pixels
 
 /// "240", "50%". Empty, or what is wrong.
 std::string readCoordinate(std::string text, double& value, bool& percent) {
@@ -19,7 +19,7 @@ std::string readCoordinate(std::string text, double& value, bool& percent) {
   const char* const end = text.data() + text.size();
   const auto [last, error] = std::from_chars(text.data(), end, value);
   const bool number = error == std::errc() && last == end && std::isfinite(value);
-  return number && value >= 0 && value <= (percent ? 100 : kMostCoordinate) ? "" : why;
+  return number && value >= 0 && value <= (percent ? 100 : kMaxCoordinate) ? "" : why;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr int kMostPictures = 1000000;
+constexpr int kMaxPictures = 1000000;
 
 void describeMaterial(CLI::App& app, ControlOptions& options) {
   app.description(
@@ -40,7 +40,7 @@ void describeFilm(CLI::App& app, ControlOptions& options) {
   app.add_option("FILE", options.file, "Name of the pictures, such as film-%04d.png, or film.png")
       ->required();
   app.add_option("--frames", options.film.frames, "End after N pictures")
-      ->check(CLI::Range(1, kMostPictures))
+      ->check(CLI::Range(1, kMaxPictures))
       ->type_name("N");
   app.add_option("--seconds", options.seconds, "End after S seconds")
       ->check(CLI::Range(0.001, 1e6))

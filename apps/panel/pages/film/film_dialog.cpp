@@ -20,7 +20,7 @@
 namespace gluray::panel {
 namespace {
 
-constexpr int kMostFrames = 100000;
+constexpr int kMaxFrames = 100000;
 constexpr int kUsualFrames = 60;
 constexpr double kWidest = 1e9;  // of values
 constexpr int kValueDigits = 4;
@@ -96,7 +96,7 @@ void FilmDialog::makeFields(QFormLayout* form) {
   form->addRow(tr("&Name"), name_);
   frames_ = new QSpinBox(fields_);
   frames_->setObjectName("film-frames");
-  frames_->setRange(0, kMostFrames);
+  frames_->setRange(0, kMaxFrames);
   frames_->setSpecialValueText(tr("until it is stopped"));
   frames_->setValue(kUsualFrames);
   frames_->setToolTip(tr("0: until it is stopped"));

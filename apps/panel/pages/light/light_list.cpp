@@ -15,8 +15,8 @@ using control::member, control::textIn;
 using nlohmann::json;
 
 constexpr int kFirstNumber = 4;  // column
-constexpr size_t kMostLights = 256;
-constexpr int kMostText = 64;  // characters of a cell
+constexpr size_t kMaxLights = 256;
+constexpr int kMaxText = 64;  // characters of a cell
 
 QString numberText(const json& light, const char* name) {
   const json* const value = member(light, name);
@@ -24,7 +24,7 @@ QString numberText(const json& light, const char* name) {
 }
 
 QString lightText(const json& light, const char* name) {
-  return QString::fromStdString(textIn(light, name)).left(kMostText);
+  return QString::fromStdString(textIn(light, name)).left(kMaxText);
 }
 
 QStringList rowOf(const json& light) {
@@ -86,7 +86,7 @@ void LightList::take(const CallAnswer& answer) {
   if (!list || !list->is_array()) return say(tr("The program's lights cannot be read."));
   std::vector<QStringList> rows;
   for (const json& light : *list)
-    if (light.is_object() && rows.size() < kMostLights) rows.push_back(rowOf(light));
+    if (light.is_object() && rows.size() < kMaxLights) rows.push_back(rowOf(light));
   message_->setVisible(rows.empty());
   if (rows.empty()) message_->setText(tr("No light shines on what is traced."));
   setRows(*lights_, rows);

@@ -13,7 +13,7 @@ namespace {
 using control::member;
 using nlohmann::json;
 
-constexpr double kMostAzimuth = 360, kMostElevation = 90;
+constexpr double kMaxAzimuth = 360, kMaxElevation = 90;
 
 }  // namespace
 
@@ -53,8 +53,8 @@ void LightDrag::take(const CallAnswer& answer, uint64_t drag) {
   if (!answer.why.empty()) {
     emit said(QString::fromStdString(answer.why));
   } else if (azimuth && elevation && azimuth->is_number() && elevation->is_number()) {
-    const LightDirection direction{std::clamp(azimuth->get<double>(), -kMostAzimuth, kMostAzimuth),
-                                   std::clamp(elevation->get<double>(), -kMostElevation, kMostElevation)};
+    const LightDirection direction{std::clamp(azimuth->get<double>(), -kMaxAzimuth, kMaxAzimuth),
+                                   std::clamp(elevation->get<double>(), -kMaxElevation, kMaxElevation)};
     movement_.send(lightValues(controls_, direction), !last);
   }
   if (last) return finish();

@@ -42,7 +42,7 @@ void LiveWindow::showTitle() {
 void LiveWindow::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (event->spontaneous()) return;
-  controls_.wantThumbnails(this, kMostThumbnail);
+  controls_.wantThumbnails(this, kMaxThumbnailPixels);
   still_.watch(true);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using control::member, control::wholeNumber;
 using nlohmann::json;
 
-constexpr int64_t kMostObject = std::numeric_limits<uint32_t>::max();
+constexpr int64_t kMaxObjectNumber = std::numeric_limits<uint32_t>::max();
 
 QString textOfNumber(double value) { return QString::number(value, 'g', 4); }
 
@@ -69,7 +69,7 @@ void pickObject(Controls& controls, const PicturePoint& at, QObject* receiver,
                   if (!answer.value.is_object())
                     return failed(QObject::tr("the program's answer cannot be read"));
                   const auto object = static_cast<uint32_t>(
-                      wholeNumber(member(answer.value, "object"), 1, kMostObject).value_or(0));
+                      wholeNumber(member(answer.value, "object"), 1, kMaxObjectNumber).value_or(0));
                   then(number, object, lineOf(object, answer.value));
                 });
 }
@@ -85,7 +85,7 @@ void focusOn(Controls& controls, const PicturePoint& at, QObject* receiver,
                   if (!answer.why.empty()) return said(QString::fromStdString(answer.why));
                   if (const json* const object = member(answer.value, "object"); object && object->is_null())
                     return said(QObject::tr("Nothing that GLuRay traces is there; the focus stays."));
-                  const auto object = wholeNumber(member(answer.value, "object"), 1, kMostObject);
+                  const auto object = wholeNumber(member(answer.value, "object"), 1, kMaxObjectNumber);
                   const auto share = shareIn(answer.value);
                   if (!object || !share) return said(QObject::tr("the program's answer cannot be read"));
                   controls.change({{"camera.focus", 0},

@@ -15,7 +15,7 @@
 namespace gluray::panel {
 namespace {
 
-constexpr int kMostHeight = 10000;  // pixels: the table gets what the editor does not need
+constexpr int kMaxHeight = 10000;  // pixels: the table gets what the editor does not need
 
 }  // namespace
 
@@ -41,7 +41,7 @@ ObjectsPage::ObjectsPage(Controls& controls, QWidget* parent)
   splitter->addWidget(above);
   splitter->addWidget(below);
   splitter->setStretchFactor(0, 1);
-  splitter->setSizes({kMostHeight, editor_->sizeHint().height()});
+  splitter->setSizes({kMaxHeight, editor_->sizeHint().height()});
   splitter->setChildrenCollapsible(false);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(message_);

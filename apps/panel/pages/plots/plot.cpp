@@ -9,7 +9,7 @@ namespace gluray::panel {
 namespace {
 
 constexpr double kHeadroom = 1.05;  // a steady line does not lie on the edge
-constexpr double kLeastNoise = 1e-6;
+constexpr double kMinNoise = 1e-6;
 
 /// The newest value, not a number: there is none.
 double newestOf(const std::deque<double>& values) { return values.empty() ? std::nan("") : values.back(); }
@@ -37,7 +37,7 @@ double Plot::topFor(const std::deque<double>& values, double least) {
 void Plot::paintLine(const std::deque<double>& values, double top, QPalette::ColorRole color) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double room = height() - 2.0, step = width() / (static_cast<double>(kMostPlotted) - 1);
+  const double room = height() - 2.0, step = width() / (static_cast<double>(kMaxPlottedEvents) - 1);
   QPainterPath path;
   bool gap = true;
   for (size_t i = 0; i < values.size(); ++i) {
@@ -88,7 +88,7 @@ void NoisePlot::stateCame() {
 void NoisePlot::paintEvent(QPaintEvent*) {
   if (!program()) return paintNothing(tr("noise"));
   QPainter(this).fillRect(rect(), palette().base());
-  const double top = topFor(program()->noise, kLeastNoise);
+  const double top = topFor(program()->noise, kMinNoise);
   paintLine(program()->passes, topFor(program()->passes, 1), QPalette::PlaceholderText);
   paintLine(program()->noise, top, QPalette::Highlight);
   paintText(Qt::AlignLeft | Qt::AlignTop, tr("noise, to %1").arg(top));

@@ -30,7 +30,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr size_t kMostConnections = 1024;
+constexpr size_t kMaxConnections = 1024;
 constexpr std::chrono::milliseconds kProofPatience{5000};
 constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
 constexpr std::chrono::milliseconds kSoonest{1};
@@ -179,8 +179,8 @@ void HubServer::Parts::acceptHere(Connection::Socket socket) {
 }
 
 bool HubServer::Parts::hasRoom() {
-  if (connections_.size() >= kMostConnections) return false;
-  if (connections_.size() + unproven_.size() >= kMostConnections) unproven_.closeOne();
+  if (connections_.size() >= kMaxConnections) return false;
+  if (connections_.size() + unproven_.size() >= kMaxConnections) unproven_.closeOne();
   return true;
 }
 
@@ -204,7 +204,7 @@ void HubServer::Parts::acceptTcp(HandshakeSocket socket, const std::string& addr
 
 void HubServer::Parts::take(Connection::Socket socket) {
   const uint64_t number = ++last_;
-  const auto connection = std::make_shared<Connection>(std::move(socket), kMostMessages);
+  const auto connection = std::make_shared<Connection>(std::move(socket), kMaxMessages);
   connections_[number] = connection;
   const std::weak_ptr<Parts> weak = weak_from_this();
   PeerLink link;

@@ -17,7 +17,7 @@ namespace {
 
 using asio::error_code;
 
-constexpr int kMostAtOnce = 64, kTcpBacklog = 64;
+constexpr int kMaxAtOnce = 64, kTcpBacklog = 64;
 constexpr std::chrono::milliseconds kWithoutDescriptors{200};
 
 std::string numericAddress(const sockaddr_storage& address, socklen_t size) {
@@ -74,7 +74,7 @@ void Listener::wait() {
 }
 
 void Listener::accept() {
-  for (int i = 0; i < kMostAtOnce && descriptor_.is_open(); ++i) {
+  for (int i = 0; i < kMaxAtOnce && descriptor_.is_open(); ++i) {
     sockaddr_storage address{};
     socklen_t size = sizeof address;
     const int socket = accept4(descriptor_.native_handle(), reinterpret_cast<sockaddr*>(&address), &size,

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr size_t kMostFileBytes = 4096, kMostFiles = 4096, kMostDisplayCharacters = 255;
+constexpr size_t kMaxFileBytes = 4096, kMaxFiles = 4096, kMaxDisplayCharacters = 255;
 constexpr int kStartField = 22;  // of /proc/PID/stat
 
 /// The process that a file's name means; 0: none.
@@ -52,7 +52,7 @@ uint64_t startOf(int pid) {
 /// Whether the file was left by an earlier process with the same number.
 bool ofEarlierProcess(const std::string& text, int pid) {
   const json content = json::parse(text, nullptr, false);
-  const auto since = wholeNumber(member(content, "since"), 1, kMostFrame);
+  const auto since = wholeNumber(member(content, "since"), 1, kMaxFrame);
   const uint64_t start = since ? startOf(pid) : 0;
   return start != 0 && static_cast<uint64_t>(*since) != start;
 }
@@ -63,9 +63,9 @@ std::string textOfFile(int directory, const std::string& name) {
   struct stat status {};
   std::string text;
   if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid()) {
-    std::array<char, kMostFileBytes + 1> bytes;
+    std::array<char, kMaxFileBytes + 1> bytes;
     const ssize_t size = read(file, bytes.data(), bytes.size());
-    if (size > 0 && static_cast<size_t>(size) <= kMostFileBytes)
+    if (size > 0 && static_cast<size_t>(size) <= kMaxFileBytes)
       text.assign(bytes.data(), static_cast<size_t>(size));
   }
   close(file);
@@ -75,8 +75,8 @@ std::string textOfFile(int directory, const std::string& name) {
 std::optional<ProgramFile> programFile(const std::string& text, int pid) {
   const json content = json::parse(text, nullptr, false);
   const auto said = wholeNumber(member(content, "pid"), 1, std::numeric_limits<int>::max());
-  const auto name = textMember(content, "name", kMostDisplayCharacters, "");
-  const auto display = textMember(content, "display", kMostDisplayCharacters, "");
+  const auto name = textMember(content, "name", kMaxDisplayCharacters, "");
+  const auto display = textMember(content, "display", kMaxDisplayCharacters, "");
   const auto window = wholeNumber(member(content, "window"), 0, std::numeric_limits<uint32_t>::max());
   if (said != pid || !name || !display || !window || (*window != 0 && display->empty())) return std::nullopt;
   return ProgramFile{pid, *name, *display, static_cast<unsigned long>(*window)};
@@ -92,7 +92,7 @@ std::vector<ProgramFile> programFiles(const std::string& directory) {
   DIR* const entries =
       fstat(folder, &status) == 0 && status.st_uid == geteuid() ? fdopendir(folder) : nullptr;
   if (!entries) return close(folder), files;
-  for (size_t seen = 0; seen < kMostFiles; ++seen) {
+  for (size_t seen = 0; seen < kMaxFiles; ++seen) {
     const dirent* const entry = readdir(entries);
     if (!entry) break;
     const std::string name = entry->d_name;

@@ -188,7 +188,7 @@ TEST_F(HubTcp, SilentConnectionsOfOneAddressKeepNobodyOut) {
   constexpr in_addr_t kFirst = INADDR_LOOPBACK, kSecond = INADDR_LOOPBACK + 1;
   start();
   std::vector<int> silent;
-  for (size_t i = 0; i < WaitingPeers::kMostOfNetwork + 16; ++i) {
+  for (size_t i = 0; i < WaitingPeers::kMaxPerNetwork + 16; ++i) {
     silent.push_back(connectTcp(kSecond));
     ASSERT_GE(silent.back(), 0);
     ASSERT_EQ(next(silent.back())["type"], "challenge") << i;
@@ -205,7 +205,7 @@ TEST_F(HubTcp, SilentConnectionsOfOneAddressKeepNobodyOut) {
 TEST_F(HubTcp, SilentConnectionsOfManyAddressesKeepNobodyOut) {
   start();
   std::vector<int> silent;
-  for (size_t i = 0; i < WaitingPeers::kMost + 16; ++i) {
+  for (size_t i = 0; i < WaitingPeers::kMax + 16; ++i) {
     silent.push_back(connectTcp(static_cast<in_addr_t>(INADDR_LOOPBACK + 2 + i % 8)));
     ASSERT_GE(silent.back(), 0);
     ASSERT_EQ(next(silent.back())["type"], "challenge") << i;
@@ -291,7 +291,7 @@ TEST(Refusals, AreForAMinuteAndBounded) {
   for (int i = 0; i < 10; ++i) refusals.failed("c", now += 30s);
   EXPECT_FALSE(refusals.refused("c", now)) << "no three within a minute";
   for (int i = 0; i < 5000; ++i) refusals.failed(std::to_string(i), now);
-  EXPECT_LE(refusals.addresses(), Refusals::kMostAddresses);
+  EXPECT_LE(refusals.addresses(), Refusals::kMaxAddresses);
 }
 
 }  // namespace

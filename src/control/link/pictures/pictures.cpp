@@ -16,7 +16,7 @@ void Pictures::take(const std::string& call, const json& id, const json& argumen
   for (const char* name : {"width", "height"})
     if (arguments.contains(name))
       return answer_(id, {{"why", std::string(name) + ": a shot has the size of its window; leave it out"}});
-  if (waiting_.size() >= kMostWaiting) return answer_(id, {{"why", "too many shots wait for a frame"}});
+  if (waiting_.size() >= kMaxWaiting) return answer_(id, {{"why", "too many shots wait for a frame"}});
   shoot(id, now);
 }
 
@@ -27,7 +27,7 @@ void Pictures::shoot(const json& id, double now) {
 
 /// Rows of a kept shot.
 json Pictures::piece(const json& arguments, double now) {
-  const auto number = wholeNumber(member(arguments, "shot"), 0, kMostFrame);
+  const auto number = wholeNumber(member(arguments, "shot"), 0, kMaxFrame);
   const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
     return number && k.number == static_cast<uint64_t>(*number);
   });
@@ -75,7 +75,7 @@ void Pictures::collect(bool slow, double now) {
   const std::unique_ptr<Picture> picture = program_.takePicture();
   if (!picture) return;
   if (picture->next && !waiting_.empty()) {
-    if (kept_.size() >= kMostKept) kept_.pop_front();
+    if (kept_.size() >= kMaxKept) kept_.pop_front();
     kept_.push_back({++shots_, rgbOf(*picture), now + kKeepSeconds});
     const RgbPicture& shot = kept_.back().picture;
     const json value{{"shot", shots_},
@@ -88,7 +88,7 @@ void Pictures::collect(bool slow, double now) {
 }
 
 void Pictures::sendThumbnail(const Picture& picture, double now) {
-  const RgbPicture small = scaledDown(picture, wish_.size, kMostPixels);
+  const RgbPicture small = scaledDown(picture, wish_.size, kMaxPixels);
   due_ = now + wish_.every;
   shown_ = picture.frame;
   asks_ = false;
@@ -104,7 +104,7 @@ void Pictures::sendThumbnail(const Picture& picture, double now) {
 bool Pictures::missesFrames(double now) {
   const SettingsSource::Begun begun = source_.begun();
   if (std::exchange(begun_, begun.frame) != begun.frame && now - askedAt_ > kSettle) askedInARow_ = 0;
-  const bool asksSoon = begun.frame != asked_ && askedInARow_ < kMostAsked;
+  const bool asksSoon = begun.frame != asked_ && askedInARow_ < kMaxDrawRequests;
   return begun.frame != shown_ && (asksSoon || now - askedAt_ >= kRarely) &&
          now - begun.active >= FrameWait::kQuiet;
 }

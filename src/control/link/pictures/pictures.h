@@ -17,7 +17,7 @@ namespace gluray::control {
 
 /// What is observed of thumbnails.
 struct ThumbnailWish {
-  static constexpr int kLeastSize = 16, kMostSize = 512, kUsualSize = 256;  // longest side in pixels
+  static constexpr int kMinSize = 16, kMaxSize = 512, kUsualSize = 256;  // longest side in pixels
   bool on = false;
   int size = kUsualSize;
   double every = 1;
@@ -29,10 +29,11 @@ class Pictures {
   static constexpr double kLook = 0.05;       // the same for thumbnails
   static constexpr double kKeepSeconds = 10;  // a shot after its last use
   static constexpr double kSettle = 1;  // frames within this time of a request to draw may be its frames
-  static constexpr int kMostAsked = 3;  // requests to draw for thumbnails, if only their frames are drawn,
+  static constexpr int kMaxDrawRequests =
+      3;                                // requests to draw for thumbnails, if only their frames are drawn,
   static constexpr double kRarely = 5;  // and none or those alone come: until the next one
-  static constexpr size_t kMostKept = 4, kMostWaiting = 16;
-  static constexpr int64_t kMostPixels = 196608;            // of a thumbnail: its message has room
+  static constexpr size_t kMaxKept = 4, kMaxWaiting = 16;
+  static constexpr int64_t kMaxPixels = 196608;             // of a thumbnail: its message has room
   static constexpr size_t kPieceBytes = size_t{600} << 10;  // of pixels, before base64
 
   /// `result` has `why` if the request is refused.

@@ -141,7 +141,7 @@ TEST_F(PicturesTest, ShotsAreForgotten) {
 TEST_F(PicturesTest, ShotsAreChecked) {
   shoot({{"width", 3}});
   EXPECT_NE(answers.back().value("why", ""), "");
-  for (size_t i = 0; i <= Pictures::kMostWaiting; ++i) shoot();
+  for (size_t i = 0; i <= Pictures::kMaxWaiting; ++i) shoot();
   EXPECT_NE(answers.back().value("why", ""), "");
   EXPECT_EQ(answers.size(), 2u);
 }
@@ -194,7 +194,7 @@ TEST_F(PicturesTest, RequestsToDrawEnd) {
     pass(0.1), ahead = now - nowSeconds();
     if (program.woken > before) frame(), ahead += 0.001, frame();
   }
-  EXPECT_LE(program.woken, Pictures::kMostAsked + 10 / Pictures::kRarely) << "in 10 s";
+  EXPECT_LE(program.woken, Pictures::kMaxDrawRequests + 10 / Pictures::kRarely) << "in 10 s";
   const int before = program.woken;
   frame(), ahead += 0.001, frame(), pass(0.2);
   EXPECT_EQ(program.woken, before + 1) << "frames of its own";

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kTag = 1;
 // MPI counts elements as int.
-constexpr size_t kMostOfMessage = size_t{1} << 30, kPieceOfBroadcast = size_t{1} << 27;
+constexpr size_t kMaxMessageBytes = size_t{1} << 30, kPieceOfBroadcast = size_t{1} << 27;
 
 void check(int result, const char* what) {
   if (result == MPI_SUCCESS) return;
@@ -116,7 +116,7 @@ std::string MpiRanks::implementation() const {
 }
 
 void MpiRanks::send(int to, std::vector<std::byte> message) {
-  if (message.size() > kMostOfMessage) throw RanksFailed("a message is larger than 1 GiB");
+  if (message.size() > kMaxMessageBytes) throw RanksFailed("a message is larger than 1 GiB");
   if (to == rank_) return toItself_.push_back(std::move(message));
   Sending& sending = sends_.emplace_back();
   sending.bytes = std::move(message);

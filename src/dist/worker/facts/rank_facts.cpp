@@ -50,20 +50,20 @@ std::string lineOf(std::string_view text, std::string_view name) {
 
 uint64_t memoryOf(std::string_view kilobytes) {
   const int64_t number = takeNumber(kilobytes);
-  constexpr int64_t kMost = int64_t{1} << 52;
-  return number >= 0 && number < kMost && kilobytes == " kB" ? static_cast<uint64_t>(number) * 1024 : 0;
+  constexpr int64_t kMax = int64_t{1} << 52;
+  return number >= 0 && number < kMax && kilobytes == " kB" ? static_cast<uint64_t>(number) * 1024 : 0;
 }
 
 int countCores(std::string_view list) {
-  constexpr int64_t kMost = 1 << 20;
+  constexpr int64_t kMax = 1 << 20;
   int64_t count = 0;
   for (;;) {
     const int64_t first = takeNumber(list);
     int64_t last = first;
     if (list.starts_with('-')) list.remove_prefix(1), last = takeNumber(list);
-    if (first < 0 || last < first || last >= kMost) return 0;
+    if (first < 0 || last < first || last >= kMax) return 0;
     count += last - first + 1;
-    if (list.empty()) return count <= kMost ? static_cast<int>(count) : 0;
+    if (list.empty()) return count <= kMax ? static_cast<int>(count) : 0;
     if (!list.starts_with(',')) return 0;
     list.remove_prefix(1);
   }

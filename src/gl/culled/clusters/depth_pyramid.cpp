@@ -12,7 +12,7 @@ namespace gluray::gl {
 namespace {
 
 constexpr int kFirstShift = 1, kFirst = 1 << kFirstShift;
-constexpr int kMostValues = 5;  // along each axis that farthest() looks at
+constexpr int kMaxValues = 5;  // along each axis that farthest() looks at
 
 int halved(int size) { return (size + 1) / 2; }
 
@@ -73,7 +73,7 @@ float DepthPyramid::farthest(int x0, int y0, int x1, int y1) const {
   int shift = kFirstShift;
   size_t l = 0;
   while (l + 1 < levels_.size() &&
-         ((x1 >> shift) - (x0 >> shift) >= kMostValues || (y1 >> shift) - (y0 >> shift) >= kMostValues))
+         ((x1 >> shift) - (x0 >> shift) >= kMaxValues || (y1 >> shift) - (y0 >> shift) >= kMaxValues))
     ++shift, ++l;
   const Level& level = levels_[l];
   float most = 0;

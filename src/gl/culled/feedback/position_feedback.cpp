@@ -9,7 +9,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint64_t kMostOfVertices = uint64_t{1} << 30, kMostOfInstances = uint64_t{1} << 28;  // bytes
+constexpr uint64_t kMaxVertexBytes = uint64_t{1} << 30, kMaxInstanceBytes = uint64_t{1} << 28;  // bytes
 
 /// Whether the program feeds back vertices itself.
 bool isFeedingBack(const RealGl& real) {
@@ -25,7 +25,7 @@ bool PositionFeedback::works(const RealGl& real) {
 
 bool PositionFeedback::isPossible(uint32_t first, uint32_t end, uint32_t instances) {
   if (end <= first || end > uint32_t{1} << 30) return false;
-  const uint64_t most = (instances > 1 ? kMostOfInstances : kMostOfVertices) / kStride;
+  const uint64_t most = (instances > 1 ? kMaxInstanceBytes : kMaxVertexBytes) / kStride;
   return uint64_t{end - first} * instances <= most;
 }
 

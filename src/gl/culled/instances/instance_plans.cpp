@@ -60,13 +60,13 @@ bool CulledDraws::areFewAndLarge(const InstanceUnits& units, const CulledMesh& m
 
 /// Draws of one mesh are told apart by their arrays; programs may make new ones in each frame.
 CulledDraws::History& CulledDraws::historyOf(Known& known, const Hash128& arrays) {
-  constexpr size_t kMost = 256;
+  constexpr size_t kMax = 256;
   std::vector<History>& all = known.instanced;
   const uint64_t now = p_.clock.frame;
   auto found = std::ranges::find(all, arrays, &History::arrays);
   if (found == all.end()) {
     found = std::ranges::min_element(all, {}, &History::lastFrame);
-    if (found == all.end() || (found->lastFrame >= now && all.size() < kMost)) found = all.emplace(all.end());
+    if (found == all.end() || (found->lastFrame >= now && all.size() < kMax)) found = all.emplace(all.end());
   }
   found->arrays = arrays, found->lastFrame = now;
   return *found;

@@ -10,7 +10,7 @@ namespace {
 
 using Factors = std::array<double, 5>;
 
-constexpr size_t kMostTerms = 128;
+constexpr size_t kMaxTerms = 128;
 
 double sizeOf(const Factors& factors, const Factors& magnitudes) {
   double sum = 0;
@@ -25,7 +25,7 @@ bool isFinite(const Linear& l) {
 }
 
 Linear checked(Linear l) {
-  return isFinite(l) && l.terms.size() <= kMostTerms ? std::move(l) : Linear::unknown();
+  return isFinite(l) && l.terms.size() <= kMaxTerms ? std::move(l) : Linear::unknown();
 }
 
 void addTimes(Factors& to, const Factors& more, double sign) {

@@ -134,7 +134,7 @@ Opacity AlphaSlice::opacity(const UniformSource& uniforms, const Varyings& varyi
     const glsl::Linear& alpha = color.components[3];
     const glsl::Range range = rangeOf(alpha);
     result.exact = alpha.isConstant() && alpha.exact && alpha.value() == 1;
-    result.opaque = result.exact || (range.number && range.low >= Opacity::kLeast);
+    result.opaque = result.exact || (range.number && range.low >= Opacity::kMin);
   } catch (const std::runtime_error&) { return {}; }
   if (result.opaque) result.ones = std::move(ones);
   return result;

@@ -66,12 +66,12 @@ using Varyings = std::map<std::string, std::vector<VaryingComponent>, std::less<
 
 /// What is known of the alpha of all fragments that are not discarded.
 struct Opacity {
-  /// At least kLeast, if max(), min() and clamp() of a NaN and a number return the number.
+  /// At least kMin, if max(), min() and clamp() of a NaN and a number return the number.
   bool opaque = false;
   bool exact = false;                    // 1, to the bit
   std::vector<AttributeComponent> ones;  // where these are 1 at all vertices
 
-  static constexpr double kLeast = 0.999;  // 255 where a byte holds it
+  static constexpr double kMin = 0.999;  // 255 where a byte holds it
 };
 
 /// gl_Position = (clipFromAttribute + all terms) * attribute.

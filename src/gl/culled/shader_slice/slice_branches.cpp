@@ -9,7 +9,7 @@
 namespace gluray::gl::glsl {
 namespace {
 
-constexpr int kMostStepsOfBranch = 4000;
+constexpr int kMaxBranchSteps = 4000;
 constexpr size_t kValuesOfAStep = 64;  // that are copied in the time of a step
 
 /// Whether it may leave a loop that is around it, or go to its next turn.
@@ -99,11 +99,11 @@ SliceRun::Flow SliceRun::conditional(const Statement& s) {
   const std::optional<bool> chosen = truth(evaluate(*s.expression));
   if (chosen) return branch(s.parts[*chosen ? 0 : 1]);
   if (jumps(s)) return forgetAssigned(s), Flow::on;
-  if (mostSteps_ < kMostSteps) return bothBranches(s);
+  if (mostSteps_ < kMaxSteps) return bothBranches(s);
   const State before = keep();
   const size_t depth = frames_.size();
   try {
-    const StepLimit limit(mostSteps_, std::min(kMostSteps - 1, steps_ + kMostStepsOfBranch));
+    const StepLimit limit(mostSteps_, std::min(kMaxSteps - 1, steps_ + kMaxBranchSteps));
     return bothBranches(s);
   } catch (const TooLong&) {
     frames_.resize(depth);

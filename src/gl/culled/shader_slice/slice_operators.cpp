@@ -26,9 +26,9 @@ std::optional<int> order(const Linear& a, const Linear& b) {
 
 Linear integerOperator(std::string_view op, const Linear& a, const Linear& b) {
   if (!a.isConstant() || !b.isConstant()) return Linear::unknown();
-  constexpr double kMost = 1 << 30;
+  constexpr double kMax = 1 << 30;
   const double x = a.value(), y = b.value();
-  if (std::abs(x) > kMost || std::abs(y) > kMost) return Linear::unknown();
+  if (std::abs(x) > kMax || std::abs(y) > kMax) return Linear::unknown();
   const auto i = static_cast<int64_t>(x), j = static_cast<int64_t>(y);
   int64_t result = 0;
   if (op == "+")
@@ -53,7 +53,7 @@ Linear integerOperator(std::string_view op, const Linear& a, const Linear& b) {
     result = i >> j;
   else
     return Linear::unknown();
-  if (std::abs(static_cast<double>(result)) > kMost) return Linear::unknown();
+  if (std::abs(static_cast<double>(result)) > kMax) return Linear::unknown();
   return Linear::constant(static_cast<double>(result));
 }
 

@@ -53,7 +53,7 @@ void SliceRun::tick() {
   constexpr size_t kStackReserve = size_t{24} << 10;
   if (stackLeft() < kStackReserve) give("the shader nests too deeply for the thread's stack");
   if (++steps_ <= mostSteps_) return;
-  if (mostSteps_ < kMostSteps) throw TooLong();
+  if (mostSteps_ < kMaxSteps) throw TooLong();
   give("the shader runs for too long");
 }
 

@@ -37,7 +37,7 @@ class SliceRun {
 
  private:
   static constexpr int kDeepestCalls = 32;
-  static constexpr int kMostSteps = 200'000;
+  static constexpr int kMaxSteps = 200'000;
   enum class Flow { on, leave, next, result };
   /// A part of a function may or may not be executed, and ends the function.
   struct Unfollowed {};
@@ -130,7 +130,7 @@ class SliceRun {
   std::vector<InstanceColumn> instanceColumns_;
   int instanceNumbers_ = 0;
   std::vector<Frame> frames_;
-  int steps_ = 0, mostSteps_ = kMostSteps;
+  int steps_ = 0, mostSteps_ = kMaxSteps;
 };
 
 }  // namespace gluray::gl::glsl

@@ -9,7 +9,7 @@ namespace {
 
 using Base = Shape::Base;
 
-constexpr size_t kMostElements = 4096;
+constexpr size_t kMaxElements = 4096;
 constexpr size_t kDrawBuffers = 8;
 
 }  // namespace
@@ -59,9 +59,9 @@ Value SliceRun::attributeValue(const Global& global) {
 }
 
 Value SliceRun::instanceValue(const std::string& name, const Shape& shape) {
-  constexpr int kMostNumbers = 255;
+  constexpr int kMaxNumbers = 255;
   Value v = Value::unknown(shape);
-  if (instanceNumbers_ + shape.size() > kMostNumbers) return v;
+  if (instanceNumbers_ + shape.size() > kMaxNumbers) return v;
   for (int c = 0; c < shape.columns; ++c) instanceColumns_.push_back({name, c, shape.rows});
   for (Linear& l : v.components) l = Linear::ofInstance(++instanceNumbers_);
   return v;
@@ -116,7 +116,7 @@ const Struct* SliceRun::structNamed(std::string_view name) const {
 std::optional<size_t> SliceRun::sizeOf(const TypeName& type, size_t dimension) {
   if (!type.sizes[dimension]) return std::nullopt;
   const std::optional<long> size = integerOf(evaluate(*type.sizes[dimension]));
-  if (!size || *size < 1 || *size > static_cast<long>(kMostElements)) return std::nullopt;
+  if (!size || *size < 1 || *size > static_cast<long>(kMaxElements)) return std::nullopt;
   return static_cast<size_t>(*size);
 }
 

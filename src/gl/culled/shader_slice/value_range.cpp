@@ -12,11 +12,11 @@ constexpr double kRoughly = 1.0 / (1 << 10);      // relative, of a transcendent
 
 /// With bounds moved outwards by `rounding`, relatively, and by the least normal number.
 Range widened(double low, double high, bool number, double rounding = kOneRounding) {
-  constexpr double kMost = std::numeric_limits<float>::max(), kLeast = std::numeric_limits<float>::min();
-  low -= rounding * std::abs(low) + (low == 0 ? 0 : kLeast);
-  high += rounding * std::abs(high) + (high == 0 ? 0 : kLeast);
-  if (!(low > -kMost)) low = -kInfinity;  // also if it is no number
-  if (!(high < kMost)) high = kInfinity;
+  constexpr double kMax = std::numeric_limits<float>::max(), kMin = std::numeric_limits<float>::min();
+  low -= rounding * std::abs(low) + (low == 0 ? 0 : kMin);
+  high += rounding * std::abs(high) + (high == 0 ? 0 : kMin);
+  if (!(low > -kMax)) low = -kInfinity;  // also if it is no number
+  if (!(high < kMax)) high = kInfinity;
   return {low, high, number};
 }
 

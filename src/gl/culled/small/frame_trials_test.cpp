@@ -103,7 +103,7 @@ class SimulatedProgram {
   FrameTrials::Load last_;
 };
 
-constexpr double kMostShare = 1.03;   // of the plain program's time, in any second or so
+constexpr double kMaxShare = 1.03;    // of the plain program's time, in any second or so
 constexpr size_t kWindowFrames = 64;  // frames
 
 const auto kHiddenLate = [](double at) { return at > 0.2; };
@@ -129,7 +129,7 @@ TEST(FrameTrials, CostNextToNothingWhereItDoesNotPay) {
       EXPECT_FALSE(program.trials.pays());
       EXPECT_GT(program.culled(), 5) << "it is tried";
       EXPECT_LT(program.culled(), 60) << "more and more rarely";
-      EXPECT_LT(program.worst(kWindowFrames), kMostShare) << capture << ", boxes " << build;
+      EXPECT_LT(program.worst(kWindowFrames), kMaxShare) << capture << ", boxes " << build;
       EXPECT_LT(program.worst(5000, 1000), 1.002);
     }
 }
@@ -140,7 +140,7 @@ TEST(FrameTrials, CostLittleWhereSomeIsHiddenButNotEnough) {
       SimulatedProgram program;
       program.draw({.capture = 0.09, .overlap = overlap, .hidden = [=](double at) { return at > from; }},
                    6000);
-      EXPECT_LT(program.worst(kWindowFrames), kMostShare) << from << ", overlap " << overlap;
+      EXPECT_LT(program.worst(kWindowFrames), kMaxShare) << from << ", overlap " << overlap;
     }
 }
 
@@ -149,7 +149,7 @@ TEST(FrameTrials, WaitForBoxesThatTakeLong) {
   const SimulatedScene scene{.build = 0.3, .hidden = kHiddenLate, .contents = SimulatedProgram::kDraws};
   program.draw(scene, 60);
   EXPECT_EQ(program.culled(), 0);
-  EXPECT_LT(program.worst(40), kMostShare);
+  EXPECT_LT(program.worst(40), kMaxShare);
   program.draw(scene, 240);
   EXPECT_TRUE(program.trials.pays());
 }
@@ -158,7 +158,7 @@ TEST(FrameTrials, GiveUpWhereContentsAlwaysChange) {
   SimulatedProgram program;
   program.draw({.hidden = kHiddenLate, .changes = true}, 4000);
   EXPECT_EQ(program.culled(), 0);
-  EXPECT_LT(program.worst(kWindowFrames), kMostShare);
+  EXPECT_LT(program.worst(kWindowFrames), kMaxShare);
 }
 
 TEST(FrameTrials, LeaveFewOrLightDrawsAlone) {
@@ -189,7 +189,7 @@ TEST(FrameTrials, FollowScenesThatChange) {
   EXPECT_TRUE(program.trials.pays());
   program.draw(costs, 300);
   EXPECT_FALSE(program.trials.pays()) << "draws that are not hidden any more end it soon";
-  EXPECT_LT(program.worst(kWindowFrames), kMostShare);
+  EXPECT_LT(program.worst(kWindowFrames), kMaxShare);
   program.draw(pays, 600);
   EXPECT_TRUE(program.trials.pays());
   // So little is hidden that it costs, but less than ends a frame.
@@ -204,7 +204,7 @@ TEST(FrameTrials, CostLittleWhereTheLoadAlwaysChanges) {
     SimulatedProgram program;
     for (int i = 0; i < 4000 / each; ++i)
       program.draw({.capture = 0.06, .vertices = i % 2 ? 1e6 : 4e6}, each);
-    EXPECT_LT(program.worst(kWindowFrames), kMostShare) << each;
+    EXPECT_LT(program.worst(kWindowFrames), kMaxShare) << each;
   }
 }
 

@@ -37,14 +37,14 @@ class LookSchedule {
     if (!adapts_) return void(since_ = 0);
     double& work = work_[std::min(next_, kLooks - 1)];
     work = due();
-    if (wastedSeconds > kFactor * lookSeconds) work = std::max(work / 2, kLeast);
-    if (wastedSeconds < lookSeconds / kFactor) work = std::min(2 * work, kMost);
+    if (wastedSeconds > kFactor * lookSeconds) work = std::max(work / 2, kMin);
+    if (wastedSeconds < lookSeconds / kFactor) work = std::min(2 * work, kMax);
     ++next_, since_ = 0;
   }
 
  private:
-  static constexpr size_t kLooks = 32;                               // of a frame, that are told apart
-  static constexpr double kFirst = 4096, kLeast = 512, kMost = 1e9;  // vertices
+  static constexpr size_t kLooks = 32;                            // of a frame, that are told apart
+  static constexpr double kFirst = 4096, kMin = 512, kMax = 1e9;  // vertices
   static constexpr double kFactor = 2;
   static constexpr unsigned kForgotten = 128;  // frames
 

@@ -7,7 +7,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostEntries = 8;
+constexpr size_t kMaxEntries = 8;
 constexpr uint64_t kManyRuns = 256;  // of the shader; then they must be rare among the draws
 
 /// Notes what is read, and keeps some uniforms unknown.
@@ -75,7 +75,7 @@ PlacedPositions::Entry& PlacedPositions::runAgain(const CurrentUniforms& uniform
     }
   }
   if (!entry) entry = run(uniforms, symbolic_);
-  if (entries_.size() == kMostEntries) entries_.pop_back();
+  if (entries_.size() == kMaxEntries) entries_.pop_back();
   entries_.insert(entries_.begin(), std::move(*entry));
   return entries_.front();
 }

@@ -72,7 +72,7 @@ TEST_F(BuiltInMatch, OtherUniformsDoNot) {
 }
 
 TEST_F(BuiltInMatch, BuiltInUniformsAreStrangersToOtherFamilies) {
-  const FamilyList list = parseFamilies(kLeast, "x.toml");
+  const FamilyList list = parseFamilies(kMin, "x.toml");
   Program program = programOf({{"m", GL_FLOAT_MAT4}}, {{"p", GL_FLOAT_VEC3}});
   program.builtInUniforms["gl_ModelViewMatrix"] = GL_FLOAT_MAT4;
   const Lines found = obstacles(real_, program, *list.front(), list.code);

@@ -11,7 +11,7 @@ namespace gluray::gl {
 namespace {
 
 TEST(CodeSections, ReadsNamedSectionsOfStatements) {
-  const FamilyList list = parseFamilies(kLeast +
+  const FamilyList list = parseFamilies(kMin +
                                             "match.code = [\"one\", \"two\"]\n"
                                             "[[code]]\nname = \"one\"\nstatements = \"a = 1.0; b = 2.0;\"\n"
                                             "[[code]]\nname = \"one\"\nstatements = \"b = 2.; c;\"\n",
@@ -21,8 +21,8 @@ TEST(CodeSections, ReadsNamedSectionsOfStatements) {
   EXPECT_EQ(list.code.at("one").size(), 3u);
   EXPECT_TRUE(list.code.at("one").has(hashOf("a=1.;")));
   EXPECT_FALSE(list.code.at("one").has(hashOf("a=2.;")));
-  EXPECT_TRUE(parseFamilies(kLeast, "x.toml").at(0)->code.empty());
-  EXPECT_TRUE(parseFamilies(kLeast + "match.code = \"any\"\n", "x.toml").at(0)->code.empty());
+  EXPECT_TRUE(parseFamilies(kMin, "x.toml").at(0)->code.empty());
+  EXPECT_TRUE(parseFamilies(kMin + "match.code = \"any\"\n", "x.toml").at(0)->code.empty());
 
   EXPECT_EQ(mistake("[[code]]\nstatements = \"a;\"\n"), "x.toml:1: code needs a name");
   EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements, blocks or shaders");
@@ -35,7 +35,7 @@ TEST(CodeSections, ReadsNamedSectionsOfStatements) {
 
 TEST(CodeSections, ReadsBlocksAndWrittenNames) {
   FamilyList list = parseFamilies(
-      kLeast + "[[code]]\nname = \"one\"\nblocks = \"a; b;\\n\\n\\nb; c;\"\nwritten = [\"v\", \"w\"]\n",
+      kMin + "[[code]]\nname = \"one\"\nblocks = \"a; b;\\n\\n\\nb; c;\"\nwritten = [\"v\", \"w\"]\n",
       "x.toml");
   EXPECT_EQ(list.code.at("one").size(), 3u);
   EXPECT_EQ(list.code.at("one").blocks().size(), 2u);
@@ -56,16 +56,16 @@ TEST(CodeSections, ReadsDigestsOfShaders) {
 }
 
 TEST(CodeSections, AppendMergesSectionsOfOneName) {
-  FamilyList list = parseFamilies(kLeast + "[[code]]\nname = \"one\"\nstatements = \"a;\"\n", "x.toml");
+  FamilyList list = parseFamilies(kMin + "[[code]]\nname = \"one\"\nstatements = \"a;\"\n", "x.toml");
   list.append(parseFamilies("[[code]]\nname = \"one\"\nstatements = \"b;\"\n", "y.toml"));
-  list.append(parseFamilies(kLeast, "z.toml"));
+  list.append(parseFamilies(kMin, "z.toml"));
   EXPECT_EQ(list.size(), 2u);
   EXPECT_EQ(list.code.at("one").size(), 2u);
 }
 
 TEST(CodeSections, FamiliesMustNameExistingSections) {
   const std::string code = "match.code = [\"one\", \"tow\"]\n[[code]]\nname = \"one\"\nstatements = \"a;\"\n";
-  FamilyList list = parseFamilies(kLeast + code, "x.toml");
+  FamilyList list = parseFamilies(kMin + code, "x.toml");
   const auto wrong = [&](const CodeSections& known) -> std::string {
     try {
       needSections(list, known);

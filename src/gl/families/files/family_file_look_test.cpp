@@ -36,7 +36,7 @@ TEST(FamilyFileLook, FogKeys) {
 }
 
 TEST(FamilyFileLook, FogMistakes) {
-  const auto inFog = [](const std::string& lines) { return mistake(kLeast + kEye + lines); };
+  const auto inFog = [](const std::string& lines) { return mistake(kMin + kEye + lines); };
   EXPECT_EQ(inFog("fog.end = 1\n"), "x.toml:7: fog needs a color");
   EXPECT_EQ(inFog("fog.color = 1\nfog.end = 1\n"), "x.toml:7: linear fog needs end, and start or scale");
   EXPECT_EQ(inFog("fog.color = 1\nfog.end = 1\nfog.start = 0\nfog.scale = 1\n"),
@@ -174,12 +174,12 @@ TEST(FamilyFileLook, FogWhoseModeAUniformNames) {
       parsed(kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.end = 1\nfog.scale = 1\nfog.density = 1\n");
   EXPECT_EQ(f.fog.modeFrom, "m");
   EXPECT_TRUE(f.mentions("m"));
-  EXPECT_EQ(mistake(kLeast + kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.end = 1\nfog.scale = 1\n"),
+  EXPECT_EQ(mistake(kMin + kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.end = 1\nfog.scale = 1\n"),
             "x.toml:7: exponential fog, and no other, needs density");
-  EXPECT_EQ(mistake(kLeast + kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.density = 1\n"),
+  EXPECT_EQ(mistake(kMin + kEye + "fog.color = 1\nfog.mode_from = \"m\"\nfog.density = 1\n"),
             "x.toml:7: linear fog needs end, and start or scale");
   EXPECT_EQ(
-      mistake(kLeast + kEye + "fog.color = 1\nfog.end = 1\nfog.scale = 1\nfog.distance = \"absolute_z\"\n"),
+      mistake(kMin + kEye + "fog.color = 1\nfog.end = 1\nfog.scale = 1\nfog.distance = \"absolute_z\"\n"),
       "x.toml:1: family \"f\": fog.distance is for programs with gl_Vertex");
 }
 

@@ -17,7 +17,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMostCorners = 36;  // of a box: two triangles for each side
+constexpr size_t kMaxCorners = 36;  // of a box: two triangles for each side
 
 /// What all corners of a billboard have in common.
 struct CornerValues {
@@ -77,13 +77,13 @@ std::vector<uint32_t> allNumbersOf(const RealGl& real, const ArrayState& arrays,
 }
 
 /// The corners of a billboard that starts at numbers[0], in the order of the draw.
-using CornerPattern = std::array<uint8_t, kMostCorners>;
+using CornerPattern = std::array<uint8_t, kMaxCorners>;
 
 /// Reads one billboard. False unless all of its vertices agree and are the corners of `pattern`.
 bool readBillboard(const Billboards& from, std::span<const uint32_t> numbers, const CornerPattern& pattern,
                    CornerValues& values) {
   values = from.at(numbers[0]);
-  std::array<uint32_t, kMostCorners> known;
+  std::array<uint32_t, kMaxCorners> known;
   size_t count = 0;
   for (size_t k = 0; k < numbers.size(); ++k) {
     if (from.cornerOf(numbers[k]) != pattern[k]) return false;
@@ -229,8 +229,8 @@ bool showsSticks(const RealGl& real, const State& state, const scene::Mesh& mesh
     if (program.impostors.parallelView) {
       // Seen along its axis, a cylinder has no equation that the program could solve.
       const glm::dvec3 axis = glm::normalize(turn * (glm::dvec3(b) - glm::dvec3(a)));
-      constexpr double kLeast = 1e-4;
-      if (glm::length(glm::dvec2(axis)) < kLeast) return false;
+      constexpr double kMin = 1e-4;
+      if (glm::length(glm::dvec2(axis)) < kMin) return false;
       continue;
     }
     ZRange own;

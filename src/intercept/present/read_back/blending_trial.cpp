@@ -19,7 +19,7 @@ using gl::RealGl;
 
 constexpr int kWidth = 512;  // two colours for each that a byte holds: itself, and the middle to the next one
 
-/// A row each for alphas from gl::Opacity::kLeast to infinity, and for those that need the number of a number
+/// A row each for alphas from gl::Opacity::kMin to infinity, and for those that need the number of a number
 /// and a NaN.
 constexpr const char* kRows = R"(#version 150
 uniform float nan, zero;
