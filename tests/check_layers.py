@@ -10,6 +10,9 @@ import re
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tools"))
+from command_line import Parser  # noqa: E402
+
 # The rooms that each room under src/ may include.
 ALLOWED = {
     "base": set(),
@@ -161,14 +164,16 @@ def self_test():
 
 
 def main():
-    if sys.argv[1:] == ["--self-test"]:
+    parser = Parser(__doc__)
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("root", nargs="?", type=pathlib.Path, metavar="ROOT")
+    what.add_argument("--self-test", action="store_true")
+    given = parser.parse_args()
+    if given.self_test:
         found = self_test()
         print(f"{len(PLANTED)} violations planted")
-    elif len(sys.argv) == 2:
-        found = list(violations(pathlib.Path(sys.argv[1])))
     else:
-        print(__doc__, file=sys.stderr)
-        return 2
+        found = list(violations(given.root))
     print("\n".join(found) if found else "no violations")
     return 1 if found else 0
 

@@ -19,6 +19,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "tools"))
+from command_line import Parser  # noqa: E402
 
 
 def output(*command: str, **more) -> str:
@@ -107,7 +108,10 @@ CHECKS = {"exports": exports, "preload-exports": preload_exports, "no-constructo
           "without-integrators": without_integrators}
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3 or sys.argv[1] not in CHECKS:
-        sys.exit(__doc__)
-    if problem := CHECKS[sys.argv[1]](*sys.argv[2:]):
-        sys.exit(f"{sys.argv[2]}: {problem}")
+    parser = Parser(__doc__)
+    parser.add_argument("check", metavar="CHECK", choices=CHECKS)
+    parser.add_argument("library", metavar="LIBRARY")
+    parser.add_argument("names", metavar="NAMES", nargs="*")
+    given = parser.parse_args()
+    if problem := CHECKS[given.check](given.library, *given.names):
+        sys.exit(f"{given.library}: {problem}")

@@ -12,6 +12,7 @@ from __future__ import annotations
 import pathlib
 import sys
 
+import command_line
 import coverage
 import doors
 import glxml
@@ -57,18 +58,24 @@ static_assert(sizeof(RealGl) == kCommandCount * sizeof(void*));
 
 
 def main(arguments: list[str]) -> int:
+    parser = command_line.Parser(__doc__)
+    chosen = parser.add_mutually_exclusive_group(required=True)
+    chosen.add_argument("out", nargs="?", type=pathlib.Path, metavar="OUTPUT_DIR")
+    chosen.add_argument("--coverage", type=pathlib.Path, metavar="FILE")
+    chosen.add_argument("--check-coverage", type=pathlib.Path, metavar="FILE")
+    given = parser.parse_args(arguments)
     commands = glxml.desktop_gl()
     table = policy.policies(commands, policy.read_rows())
     served_by = policy.canonical(commands, table)
-    if arguments[0] == "--coverage":
-        write(pathlib.Path(arguments[1]), coverage.page(commands, table, served_by))
+    if given.coverage:
+        write(given.coverage, coverage.page(commands, table, served_by))
         return 0
-    if arguments[0] == "--check-coverage":
-        if pathlib.Path(arguments[1]).read_text() == coverage.page(commands, table, served_by):
+    if given.check_coverage:
+        if given.check_coverage.read_text() == coverage.page(commands, table, served_by):
             return 0
-        print(f"{arguments[1]} is stale: run python3 tools/generate.py --coverage {arguments[1]}", file=sys.stderr)
+        print(f"{given.check_coverage} is stale: run python3 tools/generate.py --coverage {given.check_coverage}", file=sys.stderr)
         return 1
-    out = pathlib.Path(arguments[0])
+    out = given.out
     write(out / "gl/real_gl.gen.h", real_gl(commands))
     for i, text in enumerate(stubs.shards(commands, table, served_by)):
         write(out / f"intercept/stubs_{i:02}.gen.cpp", HEADER + text)

@@ -8,11 +8,12 @@ Prints each statement once, with how many programs have it: what a [[code]] sect
 look at what it computes. --with: only of programs whose source holds all these texts (`--with vertexMC lightColor0`).
 `gluray explain` names the unknown statements of programs that fit a family otherwise.
 """
-import argparse
 import collections
 import pathlib
 import re
 import sys
+
+from command_line import Parser
 
 TOKEN = re.compile(r"[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\w*|\n|[^\sA-Za-z_0-9]")
 PLAIN = re.compile(r"(in|out|varying|attribute) ((highp|mediump|lowp) )?\w+ \w+(\[\w*\])?(,\w+(\[\w*\])?)*;")
@@ -100,7 +101,7 @@ def matters(statement):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--code", default=ROOT / "spec/programs/vtk_code.toml", type=pathlib.Path)
     parser.add_argument("--with", dest="texts", nargs="+", default=[])
     parser.add_argument("folders", nargs="+", type=pathlib.Path)

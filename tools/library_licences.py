@@ -7,12 +7,12 @@ The text of LIBRARY goes to licences/LIBRARY.txt. It is the copyright file of th
 """
 from __future__ import annotations
 
-import argparse
 import pathlib
 import shutil
 import subprocess
 import sys
 
+from command_line import Parser
 from private_libraries import NAME_SUFFIX, Unsupported, find
 
 
@@ -27,7 +27,7 @@ def package_of(library: pathlib.Path) -> str | None:
 
 
 def main(arguments: list[str]) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--copies", type=pathlib.Path, required=True)
     parser.add_argument("--licences", type=pathlib.Path, required=True)
     parser.add_argument("--search", type=pathlib.Path, nargs="*", default=[])

@@ -12,11 +12,12 @@ Format: System V ABI, chapters 4 and 5; DT_GNU_HASH as the GNU C library reads i
 """
 from __future__ import annotations
 
-import argparse
 import pathlib
 import struct
 import subprocess
 import sys
+
+from command_line import Parser
 
 NAME_SUFFIX, SYMBOL_SUFFIX = "-gluray", ".gluray"
 # Those of the process: exceptions, memory and threads pass between it and the library.
@@ -261,7 +262,7 @@ def closure(library: Elf, folders: list[pathlib.Path], shared: list[str]) -> dic
 
 
 def main(arguments: list[str]) -> None:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--library", type=pathlib.Path, required=True)
     parser.add_argument("--folder", type=pathlib.Path, required=True)
     parser.add_argument("--search", type=pathlib.Path, nargs="*", default=[])

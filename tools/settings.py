@@ -9,10 +9,10 @@ Files are only rewritten when their content changes, so that builds stay increme
 """
 from __future__ import annotations
 
-import argparse
 import pathlib
 import sys
 
+import command_line
 import settings_cpp
 import settings_pages
 import settings_rows
@@ -25,12 +25,14 @@ def write(path: pathlib.Path, text: str) -> None:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = command_line.Parser(__doc__)
     parser.add_argument("out", nargs="?", type=pathlib.Path)
     parser.add_argument("--pages", type=pathlib.Path, metavar="ROOT")
     parser.add_argument("--check", type=pathlib.Path, metavar="ROOT")
     parser.add_argument("--spec", type=pathlib.Path, default=settings_rows.SPEC)
     options = parser.parse_args()
+    if not (options.out or options.pages or options.check):
+        parser.error("nothing to do: name OUTPUT_DIR, --pages ROOT or --check ROOT")
     rows = settings_rows.read(options.spec)
     if options.out:
         write(options.out / "settings/settings.gen.h", settings_cpp.structs(rows))

@@ -18,6 +18,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 from demo import camera_path  # noqa: E402
 from support.display import NoDisplay, display  # noqa: E402
+from support.options import Parser  # noqa: E402
 
 WINDOW_CLASS = "osgViewer"
 SIZE = 1024  # pixels, both ways
@@ -168,8 +169,7 @@ def print_result(plain, traced, report_file):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="scripts/demo", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/demo")
     parser.add_argument("--osg", action="store_true", help="osgviewer instead of ParaView (display lists, fixed function)")
     parser.add_argument("--gui", action="store_true", help="open the ParaView window as well")
     parser.add_argument("--volume", default="/usr/share/mricron/templates/ch2better.nii.gz", help="NIfTI-1 head scan")

@@ -1,14 +1,27 @@
-"""Run by Debian's Python with VTK: draws one of scenes.py off screen into a PNG: python3 draw.py SCENE OUT.png [PIXELS]."""
+"""Run by Debian's Python with VTK: draws one of scenes.py off screen into a PNG."""
 import os
 import sys
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [HERE, os.path.join(HERE, "..")]
+from support.options import Parser  # noqa: E402
+
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("scene", help="name in scenes.py")
+    parser.add_argument("out", metavar="OUT.png")
+    parser.add_argument("pixels", nargs="?", type=int, default=512, help="width and height (512)")
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
 import vtk  # noqa: E402
 from scenes import SCENES  # noqa: E402
 
 
-def main(scene, out, size=512):
+def main(scene, out, size):
     actors, (position, up, zoom) = SCENES[scene]()
     renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
     for actor in actors:
@@ -16,7 +29,7 @@ def main(scene, out, size=512):
     renderer.SetBackground(1, 1, 1)
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(0)
-    window.SetSize(int(size), int(size))
+    window.SetSize(size, size)
     window.AddRenderer(renderer)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(position)
@@ -33,4 +46,4 @@ def main(scene, out, size=512):
     writer.Write()
 
 
-main(*sys.argv[1:])
+main(OPTIONS.scene, OPTIONS.out, OPTIONS.pixels)

@@ -3,7 +3,6 @@
 
 python3 bench/guide/pictures.py [--build build/release] [--only NAME] [--pixels 420]
 """
-import argparse
 import os
 import pathlib
 import subprocess
@@ -13,6 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "bench"))
 sys.dont_write_bytecode = True
 from support.display import NoDisplay, display  # noqa: E402
+from support.options import Parser  # noqa: E402
 
 OUT = ROOT / "docs" / "guide" / "light"
 PATIENCE = 900  # seconds for one picture
@@ -60,7 +60,7 @@ def draw(build, name, pixels, screen):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = Parser(__doc__)
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release")
     parser.add_argument("--only", choices=sorted(PICTURES), help="make this picture alone")
     parser.add_argument("--pixels", type=int, default=420, help="width and height")

@@ -1,10 +1,21 @@
-"""Draws Table 1 and Figures 7 and 8 of a result as SVG: python3 figures.py RESULT.json FOLDER. Needs matplotlib."""
+"""Draws Table 1 and Figures 7 and 8 of a result as SVG. Needs matplotlib."""
 import json
 import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from support.options import Parser  # noqa: E402
+
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("result", type=pathlib.Path, metavar="RESULT.json")
+    parser.add_argument("folder", type=pathlib.Path, help="of the SVG files")
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
 import matplotlib  # noqa: E402
 
 matplotlib.use("svg")
@@ -100,14 +111,13 @@ def table1(rows):
 
 
 def main(result_file, folder):
-    rows = json.loads(pathlib.Path(result_file).read_text())["rows"]
+    rows = json.loads(result_file.read_text())["rows"]
     for name, draw in (("table1", table1), ("figure7", figure7), ("figure8", figure8)):
         figure = draw(rows)
         if figure:
             figure.tight_layout()
-            figure.savefig(pathlib.Path(folder) / f"{name}.svg", metadata={"Date": None})
+            figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
             print(name)
 
 
-if __name__ == "__main__":
-    main(*sys.argv[1:3])
+main(OPTIONS.result, OPTIONS.folder)

@@ -2,7 +2,6 @@
 
 Imported by paraview_program.py (within pvbatch) and vtk_program.py (within Debian's Python), both with VTK's numpy support.
 """
-import argparse
 import json
 import math
 import os
@@ -20,18 +19,6 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 MAGIC = b"GLuRay mesh 1\n\0\0"
 ELEVATION = math.radians(35.26)
 IDLE_S = 0.1  # between the frames of a program that hardly moves
-
-
-def arguments(argv=None):
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--mesh", required=True)
-    parser.add_argument("--distance", type=float, default=669.2)
-    parser.add_argument("--frames", type=int, default=60)
-    parser.add_argument("--seconds", type=float, default=2)
-    parser.add_argument("--warm", type=float, default=0)
-    parser.add_argument("--size", type=int, default=1024)
-    parser.add_argument("--dump")
-    return parser.parse_args(argv)
 
 
 def read_mesh(path):

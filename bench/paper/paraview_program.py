@@ -4,12 +4,14 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import program_options  # noqa: E402
+
+OPTIONS = program_options.arguments(__doc__)  # before the imports of what a machine may lack
 import measured_frames  # noqa: E402
 from paraview import simple  # noqa: E402
 
 
-def main():
-    options = measured_frames.arguments()
+def main(options):
     simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = [options.size, options.size]
@@ -44,4 +46,4 @@ def main():
         simple.SaveScreenshot(options.dump, view, ImageResolution=[options.size, options.size])
 
 
-main()
+main(OPTIONS)

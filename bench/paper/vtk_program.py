@@ -4,12 +4,14 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import program_options  # noqa: E402
+
+OPTIONS = program_options.arguments(__doc__)  # before the imports of what a machine may lack
 import measured_frames  # noqa: E402
 import vtk  # noqa: E402
 
 
-def main():
-    options = measured_frames.arguments()
+def main(options):
     mesh = measured_frames.read_mesh(options.mesh)
     mapper, actor, renderer, window = vtk.vtkPolyDataMapper(), vtk.vtkActor(), vtk.vtkRenderer(), vtk.vtkRenderWindow()
     mapper.SetInputData(mesh)
@@ -47,4 +49,4 @@ def main():
         writer.Write()
 
 
-main()
+main(OPTIONS)

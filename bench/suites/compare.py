@@ -3,10 +3,11 @@
 Compares rows of the same name number by number and prints NEW/OLD, and differences in machine and versions. OLD and NEW are
 files, or names of files in bench/results/.
 """
-import argparse
 import json
 import pathlib
 import sys
+
+from support.options import Parser
 
 RESULTS = pathlib.Path(__file__).resolve().parent.parent / "results"
 NAMES = ("suite", "stream", "program", "scene", "path", "millions", "look", "ranks", "repeated")  # the keys that identify a row
@@ -71,7 +72,7 @@ def compare(old, new):
 
 
 def main(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench compare", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench compare")
     parser.add_argument("old")
     parser.add_argument("new")
     options = parser.parse_args(argv)

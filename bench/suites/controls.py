@@ -5,7 +5,6 @@ a frame with the value begins; the same with 200 programs that only speak the pr
 time while a client observes it as the panel does; a slider that moves faster than the program draws; and the panel's start. What is
 compared is measured in turn; figures are medians. They go to bench/results/NAME.json.
 """
-import argparse
 import contextlib
 import pathlib
 import shlex
@@ -16,6 +15,7 @@ import time
 from support import machine, running
 from support.display import display
 from support.map_time import Maps
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -27,7 +27,7 @@ MOVED_SECONDS = 3
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench controls", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench controls")
     parser.add_argument("--rounds", type=int, default=7, help="rounds, each measuring everything once (7)")
     parser.add_argument("--name", default="controls", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")

@@ -4,13 +4,13 @@
 time from before buffers or list are made to after the first image has been shown. Each round starts each way once, in turn forwards and backwards.
 Medians of the times, and of the ratios of the rounds. Results go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 import statistics
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -18,7 +18,7 @@ SCENES = {"shader": ["--spheres", "12"], "waves": ["--spheres", "12"], "list": [
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench first", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench first")
     parser.add_argument("--sizes", default="0.1,1,4,16", help="millions of triangles (0.1,1,4,16)")
     parser.add_argument("--path", default="shader", choices=tuple(SCENES), help="waves: the vertex shader moves vertices; list: a display list")
     parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring every way once (5)")

@@ -5,13 +5,13 @@ round by round, so that other load on the machine affects all of them; results a
 program first draws ten frames a second until the better structure is in use, as in long use; the first image is that of
 the fast structure. Results go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 import sys
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -22,8 +22,7 @@ RAY_FRAMES = {1: 72, 4: 48, 16: 36, 64: 24}
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench frames", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench frames")
     parser.add_argument("--large", action="store_true", help="64 million triangles too (needs about 16 GB)")
     parser.add_argument("--quick", action="store_true", help="1 million triangles, one round: a minute in all")
     parser.add_argument("--sizes", help="millions of triangles, for instance 1,4")

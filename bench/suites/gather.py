@@ -5,7 +5,6 @@ worker run on this machine, so that they share its cores: this is what gathering
 cross ranks), gather, and gather with a ground, whose pictures are traced twice. One rank is one process without workers, with the ground if
 the kind has one. Results go to bench/results/NAME.json. Needs python3-paraview and Open MPI.
 """
-import argparse
 import json
 import os
 import pathlib
@@ -19,6 +18,7 @@ import time
 
 from support import machine
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -30,7 +30,7 @@ KINDS = {"off": [], "gather": ["gather=on"], "gather, ground": ["gather=on", *GR
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench gather", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench gather")
     parser.add_argument("--sizes", default=",".join(SIZES), help=f"some of {','.join(SIZES)}")
     parser.add_argument("--ranks", default="1,2,4", help="numbers of ranks (1,2,4)")
     parser.add_argument("--frames", type=int, default=5)

@@ -5,7 +5,6 @@ peak of resident memory, and its time from start to end. stacks: the smallest st
 with which the program ends well and draws what it draws with 4 MB. Medians of the rounds. EGL
 without a display. Results go to bench/results/NAME.json.
 """
-import argparse
 import os
 import pathlib
 import re
@@ -15,6 +14,7 @@ import subprocess
 import time
 
 from support import machine
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -25,7 +25,7 @@ STACKS = range(24, 264, 8)  # kB
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench host", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench host")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--name", default="host", help="name of the result file")

@@ -4,7 +4,6 @@ The Wavelet's isosurfaces in our client, the camera in orbit. Before each frame 
 long as tracing its frames took without lag; it swaps and continues. Measures lag off, on and auto in turn, round by
 round; results are medians of whole runs. They go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 import statistics
@@ -12,6 +11,7 @@ import sys
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -19,8 +19,7 @@ MODES = ["off", "on", "auto"]
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench lag", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench lag")
     parser.add_argument("--sizes", default="1,4", help="millions of triangles (1,4)")
     parser.add_argument("--rounds", type=int, default=5, help="rounds, each measuring everything once (5)")
     parser.add_argument("--frames", type=int, default=60, help="frames of one run (60)")

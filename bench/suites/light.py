@@ -5,18 +5,18 @@ alone and with a soft shadow beside it. Ways are traced in turn, frame by frame;
 pixels that hit something, against a picture of 1024 samples. Needs no display. Without options, all of it: about a quarter of an hour on four
 idle cores. Results go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 
 from support import machine, programs
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench light", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench light")
     parser.add_argument("--sizes", default="1,4,16,64", help="millions of triangles (1,4,16,64)")
     parser.add_argument("--lines", type=int, default=48000, help="lines as tubes (48000); 0: none")
     parser.add_argument("--quick", action="store_true", help="one million unless --sizes says otherwise, fewer frames, 256 samples")

@@ -4,12 +4,12 @@ meshes: 10,000 display lists of 1,012 different triangles each, called one by on
 100,000 places; lists: 100 lists of 1,012 triangles, made for one frame and deleted after it, all different from the last frame's.
 Measures both in turn, round by round; results are medians. They go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -19,8 +19,7 @@ INTERACTIVE = 20  # frames a second
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench many", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench many")
     parser.add_argument("--kinds", default=",".join(KINDS), help=f"some of {','.join(KINDS)}")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)

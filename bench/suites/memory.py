@@ -7,12 +7,12 @@ are in use, "peak" the highest since the program began to send; both exclude the
 libraries, and for immediate its mesh: "before"). "structures": acceleration structures; "sent": bytes of buffers sent to the real
 OpenGL. Runs follow one another; each is ended if the machine has less than 1.5 GB left. Results go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -24,8 +24,7 @@ LEAST_FREE = 1.5e9
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench memory", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench memory")
     parser.add_argument("--rows", default="16:vbo-pieces,16:list-pieces,16:immediate,64:vbo-pieces,64:list-pieces,64:immediate,256:vbo-pieces",
                         help="millions of triangles and path of each row")
     parser.add_argument("--bvh", default="auto", help="acceleration structures, several separated by commas")

@@ -4,7 +4,6 @@ Google Benchmark programs: gluray-bench-micro (the library's parts) and gluray-b
 0.87 million triangles and 1024x1024 pixels. Medians of five repetitions, with their lowest and highest. Results go to
 bench/results/NAME.json.
 """
-import argparse
 import json
 import os
 import pathlib
@@ -13,6 +12,7 @@ import statistics
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -52,7 +52,7 @@ def rows_of(said, path):
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench micro", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench micro")
     parser.add_argument("--only", default=".", help="regular expression of the benchmarks' names, for instance write_back")
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="threads of Mesa (all)")
     parser.add_argument("--name", default="micro", help="name of the result file")

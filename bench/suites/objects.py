@@ -6,7 +6,6 @@ objects, of which most are out of its view. The plain program and the program wi
 Medians; a way is compared with the plain program's frames of the same numbers. What trials of auto cost is in the frames before that: from the first second until auto is measured, all frames are compared with the plain program's
 frames of the same numbers, as a whole, and the worst few seconds of them. Results go to bench/results/NAME.json.
 """
-import argparse
 import functools
 import itertools
 import pathlib
@@ -15,6 +14,7 @@ import statistics
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -25,7 +25,7 @@ WORST_S = 5  # of the plain program: the windows of which the worst is told
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench objects", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench objects")
     parser.add_argument("--scenes", default=",".join(SCENES), help=f"of {', '.join(SCENES)} (all)")
     parser.add_argument("--rows", default="23,7", help="rows of the balls, of 2 * rows * (rows - 1) triangles (23,7)")
     parser.add_argument("--frames", type=int, default=20, help="frames to measure in each run (20)")

@@ -5,12 +5,12 @@ GLuRay's moving frames. At rest: passes of one path a pixel until the picture is
 pixels that hit something, each against its own reference. `green` is the mean of the references' green: both are about as bright.
 Where the distribution has OSPRay 3 (Debian 13: libospray-dev). Needs no display. Results go to bench/results/NAME.json.
 """
-import argparse
 import json
 import pathlib
 import shlex
 
 from support import machine, programs
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -20,7 +20,7 @@ REST = ["--until", 35, "--renderer", "pathtracer", "--set", "integrator=path", "
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench ospray", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench ospray")
     parser.add_argument("--sizes", default="1,4", help="millions of triangles (1,4)")
     parser.add_argument("--reference", type=int, default=256, help="passes of the references (256)")
     parser.add_argument("--threads", type=int, default=2)

@@ -7,7 +7,6 @@ interrupted run resumes; another build starts again.
 The small version, a fortieth of the paper's sizes, takes up to ten minutes on two cores; --full takes hours and uses all
 available memory.
 """
-import argparse
 import json
 import os
 import pathlib
@@ -20,6 +19,7 @@ import time
 from paper import engines, page, plan, results, store
 from support import machine, programs
 from support.display import NoDisplay, display
+from support.options import Parser
 from support.telling import end_by_exception
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -27,7 +27,7 @@ PYTHONS = (sys.executable, "/usr/bin/python3")  # where matplotlib may be
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench paper", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench paper")
     parser.add_argument("--full", action="store_true", help="the paper's sizes, within available memory")
     parser.add_argument("--scale", type=float, help="sizes of Table 1 relative to the paper's (small: 1/40, full: 1)")
     parser.add_argument("--sizes", help="millions of triangles of Figures 7 and 8, for instance 1,4")

@@ -3,19 +3,19 @@
 The Wavelet's isosurfaces, 1024x1024, ambient occlusion and paths. PSNR is that of pixels that hit something, against a picture of 1024 samples.
 Times of guides and smoothing are shares of one pass. Needs no display. Results go to bench/results/NAME.json.
 """
-import argparse
 import pathlib
 import shlex
 
 from suites.light import figures_of
 from support import machine, programs
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench refine", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench refine")
     parser.add_argument("--sizes", default="1", help="millions of triangles (1)")
     parser.add_argument("--reference", type=int, default=1024, help="samples of the picture to compare with")
     parser.add_argument("--threads", type=int, default=2)

@@ -11,7 +11,6 @@ The Wavelet's isosurfaces, 1024x1024, an orbit of one degree a frame. Needs no d
   simulation  measures tiles, the head's work and messages, then SIMULATES the job's protocol on 1 to 1024 ranks. NAME_simulated.json
   figure      docs/scaling.svg from the results
 """
-import argparse
 import json
 import pathlib
 import shlex
@@ -21,6 +20,7 @@ from scale import figure, simulation, worker_jobs
 from scale.links import links
 from suites.light import figures_of
 from support import machine, programs
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -32,7 +32,7 @@ SIMULATED_RANKS = [2**power for power in range(11)]
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench scale", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench scale")
     parser.add_argument("--sizes", default="1,4", help="millions of triangles (1,4); the simulation takes the first")
     parser.add_argument("--ranks", default="1,2,4,8", help="numbers of ranks that are measured (1,2,4,8)")
     parser.add_argument("--parts", default=",".join(PARTS), help=f"which parts ({','.join(PARTS)})")

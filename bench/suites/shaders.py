@@ -5,13 +5,13 @@ cull.draws = always, and with auto take turns, round by round. Medians. Scenes: 
 Wavelet's isosurfaces. With --light: ambient occlusion over them (light.rasterised), and over the same surfaces by fixed function, which are traced, each
 with and without it. Results go to bench/results/NAME.json.
 """
-import argparse
 import itertools
 import pathlib
 import shlex
 
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -21,7 +21,7 @@ STEP = 1.5  # degrees
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench shaders", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench shaders")
     parser.add_argument("--sizes", default="0.1,1,4", help=f"millions of triangles, of {', '.join(map(str, FRAMES))} (0.1,1,4)")
     parser.add_argument("--scenes", default="spheres", help=f"of {', '.join(SCENES)} (spheres)")
     parser.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")

@@ -18,6 +18,7 @@ import tempfile
 from suites import micro
 from support import machine, programs
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -29,8 +30,7 @@ LOOKS = ["surface", "edges", "translucent", "summed"]
 
 
 def arguments(argv):
-    parser = argparse.ArgumentParser(prog="scripts/bench versions", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__, prog="scripts/bench versions")
     parser.add_argument("old", type=pathlib.Path)
     parser.add_argument("new", type=pathlib.Path)
     parser.add_argument("--groups", default=",".join(GROUPS), help=f"some of {','.join(GROUPS)} (all)")

@@ -1,21 +1,32 @@
 """A NIfTI-1 scan as a MetaImage, which ParaView reads without plugins. Run with an interpreter that has numpy.
-
-usage: nifti.py SCAN.nii[.gz] OUT.mhd [SMOOTH]
-SMOOTH: passes of a (1 2 1)/4 filter along each axis, so that surfaces of a scan of small integers have no steps (2).
 """
 import gzip
 import pathlib
 import struct
 import sys
 
-import numpy
+sys.path.append(str(pathlib.Path(__file__).resolve().parent))
+from options import Parser  # noqa: E402
+
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("scan", type=pathlib.Path, metavar="SCAN.nii[.gz]")
+    parser.add_argument("out", type=pathlib.Path, metavar="OUT.mhd")
+    parser.add_argument("smooth", nargs="?", type=int, default=2,
+                        help="passes of a (1 2 1)/4 filter along each axis, so that surfaces of a scan of small integers have no steps (2)")
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
+import numpy  # noqa: E402
 
 TYPES = {2: "u1", 4: "i2", 8: "i4", 16: "f4", 64: "f8", 256: "i1", 512: "u2"}
 
 
 def read(path):
     """(values as a [z, y, x] array of floats, spacing x y z in millimetres)."""
-    data = pathlib.Path(path).read_bytes()
+    data = path.read_bytes()
     if data[:2] == b"\x1f\x8b":
         data = gzip.decompress(data)
     order = "<" if struct.unpack_from("<i", data)[0] == 348 else ">"
@@ -39,10 +50,9 @@ def smoothed(values, passes):
     return values
 
 
-def main():
-    values, spacing = read(sys.argv[1])
-    values = smoothed(values, int(sys.argv[3]) if len(sys.argv) > 3 else 2)
-    header = pathlib.Path(sys.argv[2])
+def main(scan, header, passes):
+    values, spacing = read(scan)
+    values = smoothed(values, passes)
     raw = header.with_suffix(".raw")
     raw.write_bytes(values.astype("<f4").tobytes())
     depth, height, width = values.shape
@@ -51,4 +61,4 @@ def main():
                       f"ElementByteOrderMSB = False\nElementDataFile = {raw.name}\n")
 
 
-main()
+main(OPTIONS.scan, OPTIONS.out, OPTIONS.smooth)

@@ -1,11 +1,11 @@
 """Programs measured with their own OpenGL and with GLuRay, in turn: options, rows, table and result file of such suites."""
-import argparse
 import pathlib
 import shlex
 import sys
 
 from support import machine, programs, stub_time
 from support.display import display
+from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -13,8 +13,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 def parser(suite, description, sizes, what):
     """The options of a suite; `sizes` its usual ones in millions of `what`."""
-    options = argparse.ArgumentParser(prog=f"scripts/bench {suite}", description=description,
-                                      formatter_class=argparse.RawDescriptionHelpFormatter)
+    options = Parser(description, prog=f"scripts/bench {suite}")
     options.add_argument("--sizes", default=sizes, help=what)
     options.add_argument("--rounds", type=int, default=3, help="rounds, each measuring everything once (3)")
     options.add_argument("--threads", type=int, default=2, help="threads of llvmpipe and GLuRay (2)")

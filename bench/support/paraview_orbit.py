@@ -1,19 +1,37 @@
 """Run by pvbatch: contours of ParaView's Wavelet source, an orbit of the camera around them; prints one line of JSON.
 
-usage: pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE [WARM]]]
-LOOK: surface, edges, translucent (peeled) or summed (translucent without peeling). SOURCE, a NIfTI or other file that ParaView
-reads, replaces the Wavelet; ISOVALUES is then one value. "frame_s" is the median of FRAMES frames; WARM: seconds of orbit before
-them, whose frames are "early_frame_s".
+"frame_s" is the median of FRAMES frames.
 """
 import json
 import math
 import os
+import pathlib
 import resource
 import statistics
 import sys
 import time
 
-from paraview import simple
+sys.path.append(str(pathlib.Path(__file__).resolve().parent))
+from options import Parser  # noqa: E402
+
+LOOKS = ("surface", "edges", "translucent", "summed")
+
+
+def arguments():
+    parser = Parser(__doc__, usage="pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE [WARM]]]")
+    parser.add_argument("isovalues", type=float, help="number of isosurfaces; with SOURCE one value")
+    parser.add_argument("frames", type=int)
+    parser.add_argument("size", type=int, help="pixels of the picture, both ways")
+    parser.add_argument("picture", nargs="?", default="-", help="PNG file of the first frame; -: none (-)")
+    parser.add_argument("look", nargs="?", default="surface", metavar="LOOK or SOURCE",
+                        help="LOOK: surface, edges, translucent (peeled) or summed (translucent without peeling). "
+                             "SOURCE: a NIfTI or other file that ParaView reads, in place of the Wavelet (surface)")
+    parser.add_argument("warm", nargs="?", type=float, default=0, help='seconds of orbit before the frames that count, "early_frame_s" (0)')
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
+from paraview import simple  # noqa: E402
 
 
 def resident():
@@ -72,12 +90,9 @@ def style(display, look, source):
         simple.GetSettingsProxy("RenderViewSettings").DepthPeeling = int(look == "translucent")
 
 
-def main():
-    count, frames, size = float(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
-    picture = sys.argv[4] if len(sys.argv) > 4 and sys.argv[4] != "-" else None
-    last = sys.argv[5] if len(sys.argv) > 5 else "surface"
-    look, source = (last, None) if last in ("surface", "edges", "translucent", "summed") else ("surface", last)
-    warm = float(sys.argv[6]) if len(sys.argv) > 6 else 0
+def main(options):
+    count, frames, size = options.isovalues, options.frames, options.size
+    look, source = (options.look, None) if options.look in LOOKS else ("surface", options.look)
     simple._DisableFirstRenderCameraReset()
     view = simple.CreateView("RenderView")
     view.ViewSize = [size, size]
@@ -104,16 +119,16 @@ def main():
         window.WaitForCompletion()
         return time.perf_counter() - start
 
-    early, end = [], time.perf_counter() + warm
+    early, end = [], time.perf_counter() + options.warm
     while time.perf_counter() < end:
         early.append(frame_time(len(early)))
     times = [frame_time(number) for number in range(frames)]
     place(0)
-    if picture:
-        simple.SaveScreenshot(picture, view, ImageResolution=[size, size])
+    if options.picture != "-":
+        simple.SaveScreenshot(options.picture, view, ImageResolution=[size, size])
     print(json.dumps({"triangles": triangles, "first_image_s": first, **({"early_frame_s": statistics.median(early)} if early else {}),
                       "frame_s": statistics.median(times), "build_s": 0, "rss_bytes": resident() - before,
                       "peak_bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}), flush=True)
 
 
-main()
+main(OPTIONS)

@@ -1,16 +1,27 @@
-"""Run by Debian's Python with VTK: a cloud of spheres by VTK's sphere mapper, an orbit of the camera; prints one line of JSON.
-
-usage: python3 sphere_orbit.py SPHERES FRAMES SIZE
-"""
+"""Run by Debian's Python with VTK: a cloud of spheres by VTK's sphere mapper, an orbit of the camera; prints one line of JSON."""
 import json
 import os
+import pathlib
 import resource
 import sys
 import time
 
-import numpy as np
-import vtk
-from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+sys.path.append(str(pathlib.Path(__file__).resolve().parent))
+from options import Parser  # noqa: E402
+
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("spheres", type=int)
+    parser.add_argument("frames", type=int)
+    parser.add_argument("size", type=int, help="pixels of the picture, both ways")
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
+import numpy as np  # noqa: E402
+import vtk  # noqa: E402
+from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray  # noqa: E402
 
 
 def resident():
@@ -32,8 +43,7 @@ def cloud(count):
     return data, 0.43 * count ** (-1 / 3)
 
 
-def main():
-    count, frames, size = map(int, sys.argv[1:4])
+def main(count, frames, size):
     data, radius = cloud(count)
     mapper, actor, renderer, window = vtk.vtkOpenGLSphereMapper(), vtk.vtkActor(), vtk.vtkRenderer(), vtk.vtkRenderWindow()
     mapper.SetInputData(data)
@@ -64,4 +74,4 @@ def main():
                       "peak_bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024}), flush=True)
 
 
-main()
+main(OPTIONS.spheres, OPTIONS.frames, OPTIONS.size)

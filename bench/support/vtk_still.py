@@ -1,16 +1,26 @@
-"""Run by python3 with VTK: a sphere, drawn so many times turned by a degree each, and so many times unchanged; prints one line of JSON.
-
-usage: vtk_still.py RESOLUTION FRAMES [SAMPLES]
-"""
+"""Run by python3 with VTK: a sphere, drawn so many times turned by a degree each, and so many times unchanged; prints one line of JSON."""
 import json
+import pathlib
 import sys
 import time
 
-import vtk
+sys.path.append(str(pathlib.Path(__file__).resolve().parent))
+from options import Parser  # noqa: E402
 
 
-def main():
-    resolution, frames = int(sys.argv[1]), int(sys.argv[2])
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("resolution", type=int, help="of the sphere, both ways")
+    parser.add_argument("frames", type=int)
+    parser.add_argument("samples", nargs="?", type=int, default=0, help="of the window, each pixel (0)")
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
+import vtk  # noqa: E402
+
+
+def main(resolution, frames, samples):
     source, mapper, actor = vtk.vtkSphereSource(), vtk.vtkPolyDataMapper(), vtk.vtkActor()
     source.SetThetaResolution(resolution)
     source.SetPhiResolution(resolution)
@@ -18,7 +28,7 @@ def main():
     actor.SetMapper(mapper)
     renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
     window.SetSize(1024, 1024)
-    window.SetMultiSamples(int(sys.argv[3]) if len(sys.argv) > 3 else 0)
+    window.SetMultiSamples(samples)
     window.AddRenderer(renderer)
     renderer.AddActor(actor)
     renderer.ResetCamera()
@@ -39,4 +49,4 @@ def main():
                       "unchanged_ms": [b for _, b in rounds]}))
 
 
-main()
+main(OPTIONS.resolution, OPTIONS.frames, OPTIONS.samples)

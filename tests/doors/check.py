@@ -14,6 +14,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
+
 FRAMES, TRIANGLES, QUERIES = 10, 50, 20
 
 
@@ -24,7 +27,7 @@ def launch(options: argparse.Namespace, report: str) -> list[str]:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--door", choices=["auto", "vendor", "preload", "both"], required=True)
     parser.add_argument("--rounds", type=int, default=1, help="how many times the program draws its ten frames")

@@ -6,12 +6,14 @@ At most 0.5 % of the pixels may differ by more than 8 of 255, and something must
 """
 from __future__ import annotations
 
-import argparse
 import json
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
 
 DIFFERENT, SHARE = 8, 0.005
 SKIPPED = 77
@@ -35,7 +37,7 @@ def differing(a: bytes, b: bytes) -> int:
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--door", choices=["vendor", "preload"], required=True)
     parser.add_argument("program", nargs="+")

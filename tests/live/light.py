@@ -5,7 +5,6 @@
 Occlusion darkens what stands close together and nothing else: no pixel may become brighter, and some must become darker. Needs an X server of
 its own (tests/doors/with_display.py). Leaves NAME-plain.png and NAME-ao.png in FOLDER. Exit code 77: the program is not installed.
 """
-import argparse
 import dataclasses
 import pathlib
 import sys
@@ -34,7 +33,7 @@ def check(name, plain, lit, report):
 
 
 def main():
-    given, program, out = run.begin(argparse.ArgumentParser())
+    given, program, out = run.begin(run.Parser(__doc__))
     program = dataclasses.replace(program, frame=FRAMES.get(given.name, program.frame))
     launcher, place = [str(pathlib.Path(given.gluray).resolve())], out / f"{given.name}-light.home"
     plain, _ = run.run(program, launcher, given.freeze, place)

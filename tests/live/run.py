@@ -5,7 +5,6 @@
 Needs an X server of its own (tests/doors/with_display.py). Leaves NAME-off.png, NAME-on.png, NAME-difference.png (eight
 times as bright) and NAME.json in FOLDER. Exit code 77: the program is not installed.
 """
-import argparse
 import json
 import os
 import pathlib
@@ -24,6 +23,9 @@ except ImportError:
 
 import pictures
 import programs
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
 
 START_SECONDS = 100  # until the picture is there, on a busy machine
 REPORT_SECONDS = 20  # until its frame is in the report: the disk may be slow
@@ -162,7 +164,7 @@ def begin(parser):
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = Parser(__doc__)
     parser.add_argument("--shading", default="vertex")
     parser.add_argument("--door", default="auto")
     given, program, out = begin(parser)

@@ -15,6 +15,9 @@ import sys
 import tempfile
 import time
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import package_mirrors  # noqa: E402
+
 SKIPPED = 77
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -159,21 +162,23 @@ def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) ->
 class CleanRoot:
     """A minimal Debian in a folder."""
 
-    def __init__(self, folder: pathlib.Path):
-        self.folder = folder
+    def __init__(self, folder: pathlib.Path, mirror: str):
+        self.folder, self.mirror = folder, mirror
         self.mounts: list[pathlib.Path] = []
 
     def make(self) -> None:
         release = run("sh", "-c", ". /etc/os-release; echo $VERSION_CODENAME").stdout.strip()
-        run("debootstrap", "--variant=minbase", "--include=ca-certificates", release, self.folder, "http://deb.debian.org/debian")
+        proxy = package_mirrors.proxy(self.mirror)
+        run("debootstrap", "--variant=minbase", "--include=ca-certificates", release, self.folder, self.mirror,
+            env={**os.environ, "http_proxy": proxy, "https_proxy": proxy})
         for name in ("proc", "dev"):
             target = self.folder / name
             run("mount", "--bind", f"/{name}", target)
             self.mounts.append(target)
         shutil.copy("/etc/resolv.conf", self.folder / "etc/resolv.conf")
-        if pathlib.Path("/etc/apt/apt.conf.d").is_dir():  # may configure a proxy
-            for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*prox*"):
-                shutil.copy(file, self.folder / "etc/apt/apt.conf.d")
+        if proxy:
+            lines = [f'Acquire::{scheme}::Proxy "{proxy}";\n' for scheme in ("http", "https")]
+            (self.folder / "etc/apt/apt.conf.d/90proxy").write_text("".join(lines))
 
     def run(self, *command: str) -> str:
         return run("chroot", self.folder, "env", "DEBIAN_FRONTEND=noninteractive", "HOME=/root",
@@ -196,8 +201,12 @@ def in_root(build: pathlib.Path, folder: pathlib.Path) -> int:
     if os.geteuid() != 0 or not shutil.which("debootstrap"):
         print("package: needs root and debootstrap")
         return SKIPPED
+    mirrors = os.environ.get("GLURAY_MIRROR", "").split() or package_mirrors.mirrors(pathlib.Path("/etc"))
+    if not mirrors:
+        print("package: no package source of this system names a mirror of its release")
+        return SKIPPED
     package = make_package(build, folder / "cpack")
-    root = CleanRoot(folder / "root")
+    root = CleanRoot(folder / "root", mirrors[0])
     try:
         root.make()
         shutil.copy(package, root.folder / "gluray.deb")

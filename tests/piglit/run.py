@@ -4,7 +4,6 @@ part of tests' names. Suites: opengl_1 (tests of OpenGL 1.x), later (all others 
 
 Every result is a test's or a subtest's. Tests that fail only with GLuRay are printed and kept in FOLDER with the output of both runs; the exit status is
 1 then, and 77 where piglit is not installed. Such a test is run once more by itself, because machines under load are slow."""
-import argparse
 import ast
 import concurrent.futures
 import dataclasses
@@ -17,6 +16,9 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
 
 FIRST = re.compile(r"spec@!opengl 1\.[0-5]@")
 OTHERS = re.compile(r"(egl|wgl)@|@egl|@(arb|ext|khr|mesa)_image|dma_buf")  # not of this door
@@ -116,7 +118,7 @@ def compare(test, prefix, root):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--suite", choices=SUITES, default="opengl_1")

@@ -7,7 +7,6 @@ cannot do that, the frames after the first are timed: the time of the whole stre
 measures both ways one after the other, and the medians of the turns count; glretrace's own work is in both. NAME is a stream
 of this folder, or the path of another recording without its ".trace", such as one with more frames than ours.
 """
-import argparse
 import json
 import os
 import pathlib
@@ -19,6 +18,9 @@ import sys
 import tempfile
 
 import streams
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
 
 HERE = pathlib.Path(__file__).parent
 SHORT = 5  # for very short streams, measurements for each of --turns
@@ -64,7 +66,7 @@ class Stream:
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--engine", default="auto")
     parser.add_argument("--frames", type=int, default=1000)

@@ -1,4 +1,4 @@
-"""Records the call streams of this folder again: record.py [NAME ...]; needs an X server of its own.
+"""Records the call streams of this folder again: record.py [NAME ...]; needs an X server of its own (tests/doors/with_display.py).
 
 Each program runs under apitrace until its picture is there, and the trace is cut to its first frames. A stream is kept
 only if it stays under a megabyte; values that a program took from clocks or random numbers are then fixed in the stream.
@@ -15,9 +15,11 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "live"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import models  # noqa: E402
 import pictures  # noqa: E402
 import programs  # noqa: E402
+from command_line import Parser  # noqa: E402
 
 SMALL = dict(around=120, across=14)
 HACK_SIZE = ["--window", "--geometry", "400x400+20+20"]
@@ -106,5 +108,15 @@ def record(name):
         print(name, f"{kept.stat().st_size / 1e6:.3f} of {raw.stat().st_size / 1e6:.3f} MB")
 
 
-for chosen in sys.argv[1:] or STREAMS:
-    record(chosen)
+def main():
+    parser = Parser(__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(STREAMS)} (all)")
+    given = parser.parse_args()
+    if unknown := [name for name in given.names if name not in STREAMS]:
+        parser.error(f"no stream '{unknown[0]}'")
+    for name in given.names or STREAMS:
+        record(name)
+
+
+if __name__ == "__main__":
+    main()

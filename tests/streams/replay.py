@@ -5,7 +5,6 @@
 Needs an X server of its own (tests/doors/with_display.py). Where a frame differs, NAME-DOOR-FRAME-off.png, -on.png and
 -difference.png are left in FOLDER; NAME.json always. Exit code 77: apitrace is not installed.
 """
-import argparse
 import json
 import os
 import pathlib
@@ -22,8 +21,10 @@ except ImportError:
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "live"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import pictures  # noqa: E402
 import streams  # noqa: E402
+from command_line import Parser  # noqa: E402
 
 BEYOND = 0.005  # share of a frame's pixels that may differ by more than 8 of 255
 SECONDS = 120
@@ -77,7 +78,7 @@ def check(name, door, plain, seen, report, out):
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", required=True)
     parser.add_argument("--door", choices=["auto", "vendor", "preload"], action="append", help="through this one (auto)")

@@ -7,7 +7,6 @@ program, of whatever groups they are. Compared are the share of pixels that diff
 from all surfaces, every pixel. For a state that fails both pictures, their difference (eight times as bright) and NAME.json are in
 FOLDER/failed. Prints a table; FOLDER/LABEL.json holds it too. Exit code 77: ParaView or VTK is not installed.
 """
-import argparse
 import json
 import pathlib
 import sys
@@ -20,9 +19,11 @@ except ImportError:
     sys.exit(77)
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import batch  # noqa: E402
 import pictures  # noqa: E402
 import registry  # noqa: E402
+from command_line import Parser  # noqa: E402
 
 DEPTH = 1e-4   # window depths that differ by more count as different
 # Counts that must stay 0 while only the camera moves.
@@ -167,7 +168,7 @@ def print_table(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", required=True)
     parser.add_argument("--group", default="")

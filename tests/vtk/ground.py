@@ -2,8 +2,8 @@
 
 Draws the same scene in child processes, one for each choice of settings, and compares their pictures."""
 
-import argparse
 import os
+import pathlib
 import subprocess
 import sys
 
@@ -13,6 +13,8 @@ try:
     from vtk.util.numpy_support import vtk_to_numpy
 except ImportError:
     sys.exit(77)
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
 
 SIZE = 200
 LIGHT = ["shadows=on", "shadows.size=0", "lights=sun", "lights.elevation=60"]
@@ -63,7 +65,7 @@ def check(condition, what):
 
 
 def main():
-    parser = argparse.ArgumentParser()
+    parser = Parser(__doc__)
     parser.add_argument("--gluray")
     parser.add_argument("--out")
     parser.add_argument("--draw")

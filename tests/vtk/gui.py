@@ -5,7 +5,6 @@
 Needs an X server of its own (tests/doors/with_display.py). Leaves gui-NUMBER-off.png, -on.png and -difference.png in
 FOLDER. Exit code 77: ParaView or xdotool is not installed.
 """
-import argparse
 import json
 import pathlib
 import shutil
@@ -21,8 +20,10 @@ except ImportError:
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "live"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import batch  # noqa: E402
 import pictures  # noqa: E402
+from command_line import Parser  # noqa: E402
 
 BEYOND = 0.005      # share of the window's pixels that may differ by more than 8 of 255: it shows lines and text over surfaces
 START_SECONDS = 100  # until the script has run, on a machine that is busy with other things
@@ -90,7 +91,7 @@ def run(launcher, folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", required=True)
     given = parser.parse_args()

@@ -7,7 +7,6 @@ surfaces alone: window depth, and pixels away from all surfaces where depth show
 occlusion may only darken. The pictures must show the effect. Pictures of states that fail are in FOLDER/failed. Exit code 77: ParaView or VTK is not
 installed.
 """
-import argparse
 import dataclasses
 import pathlib
 import sys
@@ -19,9 +18,11 @@ except ImportError:
     sys.exit(77)
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import batch  # noqa: E402
 import pictures  # noqa: E402
 import registry  # noqa: E402
+from command_line import Parser  # noqa: E402
 from compare import MARGIN, grown, keep_failure, read_png  # noqa: E402
 
 APART = 3            # of 255: larger differences count
@@ -102,7 +103,7 @@ def compare_state(state, effect, off, on, failed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser(__doc__)
     parser.add_argument("--gluray", required=True)
     parser.add_argument("--out", required=True)
     parser.add_argument("--effect", required=True, choices=EFFECTS)
