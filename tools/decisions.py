@@ -4,7 +4,6 @@
   tools/decisions.py compare BEFORE AFTER                  differing tests and their first lines; exits with 1 if there are some
 Tests run one at a time, because lines of several processes of one test stand in one file. Lines depend on measured times where the setting `engine` or
 culling chooses by them: such tests differ from run to run."""
-import argparse
 import collections
 import json
 import os
@@ -12,6 +11,8 @@ import pathlib
 import re
 import subprocess
 import sys
+
+from command_line import Parser
 
 # Tests whose programs draw by OpenGL; the others decide nothing.
 DRAWING = r"^(reference|vtk|stream|fuzz|live|light|doors\.(scenes|forks)|lag|refine|piglit|program|threads|examples|engine)\."
@@ -78,23 +79,19 @@ def compare(before, after):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    commands = parser.add_subparsers(dest="command", required=True)
-    recording = commands.add_parser("record", help="run tests and keep what they log")
-    recording.add_argument("build")
-    recording.add_argument("folder", type=pathlib.Path)
-    recording.add_argument("--tests", default=DRAWING, help="regular expression of their names")
-    comparing = commands.add_parser("compare", help="compare two records")
-    comparing.add_argument("before", type=pathlib.Path)
-    comparing.add_argument("after", type=pathlib.Path)
+    parser = Parser(__doc__)
+    parser.add_argument("command", choices=("record", "compare"))
+    parser.add_argument("first", type=pathlib.Path, metavar="BUILD|BEFORE")
+    parser.add_argument("second", type=pathlib.Path, metavar="FOLDER|AFTER")
+    parser.add_argument("--tests", default=DRAWING, metavar="REGEX", help="regular expression of the names of the tests to record")
     arguments = parser.parse_args()
+    if not arguments.first.is_dir():
+        parser.error(f"{arguments.first} is no folder")
     if arguments.command == "record":
-        failed = record(arguments.build, arguments.folder, arguments.tests)
-        return 1 if failed else 0
-    for folder in (arguments.before, arguments.after):
-        if not folder.is_dir():
-            parser.error(f"{folder} is no folder; record one first")
-    return 0 if compare(arguments.before, arguments.after) else 1
+        return 1 if record(arguments.first, arguments.second, arguments.tests) else 0
+    if not arguments.second.is_dir():
+        parser.error(f"{arguments.second} is no folder")
+    return 0 if compare(arguments.first, arguments.second) else 1
 
 
 if __name__ == "__main__":
