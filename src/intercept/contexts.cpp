@@ -187,13 +187,19 @@ void displayTerminated(const void* display) noexcept {
 
 void flushCurrent() noexcept {
   guarded("cannot draw what is pending", [] {
-    if (gl::Context* context = gl::t_thread.context) context->frames.beforeSwap();
+    gl::Context* context = gl::t_thread.context;
+    if (!context) return;
+    if (context->info().decisions) context->info().decisions->command("SwapBuffers");
+    context->frames.beforeSwap();
   });
 }
 
 void leaveCurrent() noexcept {
   guarded("cannot leave a context", [] {
-    if (gl::Context* context = gl::t_thread.context) context->loseCurrent();
+    gl::Context* context = gl::t_thread.context;
+    if (!context) return;
+    if (context->info().decisions) context->info().decisions->command("MakeCurrent");
+    context->loseCurrent();
   });
 }
 

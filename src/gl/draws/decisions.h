@@ -15,7 +15,7 @@ struct PresentResult;
 
 class Decisions {
  public:
-  /// The program calls this OpenGL command; the string must stay.
+  /// The program calls this command, of OpenGL or of the window system; the string must stay.
   void command(const char* name) noexcept { command_ = name; }
   /// A draw was counted. `state`: as DrawKinds::record() returns it.
   void draw(Reason reason, DrawPath path, PrimitiveClass primitive, uint64_t triangles, uint32_t state);
