@@ -167,12 +167,15 @@ TEST_F(PageCacheTest, IsMetByOcclusionRays) {
 
 TEST_F(PageCacheTest, HasNothingWhereLoadingFails) {
   store_.gone = true;
-  for (int i = 0; i < 2; ++i) {
+  int loads = 0;  // of a packet: Embree may trace it in parts
+  for (int i = 1; i <= 2; ++i) {
     const RayPacket packet = shot(paged_, raysDown(0.3f, 0, 0.001f));
     for (int lane = 0; lane < kLanes; ++lane) EXPECT_EQ(packet.geometry[lane], kNoHit);
+    if (i == 1) loads = store_.loads;
+    EXPECT_EQ(store_.loads, i * loads) << "each packet asks again";
+    EXPECT_EQ(store_.drops, store_.loads);
   }
-  EXPECT_EQ(store_.loads, 2);
-  EXPECT_EQ(store_.drops, 2);
+  EXPECT_GT(loads, 0);
   EXPECT_EQ(paged_.pages().bytes(), 0u);
   store_.gone = false;
   expectSameHits();
