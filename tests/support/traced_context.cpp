@@ -1,10 +1,27 @@
 #include "tests/support/traced_context.h"
 
+#include "base/log.h"
 #include "gl/state/extensions.h"
 #include "intercept/make_presenter.h"
 #include "intercept/stubs/stub_proc.h"
 
+#include <cstdlib>
+#include <string_view>
+
 namespace gluray::test {
+namespace {
+
+/// As an engine does that reads the environment (tools/decisions.py).
+void logDecisions(gl::ContextInfo& info) {
+  const char* const level = std::getenv("GLURAY_LOG_LEVEL");
+  const char* const file = std::getenv("GLURAY_LOG");
+  if (!level || level != std::string_view("trace") || !file) return;
+  if (!log::enabled(log::Level::trace)) log::configure(log::Level::trace, file);
+  info.decisions = std::make_shared<gl::Decisions>();
+  info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
+}
+
+}  // namespace
 
 Settings TracedContext::tracing() {
   Settings settings;
@@ -35,6 +52,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
   info.clock = clock;
   info.families = std::move(families);
   info.drawableSize = [wish] { return glm::ivec2(wish.width, wish.height); };
+  logDecisions(info);
   if (!presenter_) presenter_ = intercept::makePresenter(settings);
   const auto group = share ? share->context_->shadow.sharedGroup : std::make_shared<gl::ShareGroup>();
   context_ = gl::Context::create(below_->real(), group, info, *presenter_);
