@@ -114,12 +114,7 @@ PartGatherer::Share PartGatherer::meet(const TraceRequest& request, double now) 
     return decide(Share::own);  // and stays here, so that the peers see why, too
   }
   saidWhy_.clear();
-  const bool isLeft = peers.empty() && !refusedBy_.empty();
-  if (isLeft) {
-    decide(Share::own);
-    close();
-    return Share::own;
-  }
+  if (peers.empty() && !refusedBy_.empty()) return close(), decide(Share::own);
   if (peers.empty() || peers.front() > self_) return collect(request, now);
   giveBack();
   to_ = peers.front(), toRound_ = meetings_.partOf(to_).round;
@@ -136,10 +131,8 @@ PartGatherer::Share PartGatherer::collect(const TraceRequest& request, double no
   bool all = true;
   for (const int rank : peers) {
     if (given_.contains(rank)) continue;
-    if (!isSilent(rank, now)) {
-      all = false;
-      continue;
-    }
+    all = all && isSilent(rank, now);
+    if (!isSilent(rank, now)) continue;
     meetings_.fail(rank);
     say_(peerName(rank) + " does not give its surfaces: it traces them alone");
   }
@@ -181,6 +174,7 @@ void PartGatherer::close(const std::vector<int>& with) {
   if (std::exchange(isOpen_, false)) sendToAll(PartOver{{}, with});
 }
 
+/// The program does not show the picture: the ranks whose parts it shows trace them.
 void PartGatherer::giveUpMade() {
   if (!made_.shown.pixels.empty()) return void(made_.isOwed = false);
   const Made made = std::exchange(made_, {});
