@@ -1,7 +1,7 @@
 // Small deterministic pictures, each for one piece of OpenGL, drawn through a table of GL functions: the real
 // ones, or ours.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <ostream>
 #include <span>

@@ -113,7 +113,7 @@ def violations(root):
 # A valid tree, and changes to it that must be reported: file, new content, words that the report must contain.
 SOUND = {
     "src/base/log.h": "#pragma once\n#include <string>\n",
-    "src/gl/context.cpp": '#include "gl/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',
+    "src/gl/context/context.cpp": '#include "gl/context/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',
     "src/accel/embree.h": "#include <embree3/rtcore.h>\n",
     "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
@@ -124,7 +124,7 @@ SOUND = {
 }
 PLANTED = [
     ("src/gl/planted.cpp", '#include "render/tiles.h"\n', "room gl may not include"),
-    ("src/render/planted.h", '#  include "gl/context.h"\n', "room render may not include"),
+    ("src/render/planted.h", '#  include "gl/context/context.h"\n', "room render may not include"),
     ("src/base/planted.h", '#include "scene/mesh.h"\n', "room base may not include"),
     ("src/gl/planted_test.cpp", '#include "intercept/door.h"\n', "room gl may not include"),
     ("src/gl/deeper/planted.h", '#include "../context.h"\n', "not by .."),

@@ -1,7 +1,7 @@
 // Registry of the process's contexts and their state. Private to contexts.cpp, frames.cpp and totals.cpp.
 #pragma once
 #include "base/log.h"
-#include "gl/context.h"
+#include "gl/context/context.h"
 #include "intercept/contexts.h"
 #include "intercept/make_presenter.h"
 #include "intercept/present/read_back/frame_picture.h"

@@ -2,7 +2,7 @@
 
 #include "base/never_destroyed.h"
 #include "base/timeline.h"
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 #include "intercept/context_record.h"
 #include "intercept/control/link.h"
 #include "intercept/families.h"

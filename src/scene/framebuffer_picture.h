@@ -1,5 +1,5 @@
 // What a framebuffer shows of surfaces that the real OpenGL has drawn (docs/adr/0074): the colours that other
-// surfaces reflect. Made by gl/batch/pictured_surfaces, shared, immutable.
+// surfaces reflect. Made by gl/pending/pictured_surfaces, shared, immutable.
 #pragma once
 #include "base/hash.h"
 #include "scene/snapshot.h"

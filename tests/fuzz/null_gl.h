@@ -1,7 +1,7 @@
 // An OpenGL that draws nothing: it keeps buffers and the state that the shadow GL reads back; all other
 // functions just return. The fuzzer plays streams over it that crash Mesa, and ten times as many a second.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 // pointers, and recorded results. A call depends only on its seed, not on the calls around
 // it, so a stream stays valid when calls are removed.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "tests/fuzz/random.h"
 
 #include <GL/gl.h>

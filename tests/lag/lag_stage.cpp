@@ -40,7 +40,7 @@ Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
   for (int frame = 0; frame < count; ++frame) {
     draw(ours.gl(), frame);
     const gl::LagRefusal refusal =
-        options.lag ? context.window.lag(windowOf(options, swap)) : gl::LagRefusal::single;
+        options.lag ? context.frames.lag(windowOf(options, swap)) : gl::LagRefusal::single;
     if (refusal != gl::LagRefusal::none) context.frames.beforeSwap(), swap();
     context.frames.afterSwap();
     shown.swaps.push_back(refusal);

@@ -71,7 +71,7 @@ TEST(Lag, AContextMayBeDestroyedWithAPendingFrame) {
   window.stands = [] { return true; };
   window.swap = [&] { ++swaps; };
   window.overdue.buffer = GL_FRONT;
-  EXPECT_EQ(gl::t_thread.context->window.lag(window), LagRefusal::none);
+  EXPECT_EQ(gl::t_thread.context->frames.lag(window), LagRefusal::none);
   EXPECT_EQ(swaps, 0);
   gl::t_thread.context->loseCurrent();
   EXPECT_EQ(swaps, 1);

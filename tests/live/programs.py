@@ -50,7 +50,7 @@ PROGRAMS = {
     "glxgears": Program(lambda folder: ["glxgears", "-geometry", "600x600+20+20"], "lighting at the vertices", frame=20),
     "osgviewer_list": Program(osgviewer("knot"), "lighting at the vertices"),
     "osgviewer_vbo": Program(osgviewer("knot"), "lighting at the vertices", environment=VERTEX_BUFFERS),
-    "osgviewer_plain": Program(osgviewer("plain", material=False), "no material file, see src/gl/capture/material_latch.h"),
+    "osgviewer_plain": Program(osgviewer("plain", material=False), "no material file, see src/gl/shadow/material_latch.h"),
     "osgviewer_plain_vbo": Program(osgviewer("plain", material=False), "the same", environment=VERTEX_BUFFERS),
     "geomview": Program(lambda folder: ["geomview", "-nopanels", "-wpos", "600,500", str(models.write_off(
         folder / "knot.off", around=150, across=20))], "flat facets: steps between them are edges too, though weaker "

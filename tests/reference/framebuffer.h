@@ -1,6 +1,6 @@
 // Framebuffer objects of renderbuffers, for tests.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

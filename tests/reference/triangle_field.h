@@ -1,6 +1,6 @@
 // A field of triangles, more than are captured one by one, for buffers whose contents change.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 // All queryable OpenGL state, as a table that can be compared.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <map>
 #include <string>

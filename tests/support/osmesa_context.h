@@ -1,6 +1,6 @@
 // An OpenGL context that draws into memory: the real OpenGL of tests, without any window system.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "tests/support/traced_context.h"
 
 #include "base/log.h"
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 #include "intercept/make_presenter.h"
 #include "intercept/stubs/stub_proc.h"
 

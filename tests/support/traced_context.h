@@ -1,6 +1,6 @@
 // A context of the shadow GL over a real one in memory: the same engine that a program uses, without a door.
 #pragma once
-#include "gl/context.h"
+#include "gl/context/context.h"
 #include "tests/support/imitated_code.h"
 #include "tests/support/osmesa_context.h"
 #include "tests/support/picture.h"

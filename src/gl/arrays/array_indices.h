@@ -1,7 +1,7 @@
 // The vertices and triangles that an array draw uses. Index arrays are read in place if possible. GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
-#include "gl/draws/multipass_surfaces.h"
+#include "gl/capture/triangle_samples.h"
 
 #include <memory>
 #include <vector>

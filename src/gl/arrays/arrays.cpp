@@ -1,8 +1,8 @@
 #include "gl/arrays/arrays.h"
 
-#include "gl/share_group.h"
-#include "gl/state/extensions.h"
-#include "gl/state/state_queries.h"
+#include "gl/sharing/share_group.h"
+#include "gl/real/extensions.h"
+#include "gl/real/state_queries.h"
 
 #include <algorithm>
 #include <cstring>

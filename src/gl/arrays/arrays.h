@@ -1,11 +1,11 @@
 // State of vertex arrays, read back from the real OpenGL, and the meshes and captures built from them. GL
 // thread.
 #pragma once
-#include "gl/arrays/elements.h"
+#include "gl/real/elements.h"
 #include "gl/buffers/buffer.h"
 #include "gl/capture/captured_vertices.h"
-#include "gl/draws/reasons.h"
-#include "gl/share_group.h"
+#include "gl/basics/reasons.h"
+#include "gl/sharing/share_group.h"
 #include "scene/mesh.h"
 
 #include <memory>
@@ -103,7 +103,7 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// The same for a draw of points or separate lines that the program shows as impostors, or of billboards.
-/// Null if billboards are not whole (gl/programs/impostors/sent_billboards.h).
+/// Null if billboards are not whole (gl/impostors/sent_billboards.h).
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements);
 

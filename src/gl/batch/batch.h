@@ -2,7 +2,7 @@
 // fills it, Flusher empties it. GL thread.
 #pragma once
 #include "gl/batch/snapshot_memory.h"
-#include "gl/programs/program_draw.h"
+#include "gl/batch/program_draw.h"
 #include "gl/state/state.h"
 #include "scene/snapshot.h"
 

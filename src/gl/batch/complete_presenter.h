@@ -3,7 +3,7 @@
 // context current.
 #pragma once
 #include "base/image.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

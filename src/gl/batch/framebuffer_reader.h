@@ -2,7 +2,7 @@
 // reads. Implemented in intercept/present/read_back/. GL thread, context current; restores all state.
 #pragma once
 #include "gl/batch/present_result.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "scene/snapshot.h"
 
 #include <cstdint>

@@ -4,12 +4,13 @@
 #include "gl/batch/cleared_target.h"
 #include "gl/batch/complete_presenter.h"
 #include "gl/batch/framebuffer_reader.h"
-#include "gl/batch/picture_wish.h"
+#include "gl/clock/picture_wish.h"
 #include "gl/batch/present_result.h"
-#include "gl/layers/layer_presenter.h"
-#include "gl/programs/held_pass.h"
-#include "gl/real.h"
-#include "gl/window/window_presenter.h"
+#include "gl/batch/layer_presenter.h"
+#include "gl/batch/held_pass.h"
+#include "gl/real/real.h"
+#include "gl/sharing/shared_names.h"
+#include "gl/batch/window_presenter.h"
 #include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"
@@ -52,11 +53,6 @@ struct ResolveTarget {
   /// the depths in any case.
   GLuint texture = 0;
   PictureWish wish = {};
-};
-
-/// Names of real objects that all contexts of a share group see.
-struct SharedNames {
-  std::vector<GLuint> lists, textures, programs;
 };
 
 /// Writes pictures into framebuffers, and returns the other presenters, which do nothing by default.

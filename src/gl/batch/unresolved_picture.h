@@ -4,7 +4,7 @@
 // destination. Its samples are written only if anything else uses the framebuffer. Owned by ResolveDraws.
 #pragma once
 #include "gl/batch/batch.h"
-#include "gl/programs/program_draw.h"
+#include "gl/batch/program_draw.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 #include "gl/buffers/buffer.h"
 
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,7 @@
 // needs it. GL threads: contexts of several threads may draw from a buffer at once, and each sends what
 // others hold back; programs must synchronise changes of contents with their use, as OpenGL demands.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -3,7 +3,7 @@
 #pragma once
 #include "base/hash.h"
 #include "gl/capture/attribute_slots.h"
-#include "gl/capture/growing_array.h"
+#include "gl/basics/growing_array.h"
 #include "gl/capture/surface_facts.h"
 #include "scene/shading.h"
 

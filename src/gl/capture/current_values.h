@@ -1,7 +1,7 @@
 // The current vertex attributes of a context. Part of ShadowState, GL thread.
 #pragma once
 #include "gl/capture/attribute_slots.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <cstring>
 

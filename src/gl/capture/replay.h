@@ -1,7 +1,7 @@
 // Sends captured vertices to the real OpenGL, call by call, as the program sent them. GL thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "scene/mesh.h"
 
 #include <span>

@@ -2,7 +2,7 @@
 // go to Context through one out-of-line call. Called by stubs on any thread with a current context.
 #pragma once
 #include "gl/capture/vertex_stream.h"
-#include "gl/thread_state.h"
+#include "gl/basics/thread_state.h"
 
 #include <GL/gl.h>
 

@@ -2,10 +2,10 @@
 // context current.
 #pragma once
 #include "base/hash.h"
-#include "gl/arrays/elements.h"
+#include "gl/real/elements.h"
 #include "gl/culled/shader_slice/position_slice.h"
-#include "gl/programs/program.h"
-#include "gl/state/shadow_state.h"
+#include "gl/glsl/program.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <span>
 #include <unordered_map>

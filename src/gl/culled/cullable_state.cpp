@@ -1,8 +1,8 @@
 #include "gl/culled/cullable_state.h"
 
-#include "gl/state/buffer_bits.h"
+#include "gl/real/buffer_bits.h"
 #include "gl/state/output_state.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

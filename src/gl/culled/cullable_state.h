@@ -1,7 +1,7 @@
 // Whether a draw may be made in parts, as far as the state of OpenGL decides. GL thread, context current.
 #pragma once
-#include "gl/draws/reasons.h"
-#include "gl/state/shadow_state.h"
+#include "gl/basics/reasons.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <GL/gl.h>
 

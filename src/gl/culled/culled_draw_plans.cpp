@@ -2,7 +2,7 @@
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
 #include "gl/culled/instances/instance_arrays.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -57,7 +57,7 @@ Reason CulledDraws::blendingOf(CulledProgram& program, const Varyings& varyings,
   if (const Reason reason = cullableBlending(shadow, opacity.opaque); reason != Reason::traced) return reason;
   if (opacity.exact) return Reason::traced;
   shadow.errors.keepPending();  // finding out whether colours are replaced takes errors
-  const bool replaces = hasByteColors(shadow) && p_.flusher.presenter.reader().replacesColors(shadow.real) &&
+  const bool replaces = hasByteColors(shadow) && p_.pending.presenter.reader().replacesColors(shadow.real) &&
                         constants_.areOnes(shadow, program.known().program, opacity.ones, mode, e);
   return replaces ? Reason::traced : Reason::blend;
 }

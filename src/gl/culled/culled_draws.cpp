@@ -2,8 +2,8 @@
 
 #include "base/log.h"
 #include "gl/culled/clusters/assembly.h"
-#include "gl/errors.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/errors.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 
@@ -188,7 +188,7 @@ void CulledDraws::refuseDifferent(CulledProgram* program) {
 }
 
 bool CulledDraws::read(const Plan& plan, Pixels& pixels) {
-  FramebufferReader& reader = p_.flusher.presenter.reader();
+  FramebufferReader& reader = p_.pending.presenter.reader();
   const RealGl& real = p_.shadow.real;
   if (plan.samples > 1) return reader.readSamples(real, plan.region, pixels.colors);
   return reader.readDepth(real, plan.region, pixels.depths) &&
@@ -196,7 +196,7 @@ bool CulledDraws::read(const Plan& plan, Pixels& pixels) {
 }
 
 bool CulledDraws::readFarthest(const Plan& plan) {
-  FramebufferReader& reader = p_.flusher.presenter.reader();
+  FramebufferReader& reader = p_.pending.presenter.reader();
   if (plan.samples > 1) return reader.readFarthest(p_.shadow.real, plan.region, plan.reversed, depths_);
   return reader.readDepth(p_.shadow.real, plan.region, depths_);
 }

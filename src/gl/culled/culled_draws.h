@@ -4,23 +4,23 @@
 #pragma once
 #include "base/background_job.h"
 #include "base/hash.h"
-#include "gl/arrays/elements.h"
-#include "gl/batch/flusher.h"
+#include "gl/real/elements.h"
+#include "gl/pending/pending_batch.h"
 #include "gl/culled/clusters/culled_mesh.h"
 #include "gl/culled/constant_attributes.h"
 #include "gl/culled/culled_program.h"
-#include "gl/culled/culling_trials.h"
+#include "gl/trials/culling_trials.h"
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/instances/instances.h"
 #include "gl/culled/instances/signed_fractions.h"
 #include "gl/culled/restore_point.h"
-#include "gl/culled/small/small_draws.h"
-#include "gl/culled/trial_budget.h"
-#include "gl/draws/draw_counts.h"
-#include "gl/draws/reasons.h"
-#include "gl/failsafe.h"
-#include "gl/state/shadow_state.h"
-#include "gl/window/frame_clock.h"
+#include "gl/culled/small_draws.h"
+#include "gl/trials/trial_budget.h"
+#include "gl/counts/draw_counts.h"
+#include "gl/basics/reasons.h"
+#include "gl/basics/failsafe.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/clock/frame_clock.h"
 
 #include <GL/gl.h>
 
@@ -42,14 +42,14 @@ class CulledDraws {
     Failsafe& failsafe;
     FrameClock& clock;
     DrawCounts& counts;
-    Flusher& flusher;
+    PendingBatch& pending;
     const RasterDraws& raster;
     const ClearedFramebuffers& cleared;
   };
   explicit CulledDraws(const Parts& parts)
       : p_(parts),
-        before_(parts.shadow, parts.flusher, parts.raster),
-        small_({parts.shadow, parts.clock, parts.counts, parts.flusher, parts.cleared, *this}) {}
+        before_(parts.shadow, parts.pending, parts.raster),
+        small_({parts.shadow, parts.clock, parts.counts, parts.pending, parts.cleared, *this}) {}
   ~CulledDraws();
 
   /// What draw() may leave out of a draw, depending on the state. If nothing, call count() in its place.

@@ -3,7 +3,7 @@
 #include "gl/culled/small/current_uniforms.h"
 #include "gl/glsl/glsl_tokens.h"
 #include "gl/glsl/program_source.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

@@ -4,9 +4,9 @@
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/culled/small/placed_positions.h"
-#include "gl/draws/reasons.h"
-#include "gl/families/match.h"
-#include "gl/real.h"
+#include "gl/basics/reasons.h"
+#include "gl/programs/match.h"
+#include "gl/real/real.h"
 
 #include <memory>
 #include <optional>

@@ -30,7 +30,7 @@ class FramebufferCopy {
 /// need be added.
 bool CulledDraws::rehearse(const Plan& plan, std::vector<uint64_t>& visible) {
   if (plan.history->visible.empty()) return false;
-  const FramebufferCopy copy(p_.shadow.real, p_.flusher.presenter.reader(), plan.region, false);
+  const FramebufferCopy copy(p_.shadow.real, p_.pending.presenter.reader(), plan.region, false);
   if (!copy.exists()) return false;
   drawParts(plan, plan.history->visible);
   return look(plan, visible);
@@ -39,7 +39,7 @@ bool CulledDraws::rehearse(const Plan& plan, std::vector<uint64_t>& visible) {
 bool CulledDraws::isSame(const Plan& plan, const std::vector<uint64_t>& visible) {
   Pixels pixels[2];
   for (const bool all : {false, true}) {
-    const FramebufferCopy copy(p_.shadow.real, p_.flusher.presenter.reader(), plan.region, true);
+    const FramebufferCopy copy(p_.shadow.real, p_.pending.presenter.reader(), plan.region, true);
     if (!copy.exists()) return true;
     if (all)
       drawWhole(plan);

@@ -1,8 +1,8 @@
 #include "gl/culled/restore_point.h"
 
-#include "gl/state/extensions.h"
-#include "gl/state/state_queries.h"
-#include "gl/window/clears.h"
+#include "gl/real/extensions.h"
+#include "gl/real/state_queries.h"
+#include "gl/batch/clears.h"
 
 #include <array>
 
@@ -52,12 +52,12 @@ bool RestorePoint::keep(const scene::Region& region) {
   region_ = region;
   clear_ = isClear(region) ? raster_.clearBelow() : std::nullopt;
   if (clear_) return true;
-  return shadow_.state.target.samples == 1 && flusher_.presenter.reader().keep(shadow_.real, region);
+  return shadow_.state.target.samples == 1 && pending_.presenter.reader().keep(shadow_.real, region);
 }
 
 void RestorePoint::putBack() {
   if (clear_) return clear(*clear_);
-  flusher_.presenter.reader().putBack(shadow_.real);
+  pending_.presenter.reader().putBack(shadow_.real);
 }
 
 /// Channels that the draw's colour mask leaves out have kept their values.

@@ -1,8 +1,8 @@
 // The pixels that a draw may change, as they were before it. A part of CulledDraws, GL thread.
 #pragma once
-#include "gl/batch/flusher.h"
+#include "gl/pending/pending_batch.h"
 #include "gl/draws/raster_draws.h"
-#include "gl/state/shadow_state.h"
+#include "gl/shadow/shadow_state.h"
 #include "scene/snapshot.h"
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace gluray::gl {
 class RestorePoint {
  public:
   /// All must outlive it.
-  RestorePoint(ShadowState& shadow, Flusher& flusher, const RasterDraws& raster)
-      : shadow_(shadow), flusher_(flusher), raster_(raster) {}
+  RestorePoint(ShadowState& shadow, PendingBatch& pending, const RasterDraws& raster)
+      : shadow_(shadow), pending_(pending), raster_(raster) {}
 
   /// Whether `region` holds a clear alone, to which it can be put back.
   bool isClear(const scene::Region& region) const;
@@ -26,7 +26,7 @@ class RestorePoint {
   void clear(const ClearedTarget& as);
 
   ShadowState& shadow_;
-  Flusher& flusher_;
+  PendingBatch& pending_;
   const RasterDraws& raster_;
   scene::Region region_;
   std::optional<ClearedTarget> clear_;  // all that is in the region; none: pixels were copied

@@ -1,9 +1,9 @@
 #include "gl/draws/raster_draws.h"
 
-#include "gl/batch/resolve_draws.h"
-#include "gl/errors.h"
+#include "gl/flush/resolve_draws.h"
+#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
-#include "gl/window/composed_views.h"
+#include "gl/framebuffers/composed_views.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {
@@ -70,7 +70,7 @@ void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
     p_.shadow.syncCurrent();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};
     if (redraw.clipFromObject) target.byMatrix = {redraw.mesh, *redraw.clipFromObject};
-    const PresentResult result = p_.flusher.presenter.present(p_.shadow.real, redraw.snapshot, target);
+    const PresentResult result = p_.pending.presenter.present(p_.shadow.real, redraw.snapshot, target);
     p_.shadow.latch.restore(p_.shadow.real);
     if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   }
@@ -79,7 +79,7 @@ void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
 void RasterDraws::before(PrimitiveClass kind) {
   p_.failsafe.protect([&] { p_.composed.settle(); });
   if (p_.window.lags() || p_.window.lacks()) p_.failsafe.protect([&] { p_.window.meetDraw(); });
-  Batch& batch = p_.flusher.batch;
+  Batch& batch = p_.pending.batch;
   // The pending batch was just found to be coplanar with this draw: rasterise both.
   if (p_.surfaces.coplanar.takeFound() && !batch.empty() &&
       (batch.key().layers == BatchKey::Layers::none || batch.key().layers == BatchKey::Layers::drawn) &&

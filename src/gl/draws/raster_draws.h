@@ -1,11 +1,11 @@
 // Prepares rasterised draws among traced ones: flushes what must be shown before them, and finds the traced
 // surfaces that they coincide with. A part of each Context, GL thread.
 #pragma once
-#include "gl/batch/flusher.h"
+#include "gl/flush/flusher.h"
 #include "gl/capture/mesh_cache.h"
-#include "gl/draws/draw_kinds.h"
-#include "gl/draws/multipass_surfaces.h"
-#include "gl/draws/triage.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/history/multipass_surfaces.h"
+#include "gl/classify/triage.h"
 
 #include <optional>
 #include <span>
@@ -21,6 +21,7 @@ class RasterDraws {
     Failsafe& failsafe;
     SurfaceHistory& surfaces;
     ClearedFramebuffers& cleared;
+    PendingBatch& pending;
     Flusher& flusher;
     Triage& triage;
     LayerDraws& layers;

@@ -1,7 +1,7 @@
 // Whether the variables of a program have types that fit their roles in a family. Part of match.cpp.
 #pragma once
 #include "gl/families/family.h"
-#include "gl/programs/program.h"
+#include "gl/glsl/program.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Builds shader programs of our own. GL thread, context current.
 #pragma once
 #include "gl/glsl/shader_texts.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 

@@ -3,8 +3,8 @@
 #include "base/hash.h"
 #include "gl/glsl/glsl_statements.h"
 #include "gl/glsl/shader_texts.h"
-#include "gl/programs/program.h"
-#include "gl/real.h"
+#include "gl/glsl/program.h"
+#include "gl/real/real.h"
 
 #include <memory>
 #include <string>

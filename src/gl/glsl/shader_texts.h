@@ -1,6 +1,6 @@
 // The texts of a program's shaders. GL thread, context current.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 

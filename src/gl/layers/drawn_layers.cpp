@@ -1,8 +1,8 @@
 // Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038), with blending on or
 // without depth writes: those of fixed function, and those of shader programs that families describe. Colour
 // and depth beneath are read when the batch is presented.
-#include "gl/draws/affine.h"
-#include "gl/errors.h"
+#include "gl/basics/affine.h"
+#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
 
 #include <algorithm>
@@ -72,16 +72,16 @@ bool LayerDraws::leavesDrawn(uint64_t triangles) {
 
 bool LayerDraws::readUnder() {
   p_.shadow.errors.keepPending();
-  const scene::Snapshot& waiting = p_.flusher.batch.waiting();
+  const scene::Snapshot& waiting = p_.pending.batch.waiting();
   scene::Region region;
   for (const scene::Instance& instance : waiting.instances)
     region = united(region, reachedBy(waiting, instance));
   if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // none of them is visible
   auto layers = std::make_shared<scene::Layers>(*waiting.layers);
-  if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, region, layers->opaqueDepth) ||
-      !p_.flusher.presenter.reader().readColors(p_.shadow.real, region, layers->colors))
+  if (!p_.pending.presenter.reader().readDepth(p_.shadow.real, region, layers->opaqueDepth) ||
+      !p_.pending.presenter.reader().readColors(p_.shadow.real, region, layers->colors))
     return false;
-  p_.flusher.batch.seeThrough(std::move(layers), region);
+  p_.pending.batch.seeThrough(std::move(layers), region);
   return true;
 }
 

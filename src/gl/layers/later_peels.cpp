@@ -1,13 +1,13 @@
 // Peels after the first one, whose layers are traced already. They are held back until the program has drawn
 // enough peels to show all layers. The occlusion queries by which it decides when to stop count the pixels
 // that the peels would have written.
-#include "gl/errors.h"
+#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_limits.h"
 #include "gl/layers/peel_outputs.h"
-#include "gl/programs/uniforms/uniforms.h"
-#include "gl/state/state_queries.h"
-#include "gl/window/clears.h"
+#include "gl/programs/uniforms.h"
+#include "gl/real/state_queries.h"
+#include "gl/batch/clears.h"
 
 #include <GL/glext.h>
 
@@ -152,7 +152,7 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   pass.draws.push_back(captureProgramDraw(p_.shadow.real, program, readUniforms(p_.shadow.real, program),
                                           p_.shadow.attributes, mode, elements));
   if (!reads(pass.draws[0], peeling_.behind) ||
-      !p_.flusher.presenter.layers().countPixels(p_.shadow.real, pass, peeling_.behind, peeling_.target.size,
+      !p_.pending.presenter.layers().countPixels(p_.shadow.real, pass, peeling_.behind, peeling_.target.size,
                                                  *pixels))
     return false;
   peeling_.target.later.push_back(std::move(pass));
@@ -189,7 +189,7 @@ bool LayerDraws::traceAgain(uint32_t peels) {
   layers->peels = peels;
   auto snapshot = std::make_shared<scene::Snapshot>(*peeling_.traced);
   snapshot->layers = layers;
-  PresentResult result = p_.flusher.presenter.layers().trace(snapshot, peeling_.target);
+  PresentResult result = p_.pending.presenter.layers().trace(snapshot, peeling_.target);
   if (result.outcome != PresentResult::traced) {
     giveUp();
     return false;
@@ -236,7 +236,7 @@ bool LayerDraws::showWaiting() {
   peeling_.stage = Peeling::Stage::none;
   p_.cleared.forget();
   const PresentResult result =
-      p_.flusher.presenter.layers().present(p_.shadow.real, nullptr, peeling_.target, false);
+      p_.pending.presenter.layers().present(p_.shadow.real, nullptr, peeling_.target, false);
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   const bool shown = result.outcome == PresentResult::traced;
   if (shown) {
@@ -244,7 +244,7 @@ bool LayerDraws::showWaiting() {
   } else {
     if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
     countHeld();
-    p_.flusher.withdrawPeeled();
+    p_.pending.withdrawPeeled();
     p_.failsafe.fail(result.loss(),
                      result.why.empty() ? "traced layers could not be shown" : result.why.c_str());
   }

@@ -3,10 +3,11 @@
 // traced, starts their batches and presents peeled ones. A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
-#include "gl/batch/flusher.h"
+#include "gl/pending/batch_flush.h"
+#include "gl/pending/pending_batch.h"
 #include "gl/batch/presenter.h"
-#include "gl/draws/draw_kinds.h"
-#include "gl/draws/reasons.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/basics/reasons.h"
 #include "gl/layers/peeling.h"
 
 namespace gluray::gl {
@@ -25,7 +26,8 @@ class LayerDraws {
     FrameClock& clock;
     DrawCounts& counts;
     ClearedFramebuffers& cleared;
-    Flusher& flusher;
+    PendingBatch& pending;
+    BatchFlush& flush;
   };
   explicit LayerDraws(const Parts& parts) : p_(parts) {}
 

@@ -1,10 +1,10 @@
 // The depth pass and the first peel of dual depth peeling, and the common parts of all layers.
-#include "gl/errors.h"
+#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_outputs.h"
-#include "gl/programs/uniforms/uniforms.h"
+#include "gl/programs/uniforms.h"
 #include "gl/state/output_state.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 
@@ -57,7 +57,7 @@ bool LayerDraws::beginHolding() {
   target.opaqueDepth = inputTexture(p_.shadow.real, program);
   const GLuint found = outputOf(p_.shadow.real, *program.known, target.depths.outputs);
   if (found == 0 || target.opaqueDepth == 0 ||
-      !p_.flusher.presenter.layers().readDepths(p_.shadow.real, unit, target.size, target.opaqueDepths))
+      !p_.pending.presenter.layers().readDepths(p_.shadow.real, unit, target.size, target.opaqueDepths))
     return false;
   // A later replay must not overwrite other outputs, which the program leaves undefined.
   for (HeldPass::Output& output : target.depths.outputs)
@@ -77,12 +77,12 @@ bool LayerDraws::beginHolding() {
 bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t triangles) {
   using Stage = Peeling::Stage;
   if (p_.failsafe.aside() || p_.shadow.info.off || p_.shadow.activeQueries > 0 ||
-      !p_.shadow.settings.quirks.has(Quirk::depthPeeling) || !p_.flusher.canTrace())
+      !p_.shadow.settings.quirks.has(Quirk::depthPeeling) || !p_.pending.canTrace())
     return false;
   if (p_.shadow.attributes.reason != Reason::traced || !p_.shadow.state.program.uniforms) return false;
   p_.shadow.errors.keepPending();
   if (peeling_.stage == Stage::surfaces || peeling_.stage == Stage::peels) {
-    p_.flusher.flushBatch();
+    p_.flush.flushBatch();
     end();
   }
   if (peeling_.stage == Stage::none) {
@@ -137,19 +137,19 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
 }
 
 bool LayerDraws::startPeeled(const BatchKey& key) {
-  if (!p_.flusher.batch.empty()) return p_.flusher.batch.key() == key;
+  if (!p_.pending.batch.empty()) return p_.pending.batch.key() == key;
   if (peeling_.traced) {
     if (!(peeling_.tracedKey == key)) return false;
-    p_.flusher.batch.resume(key, *peeling_.traced);
+    p_.pending.batch.resume(key, *peeling_.traced);
   } else {
-    p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());
-    p_.flusher.batch.seeThrough(peeling_.layers);
+    p_.pending.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
+    p_.pending.batch.seeThrough(peeling_.layers);
   }
   return true;
 }
 
 bool LayerDraws::haveSurfaces() const {
-  const scene::Snapshot& s = p_.flusher.batch.waiting();
+  const scene::Snapshot& s = p_.pending.batch.waiting();
   const auto isPicture = [&](const scene::Instance& instance) {
     const auto& textures = s.shadings[instance.shading].textures;
     return std::any_of(textures.begin(), textures.end(),
@@ -160,11 +160,11 @@ bool LayerDraws::haveSurfaces() const {
 
 PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const BatchKey& key) {
   LayersTarget& target = peeling_.target;
-  for (ProgramDraw& draw : p_.flusher.batch.takeProgramDraws())
+  for (ProgramDraw& draw : p_.pending.batch.takeProgramDraws())
     target.surfaces.draws.push_back(std::move(draw));
   target.wish = p_.clock.wish();
   target.mayAsk = mayAsk();
-  PresentResult result = p_.flusher.presenter.layers().present(p_.shadow.real, snapshot, target, false);
+  PresentResult result = p_.pending.presenter.layers().present(p_.shadow.real, snapshot, target, false);
   if (result.outcome == PresentResult::traced) {
     noteUse(Quirk::depthPeeling);
     peeling_.tracedKey = key;
@@ -210,14 +210,14 @@ void LayerDraws::giveUp() {
   LayersTarget& target = peeling_.target;
   target.picture.clear();
   scene::SnapshotPtr snapshot = peeling_.traced;
-  if (!p_.flusher.batch.empty() && p_.flusher.batch.key().layers == BatchKey::Layers::peeled) {
-    for (ProgramDraw& draw : p_.flusher.batch.takeProgramDraws())
+  if (!p_.pending.batch.empty() && p_.pending.batch.key().layers == BatchKey::Layers::peeled) {
+    for (ProgramDraw& draw : p_.pending.batch.takeProgramDraws())
       target.surfaces.draws.push_back(std::move(draw));
-    snapshot = p_.flusher.batch.take();
+    snapshot = p_.pending.batch.take();
   }
   if (snapshot) p_.counts.asRasterised(*snapshot, Reason::programPass);
-  p_.flusher.withdrawPeeled();
-  const PresentResult result = p_.flusher.presenter.layers().present(p_.shadow.real, nullptr, target, true);
+  p_.pending.withdrawPeeled();
+  const PresentResult result = p_.pending.presenter.layers().present(p_.shadow.real, nullptr, target, true);
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   countHeld();
   if (counts) p_.shadow.real.BeginQuery(peeling_.query, peeling_.queryName);
@@ -229,7 +229,7 @@ void LayerDraws::giveUp() {
 
 void LayerDraws::meetRasterDraw() {
   bool meets = peeling_.stage == Peeling::Stage::depths || asks() ||
-               (!p_.flusher.batch.empty() && p_.flusher.batch.key().layers == BatchKey::Layers::peeled);
+               (!p_.pending.batch.empty() && p_.pending.batch.key().layers == BatchKey::Layers::peeled);
   // Once the layers are traced, we give up only for a draw into their result texture.
   if (!meets)
     for (const HeldPass::Output& output : outputsOf(p_.shadow))

@@ -1,7 +1,7 @@
 #include "gl/layers/peel_outputs.h"
 
-#include "gl/programs/uniforms/uniforms.h"
-#include "gl/state/state_queries.h"
+#include "gl/programs/uniforms.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

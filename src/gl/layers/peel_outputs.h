@@ -1,9 +1,9 @@
 // Queries the textures that passes of depth peeling read and write. Called by LayerDraws, GL thread.
 #pragma once
-#include "gl/programs/held_pass.h"
-#include "gl/programs/program_state.h"
-#include "gl/real.h"
-#include "gl/state/shadow_state.h"
+#include "gl/batch/held_pass.h"
+#include "gl/program_state/program_state.h"
+#include "gl/real/real.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 // layers in place of the first peel, and leave nothing for later peels. Owned by LayerDraws, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
-#include "gl/programs/held_pass.h"
+#include "gl/batch/held_pass.h"
 #include "scene/snapshot.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // Transparent surfaces that are summed without order (weighted blending, scene::Layers::Of::sums). Nothing is
 // held back: the traced sums are added to the framebuffer's, and rasterised draws may come before and after.
 #include "gl/layers/layer_draws.h"
-#include "gl/state/buffer_bits.h"
+#include "gl/real/buffer_bits.h"
 #include "gl/state/output_state.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -26,18 +26,18 @@ Reason LayerDraws::triageSum(PrimitiveClass kind) {
   if (p_.shadow.real.GetFragDataLocation(p_.shadow.state.program.known->program.name,
                                          family.passOutput.c_str()) != 1)
     return Reason::programPass;
-  return p_.flusher.canTrace() ? Reason::traced : Reason::noGlsl;
+  return p_.pending.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
 bool LayerDraws::startSums(const BatchKey& key) {
-  if (!p_.flusher.batch.empty()) return true;
+  if (!p_.pending.batch.empty()) return true;
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::sums;
   const auto pixels = static_cast<size_t>(key.region.width) * static_cast<size_t>(key.region.height);
   if (depthBits(p_.shadow.real, !p_.shadow.info.core) == 0) {
     layers->opaqueDepth.assign(pixels, -1.0f);
   } else {
-    if (!p_.flusher.presenter.reader().readDepth(p_.shadow.real, key.region, layers->opaqueDepth))
+    if (!p_.pending.presenter.reader().readDepth(p_.shadow.real, key.region, layers->opaqueDepth))
       return false;
     // A layer at the opaque depth must pass GL_LEQUAL and fail GL_LESS, however depths were rounded. The
     // margin exceeds half a depth step, because floats near 1 are no finer than that.
@@ -45,8 +45,8 @@ bool LayerDraws::startSums(const BatchKey& key) {
         p_.shadow.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
     for (float& depth : layers->opaqueDepth) depth += margin;
   }
-  p_.flusher.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.flusher.begin());
-  p_.flusher.batch.seeThrough(std::move(layers));
+  p_.pending.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
+  p_.pending.batch.seeThrough(std::move(layers));
   return true;
 }
 

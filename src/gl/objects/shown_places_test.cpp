@@ -1,4 +1,4 @@
-#include "gl/objects/shown_places.h"
+#include "gl/commands/shown_places.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "gl/state/attached_images.h"
 
-#include "gl/handlers.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <new>
 
@@ -63,28 +62,6 @@ bool AttachedImages::mayBeDeleted(const RealGl& real, GLenum target, GLenum atta
     return false;
   const auto it = attached_.find({framebuffer, attachment});
   return it == attached_.end() || it->second.deleted;
-}
-
-uint32_t imageAttached(Context& c, GLenum target, GLenum attachment, GLenum type, GLuint name) {
-  c.shadow.images.setBound(c.real, target, attachment, type, name);
-  return kTarget;
-}
-
-uint32_t imageAttachedTo(Context& c, GLuint framebuffer, GLenum attachment, GLenum type, GLuint name) {
-  c.shadow.images.set(framebuffer, attachment, type, name);
-  return kTarget;
-}
-
-uint32_t imagesDeleted(Context& c, GLenum type, GLsizei n, const GLuint* names) {
-  for (GLsizei i = 0; names && i < n; ++i)
-    if (names[i] != 0) c.shadow.group.deletedImages.add(type, names[i]);
-  c.shadow.images.update();
-  return kTarget;  // the bound framebuffer object loses them
-}
-
-uint32_t framebuffersDeleted(Context& c, GLsizei n, const GLuint* names) {
-  for (GLsizei i = 0; names && i < n; ++i) c.shadow.images.forget(names[i]);
-  return kTarget;
 }
 
 }  // namespace gluray::gl

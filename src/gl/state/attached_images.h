@@ -2,8 +2,8 @@
 // are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8), and the name that the real OpenGL reports for it may
 // belong to another one by then. GL thread.
 #pragma once
-#include "gl/real.h"
-#include "gl/state/deleted_images.h"
+#include "gl/real/real.h"
+#include "gl/sharing/deleted_images.h"
 
 #include <cstdint>
 #include <map>

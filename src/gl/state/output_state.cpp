@@ -1,6 +1,6 @@
 #include "gl/state/output_state.h"
 
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

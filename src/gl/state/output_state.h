@@ -1,6 +1,6 @@
 // The state between a fragment shader's outputs and the framebuffer. GL thread.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "gl/state/state.h"
 
 namespace gluray::gl {

@@ -1,7 +1,7 @@
 #include "gl/state/state.h"
 
-#include "gl/draws/affine.h"
-#include "gl/state/state_queries.h"
+#include "gl/basics/affine.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,11 +1,11 @@
 // The GL state that draws depend on. The real OpenGL keeps the state (every state call is forwarded at once);
 // this is a copy in groups. A draw that needs a group reads it back if calls have touched it. GL thread.
 #pragma once
-#include "gl/draws/reasons.h"
-#include "gl/programs/program_state.h"
-#include "gl/real.h"
+#include "gl/basics/reasons.h"
+#include "gl/program_state/program_state.h"
+#include "gl/real/real.h"
 #include "gl/state/attached_images.h"
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

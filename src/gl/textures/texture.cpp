@@ -1,8 +1,8 @@
 #include "gl/textures/texture.h"
 
 #include "gl/arrays/arrays.h"
-#include "gl/share_group.h"
-#include "gl/state/state_queries.h"
+#include "gl/sharing/share_group.h"
+#include "gl/real/state_queries.h"
 #include "gl/textures/texture_env.h"
 #include "gl/textures/texture_sampling.h"
 
@@ -127,15 +127,16 @@ std::shared_ptr<const scene::TextureImage> TextureCache::image(const RealGl& rea
   return image;
 }
 
-Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
-  const EnabledTargets enabled(real, state.rare);
+Reason TextureCache::readUnit(const RealGl& real, const RareState& has, GLint unit,
+                              std::vector<scene::Texture>& textures) {
+  const EnabledTargets enabled(real, has);
   if (!enabled.highest) return Reason::traced;
   const GLenum target = enabled.highest->name;
   scene::Texture texture;
   texture.unit = static_cast<uint8_t>(unit);
   texture.target = enabled.highest->kind;
-  const Reason sampling = readSampling(real, state.rare, target, texture);
-  const ImageRange range = rangeOf(real, state.rare, target, texture.mipFilter != scene::MipFilter::none);
+  const Reason sampling = readSampling(real, has, target, texture);
+  const ImageRange range = rangeOf(real, has, target, texture.mipFilter != scene::MipFilter::none);
   // An incomplete texture disables texturing (GL 2.1, 3.8.10), but some implementations use the next target.
   if (range.levels == 0) return enabled.more ? Reason::textureIncomplete : Reason::traced;
   if (unit >= scene::kTextureUnits) return Reason::textureUnits;
@@ -145,8 +146,8 @@ Reason TextureCache::readUnit(const RealGl& real, GLint unit, State& state) {
   if (!readEnvironment(real, texture)) return Reason::textureEnv;
   real.GetFloatv(GL_TEXTURE_MATRIX, glm::value_ptr(texture.textureMatrix));
   Reason reason = Reason::traced;
-  texture.image = image(real, state.rare, target, range, reason);
-  if (texture.image) state.textures.push_back(std::move(texture));
+  texture.image = image(real, has, target, range, reason);
+  if (texture.image) textures.push_back(std::move(texture));
   return reason;
 }
 
@@ -245,18 +246,18 @@ void TextureCache::forgetChanged() {
   if (std::exchange(changesKnown_, changes) != changes) images_.clear();
 }
 
-void TextureCache::read(const RealGl& real, State& state) {
+Reason TextureCache::read(const RealGl& real, const RareState& has, std::vector<scene::Texture>& textures) {
   forgetChanged();
-  state.textures.clear();
-  state.textureReason = Reason::traced;
+  textures.clear();
+  Reason reason = Reason::traced;
   ActiveUnit active(real);
   const GLint units = isPresent(real.ActiveTexture) ? integer(real, GL_MAX_TEXTURE_UNITS) : 1;
-  for (GLint i = 0; i < units && state.textureReason == Reason::traced; ++i) {
+  for (GLint i = 0; i < units && reason == Reason::traced; ++i) {
     active.select(static_cast<GLenum>(GL_TEXTURE0 + i));
-    state.textureReason = readUnit(real, i, state);
+    reason = readUnit(real, has, i, textures);
   }
-  if (state.textureReason == Reason::traced && !readOnlyEnabledUnits(state.textures))
-    state.textureReason = Reason::textureEnv;
+  if (reason == Reason::traced && !readOnlyEnabledUnits(textures)) return Reason::textureEnv;
+  return reason;
 }
 
 }  // namespace gluray::gl

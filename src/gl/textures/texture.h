@@ -1,12 +1,15 @@
 // The textures that a draw would sample, read back from the real OpenGL when it needs them. Part of
 // ShadowState, GL thread.
 #pragma once
-#include "gl/state/state.h"
+#include "gl/basics/reasons.h"
+#include "gl/real/extensions.h"
+#include "gl/real/real.h"
 #include "gl/textures/texture_image.h"
 
 #include <map>
 #include <memory>
 #include <set>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -41,8 +44,8 @@ class TextureCache {
   /// Whether every element has alpha 1; caches the answer for one storage.
   bool isOpaque(const scene::Attribute& elements, uint32_t count);
 
-  /// Fills state.textures and state.textureReason from the enabled texture units.
-  void read(const RealGl& real, State& state);
+  /// Reads the textures of the enabled units. Returns Reason::traced, or why they cannot be traced.
+  Reason read(const RealGl& real, const RareState& has, std::vector<scene::Texture>& textures);
 
  private:
   struct Key {
@@ -51,9 +54,8 @@ class TextureCache {
     ImageRange range;
     auto operator<=>(const Key&) const = default;
   };
-  /// Adds the active unit's texture to state.textures, if one is enabled. Returns Reason::traced, or why the
-  /// texture cannot be traced.
-  Reason readUnit(const RealGl& real, GLint unit, State& state);
+  /// Adds the active unit's texture, if one is enabled. Returns Reason::traced, or why it cannot be traced.
+  Reason readUnit(const RealGl& real, const RareState& has, GLint unit, std::vector<scene::Texture>& textures);
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
                                                    const ImageRange& range, Reason& reason);
   /// Forgets images that another context may have changed.

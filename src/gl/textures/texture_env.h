@@ -1,7 +1,7 @@
 // Texture environment and coordinate generation of the active unit, read back from the real OpenGL. GL
 // thread.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "scene/texture.h"
 
 namespace gluray::gl {

@@ -1,7 +1,7 @@
 // Reads back how a texture is sampled: filters, wraps and level of detail. GL thread.
 #pragma once
-#include "gl/draws/reasons.h"
-#include "gl/state/extensions.h"
+#include "gl/basics/reasons.h"
+#include "gl/real/extensions.h"
 #include "scene/texture.h"
 
 #include <GL/gl.h>

@@ -1,6 +1,6 @@
 #include "gl/views/shown_views.h"
 
-#include "gl/window/clears.h"
+#include "gl/batch/clears.h"
 #include "scene/effects.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "gl/views/view_frames.h"
 
-#include "gl/window/clears.h"
+#include "gl/batch/clears.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "gl/views/surroundings_maker.h"
-#include "gl/window/clears.h"
+#include "gl/batch/clears.h"
 #include "scene/same_camera.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Deduplicates ("welds") vertices while they are captured, so that a large triangle soup is never stored in
 // full. Called by VertexStream, and by WeldBehind on its thread; one thread at a time.
 #pragma once
-#include "gl/capture/growing_array.h"
+#include "gl/basics/growing_array.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #include "gl/welding/stream_weld.h"
 
 #include "gl/capture/mesh_builder.h"
-#include "gl/welding/test_soup.h"
+#include "gl/testing/test_soup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Deduplicates ("welds") the vertices of a complete triangle soup, for mesh_builder. Any thread.
 #pragma once
-#include "gl/capture/growing_array.h"
+#include "gl/basics/growing_array.h"
 
 #include <cstdint>
 

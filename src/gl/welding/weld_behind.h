@@ -1,7 +1,7 @@
 // Welds a large run in pieces on a background thread while the program sends more vertices. Owned by
 // VertexStream; the GL thread makes all calls.
 #pragma once
-#include "gl/capture/growing_array.h"
+#include "gl/basics/growing_array.h"
 #include "gl/welding/stream_weld.h"
 
 #include <cstdint>

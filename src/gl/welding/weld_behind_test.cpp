@@ -1,6 +1,6 @@
 #include "gl/welding/weld_behind.h"
 
-#include "gl/welding/test_soup.h"
+#include "gl/testing/test_soup.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

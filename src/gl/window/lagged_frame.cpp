@@ -2,54 +2,31 @@
 
 #include "base/clock.h"
 #include "base/timeline.h"
-#include "gl/batch/address_space_gate.h"
-#include "gl/batch/resolve_draws.h"
-#include "gl/capture/immediate.h"
-#include "gl/errors.h"
+#include "gl/pending/address_space_gate.h"
+#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
-#include "gl/lists/list_compiler.h"
-#include "gl/state/state_queries.h"
-#include "gl/window/clears.h"
+#include "gl/real/state_queries.h"
+#include "gl/batch/clears.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
 
-#include <array>
 #include <utility>
 
 namespace gluray::gl {
 
-LagRefusal WindowPresenter::traceAhead(const RealGl&, const scene::SnapshotPtr&,
-                                       const AheadTarget&) noexcept {
-  return LagRefusal::failure;
-}
-
-std::string_view describe(LagRefusal refusal) {
-  constexpr std::array<std::string_view, kLagRefusals> kWords = {
-      "shown later",
-      "no draw was pending at the swap",
-      "the pending draws were not for a plain back buffer",
-      "nothing had changed",
-      "the real OpenGL drew it, or it was measured",
-      "a query, layers or other contexts",
-      "frames did not follow each other",
-      "the window's content cannot be shown without the program",
-      "no thread or no memory"};
-  return kWords.at(static_cast<size_t>(refusal));
-}
-
 LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
-  if (p_.flusher.batch.empty())
+  if (p_.pending.batch.empty())
     return p_.clock.passesThrough() ? LagRefusal::measured : LagRefusal::nothingToDo;
-  const BatchKey& key = p_.flusher.batch.key();
+  const BatchKey& key = p_.pending.batch.key();
   const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
   if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
     return LagRefusal::target;
   if (p_.clock.passesThrough() || p_.clock.measured()) return LagRefusal::measured;
   // Kept program draws refer to textures and buffers by name, and other contexts may change those.
   if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.pending() ||
-      p_.resolves.waits() || p_.lists.compiling() ||
-      (!p_.flusher.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
+      p_.pending.unresolved.waiting ||
+      (!p_.pending.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
     return LagRefusal::state;
   return p_.failsafe.aside() || p_.shadow.info.off || addressSpaceIsShort() ? LagRefusal::failure
                                                                             : LagRefusal::none;
@@ -62,26 +39,24 @@ void WindowFrames::noteBegin() {
 LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
   LagRefusal refusal = LagRefusal::failure;
   p_.failsafe.protect([&] {
-    if (p_.immediate.insideBegin()) return;
-    p_.immediate.closeRunIfOpen();
     settle();
     refusal = whyNotLag(window.overdue.buffer);
     if (refusal != LagRefusal::none) return;
     p_.shadow.errors.keepPending();
-    p_.flusher.surround();
-    LaggedFrame frame{p_.flusher.batch.key(), p_.flusher.batch.pending(), {}, window, {}, 1, {}};
+    p_.pending.surround();
+    LaggedFrame frame{p_.pending.batch.key(), p_.pending.batch.pending(), {}, window, {}, 1, {}};
     const glm::ivec2 size = window.overdue.size;
     if (window.show && mayShowDirectly() && contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) {
       p_.shadow.refresh(kTarget);
       frame.cleared = p_.cleared.target();
       frame.farthest = farthestHit(frame.key.depthFunc, p_.shadow.state.target.depthResolution);
     }
-    refusal = p_.flusher.presenter.window().traceAhead(
+    refusal = p_.pending.presenter.window().traceAhead(
         p_.shadow.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
     lagged_ = std::move(frame);
-    p_.surfaces.traced(lagged_->key, p_.flusher.batch.take());
-    lagged_->draws = p_.flusher.batch.takeProgramDraws();
+    p_.surfaces.traced(lagged_->key, p_.pending.batch.take());
+    lagged_->draws = p_.pending.batch.takeProgramDraws();
     p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
   });
   return refusal;
@@ -91,23 +66,23 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
 bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
-  const PresentResult result = p_.flusher.presenter.window().show(
+  const PresentResult result = p_.pending.presenter.window().show(
       p_.shadow.real, frame.snapshot,
       {*frame.cleared, frame.farthest, p_.shadow.info.core, {}, frame.window.show});
   p_.shadow.latch.restore(p_.shadow.real);
   if (result.outcome != PresentResult::traced) return false;
-  p_.flusher.takeResult(result);
+  p_.pending.takeResult(result);
   noteUse(Quirk::softwareShow);
   return true;
 }
 
 PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
-  const PresentResult result = p_.flusher.presenter.present(p_.shadow.real, frame.snapshot,
+  const PresentResult result = p_.pending.presenter.present(p_.shadow.real, frame.snapshot,
                                                             {.depthFunc = frame.key.depthFunc,
                                                              .core = p_.shadow.info.core,
                                                              .programDraws = std::move(frame.draws)});
   p_.shadow.latch.restore(p_.shadow.real);
-  p_.flusher.takeResult(result);
+  p_.pending.takeResult(result);
   frame.window.swap();
   return result;
 }
@@ -122,7 +97,7 @@ void WindowFrames::showLagged() {
   p_.shadow.syncCurrent();
   PresentResult result;
   if (!frame.window.stands()) {
-    p_.flusher.presenter.window().dropAhead();
+    p_.pending.presenter.window().dropAhead();
     result.outcome = PresentResult::traced;  // the window is gone: no failure
   } else if (!showsDirectly(frame)) {
     result = presentLagged(frame);
@@ -130,7 +105,7 @@ void WindowFrames::showLagged() {
     result.outcome = PresentResult::traced;
   }
   for (const WindowClear& clear : frame.clears)
-    if (const GLenum pending = p_.flusher.presenter.window().clear(p_.shadow.real, clear))
+    if (const GLenum pending = p_.pending.presenter.window().clear(p_.shadow.real, clear))
       p_.shadow.errors.set(pending);
   if (p_.counts.kinds()) [[unlikely]]
     p_.counts.kinds()->exclude(nowSeconds() - start);
@@ -140,9 +115,9 @@ void WindowFrames::showLagged() {
 bool WindowFrames::clearsLater(GLbitfield mask) {
   constexpr size_t kMaxClears = 8;
   noteBegin();
-  stopRefining();
+  p_.pending.stopRefining();
   if (!lagged_ && !lacks()) return false;
-  if (!p_.flusher.batch.empty() || mask == 0 || mask & ~kClears || p_.clock.passesThrough() ||
+  if (!p_.pending.batch.empty() || mask == 0 || mask & ~kClears || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
       !clearsWindow(p_.shadow.real, p_.shadow.state.rare, mask))
     return false;

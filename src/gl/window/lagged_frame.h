@@ -4,13 +4,12 @@
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/presenter.h"
-#include "gl/programs/program_draw.h"
+#include "gl/batch/program_draw.h"
 #include "scene/snapshot.h"
 
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 namespace gluray::gl {
@@ -32,21 +31,5 @@ struct LaggedFrame {
   float farthest = 1;                    // with `cleared`: hits beyond this window depth are invisible
   std::vector<WindowClear> clears;       // clears of the next frame, made after the swap
 };
-
-/// Why a frame was shown at once.
-enum class LagRefusal : uint8_t {
-  none,         // it was not: it lags
-  nothingToDo,  // no batch was pending
-  target,       // the batch goes elsewhere than into a plain back buffer
-  repeated,     // its picture was known
-  measured,     // engine = auto measured the frame, or left it to the real OpenGL
-  state,        // a query, layers, other contexts
-  single,       // frames did not follow each other
-  window,       // the window's content cannot be shown without the program
-  failure,      // no thread, no memory
-};
-inline constexpr int kLagRefusals = 9;
-/// The refusal in a few words, for reports.
-std::string_view describe(LagRefusal refusal);
 
 }  // namespace gluray::gl

@@ -1,9 +1,8 @@
 // WindowFrames: pictures that are shown without the back buffer (ADR 0024).
 #include "base/timeline.h"
-#include "gl/batch/address_space_gate.h"
-#include "gl/capture/immediate.h"
-#include "gl/state/draw_binding.h"
-#include "gl/window/clears.h"
+#include "gl/pending/address_space_gate.h"
+#include "gl/real/draw_binding.h"
+#include "gl/batch/clears.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
@@ -20,16 +19,15 @@ constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
 
 bool WindowFrames::mayShowDirectly() noexcept {
   return p_.failsafe.protect([&] {
-    p_.immediate.closeRunIfOpen();
-    if (p_.flusher.batch.empty() || !p_.cleared.target() || p_.cleared.target()->framebuffer != 0)
+    if (p_.pending.batch.empty() || !p_.cleared.target() || p_.cleared.target()->framebuffer != 0)
       return false;
     if (presented_.pause > 0) return --presented_.pause, false;
-    const BatchKey& key = p_.flusher.batch.key();
+    const BatchKey& key = p_.pending.batch.key();
     return key.framebuffer == 0 && key.drawBuffer == GL_BACK && key.samples == 1 &&
            key.layers == BatchKey::Layers::none && (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) &&
-           !p_.flusher.batch.waiting().wideColors && key.colorWrites.all() &&
-           contains(p_.cleared.target()->region, p_.flusher.batch.waiting().region) && !p_.shadow.info.off &&
-           !p_.immediate.insideBegin() && !p_.failsafe.aside() && !p_.clock.passesThrough() &&
+           !p_.pending.batch.waiting().wideColors && key.colorWrites.all() &&
+           contains(p_.cleared.target()->region, p_.pending.batch.waiting().region) && !p_.shadow.info.off &&
+           !p_.failsafe.aside() && !p_.clock.passesThrough() &&
            p_.shadow.activeQueries == 0 && !addressSpaceIsShort();
   });
 }
@@ -39,20 +37,20 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     if (!contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) return false;
     showLagged();
     if (presented_.waiting) settle();  // otherwise the batch hides what the back buffer lacks
-    if (p_.flusher.batch.empty() || !p_.cleared.target()) return false;  // tracing has failed
+    if (p_.pending.batch.empty() || !p_.cleared.target()) return false;  // tracing has failed
     // The pixels of a clear are read from the back buffer.
-    if (!p_.flusher.presenter.window().knowsClear(*p_.cleared.target())) makeClear();
+    if (!p_.pending.presenter.window().knowsClear(*p_.cleared.target())) makeClear();
     p_.shadow.refresh(kTarget);
     timeline::writeIfDue();
-    const timeline::Span span("batch", p_.flusher.batch.waiting().instances.size());
-    const BatchKey key = p_.flusher.batch.key();
+    const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
+    const BatchKey key = p_.pending.batch.key();
     p_.shadow.syncCurrent();
-    p_.flusher.surround();
+    p_.pending.surround();
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(key.depthFunc, p_.shadow.state.target.depthResolution),
                             p_.shadow.info.core, p_.clock.wish(), show};
     const PresentResult result =
-        p_.flusher.presenter.window().show(p_.shadow.real, p_.flusher.batch.pending(), target);
+        p_.pending.presenter.window().show(p_.shadow.real, p_.pending.batch.pending(), target);
     p_.shadow.latch.restore(p_.shadow.real);
     if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced picture is known
       p_.counts.statistics.buildSeconds += result.cost.buildSeconds;
@@ -60,8 +58,8 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
       presented_.pause = kPause;
       return false;
     }
-    p_.flusher.takeResult(result);
-    PresentedPicture::Waiting waiting{key, p_.flusher.batch.take(), p_.flusher.batch.takeProgramDraws()};
+    p_.pending.takeResult(result);
+    PresentedPicture::Waiting waiting{key, p_.pending.batch.take(), p_.pending.batch.takeProgramDraws()};
     p_.surfaces.passes.flushed(waiting.snapshot);
     p_.surfaces.traced(key, waiting.snapshot);
     presented_.waiting = std::move(waiting);
@@ -75,9 +73,9 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
 void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
   const Settings& settings = p_.shadow.settings;
   const bool lit = settings.changesPicture() && !p_.failsafe.aside();
-  if (!lit && !refines_) return;
-  refines_ = lit;
-  WindowPresenter& window = p_.flusher.presenter.window();
+  if (!lit && !p_.pending.refines) return;
+  p_.pending.refines = lit;
+  WindowPresenter& window = p_.pending.presenter.window();
   if (!lit)
     window.refineWhileIdle({});
   else
@@ -109,7 +107,7 @@ void WindowFrames::makeClear() {
   const WindowClear clear = *presented_.clear;
   presented_.clear.reset();
   const DrawBinding binding(p_.shadow.real, 0);
-  if (const GLenum pending = p_.flusher.presenter.window().clear(p_.shadow.real, clear))
+  if (const GLenum pending = p_.pending.presenter.window().clear(p_.shadow.real, clear))
     p_.shadow.errors.set(pending);
 }
 
@@ -129,7 +127,7 @@ void WindowFrames::settle() {
   PresentedPicture::Waiting waiting = std::move(*presented_.waiting);
   presented_.waiting.reset();
   if (++presented_.inVain >= kMaxVainFrames) presented_.inVain = 0, presented_.pause = kPause;
-  p_.flusher.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
+  p_.pending.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
 }
 
 void WindowFrames::meetDraw() {

@@ -5,8 +5,8 @@
 // WindowFrames, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
-#include "gl/programs/program_draw.h"
-#include "gl/window/window_presenter.h"
+#include "gl/batch/program_draw.h"
+#include "gl/batch/window_presenter.h"
 #include "scene/snapshot.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // Shows a window's frames without its back buffer (presented_frames.cpp), or later, while the program
 // prepares the next one (lagged_frame.cpp). A part of each Context, GL thread.
 #pragma once
-#include "gl/batch/flusher.h"
+#include "gl/pending/pending_batch.h"
 #include "gl/window/lagged_frame.h"
 #include "gl/window/presented_picture.h"
 
@@ -12,10 +12,7 @@
 
 namespace gluray::gl {
 
-class Immediate;
 class LayerDraws;
-class ListCompiler;
-class ResolveDraws;
 
 class WindowFrames {
  public:
@@ -26,15 +23,12 @@ class WindowFrames {
     DrawCounts& counts;
     SurfaceHistory& surfaces;
     ClearedFramebuffers& cleared;
-    Flusher& flusher;
+    PendingBatch& pending;
     LayerDraws& layers;
-    ResolveDraws& resolves;
-    Immediate& immediate;
-    ListCompiler& lists;
   };
   explicit WindowFrames(const Parts& parts) : p_(parts) {}
 
-  // --- for intercept/, before a swap
+  // --- before a swap; FrameEnds calls the first and the last of these, after it has closed the open run
   /// Whether the swap would show only a clear and the pending batch.
   bool mayShowDirectly() noexcept;
   /// If mayShowDirectly(), in place of FrameEnds::beforeSwap() and the swap of a window of this size: traces
@@ -49,10 +43,6 @@ class WindowFrames {
   /// Call after a swap: if light is on, remembers the frame's pictures, and refines them in the window while
   /// the program draws nothing. `open` may return null.
   void refineWhileIdle(const OpenIdleWindow& open) noexcept;
-  /// Call when the program begins to draw.
-  void stopRefining() noexcept {
-    if (refines_) p_.flusher.presenter.window().stopRefining();
-  }
 
   /// Whether a lagged frame waits to be shown.
   bool lags() const { return lagged_.has_value(); }
@@ -91,7 +81,6 @@ class WindowFrames {
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 
-  bool refines_ = false;  // since the last swap
   PresentedPicture presented_;
   std::optional<LaggedFrame> lagged_;
   Parts p_;

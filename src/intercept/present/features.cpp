@@ -1,6 +1,6 @@
 #include "intercept/present/features.h"
 
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 
 #include <algorithm>
 

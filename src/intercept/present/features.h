@@ -1,7 +1,7 @@
 // Capabilities of the current context, read once per context, so that the write-back uses only what exists.
 // GL thread, context current.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 namespace gluray::present {
 

@@ -1,7 +1,7 @@
 #include "intercept/present/layers.h"
 
 #include "base/timeline.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 #include "intercept/present/raster/program_replay.h"
 #include "intercept/present/write_back/texture_upload.h"
 

@@ -1,7 +1,7 @@
 // OpenGL operations around the tracing of layers: reads and writes textures, and draws the program's own
 // passes if they cannot be traced. GL thread, context current; restores all state.
 #pragma once
-#include "gl/programs/held_pass.h"
+#include "gl/batch/held_pass.h"
 #include "gl/textures/texture_image.h"
 #include "intercept/present/write_back/state_guard.h"
 

@@ -1,6 +1,6 @@
 // Traces layers into textures of the program. GL thread.
 #pragma once
-#include "gl/layers/layer_presenter.h"
+#include "gl/batch/layer_presenter.h"
 #include "intercept/present/presented_pictures.h"
 
 #include <vector>

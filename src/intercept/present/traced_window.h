@@ -1,7 +1,7 @@
 // Shows pictures in a window without a swap: at once, or traced while the program prepares its next frame
 // (frame lag). GL thread.
 #pragma once
-#include "gl/window/window_presenter.h"
+#include "gl/batch/window_presenter.h"
 #include "intercept/present/presented_pictures.h"
 
 namespace gluray::present {

@@ -2,7 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 #include "gl/textures/texture_image.h"
 #include "intercept/present/layers.h"
 #include "intercept/present/present_result.h"

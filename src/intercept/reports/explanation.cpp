@@ -2,7 +2,7 @@
 
 #include "base/never_destroyed.h"
 #include "frame/tracer_info.h"
-#include "gl/families/match.h"
+#include "gl/programs/match.h"
 #include "intercept/session.h"
 
 #include <nlohmann/json.hpp>

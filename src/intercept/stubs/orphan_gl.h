@@ -1,7 +1,7 @@
 // The real OpenGL for calls on a thread without a context of ours: the program may have made one current
 // unseen by any door. Set by the hooks, read by every stub. Any thread.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <atomic>
 

@@ -1,6 +1,6 @@
 // GLX hooks: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
 #include "base/timeline.h"
-#include "gl/stub.h"
+#include "gl/context/stub.h"
 #include "intercept/contexts.h"
 #include "intercept/control/shown_windows.h"
 #include "intercept/engine.h"

@@ -1,6 +1,6 @@
 // The open doors of this process and the real functions behind them. Any thread.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "intercept/doors/door_abi.h"
 
 namespace gluray::intercept {

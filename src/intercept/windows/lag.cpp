@@ -106,7 +106,7 @@ LagRefusal lagged(Record& record, Display* display, GLXDrawable drawable, RealSw
   if (session().hud) return LagRefusal::state;
   gl::LagWindow window;
   const LagRefusal refusal = record.lag->prepare(display, drawable, swap, record, window);
-  return refusal == LagRefusal::none ? context.window.lag(window) : refusal;
+  return refusal == LagRefusal::none ? context.frames.lag(window) : refusal;
 }
 
 }  // namespace

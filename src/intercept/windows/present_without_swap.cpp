@@ -135,7 +135,7 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable, RealSwap swap) noexce
       !record->context->info().doubleBuffered)
     return false;
   guarded("cannot show a picture", [&] {
-    if (!record->context->window.mayShowDirectly()) return noteEmptySwap(display, drawable, *record);
+    if (!record->context->frames.mayShowDirectly()) return noteEmptySwap(display, drawable, *record);
     if (!show(display, drawable, swap, *record)) return;
     shown = true;
     record->context->passthrough.stopMeasuring();

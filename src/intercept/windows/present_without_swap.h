@@ -1,6 +1,6 @@
 // Shows frames without a swap of the real OpenGL. Called on the thread in which the context is current.
 #pragma once
-#include "gl/window/window_presenter.h"
+#include "gl/batch/window_presenter.h"
 #include "intercept/windows/lag.h"
 #include "intercept/windows/shm_window.h"
 

@@ -1,6 +1,6 @@
 // The outcome of a random scene: query results, colours and depths; compared, and kept in files.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "tests/support/picture.h"
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Random fixed-function scenes of valid calls, as programs draw them. Each seed gives one scene.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <cstdint>
 #include <vector>

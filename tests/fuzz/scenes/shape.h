@@ -1,6 +1,6 @@
 // The shapes of random scenes: wavy patches, balls and rings, and the ways of sending them.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "tests/fuzz/scenes/dice.h"
 
 #include <cstdint>

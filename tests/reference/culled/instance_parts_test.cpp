@@ -2,8 +2,8 @@
 // base instance, with vertex buffer bindings, and without both. State is as before.
 #include "gl/culled/instances/instance_draws.h"
 #include "gl/culled/instances/signed_fractions.h"
-#include "gl/programs/program_state.h"
-#include "gl/share_group.h"
+#include "gl/program_state/program_state.h"
+#include "gl/sharing/share_group.h"
 #include "tests/reference/culled/swarm.h"
 #include "tests/support/osmesa_context.h"
 

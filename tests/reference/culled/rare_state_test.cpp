@@ -1,5 +1,5 @@
 // Culled draws beside state that few programs use: it rules them out, or stays as the program has set it.
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 #include "tests/reference/culled/culled_programs.h"
 #include "tests/reference/culled/sampled_framebuffer.h"
 

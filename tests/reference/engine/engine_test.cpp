@@ -230,11 +230,11 @@ TEST(Engine, ShadersOfPicturesAreBuiltForTheFirstLargeDraw) {
       scene->draw(ours.gl(), kSceneWidth, kSceneHeight);
   const gl::Context& context = ours.context();
   EXPECT_GT(uint64_t{context.counts.statistics.rasterisedBecause[kSmall]}, 0u);
-  EXPECT_FALSE(context.flusher.knowsSupport());
+  EXPECT_FALSE(context.pending.knowsSupport());
   scenes::begin(ours.gl(), kSceneWidth, kSceneHeight);
   backdrop(ours.gl());
   ours.gl().Finish();
-  EXPECT_TRUE(context.flusher.knowsSupport());
+  EXPECT_TRUE(context.pending.knowsSupport());
   EXPECT_GT(context.counts.statistics.drawsTraced, 0u);
 }
 

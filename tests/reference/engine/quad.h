@@ -1,6 +1,6 @@
 // A quadrilateral in immediate mode, for tests.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 #include <glm/glm.hpp>

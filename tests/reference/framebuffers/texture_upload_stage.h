@@ -1,6 +1,6 @@
 // Framebuffer objects of textures into which pictures may be sent, and what is drawn into them.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/glext.h>
 

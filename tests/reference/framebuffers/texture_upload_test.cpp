@@ -280,11 +280,11 @@ TEST(TextureUploads, ComeBeforeFencesOfSharedTextures) {
   };
   TracedContext one;
   drawThenFence(one.gl());
-  EXPECT_FALSE(one.context().flusher.batch.empty());
+  EXPECT_FALSE(one.context().pending.batch.empty());
   const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);
   one.makeCurrent();
   const GLuint texture = drawThenFence(one.gl());
-  EXPECT_TRUE(one.context().flusher.batch.empty());
+  EXPECT_TRUE(one.context().pending.batch.empty());
   std::vector<uint32_t> seen(kUploadSize * kUploadSize);
   const OsmesaContext &here = one.below(), &there = other.below();
   const_cast<OsmesaContext&>(there).makeCurrent();  // without GLuRay, which would flush

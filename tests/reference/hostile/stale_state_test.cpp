@@ -202,10 +202,10 @@ TEST(StaleState, FinishDrawsIntoFramebufferObjects) {
   stage(gl);
   send(gl, sphere(12, 16));
   gl.PushMatrix(), gl.PopMatrix();  // the run ends
-  EXPECT_FALSE(ours.context().flusher.batch.empty());
+  EXPECT_FALSE(ours.context().pending.batch.empty());
   const uint64_t frames = ours.context().counts.statistics.frames;
   gl.Finish();
-  EXPECT_TRUE(ours.context().flusher.batch.empty());
+  EXPECT_TRUE(ours.context().pending.batch.empty());
   EXPECT_EQ(ours.context().counts.statistics.frames, frames) << "the window's frame goes on";
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
 }
@@ -222,7 +222,7 @@ TEST(StaleState, FinishDrawsIntoTheWindowWhereThreadsShareIt) {
   stage(gl);
   send(gl, sphere(12, 16));
   gl.Finish();
-  EXPECT_TRUE(ours.context().flusher.batch.empty());
+  EXPECT_TRUE(ours.context().pending.batch.empty());
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 1u);
 }
 

@@ -2,7 +2,7 @@
 // stores them a second time after GL_COLOR_MATERIAL was enabled. A program whose frames end with materials
 // and begin with colour material sees that in its picture, so the picture with GLuRay must be Mesa's,
 // not the correct one.
-#include "gl/capture/material_latch.h"
+#include "gl/shadow/material_latch.h"
 
 #include "tests/support/traced_context.h"
 

@@ -1,6 +1,6 @@
 // A window with a fresh OpenGL context for each scene.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 namespace gluray::player {
 

@@ -1,7 +1,7 @@
 #include "gl/culled/clusters/assembly.h"
 
-#include "gl/state/extensions.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/extensions.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

@@ -1,8 +1,8 @@
 // How the real OpenGL makes separate primitives of the vertices of a draw. GL thread.
 #pragma once
 #include "base/hash.h"
-#include "gl/arrays/elements.h"
-#include "gl/real.h"
+#include "gl/real/elements.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 

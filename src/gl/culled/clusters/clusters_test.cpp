@@ -3,7 +3,7 @@
 #include "gl/culled/clusters/clusters.h"
 
 #include "base/sanitized.h"
-#include "gl/culled/clusters/test_pictures.h"
+#include "gl/testing/test_pictures.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

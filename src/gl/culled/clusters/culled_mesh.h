@@ -7,7 +7,7 @@
 #include "gl/culled/clusters/assembly.h"
 #include "gl/culled/clusters/clusters.h"
 #include "gl/culled/clusters/unit_clusters.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <atomic>
 #include <cstddef>

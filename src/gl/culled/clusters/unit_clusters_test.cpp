@@ -2,7 +2,7 @@
 // mostly are.
 #include "gl/culled/clusters/unit_clusters.h"
 
-#include "gl/culled/clusters/test_pictures.h"
+#include "gl/testing/test_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "gl/glsl/build_program.h"
 #include "gl/glsl/glsl_tokens.h"
-#include "gl/programs/uniforms/set_uniform.h"
+#include "gl/programs/set_uniform.h"
 
 #include <GL/glext.h>
 

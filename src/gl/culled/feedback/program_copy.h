@@ -1,8 +1,8 @@
 // A copy of a program of the program under observation that feeds back gl_Position. GL thread, context
 // current.
 #pragma once
-#include "gl/programs/program.h"
-#include "gl/real.h"
+#include "gl/glsl/program.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 

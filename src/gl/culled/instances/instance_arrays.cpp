@@ -1,6 +1,6 @@
 #include "gl/culled/instances/instance_arrays.h"
 
-#include "gl/programs/uniforms/uniforms.h"
+#include "gl/programs/uniforms.h"
 
 #include <algorithm>
 #include <bitset>

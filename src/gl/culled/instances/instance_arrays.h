@@ -4,8 +4,8 @@
 #include "gl/arrays/arrays.h"
 #include "gl/culled/instances/instances.h"
 #include "gl/culled/shader_slice/position_slice.h"
-#include "gl/draws/reasons.h"
-#include "gl/programs/program.h"
+#include "gl/basics/reasons.h"
+#include "gl/glsl/program.h"
 
 #include <functional>
 #include <vector>

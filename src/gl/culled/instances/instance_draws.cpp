@@ -1,8 +1,8 @@
 #include "gl/culled/instances/instance_draws.h"
 
 #include "gl/culled/instances/instance_arrays.h"
-#include "gl/state/extensions.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/extensions.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

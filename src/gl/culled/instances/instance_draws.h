@@ -2,10 +2,10 @@
 // of CulledDraws, GL thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
-#include "gl/arrays/elements.h"
+#include "gl/real/elements.h"
 #include "gl/culled/instances/instance_units.h"
-#include "gl/draws/reasons.h"
-#include "gl/real.h"
+#include "gl/basics/reasons.h"
+#include "gl/real/real.h"
 
 #include <cstdint>
 #include <optional>

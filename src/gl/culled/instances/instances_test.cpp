@@ -1,7 +1,7 @@
 // Instances that may show are never left out, also where a shader rounds; those that cannot mostly are.
 #include "gl/culled/instances/instances.h"
 
-#include "gl/culled/clusters/test_pictures.h"
+#include "gl/testing/test_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "gl/culled/feedback/feedback_stage.h"
 #include "gl/glsl/build_program.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

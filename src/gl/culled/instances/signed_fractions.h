@@ -1,7 +1,7 @@
 // Whether the real OpenGL reads signed fractions of vertex arrays as ArrayReader does. A part of CulledDraws,
 // GL thread, context current.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <optional>
 

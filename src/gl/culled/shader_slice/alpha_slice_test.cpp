@@ -1,5 +1,5 @@
 #include "gl/culled/shader_slice/position_slice.h"
-#include "gl/culled/shader_slice/test_uniforms.h"
+#include "gl/testing/test_uniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "gl/culled/shader_slice/position_slice.h"
 
-#include "gl/culled/shader_slice/test_uniforms.h"
+#include "gl/testing/test_uniforms.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,7 +1,7 @@
 #include "gl/culled/small/current_uniforms.h"
 
 #include "gl/glsl/glsl_tokens.h"
-#include "gl/programs/uniforms/uniforms.h"
+#include "gl/programs/uniforms.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,8 +1,8 @@
 // The values that the uniforms of a program have now, read one by one. GL thread, context current.
 #pragma once
 #include "gl/culled/shader_slice/position_slice.h"
-#include "gl/programs/program.h"
-#include "gl/real.h"
+#include "gl/glsl/program.h"
+#include "gl/real/real.h"
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Places of many draws by one run of the shader: those of a run for each draw, whichever uniforms change.
 #include "gl/culled/small/placed_positions.h"
 
-#include "gl/programs/program.h"
+#include "gl/glsl/program.h"
 
 #include <GL/glext.h>
 #include <glm/glm.hpp>

@@ -1,6 +1,6 @@
 // [[code]] sections of family files, and families that name them.
 #include "gl/families/family.h"
-#include "gl/families/test_family_text.h"
+#include "gl/testing/test_family_text.h"
 
 #include <gtest/gtest.h>
 

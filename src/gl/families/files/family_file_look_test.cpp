@@ -1,7 +1,7 @@
 // Family files: keys of fog, of the lights' highlights and of back faces.
 #include "gl/families/components.h"
 #include "gl/families/family.h"
-#include "gl/families/test_family_text.h"
+#include "gl/testing/test_family_text.h"
 
 #include <gtest/gtest.h>
 

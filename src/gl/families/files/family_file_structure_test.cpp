@@ -1,6 +1,6 @@
 // Family files as a whole: inheritance, sections, and the message of every mistake.
 #include "gl/families/family.h"
-#include "gl/families/test_family_text.h"
+#include "gl/testing/test_family_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Family files: keys of surfaces.
 #include "gl/families/family.h"
-#include "gl/families/test_family_text.h"
+#include "gl/testing/test_family_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "gl/families/files/family_mistakes.h"
 
-#include "gl/families/built_in_variables.h"
+#include "gl/glsl/built_in_variables.h"
 
 namespace gluray::gl {
 namespace {

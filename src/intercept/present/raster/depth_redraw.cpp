@@ -1,7 +1,7 @@
 #include "intercept/present/raster/depth_redraw.h"
 
 #include "gl/glsl/build_program.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 #include "intercept/present/raster/raster_fallback.h"
 #include "intercept/present/raster/triangle_array.h"
 #include "intercept/present/read_back/sample_copy.h"

@@ -1,5 +1,5 @@
 // Redraws the depth of traced surfaces with the real OpenGL, so that later passes over them find
-// bit-identical depths (gl/draws/multipass_surfaces.h). GL thread, outside glBegin/glEnd.
+// bit-identical depths (gl/history/multipass_surfaces.h). GL thread, outside glBegin/glEnd.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/present/features.h"

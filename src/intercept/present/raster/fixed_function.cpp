@@ -1,6 +1,6 @@
 #include "intercept/present/raster/fixed_function.h"
 
-#include "gl/state/extensions.h"
+#include "gl/real/extensions.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

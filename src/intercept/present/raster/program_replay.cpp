@@ -1,6 +1,6 @@
 #include "intercept/present/raster/program_replay.h"
 
-#include "gl/programs/uniforms/set_uniform.h"
+#include "gl/programs/set_uniform.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "intercept/present/raster/triangle_array.h"
 
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -1,6 +1,6 @@
 #include "intercept/present/read_back/blending_trial.h"
 
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 #include "intercept/present/read_back/sample_copy.h"
 #include "intercept/present/read_back/view_program.h"
 #include "intercept/present/write_back/state_guard.h"

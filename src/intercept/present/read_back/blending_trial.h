@@ -1,7 +1,7 @@
 // Whether the real OpenGL's blending leaves nothing of what was below where alpha is 1 but for rounding:
 // found out by drawing. One per context. GL thread, context current; restores all state.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "intercept/present/features.h"
 
 #include <optional>

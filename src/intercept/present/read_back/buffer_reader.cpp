@@ -1,6 +1,6 @@
 #include "intercept/present/read_back/buffer_reader.h"
 
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 #include "intercept/present/write_back/state_guard.h"
 
 #include <exception>

@@ -1,8 +1,8 @@
 #include "intercept/present/read_back/frame_picture.h"
 
 #include "base/files.h"
-#include "gl/state/buffer_bits.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/buffer_bits.h"
+#include "gl/real/state_queries.h"
 #include "intercept/present/write_back/state_guard.h"
 
 #include <GL/gl.h>

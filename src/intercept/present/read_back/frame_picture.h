@@ -2,7 +2,7 @@
 // thread. Reads the framebuffer once per flush and once per frame, so it exists only if wanted.
 #pragma once
 #include "base/image.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "intercept/present/features.h"
 
 #include <cstdint>

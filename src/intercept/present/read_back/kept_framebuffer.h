@@ -2,7 +2,7 @@
 // current; restores all state.
 #pragma once
 #include "base/image.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "intercept/present/presented_pictures.h"
 #include "scene/snapshot.h"
 

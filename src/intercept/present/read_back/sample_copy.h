@@ -1,7 +1,7 @@
 // A copy of the depths of all samples of the program's framebuffer, in a multisampled texture. GL thread,
 // context current; restores all state.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "intercept/present/features.h"
 #include "scene/snapshot.h"
 

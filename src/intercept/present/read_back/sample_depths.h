@@ -2,7 +2,7 @@
 // context. GL thread, context current; restores all state.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "gl/real.h"
+#include "gl/real/real.h"
 #include "intercept/present/features.h"
 #include "intercept/present/read_back/sample_copy.h"
 #include "scene/snapshot.h"

@@ -1,6 +1,6 @@
 // Shader programs that draw one triangle around the view. GL thread, context current.
 #pragma once
-#include "gl/real.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 

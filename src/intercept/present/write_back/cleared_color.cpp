@@ -1,6 +1,6 @@
 #include "intercept/present/write_back/cleared_color.h"
 
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

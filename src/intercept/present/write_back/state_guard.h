@@ -2,7 +2,7 @@
 // first. Queries state before setting it, so that state which is right already costs one query. GL thread,
 // context current, outside glBegin/glEnd and outside list compilation.
 #pragma once
-#include "gl/state/other_program.h"
+#include "gl/real/other_program.h"
 #include "intercept/present/features.h"
 #include "scene/snapshot.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/timeline.h"
 #include "frame/pixel_rows.h"
-#include "gl/state/state_queries.h"
+#include "gl/real/state_queries.h"
 #include "gl/textures/texture_image.h"
 #include "parallel/loops.h"
 

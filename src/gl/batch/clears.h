@@ -1,0 +1,30 @@
+// Queries the real OpenGL's state that decides what a glClear covers. GL thread.
+#pragma once
+#include "gl/batch/presenter.h"
+#include "gl/real/real.h"
+#include "gl/real/extensions.h"
+#include "scene/snapshot.h"
+
+namespace gluray::gl {
+
+/// Whether a glClear of colour and depth would now write all of both in the scissor box, and depth 1.
+bool clearsAll(const RealGl& real, const RareState& has);
+
+/// The same for the buffers of `mask` and any clear values.
+bool clearsInFull(const RealGl& real, const RareState& has, GLbitfield mask);
+
+/// Whether glClear(mask) would now clear the whole window, whatever its size, in the buffers of `mask`, with
+/// colours as they are.
+bool clearsWindow(const RealGl& real, const RareState& has, GLbitfield mask);
+
+/// glClear(mask) with the current clear values.
+WindowClear windowClear(const RealGl& real, GLbitfield mask);
+
+/// Whether all of `inner` lies in `outer`.
+bool contains(const scene::Region& outer, const scene::Region& inner);
+
+/// The largest window depth of a hit that passes the test, GL_LESS or GL_LEQUAL, against depth 1 in a buffer
+/// of that depth resolution.
+float farthestHit(GLenum depthFunc, float resolution);
+
+}  // namespace gluray::gl

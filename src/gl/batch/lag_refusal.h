@@ -1,0 +1,25 @@
+// Why a frame that could lag (docs/adr/0023) was shown at once.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace gluray::gl {
+
+/// Why a frame was shown at once.
+enum class LagRefusal : uint8_t {
+  none,         // it was not: it lags
+  nothingToDo,  // no batch was pending
+  target,       // the batch goes elsewhere than into a plain back buffer
+  repeated,     // its picture was known
+  measured,     // engine = auto measured the frame, or left it to the real OpenGL
+  state,        // a query, layers, other contexts
+  single,       // frames did not follow each other
+  window,       // the window's content cannot be shown without the program
+  failure,      // no thread, no memory
+};
+inline constexpr int kLagRefusals = 9;
+/// The refusal in a few words, for reports.
+std::string_view describe(LagRefusal refusal);
+
+}  // namespace gluray::gl

@@ -1,0 +1,44 @@
+// Presents peeled layers: traced in place of the program's peels, or drawn by replaying those peels.
+// Implemented in intercept/present/, called by LayerDraws. GL thread, context current.
+#pragma once
+#include "gl/batch/present_result.h"
+#include "gl/batch/held_pass.h"
+#include "gl/real/real.h"
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::gl {
+
+/// The base class presents nothing.
+class LayerPresenter {
+ public:
+  virtual ~LayerPresenter() = default;
+  /// Traces the layers of `snapshot` into `target.result`, or writes `target.picture` there. If that fails,
+  /// or if `rasterise`, the real OpenGL draws the held passes instead. Otherwise as Presenter::present().
+  virtual PresentResult present(const RealGl&, const scene::SnapshotPtr&, const LayersTarget& /*target*/,
+                                bool /*rasterise*/) noexcept {
+    return {};
+  }
+  /// Only traces layers: returns the picture in PresentResult::picture and writes nothing.
+  virtual PresentResult trace(const scene::SnapshotPtr&, const LayersTarget& /*target*/) noexcept {
+    return {};
+  }
+  /// Draws the pass for the active query alone, while `pixels` pixels of `texture`, which it reads, are not 0
+  /// and all others are. Leaves all images as they were. False if that is not possible. Never throws.
+  virtual bool countPixels(const RealGl&, const HeldPass&, GLuint /*texture*/, glm::ivec2 /*size*/,
+                           uint64_t /*pixels*/) noexcept {
+    return false;
+  }
+  /// Reads red and green of level 0 of the texture bound to GL_TEXTURE_2D of unit `unit` as floats, `size`
+  /// pixels. False if its format or size differs, or it cannot be read. Never throws.
+  virtual bool readDepths(const RealGl&, GLint /*unit*/, glm::ivec2 /*size*/,
+                          std::vector<glm::vec2>& /*out*/) noexcept {
+    return false;
+  }
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,14 @@
+// Whether settings turn lines and points into solids: tubes and spheres.
+#pragma once
+#include "gl/capture/captured_vertices.h"
+#include "settings/settings.h"
+
+namespace gluray::gl {
+
+/// Whether settings turn draws of this class into solids.
+bool drawsSolids(const Settings& settings, PrimitiveClass kind);
+
+/// The same of any class.
+bool drawsAnySolids(const Settings& settings);
+
+}  // namespace gluray::gl

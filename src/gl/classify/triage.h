@@ -1,0 +1,67 @@
+// Decides whether draws of the fixed-function pipeline are traced or rasterised, and has the checks that all
+// draws share. A part of each Context, GL thread.
+#pragma once
+#include "gl/pending/pending_batch.h"
+#include "gl/capture/mesh_cache.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/basics/reasons.h"
+#include "gl/history/surface_history.h"
+#include "gl/basics/failsafe.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/clock/frame_clock.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::gl {
+
+class LayerDraws;
+
+class Triage {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    const Failsafe& failsafe;
+    FrameClock& clock;
+    SurfaceHistory& surfaces;
+    PendingBatch& pending;
+    LayerDraws& layers;
+  };
+  explicit Triage(const Parts& parts) : p_(parts) {}
+
+  /// Why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer), or
+  /// Reason::traced.
+  Reason ofContext() const;
+  /// Reason::noGlsl if this OpenGL cannot show traced pictures, else Reason::traced. A mixed frame asks only
+  /// for draws that are too large for the real OpenGL: call it again for these, with `large`.
+  Reason ofPictures(bool large) const;
+  /// Why a draw of fixed function's vertices, by fixed function or by a program, cannot be traced now, if it
+  /// is of this primitive class, or Reason::traced. Call refresh(kDrawGroups) before.
+  Reason of(PrimitiveClass kind) const;
+  /// The same for a surface with this mesh, after of(kind).
+  Reason of(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
+  /// Whether a surface that can be traced is a layer, blended in drawing order (LayerDraws::mayBeDrawn()).
+  bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+
+  /// Whether draws of this class are surfaces that are depth-tested against the framebuffer.
+  bool meetsDepth(PrimitiveClass kind) const;
+  /// Whether such draws leave depths that later ones are tested against.
+  bool leavesDepth(PrimitiveClass kind) const;
+  /// Whether surfaces are now drawn with a polygon offset away from the viewer.
+  bool isPushedBack() const;
+  /// The place of a mesh that is drawn now with this matrix and polygon offset.
+  SurfacePlace placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;
+
+ private:
+  Reason ofProgram() const;
+  bool isOpaqueByProgram(const scene::Mesh& mesh) const;
+  Reason ofProgramsMesh(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+  Reason whereEverythingIsTraced(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  Reason ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+  bool isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+
+  Parts p_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,68 @@
+// A context's current frame: its number, when it began, who draws it. A part of each Context, GL thread.
+#pragma once
+#include "base/clock.h"
+#include "gl/clock/picture_wish.h"
+#include "gl/clock/context_info.h"
+#include "gl/trials/frame_trials.h"
+#include "gl/trials/engine_choice.h"
+#include "gl/clock/offscreen_animation.h"
+#include "scene/light_sampling.h"
+
+#include <cstdint>
+
+namespace gluray::gl {
+
+class FrameClock {
+ public:
+  /// `info` must outlive it.
+  FrameClock(const ContextInfo& info, const Settings& settings);
+
+  uint64_t frame = 1;
+  double beganSeconds = 0;  // time of this frame's first known clear or draw; 0: none yet
+  EngineChoice choice;
+  FrameTrials smallDraws;
+
+  /// Whether draws pass through to the real OpenGL. Then only lists are captured, and no state is read.
+  bool passesThrough() const { return passesThrough_; }
+  void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
+  /// Whether this frame is being measured: then no picture may be repeated or delayed.
+  bool measured() const { return choice.wantsStop(); }
+  /// The program reads what flushes write until it is false again.
+  bool reads = false;
+  /// `known`: the picture was shown before, elsewhere.
+  PictureWish wish(bool known = false) const { return {known || !measured(), reads && !animates_}; }
+  /// For a picture that the window shows already: reads find it there (FinishedRead).
+  PictureWish wishAsShown() const { return {true, false, true}; }
+  /// How light is sampled for the next picture: in full where nobody watches frames change. Whether somebody
+  /// does is known later in programs without a window (watchesOffscreen).
+  scene::LightSampling::Mode lightMode(const Settings& settings);
+  bool watchesOffscreen(const Settings& settings) const;
+  /// The same for a picture that is about to be traced, of that frame of a view. Throws std::bad_alloc.
+  scene::LightSampling::Mode offscreenMode(glm::ivec2 size, uint64_t viewFrame);
+  /// The last picture belongs to an animation: reads take it as it is.
+  bool animates() const { return animates_; }
+  /// It is there.
+  void drawn() {
+    if (isOffscreen_) [[unlikely]]
+      offscreen_.drawn(nowSeconds());
+  }
+  bool startsMeasuring() const { return choice.wantsStart(); }
+  /// Whether a surface of so many triangles is left to the real OpenGL, whatever else the frame holds.
+  bool leavesAlone(uint64_t triangles, double viewportPixels) const {
+    return choice.way() == EngineChoice::Way::mixed && choice.takesAlone(triangles, viewportPixels);
+  }
+  /// The same for surfaces that are blended in drawing order.
+  bool leavesLayers(uint64_t triangles, double viewportPixels) const {
+    return choice.takesLayers(triangles, viewportPixels);
+  }
+
+ private:
+  bool isShown() const;
+
+  const ContextInfo& info_;
+  bool passesThrough_ = false;
+  OffscreenAnimation offscreen_;
+  bool isOffscreen_ = false, animates_ = false;  // of the last picture
+};
+
+}  // namespace gluray::gl

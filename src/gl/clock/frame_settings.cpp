@@ -1,0 +1,34 @@
+#include "gl/clock/frame_settings.h"
+
+#include "settings/values.h"
+
+#include <tbb/info.h>
+
+#include <utility>
+
+namespace gluray::gl {
+
+Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked) {
+  const bool choice =
+      !info.off && settings.renderer != Renderer::null && !settings.changesPicture() && !asked;
+  return choice || settings.engine == Engine::never ? settings.engine : Engine::always;
+}
+
+int threadsOf(const Settings& settings) {
+  if (settings.threads > 0) return settings.threads;
+  return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
+}
+
+bool FrameSettings::take() {
+  if (!source_) return false;
+  uint64_t version = version_;
+  const SettingsSource::Shared newer = source_->take(version);
+  if (!newer) return false;
+  Settings next = *newer;  // may throw
+  keepBetweenFrames(next, now_);
+  version_ = version;
+  now_ = std::move(next);
+  return true;
+}
+
+}  // namespace gluray::gl

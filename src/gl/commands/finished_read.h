@@ -1,0 +1,28 @@
+// If the bound read framebuffer shows unfinished pictures with light, the program's read sees finished ones
+// while this lives (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
+#pragma once
+#include "gl/context/context.h"
+
+namespace gluray::gl {
+
+class FinishedRead {
+ public:
+  FinishedRead(Context& context, const scene::Region& region, GLenum format) noexcept : context_(context) {
+    if (context.shadow.settings.changesPicture()) [[unlikely]]
+      bind(region, format);
+  }
+  ~FinishedRead() {
+    if (bound_) unbind();
+  }
+  FinishedRead(const FinishedRead&) = delete;
+  FinishedRead& operator=(const FinishedRead&) = delete;
+
+ private:
+  void bind(const scene::Region& region, GLenum format) noexcept;
+  void unbind() noexcept;
+
+  Context& context_;
+  bool bound_ = false;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,78 @@
+// Handlers of multi-draws: several draws of the same arrays by one command.
+#include "gl/commands/array_draws.h"
+#include "gl/context/handlers.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+/// Checks the mode even if there are no draws.
+bool isValid(Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
+  if (draws < 0 || std::any_of(count, count + draws, [](GLsizei n) { return n < 0; }))
+    return refuse(c, GL_INVALID_VALUE), false;
+  return validate(c, mode, Elements{});
+}
+
+/// Whether the real OpenGL makes all the draws as they are: then they are counted, as one, and its own
+/// multi-draw may be called. `elementsOf`: of a draw by its number.
+template <class ElementsOf>
+bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& elementsOf) {
+  if (c.lists.compiling() || draws < 2) return false;
+  uint64_t triangles = 0;
+  for (GLsizei i = 0; i < draws; ++i) {
+    const Elements e = elementsOf(i);
+    if (e.first < 0) return false;
+    triangles += trianglesOf(mode, e);
+  }
+  const auto mayCullAny = [&] {
+    for (GLsizei i = 0; i < draws; ++i)
+      if (c.culled.mayCull(elementsOf(i))) return true;
+    return false;
+  };
+  const DrawPath path = pathOf(elementsOf(0));
+  if (c.clock.passesThrough() && c.passthrough.takes(path, kindOf(mode), triangles)) return true;
+  c.passthrough.works();
+  if (c.protect([&] { return c.untraced.numbersDraws(); }))
+    c.beforeForward(Context::Flush::all);
+  else if (!drawsUntraced(c) || mayCullAny())
+    return false;
+  beforeUntraced(c, mode, path, triangles);
+  for (GLsizei i = 0; i < draws; ++i) {
+    const Elements e = elementsOf(i);
+    c.culled.count(e);
+    rememberUntraced(c, mode, e);
+  }
+  return true;
+}
+
+}  // namespace
+
+void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
+  if (!isValid(c, mode, count, draws)) return;
+  const auto elementsOf = [&](GLsizei i) { return Elements{first[i], count[i], 0, nullptr, 0}; };
+  if (takesTogether(c, mode, draws, elementsOf)) return c.real.MultiDrawArrays(mode, first, count, draws);
+  for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
+}
+
+void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei draws) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (!isValid(c, mode, count, draws)) return;
+  const auto elementsOf = [&](GLsizei i) { return Elements{0, count[i], type, indices[i], 0}; };
+  if (takesTogether(c, mode, draws, elementsOf))
+    return c.real.MultiDrawElements(mode, count, type, indices, draws);
+  for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
+}
+
+void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
+                                 const void* const* indices, GLsizei draws, const GLint* base) {
+  if (!isIndexType(type)) return refuse(c, GL_INVALID_ENUM);
+  if (!isValid(c, mode, count, draws)) return;
+  const auto elementsOf = [&](GLsizei i) { return Elements{0, count[i], type, indices[i], base[i]}; };
+  if (takesTogether(c, mode, draws, elementsOf))
+    return c.real.MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base);
+  for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
+}
+
+}  // namespace gluray::gl

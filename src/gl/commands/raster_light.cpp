@@ -1,0 +1,135 @@
+#include "gl/commands/raster_light.h"
+
+#include "gl/commands/array_draws.h"
+#include "gl/capture/mesh_builder.h"
+#include "gl/context/context.h"
+#include "gl/culled/clusters/assembly.h"
+#include "gl/culled/cullable_state.h"
+#include "gl/basics/affine.h"
+#include "gl/real/state_queries.h"
+#include "scene/effects.h"
+
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+constexpr GLenum kClipDistances = 8;  // OpenGL's minimum; llvmpipe has no more
+
+bool isWanted(const Settings& settings) {
+  return settings.light.rasterised && settings.look == Look::program && scene::wantsLight(settings);
+}
+
+bool isClipped(const ShadowState& shadow) {
+  if (!shadow.state.clipPlanes.empty()) return true;
+  for (GLenum i = 0; i < kClipDistances; ++i)
+    if (isOn(shadow.real, GL_CLIP_DISTANCE0 + i)) return true;
+  return false;
+}
+
+/// Whether the draw may have written less than colours and depth. Fragments that it left out are found by
+/// their depth, unless the framebuffer is multisampled.
+Reason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
+  if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return Reason::instanced;
+  if (const Reason reason = cullableState(shadow, mode); reason != Reason::traced) return reason;
+  const RasterState& raster = shadow.state.raster;
+  if (raster.isReversed()) return Reason::depthFunc;
+  if (!raster.colorWrites.all()) return Reason::colorMask;
+  const bool stippled = raster.butDepthFunc == Reason::polygonStipple;
+  if (shadow.state.target.samples > 1 && (stippled || raster.alphaTest != scene::AlphaTest{}))
+    return stippled ? Reason::polygonStipple : Reason::alphaTest;
+  if (shadow.state.target.encodes) return Reason::framebuffer;
+  return isClipped(shadow) ? Reason::clipDistances : Reason::traced;
+}
+
+/// Matte, without lights of its own: the setting lights adds them. Dark, so that lights do not add up to more
+/// than 1.
+void makeMatte(scene::Instance& instance, scene::Shading& shading) {
+  constexpr float kDark = 1.0f / 16;
+  shading.fragment.model = scene::FragmentShading::Model::phong;
+  shading.fragment.normals = scene::FragmentShading::Normals::triangles;
+  scene::Material material;
+  material.ambient = material.diffuse = glm::vec4(glm::vec3(kDark), 1);
+  material.specular = glm::vec4(0, 0, 0, 1);
+  instance.materials = {{material, material}};
+}
+
+/// What mirrors and paths see has the colours that were drawn, whatever light reaches it.
+void makeUnlit(scene::Instance& instance, scene::Shading& shading) {
+  makeMatte(instance, shading);
+  shading.fragment.model = scene::FragmentShading::Model::unlit;
+}
+
+/// A key with the camera of surfaces that wait already, so that they wait together.
+std::optional<BatchKey> likelyKey(const PendingBatch& pending, bool paths) {
+  if (const BatchKey* key = paths ? pending.pictured.likely(pending.batch) : nullptr) return *key;
+  return paths || pending.batch.empty() ? std::nullopt : std::optional(pending.batch.key());
+}
+
+void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject) {
+  const bool paths = scene::wantsPaths(c.shadow.settings);
+  State& state = c.shadow.state;
+  state.projection = clipFromObject;
+  c.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
+  BatchKey key = Batch::keyOf(state);
+  key.layers = BatchKey::Layers::factors;
+  key.depthFunc = GL_LEQUAL;
+  c.filler.clampToTarget(key.region);
+  if (key.region.width <= 0 || key.region.height <= 0) return;
+  const std::optional<BatchKey> there = likelyKey(c.pending, paths);
+  c.filler.factor(clipFromObject, reachOf(*mesh), there ? &*there : nullptr, key, !paths);
+  if (!paths && !c.filler.open(key)) return;
+  scene::Instance instance;
+  instance.mesh = mesh;
+  instance.eyeFromObject = state.modelview;
+  instance.cull = state.raster.cull;
+  instance.frontFaceCcw = state.raster.frontFaceCcw;
+  scene::Shading shading;
+  if (paths) {
+    makeUnlit(instance, shading);
+    return c.pending.pictured.add(key, std::move(instance), std::move(shading), c.pending.batch);
+  }
+  makeMatte(instance, shading);
+  c.pending.batch.add(std::move(instance), std::move(shading));
+  c.filler.settleFailure();
+}
+
+Reason light(Context& c, GLenum mode, const Elements& e) {
+  ShadowState& shadow = c.shadow;
+  if (const Reason reason = litState(shadow, mode, e); reason != Reason::traced) return reason;
+  if (!c.pending.canTrace()) return Reason::noGlsl;
+  CulledDraws::Source from;
+  if (const Reason reason = c.culled.source(mode, e, from); reason != Reason::traced) return reason;
+  if (!from.position.terms.empty()) return Reason::instanced;
+  if (from.program && from.program->discards() && shadow.state.target.samples > 1) return Reason::leavesOut;
+  const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();
+  if (!from.positions->enabled || restarts) return Reason::arrayState;
+  ArrayState positions;
+  positions.vertex = *from.positions;
+  positions.vertex.size = std::min(from.positions->size, from.components);
+  positions.elements = from.arrays->elements;
+  if (foreignReason(positions) != Reason::traced) return Reason::foreignBuffer;
+  const KnownMesh known = meshOf(c, positions, mode, e);
+  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
+  if (known.mesh->triangleCount == 0) return Reason::traced;
+  if (isFarAway(*known.mesh)) return Reason::farAway;
+  const glm::dmat4& matrix = from.matrix.clipFromObject;
+  if (!isInvertible(matrix)) return Reason::singularMatrix;
+  const glm::ivec4& viewport = shadow.state.viewport;
+  if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, {viewport.z, viewport.w})) return Reason::tooLarge;
+  addSurface(c, known.mesh, matrix);
+  return Reason::traced;
+}
+
+}  // namespace
+
+void lightRasterised(Context& c, GLenum mode, const Elements& e) noexcept {
+  if (!isWanted(c.shadow.settings) || c.failsafe.aside() || c.shadow.info.off) return;
+  c.protect([&] { c.counts.lit(light(c, mode, e)); });
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,23 @@
+// Where a toolkit shows pictures in its window that were drawn into framebuffer objects: it draws a rectangle
+// with the picture as its texture. GL thread, while somebody asks (DrawnObjects).
+#pragma once
+#include "gl/real/elements.h"
+#include "gl/shadow/shadow_state.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::gl {
+
+/// Rectangles of the window that a draw of a shader program may fill: x and y from the lower left corner,
+/// width and height in pixels. One for each of its arrays, as it is and moved by each of its matrices, if
+/// that gives the corners of a rectangle. Empty for draws of other than four or six vertices, and into
+/// framebuffer objects. Requires refresh(kProgramGroups).
+std::vector<glm::ivec4> placesOf(const ShadowState& shadow, const Elements& elements);
+
+/// The rectangle that four or six points fill, each of which is at one of its corners; {0, 0, 0, 0}: none.
+/// Points are in clip space.
+glm::ivec4 rectangleOf(const std::vector<glm::vec4>& points, const glm::ivec4& viewport);
+
+}  // namespace gluray::gl

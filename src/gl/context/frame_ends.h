@@ -1,0 +1,84 @@
+// Decides when frames begin and end: at swaps, at glFlush and glFinish, or at clears of programs that only
+// draw into memory. A part of each Context, GL thread.
+#pragma once
+#include "gl/flush/flusher.h"
+#include "gl/counts/draw_counts.h"
+#include "gl/clock/frame_settings.h"
+#include "gl/context/passthrough_frames.h"
+#include "gl/window/window_frames.h"
+
+#include <GL/gl.h>
+
+namespace gluray::gl {
+
+class Immediate;
+class ListCompiler;
+class ResolveDraws;
+
+class FrameEnds {
+ public:
+  struct Parts {
+    FrameSettings& settings;
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    DrawCounts& counts;
+    SurfaceHistory& surfaces;
+    ClearedFramebuffers& cleared;
+    PendingBatch& pending;
+    Flusher& flusher;
+    ResolveDraws& resolves;
+    WindowFrames& window;
+    PassthroughFrames& passthrough;
+    Immediate& immediate;
+    const ListCompiler& lists;
+  };
+  explicit FrameEnds(const Parts& parts) : p_(parts), sourceFrame_(parts.settings.sourceFrame()) {}
+
+  /// For intercept/, in place of beforeSwap() and the swap: WindowFrames::mayShowDirectly() and lag().
+  bool mayShowDirectly() noexcept;
+  LagRefusal lag(const LagWindow& window) noexcept;
+  /// Call before a buffer swap: writes all pending pictures into the window.
+  void beforeSwap();
+  /// Call after a buffer swap: ends the frame, chooses the next one's engine, forgets old meshes.
+  void afterSwap();
+  /// For glFlush: flushes if the pending batch could be seen before the next swap, by contexts that share the
+  /// images of its framebuffer object, or in the window.
+  void showIfVisible() { show(false, false); }
+  /// For glFinish: the same, and whatever uses of the framebuffer could follow without a call of this
+  /// context.
+  void finish();
+  /// Call before a clear: if the frame begins with it, takes the current settings.
+  void beforeClear(GLbitfield mask) noexcept;
+  /// Call before and after the real clear. Clears of colour and depth end frames of programs that never swap.
+  void clearing(GLbitfield mask);
+  void cleared(GLbitfield mask);
+
+ private:
+  void takeSettings();
+  void endWithOthers(GLbitfield mask);
+  uint64_t draws() const;
+  void nextFrame();
+  void endFrame();
+  void endFrameInPlace();
+  void endDepths();
+  void endViews(GLbitfield mask);
+  /// Flushes in any case into framebuffer objects if `objects`, into windows if `windows`.
+  void show(bool objects, bool windows);
+  void showFront();
+  void showDrawn();
+  void chooseEngine();
+  void forgetOld();
+  void deleteDiscarded();
+
+  Parts p_;
+  bool begun_ = false;          // this frame has cleared
+  uint64_t drawsBefore_ = 0;    // draws before this frame
+  uint64_t sourceFrame_;        // FrameSettings::sourceFrame() when a frame was begun last
+  bool othersSwap_ = false;     // frames end with those of another context
+  uint64_t drawsInFront_ = 0;   // draws up to the last frame in the front buffer
+  int clears_ = 0;              // clears of colour and depth since forgetOld()
+  uint64_t workForgotten_ = 0;  // DrawCounts::work() at the last forgetOld()
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,191 @@
+#include "gl/context/geometry_run.h"
+
+#include "gl/capture/mesh_builder.h"
+#include "gl/capture/replay.h"
+#include "gl/context/context.h"
+
+#include <GL/gl.h>
+
+#include <cstring>
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+
+void applyMaterials(Context& context, const MaterialChange& change) {
+  const auto each = [&](GLenum face, const scene::Material& m, uint16_t set) {
+    if (set & MaterialChange::ambient) context.immediate.material(face, GL_AMBIENT, &m.ambient.x);
+    if (set & MaterialChange::diffuse) context.immediate.material(face, GL_DIFFUSE, &m.diffuse.x);
+    if (set & MaterialChange::specular) context.immediate.material(face, GL_SPECULAR, &m.specular.x);
+    if (set & MaterialChange::emission) context.immediate.material(face, GL_EMISSION, &m.emission.x);
+    if (set & MaterialChange::shininess) context.immediate.material(face, GL_SHININESS, &m.shininess);
+  };
+  each(GL_FRONT, change.values.front, change.front);
+  each(GL_BACK, change.values.back, change.back);
+}
+
+GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
+                         std::vector<InheritedSlot> inherited, PrimitiveClass kind,
+                         std::weak_ptr<ShareGroup> group)
+    : captured_(std::move(captured)),
+      layout_(captured_.layout),
+      finalSlots_(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber))),
+      finals_(finals),
+      inherited_(std::move(inherited)),
+      kind_(kind),
+      group_(std::move(group)),
+      triangles_(countTriangles(captured_)) {
+  leftByList_ = slotsOfLastVertex();
+}
+
+GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
+    : captured_(std::move(captured)),
+      layout_(captured_.layout),
+      finals_(initialSlotValues()),
+      kind_(kind),
+      group_(std::move(group)),
+      triangles_(countTriangles(captured_)) {}
+
+GeometryRun::~GeometryRun() { dropRealList(); }
+
+void GeometryRun::dropRealList() {
+  if (!realList_) return;
+  if (const auto group = group_.lock()) group->discardRealList(realList_);
+  realList_ = 0;
+}
+
+SlotMask GeometryRun::slotsOfLastVertex() const {
+  if (captured_.primitives.empty() || captured_.vertexCount == 0) return 0;
+  const auto& indices = captured_.indices;
+  const uint32_t last = indices.empty() ? captured_.vertexCount - 1 : indices.data()[indices.size() - 1];
+  SlotMask slots = finalSlots_;
+  for (const InheritedSlot& inherited : inherited_)
+    if (last < inherited.vertices) slots &= ~bit(inherited.slot);
+  forEachSlot(slots, [&](Slot slot) {
+    const float* value = captured_.vertex(last) + layout_.offset[slot];
+    if (std::memcmp(value, finals_[slot].data(), sizeOf(slot) * sizeof(float)) != 0) slots &= ~bit(slot);
+  });
+  return slots;
+}
+
+void GeometryRun::inherit(Context& context) {
+  for (const InheritedSlot& inherited : inherited_) {
+    const float* value = context.immediate.current(inherited.slot);
+    const size_t bytes = sizeOf(inherited.slot) * sizeof(float);
+    const uint32_t offset = layout_.offset[inherited.slot];
+    if (std::memcmp(captured_.vertex(0) + offset, value, bytes) == 0) continue;
+    for (uint32_t i = 0; i < inherited.vertices; ++i) std::memcpy(captured_.vertex(i) + offset, value, bytes);
+    meshBuilt_ = false;
+    dropRealList();
+  }
+}
+
+const KnownMesh& GeometryRun::mesh(Context& context) {
+  if (meshBuilt_) return mesh_;
+  // The mesh can replay the run too, unless the run has data that meshes do not hold.
+  const bool reproducible = inherited_.empty() && (layout_.mask & ~kTracedSlots) == 0 &&
+                            (captured_.indices.empty() || (captured_.primitives.size() == 1 &&
+                                                           captured_.primitives[0].mode == GL_TRIANGLES));
+  mesh_ = reproducible ? buildMesh(std::move(captured_)) : buildMesh(captured_);
+  meshBuilt_ = true;
+  ++context.counts.statistics.meshesBuilt;
+  if (mesh_.mesh) context.counts.statistics.meshBytes += mesh_.mesh->sizeBytes;
+  if (reproducible && mesh_.mesh) {
+    captured_.vertices.release();
+    captured_.indices.release();
+    verticesReleased_ = true;
+  }
+  return mesh_;
+}
+
+const std::vector<Triangle>& GeometryRun::sample() {
+  if (!sample_.empty()) return sample_;
+  if (!meshBuilt_)
+    sample_ = sampleTriangles(captured_);
+  else if (mesh_.mesh)
+    sample_ = sampleTriangles(*mesh_.mesh);
+  return sample_;
+}
+
+void GeometryRun::rasterise(Context& context) {
+  if (!realList_) {
+    realList_ = context.real.GenLists(1);
+    context.real.NewList(realList_, GL_COMPILE);
+    if (verticesReleased_) {
+      replay(context.real, *mesh_.mesh, captured_.primitives, captured_.materials);
+      leftByList_ &= ~bit(kColor);  // meshes may round it in the last bit
+    } else {
+      replay(context.real, captured_);
+    }
+    context.real.EndList();
+    // The real list now holds the vertices of lines and points, which need no mesh.
+    if (kind_ != PrimitiveClass::surfaces && inherited_.empty() && !meshBuilt_) {
+      captured_.vertices.release();
+      verticesLost_ = true;
+    }
+  }
+  context.real.CallList(realList_);
+}
+
+void GeometryRun::execute(Context& context) {
+  if (context.immediate.insideBegin() && !captured_.primitives.empty())
+    return context.errors.set(GL_INVALID_OPERATION);
+  SlotMask finals = finalSlots_;
+  if (!captured_.primitives.empty()) {
+    context.immediate.closeRunIfOpen();
+    if (context.clock.passesThrough() && drawDirectly(context))
+      finals &= ~leftByList_;
+    else
+      draw(context);
+  }
+  forEachSlot(finals, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
+  if (captured_.primitives.empty()) return;
+  context.shadow.current.drawn();
+  if (!captured_.materials.empty()) context.shadow.latch.letGo(context.real);
+}
+
+void GeometryRun::draw(Context& context) {
+  const std::lock_guard lock(mutex_);
+  const DrawTimer timer(context.counts.kinds());
+  context.passthrough.works();
+  inherit(context);
+  context.shadow.refresh(kDrawGroups);
+  Reason reason = context.triage.of(kind_);
+  if (reason == Reason::traced && verticesLost_)
+    reason = kind_ == PrimitiveClass::points ? Reason::points : Reason::lines;
+  if (reason == Reason::traced) {
+    reason = context.failsafe.attempt([&] {
+      const KnownMesh& known = mesh(context);
+      const Reason fine = context.triage.of(known, captured_.materials);
+      if (fine == Reason::traced) context.filler.add(known.mesh, layout_.mask, captured_.materials);
+      return fine;
+    });
+  }
+  if (reason == Reason::traced) return context.counts.traced(DrawPath::list, triangles_);
+  context.raster.meetPasses(
+      kind_, reason, [&] { return sample(); }, [&]() -> const KnownMesh& { return mesh(context); });
+  context.counts.rasterised(reason, DrawPath::list, kind_, triangles_);
+  context.raster.before(kind_);
+  rasterise(context);
+  // The run's last attributes are now current in the real OpenGL: ours are sent again.
+  context.shadow.current.lost(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
+  context.touch(kMaterial);
+}
+
+bool GeometryRun::drawDirectly(Context& context) {
+  const std::lock_guard lock(mutex_);
+  const DrawTimer timer(context.counts.kinds());
+  if (!context.passthrough.takes(DrawPath::list, kind_, triangles_)) return false;
+  inherit(context);
+  // Array draws leave the current attributes unchanged; the real list, which uses glBegin, does not.
+  const SlotMask lost =
+      layout_.mask & ~finalSlots_ & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber));
+  forEachSlot(lost, [&](Slot slot) { context.shadow.current.read(context.real, slot); });
+  if (lost) context.shadow.latch.restore(context.real);
+  rasterise(context);
+  forEachSlot(lost, [&](Slot slot) { sendAttribute(context.real, slot, context.shadow.current[slot]); });
+  return true;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,62 @@
+// Captured vertices in a display list. GL threads: several may call a list of their share group.
+#pragma once
+#include "gl/capture/captured_vertices.h"
+#include "gl/history/sampled_surfaces.h"
+#include "gl/context/list.h"
+#include "gl/sharing/share_group.h"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Calls Immediate::material for every parameter that `change` sets.
+void applyMaterials(Context& context, const MaterialChange& change);
+
+/// A run of glBegin/glEnd pairs inside a list, with the attribute values it leaves current.
+class GeometryRun final : public ListOp {
+ public:
+  GeometryRun(CapturedVertices captured, const SlotValues& finals, std::vector<InheritedSlot> inherited,
+              PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
+  /// An array draw: leaves the current attributes unchanged.
+  GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
+  ~GeometryRun() override;
+  /// Draws the run, traced or rasterised, and makes its last attributes current.
+  void execute(Context& context) override;
+
+ private:
+  void draw(Context& context);
+  /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
+  bool drawDirectly(Context& context);
+  /// Those of finalSlots_ that have the value of the last vertex, which the real list leaves current.
+  SlotMask slotsOfLastVertex() const;
+  /// Fills inherited slots with the caller's current values.
+  void inherit(Context& context);
+  /// The mesh of its surfaces, built at the first call.
+  const KnownMesh& mesh(Context& context);
+  /// Some of its triangles, found at the first call.
+  const std::vector<Triangle>& sample();
+  /// Draws it with the real OpenGL, from a real list made at the first call.
+  void rasterise(Context& context);
+  void dropRealList();
+
+  std::mutex mutex_;  // held while the run is drawn: contexts of several threads may call the list
+  CapturedVertices captured_;
+  VertexLayout layout_;
+  SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
+  SlotMask leftByList_ = 0;  // those of them that the real list has left current
+  SlotValues finals_;
+  std::vector<InheritedSlot> inherited_;
+  PrimitiveClass kind_;
+  std::weak_ptr<ShareGroup> group_;
+  uint64_t triangles_;
+  KnownMesh mesh_;
+  bool meshBuilt_ = false;
+  std::vector<Triangle> sample_;
+  bool verticesReleased_ = false;  // to mesh_
+  bool verticesLost_ = false;      // to realList_
+  GLuint realList_ = 0;
+};
+
+}  // namespace gluray::gl

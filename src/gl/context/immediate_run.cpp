@@ -1,0 +1,190 @@
+// Runs of glBegin/glEnd pairs in Immediate: starts, ends, draws and records them.
+#include "base/clock.h"
+#include "gl/capture/mesh_builder.h"
+#include "gl/capture/replay.h"
+#include "gl/context/context.h"
+#include "gl/context/geometry_run.h"
+#include "gl/context/loose_run.h"
+#include "gl/context/stub.h"
+
+#include <GL/gl.h>
+
+#include <cstring>
+#include <utility>
+
+namespace gluray::gl {
+
+void Immediate::startRun() {
+  stream_.start(bit(kPosition), p_.shadow.current.all(),
+                p_.lists.compiling() ? weld_.inList() : weld_.inFrame(), welding_);
+  inherited_.clear();
+  path_ = DrawPath::immediate;
+  reason_ = Reason::traced;
+  open_ = !p_.lists.compiling();
+  p_.attention.update();
+}
+
+void Immediate::closeRun() {
+  if (p_.lists.compiling()) {
+    recordRun();
+    return startRun();
+  }
+  stream_.captured();  // may throw: the run is still open then, and the real OpenGL takes it over
+  open_ = false;
+  drawRun();
+  keepRunValues();
+  p_.shadow.current.drawn();
+  p_.attention.update();
+}
+
+void Immediate::idle() {
+  resumeExecuted();
+  stream_.start(bit(kPosition), p_.shadow.current.all());
+  p_.attention.update();
+}
+
+void Immediate::recordRun() {
+  CapturedVertices run = stream_.take();
+  if (run.empty() && run.layout.mask == bit(kPosition)) return;
+  SlotValues finals = p_.shadow.current.all();
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (run.layout.has(static_cast<Slot>(s)))
+      std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
+                  sizeOf(static_cast<Slot>(s)) * 4);
+  GeometryRun* recorded = nullptr;
+  try {
+    recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
+  } catch (...) {
+    stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
+    throw;
+  }
+  inherited_.clear();
+  p_.lists.executeAdded(*recorded);
+}
+
+void Immediate::loosen() {
+  const Primitive open = stream_.openPrimitive();
+  CapturedVertices run = stream_.take();
+  SlotValues finals = p_.shadow.current.all();
+  for (int s = kNormal; s < kSlotCount; ++s)
+    if (run.layout.has(static_cast<Slot>(s)))
+      std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
+                  sizeOf(static_cast<Slot>(s)) * 4);
+  std::unique_ptr<ListOp> op;
+  try {
+    op = std::make_unique<LooseRun>(std::move(run), open, finals, std::move(inherited_));
+  } catch (...) {
+    stream_.captured() = std::move(run);  // not yet moved from
+    throw;
+  }
+  p_.beginEnd.inside = Inside::nothing;
+  startRun();
+  p_.lists.append(op);
+  recordMisuse();
+}
+
+void Immediate::leaveExecuted() {
+  p_.beginEnd.executed = p_.beginEnd.inside == Inside::rasterised ? p_.beginEnd.inside : Inside::nothing;
+  p_.beginEnd.inside = Inside::nothing;
+}
+
+void Immediate::keepRunValues() {
+  for (int s = kNormal; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (stream_.has(slot) && slot != kMaterialNumber) setCurrent(slot, stream_.get(slot));
+  }
+  if (const MaterialChange* last = stream_.lastMaterial()) {
+    p_.shadow.current.send(p_.shadow.real);
+    sendMaterial(p_.shadow.real, *last);
+    if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real);
+    p_.shadow.dirty |= kMaterial;
+  }
+}
+
+KnownMesh Immediate::meshOfRun() {
+  const double start = nowSeconds();
+  const CapturedVertices& run = stream_.captured();
+  KnownMesh known;
+  const Hash128 content = run.hash();
+  if (!p_.shadow.group.meshes.find(content, known)) {
+    known = buildMesh(run);
+    p_.shadow.group.meshes.put(content, known);
+    ++p_.counts.statistics.meshesBuilt;
+    if (known.mesh) p_.counts.statistics.meshBytes += known.mesh->sizeBytes;
+  }
+  p_.counts.statistics.captureSeconds += nowSeconds() - start;
+  return known;
+}
+
+void Immediate::drawRun() {
+  const CapturedVertices& run = stream_.captured();
+  if (run.empty()) return;
+  weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
+  const DrawTimer timer(p_.counts.kinds());
+  const Reason reason = p_.failsafe.attempt([&] {
+    if (p_.failsafe.aside()) return p_.failsafe.reason();
+    if (reason_ != Reason::traced) return reason_;
+    const KnownMesh known = meshOfRun();
+    const Reason fine = p_.triage.of(known, run.materials);
+    if (fine == Reason::traced) p_.filler.add(known.mesh, run.layout.mask, run.materials);
+    return fine;
+  });
+  const uint64_t triangles = countTriangles(run);
+  if (reason == Reason::traced) return p_.counts.traced(path_, triangles);
+  p_.raster.meetPasses(
+      class_, reason, [&] { return sampleTriangles(run); }, [&] { return meshOfRun(); });
+  p_.counts.rasterised(reason, path_, class_, triangles);
+  p_.raster.before(class_);
+  p_.shadow.sendBuffers();
+  replay(p_.shadow.real, run);
+}
+
+/// Sends what has been set since the last vertex into the open fragment.
+void Immediate::sendRunValues() {
+  for (int s = kNormal; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (stream_.has(slot) && slot != kMaterialNumber) sendAttribute(p_.shadow.real, slot, stream_.get(slot));
+  }
+  if (const MaterialChange* last = stream_.lastMaterial()) sendMaterial(p_.shadow.real, *last);
+}
+
+void Immediate::surrender() {
+  CapturedVertices& run = stream_.captured();
+  const bool open = p_.beginEnd.inside == Inside::captured;
+  GLuint fragment = 0;
+  if (!p_.lists.compiling()) {
+    p_.raster.passUnseen(class_, Reason::evaluators);
+    p_.raster.before(class_);
+    if (open ? p_.beginEnd.inside != Inside::captured : !open_) return;  // a failure there has surrendered it
+  }
+  p_.shadow.sendBuffers();                 // glArrayElement may follow
+  p_.shadow.current.send(p_.shadow.real);  // before NewList: not part of the fragment
+  if (p_.lists.compiling()) {
+    fragment = p_.shadow.real.GenLists(1);
+    p_.shadow.real.NewList(fragment, GL_COMPILE);
+  }
+  if (!p_.lists.compiling() && (!run.empty() || open)) {
+    if (open && p_.counts.kinds()) p_.counts.kinds()->start();
+    p_.counts.rasterised(p_.failsafe.aside() ? p_.failsafe.reason() : Reason::evaluators, path_, class_,
+                         countTriangles(run));
+  }
+  replay(p_.shadow.real, run, inherited_);
+  if (open) replayOpen(p_.shadow.real, run, stream_.openPrimitive(), inherited_);
+  if (!p_.lists.compiling()) {
+    if (open) openPrimitive_ = stream_.openPrimitive();
+    keepRunValues();
+    p_.shadow.current.send(p_.shadow.real);  // what was set since the last vertex; legal inside glBegin too
+  } else {
+    sendRunValues();
+    if (!open) p_.shadow.real.EndList();
+  }
+  p_.beginEnd.inside = open ? Inside::rasterised : Inside::nothing;
+  startRun();
+  open_ = false;
+  if (fragment && open)
+    p_.beginEnd.fragment = fragment;
+  else if (fragment)
+    p_.lists.appendFragment(fragment);
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,77 @@
+#include "gl/context/passthrough_frames.h"
+
+#include "gl/context/attention.h"
+#include "gl/buffers/buffer.h"
+#include "gl/clock/frame_settings.h"
+#include "gl/window/window_frames.h"
+
+namespace gluray::gl {
+
+void PassthroughFrames::startMeasuring() {
+  p_.window.showLagged();
+  p_.shadow.real.Finish();  // unfinished work belongs to earlier frames
+  p_.clock.choice.start();
+}
+
+void PassthroughFrames::stopMeasuring() {
+  if (p_.clock.smallDraws.wantsStop()) {
+    p_.shadow.real.Finish();
+    p_.clock.smallDraws.stop(p_.shadow.info.clock());
+  }
+  if (!p_.clock.measured()) return;
+  p_.shadow.real.Finish();
+  p_.clock.choice.stop();
+}
+
+void PassthroughFrames::chooseNext() {
+  p_.failsafe.protect(
+      [&] { set(p_.clock.choice.frameEnded() == EngineChoice::Way::passthrough && !p_.shadow.info.off); });
+}
+
+void PassthroughFrames::startAnew(Engine engine) {
+  p_.clock.choice = EngineChoice(engine, threadsOf(p_.shadow.settings), p_.shadow.info.clock);
+  set(p_.clock.choice.way() == EngineChoice::Way::passthrough && !p_.shadow.info.off);
+}
+
+void PassthroughFrames::set(bool passthrough) {
+  if (passthrough == p_.clock.passesThrough()) return;
+  p_.window.showLagged();
+  p_.flusher.settle();
+  if (passthrough) {
+    p_.shadow.syncCurrent();
+    for (const auto& buffer : p_.shadow.group.buffers.all())
+      if (buffer) buffer->sendTo(p_.shadow.real);
+  } else {
+    p_.shadow.touch(kAllGroups);
+    p_.shadow.matrixMode = 0;
+  }
+  p_.clock.setPassthrough(passthrough);
+  p_.attention.update();
+}
+
+bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+  if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
+  p_.cleared.forget();
+  const uint32_t needed = p_.counts.kinds() ? kViewport | kTarget : kViewport;
+  if (p_.shadow.dirty & needed) p_.shadow.refresh(needed);
+  EngineChoice& choice = p_.clock.choice;
+  // Nothing (a glBegin whose vertices will follow) is never too large.
+  if (triangles > 0 && kind == PrimitiveClass::surfaces &&
+      !choice.takes(triangles, p_.shadow.viewportPixels())) {
+    choice.overflow();
+    set(false);
+    return false;
+  }
+  works();
+  p_.shadow.syncCurrent();
+  if (p_.shadow.group.anyBuffersHeldBack()) p_.shadow.sendBuffers();
+  const Reason why = choice.active() ? Reason::smallScene : Reason::off;
+  p_.counts.rasterised(kind == PrimitiveClass::lines    ? Reason::lines
+                       : kind == PrimitiveClass::points ? Reason::points
+                                                        : why,
+                       path, kind, triangles);
+  p_.shadow.latch.drawn();
+  return true;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,35 @@
+// Writes to the log, at level trace, what became of each draw and each batch of a context, and in which
+// command: two versions of GLuRay that decide alike write the same lines. GL thread.
+#pragma once
+#include "gl/counts/draw_kinds.h"
+#include "gl/basics/reasons.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace gluray::gl {
+
+struct BatchKey;
+struct PresentResult;
+
+class Decisions {
+ public:
+  /// The program calls this command, of OpenGL or of the window system; the string must stay.
+  void command(const char* name) noexcept { command_ = name; }
+  /// A draw was counted. `state`: as DrawKinds::record() returns it.
+  void draw(Reason reason, DrawPath path, PrimitiveClass primitive, uint64_t triangles, uint32_t state);
+  /// What else became of the draw: it was culled, lit ... or, with the reason, not.
+  void detail(std::string_view what, Reason reason);
+  /// The draws of a batch are presented: traced, or, for any other reason, made by the real OpenGL.
+  void batch(const BatchKey& key, size_t instances, Reason reason);
+  /// A batch was presented. `known`: its picture was shown before.
+  void presented(const PresentResult& result, bool known);
+
+ private:
+  void write(std::string line) const;
+  const char* command_ = "";
+  uint64_t draws_ = 0, batches_ = 0;
+};
+
+}  // namespace gluray::gl

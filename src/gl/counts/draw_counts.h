@@ -1,0 +1,57 @@
+// Counts draws for `--report` and `gluray explain`, and for EngineChoice. A part of each Context, GL thread.
+#pragma once
+#include "gl/counts/decisions.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/basics/reasons.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/basics/statistics.h"
+#include "gl/clock/frame_clock.h"
+
+#include <cstdint>
+
+namespace gluray::gl {
+
+class DrawCounts {
+ public:
+  DrawCounts(ShadowState& shadow, FrameClock& clock) : shadow_(shadow), clock_(clock) {}
+
+  Statistics statistics;
+  /// Records draws by kind; null: nobody explains.
+  DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
+
+  /// Logs decisions; null: nobody asks. Null if kinds() is.
+  Decisions* decisions() const { return shadow_.info.decisions.get(); }
+
+  void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+    if (kinds()) [[unlikely]]
+      explain(reason, path, kind, triangles);
+    ++statistics.drawsRasterised;
+    ++statistics.rasterisedBecause[static_cast<size_t>(reason)];
+    statistics.trianglesRasterised += triangles;
+    load(triangles);
+  }
+  void traced(DrawPath path, uint64_t triangles) { traced(path, triangles, triangles); }
+  /// The same for impostors, which are counted one by one: `sent` triangles would be drawn without tracing.
+  void traced(DrawPath path, uint64_t triangles, uint64_t sent);
+  /// The draw counted last by rasterised() was made without so many of its triangles, which cannot be seen.
+  void culled(uint64_t leftOut);
+  /// Why it was not, where it was large enough.
+  void notCulled(Reason reason);
+  /// A rasterised draw was lit (Reason::traced), or why not.
+  void lit(Reason reason);
+  /// Moves the snapshot's instances from traced to rasterised: the real OpenGL drew them after all.
+  void asRasterised(const scene::Snapshot& snapshot, Reason reason);
+  /// Adds to the frame's load. rasterised() and traced() call it; so does the end of a primitive that was
+  /// given to the real OpenGL.
+  void load(uint64_t triangles) { clock_.choice.drew(triangles, shadow_.viewportPixels()); }
+  /// Grows with everything that is drawn and may be cached: pictures, and meshes that were never traced.
+  uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
+
+ private:
+  void explain(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles);
+
+  ShadowState& shadow_;
+  FrameClock& clock_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,77 @@
+// Plans of draws whose positions are not known without running their vertex shader.
+#include "gl/culled/culled_draws.h"
+#include "gl/real/errors.h"
+#include "gl/real/state_queries.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+/// The real OpenGL may then read vertices that the draw does not name.
+bool areAllInBuffers(const ArrayState& arrays) {
+  bool all = true;
+  const auto look = [&](const ArraySource& array) { all = all && (!array.enabled || array.buffer); };
+  arrays.forEach(look);
+  std::ranges::for_each(arrays.generic, look);
+  return all;
+}
+
+}  // namespace
+
+Reason CulledDraws::planFeedback(Plan& found) {
+  ShadowState& shadow = p_.shadow;
+  const Elements& e = found.elements;
+  CulledProgram& program = programInUse();
+  if (found.samples > 1 && program.usesCentroids()) return Reason::multisampleState;
+  if (isOn(shadow.real, GL_BLEND))
+    if (const Reason reason = blendingOf(program, {}, found.mode, e); reason != Reason::traced) return reason;
+  shadow.refresh(kFixedArrays);
+  const ArrayState& arrays = shadow.attributes;
+  if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
+  if (!areAllInBuffers(arrays) || !areAllInBuffers(shadow.arrays) || (e.type && !arrays.elements))
+    return Reason::arrayState;
+  ArrayState content;
+  content.elements = arrays.elements;
+  if (e.type && foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
+  shadow.errors.keepPending();
+  found.program = &program, found.feedback = &program.feedback();
+  if (e.repeats() > 1)
+    if (const Reason reason = planUnits(program, found); reason != Reason::traced) return reason;
+  const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, found.mode, e);
+  const auto make = [&]() -> std::shared_ptr<CulledMesh> {
+    auto mesh = CulledMesh::withoutPositions(shadow.real, content, assembly, e);
+    const auto take = [&](const std::byte* positions) { mesh->takePositions(positions); };
+    Elements one = e;
+    one.instances = std::min(e.instances, 1);
+    const bool taken =
+        mesh && found.feedback->capture(shadow.real, mesh->firstVertex(), mesh->endVertex(), one, take);
+    return taken ? mesh : nullptr;
+  };
+  // Where vertices are may change in every frame; which primitives they form does not.
+  const auto known = reinterpret_cast<uintptr_t>(&program.known());
+  const Hash128 order = contentOf(shadow.real, content, found.mode, e);
+  const Reason reason = planClusters(hashBytes(&known, sizeof known, assembly.added(order)), make, found);
+  // A copy of the program is linked when it is first needed.
+  if (reason == Reason::arrayState && !program.feedback().works(shadow.real)) return Reason::positions;
+  if (reason != Reason::traced) return reason;
+  const CulledMesh& mesh = *found.mesh;
+  return PositionFeedback::isPossible(mesh.firstVertex(), mesh.endVertex(), e.repeats()) ? Reason::traced
+                                                                                         : Reason::positions;
+}
+
+bool CulledDraws::place(const Plan& plan) {
+  if (!plan.feedback || placed_) return true;
+  CulledMesh& mesh = *plan.mesh;
+  const auto take = [&](const std::byte* positions) {
+    if (!plan.units) return mesh.refit(positions);
+    const size_t vertices = mesh.endVertex() - mesh.firstVertex();
+    const size_t step = PositionFeedback::kStride * vertices * plan.units->size();
+    mesh.refit(positions, step, plan.units->units());
+  };
+  placed_ = plan.feedback->capture(p_.shadow.real, mesh.firstVertex(), mesh.endVertex(), plan.elements, take);
+  if (!placed_) plan.known->refused = true;
+  return placed_;
+}
+
+}  // namespace gluray::gl

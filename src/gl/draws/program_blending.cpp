@@ -1,0 +1,43 @@
+// Surfaces of shader programs whose alpha may be below 1, or that write no depth: whether they are traced, as
+// opaque ones or as layers that are blended in the order of drawing (ADR 0038, ADR 0078).
+#include "gl/layers/layer_draws.h"
+#include "gl/draws/program_draws.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+
+Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
+  const ProgramState& program = p_.shadow.state.program;
+  const RasterState& raster = p_.shadow.state.raster;
+  const bool opaque = drawsOpaque(program, mesh);
+  if (!opaque && program.known->family->opaqueColors) return Reason::programValue;
+  const bool solid = scene::isSolid(mesh.shape);
+  if (opaque && (solid || raster.reason == Reason::traced)) return Reason::traced;
+  if (!isBlended(mesh)) return raster.unlessOpaque;
+  // Each impostor must be one fragment of a pixel. Both sides of a stick's box are two, unless one is culled.
+  const bool single = mesh.shape == scene::Shape::triangles || mesh.shape == scene::Shape::spheres ||
+                      (mesh.shape == scene::Shape::sticks && raster.cull != scene::CullFace::none);
+  if (single && !program.triangleEdges) return Reason::traced;
+  return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
+}
+
+Reason ProgramDraws::unlessOpaque() const {
+  const bool never = p_.shadow.state.program.known->family->opaqueColors;
+  return never ? Reason::programValue : p_.shadow.state.raster.unlessOpaque;
+}
+
+bool ProgramDraws::mayBeBlended() const {
+  const ArrayState& arrays = p_.shadow.attributes;
+  const bool instanced = !arrays.instanceTransform.empty() || arrays.instanceColor.enabled;
+  return !instanced && layersOf(p_.shadow.state.program) == BatchKey::Layers::none && p_.layers.mayBeDrawn();
+}
+
+bool ProgramDraws::isBlended(const scene::Mesh& mesh) const {
+  const RasterState& raster = p_.shadow.state.raster;
+  if (scene::isSolid(mesh.shape) || !mayBeBlended()) return false;
+  if (raster.reason != Reason::traced) return true;
+  return raster.unlessOpaque != Reason::traced && !drawsOpaque(p_.shadow.state.program, mesh);
+}
+
+}  // namespace gluray::gl

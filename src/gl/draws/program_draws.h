@@ -1,0 +1,68 @@
+// Surfaces drawn by shader programs: decides whether they can be traced, and adds them to the batch. A part
+// of each Context, GL thread.
+#pragma once
+#include "gl/arrays/array_indices.h"
+#include "gl/draws/batch_filler.h"
+#include "gl/capture/mesh_cache.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/draws/raster_draws.h"
+#include "gl/basics/reasons.h"
+#include "scene/snapshot.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <memory>
+
+namespace gluray::gl {
+
+class ProgramDraws {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    SurfaceHistory& surfaces;
+    PendingBatch& pending;
+    Flusher& flusher;
+    Triage& triage;
+    BatchFiller& filler;
+    RasterDraws& raster;
+    LayerDraws& layers;
+  };
+  explicit ProgramDraws(const Parts& parts) : p_(parts) {}
+
+  /// Why a surface of the current program cannot be traced now, or Reason::traced. Call
+  /// refresh(kProgramGroups) before. `load`: triangles that the real OpenGL would draw.
+  Reason triage(PrimitiveClass kind);
+  Reason triage(const KnownMesh& mesh, uint64_t load);
+  /// The same for further conditions of impostors, and of the instances of a draw.
+  Reason triageImpostors();
+  Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
+  /// Adds a mesh to the batch, once for each instance of the draw. Returns Reason::traced, or why it cannot
+  /// join the layers traced so far.
+  Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
+  /// Call before a surface is rasterised: has the real OpenGL draw the depth of pending or traced surfaces
+  /// that it coincides with.
+  void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
+
+ private:
+  Reason triageAlways(const KnownMesh& mesh) const;  // as if engine = always
+  /// Why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
+  Reason ofBlending(const scene::Mesh& mesh) const;
+  /// Whether surfaces can now be blended in the order of drawing; whether this one would be.
+  bool mayBeBlended() const;
+  bool isBlended(const scene::Mesh& mesh) const;
+  /// Why a surface with an alpha below 1 is not traced, or Reason::traced; of instances.
+  Reason unlessOpaque() const;
+  bool isOneOfPasses(const scene::Mesh& mesh) const;
+  /// A sample of triangles from each array that may hold positions.
+  std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
+  enum class Placed { nowhere, inBatch, otherCamera };
+  Placed place(const scene::Mesh& mesh, const glm::dvec3& reach);
+  glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
+  void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
+  Parts p_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,126 @@
+#include "gl/flush/flusher.h"
+
+#include "base/clock.h"
+#include "base/timeline.h"
+#include "gl/pending/address_space_gate.h"
+#include "gl/flush/resolve_draws.h"
+#include "gl/real/errors.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/framebuffers/composed_views.h"
+#include "gl/window/window_frames.h"
+
+#include <optional>
+#include <utility>
+
+namespace gluray::gl {
+
+void Flusher::flushBatch() {
+  if (p_.layers.holdsDepths()) p_.layers.giveUp();
+  present();
+  if (p_.layers.asks()) p_.layers.giveUp();
+}
+
+void Flusher::present(Reason reason) {
+  p_.window.showLagged();
+  p_.pending.pictured.collect(p_.pending.batch);
+  if (p_.pending.batch.empty()) return;
+  const bool isShort = reason == Reason::traced && addressSpaceIsShort();
+  presentBatch(isShort ? Reason::shortage : reason);
+  if (isShort) p_.failsafe.fail(scene::Loss::frames, kAddressSpaceIsShort);
+}
+
+void Flusher::presentBatch(Reason reason) {
+  timeline::writeIfDue();
+  const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
+  const BatchKey key = p_.pending.batch.key();
+  if (key.framebuffer == 0) p_.window.makeClear();
+  const bool factors = key.layers == BatchKey::Layers::factors;
+  if (factors && reason != Reason::traced) return void(p_.pending.batch.take());  // the real OpenGL has drawn them
+  const bool peeled = key.layers == BatchKey::Layers::peeled;
+  if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
+  if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
+    reason = Reason::framebuffer;
+  const bool rasterise = reason != Reason::traced;
+  if (!rasterise) p_.pending.surround();
+  const scene::SnapshotPtr snapshot = p_.pending.batch.take();
+  const double start = p_.counts.kinds() ? nowSeconds() : 0;
+  if (p_.counts.decisions()) [[unlikely]]
+    p_.counts.decisions()->batch(key, snapshot->instances.size(), reason);
+  p_.shadow.syncCurrent();
+  p_.surfaces.passes.flushed(rasterise || factors ? nullptr : snapshot);
+  if (rasterise) p_.counts.asRasterised(*snapshot, reason);
+  const std::optional<ClearedTarget> under = rasterise ? std::nullopt : p_.cleared.under(*snapshot, key);
+  const AntialiasedPicture antialiased = p_.cleared.antialiased();
+  p_.cleared.forget();
+  if (!rasterise) p_.composed.presenting(key, *snapshot);
+  const PresentResult result = peeled ? p_.layers.present(snapshot, key)
+                                      : p_.pending.presenter.present(p_.shadow.real, snapshot,
+                                                          {.depthFunc = key.depthFunc,
+                                                           .core = p_.shadow.info.core,
+                                                           .rasterise = rasterise,
+                                                           .programDraws = p_.pending.batch.takeProgramDraws(),
+                                                           .wish = p_.clock.wish(),
+                                                           .cleared = under});
+  if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.traced(key, snapshot);
+  if (!rasterise) p_.composed.presented(key, snapshot, result.outcome == PresentResult::traced);
+  p_.cleared.wrote(key.framebuffer, result.uploaded);
+  if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
+  p_.resolves.cleanIs({});
+  p_.shadow.latch.restore(p_.shadow.real);
+  p_.pending.takeResult(result);
+  if (p_.counts.kinds()) [[unlikely]]
+    p_.counts.kinds()->exclude(nowSeconds() - start);
+  const bool declined = result.layers && result.outcome == PresentResult::rasterised;
+  if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
+  const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
+  if (result.outcome == wanted) return;
+  if (!rasterise && !factors) p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
+  p_.failsafe.fail(result.loss(), result.reason());
+}
+
+void Flusher::settle() { p_.resolves.settleAll(); }
+
+void Flusher::settleBelow(int samples) {
+  if (p_.resolves.waits() && samples > 1) settle();
+  p_.window.settleBelow();
+}
+
+void Flusher::leave() {
+  p_.composed.settle();
+  p_.window.showLagged();
+  p_.pending.pictured.collect(p_.pending.batch);
+  if (!p_.pending.batch.empty() && !p_.resolves.hold()) present();
+}
+
+UnresolvedPicture::Cleared Flusher::beforeClear(GLbitfield mask) {
+  p_.composed.settle();
+  p_.pending.stopRefining();
+  const UnresolvedPicture::Cleared clean = p_.resolves.clearedBy(mask);
+  present();
+  p_.window.clears(mask);
+  p_.resolves.clears(clean);
+  return clean;
+}
+
+void Flusher::beforeBlit() noexcept {
+  p_.failsafe.protect([&] {
+    p_.shadow.syncCurrent();
+    flushBatch();
+    p_.resolves.meetBlit();
+    p_.composed.settle();
+    p_.window.settle();
+    p_.shadow.sendBuffers();
+  });
+}
+
+void Flusher::imagesChange() noexcept {
+  if (p_.layers.asks() || p_.pending.batch.readsImages() || p_.resolves.waits() || p_.window.readsImages())
+    p_.failsafe.protect([&] { flush(); });
+}
+
+void Flusher::contentsChange(GLuint buffer) noexcept {
+  if (p_.resolves.readsBuffer(buffer) || p_.window.readsBuffer(buffer) || p_.pending.batch.readsBuffer(buffer))
+    p_.failsafe.protect([&] { flush(); });
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,77 @@
+// Tracks whether the draw framebuffer holds only a clear, how its depths may have changed, and whether
+// pictures in it are anti-aliased already. A part of each Context, GL thread.
+#pragma once
+#include "gl/batch/batch.h"
+#include "gl/batch/cleared_target.h"
+#include "gl/basics/failsafe.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/framebuffers/antialiased_picture.h"
+#include "gl/clock/frame_clock.h"
+#include "settings/samples.h"
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace gluray::gl {
+
+class ClearedFramebuffers {
+ public:
+  ClearedFramebuffers(ShadowState& shadow, const FrameClock& clock, const Failsafe& failsafe)
+      : shadow_(shadow), clock_(clock), failsafe_(failsafe) {}
+
+  /// The draw framebuffer's clear, if it holds nothing else; tracked only above software OpenGLs.
+  const std::optional<ClearedTarget>& target() const { return cleared_; }
+  /// The clear under the whole picture of `snapshot`, if the picture may be uploaded over it.
+  std::optional<ClearedTarget> under(const scene::Snapshot& snapshot, const BatchKey& key) const;
+  /// Call after a glClear.
+  void clear(GLbitfield mask);
+  /// The draw framebuffer may have been drawn or copied into.
+  void forget() {
+    forgetClear();
+    if (antialiased_.any() || antialiased_.copied()) antialiased_ = {};
+  }
+  /// Draws may go to another buffer of the framebuffer.
+  void forgetClear() { cleared_.reset(), nextDepths(); }
+  /// The real OpenGL draws into it next: depths may become smaller or larger, or neither.
+  void drawing(bool smaller, bool larger);
+  /// While this is the same number, no depth of the draw framebuffer, which is the same, has become larger
+  /// or, if `reversed`, smaller.
+  uint64_t depthEpoch(bool reversed) const { return depthEpochs_[reversed ? 1 : 0]; }
+  void forgetAntialiased() { antialiased_ = {}; }
+  /// The texture bound to `target`, which may be attached to the framebuffer, was written.
+  void imageSent(GLenum target);
+  /// Call after imageSent() if the pixels were copied from region `from` of the read framebuffer.
+  void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
+
+  /// A picture was written into the framebuffer: uploaded over its clear, or drawn.
+  void wrote(GLuint framebuffer, bool uploaded) {
+    if (framebuffer != 0) uploads_ = uploaded;
+  }
+
+  const AntialiasedPicture& antialiased() const { return antialiased_; }
+  /// Pictures of averages were written into the region of the draw framebuffer, which had one colour.
+  void holdsAntialiased(GLuint framebuffer, GLenum drawBuffer, const scene::Region& region) {
+    if (framebuffer != 0 && samplesPerPixel(shadow_.settings) > 1)
+      antialiased_ = AntialiasedPicture(framebuffer, drawBuffer, region);
+  }
+  /// A picture of averages was written over the content described by `before`.
+  void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
+
+ private:
+  bool holdsBytes(GLenum drawBuffer) const;
+  void nextDepths() { ++depthEpochs_[0], ++depthEpochs_[1]; }
+
+  ShadowState& shadow_;
+  const FrameClock& clock_;
+  const Failsafe& failsafe_;
+  std::optional<ClearedTarget> cleared_;
+  bool uploads_ = false;  // whether the last picture in a framebuffer object was uploaded
+  AntialiasedPicture antialiased_;
+  std::array<uint64_t, 2> depthEpochs_{};
+};
+
+}  // namespace gluray::gl

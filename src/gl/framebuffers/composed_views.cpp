@@ -1,0 +1,131 @@
+#include "gl/framebuffers/composed_views.h"
+
+#include "gl/batch/presenter.h"
+#include "gl/real/state_queries.h"
+#include "gl/framebuffers/composed_pixels.h"
+#include "settings/samples.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace gluray::gl {
+namespace {
+
+using Copy = CompletePresenter::Copy;
+
+constexpr int kMaxDraws = 16;       // that are compared for one picture
+constexpr size_t kMaxPictures = 8;  // batches of a view
+
+/// A background of the program is kept only as far as the picture says so (setting `background`).
+bool needsEvenBackground(const scene::Snapshot& s) { return s.backdrop != nullptr; }
+
+bool isEven(const std::vector<uint32_t>& colors) {
+  return std::ranges::all_of(colors, [&](uint32_t color) { return color == colors.front(); });
+}
+
+}  // namespace
+
+/// Runs `body`; where memory runs out, pictures that wait are not shown.
+template <class Body>
+void ComposedViews::withMemory(const Body& body) noexcept {
+  try {
+    body();
+  } catch (const std::exception&) { watches_ = false, drop(); }
+}
+
+/// Colours of region_ in the bound draw framebuffer.
+bool ComposedViews::read(std::vector<uint32_t>& colors) {
+  p_.shadow.errors.keepPending();
+  return presenter_.reader().readColors(p_.shadow.real, region_, colors) && !colors.empty();
+}
+
+/// Whether the batch belongs to the view of the pictures that wait.
+bool ComposedViews::follows(const BatchKey& key) const {
+  return waits() && pictures_.front().key.framebuffer == key.framebuffer &&
+         pictures_.front().key.viewport == key.viewport;
+}
+
+void ComposedViews::presenting(const BatchKey& key, const scene::Snapshot& snapshot) noexcept {
+  watches_ = false;
+  if (!presenter_.complete().mayMake(snapshot) || key.layers != BatchKey::Layers::none ||
+      snapshot.samples != 1)
+    return;
+  const bool begins = scene::hasScenery(snapshot) || (!waits() && samplesPerPixel(snapshot.settings) > 1);
+  if (begins || follows(key)) withMemory([&] { watch(key, snapshot); });
+}
+
+/// Finds out whether the framebuffer holds nothing but one colour, or the pictures that wait.
+void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) {
+  const bool sameRegion = region_ == snapshot.region;
+  region_ = snapshot.region;
+  if (!read(colors_)) return drop();
+  const bool continues = follows(key) && sameRegion && pictures_.size() < kMaxPictures && colors_ == shown_;
+  if (!continues) drop();
+  watches_ = continues || isEven(colors_);
+  if (watches_ && !continues) empty_ = colors_.front();
+  if (watches_) presenter_.complete().expect();
+}
+
+void ComposedViews::presented(const BatchKey& key, const scene::SnapshotPtr& snapshot, bool traced) noexcept {
+  if (!watches_) return;
+  withMemory([&] {
+    std::shared_ptr<const Image> image = presenter_.complete().take();
+    if (!traced || !image || !read(shown_)) return drop();
+    pictures_.push_back({key, snapshot, std::move(image)});
+    draws_ = 0;
+  });
+}
+
+void ComposedViews::drop() noexcept {
+  for (const Complete& one : pictures_) presenter_.complete().leaveOut(*one.snapshot);
+  pictures_.clear(), drawn_ = false;
+}
+
+/// Whether the next draw may compose pictures over the whole view.
+bool ComposedViews::isCandidate() {
+  if (p_.failsafe.aside() || p_.shadow.activeQueries > 0 || draws_ >= kMaxDraws) return false;
+  p_.shadow.refresh(kRaster | kTarget | kViewport);
+  const State& state = p_.shadow.state;
+  return state.viewport == pictures_.front().key.viewport && state.target.samples == 1 &&
+         state.raster.colorWrites.all() && !isOn(p_.shadow.real, GL_DEPTH_TEST);
+}
+
+void ComposedViews::drawing() noexcept {
+  withMemory([&] {
+    if (!isCandidate()) return;
+    ++draws_;
+    framebuffer_ = p_.shadow.state.target.framebuffer;
+    drawn_ = read(before_) && presenter_.complete().keep(p_.shadow.real, region_, Copy::beforeDraw);
+  });
+}
+
+void ComposedViews::finishDraw() noexcept {
+  drawn_ = false;
+  withMemory([&] {
+    if (drawFramebuffer(p_.shadow.real) != framebuffer_ || !read(colors_)) return;
+    const bool needsEven =
+        std::ranges::any_of(pictures_, [](const Complete& c) { return needsEvenBackground(*c.snapshot); });
+    if (needsEven && !isEven(before_)) return;
+    if (isComposed(before_, shown_, empty_, colors_)) show();
+  });
+}
+
+void ComposedViews::show() {
+  CompletePresenter& complete = presenter_.complete();
+  const RealGl& real = p_.shadow.real;
+  if (!complete.keep(real, region_, Copy::afterDraw)) return;
+  complete.putBack(real, Copy::beforeDraw);
+  const bool written = std::ranges::all_of(pictures_, [&](const Complete& one) {
+    return complete.write(real, *one.image, *one.snapshot, one.key.depthFunc);
+  });
+  p_.shadow.latch.restore(real);
+  if (!written) return complete.putBack(real, Copy::afterDraw), drop();
+  p_.cleared.forget();
+  const bool averages =
+      std::ranges::all_of(pictures_, [](const Complete& one) { return one.image->isAverages(); });
+  if (averages && isEven(before_))
+    p_.cleared.holdsAntialiased(framebuffer_, p_.shadow.state.target.drawBuffer, region_);
+  pictures_.clear();
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,72 @@
+// Shows complete pictures (CompletePresenter) where an MPI program draws the composed picture of its ranks:
+// compares pixels before and after draws that could do so. A part of each Context, GL thread. Does nothing
+// unless `gather` is on, and a ground, a background or several samples per pixel.
+#pragma once
+#include "base/image.h"
+#include "gl/batch/batch.h"
+#include "gl/basics/failsafe.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/framebuffers/cleared_framebuffers.h"
+#include "scene/snapshot.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gluray::gl {
+
+class Presenter;
+
+class ComposedViews {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    const Failsafe& failsafe;
+    ClearedFramebuffers& cleared;
+  };
+  ComposedViews(const Parts& parts, Presenter& presenter) : p_(parts), presenter_(presenter) {}
+
+  /// A batch is about to be presented into the bound framebuffer.
+  void presenting(const BatchKey& key, const scene::Snapshot& snapshot) noexcept;
+  /// presenting() was called; `traced`: its picture is in the framebuffer.
+  void presented(const BatchKey& key, const scene::SnapshotPtr& snapshot, bool traced) noexcept;
+  /// Whether a complete picture waits to be shown.
+  bool waits() const { return !pictures_.empty(); }
+  /// The real OpenGL draws surfaces next, while a complete picture waits.
+  void drawing() noexcept;
+  /// Call before anything else is drawn or read, and before another framebuffer is bound: shows the complete
+  /// picture if the draw that drawing() announced has composed the ranks' pictures.
+  void settle() noexcept {
+    if (drawn_) finishDraw();
+  }
+
+ private:
+  struct Complete {
+    BatchKey key;
+    scene::SnapshotPtr snapshot;
+    std::shared_ptr<const Image> image;
+  };
+  template <class Body>
+  void withMemory(const Body& body) noexcept;
+  bool read(std::vector<uint32_t>& colors);
+  bool follows(const BatchKey& key) const;
+  void watch(const BatchKey& key, const scene::Snapshot& snapshot);
+  bool isCandidate();
+  void finishDraw() noexcept;
+  void show();
+  void drop() noexcept;
+
+  Parts p_;
+  Presenter& presenter_;
+  std::vector<Complete> pictures_;  // of one view, in the order of drawing
+  scene::Region region_;            // of that view
+  std::vector<uint32_t> shown_;     // what the framebuffer held there after the last one
+  uint32_t empty_ = 0;              // and before the first one, in each pixel
+  bool watches_ = false;            // presenting() found a framebuffer that can be followed
+  int draws_ = 0;                   // that were looked at for pictures_
+  bool drawn_ = false;              // a draw that could have composed the pictures has begun
+  GLuint framebuffer_ = 0;          // of that draw
+  std::vector<uint32_t> before_, colors_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,26 @@
+// Copies depth by glCopyImageSubData in place of a glBlitFramebuffer, which is slow in software OpenGLs. Used
+// by blits.cpp, GL thread.
+#pragma once
+#include "gl/real/real.h"
+#include "gl/state/attached_images.h"
+
+#include <GL/gl.h>
+
+namespace gluray::gl {
+
+/// The arguments of a glBlitFramebuffer: corners in pixels.
+struct Blit {
+  GLint fromX0 = 0, fromY0 = 0, fromX1 = 0, fromY1 = 0, toX0 = 0, toY0 = 0, toX1 = 0, toY1 = 0;
+  GLbitfield mask = 0;
+  GLenum filter = GL_NEAREST;
+};
+
+/// Whether the blit raises no error and its depth part equals a plain copy: between two images, not moved,
+/// scaled or clipped, without stencil values that matter. No error may be pending. `stencilsSet`: stencil
+/// values, which would be copied with the depth, may matter.
+bool isDepthCopy(const RealGl& real, AttachedImages& images, const Blit& blit, bool stencilsSet);
+
+/// Copies the depth by glCopyImageSubData. False, with nothing done, if formats or sizes do not match.
+bool copyDepth(const RealGl& real, const Blit& blit);
+
+}  // namespace gluray::gl

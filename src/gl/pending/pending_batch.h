@@ -1,0 +1,74 @@
+// The batch that waits to be traced, with what presents it and what its pictures cost. Flusher decides when it is
+// presented. A part of each Context, GL thread.
+#pragma once
+#include "gl/batch/batch.h"
+#include "gl/batch/presenter.h"
+#include "gl/batch/unresolved_picture.h"
+#include "gl/basics/failsafe.h"
+#include "gl/clock/frame_clock.h"
+#include "gl/counts/draw_counts.h"
+#include "gl/framebuffers/cleared_framebuffers.h"
+#include "gl/history/surface_history.h"
+#include "gl/pending/pictured_surfaces.h"
+#include "gl/shadow/shadow_state.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gluray::gl {
+
+/// Why the draws of a batch that could not be traced were rasterised.
+Reason reasonOf(scene::Loss loss);
+
+class PendingBatch {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    FrameClock& clock;
+    DrawCounts& counts;
+    SurfaceHistory& surfaces;
+    ClearedFramebuffers& cleared;
+  };
+  PendingBatch(const Parts& parts, Presenter& with)
+      : presenter(with), pictured({parts.shadow, parts.clock, parts.surfaces, with}), p_(parts) {}
+
+  Batch batch;
+  Presenter& presenter;
+  PicturedSurfaces pictured;
+  UnresolvedPicture unresolved;  // of ResolveDraws
+  bool refines = false;          // pictures of the last frame are refined while the program is idle
+
+  /// Whether this OpenGL can show traced pictures (Presenter::supports()). The first call builds shaders.
+  bool canTrace();
+  /// Whether canTrace() was called.
+  bool knowsSupport() const { return supported_.has_value(); }
+  /// Call when the program begins to draw.
+  void stopRefining() {
+    if (refines) presenter.window().stopRefining();
+  }
+  /// The program begins to draw what will be traced: how light is sampled for it.
+  scene::LightSampling::Mode begin() {
+    stopRefining();
+    return p_.clock.lightMode(p_.shadow.settings);
+  }
+  /// Numbers the surfaces of the batch, and tells it what surrounds it. Call before it is traced or taken.
+  void surround();
+  /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
+  void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }
+  /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already. The
+  /// real OpenGL draws it where limits of address space leave too little for compiling what writes pictures.
+  void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
+                   bool known);
+  /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.
+  void takeResult(const PresentResult& result, bool known = false);
+
+ private:
+  std::shared_ptr<const scene::Backdrop> backdrop();
+
+  Parts p_;
+  std::optional<bool> supported_;
+};
+
+}  // namespace gluray::gl

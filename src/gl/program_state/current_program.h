@@ -1,0 +1,32 @@
+// The shader program in use and its family. A part of ShadowState, GL thread.
+#pragma once
+#include "gl/clock/context_info.h"
+#include "gl/program_state/program_state.h"
+#include "gl/real/real.h"
+#include "gl/sharing/share_group.h"
+
+#include <GL/gl.h>
+
+#include <memory>
+
+namespace gluray::gl {
+
+class CurrentProgram {
+ public:
+  CurrentProgram(const RealGl& real, ShareGroup& group, const ContextInfo& info)
+      : real_(real), group_(group), info_(info) {}
+
+  /// The program `name` with its family; determined once per link.
+  std::shared_ptr<const KnownProgram> known(GLuint name) const;
+  /// Name of the program in use; 0: none.
+  GLuint name() const;
+  /// Whether the program in use turns the points or lines of a draw of this mode into impostors.
+  bool drawsImpostors(GLenum mode) const;
+
+ private:
+  const RealGl& real_;
+  ShareGroup& group_;
+  const ContextInfo& info_;
+};
+
+}  // namespace gluray::gl

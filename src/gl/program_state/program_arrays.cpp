@@ -1,0 +1,191 @@
+// Reads the vertex arrays of shader programs.
+#include "gl/program_state/program_state.h"
+#include "gl/sharing/share_group.h"
+#include "gl/real/state_queries.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
+  ArraySource source;
+  source.location = location;
+  source.binding = static_cast<GLuint>(location);
+  source.symmetric = true;
+  const auto index = static_cast<GLuint>(location);
+  const auto ask = [&](GLenum name) {
+    GLint value = 0;
+    real.GetVertexAttribiv(index, name, &value);
+    return value;
+  };
+  source.enabled = location >= 0 && ask(GL_VERTEX_ATTRIB_ARRAY_ENABLED) != 0;
+  if (!source.enabled) return source;
+  source.size = ask(GL_VERTEX_ATTRIB_ARRAY_SIZE);
+  source.type = static_cast<GLenum>(ask(GL_VERTEX_ATTRIB_ARRAY_TYPE));
+  source.normalized = ask(GL_VERTEX_ATTRIB_ARRAY_NORMALIZED) != 0;
+  source.stride = ask(GL_VERTEX_ATTRIB_ARRAY_STRIDE);
+  if (source.stride == 0) source.stride = static_cast<GLsizei>(sizeOfType(source.type)) * source.size;
+  void* pointer = nullptr;
+  real.GetVertexAttribPointerv(index, GL_VERTEX_ATTRIB_ARRAY_POINTER, &pointer);
+  source.pointer = static_cast<const std::byte*>(pointer);
+  source.buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING)));
+  if (isPresent(real.VertexAttribDivisor))
+    source.divisor = static_cast<GLuint>(ask(GL_VERTEX_ATTRIB_ARRAY_DIVISOR));
+  return source;
+}
+
+/// The array of a generic attribute. Since OpenGL 4.3 format and buffer are separate, and the buffer is that
+/// of the attribute's binding, whichever way it was set.
+ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
+  ArraySource source = readGeneric(real, group, location);
+  if (!source.enabled || !isPresent(real.BindVertexBuffer)) return source;
+  GLint binding = 0, relative = 0, stride = 0, buffer = 0;
+  GLint64 offset = 0;
+  const auto index = static_cast<GLuint>(location);
+  real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_BINDING, &binding);
+  real.GetVertexAttribiv(index, GL_VERTEX_ATTRIB_RELATIVE_OFFSET, &relative);
+  const auto slot = static_cast<GLuint>(binding);
+  source.binding = slot;
+  real.GetIntegeri_v(GL_VERTEX_BINDING_STRIDE, slot, &stride);
+  real.GetIntegeri_v(GL_VERTEX_BINDING_BUFFER, slot, &buffer);
+  real.GetInteger64i_v(GL_VERTEX_BINDING_OFFSET, slot, &offset);
+  if (buffer == 0) return source;  // the program's own memory
+  source.stride = stride;
+  source.pointer = reinterpret_cast<const std::byte*>(static_cast<size_t>(offset + relative));
+  source.buffer = bufferNamed(group, static_cast<GLuint>(buffer));
+  return source;
+}
+
+/// Whether the attribute for colours, of vertices or instances, has an element for each instance.
+bool hasInstanceColors(const RealGl& real, ShareGroup& group, const Program& program, const Family& family) {
+  if (family.instanceColor.empty() || family.instanceColor != family.color) return false;
+  const ProgramAttribute* a = program.attribute(family.color);
+  if (!a || a->location < 0) return false;
+  const ArraySource source = readGeneric(real, group, a->location);
+  return source.enabled && source.divisor > 0;
+}
+
+}  // namespace
+
+const std::string& mapTexcoord(const Program& program, const Family& family) {
+  return program.attribute(family.mapTexcoord) ? family.mapTexcoord : family.texcoord;
+}
+
+bool hasTwoTexcoords(const Program& program, const Family& family) {
+  const ProgramAttribute* map = program.attribute(mapTexcoord(program, family));
+  const ProgramAttribute* textures = program.attribute(family.texcoord);
+  return map && textures && map->location != textures->location;
+}
+
+namespace {
+
+/// Reads arrays of a program's attributes.
+class AttributeReader {
+ public:
+  AttributeReader(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& out)
+      : real_(real), group_(group), program_(program), out_(out) {}
+
+  void read() {
+    if (program_ && program_->family) readVertices(*program_->family);
+    readOthers();
+    if (program_ && program_->family) readInstances(*program_->family);
+    // Client memory may change before the draw is replayed.
+    const auto keep = [&](const ArraySource& s) { plain_ = plain_ && (!s.enabled || s.buffer); };
+    out_.forEach(keep);
+    for (const ArraySource& source : out_.generic) keep(source);
+  }
+  /// Whether all arrays that the family names can be read for each vertex or instance.
+  bool isPlain() const { return plain_; }
+
+ private:
+  const ProgramAttribute* attribute(const std::string& name) const {
+    return name.empty() ? nullptr : program_->program.attribute(name);
+  }
+  void take(const std::string& name, ArraySource& source);
+  void takeOfInstances(const std::string& name, int columns, std::vector<ArraySource>& sources);
+  void readVertices(const Family& family);
+  void readOthers();
+  void readInstances(const Family& family);
+
+  const RealGl& real_;
+  ShareGroup& group_;
+  const KnownProgram* program_;
+  ArrayState& out_;
+  std::vector<GLint> named_;  // locations of what was taken
+  bool plain_ = true, colorsInstances_ = false;
+};
+
+void AttributeReader::take(const std::string& name, ArraySource& source) {
+  const ProgramAttribute* a = attribute(name);
+  if (!a || a->location < 0) return;
+  source = readPlaced(real_, group_, a->location);
+  named_.push_back(a->location);
+  plain_ = plain_ && isReadable(source) && source.divisor == 0;
+}
+
+void AttributeReader::readVertices(const Family& family) {
+  colorsInstances_ = hasInstanceColors(real_, group_, program_->program, family);
+  take(family.position, out_.vertex);
+  take(family.normal, out_.normal);
+  if (!colorsInstances_) take(family.color, out_.color);
+  const bool two = hasTwoTexcoords(program_->program, family);
+  const bool mapped = two || !program_->program.attribute(family.texcoord);
+  take(mapped ? mapTexcoord(program_->program, family) : family.texcoord, out_.texcoord);
+  if (two) out_.texcoordsAbove.resize(1), take(family.texcoord, out_.texcoordsAbove.front());
+  out_.shape = family.impostors.shape;
+  take(family.impostors.radius.uniform, out_.radius);
+  take(family.impostors.axis, out_.axis);
+  out_.sentBillboards = family.impostors.sent;
+  out_.radiusInPosition = family.impostors.radiusInPosition;
+  take(family.impostors.corners, out_.corners), take(family.impostors.end, out_.end);
+  take(family.impostors.endColor, out_.endColor), take(family.impostors.caps, out_.caps);
+}
+
+/// All other enabled arrays.
+void AttributeReader::readOthers() {
+  const GLint most = integer(real_, GL_MAX_VERTEX_ATTRIBS);
+  for (GLint i = 0; i < most; ++i) {
+    if (std::find(named_.begin(), named_.end(), i) != named_.end()) continue;
+    ArraySource source = readPlaced(real_, group_, i);
+    if (source.enabled) out_.generic.push_back(std::move(source));
+  }
+}
+
+/// Of the other arrays, those that give each instance a matrix of so many columns.
+void AttributeReader::takeOfInstances(const std::string& name, int columns,
+                                      std::vector<ArraySource>& sources) {
+  const ProgramAttribute* a = attribute(name);
+  for (int i = 0; a && i < columns; ++i) {
+    const auto found = std::find_if(out_.generic.begin(), out_.generic.end(),
+                                    [&](const ArraySource& s) { return s.location == a->location + i; });
+    const bool fine = found != out_.generic.end() && isReadable(*found) && found->divisor > 0;
+    plain_ = plain_ && fine;
+    if (fine) sources.push_back(*found);
+  }
+}
+
+void AttributeReader::readInstances(const Family& family) {
+  std::vector<ArraySource> color;
+  takeOfInstances(family.instanceTransform, 4, out_.instanceTransform);
+  takeOfInstances(family.instanceShift, 1, out_.instanceTransform);
+  takeOfInstances(family.instanceNormal, 3, out_.instanceNormal);
+  if (colorsInstances_ || family.instanceColor != family.color)
+    takeOfInstances(family.instanceColor, 1, color);
+  if (!color.empty()) out_.instanceColor = color.front();
+}
+
+}  // namespace
+
+void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
+  arrays = {};
+  arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
+  AttributeReader reader(real, group, program, arrays);
+  reader.read();
+  if (const Reason foreign = foreignReason(arrays); foreign != Reason::traced)
+    arrays.reason = foreign;
+  else if (!reader.isPlain() || !arrays.vertex.enabled || restartsPrimitives(real))
+    arrays.reason = Reason::arrayState;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,153 @@
+// ProgramReader: the source of a shader program's colours, and whether they are opaque.
+#include "gl/program_state/program_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gluray::gl {
+
+Reason ProgramReader::readColor() {
+  scene::FragmentShading& f = out_.shading.fragment;
+  using Color = scene::FragmentShading::Color;
+  f.color = Color::material;
+  f.colorIsDiffuseOnly = family_.colorIsDiffuseOnly;
+  f.map.clear();
+  out_.triangleColors = {};
+  out_.opaqueTriangleColors = true;
+  out_.instanceColors = false;
+  out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
+  out_.overridden = uniforms_.integer(family_.uniformColors) != 0;
+  if (out_.overridden) return readOpacityBeneath();
+  if (family_.height.given()) return readHeightColors();
+  Reason reason = Reason::traced;
+  if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
+    f.color = Color::perTriangle;
+    reason = readBuffer(*sampler, out_.triangleColors, out_.triangleColorCount);
+    if (reason == Reason::traced)
+      out_.opaqueTriangleColors = textures_.isOpaque(out_.triangleColors, out_.triangleColorCount);
+  } else if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
+    f.color = Color::map;
+    reason = readMap(*map);
+  } else if (!family_.color.empty() && program_.attribute(family_.color)) {
+    f.color = Color::vertices;
+    out_.color = current(family_.color);
+  } else if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) {
+    f.color = Color::vertices;
+    out_.instanceColors = true;
+  } else {
+    return Reason::traced;
+  }
+  // The source's colours replace the material's; its intensities stay.
+  const FamilyMaterial& m = family_.material;
+  scene::Material& material = out_.material.front;
+  material.diffuse =
+      glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
+  if (!family_.colorIsDiffuseOnly)
+    material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
+  if (f.backMaterial && reason == Reason::traced)  // such programs mix the colours in another way
+    reason = refuse("back faces have their own material, and front faces take their colours from elsewhere");
+  f.backMaterial = false;
+  out_.material.back = out_.material.front;
+  return reason;
+}
+
+Reason ProgramReader::readHeightColors() {
+  scene::HeightColors& height = out_.shading.fragment.height;
+  out_.shading.fragment.color = scene::FragmentShading::Color::height;
+  height.axis = family_.height.axis;
+  for (int c = 0; c < 3; ++c) {
+    height.scale[c] = uniforms_.number(family_.height.scale[c], 1);
+    height.offset[c] = uniforms_.number(family_.height.offset[c], 0);
+    height.exponent[c] = uniforms_.number(family_.height.exponent[c], 1);
+    if (!(height.exponent[c] > 0)) return refuse("an exponent of colours is not above 0");
+  }
+  return Reason::traced;
+}
+
+Reason ProgramReader::readOpacityBeneath() {
+  out_.color = glm::vec4(1);
+  if (const ProgramUniform* sampler = samplerNamed(family_.triangleColors)) {
+    scene::Attribute colors;
+    uint32_t count = 0;
+    const Reason reason = readBuffer(*sampler, colors, count);
+    if (reason != Reason::traced) return reason;
+    return textures_.isOpaque(colors, count) ? Reason::traced : Reason::program;
+  }
+  if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
+    scene::Texture texture;
+    const Reason reason = textures_.bound(real_, has_, unitOf(*map), map->type, texture);
+    if (reason != Reason::traced) return reason;
+    return texture.image->opaque ? Reason::traced : Reason::program;
+  }
+  if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) return Reason::program;
+  if (!family_.color.empty() && program_.attribute(family_.color)) out_.color = current(family_.color);
+  return Reason::traced;
+}
+
+/// The program divides by w at each vertex and then interpolates: equal to our matrix only if w is constant.
+Reason ProgramReader::readTexcoordMatrix() {
+  texcoordMatrix_ = uniforms_.matrix4(family_.texcoordMatrix);
+  const glm::mat4& m = texcoordMatrix_;
+  // Coordinates are (s, t, 0, 1).
+  const bool divides = !family_.hasBuiltInVertices();  // others take s and t as they are
+  if (m[0].w != 0 || m[1].w != 0 || !(m[3].w != 0) || (!divides && (m[2].w != 0 || m[3].w != 1)))
+    return refuse("matrix \"" + family_.texcoordMatrix + "\" divides texture coordinates");
+  if (m[3].w != 1) texcoordMatrix_ /= m[3].w;
+  return Reason::traced;
+}
+
+Reason ProgramReader::readMap(const ProgramUniform& sampler) {
+  scene::Texture texture;
+  if (const Reason reason = textures_.bound(real_, has_, unitOf(sampler), sampler.type, texture);
+      reason != Reason::traced)
+    return reason;
+  const bool simple = (texture.target == scene::TextureTarget::texture2D ||
+                       texture.target == scene::TextureTarget::texture1D) &&
+                      texture.wrapS == scene::Wrap::clampToEdge &&
+                      texture.wrapT == scene::Wrap::clampToEdge &&
+                      texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
+  if (!simple) return Reason::textureFormat;
+  out_.texcoord = current(mapTexcoord(program_, family_));
+  texture.textureMatrix = texcoordMatrix_;
+  out_.shading.fragment.map.push_back(std::move(texture));
+  return Reason::traced;
+}
+
+Reason ProgramReader::readTextures() {
+  out_.shading.textures.clear();
+  out_.shading.fragment.texturesFirst = family_.texturesFirst;
+  if (uniforms_.has(family_.texturesIf) && uniforms_.integer(family_.texturesIf) == 0) return Reason::traced;
+  out_.shading.fragment.texturesOnBack =
+      !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
+  const bool second = hasTwoTexcoords(program_, family_);
+  for (const std::string& name : family_.textures) {
+    const ProgramUniform* sampler = samplerNamed(name);
+    if (!sampler) continue;
+    scene::Texture texture;
+    const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, texture);
+    if (reason != Reason::traced) return reason;
+    texture.env = scene::TexEnv::modulate;
+    texture.unit = second ? 1 : 0;  // the unit that has the family's texture coordinate
+    texture.textureMatrix = texcoordMatrix_;
+    (second ? out_.texcoordAbove : out_.texcoord) = current(family_.texcoord);
+    out_.shading.textures.push_back(std::move(texture));
+  }
+  return Reason::traced;
+}
+
+bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh) {
+  using Color = scene::FragmentShading::Color;
+  const scene::FragmentShading& f = program.shading.fragment;
+  if (program.material.front.diffuse.a < 1) return false;
+  if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
+  if (program.overridden && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
+  if (f.color == Color::vertices && !f.ignoresAlpha && !program.instanceColors &&
+      !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1))
+    return false;
+  if (f.color == Color::map && !f.map.front().image->opaque) return false;
+  if (f.color == Color::perTriangle && !program.opaqueTriangleColors) return false;
+  return std::all_of(program.shading.textures.begin(), program.shading.textures.end(),
+                     [](const scene::Texture& t) { return t.image->opaque; });
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,78 @@
+// Interprets one shader program's uniforms, textures and attributes as its family describes them. Private to
+// program_state.cpp and program_colors.cpp. GL thread.
+#pragma once
+#include "gl/program_state/program_state.h"
+#include "gl/programs/uniforms.h"
+#include "gl/sharing/share_group.h"
+#include "gl/textures/texture.h"
+
+#include <string>
+#include <utility>
+
+namespace gluray::gl {
+
+/// Reads one program, once.
+class ProgramReader {
+ public:
+  ProgramReader(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
+                ProgramState& out)
+      : real_(real),
+        group_(group),
+        has_(has),
+        textures_(textures),
+        out_(out),
+        program_(out.known->program),
+        family_(*out.known->family),
+        uniforms_(program_, *out.uniforms) {}
+
+  Reason read();
+
+ private:
+  /// Refuses the draw; `why` is shown to the user.
+  Reason refuse(std::string why) { return out_.why = std::move(why), Reason::programValue; }
+  /// Checks the uniforms that must have neutral values (Family::neutral).
+  Reason checkNeutral();
+  /// Checks fixed function's state that changes what programs with gl_Vertex draw.
+  Reason checkBuiltInState();
+  void readTransform();
+  void readMaterial(const FamilyMaterial& m, scene::Material& material);
+  void readModel();
+  void readFog();
+  /// Colours without lights, where the program's lights are switched off (FamilyLights::enabled).
+  Reason readEnabled();
+  Reason readImpostors();
+  Reason readSplats();
+  Reason readSentBillboards();
+  void readClipPlanes();
+  void readDepthOffset();
+  Reason readNormals();
+  Reason readEdges();
+  Reason readColor();
+  Reason readHeightColors();
+  /// While the material overrides colours, their opacity still counts: refuses translucent ones. The mesh has
+  /// that of vertex colours.
+  Reason readOpacityBeneath();
+  const ProgramUniform* samplerNamed(const std::string& name) const {
+    return name.empty() ? nullptr : program_.uniform(name);
+  }
+  GLint unitOf(const ProgramUniform& sampler) const { return (*out_.uniforms)[sampler.first].integers[0]; }
+  Reason readTexcoordMatrix();
+  Reason readMap(const ProgramUniform& sampler);
+  Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
+  Reason readTextures();
+  /// The current value of an attribute that is not an array.
+  glm::vec4 current(const std::string& name) const;
+
+  const RealGl& real_;
+  ShareGroup& group_;
+  const RareState& has_;
+  TextureCache& textures_;
+  ProgramState& out_;
+  const Program& program_;
+  const Family& family_;
+  const UniformReader uniforms_;
+  glm::dvec3 viewer_{0};
+  glm::mat4 texcoordMatrix_{1};
+};
+
+}  // namespace gluray::gl

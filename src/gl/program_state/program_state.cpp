@@ -1,0 +1,226 @@
+#include "gl/program_state/program_state.h"
+
+#include "gl/glsl/built_in_variables.h"
+#include "gl/program_state/program_lights.h"
+#include "gl/program_state/program_reader.h"
+#include "gl/real/state_queries.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::gl {
+
+Reason ProgramReader::read() {
+  if (const Reason reason = checkNeutral(); reason != Reason::traced) return reason;
+  if (const Reason reason = checkBuiltInState(); reason != Reason::traced) return reason;
+  readTransform();
+  readMaterial(family_.material, out_.material.front);
+  out_.material.back = out_.material.front;
+  out_.shading.fragment.backMaterial = uniforms_.has(family_.backMaterial.diffuseColor.uniform);
+  if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
+  readModel();
+  out_.shading.fragment.lights =
+      readLights(family_.lights, uniforms_, glm::vec3(viewer_), out_.material.front.shininess, *out_.known);
+  readFog();
+  if (const Reason reason = readImpostors(); reason != Reason::traced) return reason;
+  readClipPlanes();
+  readDepthOffset();
+  if (const Reason reason = readNormals(); reason != Reason::traced) return reason;
+  if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
+  if (const Reason reason = readTexcoordMatrix(); reason != Reason::traced) return reason;
+  if (const Reason reason = readColor(); reason != Reason::traced) return reason;
+  if (const Reason reason = readEnabled(); reason != Reason::traced) return reason;
+  return readTextures();
+}
+
+Reason ProgramReader::checkNeutral() {
+  for (const auto& [name, value] : family_.neutral) {
+    const std::string now = uniforms_.unlike(name, value);
+    if (!now.empty())
+      return refuse("uniform \"" + name + "\" is " + now + ", but the family covers only " +
+                    (value.empty() ? "the identity" : inWords(value)));
+  }
+  return Reason::traced;
+}
+
+std::string builtInColorObstacle(const RealGl& real, const Family& family) {
+  if (integer(real, GL_SHADE_MODEL) != GL_SMOOTH) return "glShadeModel is GL_FLAT";
+  if (isOn(real, GL_VERTEX_PROGRAM_TWO_SIDE)) return "GL_VERTEX_PROGRAM_TWO_SIDE is on";
+  GLint clamps = GL_TRUE;  // before OpenGL 3.0 they are always clamped
+  if (family.clampedColors) real.GetIntegerv(GL_CLAMP_VERTEX_COLOR, &clamps);
+  return clamps == GL_TRUE ? "" : "GL_CLAMP_VERTEX_COLOR is not GL_TRUE";
+}
+
+Reason ProgramReader::checkBuiltInState() {
+  if (!family_.hasBuiltInVertices()) return Reason::traced;
+  if (std::string why = builtInColorObstacle(real_, family_); !why.empty()) return refuse(std::move(why));
+  const auto isOfMaterial = [](const std::string& name) {
+    using Of = BuiltInUniform::Of;
+    const Of of = builtInUniform(name).of;
+    return of == Of::material || of == Of::product || of == Of::sceneColor;
+  };
+  if (isOn(real_, GL_COLOR_MATERIAL) && std::ranges::any_of(family_.mentioned, isOfMaterial))
+    return refuse("GL_COLOR_MATERIAL is on");
+  return Reason::traced;
+}
+
+void ProgramReader::readTransform() {
+  out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
+  out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
+  // Lights may be given in another space than eye space, such as world space: make the viewer its origin.
+  viewer_ = glm::vec3(uniforms_.vector(family_.viewer));
+  if (out_.eyeFromObject) out_.eyeFromObject = glm::translate(glm::dmat4(1), -viewer_) * *out_.eyeFromObject;
+  if (uniforms_.has(family_.normalMatrix))
+    out_.normalMatrix = uniforms_.matrix3(family_.normalMatrix);
+  else if (out_.eyeFromObject)
+    out_.normalMatrix = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(*out_.eyeFromObject))));
+  else
+    out_.normalMatrix = glm::mat3(1);
+}
+
+Reason ProgramReader::readImpostors() {
+  const FamilyImpostors& f = family_.impostors;
+  out_.impostors = {};
+  if (!f.given()) return Reason::traced;
+  out_.impostors.billboards = f.billboards;
+  out_.impostors.fades = f.fades;
+  out_.impostors.parallelView = out_.shading.fragment.parallelView;
+  out_.impostors.inside = uniforms_.number(f.inside, 1) < 0;
+  out_.impostors.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
+  out_.impostors.axisMatrix = out_.normalMatrix;
+  const bool attribute = !f.radius.uniform.empty() && program_.attribute(f.radius.uniform);
+  out_.impostors.grows = f.grows;
+  out_.impostors.size = glm::vec2(uniforms_.value(f.size, glm::vec4(0)));
+  out_.impostors.bulge = uniforms_.number(f.bulge, 0);
+  out_.impostors.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
+  constexpr float kUnit = 1.0f / 65000.0f;  // VTK's unit of depth bias
+  out_.impostors.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
+  out_.impostorRadius = attribute ? current(f.radius.uniform).x : uniforms_.number(f.radius, 1);
+  if (f.sent) return readSentBillboards();
+  return f.shape == scene::Shape::splats ? readSplats() : Reason::traced;
+}
+
+Reason ProgramReader::readSplats() {
+  const FamilyImpostors& f = family_.impostors;
+  const glm::mat4 projection = uniforms_.matrix4(f.projection);
+  out_.impostors.size = {projection[0].x, projection[1].y};
+  const float scale = uniforms_.number(f.scale, 1);
+  if (!(scale > 0)) return refuse("uniform \"" + f.scale.uniform + "\" is not above 0");
+  out_.impostors.radiusDivisor = 1 / scale;
+  // Smaller billboards would clip the ellipse.
+  if (!(uniforms_.number(f.billboardScale, 1) >= 1))
+    return refuse("uniform \"" + f.billboardScale.uniform + "\" is below 1");
+  if (!out_.eyeFromObject) return Reason::program;
+  return Reason::traced;
+}
+
+void ProgramReader::readClipPlanes() {
+  out_.clipPlanes.clear();
+  const ProgramUniform* planes = family_.clipPlanes.empty() ? nullptr : program_.uniform(family_.clipPlanes);
+  if (!planes) return;
+  // Elements beyond the count are not initialised.
+  int count = planes->count;
+  if (uniforms_.has(family_.clipPlaneCount))
+    count = std::min(count, uniforms_.integer(family_.clipPlaneCount));
+  for (int i = 0; i < count; ++i) {
+    const glm::vec4 plane = uniforms_.vector(family_.clipPlanes, i);
+    if (family_.clipCenters)
+      out_.impostors.centerPlanes.push_back(plane);
+    else
+      out_.clipPlanes.emplace_back(plane);
+  }
+}
+
+void ProgramReader::readDepthOffset() {
+  out_.depthOffset = {};
+  const auto writes = [&](const FamilyValue& v) { return !v.constant.empty() || uniforms_.has(v.uniform); };
+  out_.shading.fragment.writesDepth = writes(family_.depthOffset) || writes(family_.depthFactor);
+  if (!family_.depthOffset.given() && !family_.depthFactor.given()) return;
+  // VTK's unit is 1/65000.
+  out_.depthOffset = {uniforms_.number(family_.depthFactor, 0), uniforms_.number(family_.depthOffset, 0),
+                      1.0f / 65000.0f, true};
+  if (out_.depthOffset.factor == 0 && out_.depthOffset.units == 0) out_.depthOffset = {};
+}
+
+Reason ProgramReader::readNormals() {
+  scene::FragmentShading& f = out_.shading.fragment;
+  using Normals = scene::FragmentShading::Normals;
+  f.normals = Normals::vertices;
+  out_.triangleNormals = {};
+  if (const ProgramUniform* sampler = samplerNamed(family_.triangleNormals)) {
+    f.normals = Normals::perTriangle;
+    return readBuffer(*sampler, out_.triangleNormals, out_.triangleNormalCount);
+  }
+  if (!program_.attribute(family_.normal))
+    f.normals = Normals::triangles;
+  else
+    out_.normal = glm::vec3(current(family_.normal));
+  return Reason::traced;
+}
+
+Reason ProgramReader::readEdges() {
+  scene::FragmentShading& f = out_.shading.fragment;
+  const ProgramUniform* sampler = samplerNamed(family_.edgeFlags);
+  f.edges = sampler != nullptr;
+  out_.triangleEdges = {};
+  if (!sampler) return Reason::traced;
+  GLint viewport[4] = {};
+  real_.GetIntegerv(GL_VIEWPORT, viewport);
+  if (uniforms_.has(family_.edgeViewport) &&
+      uniforms_.vector(family_.edgeViewport) != glm::vec4(viewport[0], viewport[1], viewport[2], viewport[3]))
+    return refuse("uniform \"" + family_.edgeViewport + "\" is not the viewport");
+  f.edgeWidth = uniforms_.number(family_.edgeWidth, 1);
+  f.edgesGrow = family_.edgesGrow;
+  f.edgeOpacity = uniforms_.number(family_.edgeOpacity, 1);
+  f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
+  return readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);
+}
+
+Reason ProgramReader::readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute,
+                                 uint32_t& count) {
+  return textures_.buffer(real_, group_, unitOf(sampler), attribute, count);
+}
+
+glm::vec4 ProgramReader::current(const std::string& name) const {
+  glm::vec4 value(0, 0, 0, 1);
+  const ProgramAttribute* a = name.empty() ? nullptr : program_.attribute(name);
+  if (a && a->location >= 0)
+    real_.GetVertexAttribfv(static_cast<GLuint>(a->location), GL_CURRENT_VERTEX_ATTRIB,
+                            glm::value_ptr(value));
+  return value;
+}
+
+namespace {
+
+bool isSane(const ProgramState& s) {
+  return isInvertible(s.clipFromObject) && (!s.eyeFromObject || isInvertible(*s.eyeFromObject));
+}
+
+}  // namespace
+
+void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
+                 ProgramState& state, bool solids) {
+  state.why.clear();
+  if (const Reason reason = reasonWithoutFamily(*state.known); reason != Reason::traced) {
+    state.reason = reason;
+    return;
+  }
+  if (state.known->family->onlySolids && !solids) {
+    state.reason = Reason::program;
+    return;
+  }
+  if (!state.known->family->rasteriseBecause.empty()) {
+    state.reason = Reason::programPass;
+    if (state.known->family->pass != Family::Pass::none)
+      state.uniforms = readUniforms(real, state.known->program);
+    return;
+  }
+  state.uniforms = readUniforms(real, state.known->program);
+  state.reason = ProgramReader(real, group, has, textures, state).read();
+  if (state.reason == Reason::traced && !isSane(state)) state.reason = Reason::singularMatrix;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,242 @@
+#include "gl/programs/match.h"
+
+#include "gl/families/variable_types.h"
+#include "gl/glsl/glsl_types.h"
+#include "gl/glsl/program_source.h"
+#include "gl/glsl/shader_digest.h"
+#include "gl/programs/built_in_uniforms.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+namespace {
+
+void needActive(const Program& p, const Family& f, std::vector<std::string>& out) {
+  for (const std::string& name : f.active)
+    if (!p.isActive(name)) out.push_back(about("lacks ", name));
+  const auto active = [&](const std::string& name) { return p.isActive(name); };
+  if (!f.any.empty() && std::none_of(f.any.begin(), f.any.end(), active))
+    out.push_back(about("has none of ", f.any.front(), f.any.size() > 1 ? " ..." : ""));
+}
+
+void needSource(ProgramSource& program, const Family& f, std::vector<std::string>& out) {
+  if (f.sourceHas.empty() && f.sourceLacks.empty()) return;
+  const std::string& source = program.text();
+  for (const std::string& text : f.sourceHas)
+    if (source.find(text) == std::string::npos) out.push_back(about("lacks in its source ", text));
+  for (const std::string& text : f.sourceLacks)
+    if (source.find(text) != std::string::npos) out.push_back(about("has in its source ", text));
+}
+
+/// The program's statements, with its texture renamed to the family's name.
+const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
+  const auto other = p.renamed.find(f.anyTexture);
+  GlslStatements::Renamed renamed;
+  if (other != p.renamed.end()) renamed = {other->second, other->first};
+  return source.statements(renamed, f.resolvesConditions);
+}
+
+/// Requires a vertex and a fragment shader, both of them known as a whole, and no others.
+void needShaders(ProgramSource& source, const std::vector<Hash128>& known, std::vector<std::string>& out) {
+  const auto digests = source.digests();
+  if (!source.isWhole(false) || digests.size() != 2)
+    return out.push_back("has no two shaders that could be read");
+  for (const auto& [type, digest] : digests)
+    if (std::ranges::count(known, digest) == 0)
+      out.push_back(std::string("has an unknown ") + (type == GL_VERTEX_SHADER ? "vertex" : "fragment") +
+                    " shader, " + textOf(digest));
+}
+
+/// Requires all statements, or whole shaders, to be in the family's sections of code.
+void needCode(const Program& program, ProgramSource& source, const Family& f, const CodeSections& code,
+              std::vector<std::string>& out) {
+  if (f.code.empty()) return;
+  if (const std::vector<Hash128> known = knownShaders(code, f.code); !known.empty())
+    return needShaders(source, known, out);
+  const GlslStatements& statements = statementsFor(f, program, source);
+  if (!source.isWhole(f.geometryShader) || statements.size() == 0)
+    return out.push_back("has no source that could be read");
+  for (const std::string_view statement : unknownStatements(statements, code, f.code))
+    out.push_back(about("has the unknown statement ", std::string(statement)));
+  for (const std::string_view statement : strayStatements(statements, code, f.code))
+    out.push_back(
+        about("has the statement ", std::string(statement), " twice, or without the rest of its block"));
+  for (const std::string& name : unwrittenNames(statements, code, f.code))
+    out.push_back(about("reads ", name, ", which it does not write"));
+  for (const std::string& section : incompleteSections(statements, code, f.code))
+    out.push_back(about("lacks statements of the code section ", section));
+}
+
+void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
+  for (const std::string& name : f.absent)
+    if (p.isActive(name)) out.push_back(about("has ", name));
+  for (const std::string& name : f.absentOutputs)
+    if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
+}
+
+/// Whether the family mentions a variable, by its name or as an alternative.
+bool isKnown(const std::string& name, const Family& f, const Renames& renamed) {
+  const auto isTaken = [&](const auto& pair) { return pair.second == name; };
+  return f.mentions(name) || std::any_of(renamed.begin(), renamed.end(), isTaken);
+}
+
+/// The only sampler2D that the family does not mention; null if there is none or several.
+const std::string* onlyUnknownTexture(const Program& p, const Family& f, const Renames& renamed) {
+  const std::string* only = nullptr;
+  for (const auto& [name, uniform] : p.uniforms) {
+    if (uniform.type != GL_SAMPLER_2D || isKnown(name, f, renamed)) continue;
+    if (only) return nullptr;
+    only = &name;
+  }
+  return only;
+}
+
+void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
+  if (!f.strict) return;
+  const auto check = [&](const char* kind, const std::string& name, GLenum type) {
+    if (isKnown(name, f, p.renamed)) return;
+    const std::string after = " (" + std::string(glslName(type)) + "), which the family does not describe";
+    out.push_back(about(kind, name, after));
+  };
+  for (const auto& [name, uniform] : p.uniforms) check("has uniform ", name, uniform.type);
+  // Implementations list more of these than programs use; statements tell which ones they use.
+  if (!f.hasBuiltInVertices())
+    for (const auto& [name, type] : p.builtInUniforms) check("has uniform ", name, type);
+  for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
+}
+
+/// Requires what tracing needs of any program.
+void needSources(const Program& p, const Family& f, std::vector<std::string>& out) {
+  if (!f.rasteriseBecause.empty()) return;
+  if (p.geometryShader && !f.geometryShader) out.push_back("has a geometry shader");
+  if (!p.geometryShader && f.geometryShader) out.push_back("lacks a geometry shader");
+  if (p.tessellation) out.push_back("has tessellation shaders");
+  if (p.writes) out.push_back("writes into buffers or images");
+  if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
+  for (const std::string& name : f.clipFromObject)
+    if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
+  if (!f.impostors.projection.empty() && !p.uniform(f.impostors.projection))
+    out.push_back(about("lacks uniform ", f.impostors.projection));
+  for (const std::string* name : {&f.impostors.axis, &f.impostors.corners, &f.impostors.end})
+    if (!name->empty() && !p.attribute(*name)) out.push_back(about("lacks attribute ", *name));
+  const bool normals = f.impostors.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
+  if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
+    out.push_back(about("lacks attribute ", f.normal));
+}
+
+/// `unknown`: set if the program fits except for its statements.
+std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
+                                   const CodeSections& code, ProgramSource& source, bool& unknown) {
+  std::vector<std::string> out;
+  unknown = false;
+  if (!program.linked) return {"is not linked"};
+  needActive(program, family, out);
+  refuseActive(real, program, family, out);
+  needSources(program, family, out);
+  needTypes(program, family, out);
+  needMentioned(program, family, out);
+  if (out.empty()) needSource(source, family, out);
+  if (!out.empty()) return out;
+  needCode(program, source, family, code, out);
+  unknown = !out.empty();
+  return out;
+}
+
+int occurrences(const std::string& part, const std::string& text) {
+  int count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+}  // namespace
+
+Renames renamedBy(const Program& program, const Family& family) {
+  Renames renamed;
+  const auto has = [&](const std::string& name) {
+    return program.uniforms.contains(name) || program.attributes.contains(name);
+  };
+  for (const auto& [name, others] : family.alternatives) {
+    const auto other = has(name) ? others.end() : std::find_if(others.begin(), others.end(), has);
+    if (other != others.end()) renamed[name] = *other;
+  }
+  if (!family.anyTexture.empty() && !has(family.anyTexture))
+    if (const std::string* other = onlyUnknownTexture(program, family, renamed))
+      renamed[family.anyTexture] = *other;
+  return renamed;
+}
+
+std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
+                                   const CodeSections& code) {
+  program.renamed = renamedBy(program, family);
+  nameBuiltIns(program, family);
+  ProgramSource source(real, program);
+  bool unknown = false;
+  return obstacles(real, program, family, code, source, unknown);
+}
+
+namespace {
+
+/// Sets what is known of a program that fits the family.
+void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family, const FamilyList& families,
+               ProgramSource& source) {
+  known.family = family;
+  known.why = family->rasteriseBecause;
+  known.unknownCode = false;
+  const FamilyLights& lights = family->lights;
+  if (!lights.countInSource.empty()) known.lightCount = occurrences(lights.countInSource, source.text());
+  if (!lights.noHighlightInSource.empty())
+    known.highlightCount = known.lightCount - occurrences(lights.noHighlightInSource, source.text());
+  if (!family->code.empty())
+    known.note = notesOn(statementsFor(*family, known.program, source), families.code, family->code);
+}
+
+/// Tells the user of a program that fits no family; the `nearest` one, or null, has these obstacles.
+std::string whyNoneFits(const KnownProgram& known, const Family* nearest,
+                        const std::vector<std::string>& found) {
+  if (!known.program.linked) return "not linked";
+  std::string why = "no family fits";
+  if (!nearest) return why;
+  why.append("; nearest: ").append(nearest->name);
+  for (size_t i = 0; i < found.size() && i < 4; ++i) why.append(i ? ", " : ", but it ").append(found[i]);
+  if (found.size() > 4) why.append(" and ").append(std::to_string(found.size() - 4)).append(" more");
+  if (known.unknownCode)
+    why.append("; statements that do not affect the picture can be added to [[code]] section \"")
+        .append(nearest->code.back())
+        .append("\" by a file for --program-families");
+  return why;
+}
+
+}  // namespace
+
+std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
+                                              std::shared_ptr<const ShaderTexts> texts) {
+  auto known = std::make_shared<KnownProgram>();
+  known->program = reflect(real, name);
+  known->program.texts = std::move(texts);
+  ProgramSource source(real, known->program);
+  std::vector<std::string> fewest;
+  const Family* nearest = nullptr;
+  for (const auto& family : families) {
+    bool unknown = false;
+    known->program.renamed = renamedBy(known->program, *family);
+    nameBuiltIns(known->program, *family);
+    std::vector<std::string> found = obstacles(real, known->program, *family, families.code, source, unknown);
+    if (found.empty()) {
+      setFamily(*known, family, families, source);
+      return known;
+    }
+    // Name the nearest family: not one that is never traced, or with other kinds of vertices, and best one
+    // that fits except for statements.
+    if (!family->rasteriseBecause.empty()) continue;
+    if (family->hasBuiltInVertices() != readsFixedVertices(known->program)) continue;
+    if (!nearest || unknown > known->unknownCode ||
+        (unknown == known->unknownCode && found.size() < fewest.size()))
+      nearest = family.get(), fewest = std::move(found), known->unknownCode = unknown;
+  }
+  known->program.renamed.clear();
+  dropBuiltIns(known->program);
+  known->why = whyNoneFits(*known, nearest, fewest);
+  return known;
+}
+
+}  // namespace gluray::gl

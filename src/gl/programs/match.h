@@ -1,0 +1,36 @@
+// Finds the family that a program fits. GL thread, context current.
+#pragma once
+#include "gl/families/family.h"
+#include "gl/glsl/program.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gluray::gl {
+
+/// A program with its family.
+struct KnownProgram {
+  Program program;
+  std::shared_ptr<const Family> family;  // null: none fits
+  std::string why;                       // for the user: why it is not traced; empty if it is
+  std::string note;                      // for the user, if it is traced: notes of its code sections
+  int lightCount = -1;                   // of FamilyLights::countInSource; -1: not counted
+  int highlightCount = -1;               // of FamilyLights::noHighlightInSource; -1: not counted
+  bool unknownCode = false;              // the nearest family fits except for unknown statements
+};
+
+/// For each name of the family that the program lacks, the first alternative that the program has; for
+/// Family::anyTexture the program's only unknown sampler2D.
+Renames renamedBy(const Program& program, const Family& family);
+
+/// Reasons why `program` does not fit `family`, whose known sections are in `code`; empty if it fits.
+std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
+                                   const CodeSections& code = {});
+
+/// Queries the program and finds its family. `texts`: Program::texts.
+std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
+                                              std::shared_ptr<const ShaderTexts> texts = {});
+
+}  // namespace gluray::gl

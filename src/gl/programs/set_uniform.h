@@ -1,0 +1,15 @@
+// Gives uniforms of the program in use values that were read from others. GL thread, context current.
+#pragma once
+#include "gl/programs/uniforms.h"
+#include "gl/real/real.h"
+
+#include <GL/gl.h>
+
+namespace gluray::gl {
+
+/// Whether setUniform() sets uniforms of this type: not those of doubles and of 64 bit handles.
+bool isSettable(GLenum type);
+/// Sets one element. Does nothing where its location is -1.
+void setUniform(const RealGl& real, const UniformValue& value);
+
+}  // namespace gluray::gl

@@ -1,0 +1,81 @@
+// Values of a program's uniforms, queried from the real OpenGL, which knows them however they were set. GL
+// thread, context current.
+#pragma once
+#include "gl/families/family.h"
+#include "gl/glsl/program.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace gluray::gl {
+
+/// One element of a uniform: its components column by column, as glGetUniform returns them.
+struct UniformValue {
+  GLint location = -1;  // -1: in a block
+  GLenum type = 0;
+  std::array<GLfloat, 16> floats{};
+  std::array<GLint, 16> integers{};
+};
+using UniformValues = std::vector<UniformValue>;
+using UniformValuesPtr = std::shared_ptr<const UniformValues>;
+
+/// Columns and rows of a uniform type, and whether its values are integers (samplers and booleans are).
+struct UniformShape {
+  int columns = 1, rows = 1;
+  bool integers = false;
+};
+UniformShape shapeOf(GLenum type);
+
+/// Numbers as shown to the user: "2" or "(1, 0.5)".
+std::string inWords(const std::vector<float>& numbers);
+
+/// Element `element` of the active uniform `name`.
+UniformValue readUniform(const RealGl& real, const Program& program, std::string_view name,
+                         const ProgramUniform& uniform, int element);
+
+/// Every element of every active uniform, in the order of Program::uniforms.
+UniformValuesPtr readUniforms(const RealGl& real, const Program& program);
+
+/// Finds values by name.
+class UniformReader {
+ public:
+  UniformReader(const Program& program, const UniformValues& values) : program_(program), values_(values) {}
+
+  /// Whether the uniform is active. Here and below, names may end with an element, "lightColor[2]", or with a
+  /// component of a vector, "ambient.r", which is a number.
+  bool has(const std::string& name) const { return find(name, 0).value != nullptr; }
+  /// Components of element `element`, integers and booleans as numbers; 0 if it is not active.
+  glm::vec4 vector(const std::string& name, int element = 0) const;
+  float number(const std::string& name, int element = 0) const { return vector(name, element).x; }
+  int integer(const std::string& name) const;
+  /// A matrix, extended by the identity; the identity if it is not active.
+  glm::mat4 matrix4(const std::string& name) const;
+  glm::mat3 matrix3(const std::string& name) const;
+  /// Product from left to right; nullopt if there are no names or one is not active.
+  std::optional<glm::dmat4> product(const std::vector<std::string>& names) const;
+  /// A constant or a uniform; `otherwise` if the family has neither or the uniform is not active. A single
+  /// number fills all components.
+  glm::vec4 value(const FamilyValue& value, const glm::vec4& otherwise) const;
+  /// The value of `name` as inWords() unless it is `neutral` (Family::neutral) or not active; then empty.
+  std::string unlike(const std::string& name, const std::vector<float>& neutral) const;
+  float number(const FamilyValue& v, float otherwise) const { return value(v, glm::vec4(otherwise)).x; }
+
+ private:
+  struct Found {
+    const UniformValue* value = nullptr;  // null: not active
+    int component = -1;                   // that the name ends with; -1: none
+  };
+  Found find(const std::string& name, int element) const;
+  const UniformValue* findWhole(std::string_view name, int element) const;
+  const Program& program_;
+  const UniformValues& values_;
+};
+
+}  // namespace gluray::gl

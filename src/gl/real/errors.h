@@ -1,0 +1,33 @@
+// The error that glGetError returns: the first one raised, by us or by the real OpenGL. A part of each
+// Context, GL thread.
+#pragma once
+#include "gl/real/begin_end.h"
+#include "gl/real/real.h"
+
+#include <GL/gl.h>
+
+namespace gluray::gl {
+
+class Errors {
+ public:
+  Errors(const RealGl& real, const BeginEnd& beginEnd) : real_(real), beginEnd_(beginEnd) {}
+
+  /// Records `error` unless an earlier one, ours or the real OpenGL's, is pending.
+  void set(GLenum error);
+  /// Returns the pending error for glGetError and clears it.
+  GLenum take();
+  /// Call before queries that may raise errors: moves the program's pending error here.
+  void keepPending() {
+    if (const GLenum pending = real_.GetError()) set(pending);
+  }
+  /// The oldest error of the real OpenGL, whose errors are then cleared. Call after keepPending(), for calls
+  /// of our own that may raise errors.
+  GLenum takeReal();
+
+ private:
+  const RealGl& real_;
+  const BeginEnd& beginEnd_;
+  GLenum error_ = GL_NO_ERROR;
+};
+
+}  // namespace gluray::gl

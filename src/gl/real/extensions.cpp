@@ -1,0 +1,118 @@
+#include "gl/real/extensions.h"
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace gluray::gl {
+
+int parseVersion(const GLubyte* text, int scale) {
+  if (!text) return 0;
+  char* end = nullptr;
+  const long major = std::strtol(reinterpret_cast<const char*>(text), &end, 10);
+  const long minor = *end == '.' ? std::strtol(end + 1, nullptr, 10) : 0;
+  return static_cast<int>(major * scale + minor);
+}
+
+int versionOf(const RealGl& real) { return parseVersion(real.GetString(GL_VERSION), 10); }
+
+int mesaVersionOf(const GLubyte* text) {
+  constexpr std::string_view kName = " Mesa ";
+  const std::string_view all = text ? reinterpret_cast<const char*>(text) : "";
+  const size_t at = all.find(kName);
+  return at == all.npos ? 0 : parseVersion(text + at + kName.size(), 100);
+}
+
+Extensions::Extensions(const RealGl& real, int version) {
+  const auto add = [&](const GLubyte* name) {
+    if (name) names_.emplace_back(reinterpret_cast<const char*>(name));
+  };
+  if (version >= 30) {
+    GLint count = 0;
+    real.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    names_.reserve(static_cast<size_t>(std::max(count, 0)));
+    for (int i = 0; i < count; ++i) add(real.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+  } else if (const GLubyte* text = real.GetString(GL_EXTENSIONS)) {
+    const std::string_view all = reinterpret_cast<const char*>(text);
+    for (size_t at = 0; at < all.size();) {
+      const size_t end = std::min(all.find(' ', at), all.size());
+      if (end > at) names_.push_back(all.substr(at, end - at));
+      at = end + 1;
+    }
+  }
+  std::sort(names_.begin(), names_.end());
+}
+
+bool Extensions::has(std::string_view name) const {
+  return std::binary_search(names_.begin(), names_.end(), name);
+}
+
+bool hasExtension(const RealGl& real, int version, std::string_view name) {
+  if (version >= 30) {
+    GLint count = 0;
+    real.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (int i = 0; i < count; ++i) {
+      const auto* text =
+          reinterpret_cast<const char*>(real.GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+      if (text && name == text) return true;
+    }
+    return false;
+  }
+  const auto* text = reinterpret_cast<const char*>(real.GetString(GL_EXTENSIONS));
+  const std::string_view all = text ? text : "";
+  for (size_t at = all.find(name); at != all.npos; at = all.find(name, at + 1)) {
+    const size_t end = at + name.size();
+    if ((at == 0 || all[at - 1] == ' ') && (end == all.size() || all[end] == ' ')) return true;
+  }
+  return false;
+}
+
+bool isPrimitive(const RealGl& real, GLenum mode) {
+  if (mode != GL_PATCHES)
+    return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY);
+  const int version = versionOf(real);
+  return version >= 40 || hasExtension(real, version, "GL_ARB_tessellation_shader");
+}
+
+bool takesPackedFloats(const RealGl& real, int version) {
+  return version >= 44 || hasExtension(real, version, "GL_ARB_vertex_type_10f_11f_11f_rev");
+}
+
+RareState readRareState(const RealGl& real) {
+  const int version = versionOf(real);
+  const Extensions extensions(real, version);
+  const auto has = [&](int since, std::string_view extension) {
+    return version >= since || extensions.has(extension);
+  };
+  RareState rare;
+  rare.asked = true;
+  rare.framebufferObjects = has(30, "GL_ARB_framebuffer_object") || has(30, "GL_EXT_framebuffer_object");
+  rare.rasterizerDiscard = has(30, "GL_EXT_transform_feedback");
+  rare.feedbackActive = has(40, "GL_ARB_transform_feedback2");
+  rare.framebufferSrgb = has(30, "GL_ARB_framebuffer_sRGB") || has(30, "GL_EXT_framebuffer_sRGB");
+  rare.depthClamp = has(32, "GL_ARB_depth_clamp");
+  rare.depthBounds = extensions.has("GL_EXT_depth_bounds_test");
+  rare.clipControl = has(45, "GL_ARB_clip_control");
+  rare.provokingVertex = has(32, "GL_ARB_provoking_vertex") || has(32, "GL_EXT_provoking_vertex");
+  rare.offsetClamp = has(46, "GL_ARB_polygon_offset_clamp") || has(46, "GL_EXT_polygon_offset_clamp");
+  rare.fogDistance = extensions.has("GL_NV_fog_distance");
+  rare.sampleMask = has(32, "GL_ARB_texture_multisample");
+  rare.rectangles = has(31, "GL_ARB_texture_rectangle");
+  rare.textureTypes = has(30, "GL_ARB_texture_float");
+  rare.textureSwizzle = has(33, "GL_ARB_texture_swizzle") || has(33, "GL_EXT_texture_swizzle");
+  rare.textureStorage = version >= 43;  // with GL_TEXTURE_IMMUTABLE_LEVELS
+  rare.textureSrgb = extensions.has("GL_EXT_texture_sRGB_decode");
+  rare.anisotropy = has(46, "GL_EXT_texture_filter_anisotropic");
+  rare.seamlessCubes = has(32, "GL_ARB_seamless_cube_map");
+  rare.debugOutput = has(43, "GL_KHR_debug");
+  rare.pipelines = has(41, "GL_ARB_separate_shader_objects");
+  rare.assemblyPrograms = extensions.has("GL_ARB_vertex_program");
+  rare.secondaryColor = has(14, "GL_EXT_secondary_color");
+  rare.fogCoord = has(14, "GL_EXT_fog_coord");
+  rare.fogsWholeSum = mesaVersionOf(real.GetString(GL_VERSION)) > 0;
+  return rare;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,57 @@
+#include "gl/real/extensions.h"
+
+#include <gtest/gtest.h>
+
+namespace gluray::gl {
+namespace {
+
+const GLubyte* text(const char* s) { return reinterpret_cast<const GLubyte*>(s); }
+
+TEST(Extensions, ParsesVersionStrings) {
+  EXPECT_EQ(parseVersion(text("4.5 (Compatibility Profile) Mesa 22.3.6"), 10), 45);
+  EXPECT_EQ(parseVersion(text("4.50"), 100), 450);
+  EXPECT_EQ(parseVersion(nullptr, 10), 0);
+}
+
+TEST(Extensions, ParsesMesaVersions) {
+  EXPECT_EQ(mesaVersionOf(text("4.5 (Compatibility Profile) Mesa 22.3.6")), 2203);
+  EXPECT_EQ(mesaVersionOf(text("4.5 (Compatibility Profile) Mesa 25.0.7-2+deb13u1")), 2500);
+  EXPECT_EQ(mesaVersionOf(text("3.1 Mesa 25.2.0-devel (git-0123456789)")), 2502);
+  EXPECT_EQ(mesaVersionOf(text("4.6.0 NVIDIA 535.183.01")), 0);
+  EXPECT_EQ(mesaVersionOf(text("4.5 Mesa")), 0);
+  EXPECT_EQ(mesaVersionOf(nullptr), 0);
+}
+
+const char* const kNames[] = {"GL_EXT_abc", "GL_ARB_b", "GL_EXT_ab"};
+int g_asked = 0;
+void APIENTRY count(GLenum, GLint* value) { *value = 3; }
+const GLubyte* APIENTRY nth(GLenum, GLuint i) { return ++g_asked, text(kNames[i]); }
+const GLubyte* APIENTRY all(GLenum) { return text(" GL_EXT_abc  GL_ARB_b GL_EXT_ab "); }
+
+TEST(Extensions, FindsWholeNames) {
+  RealGl real{};
+  real.GetIntegerv = count, real.GetStringi = nth, real.GetString = all;
+  for (const int version : {21, 45}) {
+    const Extensions extensions(real, version);
+    for (const char* name : kNames) EXPECT_TRUE(extensions.has(name)) << version << name;
+    for (const char* name : {"", "GL_EXT_a", "GL_EXT_abcd", "GL_ARB"})
+      EXPECT_FALSE(extensions.has(name)) << version << name;
+  }
+  EXPECT_EQ(g_asked, 3);  // each name once
+  EXPECT_TRUE(hasExtension(real, 45, "GL_ARB_b"));
+}
+
+const GLubyte* APIENTRY packedOnly(GLenum) { return text("GL_ARB_b GL_ARB_vertex_type_10f_11f_11f_rev"); }
+
+TEST(Extensions, PackedFloatsComeWithTheirExtensionOrWith44) {
+  RealGl real{};
+  real.GetIntegerv = count, real.GetStringi = nth, real.GetString = all;
+  EXPECT_FALSE(takesPackedFloats(real, 21));
+  EXPECT_FALSE(takesPackedFloats(real, 43));
+  EXPECT_TRUE(takesPackedFloats(real, 44));
+  real.GetString = packedOnly;
+  EXPECT_TRUE(takesPackedFloats(real, 21));
+}
+
+}  // namespace
+}  // namespace gluray::gl

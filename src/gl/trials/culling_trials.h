@@ -1,0 +1,70 @@
+// Whether culling a draw pays: measured, as EngineChoice measures frames. Trials of all draws share what they
+// may cost where it does not pay (TrialBudget). Calls no OpenGL and reads no clock. GL thread.
+#pragma once
+#include "gl/trials/trial_budget.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace gluray::gl {
+
+class CullingTrials {
+ public:
+  enum class Way : uint8_t { plain, culled };
+  struct Next {
+    Way way = Way::plain;
+    bool measured = false;  // finish all before and after, and tell took()
+  };
+
+  /// How to make the next draw. `always`: culled, and nothing is measured.
+  Next next(bool always, TrialBudget& budget) {
+    if (always) return {Way::culled, false};
+    if (plain_ < 0) return {Way::plain, true};
+    budget.earn(plain_, plain_);
+    if (triesLeft_ == 0) {
+      if (--hold_ > 0) return {better_, false};
+      // Whole draws may take another time than when they were measured.
+      plain_ = -1;
+      return {Way::plain, true};
+    }
+    return budget.left() >= 0 ? Next{Way::culled, true} : Next{Way::plain, false};
+  }
+
+  /// A whole draw took so long.
+  void tookPlain(double seconds) {
+    plain_ = seconds, culled_ = -1;
+    triesLeft_ = kTries, vainLeft_ = kTries;
+  }
+  /// A draw that was to be culled took so long. `culled`: it was; else it was made whole after all.
+  void tookCulled(bool culled, double seconds, TrialBudget& budget) {
+    budget.spend(seconds - plain_);
+    if (!culled) {
+      if (--vainLeft_ == 0) conclude(false);
+      return;
+    }
+    culled_ = culled_ < 0 ? seconds : std::min(culled_, seconds);
+    if (culled_ > kHopeless * plain_) return conclude(false);
+    if (--triesLeft_ == 0) conclude(culled_ < kGain * plain_);
+  }
+  bool pays() const { return better_ == Way::culled || triesLeft_ > 0; }  // or is being tried
+
+ private:
+  static constexpr int kTries = 3;      // culled draws that are measured; the first ones have a poor guess
+  static constexpr double kGain = 0.9;  // of the plain time, which culled draws must stay below
+  static constexpr double kHopeless = 1.5;            // of the plain time: one draw is enough
+  static constexpr int kHold = 32, kLongHold = 1024;  // draws until the next trial
+
+  void conclude(bool pays) {
+    triesLeft_ = 0;
+    interval_ = pays ? kHold : std::min(2 * interval_, kLongHold);
+    hold_ = pays ? kLongHold : interval_;
+    better_ = pays ? Way::culled : Way::plain;
+  }
+
+  double plain_ = -1, culled_ = -1;   // seconds; negative: not measured
+  int triesLeft_ = 0, vainLeft_ = 0;  // of draws that are culled; that could not be
+  int hold_ = 0, interval_ = kHold;
+  Way better_ = Way::plain;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,268 @@
+#include "gl/trials/engine_choice.h"
+
+#include <cmath>
+#include <utility>
+
+namespace gluray::gl {
+namespace {
+
+constexpr int kSettle = 4;                   // frames before measuring: lists are compiled, shaders built
+constexpr int kTrialSettle = 2;              // the same in a trial, which the user may notice
+constexpr int kTimes = 3;                    // frames measured; the fastest counts, as noise only adds time
+constexpr int kAttempts = 32;                // frames of another load until measuring is given up
+constexpr int kWindow = 32;                  // frames over which the largest load is taken
+constexpr double kFaster = 0.87;             // change if the other way takes less than this share of the time
+constexpr double kOptimism = 0.6;            // the other way may by now cost this share of its measurement
+constexpr double kSame = 1.5, kStays = 2.0;  // ratio of loads of one kind; ratio at which a kind is left
+constexpr double kFirstLook = 2, kLongestLook = 64;
+constexpr double kFirstTrial = 4, kLongestTrial = 1024, kTrialGrowth = 4;  // seconds between trials
+constexpr double kShare = 0.01;  // of the time in which the real OpenGL draws, for trials of tracing
+constexpr double kMaxSavedSeconds = 0.25;  // seconds
+constexpr double kHopeless = 2;  // a second traced frame that takes so many times as long ends the trial
+constexpr double kLikely = 2;    // a traced frame likely takes so many times leastTraceSeconds()
+constexpr double kFirstTrace = 20e-3;  // seconds: the first one starts threads and builds shaders
+constexpr double kNever = 1e300;
+constexpr size_t kKinds = 32;
+
+double ratio(double a, double b) {
+  const double small = std::min(a, b) + 1, large = std::max(a, b) + 1;
+  return large / small;
+}
+
+bool within(const FrameLoad& a, const FrameLoad& b, double factor) {
+  // Below some thousand triangles the number hardly matters.
+  constexpr double kFew = 2000;
+  return ratio(std::max(a.triangles, kFew), std::max(b.triangles, kFew)) <= factor &&
+         ratio(a.pixels, b.pixels) <= factor;
+}
+
+FrameLoad largest(const FrameLoad& a, const FrameLoad& b) {
+  return {std::max(a.triangles, b.triangles), std::max(a.pixels, b.pixels)};
+}
+
+}  // namespace
+
+EngineChoice::EngineChoice(Engine setting, int threads, Clock clock)
+    : active_(setting == Engine::automatic),
+      threads_(std::max(threads, 1)),
+      clock_(clock),
+      way_(setting == Engine::never    ? Way::passthrough
+           : setting == Engine::always ? Way::traced
+                                       : Way::mixed) {}
+
+double EngineChoice::mostTriangles(double pixels) {
+  constexpr double kAlways = 20000;  // drawn in a millisecond or two
+  constexpr double kMax = 200000;    // their list compiles in some 30 ms
+  constexpr double kPerPixel =
+      0.2;  // for more triangles a rasteriser on the same cores is slower than tracing
+  return std::clamp(kPerPixel * pixels, kAlways, kMax);
+}
+
+bool EngineChoice::takesAlone(uint64_t triangles, double viewportPixels) const {
+  if (!active_) return way_ == Way::passthrough;
+  const double pixels = frame_.pixels + std::max(epochPixels_, viewportPixels);
+  return static_cast<double>(triangles) <= mostTriangles(pixels);
+}
+
+bool EngineChoice::takes(uint64_t triangles, double viewportPixels) const {
+  // After an overflow draws are judged one by one, so that a surface drawn again is drawn in the same way.
+  const bool inAll = active_ && way_ == Way::mixed && !overflowed_;
+  return takesAlone(triangles + (inAll ? static_cast<uint64_t>(frame_.triangles) : 0), viewportPixels);
+}
+
+bool EngineChoice::takesLayers(uint64_t triangles, double viewportPixels) const {
+  // Every further hit of a ray costs about as much as the first. Three closed surfaces of a million
+  // triangles, on as many pixels, take tracing and a rasteriser on the same cores equally long.
+  constexpr double kAlways = 200000, kPerPixel = 1;
+  return active_ && static_cast<double>(triangles) <= std::max(kAlways, kPerPixel * viewportPixels);
+}
+
+void EngineChoice::overflow() {
+  overflowed_ = true;
+  way_ = Way::mixed;
+  trial_ = false;
+}
+
+EngineChoice::Way EngineChoice::frameEnded() {
+  layer();
+  const FrameLoad load = std::exchange(frame_, {});
+  const bool drawn = std::exchange(drawn_, false);
+  const double seconds = std::exchange(frameSeconds_, -1);
+  const bool measuring = phase_ == Phase::measuring || (trial_ && way_ == Way::traced);
+  timing_ = active_ && measuring ? Timing::wanted : Timing::off;
+  if (!active_ || !drawn) return way_;
+
+  remember(load);
+  const FrameLoad peak = largest(peaks_[0], peaks_[1]);
+  if (way_ == Way::mixed || (way_ == Way::passthrough && tooLarge(load, 1.5))) {
+    kind_ = static_cast<size_t>(&kindOf(peak) - kinds_.data());
+    settle(tooLarge(load, 1) ? Way::traced : Way::passthrough, false);
+    overflowed_ = false;
+    return way_;
+  }
+  if (!within(peak, kinds_[kind_].load, kStays)) {
+    enter(kindOf(peak));
+    return way_;
+  }
+  account(kinds_[kind_], seconds);
+  switch (phase_) {
+    case Phase::settling:
+      if (--left_ > 0) break;
+      if (isHopeless(kinds_[kind_], seconds)) {
+        best_ = seconds;
+        conclude();
+        break;
+      }
+      // Too large for the real OpenGL: there is no choice to measure for.
+      if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
+        rest();
+      else
+        measure(trial_ ? 1 : kTimes);
+      break;
+    case Phase::measuring:
+      if (seconds >= 0 && within(load, kinds_[kind_].load, kStays)) {
+        best_ = best_ < 0 ? seconds : std::min(best_, seconds);
+        --left_;
+      } else {
+        ++attempts_;
+      }
+      if (left_ <= 0 || attempts_ >= kAttempts) conclude();
+      break;
+    case Phase::holding:
+      if (nextLook_ < kNever && clock_() >= nextLook_) measure(kTimes);
+      break;
+  }
+  return way_;
+}
+
+/// Frames that the real OpenGL draws save for trials of tracing, and frames of these trials spend.
+void EngineChoice::account(const Kind& kind, double seconds) {
+  const double direct = kind.seconds[indexOf(Way::passthrough)];
+  everTraced_ |= way_ == Way::traced;
+  if (direct < 0) return;
+  if (way_ == Way::passthrough)
+    budget_.add(kShare * direct, kMaxSavedSeconds);
+  else if (trial_ && seconds >= 0)
+    budget_.spend(seconds - direct);
+}
+
+/// Whether a settled frame of a trial shows that tracing is much slower.
+bool EngineChoice::isHopeless(const Kind& kind, double seconds) const {
+  const double direct = kind.seconds[indexOf(Way::passthrough)];
+  return trial_ && way_ == Way::traced && direct >= 0 && seconds >= kHopeless * direct;
+}
+
+void EngineChoice::remember(const FrameLoad& load) {
+  if (++window_ >= kWindow) {
+    window_ = 0;
+    peaks_[1] = std::exchange(peaks_[0], {});
+  }
+  peaks_[0] = largest(peaks_[0], load);
+}
+
+EngineChoice::Kind& EngineChoice::kindOf(const FrameLoad& load) {
+  for (Kind& kind : kinds_)
+    if (within(kind.load, load, kSame)) return kind;
+  if (kinds_.size() >= kKinds) kinds_.clear();
+  kinds_.push_back({load});
+  kinds_.back().trialInterval = kFirstTrial;
+  return kinds_.back();
+}
+
+/// Frames are of this other kind from now on.
+void EngineChoice::enter(Kind& kind) {
+  kind_ = static_cast<size_t>(&kind - kinds_.data());
+  lookInterval_ = kFirstLook;
+  // An interrupted trial has shown nothing: its way does not count as used.
+  const Way used = trial_ ? other(way_) : way_, unused = other(used);
+  const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
+  const bool known = here >= 0 && there >= 0 && there < kFaster * here;
+  const bool allowed = unused == Way::traced || !tooLarge(kind.load, 1);
+  const bool mustLeave = used == Way::passthrough && tooLarge(kind.load, 1);
+  settle((known && allowed) || mustLeave ? unused : used, false);
+}
+
+void EngineChoice::settle(Way way, bool trial) {
+  way_ = way;
+  trial_ = trial;
+  phase_ = Phase::settling;
+  left_ = trial ? kTrialSettle : kSettle;
+  timing_ = trial && way == Way::traced ? Timing::wanted : Timing::off;
+}
+
+void EngineChoice::measure(int frames) {
+  phase_ = Phase::measuring;
+  left_ = frames;
+  attempts_ = 0;
+  best_ = -1;
+  timing_ = Timing::wanted;
+}
+
+/// Holds the decision until frames are of another kind.
+void EngineChoice::rest() {
+  phase_ = Phase::holding;
+  trial_ = false;
+  timing_ = Timing::off;
+  nextLook_ = kNever;
+}
+
+void EngineChoice::hold() {
+  phase_ = Phase::holding;
+  timing_ = Timing::off;
+  nextLook_ = clock_() + lookInterval_;
+  lookInterval_ = std::clamp(2 * lookInterval_, kFirstLook, kLongestLook);
+}
+
+void EngineChoice::conclude() {
+  Kind& kind = kinds_[kind_];
+  const Way unused = other(way_);
+  if (best_ >= 0) kind.seconds[indexOf(way_)] = best_;
+  const double here = kind.seconds[indexOf(way_)], there = kind.seconds[indexOf(unused)];
+  if (trial_) {
+    kind.nextTrial = clock_() + kind.trialInterval;
+    kind.trialInterval = std::min(kTrialGrowth * kind.trialInterval, kLongestTrial);
+    trial_ = false;
+    if (best_ < 0 || here > kFaster * there) way_ = unused;
+    return hold();
+  }
+  const bool allowed = unused == Way::traced ? affords(likelyLoss(kind)) : !tooLarge(kind.load, 1);
+  if (best_ >= 0 && allowed && leastSeconds(unused, kind) < kFaster * here && clock_() >= kind.nextTrial)
+    return settle(unused, true);
+  hold();
+}
+
+/// Lower bound of the seconds that a frame of this kind takes when drawn this way, measured or not: the
+/// largest of leastTraceSeconds() and kOptimism times the measurements of frames with no more load.
+double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
+  double least = way == Way::traced ? leastTraceSeconds(kind.load) : 0;
+  for (const Kind& known : kinds_) {
+    const double seconds = known.seconds[indexOf(way)];
+    const bool less =
+        known.load.triangles <= kSame * kind.load.triangles && known.load.pixels <= kSame * kind.load.pixels;
+    if (seconds >= 0 && less) least = std::max(least, kOptimism * seconds);
+  }
+  return least;
+}
+
+/// Seconds by which a trial of tracing likely takes longer than as many frames of the real OpenGL, which were
+/// measured.
+double EngineChoice::likelyLoss(const Kind& kind) const {
+  const double direct = kind.seconds[indexOf(Way::passthrough)], known = kind.seconds[indexOf(Way::traced)];
+  const double likely =
+      known >= 0 ? known : std::max(leastSeconds(Way::traced, kind), kLikely * leastTraceSeconds(kind.load));
+  return (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
+}
+
+/// Whether a trial of tracing that likely loses so many seconds may be made now. Nothing needs to be saved
+/// for one that likely wins, and never more than can be.
+bool EngineChoice::affords(double loss) const {
+  return loss <= 0 || budget_.left() >= std::min(loss, kMaxSavedSeconds);
+}
+
+/// Seconds for the rays of an empty picture and its write-back, on fast cores.
+double EngineChoice::leastTraceSeconds(const FrameLoad& load) const {
+  constexpr double kFrame = 0.2e-3, kRay = 14e-9, kWriteBack = 1e-9;
+  return kFrame + load.pixels * (kRay / threads_ + kWriteBack);
+}
+
+}  // namespace gluray::gl
