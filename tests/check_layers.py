@@ -114,7 +114,7 @@ def violations(root):
 SOUND = {
     "src/base/log.h": "#pragma once\n#include <string>\n",
     "src/gl/context.cpp": '#include "gl/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',
-    "src/accel/embree.h": "#include <embree3/rtcore.h>\n",
+    "src/accel/device/embree.h": "#include <embree3/rtcore.h>\n",
     "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
     "src/intercept/window_systems/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',

@@ -1,6 +1,6 @@
 #include "frame/tracer_info.h"
 
-#include "accel/device.h"
+#include "accel/device/device.h"
 #include "parallel/arena.h"
 #include "render/kernels.h"
 

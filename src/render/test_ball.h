@@ -1,6 +1,6 @@
 // A ball of facets, for the tests of render/.
 #pragma once
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Traces a snapshot for the tests of render/.
 #pragma once
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 #include "render/tile_tracer.h"
 

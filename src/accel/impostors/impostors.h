@@ -1,7 +1,8 @@
 // Spheres, discs and cylinders of fragment programs (scene/impostors.h): bounding boxes for the BLAS and ray
 // intersection. Any thread.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/impostors/impostor_reach.h"
+#include "accel/rays/ray_packet.h"
 #include "base/hash.h"
 #include "scene/snapshot.h"
 
@@ -11,20 +12,6 @@
 #include <vector>
 
 namespace gluray::accel {
-
-/// Extent of an instance's impostors about their centres, in object space. Rounded up so that it stays equal
-/// while the camera moves, although the matrices then vary by rounding.
-struct ImpostorReach {
-  glm::vec3 perRadius{0};  // along each coordinate axis, for radius 1
-  glm::mat3 alongAxis{0};  // maps half of Mesh::axes to half a cylinder's axis in object space
-  glm::vec3 perLength{0};  // rounding error of alongAxis, for length 1
-  glm::vec3 further{0};    // added to both, independent of radius and length
-  bool operator==(const ImpostorReach&) const = default;
-  static ImpostorReach of(const scene::Instance&, const scene::Camera&);
-};
-
-/// Rounds up to a power of 2^(1/64), so that small rounding differences seldom change the result.
-float roundedUp(double length);
 
 struct Box {
   glm::vec3 lower, upper;

@@ -1,7 +1,7 @@
 // Spheres, discs and cylinders against closed forms, and their independence of the camera.
 #include "accel/impostors/impostors.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <glm/gtc/matrix_transform.hpp>

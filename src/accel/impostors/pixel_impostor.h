@@ -93,11 +93,4 @@ uint32_t meet(const PlacedImpostors&, uint32_t primitive, const ImpostorQuery&, 
 /// Window positions of the vertices of beads, tubes or splats.
 std::vector<WindowVertex> windowVertices(const PlacedImpostors&);
 
-/// Extent of an instance's beads or tubes about their points and lines, in object space; valid for every
-/// camera that is not nearer.
-ImpostorReach reachInPixels(const scene::Instance&, const scene::Camera&);
-
-/// The same for splats, in proportion to their radius.
-ImpostorReach reachOfSplats(const scene::Instance&, const scene::Camera&);
-
 }  // namespace gluray::accel

@@ -1,7 +1,7 @@
 // Fragments of a packet's pixels for layers that are blended in the order of drawing. Used by the kernels on
 // tracing threads.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // Depth-sorted layers of a packet's pixels, for compositing after a limited number of peels
 // (scene::Layers::peels). Used by the kernels on tracing threads.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Answers to occlusion queries of other processes, in the scene of a frame. Made once a frame, asked on all
 // tracing threads.
 #pragma once
-#include "accel/occlusion.h"
+#include "accel/rays/occlusion.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
 #include "render/remote/remote_surfaces.h"

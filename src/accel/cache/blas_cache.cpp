@@ -1,7 +1,8 @@
-#include "accel/meshes/blas_cache.h"
+#include "accel/cache/blas_cache.h"
 
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/memory/huge_pages.h"
+#include "accel/pages/page_structure.h"
 #include "parallel/arena.h"
 
 #include <tbb/parallel_for.h>
@@ -124,7 +125,7 @@ std::vector<BlasPtr> BlasCache::aside(const std::vector<Geometry>& wanted, BvhQu
 }
 
 BlasPtr BlasCache::made(const Geometry& geometry, BvhQuality quality) {
-  if (geometry.mesh->residence) return Blas::createPage(device_, pages_, *geometry.mesh);
+  if (geometry.mesh->residence) return createPage(device_, pages_, *geometry.mesh);
   return std::make_shared<Blas>(device_, iota_, geometry, quality);
 }
 

@@ -1,8 +1,8 @@
 // The memory that structures are measured by.
-#include "accel/device.h"
+#include "accel/device/device.h"
 
 #include "accel/meshes/blas.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "base/sanitized.h"
 
 #include <gtest/gtest.h>

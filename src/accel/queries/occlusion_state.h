@@ -1,7 +1,7 @@
 // What a query for occlusion carries into Embree's callbacks. Private to accel/; lives as long as one query.
 #pragma once
 #include "accel/impostors/impostors.h"
-#include "accel/occlusion.h"
+#include "accel/rays/occlusion.h"
 
 namespace gluray::accel {
 

@@ -1,10 +1,9 @@
 // Occlusion queries of World.
-#include "accel/occlusion.h"
-
-#include "accel/embree.h"
-#include "accel/occlusion_state.h"
-#include "accel/packet_parts.h"
-#include "accel/traceable.h"
+#include "accel/device/embree.h"
+#include "accel/queries/occlusion_state.h"
+#include "accel/rays/occlusion.h"
+#include "accel/rays/packet_parts.h"
+#include "accel/rays/traceable.h"
 #include "accel/world.h"
 
 #include <cstddef>

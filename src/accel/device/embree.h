@@ -1,6 +1,6 @@
 // Includes Embree 3 or 4, whichever CMake found; no other file includes it. Private to accel/, any thread.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #if GLURAY_EMBREE_MAJOR >= 4
 #include <embree4/rtcore.h>

@@ -1,4 +1,4 @@
-#include "accel/meshes/build_plan.h"
+#include "accel/cache/build_plan.h"
 
 #include <algorithm>
 

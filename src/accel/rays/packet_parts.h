@@ -1,6 +1,6 @@
 // Packets of sixteen rays in the widths that Embree handles natively. Private to accel/; any thread.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <cstddef>
 #include <cstdint>

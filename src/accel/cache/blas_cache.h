@@ -1,7 +1,7 @@
 // Cache of BLASes, keyed by geometry content and quality. Owned by World; one thread at a time.
 #pragma once
+#include "accel/cache/build_plan.h"
 #include "accel/meshes/blas.h"
-#include "accel/meshes/build_plan.h"
 #include "accel/meshes/deformation.h"
 #include "base/background_job.h"
 
@@ -10,6 +10,8 @@
 #include <vector>
 
 namespace gluray::accel {
+
+class PageCache;
 
 /// Builds each (geometry, quality) once and keeps it while it is used. Idle structures stay while they and
 /// the arrays they keep alive fit into `idleBudgetBytes`. Beyond it, the least recently used are freed first.

@@ -1,5 +1,5 @@
 // Processes that exit during a background build.
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

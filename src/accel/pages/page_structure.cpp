@@ -1,9 +1,12 @@
-#include "accel/pages/page_query.h"
+#include "accel/pages/page_structure.h"
 
-#include "accel/embree.h"
+#include "accel/device/embree.h"
 #include "accel/pages/page.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace gluray::accel {
 namespace {
@@ -41,8 +44,6 @@ Lanes lanesThatMeet(const Bounds& box, const int* valid, RTCRayN* ray, unsigned 
 
 Page& pageOf(void* user) { return *static_cast<Page*>(user); }
 
-}  // namespace
-
 void pageBounds(const RTCBoundsFunctionArguments* arguments) {
   const Page& page = pageOf(arguments->geometryUserPtr);
   Bounds box = page.bounds();
@@ -74,6 +75,15 @@ void occludePage(const RTCOccludedFunctionNArguments* arguments) {
   if (!scene) return;
   occludeWithin(a.context, scene, a.N, lanes.valid, a.ray);
   page.leave();
+}
+
+}  // namespace
+
+BlasPtr createPage(const Device& device, PageCache& pages, const scene::Mesh& mesh) {
+  auto page = std::make_shared<Page>(pages, mesh);
+  const uint32_t boxes = page->whole() ? 2 : 1;
+  return std::make_shared<Blas>(
+      device, mesh, UserPrimitives{boxes, std::move(page), pageBounds, intersectPage, occludePage});
 }
 
 }  // namespace gluray::accel

@@ -1,7 +1,7 @@
 // World's ray queries, as Embree packets of the width that the processor supports natively.
-#include "accel/embree.h"
-#include "accel/packet_parts.h"
-#include "accel/query_state.h"
+#include "accel/device/embree.h"
+#include "accel/queries/query_state.h"
+#include "accel/rays/packet_parts.h"
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // Rays that ask whether anything lies between two points: the packet, and what decides which surfaces count.
 // render/ fills a packet and gives it to World::occluded; any thread.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 // Full-quality BLASes built in the background; also run under the thread sanitizer.
-#include "accel/device.h"
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/device/device.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

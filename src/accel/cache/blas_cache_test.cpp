@@ -1,6 +1,6 @@
 // Eviction of idle structures.
 #include "accel/meshes/blas.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

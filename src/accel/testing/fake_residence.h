@@ -1,6 +1,6 @@
 // Pages in memory that count how often they are loaded and dropped, for tests.
 #pragma once
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "scene/mesh.h"
 
 #include <gtest/gtest.h>

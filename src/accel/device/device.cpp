@@ -1,7 +1,7 @@
-#include "accel/device.h"
+#include "accel/device/device.h"
 
-#include "accel/embree.h"
-#include "accel/error.h"
+#include "accel/device/embree.h"
+#include "accel/device/error.h"
 
 #include <sys/types.h>
 #include <tbb/parallel_for.h>

@@ -1,7 +1,7 @@
 // Several hits of each ray in one query.
-#include "accel/next_hits.h"
+#include "accel/rays/next_hits.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 #include "parallel/arena.h"
 

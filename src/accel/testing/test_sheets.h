@@ -1,6 +1,6 @@
 // Two bumpy sheets of triangles, and packets of rays through them, for tests of triangle blocks and bundles.
 #pragma once
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The nearest hits of each ray of a packet, from one query (World::intersectNext). One thread per packet.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <algorithm>
 #include <vector>

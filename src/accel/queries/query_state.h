@@ -2,8 +2,9 @@
 // its thread.
 #pragma once
 #include "accel/impostors/pixel_impostor.h"
-#include "accel/next_hits.h"
-#include "accel/world.h"
+#include "accel/rays/draw_order.h"
+#include "accel/rays/hit_filter.h"
+#include "accel/rays/next_hits.h"
 
 #include <algorithm>
 

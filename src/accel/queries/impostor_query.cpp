@@ -1,13 +1,13 @@
-#include "accel/impostors/impostor_query.h"
+#include "accel/queries/impostor_query.h"
 
-#include "accel/embree.h"
+#include "accel/device/embree.h"
 #include "accel/impostors/capsule.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/impostors/solid.h"
 #include "accel/impostors/solid_guess.h"
 #include "accel/impostors/stick.h"
-#include "accel/occlusion_state.h"
-#include "accel/query_state.h"
+#include "accel/queries/occlusion_state.h"
+#include "accel/queries/query_state.h"
 
 #include <bit>
 #include <limits>
