@@ -115,7 +115,7 @@ SOUND = {
     "src/base/log.h": "#pragma once\n#include <string>\n",
     "src/gl/context.cpp": '#include "gl/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',
     "src/accel/device/embree.h": "#include <embree3/rtcore.h>\n",
-    "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles.h"\n',
+    "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
     "src/intercept/window_systems/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
     "src/dist/mpi.cpp": "#include <mpi.h>\n",
@@ -123,7 +123,7 @@ SOUND = {
     "tests/long_test.cpp": "\n" * MAX_LINES,
 }
 PLANTED = [
-    ("src/gl/planted.cpp", '#include "render/tiles.h"\n', "room gl may not include"),
+    ("src/gl/planted.cpp", '#include "render/tiles/tiles.h"\n', "room gl may not include"),
     ("src/render/planted.h", '#  include "gl/context.h"\n', "room render may not include"),
     ("src/base/planted.h", '#include "scene/mesh.h"\n', "room base may not include"),
     ("src/gl/planted_test.cpp", '#include "intercept/door.h"\n', "room gl may not include"),

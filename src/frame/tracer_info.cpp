@@ -2,7 +2,7 @@
 
 #include "accel/device/device.h"
 #include "parallel/arena.h"
-#include "render/kernels.h"
+#include "render/kernels/kernels.h"
 
 #include <tbb/version.h>
 
