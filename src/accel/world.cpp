@@ -5,7 +5,7 @@
 #include "accel/impostors/pixel_impostor.h"
 #include "base/log.h"
 #include "scene/surroundings.h"
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <algorithm>
 #include <string>

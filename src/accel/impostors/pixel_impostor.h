@@ -2,7 +2,7 @@
 // draws as if they were round, and ellipses. Coverage, normals and depths equal the program's. accel/
 // intersects them, render/ shades them. Any thread.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <glm/glm.hpp>
 

@@ -3,7 +3,7 @@
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/blocks/triangle_bundles.h"
 #include "accel/device/device.h"
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 #include "accel/meshes/deformation.h"
 #include "accel/meshes/iota_indices.h"
 #include "scene/mesh.h"

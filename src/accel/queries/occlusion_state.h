@@ -1,6 +1,6 @@
 // What a query for occlusion carries into Embree's callbacks. Private to accel/; lives as long as one query.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 #include "accel/rays/occlusion.h"
 
 namespace gluray::accel {

@@ -1,4 +1,4 @@
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <algorithm>
 #include <cmath>

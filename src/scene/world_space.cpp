@@ -1,4 +1,4 @@
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Spheres, discs and cylinders against closed forms, and their independence of the camera.
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include "accel/testing/test_scene.h"
 #include "accel/world.h"
