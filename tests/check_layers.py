@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the boundaries between rooms: which room may include which, which rooms may include certain libraries, how long a
-file may be. ARCHITECTURE.md describes the rooms; this file holds the rules.
+"""Checks the boundaries between rooms: which room may include which, in which order the folders of a room include each other,
+which rooms may include certain libraries, how long a file may be. ARCHITECTURE.md describes the rooms; this file holds the rules.
 
 check_layers.py ROOT        checks the source tree at ROOT; prints each violation and exits 1 where there is one
 check_layers.py --self-test plants violations of every rule in a small tree and fails if it misses one
@@ -26,6 +26,14 @@ ALLOWED = {
     "control": {"base", "settings"},
     "dist": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control"},
     "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "dist"},
+}
+# The folders of a room in a fixed order: each includes only itself and those before it, so that there is no circle among them.
+# A nested folder is a folder of its own ("outer/inner"); "" is the room itself. Folders named testing, whose headers tests alone
+# include, have no place in the order, nor have *_test.cpp.
+FOLDERS = {
+    "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", ""],
+    "render": ["tiles", "camera", "local", "bsdf", "sampling", "film", "lights", "frame_data", "shading", "hit_points", "remote",
+               "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", ""],
 }
 # Name of the monopoly, pattern of its headers, folders that may include them. Holds for tests beside the code, too.
 MONOPOLIES = [
@@ -60,6 +68,46 @@ def room_violations(path, includes):
             yield f'{path}: room {room} may not include "{header}": it may include {sorted(ALLOWED.get(room, []))}'
 
 
+def is_for_tests(path):
+    return path.endswith("_test.cpp") or "/testing/" in path
+
+
+def folder_in(path):
+    """The folder of src/ROOM/FOLDER/FILE, or of the ROOM/FOLDER/FILE of an include, within its room."""
+    return path.removeprefix("src/").partition("/")[2].rpartition("/")[0]
+
+
+def order_violations(path, includes, folders):
+    """Includes of a file in src/ROOM/ against the order of the room's folders."""
+    room = path.split("/")[1]
+    if room not in folders or is_for_tests(path):
+        return
+    name = path.rpartition("/")[2]
+    if name.startswith(("fake_", "test_")):
+        yield f"{path}: headers for tests belong into a folder testing"
+    order, folder = folders[room], folder_in(path)
+    if folder not in order:
+        yield f"{path}: folder {folder or room} has no place in the order of room {room}"
+        return
+    for quote, header in includes:
+        if quote != '"' or not header.startswith(room + "/"):
+            continue
+        target = folder_in(header)
+        if is_for_tests(header):
+            yield f'{path}: "{header}" is for tests alone'
+        elif target in order and order.index(target) > order.index(folder):
+            yield f'{path}: folder {folder or room} may not include "{header}": {target or room} comes after it'
+
+
+def unused_folders(root, folders):
+    """Folders that have a place in the order of their room but hold no code."""
+    for room, order in folders.items():
+        for folder in order:
+            files = (root / "src" / room / folder).glob("*")
+            if (root / "src" / room).is_dir() and not any(file.suffix in CODE for file in files):
+                yield f"src/{room}/{folder}: the order of room {room} names a folder without code"
+
+
 def monopoly_violations(path, includes):
     for name, pattern, holders in MONOPOLIES:
         if any(within(path, holder) for holder in holders):
@@ -82,9 +130,10 @@ def module_violations(path, text):
                 yield f"{path}: room {room} may not depend on {word}"
 
 
-def violations(root):
-    """All violations of the tree at `root`, as lines to print."""
+def violations(root, folders):
+    """All violations of the tree at `root`, as lines to print. `folders`: as FOLDERS."""
     mpi_files = []
+    yield from unused_folders(root, folders)
     for tree in TREES:
         for file in sorted((root / tree).rglob("*")):
             path = file.relative_to(root).as_posix()
@@ -104,18 +153,27 @@ def violations(root):
             yield from monopoly_violations(path, includes)
             if within(path, "src") and path.count("/") >= 2:
                 yield from room_violations(path, includes)
+                yield from order_violations(path, includes, folders)
             if within(path, "src/dist") and any(header == "mpi.h" for _, header in includes):
                 mpi_files.append(path)
     if len(mpi_files) > MPI_FILES:
         yield f"mpi.h is included by {', '.join(mpi_files)}; one file may"
 
 
-# A valid tree, and changes to it that must be reported: file, new content, words that the report must contain.
+# The order of folders in the valid tree.
+ORDERED = {"render": ["tiles", "tiles/rows", "kernels", ""]}
+# A valid tree, and changes to it that must be reported: file, new content (None: the file is gone), words that the report must
+# contain.
 SOUND = {
     "src/base/log.h": "#pragma once\n#include <string>\n",
     "src/gl/context/context.cpp": '#include "gl/context/context.h"\n#include "scene/mesh.h"\n#include <GL/gl.h>\n',
-    "src/accel/embree.h": "#include <embree3/rtcore.h>\n",
+    "src/accel/device/embree.h": "#include <embree3/rtcore.h>\n",
     "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles.h"\n',
+    "src/render/tiles/tile.h": "#pragma once\n",
+    "src/render/tiles/tile_test.cpp": '#include "render/testing/test_tiles.h"\n#include "render/tiles.h"\n',
+    "src/render/tiles/rows/row.h": '#include "render/tiles/tile.h"\n',
+    "src/render/kernels/kernels.h": '#include "render/tiles/rows/row.h"\n',
+    "src/render/testing/test_tiles.h": '#include "render/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
     "src/intercept/window_systems/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
     "src/dist/mpi.cpp": "#include <mpi.h>\n",
@@ -130,6 +188,15 @@ PLANTED = [
     ("src/gl/deeper/planted.h", '#include "../context.h"\n', "not by .."),
     ("src/render/planted.cpp", "#include <embree4/rtcore.h>\n", "Embree belongs"),
     ("src/gl/planted.h", "#include <X11/Xlib.h>\n", "X11, GLX and EGL belongs"),
+    ("src/render/kernels/planted.h", '#include "render/tiles.h"\n', "render comes after it"),
+    ("src/render/tiles/planted.h", '#include "render/tiles/rows/row.h"\n', "tiles/rows comes after it"),
+    ("src/render/tiles/tile.h", '#include "render/kernels/kernels.h"\n', "kernels comes after it"),  # a circle of three folders
+    ("src/render/tiles/planted.inl.h", '#include "render/kernels/kernels.h"\n', "kernels comes after it"),
+    ("src/render/planted/planted.h", "#pragma once\n", "has no place in the order"),
+    ("src/render/kernels/rows/planted.cpp", "#pragma once\n", "has no place in the order"),
+    ("src/render/kernels/planted.cpp", '#include "render/testing/test_tiles.h"\n', "is for tests alone"),
+    ("src/render/kernels/fake_tiles.h", "#pragma once\n", "belong into a folder testing"),
+    ("src/render/kernels/kernels.h", None, "names a folder without code"),
     ("src/frame/planted.h", "#include <GL/glxext.h>\n", "X11, GLX and EGL belongs"),
     ("src/base/planted.cpp", "#include <dlfcn.h>\n", "dlfcn belongs"),
     ("src/intercept/planted.cpp", "#include <sys/socket.h>\n", "sockets belongs"),
@@ -144,7 +211,7 @@ def write(root, files):
     for name, text in files.items():
         file = root / name
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text)
+        file.write_text(text or "")
 
 
 def self_test():
@@ -152,12 +219,14 @@ def self_test():
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         write(root, SOUND)
-        failures += [f"a sound tree was blamed: {line}" for line in violations(root)]
+        failures += [f"a sound tree was blamed: {line}" for line in violations(root, ORDERED)]
     for name, text, words in PLANTED:
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             write(root, {**SOUND, name: text})
-            found = list(violations(root))
+            if text is None:
+                (root / name).unlink()
+            found = list(violations(root, ORDERED))
             if len(found) != 1 or words not in found[0]:
                 failures.append(f"planted in {name}: expected one line with '{words}', got {found}")
     return failures
@@ -173,7 +242,7 @@ def main():
         found = self_test()
         print(f"{len(PLANTED)} violations planted")
     else:
-        found = list(violations(given.root))
+        found = list(violations(given.root, FOLDERS))
     print("\n".join(found) if found else "no violations")
     return 1 if found else 0
 

@@ -6,7 +6,7 @@
 #include "bench/light/lines.h"
 #include "bench/render/settings.h"
 #include "bench/render/wavelet_snapshot.h"
-#include "render/float_guard.h"
+#include "render/tiles/float_guard.h"
 
 #include <chrono>
 

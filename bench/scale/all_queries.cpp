@@ -1,9 +1,10 @@
 #include "bench/scale/all_queries.h"
 
 #include "dist/peers/query_stream.h"
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
+#include "render/moving/film_source.h"
 #include "render/remote/remote_surfaces.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <stdexcept>
 

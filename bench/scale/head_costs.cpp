@@ -2,7 +2,7 @@
 
 #include "bench/scale/cpu_seconds.h"
 #include "dist/worker/picture.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <algorithm>
 #include <deque>

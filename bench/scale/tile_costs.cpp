@@ -3,7 +3,8 @@
 #include "bench/data/report.h"
 #include "bench/scale/cpu_seconds.h"
 #include "dist/messages/rank_messages.h"
-#include "render/tiles.h"
+#include "render/tiles/tile_source.h"
+#include "render/tiles/tiles.h"
 
 #include <stdexcept>
 

@@ -6,7 +6,7 @@
 #include "dist/messages/program_messages.h"
 #include "dist/messages/rank_messages.h"
 #include "dist/stream/snapshot_encoder.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

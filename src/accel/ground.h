@@ -1,7 +1,7 @@
 // The ground as rays from the viewer meet it: also before the near and behind the far plane, which programs
 // set around their own scene. Rays that leave surfaces meet it as any other instance. Owned by World.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

@@ -1,5 +1,5 @@
 // Instances that are hidden from kinds of rays, and the ground.
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 #include "scene/surroundings.h"
 

@@ -2,7 +2,7 @@
 // same BLASes. Owned by World, updated between frames, read by any number of tracing threads.
 #pragma once
 #include "accel/placement.h"
-#include "accel/ray_kind.h"
+#include "accel/rays/ray_kind.h"
 #include "accel/tlas.h"
 #include "scene/snapshot.h"
 

@@ -1,7 +1,7 @@
 // Light meets the surroundings of a snapshot as if they were its own instances; the viewer's rays do not.
 #include "accel/light_scene.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 #include "scene/surroundings.h"
 

@@ -1,8 +1,8 @@
 // Occlusion queries against nearest hits: a ray is blocked exactly where it hits something, for every shape,
 // structure and transform.
-#include "accel/occlusion.h"
+#include "accel/rays/occlusion.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,6 +1,6 @@
 #include "accel/placement.h"
 
-#include "accel/embree.h"
+#include "accel/device/embree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // What moves is placed anew; what only rounding moves stays.
 #include "accel/placement.h"
 
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,7 @@
 #include "accel/tlas.h"
 
-#include "accel/embree.h"
-#include "accel/error.h"
+#include "accel/device/embree.h"
+#include "accel/device/error.h"
 #include "base/timeline.h"
 
 #include <glm/gtc/type_ptr.hpp>

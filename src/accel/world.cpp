@@ -1,11 +1,11 @@
 #include "accel/world.h"
 
-#include "accel/embree.h"
-#include "accel/error.h"
+#include "accel/device/embree.h"
+#include "accel/device/error.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "base/log.h"
 #include "scene/surroundings.h"
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <algorithm>
 #include <string>
@@ -21,7 +21,7 @@ bool isPage(const scene::Instance& i) { return i.mesh->residence != nullptr; }
 
 Geometry geometryOf(const scene::Instance& instance, const scene::Camera& camera) {
   Geometry geometry{instance.mesh.get(), {}};
-  if (isImpostors(instance)) geometry.reach = ImpostorReach::of(instance, camera);
+  if (isImpostors(instance)) geometry.reach = reachOf(instance, camera);
   return geometry;
 }
 

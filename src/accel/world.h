@@ -1,15 +1,17 @@
 // The scene that rays are traced in: BLASes, TLAS, queries. Owned by frame::Renderer, which calls update()
 // between frames; render/ then queries it from all tracing threads.
 #pragma once
+#include "accel/cache/blas_cache.h"
 #include "accel/ground.h"
 #include "accel/light_scene.h"
 #include "accel/memory/free_memory.h"
-#include "accel/meshes/blas_cache.h"
 #include "accel/meshes/coincidence.h"
 #include "accel/meshes/triangle_sizes.h"
-#include "accel/occlusion.h"
 #include "accel/pages/page_cache.h"
-#include "accel/ray_packet.h"
+#include "accel/rays/draw_order.h"
+#include "accel/rays/hit_filter.h"
+#include "accel/rays/occlusion.h"
+#include "accel/rays/ray_packet.h"
 #include "accel/tlas.h"
 #include "parallel/arena.h"
 #include "scene/snapshot.h"
@@ -23,26 +25,6 @@ struct UpdateStatistics {
   uint64_t blasBuilds = 0, tlasBuilds = 0;  // by this call
   uint64_t blasRefits = 0;                  // of blasBuilds: refitted from earlier positions of a mesh
   uint64_t blasRefinements = 0;             // fast BLASes replaced by full ones, built in the background
-};
-
-/// Accepts or rejects hits. Called on tracing threads.
-class HitFilter {
- public:
-  virtual ~HitFilter() = default;
-  /// False: the ray ignores this hit and goes on. Barycentric u, v as in RayPacket.
-  virtual bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept = 0;
-};
-
-/// Decides which of several coincident surfaces is visible.
-struct DrawOrder {
-  std::vector<uint32_t> ranks;  // drawing order, one per Snapshot::instances
-  // The same: Mesh::triangleNumbers. Empty where no mesh is a page.
-  std::vector<const uint32_t*> numbers;
-  bool laterWins = false;
-  uint64_t rankOf(uint32_t instance, uint32_t primitive) const {
-    const uint32_t* const of = numbers.empty() ? nullptr : numbers[instance];
-    return uint64_t{ranks[instance]} << 32 | (of ? of[primitive] : primitive);
-  }
 };
 
 class NextHits;

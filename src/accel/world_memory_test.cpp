@@ -1,6 +1,6 @@
 // Which structures stay in memory with those that rays are traced in.
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

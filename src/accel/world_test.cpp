@@ -1,8 +1,8 @@
 #include "accel/world.h"
 
-#include "accel/error.h"
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/device/error.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "frame/pixel_noise.h"
 #include "parallel/arena.h"
 #include "render/film/wavelet.h"
-#include "render/float_guard.h"
+#include "render/tiles/float_guard.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>

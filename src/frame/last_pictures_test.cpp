@@ -1,7 +1,7 @@
 // A picture is reused only if nothing visible has changed.
 #include "frame/last_pictures.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A scene with light whose answer is known, for the tests of frame/.
 #pragma once
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "frame/refiner.h"
 #include "frame/renderer.h"
 

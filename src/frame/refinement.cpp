@@ -1,7 +1,7 @@
 #include "frame/refinement.h"
 
 #include "parallel/arena.h"
-#include "render/float_guard.h"
+#include "render/tiles/float_guard.h"
 #include "scene/light_sampling.h"
 
 #include <tbb/parallel_for.h>

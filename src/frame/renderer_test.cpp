@@ -1,7 +1,7 @@
 #include "frame/renderer.h"
 
-#include "accel/device.h"
-#include "accel/test_scene.h"
+#include "accel/device/device.h"
+#include "accel/testing/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "frame/tracer_info.h"
 
-#include "accel/device.h"
+#include "accel/device/device.h"
 #include "parallel/arena.h"
-#include "render/kernels.h"
+#include "render/kernels/kernels.h"
 
 #include <tbb/version.h>
 

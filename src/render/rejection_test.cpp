@@ -1,5 +1,5 @@
 // Culling and clip planes.
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

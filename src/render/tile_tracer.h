@@ -4,8 +4,10 @@
 #include "accel/world.h"
 #include "base/image.h"
 #include "parallel/arena.h"
+#include "render/moving/film_source.h"
 #include "render/moving/light_history.h"
-#include "render/tiles.h"
+#include "render/tiles/tile_source.h"
+#include "render/tiles/tiles.h"
 #include "scene/snapshot.h"
 
 namespace gluray::render {

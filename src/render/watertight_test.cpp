@@ -1,5 +1,5 @@
 // A closed surface covers every pixel.
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ struct Impostors {
   /// impostor's radius in the plane through its centre that faces the viewer, one corner upwards. faces: two
   /// faces of the box about a cylinder, the side towards the viewer and the end that `axis` points to.
   /// square: of spheres, in the plane of constant z through the centre; for a viewer at the origin wider than
-  /// the sphere, by about as much as its silhouette is (accel/impostors/impostors.cpp).
+  /// the sphere, by about as much as its silhouette is (accel/impostors/placed_impostors.cpp).
   enum class Billboards : uint8_t { silhouette, triangle, faces, square };
   Billboards billboards = Billboards::silhouette;
   bool parallelView = false;  // the viewer is at infinity

@@ -10,7 +10,7 @@ struct LightSampling {
   enum class Mode : uint8_t {
     full,    // all samples that the settings ask for
     moving,  // few samples, reused and smoothed: a frame of an animation
-    // No light; colours tell a filter what a pixel shows (render/integrators/guides.h):
+    // No light; colours tell a filter what a pixel shows (render/effects/guides.h):
     reflectance,  // what multiplies light there
     geometry,     // where it is, and its normal
     // or somebody who picks a pixel:

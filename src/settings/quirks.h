@@ -20,7 +20,7 @@ namespace gluray {
   X(softwareFxaa, "software-fxaa",                                                                           \
     "VTK's anti-aliasing pass (FXAA) takes a software OpenGL longer than tracing a frame; GLuRay computes "  \
     "the same picture itself",                                                                               \
-    "src/render/film/fxaa_test.cpp, tests/vtk (group effects)")                                              \
+    "src/render/film/anti_alias_test.cpp, tests/vtk (group effects)")                                        \
   X(sppFxaa, "spp-fxaa",                                                                                     \
     "VTK's anti-aliasing pass (FXAA) blurs pictures whose edges --spp has made smooth already; GLuRay "      \
     "skips it where the framebuffer holds nothing else",                                                     \

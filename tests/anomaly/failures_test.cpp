@@ -1,6 +1,6 @@
 // Commits of acceleration structures fail, threads cannot be started: the picture must stay the real
 // OpenGL's, and stderr has at most one line.
-#include "accel/device.h"
+#include "accel/device/device.h"
 #include "base/files.h"
 #include "tests/anomaly/picture_of_all.h"
 

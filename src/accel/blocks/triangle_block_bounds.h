@@ -2,7 +2,7 @@
 // on building threads.
 #pragma once
 #include "accel/blocks/triangle_block_kernels.h"
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 #include "scene/mesh.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SIMD intersection of a packet's rays with the triangles of one triangle block, compiled for several
 // instruction sets. Private to accel/; called on tracing threads.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <cstddef>
 #include <cstdint>

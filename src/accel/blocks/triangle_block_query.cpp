@@ -2,9 +2,9 @@
 #include "accel/blocks/triangle_block_bounds.h"
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/blocks/triangle_bundles.h"
-#include "accel/embree.h"
-#include "accel/occlusion_state.h"
-#include "accel/query_state.h"
+#include "accel/device/embree.h"
+#include "accel/queries/occlusion_state.h"
+#include "accel/queries/query_state.h"
 
 #include <bit>
 

@@ -1,7 +1,7 @@
 // Triangle blocks: several neighbouring triangles as one BVH leaf, in place of single triangles. The BVH
 // takes less memory and builds faster. Made by Blas; read by any number of tracing threads.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 #include "scene/mesh.h"
 
 #include <cstdint>

@@ -1,12 +1,12 @@
 // Triangle blocks: they hold every triangle once, and hits equal those of Embree's triangles.
 #include "accel/blocks/triangle_blocks.h"
 
-#include "accel/blocks/test_sheets.h"
 #include "accel/blocks/triangle_bundles.h"
-#include "accel/device.h"
-#include "accel/error.h"
-#include "accel/next_hits.h"
-#include "accel/test_scene.h"
+#include "accel/device/device.h"
+#include "accel/device/error.h"
+#include "accel/rays/next_hits.h"
+#include "accel/testing/test_scene.h"
+#include "accel/testing/test_sheets.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // any number of tracing threads.
 #pragma once
 #include "accel/blocks/triangle_bundle_kernels.h"
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 #include "scene/mesh.h"
 
 #include <cstdint>

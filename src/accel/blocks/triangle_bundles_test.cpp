@@ -1,7 +1,7 @@
 // Triangle bundles: they hold every triangle once, and rays alone or in packets hit Embree's triangles.
 #include "accel/blocks/triangle_bundles.h"
 
-#include "accel/blocks/test_sheets.h"
+#include "accel/testing/test_sheets.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

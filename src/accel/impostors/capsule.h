@@ -1,7 +1,7 @@
 // Balls and capsules (scene/mesh.h): points as spheres and lines as tubes, in the space of
 // Instance::lightingFromObject. accel/ intersects them, render/ shades them. Any thread.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <glm/glm.hpp>
 

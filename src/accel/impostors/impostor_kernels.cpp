@@ -1,5 +1,5 @@
 // SIMD intersection of rays with impostors, compiled once per instruction set.
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <cmath>
 

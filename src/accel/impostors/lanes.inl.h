@@ -6,7 +6,7 @@
 #define GLURAY_ACCEL_LANES_INL_H_
 #endif
 
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <glm/glm.hpp>
 #include <hwy/highway.h>

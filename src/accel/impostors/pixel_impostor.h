@@ -2,7 +2,7 @@
 // draws as if they were round, and ellipses. Coverage, normals and depths equal the program's. accel/
 // intersects them, render/ shades them. Any thread.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <glm/glm.hpp>
 
@@ -92,12 +92,5 @@ uint32_t meet(const PlacedImpostors&, uint32_t primitive, const ImpostorQuery&, 
 
 /// Window positions of the vertices of beads, tubes or splats.
 std::vector<WindowVertex> windowVertices(const PlacedImpostors&);
-
-/// Extent of an instance's beads or tubes about their points and lines, in object space; valid for every
-/// camera that is not nearer.
-ImpostorReach reachInPixels(const scene::Instance&, const scene::Camera&);
-
-/// The same for splats, in proportion to their radius.
-ImpostorReach reachOfSplats(const scene::Instance&, const scene::Camera&);
 
 }  // namespace gluray::accel

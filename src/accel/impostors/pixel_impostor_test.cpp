@@ -1,7 +1,7 @@
 // Beads and tubes against a rasteriser and VTK's formulas; their bounding boxes.
 #include "accel/impostors/pixel_impostor.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -208,7 +208,7 @@ TEST(PixelImpostor, BoundsContainEveryHit) {
         s.instance.eyeFromObject = s.instance.eyeFromObject * glm::scale(glm::dmat4(1), {1, 0.3, 0.5});
         s.instance.lightingFromObject = glm::mat4(s.instance.eyeFromObject);
         s.place();
-        const ImpostorReach reach = ImpostorReach::of(s.instance, s.camera);
+        const ImpostorReach reach = reachOf(s.instance, s.camera);
         const glm::dmat4 objectFromClip = glm::inverse(s.placed.clipFromObject);
         for (uint32_t k = 0; k < s.instance.mesh->triangleCount; ++k) {
           Box box = boundsOfImpostor(*s.instance.mesh, reach, k);
@@ -241,7 +241,7 @@ TEST(PixelImpostor, ReachIsRotationInvariantAndGrowsWithDistance) {
     s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) *
                                glm::rotate(glm::dmat4(1), glm::radians(degrees), glm::dvec3(1, 2, 3));
     s.instance.lightingFromObject = glm::mat4(s.instance.eyeFromObject);
-    return ImpostorReach::of(s.instance, s.camera);
+    return reachOf(s.instance, s.camera);
   };
   const ImpostorReach first = reachAt(0, 6);
   for (int i = 1; i < 30; ++i) EXPECT_EQ(reachAt(11 * i, 6), first);

@@ -1,5 +1,5 @@
 // Extent in space of impostors with a size in pixels: bounds that hold for every rotation of the camera.
-#include "accel/impostors/pixel_impostor.h"
+#include "accel/impostors/impostor_reach.h"
 
 #include <algorithm>
 #include <cmath>

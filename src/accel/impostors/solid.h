@@ -2,7 +2,7 @@
 // see them so. Rays from the viewer see what programs draw instead (impostors.h, pixel_impostor.h). Any
 // thread.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <glm/glm.hpp>
 

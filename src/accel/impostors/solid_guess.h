@@ -1,7 +1,7 @@
 // Quick answers about rays and solids in single precision, which are right wherever they are given. Any
 // thread.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <glm/glm.hpp>
 

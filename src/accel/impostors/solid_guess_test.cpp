@@ -3,7 +3,7 @@
 
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/impostors/solid.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

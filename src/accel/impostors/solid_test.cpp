@@ -4,7 +4,7 @@
 
 #include "accel/impostors/pixel_impostor.h"
 #include "accel/impostors/solid_guess.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

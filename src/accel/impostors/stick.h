@@ -1,7 +1,7 @@
 // Sticks (scene/mesh.h): cylinders between two points, whose ends are open, flat or round, in the space of
 // Instance::lightingFromObject. accel/ intersects them, render/ shades them. Any thread.
 #pragma once
-#include "accel/impostors/impostors.h"
+#include "accel/impostors/placed_impostors.h"
 
 #include <glm/glm.hpp>
 

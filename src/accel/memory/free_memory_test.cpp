@@ -1,6 +1,6 @@
 #include "accel/memory/free_memory.h"
 
-#include "accel/meshes/build_plan.h"
+#include "accel/cache/build_plan.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,10 +1,8 @@
 #include "accel/meshes/blas.h"
 
-#include "accel/embree.h"
-#include "accel/error.h"
-#include "accel/impostors/impostor_query.h"
-#include "accel/pages/page.h"
-#include "accel/pages/page_query.h"
+#include "accel/device/embree.h"
+#include "accel/device/error.h"
+#include "accel/queries/impostor_query.h"
 #include "base/background_job.h"
 #include "base/timeline.h"
 #include "parallel/arena.h"
@@ -215,27 +213,19 @@ void Blas::pinIndices(const scene::Mesh& mesh) {
   if (mesh.indices) pinnedBytes_ += static_cast<size_t>(mesh.triangleCount) * 12;
 }
 
-Blas::Blas(const Device& device, PageCache& pages, const scene::Mesh& mesh)
+Blas::Blas(const Device& device, const scene::Mesh& mesh, UserPrimitives primitives)
     : device_(device),
       triangleCount_(mesh.triangleCount),
       vertexCount_(mesh.vertexCount),
       isSpecial_(true),
-      page_(std::make_unique<Page>(pages, mesh)) {
+      userData_(std::move(primitives.data)) {
   scene_.reset(rtcNewScene(device.handle()));
   rtcSetSceneFlags(scene(), sceneFlags(BvhQuality::compact));
-  const RTCGeometry geometry = rtcNewGeometry(device_.handle(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, page_->whole() ? 2 : 1);
-  rtcSetGeometryUserData(geometry, page_.get());
-  rtcSetGeometryBoundsFunction(geometry, pageBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, intersectPage);
-  rtcSetGeometryOccludedFunction(geometry, occludePage);
+  const RTCGeometry geometry = userGeometry(device, primitives.count, userData_.get(), primitives.bounds,
+                                            primitives.intersect, primitives.occlude);
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(scene(), geometry, 0);
   rtcReleaseGeometry(geometry);
-}
-
-BlasPtr Blas::createPage(const Device& device, PageCache& pages, const scene::Mesh& mesh) {
-  return BlasPtr(new Blas(device, pages, mesh));
 }
 
 Blas::~Blas() = default;

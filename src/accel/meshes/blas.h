@@ -2,8 +2,8 @@
 #pragma once
 #include "accel/blocks/triangle_blocks.h"
 #include "accel/blocks/triangle_bundles.h"
-#include "accel/device.h"
-#include "accel/impostors/impostors.h"
+#include "accel/device/device.h"
+#include "accel/impostors/placed_impostors.h"
 #include "accel/meshes/deformation.h"
 #include "accel/meshes/iota_indices.h"
 #include "scene/mesh.h"
@@ -15,7 +15,10 @@
 #include <memory>
 #include <utility>
 
+struct RTCBoundsFunctionArguments;
 struct RTCGeometryTy;
+struct RTCIntersectFunctionNArguments;
+struct RTCOccludedFunctionNArguments;
 struct RTCSceneTy;
 
 namespace gluray::accel {
@@ -31,10 +34,18 @@ struct Geometry {
 /// Throws Error if the arrays of a mesh cannot be read in place.
 void checkArrays(const scene::Mesh&);
 
-class Page;
-class PageCache;
 class Blas;
 using BlasPtr = std::shared_ptr<Blas>;
+
+/// Primitives that Embree knows by callbacks alone. `data`: what the callbacks get as geometryUserPtr; the
+/// structure keeps it alive.
+struct UserPrimitives {
+  uint32_t count = 0;
+  std::shared_ptr<void> data;
+  void (*bounds)(const RTCBoundsFunctionArguments*) = nullptr;
+  void (*intersect)(const RTCIntersectFunctionNArguments*) = nullptr;
+  void (*occlude)(const RTCOccludedFunctionNArguments*) = nullptr;
+};
 
 struct ReleaseScene {
   void operator()(RTCSceneTy*) const;
@@ -51,8 +62,8 @@ class Blas {
   /// Refits `from`, made by createToRefit(), to the positions of a mesh of the same topology: build()
   /// finishes it. `from` is unusable afterwards.
   static BlasPtr createRefitted(Blas& from, const scene::Mesh&);
-  /// A structure of one box, in which the page's own is built when a ray meets it (accel/pages).
-  static BlasPtr createPage(const Device&, PageCache&, const scene::Mesh&);
+  /// A structure of primitives that stand for the mesh, which is not read.
+  Blas(const Device&, const scene::Mesh&, UserPrimitives);
   ~Blas();
   Blas(const Blas&) = delete;
   Blas& operator=(const Blas&) = delete;
@@ -81,7 +92,6 @@ class Blas {
  private:
   void commit();
   Blas(Blas& from, const scene::Mesh&);
-  Blas(const Device&, PageCache&, const scene::Mesh&);
   Blas(const Device&, IotaIndices&, const Geometry&, BvhQuality, bool toRefit);
   void setPositions(RTCGeometryTy*, const scene::Mesh&);
   RTCGeometryTy* triangles(IotaIndices&, const scene::Mesh&);
@@ -104,8 +114,8 @@ class Blas {
   size_t bvhBytes_ = 0, pinnedBytes_ = 0;
   uint32_t triangleCount_ = 0, vertexCount_ = 0;
   const void* indexData_ = nullptr;                  // of triangles; null: triangle soup
-  bool isSpecial_ = false;                           // impostors or a page
-  std::unique_ptr<Page> page_;                       // null: it is none
+  bool isSpecial_ = false;                           // impostors or user primitives
+  std::shared_ptr<void> userData_;                   // of user primitives
   std::unique_ptr<Neighbours> neighbours_;           // null: it cannot be refitted
   std::unique_ptr<RTCSceneTy, ReleaseScene> scene_;  // the last member: it reads the others
 };

@@ -1,7 +1,7 @@
 #include "accel/meshes/coincidence.h"
 
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

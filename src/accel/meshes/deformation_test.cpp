@@ -2,8 +2,8 @@
 // BLASes.
 #include "accel/meshes/deformation.h"
 
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "accel/meshes/triangle_sizes.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // the Blas that stands for it; entered on tracing threads.
 #pragma once
 #include "accel/meshes/blas.h"
-#include "accel/placement.h"
+#include "accel/rays/bounds.h"
 #include "scene/mesh.h"
 
 #include <atomic>

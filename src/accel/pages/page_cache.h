@@ -1,7 +1,7 @@
 // Which pages are in memory: those that rays have met last, within the budget of their residences. Owned by
 // World; tracing threads.
 #pragma once
-#include "accel/device.h"
+#include "accel/device/device.h"
 #include "accel/meshes/iota_indices.h"
 #include "accel/pages/page.h"
 

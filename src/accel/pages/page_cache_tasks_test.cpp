@@ -1,8 +1,8 @@
 // Pages that are built while threads have other tasks.
-#include "accel/pages/fake_residence.h"
 #include "accel/pages/page_cache.h"
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/testing/fake_residence.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Pages: what rays meet is what they meet in the whole mesh, however little memory there is.
 #include "accel/pages/page_cache.h"
 
-#include "accel/pages/fake_residence.h"
-#include "accel/test_rays.h"
-#include "accel/test_scene.h"
+#include "accel/testing/fake_residence.h"
+#include "accel/testing/test_rays.h"
+#include "accel/testing/test_scene.h"
 #include "accel/world.h"
 
 #include <gtest/gtest.h>

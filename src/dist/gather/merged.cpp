@@ -3,7 +3,7 @@
 #include "dist/stream/byte_stream.h"
 #include "scene/same_camera.h"
 #include "scene/surroundings.h"
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // threads.
 #pragma once
 #include "dist/pages/page_store.h"
-#include "render/tiles.h"
+#include "render/tiles/tile_source.h"
 
 namespace gluray::dist {
 

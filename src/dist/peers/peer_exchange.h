@@ -9,9 +9,10 @@
 #include "dist/peers/near_peer.h"
 #include "dist/peers/part_changes.h"
 #include "dist/peers/tile_ledger.h"
-#include "render/remote/occlusion_answers.h"
+#include "render/effects/occlusion_answers.h"
+#include "render/moving/film_source.h"
 #include "render/remote/remote_surfaces.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -1,7 +1,7 @@
 // A sort-last program: ranks that draw parts of one scene, and a picture composed of theirs. For tests.
 #pragma once
 #include "dist/worker/job_fixture.h"
-#include "render/integrators/lit_scene.h"
+#include "render/testing/lit_wall.h"
 
 #include <algorithm>
 #include <future>

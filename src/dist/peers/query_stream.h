@@ -1,8 +1,8 @@
 // Occlusion queries and their answers as bytes, without loss: packets of rays in the order in which they are
 // asked. Origins that repeat, as those of several samples at one point do, are written once. Any thread.
 #pragma once
-#include "accel/occlusion.h"
-#include "accel/ray_kind.h"
+#include "accel/rays/occlusion.h"
+#include "accel/rays/ray_kind.h"
 #include "dist/stream/byte_stream.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 #include "dist/program/remote_tracer.h"
 
 #include "base/clock.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <exception>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "dist/worker/picture.h"
 
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <algorithm>
 #include <utility>

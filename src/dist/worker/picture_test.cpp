@@ -1,7 +1,7 @@
 #include "dist/worker/picture.h"
 
 #include "dist/stream/tile_pixels.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <gtest/gtest.h>
 

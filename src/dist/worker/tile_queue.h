@@ -2,7 +2,7 @@
 #pragma once
 #include "dist/messages/rank_messages.h"
 #include "dist/worker/outbox.h"
-#include "render/tiles.h"
+#include "render/tiles/tile_source.h"
 
 #include <atomic>
 #include <condition_variable>

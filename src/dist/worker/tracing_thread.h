@@ -7,6 +7,7 @@
 #include "dist/worker/array_store.h"
 #include "dist/worker/tile_queue.h"
 #include "frame/renderer.h"
+#include "render/tiles/tile_source.h"
 
 #include <condition_variable>
 #include <deque>

@@ -1,4 +1,4 @@
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "base/clock.h"
 #include "control/local_socket.h"
 #include "dist/messages/version.h"

@@ -1,4 +1,4 @@
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "dist/worker/job_fixture.h"
 
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "render/lights/light_conversion.h"
 #include "render/lights/light_file.h"
-#include "render/lights/lighting_space.h"
 #include "render/lights/rig.h"
+#include "render/local/lighting_space.h"
 
 #include <algorithm>
 #include <string_view>

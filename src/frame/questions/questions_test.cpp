@@ -1,5 +1,5 @@
 // What users ask of a view: what is at a pixel, which lights shine, where the camera is.
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "frame/questions/listed_lights.h"
 #include "frame/questions/pick.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/hash.h"
 #include "scene/catcher_offset.h"
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <algorithm>
 #include <atomic>

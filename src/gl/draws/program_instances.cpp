@@ -2,7 +2,7 @@
 #include "gl/basics/affine.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/draws/program_draws.h"
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <algorithm>
 #include <optional>

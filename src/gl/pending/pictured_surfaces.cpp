@@ -4,7 +4,7 @@
 #include "gl/basics/affine.h"
 #include "gl/real/state_queries.h"
 #include "parallel/loops.h"
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 #include <GL/glext.h>
 

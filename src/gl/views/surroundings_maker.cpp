@@ -1,6 +1,6 @@
 #include "gl/views/surroundings_maker.h"
 
-#include "scene/world.h"
+#include "scene/world_space.h"
 
 namespace gluray::gl {
 namespace {

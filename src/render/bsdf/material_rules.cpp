@@ -5,7 +5,6 @@
 #include "base/never_destroyed.h"
 #include "base/toml_text.h"
 #include "render/bsdf/object_rules.h"
-#include "render/integrators/altered_look.h"
 #include "scene/surroundings.h"
 
 #include <toml++/toml.h>

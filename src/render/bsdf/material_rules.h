@@ -11,7 +11,7 @@
 // stays the same. Entries of the setting material.objects (settings/object_rule.h) win over all of these.
 // Any thread.
 #pragma once
-#include "accel/ray_kind.h"
+#include "accel/rays/ray_kind.h"
 #include "render/bsdf/material_model.h"
 #include "scene/snapshot.h"
 

@@ -1,7 +1,7 @@
 // Rules that give objects materials.
 #include "render/bsdf/material_rules.h"
 
-#include "accel/test_scene.h"
+#include "accel/testing/test_scene.h"
 #include "base/testing/temporary_folder.h"
 
 #include <gtest/gtest.h>

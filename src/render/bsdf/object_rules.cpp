@@ -1,6 +1,6 @@
 #include "render/bsdf/object_rules.h"
 
-#include "accel/ray_kind.h"
+#include "accel/rays/ray_kind.h"
 
 namespace gluray::render {
 

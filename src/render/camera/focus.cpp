@@ -8,17 +8,6 @@
 namespace gluray::render {
 namespace {
 
-class SeenHits : public accel::HitFilter {
- public:
-  explicit SeenHits(const std::vector<Surface>& surfaces) : surfaces_(surfaces) {}
-  bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int) const noexcept override {
-    return surfaces_[instance].accepts(primitive, u, v);
-  }
-
- private:
-  const std::vector<Surface>& surfaces_;
-};
-
 struct Ray {
   glm::dvec3 org, dir;
   double near = 0, far = HUGE_VAL;
@@ -55,7 +44,7 @@ Ray rayThrough(const RaySetup& setup, const glm::dvec2& at) {
 }
 
 /// The nearest visible point on the ray, world space.
-std::optional<glm::dvec3> seenOn(const FrameData& frame, const Ray& ray) {
+std::optional<glm::dvec3> seenOn(const accel::World& world, const accel::HitFilter& visible, const Ray& ray) {
   using accel::kLanes;
   if (!ray.exists()) return std::nullopt;
   alignas(64) int32_t valid[kLanes] = {-1};
@@ -69,24 +58,23 @@ std::optional<glm::dvec3> seenOn(const FrameData& frame, const Ray& ray) {
     packet.geometry[i] = packet.instance[i] = accel::kNoHit;
   }
   const accel::ImpostorQuery solids;
-  const SeenHits seen(frame.surfaces);
-  frame.world->intersect(valid, packet, &seen, frame.world->hasImpostors() ? &solids : nullptr);
+  world.intersect(valid, packet, &visible, world.hasImpostors() ? &solids : nullptr);
   if (packet.geometry[0] == accel::kNoHit) return std::nullopt;
   return ray.org + double{packet.tFar[0]} * ray.dir;
 }
 
 }  // namespace
 
-double distanceInFocus(const FrameData& frame) {
-  const scene::Snapshot& s = *frame.snapshot;
+double distanceInFocus(const scene::Snapshot& s, const RaySetup& rays, const accel::World& world,
+                       const accel::HitFilter& visible) {
   const auto& camera = s.settings.camera;
   const LensAxis axis(s.camera);
   if (camera.focus > 0) return double{camera.focus} - axis.start();
   const glm::ivec4& view = s.camera.viewport;
   const glm::dvec2 share(camera.focusX, camera.focusY);
-  const std::optional<glm::dvec3> seen =
-      seenOn(frame, rayThrough(frame.rays, glm::dvec2(view.x, view.y) + share * glm::dvec2(view.z, view.w)));
-  const glm::dvec3 middle = 0.5 * (glm::dvec3(frame.world->lower()) + glm::dvec3(frame.world->upper()));
+  const std::optional<glm::dvec3> seen = seenOn(
+      world, visible, rayThrough(rays, glm::dvec2(view.x, view.y) + share * glm::dvec2(view.z, view.w)));
+  const glm::dvec3 middle = 0.5 * (glm::dvec3(world.lower()) + glm::dvec3(world.upper()));
   return axis.distanceOf(glm::dvec3(s.eyeFromWorld * glm::dvec4(seen.value_or(middle), 1)));
 }
 

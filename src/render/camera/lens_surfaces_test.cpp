@@ -1,8 +1,8 @@
 // Depth of field of all kinds of surfaces: layers, clipped ones, impostors, far viewers.
 #include "base/sanitized.h"
 #include "render/camera/lens.h"
-#include "render/test_targets.h"
-#include "render/test_trace.h"
+#include "render/testing/test_targets.h"
+#include "render/testing/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -2,9 +2,9 @@
 #include "render/camera/lens.h"
 
 #include "base/sanitized.h"
-#include "render/test_ball.h"
-#include "render/test_targets.h"
-#include "render/test_trace.h"
+#include "render/testing/test_ball.h"
+#include "render/testing/test_targets.h"
+#include "render/testing/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

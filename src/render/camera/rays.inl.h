@@ -6,7 +6,7 @@
 #define GLURAY_RENDER_RAYS_INL_H_
 #endif
 
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 #include "render/camera/lens.h"
 #include "render/camera/ray_setup.h"
 

@@ -1,4 +1,4 @@
-// The FXAA filter for a vector of pixels. Part of fxaa.cpp (compiled once for each instruction set).
+// The FXAA filter for a vector of pixels. Part of anti_alias.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_FXAA_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FXAA_FILTER_INL_H_
 #undef GLURAY_RENDER_FXAA_FILTER_INL_H_
@@ -6,7 +6,8 @@
 #define GLURAY_RENDER_FXAA_FILTER_INL_H_
 #endif
 
-#include "render/film/fxaa.h"
+#include "render/film/fxaa_picture.h"
+#include "scene/fxaa.h"
 
 #include <hwy/highway.h>
 

@@ -1,7 +1,7 @@
 // Pixel filters against the analytic picture of an edge.
 #include "render/film/pixel_filter.h"
 
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

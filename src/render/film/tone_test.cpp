@@ -1,8 +1,8 @@
 // Exposure and tone curves against their published equations.
 #include "render/film/tone.h"
 
-#include "render/test_targets.h"
-#include "render/test_trace.h"
+#include "render/testing/test_targets.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "base/image.h"
 #include "render/film/guide_pixels.h"
-#include "render/test_targets.h"
+#include "render/testing/test_targets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "render/ground/ground_surface.h"
 
 #include "render/lights/light_conversion.h"
-#include "render/lights/lighting_space.h"
+#include "render/local/lighting_space.h"
 #include "scene/effects.h"
 #include "scene/surroundings.h"
 

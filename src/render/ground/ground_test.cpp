@@ -1,10 +1,10 @@
 // The ground: where it lies, what it shows, and what a catcher and backgrounds leave in pictures.
 #include "base/testing/temporary_folder.h"
-#include "render/ground/backdrop_look.h"
+#include "render/frame_data/backdrop_look.h"
 #include "render/ground/ground_place.h"
 #include "render/ground/staged_scene.h"
-#include "render/integrators/lit_scene.h"
 #include "render/lights/make_environment.h"
+#include "render/testing/lit_wall.h"
 #include "scene/surroundings.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // A snapshot as it is traced: with what settings add to it. Made once a frame by frame::Renderer.
 #pragma once
-#include "accel/ray_kind.h"
+#include "accel/rays/ray_kind.h"
 #include "scene/snapshot.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // The local look of other materials under other lights: what of it are the surfaces' own colours, and what
 // they emit. Made once a frame, read by every tracing thread.
 #pragma once
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 
 #include <memory>
 #include <vector>

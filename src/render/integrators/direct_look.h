@@ -1,7 +1,7 @@
 // The local look without ambient light, for integrators that darken ambient light alone. Made once a frame,
 // read by every tracing thread.
 #pragma once
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 
 #include <memory>
 #include <vector>

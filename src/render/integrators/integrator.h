@@ -2,10 +2,8 @@
 // a frame, gets hits that the local look has coloured, and changes their colours. Frames without one cost and
 // change nothing. Called on all tracing threads.
 #pragma once
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 #include "render/local/group.h"
-
-#include <memory>
 
 namespace gluray::render {
 
@@ -33,8 +31,5 @@ class Integrator {
   /// The same as if the surface were alone in the scene.
   virtual void lightAlone(const ColoredHits& hits, ColorRows& rows) const noexcept { light(hits, rows); }
 };
-
-/// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
-std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
 
 }  // namespace gluray::render

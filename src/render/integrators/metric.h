@@ -1,7 +1,7 @@
 // The space that light is computed in: eye space, where lengths and angles are what the viewer sees, whatever
 // the world is scaled by. Rays go back to world space for their queries; t stays the same. Made once a frame.
 #pragma once
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 
 #include <glm/glm.hpp>
 

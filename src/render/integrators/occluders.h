@@ -1,7 +1,7 @@
 // What surfaces block of rays: clip planes cut all rays, and translucent surfaces block as much as their
 // alpha. Made once a frame, asked on all tracing threads.
 #pragma once
-#include "accel/occlusion.h"
+#include "accel/rays/occlusion.h"
 #include "render/local/surface.h"
 #include "scene/snapshot.h"
 

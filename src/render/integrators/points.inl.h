@@ -11,7 +11,7 @@
 #include "render/integrators/metric.h"
 #include "render/integrators/solid_points.h"
 #include "render/integrators/surface_points.h"
-#include "render/local/fragment_inputs.inl.h"
+#include "render/shading/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_BLEND_INL_H_
 #endif
 
-#include "render/local/fragment_inputs.inl.h"
+#include "render/shading/fragment_inputs.inl.h"
 
 #include <cmath>
 

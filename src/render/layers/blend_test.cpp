@@ -1,5 +1,5 @@
 // Known answers of blending with eight bits per channel: one surface over a framebuffer of one colour.
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_LAYERS_INL_H_
 #endif
 
-#include "accel/next_hits.h"
+#include "accel/rays/next_hits.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/visibility/edges.inl.h"
 

@@ -1,5 +1,5 @@
 // Transparent layers.
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

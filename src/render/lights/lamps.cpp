@@ -15,33 +15,36 @@ constexpr float kBeyond = 1 - 0x1p-22f;
 
 }  // namespace
 
-Lamps::Lamps(const FrameData& frame) : frame_(frame) {
-  const Settings& s = frame.snapshot->settings;
+Lamps::Lamps(const scene::Snapshot& snapshot, const Relit& relit, const RaySetup& eyeRays,
+             const DepthMap& depth)
+    : snapshot_(snapshot), eyeRays_(eyeRays), depth_(depth) {
+  const Settings& s = snapshot.settings;
   factor_ = scene::wantsPaths(s) ? s.path.lights : 1;
-  for (const scene::LightSource& light : frame.relit->sources)
+  for (const scene::LightSource& light : relit.sources)
     if (light.visible) shapes_.emplace_back(light, 0.0f);
 }
 
-std::unique_ptr<const Lamps> Lamps::of(const FrameData& frame) {
-  if (!frame.relit || frame.snapshot->layers) return nullptr;
-  const auto& sources = frame.relit->sources;
+std::unique_ptr<const Lamps> makeLamps(const scene::Snapshot& snapshot, const Relit& relit,
+                                       const RaySetup& eyeRays, const DepthMap& depth) {
+  if (snapshot.layers) return nullptr;
+  const auto& sources = relit.sources;
   const auto visible = [](const scene::LightSource& l) { return l.visible; };
-  const auto& shadings = frame.snapshot->shadings;
+  const auto& shadings = snapshot.shadings;
   if (std::none_of(sources.begin(), sources.end(), visible)) return nullptr;
   if (std::none_of(shadings.begin(), shadings.end(), scene::isLit)) return nullptr;
-  return std::make_unique<Lamps>(frame);
+  return std::make_unique<Lamps>(snapshot, relit, eyeRays, depth);
 }
 
 EyeRay Lamps::rayOf(const accel::RayPacket& rays, int i) const {
-  const glm::dmat4& eyeFromWorld = frame_.snapshot->eyeFromWorld;
+  const glm::dmat4& eyeFromWorld = snapshot_.eyeFromWorld;
   const glm::dvec3 org(eyeFromWorld * glm::dvec4(rays.orgX[i], rays.orgY[i], rays.orgZ[i], 1));
   return {org,
           glm::normalize(glm::dmat3(eyeFromWorld) * glm::dvec3(rays.dirX[i], rays.dirY[i], rays.dirZ[i]))};
 }
 
 float Lamps::depthAt(const glm::dvec3& point) const {
-  const glm::dvec4 clip = frame_.snapshot->camera.clipFromEye * glm::dvec4(point, 1);
-  const double depth = frame_.depth.scale * (clip.z / clip.w) + frame_.depth.offset;
+  const glm::dvec4 clip = snapshot_.camera.clipFromEye * glm::dvec4(point, 1);
+  const double depth = depth_.scale * (clip.z / clip.w) + depth_.offset;
   if (!std::isfinite(depth)) return kBeyond;
   return static_cast<float>(std::clamp(depth, 0.0, double{kBeyond}));
 }
@@ -50,7 +53,7 @@ uint32_t Lamps::show(const float* x, const float* y, const accel::RayPacket* ray
                      ColorRows& rows) const noexcept {
   uint32_t lanes = 0;
   for (int i = 0; i < kLanes; ++i) {
-    const EyeRay ray = rays ? rayOf(*rays, i) : eyeRayAt(frame_.eyeRays, double{x[i]}, double{y[i]});
+    const EyeRay ray = rays ? rayOf(*rays, i) : eyeRayAt(eyeRays_, double{x[i]}, double{y[i]});
     float nearest = std::numeric_limits<float>::infinity();
     for (const LightShape& shape : shapes_) {
       const auto met = shape.meet(ray.origin, ray.direction);

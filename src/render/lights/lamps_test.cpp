@@ -1,6 +1,6 @@
 // Lights that can be seen, where and in front of what.
-#include "render/paths/path_scenes.h"
-#include "render/test_light_file.h"
+#include "render/testing/path_scenes.h"
+#include "render/testing/test_light_file.h"
 
 #include <gtest/gtest.h>
 

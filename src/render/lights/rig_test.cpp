@@ -1,7 +1,7 @@
 #include "render/lights/rig.h"
 
-#include "render/integrators/lit_scene.h"
-#include "render/test_ball.h"
+#include "render/testing/lit_wall.h"
+#include "render/testing/test_ball.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Hits of one packet on one instance, and their colours, as rows of one value for each lane. Filled by the
 // kernels; integrators read and change the colours. Any thread.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <glm/glm.hpp>
 

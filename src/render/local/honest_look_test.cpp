@@ -1,5 +1,5 @@
 // look = honest: exactly the program's colours, whatever light it has.
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

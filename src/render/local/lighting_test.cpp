@@ -1,6 +1,6 @@
 // The lighting equation against closed-form values and a transcription of the specification.
-#include "render/local/reference_light.h"
-#include "render/test_trace.h"
+#include "render/testing/reference_light.h"
+#include "render/testing/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Colours and materials that vary over a mesh.
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "render/local/mipmap.h"
 
-#include "render/local/texture.h"
+#include "render/local/texture_sampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "render/local/surface.h"
 
-#include "render/lights/lighting_space.h"
+#include "render/local/lighting_space.h"
 #include "scene/failure.h"
 
 #include <algorithm>

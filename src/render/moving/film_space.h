@@ -1,6 +1,6 @@
 // Where the pixels of a frame's film are in eye space. Made once a frame, read by all tracing threads.
 #pragma once
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,7 @@
 #include "render/moving/filter.h"
 
+#include "render/tiles/tile.h"
+
 #include <algorithm>
 
 #define HWY_DISABLED_TARGETS HWY_SSSE3

@@ -2,6 +2,7 @@
 #pragma once
 #include "render/integrators/factors.h"
 #include "render/moving/moving_frame.h"
+#include "render/tiles/tile.h"
 
 namespace gluray::render {
 

@@ -8,6 +8,7 @@
 
 #include "render/moving/factor_pixels.inl.h"
 #include "render/moving/filter.h"
+#include "render/tiles/tile.h"
 
 #include <cstring>
 

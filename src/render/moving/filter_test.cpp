@@ -1,7 +1,8 @@
 // The filter of factors on films made by hand.
 #include "render/moving/filter.h"
 
-#include "render/test_targets.h"
+#include "render/testing/test_targets.h"
+#include "render/tiles/tile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // Frames of animations that are given up.
-#include "render/moving/test_animation.h"
+#include "render/moving/film_source.h"
+#include "render/testing/test_animation.h"
+#include "render/tiles/tile.h"
 
 #include <gtest/gtest.h>
 

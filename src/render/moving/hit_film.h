@@ -1,7 +1,7 @@
 // The nearest hits of a frame's pixels, kept until their light is known. One tile's packets are written and
 // read by one thread at a time.
 #pragma once
-#include "accel/ray_packet.h"
+#include "accel/rays/ray_packet.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Frames of animations against full ones.
 #include "base/sanitized.h"
-#include "render/moving/test_animation.h"
+#include "render/testing/test_animation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Where earlier frames saw points, and what has moved.
 #include "render/moving/reprojection.h"
 
-#include "render/test_trace.h"
+#include "render/testing/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

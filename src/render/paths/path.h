@@ -1,14 +1,13 @@
-// Path tracing: light that bounces between surfaces before it reaches the viewer.
+// The scene of a frame as paths of light see it (path_integrator.h).
 #pragma once
 #include "render/bsdf/material_model.h"
 #include "render/integrators/altered_look.h"
-#include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
-#include "render/lights/added_lights.h"
 #include "render/lights/environment.h"
-#include "render/lights/program_lights.h"
+#include "render/paths/added_lights.h"
 #include "render/paths/pictured_colors.h"
+#include "render/paths/shading_lights.h"
 
 #include <memory>
 #include <vector>
@@ -17,19 +16,10 @@ namespace gluray::render {
 
 struct PathVertex;
 
-/// The light that leaves a point towards the viewer (J. Kajiya, "The Rendering Equation", 1986):
-///   L(p, wo) = Le(p, wo) + integral of f(p, wo, wi) L(p', wi) |cos(wi)| dwi,  p' where the ray p + t wi
-///   ends.
-/// Each sample follows one path from the viewer. At each of its vertices the program's lights and the
-/// environment are asked directly, and the next direction is drawn from the material (E. Veach, "Robust Monte
-/// Carlo Methods for Light Transport Simulation", 1997). It replaces the colours of the local look; alpha and
-/// depth stay.
-class Path final : public Integrator {
- public:
+/// What all paths of a frame need. Made once a frame, read by every tracing thread.
+struct Path {
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit Path(const FrameData& frame);
-  void light(const ColoredHits&, ColorRows&) const noexcept override;
-  void lightAlone(const ColoredHits&, ColorRows&) const noexcept override;
   /// Index of the first of the samples that sample `sample` of a pixel takes in this pass.
   uint32_t firstSample(int sample) const;
   /// Colours where paths meet surfaces that the camera does not look at.
@@ -43,7 +33,7 @@ class Path final : public Integrator {
   const FrameData& frame;
   Metric metric;
   Occluders occluders;
-  ProgramLights lights;
+  ShadingLights lights;
   AddedLights added;
   std::vector<MaterialModel> materials;            // as FrameData::surfaces
   SurfaceColors seen, unseen;                      // of hits of the camera, of others where they differ

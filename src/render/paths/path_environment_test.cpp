@@ -3,7 +3,7 @@
 #include "base/sanitized.h"
 #include "base/testing/temporary_folder.h"
 #include "render/lights/make_environment.h"
-#include "render/paths/path_scenes.h"
+#include "render/testing/path_scenes.h"
 
 #include <random>
 

@@ -6,7 +6,7 @@
 #define GLURAY_RENDER_PATHS_PATH_EXTENSION_INL_H_
 #endif
 
-#include "accel/traceable.h"
+#include "accel/rays/traceable.h"
 #include "render/paths/path_wave.inl.h"
 #include "scene/surroundings.h"
 

@@ -1,5 +1,5 @@
 // Lights of rigs and files in paths, against their light in closed form.
-#include "render/paths/path_lit_scenes.h"
+#include "render/testing/path_lit_scenes.h"
 
 #include <gtest/gtest.h>
 

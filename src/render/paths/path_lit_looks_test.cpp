@@ -1,6 +1,6 @@
 // Lights of files in paths: beside shadows of the local look, where they are seen, and of absurd values.
 #include "base/sanitized.h"
-#include "render/paths/path_lit_scenes.h"
+#include "render/testing/path_lit_scenes.h"
 #include "scene/surroundings.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Materials of settings in the path tracer: mirrors, glass, furnaces.
 #include "base/sanitized.h"
 #include "base/testing/temporary_folder.h"
-#include "render/paths/path_scenes.h"
+#include "render/testing/path_scenes.h"
 
 #include <fstream>
 #include <string>

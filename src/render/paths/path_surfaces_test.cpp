@@ -1,6 +1,6 @@
 // What paths meet on their way: impostors, translucent surfaces, what clip planes cut away, edges, textures.
 #include "base/sanitized.h"
-#include "render/paths/path_scenes.h"
+#include "render/testing/path_scenes.h"
 
 namespace gluray::render {
 namespace {

@@ -1,6 +1,6 @@
 // Path tracing against scenes whose light is known in closed form.
 #include "base/sanitized.h"
-#include "render/paths/path_scenes.h"
+#include "render/testing/path_scenes.h"
 
 namespace gluray::render {
 namespace {

@@ -1,6 +1,6 @@
 // Textures of surfaces that paths meet after a bounce: how wide pixels are there.
-#include "render/paths/path_scenes.h"
 #include "render/paths/ray_cone.h"
+#include "render/testing/path_scenes.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 
 #include "render/integrators/altered_look.h"
 #include "render/integrators/points.inl.h"
-#include "render/local/shade.inl.h"
 #include "render/paths/path.h"
 #include "render/paths/path_vertex.h"
 #include "render/paths/ray_cone.h"
+#include "render/shading/shade.inl.h"
 
 #include <bit>
 

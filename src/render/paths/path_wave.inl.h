@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_PATHS_PATH_WAVE_INL_H_
 #endif
 
-#include "render/integrators/clear_shadows.h"
+#include "render/paths/clear_shadows.h"
 #include "render/paths/path_vertices.inl.h"
 #include "render/sampling/sobol.inl.h"
 

@@ -1,7 +1,7 @@
 #include "render/paths/pictured_colors.h"
 
 #include "accel/pages/page_cache.h"
-#include "accel/traceable.h"
+#include "accel/rays/traceable.h"
 #include "base/never_destroyed.h"
 #include "scene/surroundings.h"
 

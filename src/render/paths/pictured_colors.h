@@ -1,7 +1,7 @@
 // Colours of surfaces that the real OpenGL has drawn, where rays from elsewhere than the viewer meet them
 // (scene/framebuffer_picture.h, docs/adr/0074). Made once for a scene, read by every tracing thread.
 #pragma once
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 #include "render/paths/space_colors.h"
 #include "scene/framebuffer_picture.h"
 

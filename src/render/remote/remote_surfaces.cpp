@@ -1,6 +1,6 @@
 #include "render/remote/remote_surfaces.h"
 
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 
 namespace gluray::render {
 

@@ -2,9 +2,9 @@
 // each. They block light as this process's own surfaces do. Implemented by dist/peers, asked on all tracing
 // threads.
 #pragma once
-#include "accel/occlusion.h"
-#include "accel/placement.h"
-#include "accel/ray_kind.h"
+#include "accel/rays/bounds.h"
+#include "accel/rays/occlusion.h"
+#include "accel/rays/ray_kind.h"
 #include "scene/snapshot.h"
 
 #include <glm/glm.hpp>

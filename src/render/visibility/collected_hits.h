@@ -1,7 +1,7 @@
 // All hits of a packet's rays, unordered. Used by the kernels; one per thread.
 #pragma once
 #include "accel/world.h"
-#include "render/frame_data.h"
+#include "render/frame_data/frame_data.h"
 
 #include <cstddef>
 #include <new>

@@ -1,4 +1,4 @@
-// Visibility of triangles that grow by their painted edges (render/visibility/edged_triangle.h). Part of
+// Visibility of triangles that grow by their painted edges (render/local/edged_triangle.h). Part of
 // kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_EDGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_EDGES_INL_H_
@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_EDGES_INL_H_
 #endif
 
-#include "render/visibility/edged_triangle.h"
+#include "render/local/edged_triangle.h"
 #include "render/visibility/nearest.inl.h"
 
 #include <span>

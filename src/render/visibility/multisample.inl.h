@@ -8,6 +8,7 @@
 #define GLURAY_RENDER_MULTISAMPLE_INL_H_
 #endif
 
+#include "render/tiles/tile.h"
 #include "render/visibility/sample_block.inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,6 +1,6 @@
 // Multisampled pictures: coverage and depth per sample, shading once per pixel.
-#include "render/test_targets.h"
-#include "render/test_trace.h"
+#include "render/testing/test_targets.h"
+#include "render/testing/test_trace.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

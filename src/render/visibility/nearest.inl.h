@@ -7,7 +7,7 @@
 #define GLURAY_RENDER_NEAREST_INL_H_
 #endif
 
-#include "render/trace.inl.h"
+#include "render/packets/trace.inl.h"
 
 #include <tuple>
 

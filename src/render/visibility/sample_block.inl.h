@@ -7,7 +7,8 @@
 #define GLURAY_RENDER_SAMPLE_BLOCK_INL_H_
 #endif
 
-#include "render/pixels.inl.h"
+#include "render/packets/pixels.inl.h"
+#include "render/tiles/tile.h"
 #include "render/visibility/edges.inl.h"
 #include "render/visibility/least_depth.inl.h"
 

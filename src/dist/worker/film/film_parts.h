@@ -3,7 +3,7 @@
 #pragma once
 #include "dist/messages/rank_messages.h"
 #include "dist/stream/arrays.h"
-#include "render/tiles.h"
+#include "render/tiles/tiles.h"
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "dist/worker/array_store.h"
 #include "dist/worker/tile_queue.h"
+#include "render/moving/film_source.h"
 
 #include <atomic>
 

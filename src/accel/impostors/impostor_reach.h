@@ -1,0 +1,31 @@
+// How far impostors reach about their centres: what the bounding boxes in their BLAS are made of. Any thread.
+#pragma once
+#include "scene/snapshot.h"
+
+#include <glm/glm.hpp>
+
+namespace gluray::accel {
+
+/// Extent of an instance's impostors about their centres, in object space. Rounded up so that it stays equal
+/// while the camera moves, although the matrices then vary by rounding.
+struct ImpostorReach {
+  glm::vec3 perRadius{0};  // along each coordinate axis, for radius 1
+  glm::mat3 alongAxis{0};  // maps half of Mesh::axes to half a cylinder's axis in object space
+  glm::vec3 perLength{0};  // rounding error of alongAxis, for length 1
+  glm::vec3 further{0};    // added to both, independent of radius and length
+  bool operator==(const ImpostorReach&) const = default;
+};
+
+ImpostorReach reachOf(const scene::Instance&, const scene::Camera&);
+
+/// Extent of an instance's beads or tubes about their points and lines, in object space; valid for every
+/// camera that is not nearer.
+ImpostorReach reachInPixels(const scene::Instance&, const scene::Camera&);
+
+/// The same for splats, in proportion to their radius.
+ImpostorReach reachOfSplats(const scene::Instance&, const scene::Camera&);
+
+/// Rounds up to a power of 2^(1/64), so that small rounding differences seldom change the result.
+float roundedUp(double length);
+
+}  // namespace gluray::accel

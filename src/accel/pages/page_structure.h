@@ -1,0 +1,14 @@
+// The structure that stands for a page: one box, in which the page's own structure is built when a ray meets
+// it. Called by BlasCache, between frames.
+#pragma once
+#include "accel/meshes/blas.h"
+#include "scene/mesh.h"
+
+namespace gluray::accel {
+
+class PageCache;
+
+/// `pages` must outlive the structure.
+BlasPtr createPage(const Device&, PageCache& pages, const scene::Mesh&);
+
+}  // namespace gluray::accel

@@ -1,0 +1,141 @@
+#include "accel/queries/impostor_query.h"
+
+#include "accel/device/embree.h"
+#include "accel/impostors/capsule.h"
+#include "accel/impostors/pixel_impostor.h"
+#include "accel/impostors/solid.h"
+#include "accel/impostors/solid_guess.h"
+#include "accel/impostors/stick.h"
+#include "accel/queries/occlusion_state.h"
+#include "accel/queries/query_state.h"
+
+#include <bit>
+#include <limits>
+
+namespace gluray::accel {
+namespace {
+
+/// The active lanes of Embree's call, whose rays are consecutive lanes of the packet from `first` on.
+template <class Arguments>
+uint32_t lanesAsked(const Arguments& a, uint32_t first) {
+  uint32_t lanes = 0;
+  for (unsigned i = 0; i < a.N; ++i)
+    if (a.valid[i] == -1) lanes |= 1u << (first + i);
+  return lanes;
+}
+
+/// Returns which of `lanes` hit the impostor, and sets their t.
+uint32_t lanesThatMeet(const QueryState& state, uint32_t instance, uint32_t primitive, uint32_t lanes,
+                       float (&t)[kLanes]) {
+  const PlacedImpostors& placed = state.impostors[instance];
+  const ImpostorQuery& rays = state.rays;
+  if (scene::isInWindow(placed.mesh->shape)) return meet(placed, primitive, rays, state.around, lanes, t);
+  Impostor impostor;
+  Capsule capsule;
+  Stick stick;
+  const bool solid = scene::isSolid(placed.mesh->shape), isStick = placed.mesh->shape == scene::Shape::sticks;
+  if (!(isStick ? Stick::make(placed, primitive, stick)
+        : solid ? Capsule::make(placed, primitive, capsule)
+                : Impostor::make(placed, primitive, impostor)))
+    return 0;
+  const bool apart = rays.samples != rays.centers;
+  if (state.raysOf != instance) {
+    toLighting(placed, *rays.centers, state.centers);
+    if (apart) toLighting(placed, *rays.samples, state.samples);
+    state.raysOf = instance;
+  }
+  if (isStick) return meet(stick, state.centers, lanes, t);
+  if (solid) return meet(placed, capsule, apart ? state.samples : state.centers, lanes, t);
+  return meet(impostor, state.centers, apart ? state.samples : state.centers, lanes, t);
+}
+
+ObjectRay rayOf(RTCRayN* ray, unsigned count, unsigned i) {
+  return {originOf(ray, count, i), directionOf(ray, count, i), RTCRayN_tnear(ray, count, i),
+          RTCRayN_tfar(ray, count, i)};
+}
+
+SolidGuess guess(const PlacedImpostors& placed, uint32_t primitive, const RTCRayN* rays, unsigned count,
+                 uint32_t lanes) {
+  const std::optional<RoundHull> hull = hullOf(placed, primitive);
+  if (!hull) return {};
+  return guessSolid(placed, *hull, reinterpret_cast<const float*>(rays), count, lanes);
+}
+
+/// Hits of rays that do not come from the viewpoint.
+void intersectSolids(const RTCIntersectFunctionNArguments& a, const QueryState& state, uint32_t instance) {
+  const PlacedImpostors& placed = state.impostors[instance];
+  RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
+  RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
+  uint32_t lanes = lanesAsked(a, 0);
+  lanes &= ~guess(placed, a.primID, ray, a.N, lanes).misses;
+  for (; lanes; lanes &= lanes - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(lanes));
+    const std::optional<SolidHit> met = meetSolid(placed, a.primID, rayOf(ray, a.N, i));
+    if (!met) continue;
+    float distance = met->t;
+    if (!state.counts(static_cast<int>(RTCRayN_id(ray, a.N, i)), instance, a.primID, 0, 0, distance))
+      continue;
+    RTCRayN_tfar(ray, a.N, i) = distance;
+    RTCHitN_Ng_x(hit, a.N, i) = met->normal.x, RTCHitN_Ng_y(hit, a.N, i) = met->normal.y,
+                           RTCHitN_Ng_z(hit, a.N, i) = met->normal.z;
+    RTCHitN_u(hit, a.N, i) = RTCHitN_v(hit, a.N, i) = 0;
+    RTCHitN_primID(hit, a.N, i) = a.primID, RTCHitN_geomID(hit, a.N, i) = a.geomID;
+    RTCHitN_instID(hit, a.N, i, 0) = a.context->instID[0];
+  }
+}
+
+}  // namespace
+
+void occludeImpostors(const RTCOccludedFunctionNArguments* arguments) {
+  const RTCOccludedFunctionNArguments& a = *arguments;
+  const auto* state =
+      static_cast<const OcclusionState*>(reinterpret_cast<const QueryContext*>(a.context)->user);
+  if (!state || !state->impostors) return;
+  const uint32_t instance = state->instanceOf(a.context->instID[0]);
+  const PlacedImpostors& placed = state->impostors[instance];
+  uint32_t lanes = lanesAsked(a, 0);
+  const SolidGuess sure = guess(placed, a.primID, a.ray, a.N, lanes);
+  const uint32_t blocked = state->filter ? 0 : sure.hits;  // a filter asks for the point
+  for (uint32_t hits = blocked; hits; hits &= hits - 1)
+    RTCRayN_tfar(a.ray, a.N, static_cast<unsigned>(std::countr_zero(hits))) =
+        -std::numeric_limits<float>::infinity();
+  for (lanes &= ~(sure.misses | blocked); lanes; lanes &= lanes - 1) {
+    const auto i = static_cast<unsigned>(std::countr_zero(lanes));
+    const ObjectRay ray = rayOf(a.ray, a.N, i);
+    const std::optional<SolidHit> met = meetSolid(placed, a.primID, ray);
+    if (!met) continue;
+    const Occluder occluder{
+        instance, a.primID, 0, 0, ray.org + met->t * ray.dir, static_cast<int>(RTCRayN_id(a.ray, a.N, i))};
+    if (state->blocks(occluder)) RTCRayN_tfar(a.ray, a.N, i) = -std::numeric_limits<float>::infinity();
+  }
+}
+
+void intersectImpostors(const RTCIntersectFunctionNArguments* arguments) {
+  const RTCIntersectFunctionNArguments& a = *arguments;
+  const void* user = reinterpret_cast<const QueryContext*>(a.context)->user;
+  if (!user || !static_cast<const QueryState*>(user)->impostors) return;
+  const auto& state = *static_cast<const QueryState*>(user);
+  const uint32_t inside = a.context->instID[0];
+  const uint32_t instance = inside == RTC_INVALID_GEOMETRY_ID ? state.aloneIndex : inside;
+  if (!state.rays.centers) return intersectSolids(a, state, instance);
+  RTCRayN* ray = RTCRayHitN_RayN(a.rayhit, a.N);
+  RTCHitN* hit = RTCRayHitN_HitN(a.rayhit, a.N);
+  const uint32_t first = RTCRayN_id(ray, a.N, 0);
+  alignas(64) float t[kLanes];
+  uint32_t met = lanesThatMeet(state, instance, a.primID, lanesAsked(a, first), t);
+  for (; met; met &= met - 1) {
+    const auto lane = static_cast<uint32_t>(std::countr_zero(met));
+    const unsigned i = lane - first;
+    float distance = t[lane];
+    if (!(distance >= RTCRayN_tnear(ray, a.N, i) && distance < RTCRayN_tfar(ray, a.N, i))) continue;
+    if (!state.counts(static_cast<int>(lane), instance, a.primID, 0, 0, distance)) continue;
+    RTCRayN_tfar(ray, a.N, i) = distance;
+    RTCHitN_Ng_x(hit, a.N, i) = RTCHitN_Ng_y(hit, a.N, i) = RTCHitN_Ng_z(hit, a.N, i) = 0;
+    RTCHitN_u(hit, a.N, i) = RTCHitN_v(hit, a.N, i) = 0;
+    RTCHitN_primID(hit, a.N, i) = a.primID;
+    RTCHitN_geomID(hit, a.N, i) = a.geomID;
+    RTCHitN_instID(hit, a.N, i, 0) = inside;
+  }
+}
+
+}  // namespace gluray::accel

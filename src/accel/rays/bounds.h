@@ -1,0 +1,13 @@
+// A box along the axes of its space. Any thread.
+#pragma once
+#include <glm/glm.hpp>
+
+namespace gluray::accel {
+
+/// Empty where some side has a negative length.
+struct Bounds {
+  glm::vec3 lower{0}, upper{0};
+  bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }
+};
+
+}  // namespace gluray::accel

@@ -1,0 +1,38 @@
+// Rays that ask whether anything lies between two points: the packet, and what decides which surfaces count.
+// render/ fills a packet and gives it to World::occluded; any thread.
+#pragma once
+#include "accel/rays/ray_packet.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace gluray::accel {
+
+/// A packet of rays org + t*dir, t in [tNear, tFar], world space. Lengths of `dir` are free; t is in units of
+/// it. The layout is that of Embree's packet, which is read and written in place.
+struct alignas(64) OcclusionRays {
+  float orgX[kLanes], orgY[kLanes], orgZ[kLanes], tNear[kLanes];
+  float dirX[kLanes], dirY[kLanes], dirZ[kLanes], time[kLanes];
+  float tFar[kLanes];  // after the query: minus infinity where the ray is blocked
+  uint32_t mask[kLanes], id[kLanes], flags[kLanes];
+};
+
+/// A surface that a ray meets on its way.
+struct Occluder {
+  uint32_t instance, primitive;
+  float u, v;       // of triangles: barycentric, as in RayPacket
+  glm::vec3 point;  // object space
+  int lane;         // of the ray
+};
+
+/// Decides which surfaces block rays. Called on tracing threads, for each ray in no particular order and at
+/// most once for each primitive.
+class OccluderFilter {
+ public:
+  virtual ~OccluderFilter() = default;
+  /// False: the ray goes on as if nothing were there.
+  virtual bool blocks(const Occluder&) const noexcept = 0;
+};
+
+}  // namespace gluray::accel

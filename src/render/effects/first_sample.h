@@ -1,0 +1,43 @@
+// Which samples of a pixel's sequence a hit takes. Any thread.
+#pragma once
+#include "render/frame_data/frame_data.h"
+#include "render/integrators/surface_points.h"
+#include "render/moving/moving_frame.h"
+#include "render/sampling/sobol.h"
+
+#include <algorithm>
+
+namespace gluray::render {
+
+/// Index of the first of the samples that sample `sample` of a pixel takes in this pass, with `count` for
+/// each.
+inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
+  if (frame.moving) return frame.moving->index * static_cast<uint32_t>(count);
+  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
+  const uint32_t pass = frame.snapshot->lightSampling.pass;
+  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
+}
+
+/// The number of samples at a point, if settings ask for `count`.
+inline int samplesOf(const FrameData& frame, int count) {
+  return frame.moving ? std::min(count, frame.moving->rays.perPixel) : count;
+}
+
+/// Seeds for points: those of their pixels, or in moving frames one sequence for all.
+inline PixelSeeds seedsOf(const FrameData& frame, const AskedPoints& asked) {
+  if (!frame.moving) return {asked.x, asked.y};
+  const MovingFrame& moving = *frame.moving;
+  // Where the filter sees more than 4x4 pixels of few samples each, neighbouring blocks take different
+  // points.
+  const uint32_t apart = moving.rays.quarter || !moving.earlier ? 1 : 0;
+  const scene::Region& region = frame.snapshot->region;
+  uint32_t places[kLanes];
+  for (int i = 0; i < kLanes; ++i) {
+    const auto column = static_cast<uint32_t>(static_cast<int32_t>(asked.x[i]) - region.x) >> 2,
+               row = static_cast<uint32_t>(static_cast<int32_t>(asked.y[i]) - region.y) >> 2;
+    places[i] = asked.place[i] | (column & apart) << 4 | (row & apart) << 5;
+  }
+  return interleavedSeeds(moving.rays.quarter ? moving.index / 4 : moving.index, apart ? 64 : 16, places);
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,119 @@
+#include "render/effects/surface_light.h"
+
+#include "base/log.h"
+#include "render/effects/relit_look.h"
+#include "render/integrators/direct_look.h"
+#include "render/integrators/points.h"
+#include "render/lights/form_factor.h"
+#include "render/lights/relit.h"
+#include "scene/effects.h"
+
+#include <algorithm>
+
+namespace gluray::render {
+namespace {
+
+bool shows(uint32_t lanes, const ShadowLights::Rows& rows, const Factors& factors) {
+  for (int row = 0; row < kShadowLights; ++row)
+    for (int c = 0; c < 3 && (rows.used >> row & 1); ++c)
+      for (int i = 0; i < kLanes; ++i)
+        if ((lanes >> i & 1) && factors.visibility[row][c][i] != 1) return true;
+  return false;
+}
+
+}  // namespace
+
+SurfaceLight::SurfaceLight(const FrameData& frame)
+    : frame_(frame),
+      metric_(frame),
+      occluders_(*frame.snapshot, frame.surfaces),
+      lights_(findShadowLights(frame, metric_, scene::wantsShadows(frame.snapshot->settings))) {
+  const Settings& settings = frame.snapshot->settings;
+  if (frame.relit && frame.relit->dome.shines()) dome_ = &frame.relit->dome;
+  hasAreas_ = frame.relit && std::any_of(frame.relit->sources.begin(), frame.relit->sources.end(), isArea);
+  if (scene::wantsOcclusion(settings)) occlusion_.emplace(frame, metric_, occluders_);
+  if (!scene::wantsShadows(settings)) return;
+  if (!lights_.lights.empty())
+    shadows_.emplace(frame, metric_, occluders_, lights_);
+  else
+    log::once(log::Level::info, "no shadows",
+              "shadows are on, but no light casts one that the viewer sees; the setting lights has such "
+              "lights, for instance lights=headlight+key");
+}
+
+UsedFactors SurfaceLight::used() const noexcept {
+  const int lights = shadows_ ? static_cast<int>(lights_.lights.size()) : 0;
+  return {occlusion_.has_value(), lights, lights > 0 && occluders_.areTranslucent()};
+}
+
+void SurfaceLight::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
+  if (occlusion_) occlusion_->estimate(asked, factors);
+  if (shadows_) shadows_->estimate(asked, factors);
+}
+
+void SurfaceLight::locate(const ColoredHits& hits, AskedPoints& points) const noexcept {
+  askedPointsOf(metric_, frame_, hits, points);
+}
+
+bool SurfaceLight::replaces(uint32_t instance, uint32_t lanes, const Factors& factors) const noexcept {
+  const ShadowLights::Rows& used = lights_.of(instance);
+  return isDomed(used) || hasAreas_ || (shadows_ && shows(lanes, used, factors));
+}
+
+std::vector<float> SurfaceLight::meaning() const {
+  std::vector<float> numbers;
+  const auto keep = [&](const glm::vec3& v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); };
+  const glm::mat3 linear(metric_.worldFromEye);
+  for (const scene::LightSource& light : lights_.lights) {
+    using Kind = scene::LightSource::Kind;
+    // As shares of the scene, so that its size does not matter.
+    if (light.kind != Kind::distant)
+      keep(glm::vec3(metric_.worldFromEye * glm::vec4(light.position, 1)) / metric_.diagonal);
+    keep(glm::normalize(linear * light.direction));
+  }
+  return numbers;
+}
+
+void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const noexcept {
+  const ColorRows* direct = hits.direct;
+  ColorRows relitDirect, fog;
+  if (relight(hits, factors, rows) && occlusion_ && direct) {
+    shadeArriving(frame_.direct->surfaces[hits.instance], hits, factors, nullptr, relitDirect);
+    direct = &relitDirect;
+  }
+  if (!occlusion_) return;
+  // Fog lies before the surface. It is in the direct look, too.
+  if (!direct && hits.surface.lighting->shading->fog.mode != scene::Fog::off)
+    fogAlone(hits, fog), direct = &fog;
+  occlude(hits, factors, direct, rows);
+}
+
+bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
+  if (!replaces(hits.instance, hits.group.lanes, factors)) return false;
+  const ShadowLights::Rows& used = lights_.of(hits.instance);
+  shadeArriving(hits.surface, hits, factors, isDomed(used) ? dome_ : nullptr, rows);
+  return true;
+}
+
+void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits, const Factors& factors,
+                                 const scene::Dome* dome, ColorRows& rows) const {
+  Arrival arrival{lights_.of(hits.instance), factors, dome};
+  if (!hasAreas_) return shadeAgain(frame_, surface, hits, arrival, rows);
+  const Relit& relit = *frame_.relit;
+  const AreaLights areas{metric_, relit.sources, relit.firstSource[frame_.shadingOf(hits.instance)]};
+  arrival.areas = &areas;
+  shadeAgain(frame_, surface, hits, arrival, rows);
+}
+
+/// `kept`: the part of the colours that stays as it is; null: none.
+void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const ColorRows* kept,
+                           ColorRows& rows) const {
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < kLanes; ++i) {
+      const float ambient = rows.value[c][i] - (kept ? kept->value[c][i] : 0);
+      rows.value[c][i] -= occlusion_->strength * (1 - factors.occlusion[i]) * ambient;
+    }
+  }
+}
+
+}  // namespace gluray::render

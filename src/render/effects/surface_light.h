@@ -1,0 +1,43 @@
+// Ambient occlusion and shadows of the local look.
+#pragma once
+#include "render/effects/ambient_occlusion.h"
+#include "render/effects/shadows.h"
+
+#include <optional>
+
+namespace gluray::render {
+
+/// The local look whose lights are shadowed, whose surroundings are occluded, or both.
+class SurfaceLight final : public FactorIntegrator {
+ public:
+  /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
+  explicit SurfaceLight(const FrameData& frame);
+  /// False: it would change nothing.
+  bool acts() const { return occlusion_ || shadows_ || dome_ || hasAreas_; }
+
+  UsedFactors used() const noexcept override;
+  void estimate(const AskedPoints&, Factors&) const noexcept override;
+  void locate(const ColoredHits&, AskedPoints&) const noexcept override;
+  bool replaces(uint32_t instance, uint32_t lanes, const Factors&) const noexcept override;
+  void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
+  std::vector<float> meaning() const override;
+
+ private:
+  bool isDomed(const ShadowLights::Rows& used) const { return dome_ && used.up != glm::vec3(0); }
+  /// Shades again what is shadowed or lit from all sides. Returns whether it did.
+  bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
+  void shadeArriving(const Surface&, const ColoredHits&, const Factors&, const scene::Dome*,
+                     ColorRows&) const;
+  void occlude(const ColoredHits&, const Factors&, const ColorRows* kept, ColorRows&) const;
+
+  const FrameData& frame_;
+  Metric metric_;
+  Occluders occluders_;
+  ShadowLights lights_;
+  const scene::Dome* dome_ = nullptr;  // null: there is none
+  bool hasAreas_ = false;              // some light is an area
+  std::optional<AmbientOcclusion> occlusion_;
+  std::optional<Shadows> shadows_;
+};
+
+}  // namespace gluray::render

@@ -1,0 +1,14 @@
+// What the FXAA filter reads. Any thread.
+#pragma once
+#include <cstdint>
+
+namespace gluray::render {
+
+/// RGBA8 pixels, red in the lowest byte, and their luminosity, bottom row first.
+struct FxaaPicture {
+  const uint32_t* pixels;
+  const float* luminosity;
+  int width, height;
+};
+
+}  // namespace gluray::render

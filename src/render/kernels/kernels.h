@@ -1,0 +1,23 @@
+// The tracing and shading kernels, compiled for several instruction sets; the first call chooses the best for
+// this processor. Called on tracing threads.
+#pragma once
+#include "render/frame_data/frame_data.h"
+#include "render/tiles/tile.h"
+
+namespace gluray::render {
+
+struct TileFactors;
+struct WaitingPoints;
+
+/// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
+/// `waiting`: where points wait for rays, if factors of light are collected (FrameData::collector).
+void traceTile(const FrameData&, const Tile&, WaitingPoints* waiting = nullptr);
+
+/// The second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first one
+/// kept.
+void relightTile(const FrameData&, const Tile&, const TileFactors&);
+
+/// Name of the instruction set that traceTile uses, such as "AVX3".
+const char* kernelTarget();
+
+}  // namespace gluray::render

@@ -1,0 +1,79 @@
+// The packet pipeline from rays to pixels, and the tile loop. Part of kernels.cpp (compiled once for each
+// instruction set).
+#if defined(GLURAY_RENDER_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_PACKET_INL_H_
+#undef GLURAY_RENDER_PACKET_INL_H_
+#else
+#define GLURAY_RENDER_PACKET_INL_H_
+#endif
+
+#include "render/kernels/averages.inl.h"
+#include "render/kernels/relight.inl.h"
+#include "render/tiles/tile.h"
+#include "render/visibility/multisample.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+// Last stage: writes colour and depth into the image.
+HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, CollectedHits& behind,
+                                Averages* averages) {
+  if (frame.hits) forgetHits(*frame.hits, work);
+  clearPixels(averages ? 0 : frame.image->missColor, work);
+  if (frame.widestEdge > 0 && !work.lens) {
+    alignas(64) int32_t valid[kLanes];
+    std::copy_n(work.valid, kLanes, valid);
+    pickEdged(frame, valid, work);
+  }
+  if (frame.leastDepth && !work.lens) pickLeastDepth(frame, centersOf(work), behind, work);
+  if (work.hits && frame.snapshot->layers)
+    shadeLayers(frame, *frame.snapshot->layers, work);
+  else if (work.hits)
+    shadeNearest(frame, work);
+  if (frame.lamps && !frame.hits) showLamps(frame, work);
+  if (averages)
+    averages->add(frame, tile, work);
+  else if (!frame.hits)
+    storePixels(work, tile, *frame.image);
+}
+
+/// Pipelines three packets, each a stage apart, so that the prefetches of one stage complete while others
+/// compute.
+HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages,
+                                  WaitingPoints* waiting) {
+  Work works[3];
+  CollectedHits behind;  // scratch, for one packet at a time
+  for (Work& work : works) initPacket(work.packet), work.waiting = waiting;
+  int count = 0;
+  const bool layered = frame.snapshot->layers != nullptr;  // layers are traced in the last stage
+  const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
+  for (int sample = 0; sample < static_cast<int>(frame.samplePositions.size()); ++sample) {
+    for (int y = tile.y0; y < tile.y1; y += 4) {
+      for (int x = tile.x0; x < tile.x1; x += 4, ++count) {
+        aim(frame, tile, x, y, sample, back(0));
+        traceWork(frame, back(0));
+        if (count > 0 && !layered) fetchVertices(frame, back(1));
+        if (count > 1) finishWork(frame, tile, back(2), behind, averages);
+      }
+    }
+  }
+  if (count > 0 && !layered) fetchVertices(frame, back(1));
+  if (count > 1) finishWork(frame, tile, back(2), behind, averages);
+  if (count > 0) finishWork(frame, tile, back(1), behind, averages);
+}
+
+HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {
+  if (frame.oncePerPixel) return traceMultisampled(frame, tile);
+  if (!frame.averages) return traceSamples(frame, tile, nullptr, waiting);
+  Averages averages;
+  traceSamples(frame, tile, &averages, waiting);
+  averages.store(frame, tile);
+}
+
+const char* targetName() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

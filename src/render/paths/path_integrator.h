@@ -1,0 +1,26 @@
+// Path tracing: light that bounces between surfaces before it reaches the viewer.
+#pragma once
+#include "render/integrators/integrator.h"
+#include "render/paths/path.h"
+
+namespace gluray::render {
+
+/// The light that leaves a point towards the viewer (J. Kajiya, "The Rendering Equation", 1986):
+///   L(p, wo) = Le(p, wo) + integral of f(p, wo, wi) L(p', wi) |cos(wi)| dwi,  p' where the ray p + t wi
+///   ends.
+/// Each sample follows one path from the viewer. At each of its vertices the program's lights and the
+/// environment are asked directly, and the next direction is drawn from the material (E. Veach, "Robust Monte
+/// Carlo Methods for Light Transport Simulation", 1997). It replaces the colours of the local look; alpha and
+/// depth stay.
+class PathIntegrator final : public Integrator {
+ public:
+  /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
+  explicit PathIntegrator(const FrameData& frame) : path_(frame) {}
+  void light(const ColoredHits&, ColorRows&) const noexcept override;
+  void lightAlone(const ColoredHits&, ColorRows&) const noexcept override;
+
+ private:
+  Path path_;
+};
+
+}  // namespace gluray::render

@@ -1,0 +1,247 @@
+// Colours of fragment programs (scene/fragment_shading.h). Part of kernels.cpp (compiled once for each
+// instruction set).
+#if defined(GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
+#undef GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
+#else
+#define GLURAY_RENDER_FRAGMENT_PROGRAM_INL_H_
+#endif
+
+#include "render/shading/fragment_inputs.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// Direction from light to surface, and the attenuation by distance and cone.
+HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine, const Float3& p) {
+  if (light.kind != scene::FragmentLight::positional) return {splat(light.direction), splat(1)};
+  const Float3 way = sub(p, splat(light.position));
+  const Float distance = hn::Sqrt(dot(way, way));
+  const Float sum = hn::MulAdd(hn::MulAdd(splat(light.attenuation.z), distance, splat(light.attenuation.y)),
+                               distance, splat(light.attenuation.x));
+  Incoming in{unit(way), hn::Div(splat(1), sum)};
+  if (light.coneAngle < 90) {
+    const Float cosine = dot(in.direction, splat(light.direction));
+    const Float inside = power(hn::Max(cosine, splat(0)), splat(light.exponent));
+    in.factor = hn::IfThenElseZero(hn::Ge(cosine, splat(coneCosine)), hn::Mul(in.factor, inside));
+  }
+  return in;
+}
+
+/// The specular factor, without colours.
+HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::FragmentLight& light,
+                           const Float3& way, const Fragment& at, Float cosine, float shininess) {
+  if (light.kind == scene::FragmentLight::headlight) return power(cosine, splat(shininess));
+  Float base;
+  const Float3 toViewer = f.infiniteViewer ? splat(glm::vec3(0, 0, 1)) : at.toViewer;
+  if (f.specular == scene::FragmentShading::Specular::ofLight) {
+    base = hn::Max(dot(at.normal, splat(light.half)), splat(0));
+  } else if (f.specular == scene::FragmentShading::Specular::half) {
+    base = hn::Max(dot(at.normal, unit(sub(toViewer, way))), splat(0));
+  } else {
+    const Float twice = hn::Mul(splat(2), dot(at.normal, way));
+    base = hn::Max(dot(sub(way, scaled(at.normal, twice)), toViewer), splat(1e-5f));
+  }
+  return power(base, splat(shininess));
+}
+
+/// Edges are emissive: they replace the surface's light by their own.
+HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, Float3& ambient,
+                          Float3& diffuse) {
+  const Float rest = hn::Sub(splat(1), at.edge);
+  diffuse = scaled(diffuse, rest);
+  ambient = add(scaled(ambient, rest), scaled(splat(f.edgeColor), at.edge));
+}
+
+HWY_INLINE Float3 atMostOne(const Float3& v) {
+  const Float one = splat(1);
+  return {hn::Min(v.x, one), hn::Min(v.y, one), hn::Min(v.z, one)};
+}
+
+template <class Seen>
+HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at, const Seen& seen) {
+  const Lighting& lighting = *s.lighting;
+  const scene::FragmentShading& f = lighting.shading->fragment;
+  const Float zero = splat(0);
+  Float3 diffuse{zero, zero, zero}, specular{zero, zero, zero}, own{zero, zero, zero};
+  bool owns = false;  // some lights have their own highlights
+  const bool shines = glm::vec3(m.specular) != glm::vec3(0);
+  for (size_t l = 0; l < f.lights.size(); ++l) {
+    const scene::FragmentLight& light = f.lights[l];
+    const Incoming in = arriving(light, lighting.coneCosines[l], at.position);
+    const Float facing = hn::Neg(dot(at.normal, in.direction));
+    const Float cosine = f.twoSidedLights ? hn::Abs(facing) : hn::Max(zero, facing);
+    const Float3 color = seen.arriving(l, splat(light.color));
+    diffuse = add(diffuse, scaled(color, seen.diffuse(l, hn::Mul(cosine, in.factor), at.normal)));
+    if (!shines && !light.ownHighlight) continue;
+    const float shininess = light.ownHighlight ? light.shininess : m.shininess;
+    const Float shine = highlight(f, light, in.direction, at, cosine, shininess);
+    const auto lit = hn::Gt(f.highlightsInDark ? in.factor : hn::Mul(cosine, in.factor), zero);
+    const Float weight = hn::IfThenElseZero(lit, hn::Mul(in.factor, shine));
+    if (light.ownHighlight)
+      own = add(own, scaled(seen.arriving(l, splat(light.highlight)), weight)), owns = true;
+    else
+      specular = add(specular, scaled(color, weight));
+  }
+  specular = times(specular, splat(glm::vec3(m.specular)));
+  if (owns) specular = add(specular, own);
+  if (f.darkBackFaces) diffuse = scaled(diffuse, at.front), specular = scaled(specular, at.front);
+  diffuse = seen.withDome(diffuse, splat(glm::vec3(1)), at.normal);
+  Float3 ambient = splat(glm::vec3(m.ambient)), reflected = times(diffuse, splat(glm::vec3(m.diffuse)));
+  if (f.clampsLight) reflected = atMostOne(add(ambient, reflected)), ambient = {zero, zero, zero};
+  if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
+  reflected = times(reflected, at.color);
+  if (f.edges) paintEdge(f, at, ambient, reflected);
+  return add(add(ambient, reflected), specular);
+}
+
+HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& m, const Fragment& at) {
+  Float3 ambient = splat(glm::vec3(m.ambient)), diffuse = times(splat(glm::vec3(m.diffuse)), at.color);
+  if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
+  if (f.edges) paintEdge(f, at, ambient, diffuse);
+  return add(ambient, diffuse);
+}
+
+/// The direction that a mirror of this normal sends light to that comes along -v; both unit length.
+HWY_INLINE Float3 mirrored(const Float3& v, const Float3& normal) {
+  return sub(scaled(normal, hn::Mul(splat(2), dot(normal, v))), v);
+}
+
+/// Physically based shading of VTK 9 without images: GGX distribution, height-correlated Smith visibility,
+/// Schlick's Fresnel term, Lambertian diffuse; the result is gamma-encoded with 1/2.2.
+template <class Seen>
+HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const Fragment& at,
+                              const Seen& seen) {
+  constexpr float kInversePi = 0.31830988618f;
+  const Lighting& lighting = *s.lighting;
+  const scene::FragmentShading& f = lighting.shading->fragment;
+  const scene::PbrSurface& pbr = f.pbr;
+  const Float zero = splat(0), one = splat(1), least = splat(1e-5f);
+  const auto clamped = [&](Float v) HWY_ATTR { return hn::Min(hn::Max(v, least), one); };
+  const auto mix = [&](const Float3& a, const Float3& b, float w)
+                       HWY_ATTR { return add(scaled(a, splat(1 - w)), scaled(b, splat(w))); };
+  Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
+  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // the program ignores the edge colour
+  const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, pbr.metallic);
+  const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
+  const Float3 f90 = mix({grey, grey, grey}, splat(pbr.edgeTint), pbr.metallic);
+  const float a2 = pbr.roughness * pbr.roughness, a4 = a2 * a2;
+  const Float nv = clamped(dot(at.normal, at.toViewer));
+  Float3 sum{zero, zero, zero};
+  for (size_t l = 0; l < f.lights.size(); ++l) {
+    const Incoming in = arriving(f.lights[l], lighting.coneCosines[l], at.position);
+    const Float3 towards = unit(scaled(in.direction, splat(-1))), half = unit(add(at.toViewer, towards));
+    const Float hl = clamped(dot(half, towards)), nl = clamped(dot(at.normal, towards)),
+                nh = clamped(dot(at.normal, half));
+    const Float d = hn::MulAdd(hn::MulSub(nh, splat(a4), nh), nh, one);
+    const Float distribution = hn::Div(splat(a4 * kInversePi), hn::Mul(d, d));
+    const auto smith = [&](Float x, Float y) HWY_ATTR {
+      return hn::Mul(y, hn::Sqrt(hn::MulAdd(x, hn::NegMulAdd(splat(a2), x, x), splat(a2))));
+    };
+    const Float visibility = hn::Div(splat(0.5f), hn::Add(smith(nv, nl), smith(nl, nv)));
+    const Float away = hn::Sub(one, hl), away2 = hn::Mul(away, away),
+                away5 = hn::Mul(hn::Mul(away2, away2), away);
+    const Float3 fresnel = add(f0, scaled(sub(f90, f0), away5));
+    const Float3 specular = scaled(fresnel, hn::Mul(distribution, visibility));
+    const Float3 through = scaled(sub({one, one, one}, fresnel), splat((1 - pbr.metallic) * kInversePi));
+    const Float3 color = seen.arriving(l, splat(f.lights[l].color));
+    const Float3 radiance = scaled(color, hn::Mul(in.factor, nl));
+    if constexpr (Seen::kHasSizes) {
+      const Float3 matte = scaled(color, seen.diffuse(l, hn::Mul(in.factor, nl), at.normal));
+      sum = add(sum, add(times(matte, times(through, albedo)), times(radiance, specular)));
+    } else {
+      sum = add(sum, times(radiance, add(times(through, albedo), specular)));
+    }
+  }
+  const Float3 matte = times(sub({one, one, one}, f0), albedo);
+  sum = seen.withDome(sum, scaled(matte, splat((1 - pbr.metallic) * kInversePi)), at.normal);
+  sum = seen.withDome(sum, scaled(f0, splat(kInversePi)), mirrored(at.toViewer, at.normal));
+  sum = add(sum, splat(pbr.emissive));
+  const Float gamma = splat(1 / 2.2f);
+  const auto encoded = [&](Float v) HWY_ATTR { return power(hn::Max(v, zero), gamma); };
+  return {encoded(sum.x), encoded(sum.y), encoded(sum.z)};
+}
+
+/// A colour for a normal: half of it plus a half.
+HWY_INLINE Float3 halfway(const Float3& n) {
+  const auto half = [](Float v) HWY_ATTR { return hn::MulAdd(v, splat(0.5f), splat(0.5f)); };
+  return {half(n.x), half(n.y), half(n.z)};
+}
+
+HWY_INLINE Float rimWeight(const scene::Rim& rim, const Float3& n) {
+  return power(clamp01(hn::MulAdd(n.x, n.x, hn::Mul(n.y, n.y))), splat(rim.exponent));
+}
+
+/// Changes colour and alpha of a vector of lanes towards silhouettes.
+HWY_INLINE void applyRim(const scene::Rim& rim, const Float3& n, Float3& color, float* alpha) {
+  const Float weight = rimWeight(rim, n);
+  if (rim.mixes) color = add(color, scaled(sub(splat(rim.color), color), weight));
+  if (rim.opacity == 0) return;
+  const Float more = hn::MulAdd(weight, splat(rim.opacity), splat(1));
+  store(hn::Min(hn::Mul(load(alpha), more), splat(1)), alpha);
+}
+
+/// Colours of the group from its fragment program, before textures; bit i of `back`: lane i shows its back
+/// face.
+template <class Seen>
+HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const Group& group, uint32_t back,
+                                bool backMaterial, const float* x, const float* y, const Seen& seen,
+                                LitRows& rows) {
+  using Shading = scene::FragmentShading;
+  const Shading& f = s.lighting->shading->fragment;
+  const scene::Material& m = backMaterial ? s.materials[0].back : s.materials[0].front;
+  alignas(64) Row base[4];
+  alignas(64) Row normals[3];
+  if (f.color == Shading::Color::map)
+    lookUpMap(s, group, base);
+  else
+    loadBaseColor(s, group, base);
+  if (f.ignoresAlpha) std::fill_n(base[3], kLanes, 1.0f);
+  if (f.texturesFirst && !s.lighting->shading->textures.empty())
+    multiplyByTextures(frame, s, group, f.texturesOnBack ? group.lanes : group.lanes & ~back, x, y, base);
+  alignas(64) Row edges;
+  if (f.edges) edgeShares(frame, s, group, x, y, edges);
+  const bool lit = f.model != Shading::Model::unlit, impostors = s.mesh->shape != scene::Shape::triangles;
+  const bool unitVertices = f.unitNormals != Shading::UnitNormals::pixels;
+  if (unitVertices || f.normalColors || f.rim.on)
+    loadUnitNormals(s, group, normals);
+  else if (lit && !impostors && f.normals != Shading::Normals::triangles)
+    loadNormals(s, group, normals);
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Weights weights(group, i);
+    Fragment at;
+    at.color = load3(base, i);
+    if (impostors) at.color = scaled(at.color, load(group.fade + i));
+    if (f.normalColors) at.color = halfway(load3(normals, i));
+    if (f.rim.on) applyRim(f.rim, load3(normals, i), at.color, base[3] + i);
+    at.edge = f.edges ? load(edges + i) : splat(0);
+    at.front = f.darkBackFaces ? hn::IfThenZeroElse(lanesAt(back, i), splat(1)) : splat(1);
+    Float3 color;
+    if (lit) {
+      at.position = impostors
+                        ? load3(group.point, i)
+                        : weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));
+      at.toViewer = unit(scaled(at.position, splat(-1)));
+      if (impostors) {
+        at.normal = load3(group.normal, i);
+      } else if (f.normals == Shading::Normals::triangles) {
+        at.normal = triangleNormal(s, group, i, at.position);
+      } else {
+        at.normal = unitVertices ? load3(normals, i) : transform(s.instance->normalMatrix, load3(normals, i));
+        if (f.unitNormals != Shading::UnitNormals::vertices) at.normal = unit(at.normal);
+        if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
+      }
+      color =
+          f.model == Shading::Model::pbr ? microfacets(s, m, at, seen.at(i)) : phong(s, m, at, seen.at(i));
+    } else {
+      color = unlit(f, m, at);
+    }
+    rows.set(i, {color, hn::Mul(splat(m.diffuse.a), load(base[3] + i)), {splat(0), splat(0), splat(0)}});
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,120 @@
+#include "render/trace_moving.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "base/timeline.h"
+#include "render/effects/make_integrator.h"
+#include "render/integrators/direct_look.h"
+#include "render/kernels/kernels.h"
+#include "render/moving/collector.h"
+#include "render/moving/filter.h"
+#include "render/tiles/tile.h"
+#include "render/tiles_around.h"
+
+namespace gluray::render {
+
+bool isMoving(const FrameData& frame) {
+  const scene::Snapshot& snapshot = *frame.snapshot;
+  const bool plain = !snapshot.layers && !frame.averages && frame.samplePositions.size() == 1;
+  return snapshot.lightSampling.mode == scene::LightSampling::Mode::moving && plain &&
+         frame.eyeRays.linear.usable;
+}
+
+namespace {
+
+/// What a moving frame is traced with.
+struct Pass {
+  FrameData& frame;
+  const MovingFrame& moving;
+  const Collector& collector;
+
+  /// Puts a tile's hits, surfaces and factors onto the films.
+  void collect(const Tile& tile) const {
+    moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
+    WaitingPoints points{};
+    traceTile(frame, tile, &points);
+    collector.finish(points);
+  }
+  /// Colours the hits of a tile whose surroundings are on the film.
+  void color(const Tile& tile) const {
+    const timeline::Span span("relit tiles", 1, true);
+    TileFactors smooth;
+    filterTile(moving, tile, smooth);
+    relightTile(frame, tile, smooth);
+  }
+};
+
+void traceAll(const Pass& pass) {
+  const Image& image = *pass.frame.image;
+  TilesAround waiting(image);
+  eachTile(Tiles(image, kTileSize), "tiles", {}, [&](const Tile& tile) {
+    pass.collect(tile);
+    waiting.finish(tile, [&](const Tile& ready) { pass.color(ready); });
+  });
+}
+
+/// False: the frame was given up.
+bool traceShared(const Pass& pass, FilmSource& source) {
+  const Tiles tiles(*pass.frame.image, kTileSize);
+  FactorFilm& film = *pass.moving.film;
+  source.begin(*pass.frame.image);
+  eachTileFrom(
+      "tiles", [&] { return source.next(); },
+      [&](int tile) {
+        const double start = nowSeconds();
+        pass.collect(tiles.at(tile));
+        source.collected(film, tile, nowSeconds() - start);
+      });
+  if (!source.complete(film)) return false;
+  eachTileFrom(
+      "relit tiles", [&] { return source.nextToColor(); },
+      [&](int tile) {
+        const double start = nowSeconds();
+        pass.color(tiles.at(tile));
+        source.done(tile, nowSeconds() - start, false);
+      });
+  return true;
+}
+
+}  // namespace
+
+bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays, FilmSource* source) {
+  LightHistories own;
+  LightHistories& histories = kept ? *kept : own;
+  LightHistory& history = histories.of(frame.snapshot->view);
+  MovingFrame moving;
+  moving.index = source ? source->index(history.index()) : history.index(), moving.rays = rays;
+  frame.moving = &moving;
+  const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
+  frame.moving = nullptr;
+  const auto* factors = dynamic_cast<const FactorIntegrator*>(integrator.get());
+  if (!factors) return false;
+  try {
+    history.begin(frame, *factors, moving);
+  } catch (const std::bad_alloc&) {
+    log::once(log::Level::warning, "moving light",
+              "no memory to smooth the light of moving frames: they take all samples and are slower");
+    histories.clear();
+    return false;
+  }
+  if (!moving.space.usable) return false;
+  const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
+  const Metric metric(frame);
+  const Collector collector(frame, moving, *factors, metric);
+  frame.moving = &moving, frame.direct = direct.get();
+  frame.integrator = factors, frame.collector = &collector, frame.hits = moving.hits;
+  bool whole = true;
+  if (source)
+    whole = traceShared({frame, moving, collector}, *source);
+  else
+    traceAll({frame, moving, collector});
+  frame.moving = nullptr, frame.integrator = nullptr, frame.direct = nullptr;
+  frame.collector = nullptr, frame.hits = nullptr;
+  if (whole)
+    history.finish();
+  else
+    history.abandon();
+  return true;
+}
+
+}  // namespace gluray::render
