@@ -1,5 +1,5 @@
 // Which parts of a view one worker gathers, where ranks draw nothing, stop, end, or draw otherwise.
-#include "dist/gather/gather_fixture.h"
+#include "dist/testing/gather_fixture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

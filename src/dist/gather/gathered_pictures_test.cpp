@@ -1,5 +1,5 @@
 // Pictures of gathered parts, as all ranks and the composed view show them: those of one process.
-#include "dist/gather/gather_fixture.h"
+#include "dist/testing/gather_fixture.h"
 
 #include <functional>
 #include <string>

@@ -1,12 +1,12 @@
 // Cuts the large meshes of a program's snapshots into pages, and gives these to the ranks that need them. Its
 // calls: the main thread. It has two threads of its own: cutting takes seconds, in which ranks want pages.
 #pragma once
+#include "dist/arrays/array_store.h"
 #include "dist/messages/page_messages.h"
 #include "dist/pages/paged_mesh.h"
+#include "dist/ranks/outbox.h"
 #include "dist/stream/snapshot_decoder.h"
 #include "dist/stream/snapshot_encoder.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/outbox.h"
 #include "parallel/arena.h"
 
 #include <atomic>

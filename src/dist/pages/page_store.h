@@ -1,10 +1,10 @@
 // The pages that this rank traces in: gets them from their owners when rays meet them.
 #pragma once
+#include "dist/arrays/array_store.h"
 #include "dist/messages/page_messages.h"
 #include "dist/pages/page_traffic.h"
+#include "dist/ranks/outbox.h"
 #include "dist/stream/page.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/outbox.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,8 +1,8 @@
 // Geometry larger than the memory of a rank: pictures are those of a process that has all of it.
 #include "dist/pages/page_split.h"
 #include "dist/pages/paged_mesh.h"
-#include "dist/peers/program_ranks.h"
-#include "dist/worker/job_fixture.h"
+#include "dist/testing/job_fixture.h"
+#include "dist/testing/program_ranks.h"
 #include "scene/surroundings.h"
 
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,7 +1,7 @@
 // Frames of animations on the ranks of a sort-last program: each smooths the light of its own surfaces, which
 // those of the others block.
 #include "dist/peers/part_changes.h"
-#include "dist/peers/program_ranks.h"
+#include "dist/testing/program_ranks.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,5 +1,5 @@
 // Light across the ranks of a sort-last program: composed by depth, their pictures are that of one process.
-#include "dist/peers/program_ranks.h"
+#include "dist/testing/program_ranks.h"
 
 #include <chrono>
 #include <string>

@@ -1,12 +1,12 @@
 // A rank as the head of the programs that are connected to it: takes their snapshots and arrays, shares their
 // pictures among the ranks, and gives them back. The worker's main thread.
 #pragma once
+#include "dist/arrays/array_intake.h"
+#include "dist/arrays/array_store.h"
 #include "dist/pages/page_maker.h"
-#include "dist/peers/peer_programs.h"
 #include "dist/ranks/ranks.h"
-#include "dist/worker/array_intake.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/facts/job_inquiry.h"
+#include "dist/worker/job_inquiry.h"
+#include "dist/worker/peer_programs.h"
 #include "dist/worker/program_side.h"
 #include "dist/worker/rank_states.h"
 

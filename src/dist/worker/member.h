@@ -1,11 +1,11 @@
 // A rank as one of those that trace pictures for the heads of the job, itself included. The worker's main
 // thread.
 #pragma once
+#include "dist/arrays/array_store.h"
 #include "dist/messages/rank_messages.h"
+#include "dist/ranks/outbox.h"
 #include "dist/ranks/ranks.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/outbox.h"
-#include "dist/worker/tile_queue.h"
+#include "dist/shares/tile_queue.h"
 #include "dist/worker/tracing_thread.h"
 
 #include <cstdint>

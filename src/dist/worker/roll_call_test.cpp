@@ -2,7 +2,7 @@
 
 #include "dist/messages/rank_messages.h"
 #include "dist/messages/version.h"
-#include "dist/worker/job_fixture.h"
+#include "dist/testing/job_fixture.h"
 
 #include <gtest/gtest.h>
 

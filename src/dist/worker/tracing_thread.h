@@ -1,11 +1,11 @@
 // The thread that traces a worker's share of pictures, one after the other.
 #pragma once
+#include "dist/arrays/array_store.h"
 #include "dist/messages/rank_messages.h"
 #include "dist/pages/page_store.h"
 #include "dist/peers/peer_exchange.h"
+#include "dist/shares/tile_queue.h"
 #include "dist/stream/snapshot_decoder.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/tile_queue.h"
 #include "frame/renderer.h"
 
 #include <condition_variable>

@@ -1,12 +1,12 @@
 // A rank of a job of workers: the loop of its main thread.
 #pragma once
 #include "control/descriptor.h"
+#include "dist/arrays/array_intake.h"
 #include "dist/pages/page_maker.h"
 #include "dist/pages/page_store.h"
 #include "dist/ranks/ranks.h"
-#include "dist/worker/array_intake.h"
-#include "dist/worker/facts/job_inquiry.h"
 #include "dist/worker/head.h"
+#include "dist/worker/job_inquiry.h"
 #include "dist/worker/member.h"
 #include "dist/worker/roll_call.h"
 

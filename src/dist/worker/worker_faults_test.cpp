@@ -2,7 +2,7 @@
 #include "base/clock.h"
 #include "control/local_socket.h"
 #include "dist/messages/version.h"
-#include "dist/worker/job_fixture.h"
+#include "dist/testing/job_fixture.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,5 @@
 #include "accel/test_scene.h"
-#include "dist/worker/job_fixture.h"
+#include "dist/testing/job_fixture.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // The tiles of a moving frame that this rank collects and then colours. Tracing threads.
 #pragma once
-#include "dist/worker/array_store.h"
-#include "dist/worker/tile_queue.h"
+#include "dist/arrays/array_store.h"
+#include "dist/shares/tile_queue.h"
 
 #include <atomic>
 

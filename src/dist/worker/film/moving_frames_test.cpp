@@ -1,7 +1,7 @@
 // Frames of animations with light: the ranks of a job smooth it together, as one process does.
 #include "dist/stream/film_pixels.h"
+#include "dist/testing/job_fixture.h"
 #include "dist/worker/film/film_parts.h"
-#include "dist/worker/job_fixture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

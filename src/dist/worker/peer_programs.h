@@ -1,15 +1,15 @@
 // The programs of this worker that are ranks of sort-last programs: each has a thread that traces its
 // pictures and an exchange with its peers. The worker's main thread.
 #pragma once
+#include "dist/arrays/array_store.h"
 #include "dist/gather/part_gatherer.h"
 #include "dist/messages/peer_messages.h"
 #include "dist/messages/program_messages.h"
 #include "dist/messages/rank_messages.h"
 #include "dist/peers/peer_directory.h"
 #include "dist/peers/peer_exchange.h"
+#include "dist/ranks/outbox.h"
 #include "dist/ranks/ranks.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/outbox.h"
 #include "dist/worker/tracing_thread.h"
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "dist/worker/array_store.h"
+#include "dist/arrays/array_store.h"
 
 #include <gtest/gtest.h>
 

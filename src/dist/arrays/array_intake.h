@@ -1,9 +1,9 @@
 // Checks that arrays of programs are what their names say. It has a thread of its own: many gigabytes take
 // seconds, in which the worker's main thread must say that it is at work. Its calls: the main thread.
 #pragma once
+#include "dist/arrays/array_store.h"
+#include "dist/ranks/outbox.h"
 #include "dist/stream/arrays.h"
-#include "dist/worker/array_store.h"
-#include "dist/worker/outbox.h"
 #include "parallel/arena.h"
 
 #include <condition_variable>

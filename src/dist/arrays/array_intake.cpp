@@ -1,4 +1,4 @@
-#include "dist/worker/array_intake.h"
+#include "dist/arrays/array_intake.h"
 
 #include "dist/messages/rank_messages.h"
 

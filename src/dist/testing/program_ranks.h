@@ -1,6 +1,6 @@
 // A sort-last program: ranks that draw parts of one scene, and a picture composed of theirs. For tests.
 #pragma once
-#include "dist/worker/job_fixture.h"
+#include "dist/testing/job_fixture.h"
 #include "render/integrators/lit_scene.h"
 
 #include <algorithm>

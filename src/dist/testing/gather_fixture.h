@@ -1,6 +1,6 @@
 // Shared by the tests of gathered parts: a scene whose parts ranks draw, and the comparison with one process.
 #pragma once
-#include "dist/peers/program_ranks.h"
+#include "dist/testing/program_ranks.h"
 #include "scene/surroundings.h"
 
 #include <gtest/gtest.h>

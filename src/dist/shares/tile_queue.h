@@ -1,7 +1,7 @@
 // The tiles that a head has given this rank of one picture, and the way of the traced ones back. Any thread.
 #pragma once
 #include "dist/messages/rank_messages.h"
-#include "dist/worker/outbox.h"
+#include "dist/ranks/outbox.h"
 #include "render/tiles.h"
 
 #include <atomic>

@@ -2,7 +2,7 @@
 #pragma once
 #include "control/listening_place.h"
 #include "dist/program/remote_tracer.h"
-#include "dist/ranks/thread_ranks.h"
+#include "dist/testing/thread_ranks.h"
 #include "dist/worker/worker.h"
 #include "frame/lit_scene.h"
 #include "frame/renderer.h"

@@ -1,4 +1,4 @@
-#include "dist/worker/facts/job_inquiry.h"
+#include "dist/worker/job_inquiry.h"
 
 #include "dist/messages/version.h"
 #include "dist/worker/facts/rank_facts.h"

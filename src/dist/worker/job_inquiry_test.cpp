@@ -2,7 +2,7 @@
 #include "control/local_socket.h"
 #include "dist/messages/version.h"
 #include "dist/program/job_question.h"
-#include "dist/worker/job_fixture.h"
+#include "dist/testing/job_fixture.h"
 #include "frame/lit_scene.h"
 
 #include <sys/socket.h>

@@ -1,4 +1,4 @@
-#include "dist/worker/tile_queue.h"
+#include "dist/shares/tile_queue.h"
 
 #include <new>
 #include <utility>

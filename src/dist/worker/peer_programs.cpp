@@ -1,4 +1,4 @@
-#include "dist/peers/peer_programs.h"
+#include "dist/worker/peer_programs.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "dist/worker/outbox.h"
+#include "dist/ranks/outbox.h"
 
 #include <sys/eventfd.h>
 
