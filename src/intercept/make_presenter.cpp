@@ -9,7 +9,7 @@ namespace {
 
 bool behind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
             const std::function<bool()>& stop) {
-  if (dist::RemoteTracer* const job = workers()) return job->trace(snapshot, image, cost, error, stop);
+  if (cluster::RemoteTracer* const job = workers()) return job->trace(snapshot, image, cost, error, stop);
   return traceHere(snapshot, image, cost, error, stop);
 }
 
@@ -27,7 +27,7 @@ bool resolve(const Settings& settings, const scene::Resolve& how, const Image& s
 }
 
 bool improves() {
-  const dist::RemoteTracer* const job = workers();
+  const cluster::RemoteTracer* const job = workers();
   return job ? job->improves() : frame::Renderer::shared().improves();
 }
 
@@ -54,7 +54,7 @@ std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
   frame::Tracer tracer{trace, antialias, resolve, improves};
   if (refinesWindows) tracer.behind = behind;
-  if (dist::RemoteTracer* const job = workers()) {
+  if (cluster::RemoteTracer* const job = workers()) {
     tracer.standsAlone = [job](const scene::Snapshot& snapshot) { return job->standsAlone(snapshot); };
     tracer.shown = [job](const scene::Snapshot& snapshot, const Image& image, bool finished) {
       job->shown(snapshot, image, finished);

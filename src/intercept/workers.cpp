@@ -33,14 +33,14 @@ bool traceHere(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& 
               : renderer.render(snapshot, image, cost, error);
 }
 
-dist::RemoteTracer* workers() {
-  static dist::RemoteTracer* const job = [] {
+cluster::RemoteTracer* workers() {
+  static cluster::RemoteTracer* const job = [] {
     const std::string& name = session().workers;
-    if (name.empty()) return static_cast<dist::RemoteTracer*>(nullptr);
+    if (name.empty()) return static_cast<cluster::RemoteTracer*>(nullptr);
     const control::Job mpi = control::jobOfThisProcess();
-    return new dist::RemoteTracer(control::runtimeDirectory(), name,
-                                  {rankOnMachine(), mpi.name, mpi.rank, mpi.ranks}, traceHere,
-                                  [](const std::string& line) { log::write(log::Level::warning, line); });
+    return new cluster::RemoteTracer(control::runtimeDirectory(), name,
+                                     {rankOnMachine(), mpi.name, mpi.rank, mpi.ranks}, traceHere,
+                                     [](const std::string& line) { log::write(log::Level::warning, line); });
   }();
   return job;
 }

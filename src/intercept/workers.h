@@ -1,12 +1,12 @@
 // The workers that trace for this process. Any thread.
 #pragma once
-#include "dist/program/remote_tracer.h"
+#include "cluster/program/remote_tracer.h"
 
 namespace gluray::intercept {
 
 /// Those that the session's settings name; null: this process traces. Made at the first call, never
 /// destroyed.
-dist::RemoteTracer* workers();
+cluster::RemoteTracer* workers();
 
 /// Traces in this process. `stop` as in frame::TraceBehind; null: frame::Trace.
 bool traceHere(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
