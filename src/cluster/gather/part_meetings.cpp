@@ -16,8 +16,8 @@ constexpr uint32_t kMaxPause = 64;  // changes of data
 constexpr int kSteady = 3;
 
 std::optional<glm::dmat4> eyeFromEye(const PartView& to, const PartView& from) {
-  const auto distanceOf = [](const PartView& v) { return glm::length(glm::dvec3(v.eyeFromWorld[3])); };
-  return scene::eyeFromEye(to.clipFromEye, from.clipFromEye, std::max(distanceOf(to), distanceOf(from)));
+  return scene::eyeFromEye(scene::CameraMatrices{to.clipFromEye, to.eyeFromWorld},
+                           scene::CameraMatrices{from.clipFromEye, from.eyeFromWorld});
 }
 
 bool hasBox(const PartView& view) { return glm::all(glm::lessThanEqual(view.lower, view.upper)); }

@@ -10,10 +10,9 @@ namespace {
 /// Seconds after which a peer that waits with another count of frames counts otherwise.
 constexpr double kCountsDiffer = 0.1;
 
-double distanceOf(const SceneHeld& s) { return glm::length(glm::dvec3(s.eyeFromWorld[3])); }
-
 std::optional<glm::dmat4> eyeFromEye(const SceneHeld& to, const SceneHeld& from) {
-  return scene::eyeFromEye(to.clipFromEye, from.clipFromEye, std::max(distanceOf(to), distanceOf(from)));
+  return scene::eyeFromEye(scene::CameraMatrices{to.clipFromEye, to.eyeFromWorld},
+                           scene::CameraMatrices{from.clipFromEye, from.eyeFromWorld});
 }
 
 }  // namespace
