@@ -17,9 +17,9 @@
 
 namespace gluray::cluster {
 
-class ProgramSide {
+class ConnectedProgram {
  public:
-  explicit ProgramSide(Line line) : line_(std::move(line)) {}
+  explicit ConnectedProgram(Line line) : line_(std::move(line)) {}
 
   Line& line() { return line_; }
   bool isGone() const { return gone_ || line_.isBroken(); }

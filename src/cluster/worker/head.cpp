@@ -26,17 +26,17 @@ Head::Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PageMaker& page
       states_(ranks.size(), ranks.rank(), threads) {}
 
 bool Head::isBusy() const {
-  return std::ranges::any_of(programs_,
-                             [](const ProgramSide& p) { return p.picture.has_value() || p.isWaiting(); });
+  return std::ranges::any_of(
+      programs_, [](const ConnectedProgram& p) { return p.picture.has_value() || p.isWaiting(); });
 }
 
-ProgramSide* Head::programOf(uint64_t picture) {
+ConnectedProgram* Head::programOf(uint64_t picture) {
   const auto found = std::ranges::find_if(
-      programs_, [&](const ProgramSide& p) { return p.picture && p.picture->id() == picture; });
+      programs_, [&](const ConnectedProgram& p) { return p.picture && p.picture->id() == picture; });
   return found == programs_.end() ? nullptr : &*found;
 }
 
-void Head::ask(ProgramSide& program, double now) {
+void Head::ask(ConnectedProgram& program, double now) {
   const TraceRequest& request = *program.request;
   if (request.width < 1 || request.height < 1 || request.width > 65536 || request.height > 65536)
     throw Malformed("no picture has this size");
@@ -46,7 +46,7 @@ void Head::ask(ProgramSide& program, double now) {
   askNow(program, now);
 }
 
-void Head::askNow(ProgramSide& program, double now) {
+void Head::askNow(ConnectedProgram& program, double now) {
   const TraceRequest& request = *program.request;
   if (!program.peer) return start(program, true, now);
   program.share = Share::own;
@@ -57,13 +57,13 @@ void Head::askNow(ProgramSide& program, double now) {
   gather(program, now);
 }
 
-void Head::gather(ProgramSide& program, double now) {
+void Head::gather(ConnectedProgram& program, double now) {
   program.share = peers_.gatherer(program.peer).look(program.given(), now);
   if (program.share == Share::shown) return giveShown(program);
   if (!program.isGathering()) start(program, true, now);
 }
 
-TraceOrder Head::orderOf(ProgramSide& program, bool averages) {
+TraceOrder Head::orderOf(ConnectedProgram& program, bool averages) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   TraceOrder order;
   order.id = lastPicture_, order.averages = averages;
@@ -82,11 +82,11 @@ TraceOrder Head::orderOf(ProgramSide& program, bool averages) {
   return order;
 }
 
-void Head::start(ProgramSide& program, bool averages, double now) {
+void Head::start(ConnectedProgram& program, bool averages, double now) {
   start(program, kindOf(program), averages, now);
 }
 
-void Head::start(ProgramSide& program, Picture::Kind kind, bool averages, double now) {
+void Head::start(ConnectedProgram& program, Picture::Kind kind, bool averages, double now) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   if (program.costs.size() > kMaxViews) program.costs.clear(), program.animations.clear();
   program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], kind, now);
@@ -104,7 +104,7 @@ void Head::start(ProgramSide& program, Picture::Kind kind, bool averages, double
   giveTiles(program);
 }
 
-void Head::giveTiles(ProgramSide& program) {
+void Head::giveTiles(ConnectedProgram& program) {
   if (!program.isWhole()) return;
   for (int rank = 0; rank < ranks_.size(); ++rank) giveTiles(*program.picture, rank);
 }
@@ -117,7 +117,7 @@ void Head::giveTiles(Picture& picture, int rank) {
 
 void Head::take(int rank, const TracedTile& tile, double now) {
   states_.heard(rank, now);
-  ProgramSide* const program = programOf(tile.id);
+  ConnectedProgram* const program = programOf(tile.id);
   if (!program) return;
   Picture& picture = *program->picture;
   const bool wasTraced = picture.isTraced();
@@ -145,7 +145,7 @@ void Head::take(int rank, const TracedTile& tile, double now) {
 
 void Head::take(int rank, const Finished& result, double now) {
   states_.heard(rank, now);
-  ProgramSide* const program = programOf(result.id);
+  ConnectedProgram* const program = programOf(result.id);
   if (!program) return;
   program->picture->finished(rank, result);
   if (!program->picture->isTraced()) goOn(*program, now);  // it may have failed, and others have its tiles
@@ -157,7 +157,7 @@ void Head::take(int rank, const Alive& alive, double now) {
   states_.setThreads(rank, std::clamp(alive.threads, 1, 1 << 16));
 }
 
-void Head::end(ProgramSide& program) {
+void Head::end(ConnectedProgram& program) {
   forgetFilm(program);
   const Picture& picture = *program.picture;
   if (!program.isWhole()) return peers_.end(program.peer, picture.id());
@@ -166,7 +166,7 @@ void Head::end(ProgramSide& program) {
     if (picture.asks(rank)) ranks_.send(rank, forRanks(EndOfPicture{picture.id()}));
 }
 
-void Head::endPicture(ProgramSide& program, double now) {
+void Head::endPicture(ConnectedProgram& program, double now) {
   if (program.picture) end(program);
   endPages(program);
   program.picture.reset();
@@ -175,18 +175,18 @@ void Head::endPicture(ProgramSide& program, double now) {
 }
 
 /// The picture must be traced anew, with other parts: at the next tick.
-bool Head::lacksParts(const ProgramSide& program) const {
+bool Head::lacksParts(const ConnectedProgram& program) const {
   return program.isWhole() && program.peer && peers_.gatherer(program.peer).isLost();
 }
 
-void Head::finish(ProgramSide& program, double now) {
+void Head::finish(ConnectedProgram& program, double now) {
   const Picture& picture = *program.picture;
   if (picture.error().empty() && !picture.isDone()) return;
   if (lacksParts(program)) return;
   program.costs[program.request->view] = picture.costs();
   PictureDone result = picture.result(now);
   if (picture.hasFilm()) {
-    ProgramSide::Animation& animation = program.animations[program.request->view];
+    ConnectedProgram::Animation& animation = program.animations[program.request->view];
     ++animation.frames;
     animation.pace.took(result.cost.traceSeconds, 1 / static_cast<double>(program.request->fps));
   }
@@ -199,7 +199,7 @@ void Head::finish(ProgramSide& program, double now) {
 }
 
 void Head::tick(double now) {
-  for (ProgramSide& program : programs_) {
+  for (ConnectedProgram& program : programs_) {
     if (program.picture && lacksParts(program)) {
       end(program);
       program.picture.reset();
@@ -222,7 +222,7 @@ void Head::tick(double now) {
   }
 }
 
-void Head::sayAtWork(ProgramSide& program, double now) {
+void Head::sayAtWork(ConnectedProgram& program, double now) {
   if (!(program.picture || program.isWaiting()) || now - program.saidAtWork <= kAtWorkEvery) return;
   program.saidAtWork = now;
   program.send(AtWork{program.request->id});

@@ -5,9 +5,9 @@
 #include "cluster/arrays/array_store.h"
 #include "cluster/pages/page_maker.h"
 #include "cluster/ranks/ranks.h"
+#include "cluster/worker/connected_program.h"
 #include "cluster/worker/job_inquiry.h"
 #include "cluster/worker/peer_programs.h"
-#include "cluster/worker/program_side.h"
 #include "cluster/worker/rank_states.h"
 
 #include <functional>
@@ -56,52 +56,52 @@ class Head {
     bool shared = false;      // ranks of sort-last programs keep what is theirs, others' is for all
     bool everywhere = false;  // all ranks of the job have it, or get it
   };
-  void handle(ProgramSide& program, const Message& message, double now);
-  void greet(ProgramSide& program, const Hello& hello);
-  void takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory);
+  void handle(ConnectedProgram& program, const Message& message, double now);
+  void greet(ConnectedProgram& program, const Hello& hello);
+  void takeArray(ConnectedProgram& program, const ArrayComes& array, const control::Descriptor& memory);
   void spread(const Hash128& name, Holders& holders);
   /// Pictures of the program need its arrays on all ranks from now on.
-  void spreadAll(ProgramSide& program);
-  void forget(ProgramSide& program, const std::vector<Hash128>& names);
-  void ask(ProgramSide& program, double now);
+  void spreadAll(ConnectedProgram& program);
+  void forget(ConnectedProgram& program, const std::vector<Hash128>& names);
+  void ask(ConnectedProgram& program, double now);
   /// The same, once the snapshot has pages if it needs them.
-  void askNow(ProgramSide& program, double now);
+  void askNow(ConnectedProgram& program, double now);
   /// Whether the program's geometry, with its structures, is larger than the memory of a rank.
-  bool isLarge(const ProgramSide& program) const;
-  bool needsPages(const ProgramSide& program) const;
-  void makePages(ProgramSide& program, double now);
-  void endPages(ProgramSide& program);
+  bool isLarge(const ConnectedProgram& program) const;
+  bool needsPages(const ConnectedProgram& program) const;
+  void makePages(ConnectedProgram& program, double now);
+  void endPages(ConnectedProgram& program);
   /// Of the program's arrays only these are for all ranks.
-  void spreadOnly(ProgramSide& program, const std::vector<Hash128>& names);
+  void spreadOnly(ConnectedProgram& program, const std::vector<Hash128>& names);
   /// Starts the picture once the share that is this rank's is known.
-  void gather(ProgramSide& program, double now);
-  void start(ProgramSide& program, bool averages, double now);
-  void start(ProgramSide& program, Picture::Kind kind, bool averages, double now);
-  TraceOrder orderOf(ProgramSide& program, bool averages);
-  Picture::Kind kindOf(const ProgramSide& program) const;
-  static FilmOrder filmOrderOf(ProgramSide& program);
+  void gather(ConnectedProgram& program, double now);
+  void start(ConnectedProgram& program, bool averages, double now);
+  void start(ConnectedProgram& program, Picture::Kind kind, bool averages, double now);
+  TraceOrder orderOf(ConnectedProgram& program, bool averages);
+  Picture::Kind kindOf(const ConnectedProgram& program) const;
+  static FilmOrder filmOrderOf(ConnectedProgram& program);
   /// Hands out what can be done once tiles have come, or their ranks are gone.
-  void goOn(ProgramSide& program, double now);
+  void goOn(ConnectedProgram& program, double now);
   /// A moving picture has been collected: ranks colour its tiles.
-  void giveFilm(ProgramSide& program, double now);
-  void broadcastFilm(ProgramSide& program, const Array& film);
-  void forgetFilm(ProgramSide& program);
+  void giveFilm(ConnectedProgram& program, double now);
+  void broadcastFilm(ConnectedProgram& program, const Array& film);
+  void forgetFilm(ConnectedProgram& program);
   /// Traces the picture anew, by this rank alone.
-  void traceAlone(ProgramSide& program, double now);
-  void giveTiles(ProgramSide& program);
+  void traceAlone(ConnectedProgram& program, double now);
+  void giveTiles(ConnectedProgram& program);
   void giveTiles(Picture& picture, int rank);
-  void end(ProgramSide& program);
-  void endPicture(ProgramSide& program, double now);
-  bool lacksParts(const ProgramSide& program) const;
+  void end(ConnectedProgram& program);
+  void endPicture(ConnectedProgram& program, double now);
+  bool lacksParts(const ConnectedProgram& program) const;
   /// Gives the program its picture, if that is done.
-  void finish(ProgramSide& program, double now);
+  void finish(ConnectedProgram& program, double now);
   /// Gives the program the picture that another rank's program shows.
-  void giveShown(ProgramSide& program);
-  void takeShown(ProgramSide& program, const PictureShown& shown, const control::Descriptor& memory);
-  void sayAtWork(ProgramSide& program, double now);
+  void giveShown(ConnectedProgram& program);
+  void takeShown(ConnectedProgram& program, const PictureShown& shown, const control::Descriptor& memory);
+  void sayAtWork(ConnectedProgram& program, double now);
   void leaveOut(int rank);
-  void leave(ProgramSide& program, double now);
-  ProgramSide* programOf(uint64_t picture);
+  void leave(ConnectedProgram& program, double now);
+  ConnectedProgram* programOf(uint64_t picture);
 
   Ranks& ranks_;
   ArrayStore& store_;
@@ -112,7 +112,7 @@ class Head {
   const size_t memory_;
   Say say_;
   RankStates states_;
-  std::list<ProgramSide> programs_;
+  std::list<ConnectedProgram> programs_;
   std::unordered_map<Hash128, Holders> holders_;  // of each array
   uint64_t lastPicture_ = 0, lastCheck_ = 0, lastPaging_ = 0;
 };

@@ -3,7 +3,7 @@
 
 namespace gluray::cluster {
 
-void Head::takeArray(ProgramSide& program, const ArrayComes& array, const control::Descriptor& memory) {
+void Head::takeArray(ConnectedProgram& program, const ArrayComes& array, const control::Descriptor& memory) {
   if (program.arrays.contains(array.name)) return;
   if (!holders_.contains(array.name)) {
     // Other programs may use it by this name.
@@ -27,7 +27,7 @@ void Head::take(const ArrayChecked& checked) {
     found->second.here = true;
     return spread(checked.name, found->second);
   }
-  for (ProgramSide& program : programs_) {
+  for (ConnectedProgram& program : programs_) {
     if (!program.arrays.contains(checked.name)) continue;
     say_(program.name + ": an array is not what its name says; it is disconnected");
     program.end();
@@ -42,12 +42,12 @@ void Head::spread(const Hash128& name, Holders& holders) {
   ranks_.send(kCoordinator, forRanks(TurnWanted{name, array.bytes.size()}));
 }
 
-void Head::spreadAll(ProgramSide& program) {
+void Head::spreadAll(ConnectedProgram& program) {
   program.spreads = true;
   for (const Hash128& name : program.arrays) holders_[name].shared = true, spread(name, holders_[name]);
 }
 
-void Head::forget(ProgramSide& program, const std::vector<Hash128>& names) {
+void Head::forget(ConnectedProgram& program, const std::vector<Hash128>& names) {
   Forget all, here;
   for (const Hash128& name : names) {
     if (program.arrays.erase(name) == 0) continue;

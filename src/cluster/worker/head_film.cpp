@@ -3,7 +3,7 @@
 
 namespace gluray::cluster {
 
-Picture::Kind Head::kindOf(const ProgramSide& program) const {
+Picture::Kind Head::kindOf(const ConnectedProgram& program) const {
   if (!program.isWhole()) return Picture::Kind::alone;
   // What earlier frames know is of no use where pages come and go.
   if (program.paged) return Picture::Kind::paged;
@@ -12,15 +12,15 @@ Picture::Kind Head::kindOf(const ProgramSide& program) const {
   return ranks_.size() == 1 ? Picture::Kind::alone : Picture::Kind::moving;
 }
 
-FilmOrder Head::filmOrderOf(ProgramSide& program) {
-  const ProgramSide::Animation& animation = program.animations[program.request->view];
+FilmOrder Head::filmOrderOf(ConnectedProgram& program) {
+  const ConnectedProgram::Animation& animation = program.animations[program.request->view];
   const render::MovingRays rays = animation.pace.rays();
   return {true, animation.frames, rays.perPixel, rays.quarter};
 }
 
 void Head::take(int rank, const FilmTile& tile, double now) {
   states_.heard(rank, now);
-  ProgramSide* const program = programOf(tile.id);
+  ConnectedProgram* const program = programOf(tile.id);
   if (!program) return;
   Picture& picture = *program->picture;
   try {
@@ -34,14 +34,14 @@ void Head::take(int rank, const FilmTile& tile, double now) {
   goOn(*program, now);
 }
 
-void Head::goOn(ProgramSide& program, double now) {
+void Head::goOn(ConnectedProgram& program, double now) {
   const Picture& picture = *program.picture;
   if (picture.isLost()) return traceAlone(program, now);
   if (picture.isCollected()) return giveFilm(program, now);
   giveTiles(program);
 }
 
-void Head::giveFilm(ProgramSide& program, double now) {
+void Head::giveFilm(ConnectedProgram& program, double now) {
   Picture& picture = *program.picture;
   const Array film = picture.giveFilm(now);
   bool all = true;
@@ -56,7 +56,7 @@ void Head::giveFilm(ProgramSide& program, double now) {
   }
 }
 
-void Head::broadcastFilm(ProgramSide& program, const Array& film) {
+void Head::broadcastFilm(ConnectedProgram& program, const Array& film) {
   const uint64_t number[] = {program.picture->id(), static_cast<uint64_t>(ranks_.rank())};
   program.film = hashBytes(number, sizeof number);
   // Once until it has been broadcast, once until forgetFilm().
@@ -64,13 +64,13 @@ void Head::broadcastFilm(ProgramSide& program, const Array& film) {
   ranks_.send(kCoordinator, forRanks(TurnWanted{*program.film, film.bytes.size()}));
 }
 
-void Head::forgetFilm(ProgramSide& program) {
+void Head::forgetFilm(ConnectedProgram& program) {
   if (!program.film) return;
   for (int rank = 0; rank < ranks_.size(); ++rank) ranks_.send(rank, forRanks(Forget{{*program.film}}));
   program.film.reset();
 }
 
-void Head::traceAlone(ProgramSide& program, double now) {
+void Head::traceAlone(ConnectedProgram& program, double now) {
   const bool averages = program.picture->averages();
   end(program);
   start(program, Picture::Kind::alone, averages, now);

@@ -22,7 +22,7 @@ void colorMisses(const PartPicture& picture, uint32_t color, std::byte* pixels) 
 
 }  // namespace
 
-void Head::giveShown(ProgramSide& program) {
+void Head::giveShown(ConnectedProgram& program) {
   const TraceRequest& request = *program.request;
   const PartPicture* const picture = peers_.gatherer(program.peer).picture();
   PictureDone done;
@@ -45,7 +45,8 @@ void Head::giveShown(ProgramSide& program) {
   program.send(done);
 }
 
-void Head::takeShown(ProgramSide& program, const PictureShown& shown, const control::Descriptor& memory) {
+void Head::takeShown(ConnectedProgram& program, const PictureShown& shown,
+                     const control::Descriptor& memory) {
   if (!program.peer) throw Malformed("nobody gave it parts");
   const Array pixels = mapSealed(memory, bytesOf(shown.shape));
   PartPicture picture;

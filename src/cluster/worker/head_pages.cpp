@@ -16,18 +16,18 @@ constexpr uint64_t kMin = 1 << 11, kMax = 1 << 18;  // triangles of a page
 
 }  // namespace
 
-bool Head::isLarge(const ProgramSide& program) const {
+bool Head::isLarge(const ConnectedProgram& program) const {
   const bool gathers = program.peer && program.request && program.request->gathers;
   return program.arrayBytes * kStructures > memory_ / static_cast<uint64_t>(gathers ? program.ranks : 1);
 }
 
-bool Head::needsPages(const ProgramSide& program) const {
+bool Head::needsPages(const ConnectedProgram& program) const {
   const bool isOnAllRanks = !program.peer || program.request->gathers;
   return isOnAllRanks && isLarge(program) && !program.request->layered;
 }
 
-void Head::makePages(ProgramSide& program, double now) {
-  ProgramSide::Paging& paging = program.paging;
+void Head::makePages(ConnectedProgram& program, double now) {
+  ConnectedProgram::Paging& paging = program.paging;
   if (paging.number == 0) {
     paging.number = ++lastPaging_;
     say_(program.name +
@@ -48,9 +48,9 @@ void Head::makePages(ProgramSide& program, double now) {
 
 void Head::take(const PagesMade& made, double now) {
   const auto found =
-      std::ranges::find(programs_, made.number, [](const ProgramSide& p) { return p.paging.job; });
+      std::ranges::find(programs_, made.number, [](const ConnectedProgram& p) { return p.paging.job; });
   if (found == programs_.end() || made.number == 0) return;
-  ProgramSide& program = *found;
+  ConnectedProgram& program = *found;
   program.paging.job = 0;
   if (!made.error.empty()) {
     PictureDone failed;
@@ -64,14 +64,14 @@ void Head::take(const PagesMade& made, double now) {
   askNow(program, now);
 }
 
-void Head::endPages(ProgramSide& program) {
+void Head::endPages(ConnectedProgram& program) {
   if (program.paging.job == 0) return;
   *program.paging.cancelled = true;
   store_.wake();
   program.paging.job = 0;
 }
 
-void Head::spreadOnly(ProgramSide& program, const std::vector<Hash128>& names) {
+void Head::spreadOnly(ConnectedProgram& program, const std::vector<Hash128>& names) {
   program.spreads = true;
   std::unordered_set<Hash128> wanted(names.begin(), names.end());
   Forget unwanted;

@@ -12,12 +12,12 @@ void Head::add(control::Descriptor socket) { programs_.emplace_back(Line(std::mo
 
 std::vector<int> Head::descriptors() {
   std::vector<int> all;
-  for (ProgramSide& program : programs_) all.push_back(program.line().descriptor());
+  for (ConnectedProgram& program : programs_) all.push_back(program.line().descriptor());
   return all;
 }
 
 void Head::readPrograms(double now) {
-  for (ProgramSide& program : programs_) {
+  for (ConnectedProgram& program : programs_) {
     try {
       while (!program.isGone()) {
         const std::optional<Message> message = program.line().receive();
@@ -40,7 +40,7 @@ void Head::readPrograms(double now) {
   }
 }
 
-void Head::handle(ProgramSide& program, const Message& message, double now) {
+void Head::handle(ConnectedProgram& program, const Message& message, double now) {
   const auto as = [&]<class M>(M) { return decoded<M>(message.body); };
   if (message.type == Hello::kType) {
     if (!program.name.empty()) throw Malformed("it says hello twice");
@@ -67,7 +67,7 @@ void Head::handle(ProgramSide& program, const Message& message, double now) {
   }
 }
 
-void Head::greet(ProgramSide& program, const Hello& hello) {
+void Head::greet(ConnectedProgram& program, const Hello& hello) {
   program.name = hello.program + " (process " + std::to_string(hello.process) + ")";
   Welcome welcome{"", ranks_.size(), states_.allThreads()};
   if (hello.version != version())
@@ -83,7 +83,7 @@ void Head::greet(ProgramSide& program, const Hello& hello) {
   if (!welcome.refusal.empty()) program.end();
 }
 
-void Head::leave(ProgramSide& program, double now) {
+void Head::leave(ConnectedProgram& program, double now) {
   endPicture(program, now);
   if (program.paging.number) pages_.forget(program.paging.number);
   if (program.peer) peers_.remove(program.peer);

@@ -17,7 +17,7 @@ bool JobInquiry::Question::isAnswered() const {
   return std::ranges::all_of(facts.ranks, [](const RankFacts& rank) { return rank.answered; });
 }
 
-void JobInquiry::ask(ProgramSide& program, double now) {
+void JobInquiry::ask(ConnectedProgram& program, double now) {
   forget(program);
   Question& question = questions_.emplace_back(Question{&program, ++lastId_, now, {}});
   question.facts.ranks.resize(static_cast<size_t>(ranks_.size()));
@@ -27,7 +27,7 @@ void JobInquiry::ask(ProgramSide& program, double now) {
   }
 }
 
-void JobInquiry::forget(const ProgramSide& program) {
+void JobInquiry::forget(const ConnectedProgram& program) {
   std::erase_if(questions_, [&](const Question& question) { return question.program == &program; });
 }
 

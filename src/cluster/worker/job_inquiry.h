@@ -2,7 +2,7 @@
 // heads. The worker's main thread.
 #pragma once
 #include "cluster/ranks/ranks.h"
-#include "cluster/worker/program_side.h"
+#include "cluster/worker/connected_program.h"
 
 #include <cstdint>
 #include <vector>
@@ -16,9 +16,9 @@ class JobInquiry {
 
   /// Asks all ranks. The program gets JobFacts when all have answered, or after two seconds. An earlier
   /// question of the program is dropped.
-  void ask(ProgramSide& program, double now);
+  void ask(ConnectedProgram& program, double now);
   /// The program is gone.
-  void forget(const ProgramSide& program);
+  void forget(const ConnectedProgram& program);
   /// As the rank that is asked.
   void take(int head, const FactsWanted& wanted);
   /// As the head. Throws Malformed.
@@ -28,7 +28,7 @@ class JobInquiry {
 
  private:
   struct Question {
-    ProgramSide* program = nullptr;
+    ConnectedProgram* program = nullptr;
     uint64_t id = 0;
     double since = 0;
     JobFacts facts;

@@ -100,7 +100,7 @@ TEST_F(JobInquiryTest, RanksOfOtherVersionsAreTold) {
   JobInquiry inquiry(head, 1);
   int ends[2];
   ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0, ends), 0);
-  ProgramSide program{Line(Descriptor(ends[0]))};
+  ConnectedProgram program{Line(Descriptor(ends[0]))};
   Line asker{Descriptor(ends[1])};
   inquiry.ask(program, 0);
   inquiry.take(1, FactsGiven{1, "9.9 (1)", {std::byte{1}}});

@@ -1,6 +1,6 @@
-#include "control/connect.h"
+#include "control/connection/connect.h"
 
-#include "control/connect_tcp.h"
+#include "control/connection/connect_tcp.h"
 #include "control/local_socket.h"
 #include "control/runtime_directory.h"
 

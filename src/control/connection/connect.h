@@ -1,7 +1,7 @@
 // Connects programs and clients to the hub. Any thread; callbacks on the thread that runs the io_context.
 #pragma once
 #include "control/connect_failure.h"
-#include "control/connection.h"
+#include "control/connection/connection.h"
 
 #include <asio/io_context.hpp>
 

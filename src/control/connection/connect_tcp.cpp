@@ -1,4 +1,4 @@
-#include "control/connect_tcp.h"
+#include "control/connection/connect_tcp.h"
 
 #include "control/auth/handshake.h"
 

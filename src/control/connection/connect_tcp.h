@@ -1,6 +1,6 @@
 // Connects to a hub on another machine. On the thread that runs the io_context.
 #pragma once
-#include "control/connect.h"
+#include "control/connection/connect.h"
 
 #include <optional>
 

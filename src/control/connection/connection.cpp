@@ -1,4 +1,4 @@
-#include "control/connection.h"
+#include "control/connection/connection.h"
 
 #include "control/messages/parsed.h"
 

@@ -1,4 +1,4 @@
-#include "control/connection.h"
+#include "control/connection/connection.h"
 
 #include <asio/io_context.hpp>
 #include <fcntl.h>

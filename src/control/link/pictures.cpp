@@ -1,4 +1,4 @@
-#include "control/link/pictures/pictures.h"
+#include "control/link/pictures.h"
 
 #include "control/messages/base64.h"
 #include "control/messages/members.h"
@@ -72,7 +72,7 @@ void Pictures::passed(bool slow, double now) {
 
 /// Hands the picture that the program has kept to those who wait for it.
 void Pictures::collect(bool slow, double now) {
-  const std::unique_ptr<Picture> picture = program_.takePicture();
+  const std::unique_ptr<KeptPicture> picture = program_.takePicture();
   if (!picture) return;
   if (picture->next && !waiting_.empty()) {
     if (kept_.size() >= kMaxKept) kept_.pop_front();
@@ -87,7 +87,7 @@ void Pictures::collect(bool slow, double now) {
   if (wish_.on && !slow && now >= due_) sendThumbnail(*picture, now);
 }
 
-void Pictures::sendThumbnail(const Picture& picture, double now) {
+void Pictures::sendThumbnail(const KeptPicture& picture, double now) {
   const RgbPicture small = scaledDown(picture, wish_.size, kMaxPixels);
   due_ = now + wish_.every;
   shown_ = picture.frame;

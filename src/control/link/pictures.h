@@ -1,9 +1,9 @@
 // Pictures of the program's windows: the calls `shot` and `pixels`, and the event `thumbnail`. Control
 // thread; times in seconds.
 #pragma once
-#include "control/link/frame_wait.h"
-#include "control/link/program.h"
-#include "control/link/waker.h"
+#include "control/link/program/controlled_program.h"
+#include "control/link/program/frame_wait.h"
+#include "control/link/program/waker.h"
 #include "settings/live/settings_source.h"
 
 #include <nlohmann/json.hpp>
@@ -67,7 +67,7 @@ class Pictures {
   void shoot(const nlohmann::json& id, double now);
   nlohmann::json piece(const nlohmann::json& arguments, double now);
   void collect(bool slow, double now);
-  void sendThumbnail(const Picture& picture, double now);
+  void sendThumbnail(const KeptPicture& picture, double now);
   void wakeIfDue(bool slow, double now);
   bool missesFrames(double now);
 

@@ -1,5 +1,5 @@
 // Shots and thumbnails, with a fake program and a fake clock.
-#include "control/link/pictures/pictures.h"
+#include "control/link/pictures.h"
 
 #include "base/clock.h"
 #include "control/messages/base64.h"
@@ -22,19 +22,19 @@ struct WindowProgram final : ControlledProgram {
   Called call(const std::string&, const json&, json&, std::string&) override { return Called::done; }
   void wake() noexcept override { ++woken; }
   void wantPicture(Wanted w) noexcept override { wanted = w; }
-  std::unique_ptr<Picture> takePicture() noexcept override { return std::move(kept); }
+  std::unique_ptr<KeptPicture> takePicture() noexcept override { return std::move(kept); }
 
   /// A frame is shown in its window.
   void show(uint64_t frame, int width = 4, int height = 2, bool later = false) {
     if (wanted == Wanted::none || (later && wanted == Wanted::next)) return;
-    kept = std::make_unique<Picture>();
+    kept = std::make_unique<KeptPicture>();
     kept->width = width, kept->height = height, kept->frame = frame;
     kept->pixels.assign(static_cast<size_t>(width) * static_cast<size_t>(height), 0xff030201u);
     kept->next = std::exchange(wanted, Wanted::none) == Wanted::next;
   }
 
   Wanted wanted = Wanted::none;
-  std::unique_ptr<Picture> kept;
+  std::unique_ptr<KeptPicture> kept;
   int woken = 0;
 };
 

@@ -1,6 +1,6 @@
 // A hub on real sockets in a directory of its own, for tests. One thread runs the hub and the test.
 #pragma once
-#include "control/connect.h"
+#include "control/connection/connect.h"
 #include "control/hub/server/hub_server.h"
 #include "control/messages/parsed.h"
 

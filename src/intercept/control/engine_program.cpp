@@ -142,7 +142,7 @@ void EngineProgram::tellSize(bool wider) noexcept {
 
 void EngineProgram::wantPicture(control::Wanted wanted) noexcept { wantWindowPicture(wanted); }
 
-std::unique_ptr<control::Picture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
+std::unique_ptr<control::KeptPicture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
 
 void EngineProgram::linkBegan(bool here) noexcept {
   if (here) leaveFile();

@@ -11,9 +11,9 @@
 namespace gluray::intercept {
 namespace {
 
-using control::Picture, control::Wanted;
+using control::KeptPicture, control::Wanted;
 
-std::atomic<Picture*> g_keptPicture{nullptr};
+std::atomic<KeptPicture*> g_keptPicture{nullptr};
 std::atomic<uint64_t> g_keptPictures{0};
 
 bool isWanted(ShownFrame shown) noexcept {
@@ -22,8 +22,8 @@ bool isWanted(ShownFrame shown) noexcept {
 }
 
 /// Room for a picture of a frame; `next` is decided before the picture is read.
-std::unique_ptr<Picture> newPicture(glm::ivec2 size, Picture::Layout layout, ShownFrame shown) {
-  auto picture = std::make_unique<Picture>();
+std::unique_ptr<KeptPicture> newPicture(glm::ivec2 size, KeptPicture::Layout layout, ShownFrame shown) {
+  auto picture = std::make_unique<KeptPicture>();
   picture->width = size.x, picture->height = size.y, picture->layout = layout;
   picture->pixels.resize(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
   picture->frame = shown == ShownFrame::now ? settingsSource().frame() : 0;
@@ -31,7 +31,7 @@ std::unique_ptr<Picture> newPicture(glm::ivec2 size, Picture::Layout layout, Sho
   return picture;
 }
 
-void keep(std::unique_ptr<Picture> picture) noexcept {
+void keep(std::unique_ptr<KeptPicture> picture) noexcept {
   delete g_keptPicture.exchange(picture.release());
   g_wantedPicture.store(Wanted::none, std::memory_order_relaxed);  // until the control thread asks again
   ++g_keptPictures;
@@ -41,8 +41,8 @@ void keep(std::unique_ptr<Picture> picture) noexcept {
 
 void wantWindowPicture(Wanted wanted) noexcept { g_wantedPicture.store(wanted, std::memory_order_relaxed); }
 
-std::unique_ptr<Picture> takeWindowPicture() noexcept {
-  return std::unique_ptr<Picture>(g_keptPicture.exchange(nullptr));
+std::unique_ptr<KeptPicture> takeWindowPicture() noexcept {
+  return std::unique_ptr<KeptPicture>(g_keptPicture.exchange(nullptr));
 }
 
 uint64_t keptPictures() noexcept { return g_keptPictures; }
@@ -57,7 +57,7 @@ void keepBuffer(Record& record, GLenum buffer, ShownFrame shown) noexcept {
     const glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
     if (size.x <= 0 || size.y <= 0) return;
     if (!record.features) record.features = present::readFeatures(context->real);
-    auto picture = newPicture(size, Picture::Layout::openGl, shown);
+    auto picture = newPicture(size, KeptPicture::Layout::openGl, shown);
     bool read = false;
     const GLenum pending =
         present::readColors(context->real, *record.features, size, buffer, picture->pixels, read);
@@ -69,7 +69,7 @@ void keepBuffer(Record& record, GLenum buffer, ShownFrame shown) noexcept {
 void keepShownPicture(const gl::ShownPicture& shown, glm::ivec2 size, ShownFrame when) noexcept {
   if (!isWanted(when) || size.x <= 0 || size.y <= 0) return;
   guarded("cannot keep a picture", [&] {
-    auto picture = newPicture(size, Picture::Layout::x, when);
+    auto picture = newPicture(size, KeptPicture::Layout::x, when);
     fillWindow(shown, size, picture->pixels.data());
     keep(std::move(picture));
   });
@@ -78,7 +78,7 @@ void keepShownPicture(const gl::ShownPicture& shown, glm::ivec2 size, ShownFrame
 void keepPixels(const uint32_t* pixels, glm::ivec2 size) noexcept {
   if (!isWanted(ShownFrame::later) || size.x <= 0 || size.y <= 0) return;
   guarded("cannot keep a picture", [&] {
-    auto picture = newPicture(size, Picture::Layout::openGl, ShownFrame::later);
+    auto picture = newPicture(size, KeptPicture::Layout::openGl, ShownFrame::later);
     picture->frame = settingsSource().begun().frame;  // the program draws nothing
     std::copy_n(pixels, picture->pixels.size(), picture->pixels.data());
     keep(std::move(picture));

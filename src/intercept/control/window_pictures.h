@@ -1,7 +1,7 @@
 // The pictures of shown frames that the control thread asks for: GL threads keep them, without waiting for
 // anyone; while none is wanted a swap costs one load.
 #pragma once
-#include "control/link/program.h"
+#include "control/link/program/controlled_program.h"
 #include "gl/batch/presenter.h"
 
 #include <glm/glm.hpp>
@@ -21,7 +21,7 @@ inline control::Wanted wantedPicture() noexcept { return g_wantedPicture.load(st
 
 /// Control thread.
 void wantWindowPicture(control::Wanted wanted) noexcept;
-std::unique_ptr<control::Picture> takeWindowPicture() noexcept;
+std::unique_ptr<control::KeptPicture> takeWindowPicture() noexcept;
 
 /// How a frame is shown.
 enum class ShownFrame {

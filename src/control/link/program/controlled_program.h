@@ -2,7 +2,7 @@
 // a fake one in tests. All calls on the control thread, which may have a descriptor table of its own; call()
 // on a thread with that of the process (control/link/apart.h).
 #pragma once
-#include "control/link/pictures/picture.h"
+#include "control/link/program/kept_picture.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -50,7 +50,7 @@ class ControlledProgram {
   /// Keeps such a frame, once; the newest wish counts.
   virtual void wantPicture(Wanted /*wanted*/) noexcept {}
   /// The picture that was kept since the last call; null: none was.
-  virtual std::unique_ptr<Picture> takePicture() noexcept { return nullptr; }
+  virtual std::unique_ptr<KeptPicture> takePicture() noexcept { return nullptr; }
   /// The hub has said hello. `here`: it runs on this machine, and its runtime directory is used.
   virtual void linkBegan(bool /*here*/) noexcept {}
   /// The connection to the hub has ended: lets go of what is needed only for that.

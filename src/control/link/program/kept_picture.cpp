@@ -1,4 +1,4 @@
-#include "control/link/pictures/picture.h"
+#include "control/link/program/kept_picture.h"
 
 #include <algorithm>
 #include <array>
@@ -10,24 +10,24 @@ namespace {
 /// Rows of a picture, the top one first.
 class PictureRows {
  public:
-  explicit PictureRows(const Picture& picture) : picture_(picture) {}
+  explicit PictureRows(const KeptPicture& picture) : picture_(picture) {}
   const uint32_t* operator[](int y) const {
-    const int row = picture_.layout == Picture::Layout::x ? y : picture_.height - 1 - y;
+    const int row = picture_.layout == KeptPicture::Layout::x ? y : picture_.height - 1 - y;
     return picture_.pixels.data() + static_cast<size_t>(row) * static_cast<size_t>(picture_.width);
   }
   /// Shifts of red, green and blue in a pixel.
   std::array<int, 3> shifts() const {
-    return picture_.layout == Picture::Layout::x ? std::array{16, 8, 0} : std::array{0, 8, 16};
+    return picture_.layout == KeptPicture::Layout::x ? std::array{16, 8, 0} : std::array{0, 8, 16};
   }
 
  private:
-  const Picture& picture_;
+  const KeptPicture& picture_;
 };
 
 /// Where the part `i` of `parts` equal ones begins.
 int beginOf(int i, int parts, int all) { return static_cast<int>(static_cast<int64_t>(i) * all / parts); }
 
-RgbPicture averaged(const Picture& picture, int width, int height) {
+RgbPicture averaged(const KeptPicture& picture, int width, int height) {
   RgbPicture out{width, height, {}};
   out.bytes.reserve(3 * static_cast<size_t>(width) * static_cast<size_t>(height));
   const PictureRows rows(picture);
@@ -51,18 +51,18 @@ RgbPicture averaged(const Picture& picture, int width, int height) {
   return out;
 }
 
-bool isWhole(const Picture& picture) {
+bool isWhole(const KeptPicture& picture) {
   return picture.width > 0 && picture.height > 0 &&
          picture.pixels.size() == static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height);
 }
 
 }  // namespace
 
-RgbPicture rgbOf(const Picture& picture) {
+RgbPicture rgbOf(const KeptPicture& picture) {
   return isWhole(picture) ? averaged(picture, picture.width, picture.height) : RgbPicture{};
 }
 
-RgbPicture scaledDown(const Picture& picture, int longest, int64_t mostPixels) {
+RgbPicture scaledDown(const KeptPicture& picture, int longest, int64_t mostPixels) {
   if (!isWhole(picture)) return {};
   const double width = picture.width, height = picture.height;
   double scale = std::min(1.0, longest / std::max(width, height));

@@ -7,7 +7,7 @@
 namespace gluray::control {
 
 /// A frame that was shown in a window.
-struct Picture {
+struct KeptPicture {
   enum class Layout {
     openGl,  // RGBA8, bottom row first
     x        // blue in the lowest byte, top row first
@@ -26,10 +26,10 @@ struct RgbPicture {
 };
 
 /// All of its pixels.
-RgbPicture rgbOf(const Picture& picture);
+RgbPicture rgbOf(const KeptPicture& picture);
 
 /// The largest picture of the same shape whose longest side has at most `longest` pixels, and that has at
 /// most `mostPixels`; never larger than the picture. Each pixel is the average of those that it stands for.
-RgbPicture scaledDown(const Picture& picture, int longest, int64_t mostPixels);
+RgbPicture scaledDown(const KeptPicture& picture, int longest, int64_t mostPixels);
 
 }  // namespace gluray::control

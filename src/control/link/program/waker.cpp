@@ -1,4 +1,4 @@
-#include "control/link/waker.h"
+#include "control/link/program/waker.h"
 
 #include <algorithm>
 #include <limits>

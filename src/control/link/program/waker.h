@@ -2,7 +2,7 @@
 // that keep pictures of their views only show these again; they draw when a window's size seems to change.
 // Which kind it is, is found out by trying. Control thread; times in seconds.
 #pragma once
-#include "control/link/program.h"
+#include "control/link/program/controlled_program.h"
 #include "settings/live/settings_source.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // How programs are made to draw, with a fake program and a fake clock.
-#include "control/link/waker.h"
+#include "control/link/program/waker.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
