@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "gl/state/buffer_bits.h"
 #include "gl/state/state_queries.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

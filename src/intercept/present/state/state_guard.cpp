@@ -1,4 +1,4 @@
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 namespace gluray::present {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/batch/present_result.h"
 #include "intercept/present/presented_pictures.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 namespace gluray::present {
 

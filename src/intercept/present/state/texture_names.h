@@ -1,6 +1,6 @@
 // Names of textures of our own. GL thread, context current.
 #pragma once
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 
 #include <GL/gl.h>
 

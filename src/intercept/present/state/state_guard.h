@@ -3,7 +3,7 @@
 // context current, outside glBegin/glEnd and outside list compilation.
 #pragma once
 #include "gl/state/other_program.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 #include "scene/snapshot.h"
 
 #include <array>

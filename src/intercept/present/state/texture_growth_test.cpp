@@ -1,4 +1,4 @@
-#include "intercept/present/texture_growth.h"
+#include "intercept/present/state/texture_growth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // StateGuard: fragment tests, blending and masks.
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 namespace gluray::present {
 

@@ -1,4 +1,4 @@
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 
 #include "gl/state/extensions.h"
 
@@ -9,7 +9,7 @@ namespace {
 
 using gl::hasExtension;
 
-int integer(const gl::RealGl& real, GLenum name) {
+int integerOf(const gl::RealGl& real, GLenum name) {
   GLint value = 0;
   real.GetIntegerv(name, &value);
   return value;
@@ -17,10 +17,10 @@ int integer(const gl::RealGl& real, GLenum name) {
 
 bool fixedFunction(const gl::RealGl& real, int version) {
   if (version < 30) return true;
-  if (integer(real, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) return false;
+  if (integerOf(real, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_FORWARD_COMPATIBLE_BIT) return false;
   if (version == 30) return true;
   if (version == 31) return hasExtension(real, version, "GL_ARB_compatibility");
-  return (integer(real, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) == 0;
+  return (integerOf(real, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) == 0;
 }
 
 }  // namespace
@@ -35,12 +35,12 @@ Features readFeatures(const gl::RealGl& real) {
   };
   if (v >= 20) {
     f.glslVersion = gl::parseVersion(real.GetString(GL_SHADING_LANGUAGE_VERSION), 100);
-    f.maxDrawBuffers = std::max(1, integer(real, GL_MAX_DRAW_BUFFERS));
-    f.textureUnit = std::max(0, std::min(integer(real, GL_MAX_TEXTURE_IMAGE_UNITS), 16) - 2);
+    f.maxDrawBuffers = std::max(1, integerOf(real, GL_MAX_DRAW_BUFFERS));
+    f.textureUnit = std::max(0, std::min(integerOf(real, GL_MAX_TEXTURE_IMAGE_UNITS), 16) - 2);
   }
   f.compatibility = fixedFunction(real, v);
-  f.maxTextureSize = integer(real, GL_MAX_TEXTURE_SIZE);
-  f.maxClipDistances = integer(real, GL_MAX_CLIP_PLANES);
+  f.maxTextureSize = integerOf(real, GL_MAX_TEXTURE_SIZE);
+  f.maxClipDistances = integerOf(real, GL_MAX_CLIP_PLANES);
   f.indexedDrawBuffers = has(30, "GL_EXT_draw_buffers2");
   f.indexedBlending = has(40, "GL_ARB_draw_buffers_blend");
   f.indexedViewports = has(41, "GL_ARB_viewport_array");

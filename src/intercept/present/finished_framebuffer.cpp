@@ -1,7 +1,7 @@
-#include "intercept/present/read_back/finished_framebuffer.h"
+#include "intercept/present/finished_framebuffer.h"
 
 #include "gl/state/state_queries.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <GL/glext.h>
 

@@ -2,10 +2,10 @@
 // thread, context current; restores all state.
 #pragma once
 #include "gl/batch/framebuffer_reader.h"
+#include "intercept/present/finished_framebuffer.h"
+#include "intercept/present/kept_framebuffer.h"
 #include "intercept/present/presented_pictures.h"
 #include "intercept/present/read_back/blending_trial.h"
-#include "intercept/present/read_back/finished_framebuffer.h"
-#include "intercept/present/read_back/kept_framebuffer.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 // StateGuard: pixel transfers from and to memory.
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 namespace gluray::present {
 

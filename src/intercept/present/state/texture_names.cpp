@@ -1,4 +1,4 @@
-#include "intercept/present/write_back/texture_names.h"
+#include "intercept/present/state/texture_names.h"
 
 namespace gluray::present {
 
