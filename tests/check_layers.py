@@ -117,7 +117,7 @@ SOUND = {
     "src/accel/embree.h": "#include <embree3/rtcore.h>\n",
     "src/render/tiles.cpp": '#include "accel/tlas.h"\n#include "render/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
-    "src/intercept/window_systems/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
+    "src/intercept/hooks/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
     "src/cluster/mpi.cpp": "#include <mpi.h>\n",
     "apps/gluray/main.cpp": "#include <dlfcn.h>\n",
     "tests/long_test.cpp": "\n" * MAX_LINES,

@@ -4,9 +4,9 @@
 #include "base/log.h"
 #include "control/process_start.h"
 #include "frame/idle_refiner.h"
-#include "intercept/contexts.h"
+#include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
-#include "intercept/control/window_pictures.h"
+#include "intercept/windows/window_pictures.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
