@@ -2,7 +2,7 @@
 # tests/suites_test.py (link.suites) fails where a test with a sanitizer's label runs what its target does not build.
 
 # Labels `unit`, `variant`, `link`, `fuzz`. Everything is in it but these, whose tests have other labels only.
-set(without_address reference_tests dist_scenes_tests fuzz_tests lag_tests threads_tests gluray-scene-player rings live_freeze)
+set(without_address reference_tests cluster_scenes_tests fuzz_tests lag_tests threads_tests gluray-scene-player rings live_freeze)
 set(without_address_pattern "^door_(a[^b]|[^a])")  # not door_abi
 # Label `thread`.
 set(thread_programs accel_tests gl_tests parallel_tests)

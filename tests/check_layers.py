@@ -24,8 +24,8 @@ ALLOWED = {
     "render": {"base", "settings", "scene", "parallel", "accel"},
     "frame": {"base", "settings", "scene", "parallel", "accel", "render"},
     "control": {"base", "settings"},
-    "dist": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control"},
-    "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "dist"},
+    "cluster": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control"},
+    "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "cluster"},
 }
 # The folders of a room in a fixed order: each includes only itself and those before it, so that there is no circle among them.
 # A nested folder is a folder of its own ("outer/inner"); "" is the room itself. Folders named testing, whose headers tests alone
@@ -41,10 +41,10 @@ MONOPOLIES = [
     ("X11, GLX and EGL", r"(X11|xcb|EGL|glvnd)/|GL/glx", ["src/intercept", "apps"]),
     ("dlfcn", r"dlfcn\.h$", ["src/intercept", "apps"]),
     # guarded_write.h opens none, but standard error may be one.
-    ("sockets", r"(sys/(socket|un)\.h|netinet/|arpa/|netdb\.h|asio)", ["src/control", "src/dist", "apps", "src/base/guarded_write.h"]),
-    ("MPI", r"mpi\.h$", ["src/dist"]),
+    ("sockets", r"(sys/(socket|un)\.h|netinet/|arpa/|netdb\.h|asio)", ["src/control", "src/cluster", "apps", "src/base/guarded_write.h"]),
+    ("MPI", r"mpi\.h$", ["src/cluster"]),
 ]
-MPI_FILES = 1  # number of files in dist/ that may include mpi.h
+MPI_FILES = 1  # number of files in cluster/ that may include mpi.h
 MAX_LINES = 500
 CODE = {".c", ".cpp", ".h", ".hpp", ".S"}
 MEASURED = CODE | {".py"}
@@ -154,7 +154,7 @@ def violations(root, folders):
             if within(path, "src") and path.count("/") >= 2:
                 yield from room_violations(path, includes)
                 yield from order_violations(path, includes, folders)
-            if within(path, "src/dist") and any(header == "mpi.h" for _, header in includes):
+            if within(path, "src/cluster") and any(header == "mpi.h" for _, header in includes):
                 mpi_files.append(path)
     if len(mpi_files) > MPI_FILES:
         yield f"mpi.h is included by {', '.join(mpi_files)}; one file may"
@@ -175,8 +175,8 @@ SOUND = {
     "src/render/kernels/kernels.h": '#include "render/tiles/rows/row.h"\n',
     "src/render/testing/test_tiles.h": '#include "render/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
-    "src/intercept/window_systems/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
-    "src/dist/mpi.cpp": "#include <mpi.h>\n",
+    "src/intercept/hooks/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
+    "src/cluster/mpi.cpp": "#include <mpi.h>\n",
     "apps/gluray/main.cpp": "#include <dlfcn.h>\n",
     "tests/long_test.cpp": "\n" * MAX_LINES,
 }
@@ -201,7 +201,7 @@ PLANTED = [
     ("src/base/planted.cpp", "#include <dlfcn.h>\n", "dlfcn belongs"),
     ("src/intercept/planted.cpp", "#include <sys/socket.h>\n", "sockets belongs"),
     ("src/frame/planted.cpp", "#include <mpi.h>\n", "MPI belongs"),
-    ("src/dist/planted.cpp", "#include <mpi.h>\n", "mpi.h is included by"),
+    ("src/cluster/planted.cpp", "#include <mpi.h>\n", "mpi.h is included by"),
     ("src/render/CMakeLists.txt", "gluray_module(render DEPS base gl\n  LIBS TBB::tbb)\n", "may not depend on gl"),
     ("tests/long_test.cpp", "\n" * (MAX_LINES + 1), "a file is split"),
 ]

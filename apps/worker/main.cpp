@@ -3,10 +3,10 @@
 #include "accel/memory/free_memory.h"
 #include "base/environment_variable.h"
 #include "base/files.h"
+#include "cluster/program/worker_link.h"
+#include "cluster/worker/worker.h"
 #include "control/listening_place.h"
 #include "control/runtime_directory.h"
-#include "dist/program/worker_link.h"
-#include "dist/worker/worker.h"
 #include "mpi_choice.h"
 
 #include <CLI/CLI.hpp>
@@ -44,7 +44,7 @@ int fail(const std::string& why) {
 }
 
 /// As many as the machine has for each of its ranks; launchers that bind ranks to cores have seen to that.
-int threadsFor(const dist::Ranks& ranks, int wanted) {
+int threadsFor(const cluster::Ranks& ranks, int wanted) {
   if (wanted > 0) return wanted;
   cpu_set_t allowed;
   if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return 0;
@@ -54,16 +54,16 @@ int threadsFor(const dist::Ranks& ranks, int wanted) {
 }
 
 /// What is free for each of the machine's ranks, but for a quarter.
-size_t memoryFor(const dist::Ranks& ranks, uint64_t wanted) {
+size_t memoryFor(const cluster::Ranks& ranks, uint64_t wanted) {
   if (wanted > 0) return wanted;
   return accel::freeMemory() / static_cast<size_t>(std::max(ranks.sizeHere(), 1)) / 4 * 3;
 }
 
-void say(const dist::Ranks& ranks, const std::string& line) {
+void say(const cluster::Ranks& ranks, const std::string& line) {
   std::fprintf(stderr, "gluray-worker %d: %s\n", ranks.rank(), line.c_str());
 }
 
-std::string described(const Options& options, const dist::Ranks& ranks, int threads) {
+std::string described(const Options& options, const cluster::Ranks& ranks, int threads) {
   return "job \"" + options.job + "\": " + std::to_string(ranks.size()) +
          (ranks.size() == 1 ? " rank, " : " ranks, ") + std::to_string(threads) +
          (threads == 1 ? " thread" : " threads") + " each, " + ranks.implementation() +
@@ -71,8 +71,8 @@ std::string described(const Options& options, const dist::Ranks& ranks, int thre
 }
 
 /// Until a signal ends it. Throws std::exception, with a line for the user.
-void serve(const Options& options, dist::Ranks& ranks) {
-  control::ListeningPlace place(dist::workerPlace(options.job, ranks.rankHere()),
+void serve(const Options& options, cluster::Ranks& ranks) {
+  control::ListeningPlace place(cluster::workerPlace(options.job, ranks.rankHere()),
                                 "gluray-worker --job " + options.job);
   bool taken = false;
   std::string why = place.take(control::runtimeDirectory(), taken);
@@ -80,20 +80,20 @@ void serve(const Options& options, dist::Ranks& ranks) {
   if (!why.empty()) throw std::runtime_error(why);
 
   const int threads = threadsFor(ranks, options.threads);
-  dist::Worker worker(ranks, threads, memoryFor(ranks, options.memory), std::move(listening),
-                      [&](const std::string& line) {
-                        if (!options.quiet) say(ranks, line);
-                      });
+  cluster::Worker worker(ranks, threads, memoryFor(ranks, options.memory), std::move(listening),
+                         [&](const std::string& line) {
+                           if (!options.quiet) say(ranks, line);
+                         });
   worker.meet(stop);
   if (ranks.rank() == 0 && !options.quiet && !stop) say(ranks, described(options, ranks, threads));
   worker.run(stop);
 }
 
 int work(const Options& options, int argc, char** argv) {
-  if (const std::string why = dist::whyNoJobName(options.job); !why.empty()) return fail(why);
+  if (const std::string why = cluster::whyNoJobName(options.job); !why.empty()) return fail(why);
   const std::string mpi = options.mpi == "auto" ? worker::launchersMpi(environmentVariable) : options.mpi;
   std::string why;
-  const std::unique_ptr<dist::Ranks> ranks = worker::startRanks(mpi, &argc, &argv, why);
+  const std::unique_ptr<cluster::Ranks> ranks = worker::startRanks(mpi, &argc, &argv, why);
   if (!ranks) return fail(why);
   try {
     serve(options, *ranks);

@@ -1,7 +1,7 @@
 #include "mpi_choice.h"
 
-#include "dist/ranks/alone.h"
-#include "dist/ranks/mpi_plugin.h"
+#include "cluster/ranks/alone.h"
+#include "cluster/ranks/mpi_plugin.h"
 
 #include <dlfcn.h>
 
@@ -33,8 +33,9 @@ std::string launchersMpi(const std::function<std::string(const char*)>& variable
   return "none";
 }
 
-std::unique_ptr<dist::Ranks> startRanks(const std::string& name, int* argc, char*** argv, std::string& why) {
-  if (name == "none") return std::make_unique<dist::Alone>();
+std::unique_ptr<cluster::Ranks> startRanks(const std::string& name, int* argc, char*** argv,
+                                           std::string& why) {
+  if (name == "none") return std::make_unique<cluster::Alone>();
   const std::string path = name.find('/') == std::string::npos ? libraryOf(name) : name;
   if (path.empty()) {
     why = "this GLuRay was built without " + name +
@@ -47,14 +48,14 @@ std::unique_ptr<dist::Ranks> startRanks(const std::string& name, int* argc, char
     why = std::string("MPI cannot be loaded: ") + dlerror();
     return nullptr;
   }
-  const auto plugin = reinterpret_cast<dist::MpiPluginVersion>(dlsym(library, dist::kMpiPluginVersion));
-  const auto make = reinterpret_cast<dist::MakeMpiRanks>(dlsym(library, dist::kMakeMpiRanks));
+  const auto plugin = reinterpret_cast<cluster::MpiPluginVersion>(dlsym(library, cluster::kMpiPluginVersion));
+  const auto make = reinterpret_cast<cluster::MakeMpiRanks>(dlsym(library, cluster::kMakeMpiRanks));
   if (!plugin || !make || std::strcmp(plugin(), GLURAY_VERSION) != 0) {
     why = path + " belongs to another GLuRay than this " GLURAY_VERSION;
     return nullptr;
   }
   char reason[512] = {};
-  std::unique_ptr<dist::Ranks> ranks(make(argc, argv, reason, sizeof reason));
+  std::unique_ptr<cluster::Ranks> ranks(make(argc, argv, reason, sizeof reason));
   if (!ranks) why = reason;
   return ranks;
 }

@@ -1,6 +1,6 @@
 // Which MPI a worker speaks: the one whose launcher started it.
 #pragma once
-#include "dist/ranks/ranks.h"
+#include "cluster/ranks/ranks.h"
 
 #include <functional>
 #include <memory>
@@ -12,6 +12,7 @@ namespace gluray::worker {
 std::string launchersMpi(const std::function<std::string(const char*)>& variable);
 
 /// Starts MPI. `name`: as above, or the path of a library. Null, and one line in `why`: it cannot.
-std::unique_ptr<dist::Ranks> startRanks(const std::string& name, int* argc, char*** argv, std::string& why);
+std::unique_ptr<cluster::Ranks> startRanks(const std::string& name, int* argc, char*** argv,
+                                           std::string& why);
 
 }  // namespace gluray::worker

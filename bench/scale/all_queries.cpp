@@ -1,8 +1,7 @@
 #include "bench/scale/all_queries.h"
 
-#include "dist/peers/query_stream.h"
+#include "cluster/peers/query_stream.h"
 #include "render/frame_data/frame_data.h"
-#include "render/moving/film_source.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
 
@@ -19,7 +18,7 @@ class Recorder final : public render::RemoteSurfaces, public render::FilmSource 
   accel::Bounds bounds() const noexcept override { return bounds_; }
   bool changed() const noexcept override { return false; }
   uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked, render::Passing) noexcept override {
-    dist::QueryPacket packet{0, query.kind, {}, query.rays};
+    cluster::QueryPacket packet{0, query.kind, {}, query.rays};
     for (int i = 0; i < accel::kLanes; ++i) packet.lanes |= static_cast<uint32_t>(query.valid[i] != 0) << i;
     // Lengths of blocked rays are lost: as long as the others.
     for (int i = 0; i < accel::kLanes; ++i)
@@ -53,7 +52,7 @@ class Recorder final : public render::RemoteSurfaces, public render::FilmSource 
   AllQueries all;
 
  private:
-  dist::QueryWriter writer_;
+  cluster::QueryWriter writer_;
   accel::Bounds bounds_;
   float length_ = 0;
   int count_ = 0, next_ = 0, colored_ = 0;

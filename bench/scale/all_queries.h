@@ -13,7 +13,7 @@ struct AllQueries {
 };
 
 /// Traces the snapshot with one thread and writes every occlusion ray that it asks about with
-/// dist::QueryWriter, one for each tile, as a rank of a sort-last program does. Throws std::runtime_error.
+/// cluster::QueryWriter, one for each tile, as a rank of a sort-last program does. Throws std::runtime_error.
 AllQueries allQueries(frame::Renderer& renderer, scene::Snapshot snapshot);
 
 }  // namespace gluray::bench

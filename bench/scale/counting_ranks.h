@@ -1,8 +1,8 @@
 // A job of one process that counts what the ranks of a sort-last program ask each other.
 #pragma once
-#include "dist/messages/peer_messages.h"
-#include "dist/peers/query_stream.h"
-#include "dist/ranks/alone.h"
+#include "cluster/messages/peer_messages.h"
+#include "cluster/peers/query_stream.h"
+#include "cluster/ranks/alone.h"
 
 #include <bit>
 #include <mutex>
@@ -15,8 +15,8 @@ struct Traffic {
   double queryBytes = 0, answerBytes = 0, rays = 0, messages = 0;
 };
 
-/// The worker's thread uses it as dist::Ranks; take() any thread.
-class CountingRanks final : public dist::Ranks {
+/// The worker's thread uses it as cluster::Ranks; take() any thread.
+class CountingRanks final : public cluster::Ranks {
  public:
   int rank() const override { return alone_.rank(); }
   int size() const override { return alone_.size(); }
@@ -27,7 +27,7 @@ class CountingRanks final : public dist::Ranks {
     count(message);
     alone_.send(to, std::move(message));
   }
-  std::optional<dist::RankMessage> receive() override { return alone_.receive(); }
+  std::optional<cluster::RankMessage> receive() override { return alone_.receive(); }
   void broadcast(int root, std::span<std::byte> bytes, std::function<void()> done) override {
     alone_.broadcast(root, bytes, std::move(done));
   }
@@ -40,23 +40,23 @@ class CountingRanks final : public dist::Ranks {
 
  private:
   void count(const std::vector<std::byte>& message) {
-    dist::ByteReader in(message);
+    cluster::ByteReader in(message);
     const auto type = in.get<uint16_t>();
-    if (type != dist::OcclusionQueries::kType && type != dist::OcclusionReplies::kType) return;
+    if (type != cluster::OcclusionQueries::kType && type != cluster::OcclusionReplies::kType) return;
     const auto bytes = static_cast<double>(message.size());
     const std::lock_guard lock(mutex_);
     ++traffic_.messages;
-    if (type == dist::OcclusionReplies::kType) {
+    if (type == cluster::OcclusionReplies::kType) {
       traffic_.answerBytes += bytes;
       return;
     }
     traffic_.queryBytes += bytes;
-    const auto queries = dist::decoded<dist::OcclusionQueries>(in.take(in.left()));
-    dist::QueryReader reader(queries.rays);
-    for (dist::QueryPacket packet; reader.next(packet);) traffic_.rays += std::popcount(packet.lanes);
+    const auto queries = cluster::decoded<cluster::OcclusionQueries>(in.take(in.left()));
+    cluster::QueryReader reader(queries.rays);
+    for (cluster::QueryPacket packet; reader.next(packet);) traffic_.rays += std::popcount(packet.lanes);
   }
 
-  dist::Alone alone_;
+  cluster::Alone alone_;
   std::mutex mutex_;
   Traffic traffic_;
 };

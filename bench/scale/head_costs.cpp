@@ -1,7 +1,7 @@
 #include "bench/scale/head_costs.h"
 
 #include "bench/scale/cpu_seconds.h"
-#include "dist/worker/picture.h"
+#include "cluster/worker/picture.h"
 #include "render/tiles/tiles.h"
 
 #include <algorithm>
@@ -11,17 +11,17 @@ namespace gluray::bench {
 namespace {
 
 /// As Head::giveTiles: what the rank gets goes into its queue.
-void give(dist::Picture& picture, int rank, std::deque<int>& queue) {
+void give(cluster::Picture& picture, int rank, std::deque<int>& queue) {
   if (!picture.takesPart(rank)) return;
   const std::vector<int> tiles = picture.more(rank);
   if (tiles.empty()) return;
-  dist::forRanks(dist::MoreTiles{picture.id(), tiles});
+  cluster::forRanks(cluster::MoreTiles{picture.id(), tiles});
   queue.insert(queue.end(), tiles.begin(), tiles.end());
 }
 
 /// The CPU time of one picture, all tiles together.
-HeadCosts spentOn(dist::Picture& picture, const std::vector<std::vector<std::byte>>& messages, int ranks,
-                  dist::WrittenMemory& memory) {
+HeadCosts spentOn(cluster::Picture& picture, const std::vector<std::vector<std::byte>>& messages, int ranks,
+                  cluster::WrittenMemory& memory) {
   std::vector<std::deque<int>> queues(static_cast<size_t>(ranks));
   HeadCosts sum;
   for (size_t rank = 0; rank < queues.size(); ++rank) give(picture, static_cast<int>(rank), queues[rank]);
@@ -31,10 +31,10 @@ HeadCosts spentOn(dist::Picture& picture, const std::vector<std::vector<std::byt
       const auto& bytes = messages[static_cast<size_t>(queues[rank].front())];
       queues[rank].pop_front();
       const double start = threadCpuSeconds();
-      dist::ByteReader in(bytes);
+      cluster::ByteReader in(bytes);
       in.get<uint16_t>();
       bool grew = false;
-      const auto tile = dist::decoded<dist::TracedTile>(in.take(in.left()));
+      const auto tile = cluster::decoded<cluster::TracedTile>(in.take(in.left()));
       picture.take(static_cast<int>(rank), tile, memory, grew, 0);
       const double taken = threadCpuSeconds();
       if (!picture.isTraced()) give(picture, static_cast<int>(rank), queues[rank]);
@@ -46,18 +46,18 @@ HeadCosts spentOn(dist::Picture& picture, const std::vector<std::vector<std::byt
 }  // namespace
 
 HeadCosts headCosts(const Image& image, const std::vector<float>& costs, int ranks, int threads) {
-  dist::TraceRequest request;
+  cluster::TraceRequest request;
   request.width = image.width, request.height = image.height;
   const render::Tiles tiles(image, render::kTileSize);
   std::vector<std::vector<std::byte>> messages;
   for (int tile = 0; tile < tiles.columns * tiles.rows; ++tile)
-    messages.push_back(dist::forRanks(dist::TracedTile{1, dist::shapeOf(image), tile, 1e-3f, false,
-                                                       dist::packTile(image, tiles.at(tile))}));
-  const dist::RankStates states(ranks, 0, threads);
-  dist::WrittenMemory memory;  // new for the first picture, as in a program
+    messages.push_back(cluster::forRanks(cluster::TracedTile{1, cluster::shapeOf(image), tile, 1e-3f, false,
+                                                             cluster::packTile(image, tiles.at(tile))}));
+  const cluster::RankStates states(ranks, 0, threads);
+  cluster::WrittenMemory memory;  // new for the first picture, as in a program
   HeadCosts sum;
   for (int round = 0; round < 2; ++round) {
-    dist::Picture picture(request, 1, false, states, costs, dist::Picture::Kind::shared, 0);
+    cluster::Picture picture(request, 1, false, states, costs, cluster::Picture::Kind::shared, 0);
     sum = spentOn(picture, messages, ranks, memory);
   }
   const auto count = static_cast<double>(messages.size());

@@ -12,8 +12,8 @@ struct HeadCosts {
   double give = 0;  // after it: looking what each rank gets next
 };
 
-/// Measured by dist::Picture with `ranks` ranks of `threads` threads, whose tiles come back in turn. `costs`:
-/// of the tiles.
+/// Measured by cluster::Picture with `ranks` ranks of `threads` threads, whose tiles come back in turn.
+/// `costs`: of the tiles.
 HeadCosts headCosts(const Image& image, const std::vector<float>& costs, int ranks, int threads);
 
 }  // namespace gluray::bench

@@ -4,8 +4,8 @@
 #include "bench/data/report.h"
 #include "bench/scale/cpu_seconds.h"
 #include "bench/scale/views.h"
+#include "cluster/program/remote_tracer.h"
 #include "control/runtime_directory.h"
-#include "dist/program/remote_tracer.h"
 #include "frame/renderer.h"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +59,7 @@ struct Job {
   std::string name;
   std::vector<pid_t> processes;
   scene::Snapshot snapshot;
-  dist::RemoteTracer tracer;
+  cluster::RemoteTracer tracer;
   Image image;
   Figures figures;
 };

@@ -39,12 +39,12 @@ void spin(double forMicroseconds) {
   while (microseconds(start) < forMicroseconds) {}
 }
 
-void receive(dist::Ranks& ranks) {
+void receive(cluster::Ranks& ranks) {
   while (!ranks.receive()) ranks.progress();
 }
 
 /// Half the time of a message there and back: L + 2o of small ones. Both ranks call it.
-double halfRoundTrip(dist::Ranks& ranks, size_t bytes, int rounds) {
+double halfRoundTrip(cluster::Ranks& ranks, size_t bytes, int rounds) {
   std::vector<double> times;
   for (int i = 0; i < rounds; ++i) {
     const auto start = Clock::now();
@@ -61,7 +61,7 @@ double halfRoundTrip(dist::Ranks& ranks, size_t bytes, int rounds) {
 struct Overheads {
   double send = 0, receive = 0;
 };
-Overheads overheads(dist::Ranks& ranks, size_t bytes, int rounds) {
+Overheads overheads(cluster::Ranks& ranks, size_t bytes, int rounds) {
   std::vector<double> sends, receives;
   for (int i = 0; i < rounds; ++i) {
     std::vector<std::byte> message(bytes);
@@ -81,7 +81,7 @@ Overheads overheads(dist::Ranks& ranks, size_t bytes, int rounds) {
 }
 
 /// Time between messages of a stream: g.
-double gap(dist::Ranks& ranks, size_t bytes) {
+double gap(cluster::Ranks& ranks, size_t bytes) {
   constexpr int kStream = 1000;
   std::vector<double> times;
   for (int round = 0; round < 20; ++round) {
@@ -99,7 +99,7 @@ double gap(dist::Ranks& ranks, size_t bytes) {
   return usual(times);
 }
 
-/// How long the sleep of dist::Worker's loop takes, which lasts 50 microseconds by its argument.
+/// How long the sleep of cluster::Worker's loop takes, which lasts 50 microseconds by its argument.
 double sleepTime() {
   std::vector<double> times;
   for (int i = 0; i < kRounds; ++i) {
@@ -131,7 +131,7 @@ double wakeTime() {
   return usual(times);
 }
 
-void run(dist::Ranks& ranks, double sleeps, double wakes) {
+void run(cluster::Ranks& ranks, double sleeps, double wakes) {
   halfRoundTrip(ranks, kSmall, 200);
   const double small = halfRoundTrip(ranks, kSmall, kRounds);
   const double large = halfRoundTrip(ranks, kLarge, kRounds / 10);
@@ -151,7 +151,7 @@ int main(int argc, char** argv) {
   try {
     std::string why;
     const double sleeps = sleepTime(), wakes = wakeTime();  // before MPI, which may spin
-    const std::unique_ptr<dist::Ranks> ranks = worker::startRanks(argv[1], &argc, &argv, why);
+    const std::unique_ptr<cluster::Ranks> ranks = worker::startRanks(argv[1], &argc, &argv, why);
     if (!ranks || ranks->size() != 2) throw std::runtime_error(ranks ? "it takes two ranks" : why);
     run(*ranks, sleeps, wakes);
     return 0;

@@ -7,10 +7,10 @@
 #include "bench/scale/cpu_seconds.h"
 #include "bench/scale/parts.h"
 #include "bench/scale/views.h"
+#include "cluster/program/remote_tracer.h"
+#include "cluster/program/worker_place.h"
+#include "cluster/worker/worker.h"
 #include "control/listening_place.h"
-#include "dist/program/remote_tracer.h"
-#include "dist/program/worker_place.h"
-#include "dist/worker/worker.h"
 #include "frame/renderer.h"
 
 #include <CLI/CLI.hpp>
@@ -38,13 +38,13 @@ struct Options {
 class Job {
  public:
   Job(const std::string& directory, int threads)
-      : place_(dist::workerPlace("scale", 0), "gluray-bench-scale") {
+      : place_(cluster::workerPlace("scale", 0), "gluray-bench-scale") {
     bool taken = false;
     std::string why = place_.take(directory, taken);
     auto listening = std::make_shared<control::Descriptor>(why.empty() ? place_.listenHere(why) : -1);
     if (!why.empty()) throw std::runtime_error(why);
     thread_ = std::thread([this, listening, threads] {
-      dist::Worker(ranks_, threads, SIZE_MAX, std::move(*listening), [](const std::string& line) {
+      cluster::Worker(ranks_, threads, SIZE_MAX, std::move(*listening), [](const std::string& line) {
         if (line.find("rank ") != std::string::npos) std::fprintf(stderr, "%s\n", line.c_str());
       }).run(stop_);
     });
@@ -76,7 +76,7 @@ struct Rank {
             },
             [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }) {}
   scene::Snapshot snapshot;
-  dist::RemoteTracer tracer;
+  cluster::RemoteTracer tracer;
   Image image;
 };
 

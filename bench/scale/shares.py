@@ -1,4 +1,4 @@
-"""Which rank traces which tiles: as src/dist/shares/tile_shares.cpp, for ranks that are all there and equally fast."""
+"""Which rank traces which tiles: as src/cluster/shares/tile_shares.cpp, for ranks that are all there and equally fast."""
 
 PART = 3  # a rank gets 1 / PART of what is left of its share
 

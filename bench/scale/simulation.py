@@ -1,7 +1,7 @@
-"""SIMULATED frames of a job of many ranks: the protocol of src/dist/worker with one head, over a LogGP link, as discrete events.
+"""SIMULATED frames of a job of many ranks: the protocol of src/cluster/worker with one head, over a LogGP link, as discrete events.
 
 The main thread of each rank sends what its tracing threads have finished, handles the messages that have arrived, and sleeps: until the
-next tile is finished, or for `sleep_us` (dist::Worker::wait). The head sends the snapshot to all ranks, gives them tiles by
+next tile is finished, or for `sleep_us` (cluster::Worker::wait). The head sends the snapshot to all ranks, gives them tiles by
 scale.shares.Shares, puts the tiles that come back into the picture, and ends it. Times in microseconds; the same input gives the same result.
 """
 import dataclasses

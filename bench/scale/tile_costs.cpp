@@ -2,8 +2,7 @@
 
 #include "bench/data/report.h"
 #include "bench/scale/cpu_seconds.h"
-#include "dist/messages/rank_messages.h"
-#include "render/tiles/tile_source.h"
+#include "cluster/messages/rank_messages.h"
 #include "render/tiles/tiles.h"
 
 #include <stdexcept>
@@ -30,9 +29,9 @@ class TimedTiles final : public render::TileSource {
   void done(int tile, double, bool) noexcept override {
     const double traced = threadCpuSeconds();
     seconds[static_cast<size_t>(tile)] = traced - started_;
-    dist::TracedTile message{1, dist::shapeOf(*image_), tile, 0, false, {}};
-    message.pixels = dist::packTile(*image_, render::Tiles(*image_, render::kTileSize).at(tile));
-    const std::vector<std::byte> bytes = dist::forRanks(message);
+    cluster::TracedTile message{1, cluster::shapeOf(*image_), tile, 0, false, {}};
+    message.pixels = cluster::packTile(*image_, render::Tiles(*image_, render::kTileSize).at(tile));
+    const std::vector<std::byte> bytes = cluster::forRanks(message);
     pack += bytes.empty() ? 0 : threadCpuSeconds() - traced;
   }
 

@@ -3,9 +3,9 @@
 #include "bench/scale/head_costs.h"
 #include "bench/scale/tile_costs.h"
 #include "bench/scale/views.h"
-#include "dist/messages/program_messages.h"
-#include "dist/messages/rank_messages.h"
-#include "dist/stream/snapshot_encoder.h"
+#include "cluster/messages/program_messages.h"
+#include "cluster/messages/rank_messages.h"
+#include "cluster/stream/snapshot_encoder.h"
 #include "render/tiles/tiles.h"
 
 #include <CLI/CLI.hpp>
@@ -32,24 +32,25 @@ nlohmann::ordered_json microsecondsOf(const std::vector<double>& seconds) {
 
 /// Bytes of the messages of a frame.
 nlohmann::ordered_json bytesOf(const scene::Snapshot& snapshot, const Image& image) {
-  const dist::EncodedSnapshot encoded = dist::SnapshotEncoder().encode(snapshot);
+  const cluster::EncodedSnapshot encoded = cluster::SnapshotEncoder().encode(snapshot);
   double arrays = 0;
-  for (const dist::ArraySource& array : encoded.arrays) arrays += static_cast<double>(array.bytes());
-  dist::TraceRequest request;
+  for (const cluster::ArraySource& array : encoded.arrays) arrays += static_cast<double>(array.bytes());
+  cluster::TraceRequest request;
   request.snapshot = encoded.message;
-  dist::TraceOrder order;
+  cluster::TraceOrder order;
   order.snapshot = encoded.message;
-  const std::vector<std::byte> pixels = dist::packTile(image, render::Tiles(image, render::kTileSize).at(0));
-  const auto size = [](const auto& message) { return dist::forRanks(message).size(); };
+  const std::vector<std::byte> pixels =
+      cluster::packTile(image, render::Tiles(image, render::kTileSize).at(0));
+  const auto size = [](const auto& message) { return cluster::forRanks(message).size(); };
   return {{"arrays", arrays},
-          {"request", dist::encoded(request).size()},
+          {"request", cluster::encoded(request).size()},
           {"order", size(order)},
-          {"tile", size(dist::TracedTile{1, dist::shapeOf(image), 0, 0, false, pixels})},
-          {"more", size(dist::MoreTiles{})},
+          {"tile", size(cluster::TracedTile{1, cluster::shapeOf(image), 0, 0, false, pixels})},
+          {"more", size(cluster::MoreTiles{})},
           {"more_per_tile", sizeof(int32_t)},
-          {"end", size(dist::EndOfPicture{})},
-          {"finished", size(dist::Finished{})},
-          {"alive", size(dist::Alive{})}};
+          {"end", size(cluster::EndOfPicture{})},
+          {"finished", size(cluster::Finished{})},
+          {"alive", size(cluster::Alive{})}};
 }
 
 void run(const Options& options) {

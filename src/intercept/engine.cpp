@@ -1,10 +1,11 @@
 // The engine's entry point, called by doors.
-#include "intercept/engine.h"
-
-#include "intercept/contexts.h"
+#include "intercept/contexts/contexts.h"
+#include "intercept/control/link.h"
+#include "intercept/frames/frames.h"
+#include "intercept/hooks/hooks.h"
 #include "intercept/reports/explanation.h"
 #include "intercept/reports/report.h"
-#include "intercept/session.h"
+#include "intercept/session/session.h"
 #include "intercept/stubs/stub_proc.h"
 
 #include <pthread.h>
@@ -36,9 +37,19 @@ void* proc(const GlurayDoor* door, const char* name) {
 
 const GlurayEngine g_engine = {GLURAY_DOOR_ABI, sizeof(GlurayEngine), proc};
 
+void startChild() {
+  passThroughAfterFork();
+  leaveHubToParent();
+}
+
 void start() {
   session();
-  pthread_atfork(nullptr, nullptr, passThroughAfterFork);
+  if (mayBeSeenByHubs()) {
+    allowControl(liveSettings());
+    whenFramesBegin(lookForHub);
+  }
+  followContexts();
+  pthread_atfork(nullptr, nullptr, startChild);
   if (!session().reportFile.empty()) std::atexit(writeReport);
 }
 

@@ -1,5 +1,5 @@
 // Where the arrays of a mesh are while they are not in memory: a part of a scene larger than memory, a page,
-// is loaded when a ray meets its bounds. Implemented by dist/pages, called by accel/pages.
+// is loaded when a ray meets its bounds. Implemented by cluster/pages, called by accel/pages.
 #pragma once
 #include <glm/glm.hpp>
 

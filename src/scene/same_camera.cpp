@@ -41,10 +41,15 @@ std::optional<glm::dmat4> eyeFromEye(const glm::dmat4& clipFromTo, const glm::dm
   return m;
 }
 
-std::optional<glm::dmat4> eyeFromEye(const Snapshot& to, const Snapshot& from) {
+std::optional<glm::dmat4> eyeFromEye(const CameraMatrices& to, const CameraMatrices& from) {
   const double distance =
       std::max(glm::length(glm::dvec3(to.eyeFromWorld[3])), glm::length(glm::dvec3(from.eyeFromWorld[3])));
-  return eyeFromEye(to.camera.clipFromEye, from.camera.clipFromEye, distance);
+  return eyeFromEye(to.clipFromEye, from.clipFromEye, distance);
+}
+
+std::optional<glm::dmat4> eyeFromEye(const Snapshot& to, const Snapshot& from) {
+  return eyeFromEye(CameraMatrices{to.camera.clipFromEye, to.eyeFromWorld},
+                    CameraMatrices{from.camera.clipFromEye, from.eyeFromWorld});
 }
 
 }  // namespace gluray::scene

@@ -15,6 +15,12 @@ namespace gluray::scene {
 /// leads from one to the other. `distance`: of what they show, from their origins, for the bound of rounding.
 std::optional<glm::dmat4> eyeFromEye(const glm::dmat4& clipFromTo, const glm::dmat4& clipFromFrom,
                                      double distance);
+/// What a camera's matrices are. World space is the object space of what is drawn first.
+struct CameraMatrices {
+  glm::dmat4 clipFromEye, eyeFromWorld;
+};
+/// The same with the larger distance of the two world spaces' origins from their cameras.
+std::optional<glm::dmat4> eyeFromEye(const CameraMatrices& to, const CameraMatrices& from);
 /// The same of two snapshots.
 std::optional<glm::dmat4> eyeFromEye(const Snapshot& to, const Snapshot& from);
 

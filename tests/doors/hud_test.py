@@ -10,7 +10,7 @@ import sys
 
 from compare_pictures import pictures
 
-GROUND = bytes((0x18, 0x20, 0x30))  # src/intercept/present/read_back/text_image.h
+GROUND = bytes((0x18, 0x20, 0x30))  # src/intercept/hud/text_image.h
 CORNER, LEAST = 8, 500              # where the text begins; least number of pixels of its background
 
 

@@ -2,8 +2,8 @@
 
 #include "base/log.h"
 #include "gl/real/extensions.h"
-#include "intercept/make_presenter.h"
 #include "intercept/stubs/stub_proc.h"
+#include "intercept/tracing/make_presenter.h"
 
 #include <cstdlib>
 #include <string_view>

@@ -1,8 +1,8 @@
 #include "doctor/doctor_job.h"
 
+#include "cluster/program/job_question.h"
+#include "cluster/program/worker_place.h"
 #include "control/runtime_directory.h"
-#include "dist/program/job_question.h"
-#include "dist/program/worker_place.h"
 #include "doctor/job_findings.h"
 #include "say.h"
 
@@ -22,7 +22,7 @@ std::string remedy(const std::string& why, const std::string& job) {
   return "";
 }
 
-nlohmann::json rankJson(const dist::RankFacts& rank) {
+nlohmann::json rankJson(const cluster::RankFacts& rank) {
   if (!rank.answered) return {{"rank", rank.rank}, {"answered", false}};
   return {{"rank", rank.rank},
           {"answered", true},
@@ -46,13 +46,13 @@ nlohmann::json rankJson(const dist::RankFacts& rank) {
 }  // namespace
 
 int doctorJob(const CommandLine& line) {
-  std::string why = dist::whyNoJobName(line.job);
+  std::string why = cluster::whyNoJobName(line.job);
   if (!why.empty()) return say(why), kUsageError;
   Diagnosis diagnosis;
   nlohmann::json ranks = nlohmann::json::array();
-  if (const auto facts = dist::askJob(control::runtimeDirectory(), line.job, why)) {
+  if (const auto facts = cluster::askJob(control::runtimeDirectory(), line.job, why)) {
     judgeJob(line.job, *facts, diagnosis);
-    for (const dist::RankFacts& rank : facts->ranks) ranks.push_back(rankJson(rank));
+    for (const cluster::RankFacts& rank : facts->ranks) ranks.push_back(rankJson(rank));
   } else {
     diagnosis.broken("job", why, remedy(why, line.job));
   }

@@ -11,8 +11,8 @@
 namespace gluray::launcher {
 namespace {
 
-using dist::JobFacts;
-using dist::RankFacts;
+using cluster::JobFacts;
+using cluster::RankFacts;
 using RankList = std::vector<const RankFacts*>;
 
 RankList knownRanks(const JobFacts& facts) {

@@ -9,8 +9,8 @@
 namespace gluray::launcher {
 namespace {
 
-using dist::JobFacts;
-using dist::RankFacts;
+using cluster::JobFacts;
+using cluster::RankFacts;
 
 std::string counted(size_t number, const std::string& one, const std::string& many) {
   return std::to_string(number) + " " + (number == 1 ? one : many);

@@ -11,8 +11,8 @@ namespace {
 constexpr uint64_t kGigabyte = uint64_t{1} << 30;
 
 /// A rank alone on a host of its own without a fault.
-dist::RankFacts rankOf(int number) {
-  dist::RankFacts rank;
+cluster::RankFacts rankOf(int number) {
+  cluster::RankFacts rank;
   rank.rank = number, rank.answered = true;
   rank.version = "1.0 (2)", rank.mpi = "Open MPI 4.1.4", rank.host = "node" + std::to_string(number);
   rank.threads = rank.usableCores = rank.hostCores = 8, rank.cores = "0-7";
@@ -27,7 +27,7 @@ class JobFindings : public testing::Test {
   JobFindings() : facts({{rankOf(0), rankOf(1), rankOf(2)}}) {}
   /// All ranks on one host.
   void moveTogether(int threads) {
-    for (dist::RankFacts& rank : facts.ranks)
+    for (cluster::RankFacts& rank : facts.ranks)
       rank.host = "node", rank.rankHere = rank.rank, rank.ranksHere = 3, rank.threads = threads;
   }
   Diagnosis judged() const {
@@ -44,7 +44,7 @@ class JobFindings : public testing::Test {
     EXPECT_EQ(faults.size(), 1u) << diagnosis.text();
     return faults.empty() ? Finding{} : faults[0];
   }
-  dist::JobFacts facts;
+  cluster::JobFacts facts;
 };
 
 TEST_F(JobFindings, AJobWithoutFaults) {

@@ -1,7 +1,7 @@
 // The panel's end of the control protocol: a thread that connects to the hub of this machine, or is the hub
 // itself where none runs, or connects to one by TCP. Signals arrive in the thread of their receivers.
 #pragma once
-#include "control/connect.h"
+#include "control/connection/connect.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 // always for a limited time. All calls on one thread, which runs the io_context meanwhile: a HubServer of the
 // same io_context goes on.
 #pragma once
-#include "control/connect.h"
+#include "control/connection/connect.h"
 
 #include <asio/io_context.hpp>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // Requests that go to programs, their answers, time limits and peers that go.
-#include "control/hub/core_fixture.h"
+#include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
 namespace {

@@ -1,5 +1,5 @@
 // set, undo and redo of one program: one at a time, merged.
-#include "control/hub/core_fixture.h"
+#include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
 namespace {

@@ -1,5 +1,5 @@
 // Hellos, what clients may ask, and their mistakes. answers_test.cpp has what becomes of requests.
-#include "control/hub/core_fixture.h"
+#include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
 namespace {

@@ -1,7 +1,7 @@
 // Changes of MPI jobs: in the same frame of all ranks, or of none.
 #include "control/hub/job_change.h"
 
-#include "control/hub/core_fixture.h"
+#include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
 namespace {

@@ -1,5 +1,5 @@
 // Who is told what, how often, and how slow clients are spared.
-#include "control/hub/core_fixture.h"
+#include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
 namespace {

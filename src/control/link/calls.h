@@ -1,9 +1,9 @@
 // Calls that the program carries out itself; those that need a frame wait for one. Control thread; times in
 // seconds.
 #pragma once
-#include "control/link/frame_wait.h"
-#include "control/link/program.h"
-#include "control/link/waker.h"
+#include "control/link/program/controlled_program.h"
+#include "control/link/program/frame_wait.h"
+#include "control/link/program/waker.h"
 
 #include <nlohmann/json.hpp>
 

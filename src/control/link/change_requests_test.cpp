@@ -1,5 +1,5 @@
 // What a program says to requests that change its settings: set, undo, redo, and changes that are held.
-#include "control/link/program_side_fixture.h"
+#include "control/testing/program_side_fixture.h"
 
 namespace gluray::control::test {
 namespace {

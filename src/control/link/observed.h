@@ -1,8 +1,8 @@
 // Events that the hub has asked for: the program's state, and settings that change; and what it asks for of
 // thumbnails. Control thread; times in seconds.
 #pragma once
-#include "control/link/pictures/pictures.h"
-#include "control/link/program.h"
+#include "control/link/pictures.h"
+#include "control/link/program/controlled_program.h"
 #include "control/link/rates.h"
 #include "settings/live/live_settings.h"
 #include "settings/live/settings_history.h"

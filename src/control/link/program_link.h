@@ -1,8 +1,8 @@
 // The link from this program to the hub: two threads that exist while there is a hub (control/link/apart.h).
 // Never destroyed: programs draw while they exit.
 #pragma once
-#include "control/connect.h"
-#include "control/link/program.h"
+#include "control/connection/connect.h"
+#include "control/link/program/controlled_program.h"
 #include "settings/live/live_settings.h"
 #include "settings/live/settings_history.h"
 

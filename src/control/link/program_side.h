@@ -1,13 +1,13 @@
 // What a program says to the hub (docs/control-protocol.md): answers to requests, and events. Knows no
 // sockets and no clock. Control thread; times in seconds, on the clock nowSeconds().
 #pragma once
-#include "control/connection.h"
+#include "control/connection/connection.h"
 #include "control/link/calls.h"
 #include "control/link/change_requests.h"
 #include "control/link/observed.h"
-#include "control/link/pictures/pictures.h"
-#include "control/link/program.h"
-#include "control/link/waker.h"
+#include "control/link/pictures.h"
+#include "control/link/program/controlled_program.h"
+#include "control/link/program/waker.h"
 
 #include <nlohmann/json.hpp>
 

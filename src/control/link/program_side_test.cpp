@@ -1,6 +1,6 @@
 // What a program says to the hub: hello, values, what is observed, calls. change_requests_test.cpp has the
 // requests that change settings.
-#include "control/link/program_side_fixture.h"
+#include "control/testing/program_side_fixture.h"
 
 namespace gluray::control::test {
 namespace {

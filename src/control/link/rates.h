@@ -1,6 +1,6 @@
 // Rates over the last second, from counts that are sampled now and then. One thread.
 #pragma once
-#include "control/link/program.h"
+#include "control/link/program/controlled_program.h"
 
 #include <cstdint>
 #include <deque>

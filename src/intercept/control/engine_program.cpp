@@ -4,9 +4,9 @@
 #include "base/log.h"
 #include "control/process_start.h"
 #include "frame/idle_refiner.h"
-#include "intercept/contexts.h"
+#include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
-#include "intercept/control/window_pictures.h"
+#include "intercept/windows/window_pictures.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -142,7 +142,7 @@ void EngineProgram::tellSize(bool wider) noexcept {
 
 void EngineProgram::wantPicture(control::Wanted wanted) noexcept { wantWindowPicture(wanted); }
 
-std::unique_ptr<control::Picture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
+std::unique_ptr<control::KeptPicture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
 
 void EngineProgram::linkBegan(bool here) noexcept {
   if (here) leaveFile();

@@ -1,7 +1,7 @@
 // This process as the hub sees it. Control thread.
 #pragma once
 #include "control/link/job.h"
-#include "control/link/program.h"
+#include "control/link/program/controlled_program.h"
 #include "intercept/control/scene_calls.h"
 #include "intercept/control/x_server.h"
 
@@ -24,7 +24,7 @@ class EngineProgram final : public control::ControlledProgram {
   void wake() noexcept override;
   void tellSize(bool wider) noexcept override;
   void wantPicture(control::Wanted wanted) noexcept override;
-  std::unique_ptr<control::Picture> takePicture() noexcept override;
+  std::unique_ptr<control::KeptPicture> takePicture() noexcept override;
   void linkBegan(bool here) noexcept override;
   void linkEnded() noexcept override;
 

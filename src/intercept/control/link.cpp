@@ -4,9 +4,9 @@
 #include "control/link/program_link.h"
 #include "control/link/registration.h"
 #include "control/runtime_directory.h"
-#include "intercept/contexts.h"
 #include "intercept/control/engine_program.h"
-#include "intercept/session.h"
+#include "intercept/session/guarded.h"
+#include "intercept/session/session.h"
 #include "settings/live/live_settings.h"
 
 #include <unistd.h>

@@ -2,7 +2,7 @@
 
 #include "control/messages/members.h"
 #include "frame/questions/listed_lights.h"
-#include "intercept/contexts.h"
+#include "intercept/contexts/contexts.h"
 #include "intercept/control/described_objects.h"
 #include "settings/live/settings_source.h"
 

@@ -1,7 +1,7 @@
 // The calls about what the program draws (docs/control-protocol.md): objects, pick, highlight, lights,
 // cameras. Control thread.
 #pragma once
-#include "control/link/program.h"
+#include "control/link/program/controlled_program.h"
 #include "gl/objects/shown_frames.h"
 #include "intercept/control/shown_scene.h"
 

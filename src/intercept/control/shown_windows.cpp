@@ -1,9 +1,9 @@
 #include "intercept/control/shown_windows.h"
 
 #include "base/never_destroyed.h"
-#include "intercept/contexts.h"
 #include "intercept/control/link.h"
-#include "intercept/windows/present_without_swap.h"
+#include "intercept/session/guarded.h"
+#include "intercept/windows/glx_windows.h"
 
 #include <X11/Xlib.h>
 

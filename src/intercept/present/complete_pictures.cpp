@@ -2,7 +2,7 @@
 
 #include "intercept/present/layers.h"
 #include "intercept/present/present_result.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <exception>
 

@@ -3,8 +3,8 @@
 #pragma once
 #include "frame/pictures.h"
 #include "gl/batch/complete_presenter.h"
+#include "intercept/present/kept_framebuffer.h"
 #include "intercept/present/presented_pictures.h"
-#include "intercept/present/read_back/kept_framebuffer.h"
 
 #include <memory>
 #include <utility>

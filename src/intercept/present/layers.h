@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/batch/held_pass.h"
 #include "gl/textures/texture_image.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,8 +3,8 @@
 #include "frame/pictures.h"
 #include "frame/tracer.h"
 #include "gl/batch/presenter.h"
-#include "intercept/present/features.h"
 #include "intercept/present/read_back/sample_depths.h"
+#include "intercept/present/state/features.h"
 #include "intercept/present/write_back/cleared_color.h"
 #include "intercept/present/write_back/write_back.h"
 

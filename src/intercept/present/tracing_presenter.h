@@ -2,10 +2,10 @@
 // per context. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
+#include "intercept/present/buffer_reader.h"
 #include "intercept/present/complete_pictures.h"
 #include "intercept/present/presented_pictures.h"
-#include "intercept/present/read_back/buffer_reader.h"
-#include "intercept/present/read_back/reused_pictures.h"
+#include "intercept/present/reused_pictures.h"
 #include "intercept/present/traced_layers.h"
 #include "intercept/present/traced_window.h"
 #include "intercept/present/write_back/texture_upload.h"

@@ -3,7 +3,7 @@
 #include "base/never_destroyed.h"
 #include "frame/tracer_info.h"
 #include "gl/programs/match.h"
-#include "intercept/session.h"
+#include "intercept/session/session.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // Data about this process for `gluray explain`, besides the report's totals. Any thread.
 #pragma once
-#include "intercept/contexts.h"
+#include "intercept/contexts/contexts.h"
 #include "intercept/present/read_back/frame_picture.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -7,9 +7,11 @@
 #include "base/own_thread.h"
 #include "frame/idle_refiner.h"
 #include "gl/buffers/buffer.h"
-#include "intercept/contexts.h"
+#include "intercept/contexts/contexts.h"
+#include "intercept/contexts/frame_count.h"
 #include "intercept/reports/explanation.h"
-#include "intercept/session.h"
+#include "intercept/session/guarded.h"
+#include "intercept/session/session.h"
 #include "intercept/window_systems/bypassed_doors.h"
 #include "intercept/windows/lag.h"
 

@@ -1,32 +1,45 @@
-// Frame lag of GLX windows: delays swaps until the frame is traced. GL threads.
+// Frame lag of GLX windows: what a context needs to show its frames in a window later, and counts of such
+// frames. GL threads.
 #pragma once
 #include "gl/window/lagged_frame.h"
+#include "intercept/windows/closed_displays.h"
+#include "intercept/windows/following_frames.h"
+#include "intercept/windows/real_swap.h"
+#include "intercept/windows/window_of_context.h"
 #include "settings/settings.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
-
-struct _XDisplay;  // Xlib's Display, without its header's macros
 
 namespace gluray::intercept {
 
-using XId = unsigned long;
-using RealSwap = void (*)(_XDisplay*, XId drawable);
+class BackgroundWindow;
 
-/// State of one context's frame lag between frames.
-class Lag;
-struct LagDeleter {
-  void operator()(Lag* lag) const;
+/// One context's frame lag between frames.
+class Lag {
+ public:
+  FollowingFrames following;
+
+  /// Prepares showing a frame of `drawable` later, by `swap` or in `shown`, which must outlive `window`;
+  /// returns the reason if that is impossible. `keep`: called before the swap, to keep the frame's picture.
+  gl::LagRefusal prepare(_XDisplay* display, XId drawable, RealSwap swap, LagMode mode,
+                         WindowOfContext& shown, std::function<void()> keep, gl::LagWindow& window);
+
+ private:
+  void adopt(_XDisplay* display, XId drawable);
+
+  _XDisplay* display_ = nullptr;
+  XId drawable_ = 0;
+  Closed closed_;
+  std::shared_ptr<BackgroundWindow> background_;
 };
-using LagPtr = std::unique_ptr<Lag, LagDeleter>;
 
-/// Called instead of a swap of `drawable`. True: the swap will be made later. False: make it now.
-bool swapsLater(_XDisplay* display, XId drawable, RealSwap swap) noexcept;
-/// Call when a swap of the drawable returned or was delayed.
-void noteSwap() noexcept;
 /// Disables lag for the process: the program waits for swap events, so no swap may come late.
 void neverLag() noexcept;
+/// Whether neverLag() was called.
+bool neverLags() noexcept;
 
 /// Counts of the process's frames.
 struct LagCounts {
@@ -34,5 +47,7 @@ struct LagCounts {
   std::array<uint64_t, gl::kLagRefusals> because{};
 };
 LagCounts lagCounts() noexcept;
+/// Counts a frame that is shown later, or at once for that reason.
+void countLag(gl::LagRefusal refusal) noexcept;
 
 }  // namespace gluray::intercept

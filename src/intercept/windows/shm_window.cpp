@@ -2,7 +2,7 @@
 
 #include "base/timeline.h"
 #include "frame/pixel_rows.h"
-#include "intercept/contexts.h"
+#include "intercept/session/guarded.h"
 #include "parallel/loops.h"
 
 #include <sys/ipc.h>

@@ -1,6 +1,6 @@
 // Surfaces of a view that other processes hold: the ranks of a sort-last program have a part of the scene
-// each. They block light as this process's own surfaces do. Implemented by dist/peers, asked on all tracing
-// threads.
+// each. They block light as this process's own surfaces do. Implemented by cluster/peers, asked on all
+// tracing threads.
 #pragma once
 #include "accel/rays/bounds.h"
 #include "accel/rays/occlusion.h"

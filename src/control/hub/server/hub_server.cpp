@@ -2,9 +2,9 @@
 
 #include "control/auth/handshake.h"
 #include "control/auth/refusals.h"
-#include "control/connect.h"
-#include "control/connect_tcp.h"
-#include "control/connection.h"
+#include "control/connection/connect.h"
+#include "control/connection/connect_tcp.h"
+#include "control/connection/connection.h"
 #include "control/hub/hub_core.h"
 #include "control/hub/server/listener.h"
 #include "control/hub/server/program_files.h"

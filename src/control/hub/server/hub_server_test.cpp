@@ -1,7 +1,7 @@
 // The hub on a Unix socket: who may connect, what stands in its way, and many programs.
 #include "control/hub/server/hub_server.h"
 
-#include "control/hub/server/server_fixture.h"
+#include "control/testing/server_fixture.h"
 
 #include <fcntl.h>
 #include <sys/resource.h>

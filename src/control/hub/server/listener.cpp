@@ -1,6 +1,6 @@
 #include "control/hub/server/listener.h"
 
-#include "control/connect_tcp.h"
+#include "control/connection/connect_tcp.h"
 
 #include <netdb.h>
 #include <netinet/in.h>

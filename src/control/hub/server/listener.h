@@ -1,6 +1,6 @@
 // Accepts connections of a listening socket. On the thread that runs the io_context.
 #pragma once
-#include "control/connection.h"
+#include "control/connection/connection.h"
 
 #include <asio/io_context.hpp>
 #include <asio/posix/stream_descriptor.hpp>

@@ -3,8 +3,8 @@
 #include "control/auth/key.h"
 #include "control/auth/refusals.h"
 #include "control/auth/waiting_peers.h"
-#include "control/connect_tcp.h"
-#include "control/hub/server/server_fixture.h"
+#include "control/connection/connect_tcp.h"
+#include "control/testing/server_fixture.h"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -2,7 +2,7 @@
 // bit-identical depths (gl/history/multipass_surfaces.h). GL thread, outside glBegin/glEnd.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 #include "scene/snapshot.h"
 
 namespace gluray::present {

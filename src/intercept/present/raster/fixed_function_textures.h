@@ -1,7 +1,7 @@
 // Sets the real OpenGL's texture units from scene::Texture. GL thread, used by the raster fallback between
 // glPushAttrib and glPopAttrib.
 #pragma once
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 #include "scene/texture.h"
 
 #include <unordered_map>

@@ -1,7 +1,7 @@
 // Replays kept draws of shader programs with the real OpenGL. GL thread.
 #pragma once
 #include "gl/batch/program_draw.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 #include "scene/snapshot.h"
 
 #include <functional>

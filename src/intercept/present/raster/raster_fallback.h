@@ -2,7 +2,7 @@
 // glBegin/glEnd.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 #include "scene/snapshot.h"
 
 namespace gluray::present {

@@ -1,7 +1,7 @@
 // The triangles of one mesh in our own vertex array, to draw their depth (depth_redraw.cpp). GL thread.
 #pragma once
 #include "intercept/present/raster/raster_fallback.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 #include "scene/snapshot.h"
 
 namespace gluray::present {

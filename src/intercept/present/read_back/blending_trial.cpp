@@ -3,7 +3,7 @@
 #include "gl/real/state_queries.h"
 #include "intercept/present/read_back/sample_copy.h"
 #include "intercept/present/read_back/view_program.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <GL/glext.h>
 

@@ -2,7 +2,7 @@
 // found out by drawing. One per context. GL thread, context current; restores all state.
 #pragma once
 #include "gl/real/real.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 
 #include <optional>
 

@@ -3,7 +3,7 @@
 #include "base/files.h"
 #include "gl/real/buffer_bits.h"
 #include "gl/real/state_queries.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -3,7 +3,7 @@
 #pragma once
 #include "base/image.h"
 #include "gl/real/real.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,9 +1,9 @@
 #include "intercept/present/read_back/sample_copy.h"
 
 #include "gl/real/state_queries.h"
-#include "intercept/present/texture_growth.h"
-#include "intercept/present/write_back/state_guard.h"
-#include "intercept/present/write_back/texture_names.h"
+#include "intercept/present/state/state_guard.h"
+#include "intercept/present/state/texture_growth.h"
+#include "intercept/present/state/texture_names.h"
 
 #include <GL/glext.h>
 

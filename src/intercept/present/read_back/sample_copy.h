@@ -2,7 +2,7 @@
 // context current; restores all state.
 #pragma once
 #include "gl/real/real.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

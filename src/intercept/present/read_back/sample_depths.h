@@ -3,8 +3,8 @@
 #pragma once
 #include "gl/batch/presenter.h"
 #include "gl/real/real.h"
-#include "intercept/present/features.h"
 #include "intercept/present/read_back/sample_copy.h"
+#include "intercept/present/state/features.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

@@ -1,7 +1,7 @@
 #include "intercept/present/read_back/window_buffers.h"
 
 #include "gl/real/state_queries.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include "frame/window_content.h"
 #include "gl/batch/presenter.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 
 #include <GL/gl.h>
 #include <glm/glm.hpp>

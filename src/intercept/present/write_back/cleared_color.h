@@ -1,8 +1,8 @@
 // The pixel value that a framebuffer holds after a clear. GL thread, context current.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "intercept/present/features.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/features.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <array>
 #include <cstdint>

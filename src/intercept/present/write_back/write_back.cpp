@@ -1,8 +1,8 @@
 #include "intercept/present/write_back/write_back.h"
 
 #include "base/timeline.h"
-#include "intercept/present/texture_growth.h"
-#include "intercept/present/write_back/texture_names.h"
+#include "intercept/present/state/texture_growth.h"
+#include "intercept/present/state/texture_names.h"
 #include "intercept/present/write_back/write_back_program.h"
 
 #include <algorithm>

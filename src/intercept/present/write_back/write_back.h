@@ -5,7 +5,7 @@
 #include "base/image.h"
 #include "frame/hit_bands.h"
 #include "gl/batch/presenter.h"
-#include "intercept/present/write_back/state_guard.h"
+#include "intercept/present/state/state_guard.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,7 @@
 // The GLSL program of the write-back. GL thread, context current.
 #pragma once
 #include "base/image.h"
-#include "intercept/present/features.h"
+#include "intercept/present/state/features.h"
 
 #include <string>
 

@@ -1,0 +1,148 @@
+// Brings the parts that the ranks of a sort-last program have of a view together, for one of these ranks: it
+// gathers the parts of the others and gives them the picture that its program shows, or gives its own part to
+// the rank that gathers and gets that picture, or traces its part alone. What was decided for a snapshot
+// holds for all passes over it. The worker's main thread.
+#pragma once
+#include "cluster/gather/part_meetings.h"
+#include "cluster/messages/part_messages.h"
+#include "cluster/messages/program_messages.h"
+#include "cluster/peers/meetings.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gluray::cluster {
+
+class PartGatherer {
+ public:
+  /// Sends to a peer.
+  using Send = std::function<void(int peer, std::vector<std::byte> message)>;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `self`: this rank, of the program's `ranks`. `say`: one line for the user.
+  PartGatherer(const Hash128& program, int self, int ranks, Send send, Say say);
+
+  /// The program asks for a picture whose parts are to be gathered, or that blends.
+  void begin(const TraceRequest& request, double now);
+  enum class Share : uint8_t {
+    awaited,  // not known yet
+    whole,    // the picture of all parts()
+    shown,    // picture(): another rank has made it
+    own,      // the part alone
+  };
+  /// Which share of the picture of the view is the rank's. `request`: that of begin().
+  Share look(const TraceRequest& request, double now);
+  /// Parts of other ranks, for Share::whole.
+  const std::vector<PartGiven>& parts() const { return decided_[current_].parts; }
+  /// Why the last part that was not gathered was not; empty: there was no reason that lasts.
+  const std::string& whyOwn() const { return saidWhy_; }
+  /// For Share::shown; null: it is kept no longer.
+  const PartPicture* picture();
+  /// Whether a part of the whole is gone or has come late: its picture must end, and look() decides anew.
+  bool isLost() const { return state_ == State::tracing && lost_; }
+  /// The whole has been traced; not `traced`: it has not.
+  void end(bool traced, double now);
+  /// The program sends geometry.
+  void comes(double now);
+  /// Work on a picture of the program goes on.
+  void atWork(double now);
+  /// The program shows the picture of a snapshot whose parts were traced here: gives it to their ranks.
+  void show(uint64_t number, const PartPicture& picture);
+
+  void joins(int rank);
+  void leaves(int rank, double now);
+  void take(const PartHere& part, double now);
+  void take(const PartOver& over, double now);
+  void take(const PartComes& comes, double now);
+  void take(PartGiven part, double now);
+  void take(const PartDone& done, double now);
+  void take(PartPicture picture, double now);
+  void take(const PartGone& gone, double now);
+  void take(const PartAtWork& work, double now);
+  /// Says to peers that work goes on. Call ten times a second or more.
+  void tick(double now);
+
+ private:
+  enum class State : uint8_t {
+    idle,
+    meeting,     // who draws a part of the view?
+    collecting,  // waits for parts
+    given,       // waits for PartDone or PartPicture
+    following,   // waits for another picture of a part that was given
+    tracing,     // Share::whole has been returned
+  };
+  struct Decided {
+    uint64_t number = 0;  // of the snapshot
+    uint64_t round = 0;   // of this rank
+    Share share = Share::own;
+    std::vector<PartGiven> parts;
+  };
+  /// The last picture of parts that was made here.
+  struct Made {
+    uint64_t number = 0, round = 0;  // of the snapshot; of this rank
+    std::vector<int> ranks;          // that have given parts
+    bool isOwed = false;             // the program has not shown it, or adds passes
+    double since = 0;                // when the program last had something traced for it
+    PartPicture shown;               // without pixels: it never did
+  };
+  /// The last picture that shows parts given by this rank.
+  struct Theirs {
+    uint64_t number = 0;  // of the snapshot
+    bool isNew = false;   // picture() has not returned it
+    PartPicture picture;
+  };
+  template <class M>
+  void sendTo(int peer, M message) const {
+    message.address = {program_, self_, peer};
+    send_(peer, forRanks(message));
+  }
+  template <class M>
+  void sendToAll(const M& message) const {
+    for (int rank = 0; rank < meetings_.ranks(); ++rank)
+      if (rank != self_) sendTo(rank, message);
+  }
+  std::vector<int> peersHere(double now);
+  std::string whyNot(const std::vector<int>& peers) const;
+  Share meet(const TraceRequest& request, double now);
+  Share collect(const TraceRequest& request, double now);
+  Share decide(Share share);
+  void meetAgain();
+  void giveBack();
+  void close(const std::vector<int>& with = {});
+  void refused();
+  void giveUpMade();
+  void loses(int rank, double now);
+  bool isSilent(int rank, double now) const { return now - at(rank) > Meetings::kPatience; }
+  double& at(int rank) { return heard_[static_cast<size_t>(rank)]; }
+  double at(int rank) const { return heard_[static_cast<size_t>(rank)]; }
+
+  const Hash128 program_;
+  const int self_;
+  const Send send_;
+  const Say say_;
+  PartMeetings meetings_;
+  std::vector<double> heard_;  // when each peer said something
+  State state_ = State::idle;
+  PartHere own_;                       // of the current picture; its round rises with each
+  bool isOpen_ = false;                // peers have been told of it, and not that it is over
+  uint64_t number_ = 0;                // of its snapshot
+  std::map<int, PartGiven> given_;     // to this rank, for the current picture
+  std::map<int, uint64_t> refusedBy_;  // rounds of peers that do not take the current part
+  int to_ = -1;                        // the rank that has our part
+  uint64_t toRound_ = 0;               // its round
+  bool isShown_ = false;               // it has answered with the picture
+  Made made_;
+  Theirs theirs_;
+  bool lost_ = false;             // the parts of the whole are not those that belong to it
+  std::vector<Decided> decided_;  // the last ones
+  size_t current_ = 0;            // index into decided_, once it is decided
+  double said_ = 0, saidComes_ = 0;
+  std::string saidWhy_;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,110 @@
+// How the ranks of a sort-last program, peers, bring the parts of a view together: the lowest rank that draws
+// it gathers those of the others. All go from worker to worker. Any thread.
+#pragma once
+#include "cluster/messages/peer_messages.h"
+
+namespace gluray::cluster {
+
+/// What a rank shows, as far as parts must agree in it.
+struct PartView {
+  uint64_t frame = 0;  // Snapshot::frame
+  glm::ivec4 viewport{0};
+  glm::dmat4 clipFromEye{1}, eyeFromWorld{1};
+  glm::dvec3 lower{1}, upper{0};  // of the surfaces, in eye space; lower > upper: not known
+  Hash128 likeness;               // of all else: region, samples, depth range ...
+  bool blends = false;            // it cannot be gathered
+};
+/// The sender has a part of this view, waits for its picture, and looks for the parts of others.
+struct PartHere {
+  static constexpr uint16_t kType = 60;
+  PeerAddress address;
+  uint64_t round = 0;     // rises
+  bool isAnswer = false;  // to a PartHere of this view: the sender still waits
+  PartView view;
+};
+/// It waits no longer.
+struct PartOver {
+  static constexpr uint16_t kType = 66;
+  PeerAddress address;
+  std::vector<int32_t> with;  // ranks whose parts the sender's picture shows, too
+};
+/// The sender's program sends geometry: a part comes.
+struct PartComes {
+  static constexpr uint16_t kType = 67;
+  PeerAddress address;
+};
+/// To the lowest rank: the sender's part belongs to its picture.
+struct PartGiven {
+  static constexpr uint16_t kType = 61;
+  PeerAddress address;
+  uint64_t round = 0;           // of the receiver
+  uint64_t number = 0;          // TraceRequest::number
+  std::vector<Hash128> arrays;  // that the snapshot names
+  std::vector<std::byte> snapshot;
+};
+/// Answers PartGiven: the part belongs to no picture of the sender.
+struct PartDone {
+  static constexpr uint16_t kType = 62;
+  PeerAddress address;
+  uint64_t round = 0;  // of PartGiven
+};
+/// Answers PartGiven, each time that the sender's program shows the picture of all parts.
+struct PartPicture {
+  static constexpr uint16_t kType = 65;
+  PeerAddress address;
+  uint64_t round = 0;      // of PartGiven
+  bool finished = false;   // it will not become better
+  uint32_t missColor = 0;  // Image::missColor
+  ImageShape shape;
+  LayerCounts layers;
+  std::vector<std::byte> pixels;  // of planesIn(shape)
+};
+/// The sender takes back the part that it has given.
+struct PartGone {
+  static constexpr uint16_t kType = 63;
+  PeerAddress address;
+};
+/// The sender waits for others, or is at work on parts.
+struct PartAtWork {
+  static constexpr uint16_t kType = 64;
+  PeerAddress address;
+};
+
+void fields(auto& archive, Like<PartView> auto& value) {
+  auto& [frame, viewport, clipFromEye, eyeFromWorld, lower, upper, likeness, blends] = value;
+  archive(frame, viewport, clipFromEye, eyeFromWorld, lower, upper, likeness, blends);
+}
+void fields(auto& archive, Like<PartHere> auto& value) {
+  auto& [address, round, isAnswer, view] = value;
+  archive(address, round, isAnswer, view);
+}
+void fields(auto& archive, Like<PartOver> auto& value) {
+  auto& [address, with] = value;
+  archive(address, with);
+}
+void fields(auto& archive, Like<PartComes> auto& value) {
+  auto& [address] = value;
+  archive(address);
+}
+void fields(auto& archive, Like<PartGiven> auto& value) {
+  auto& [address, round, number, arrays, snapshot] = value;
+  archive(address, round, number, arrays, snapshot);
+}
+void fields(auto& archive, Like<PartDone> auto& value) {
+  auto& [address, round] = value;
+  archive(address, round);
+}
+void fields(auto& archive, Like<PartPicture> auto& value) {
+  auto& [address, round, finished, missColor, shape, layers, pixels] = value;
+  archive(address, round, finished, missColor, shape, layers, pixels);
+}
+void fields(auto& archive, Like<PartGone> auto& value) {
+  auto& [address] = value;
+  archive(address);
+}
+void fields(auto& archive, Like<PartAtWork> auto& value) {
+  auto& [address] = value;
+  archive(address);
+}
+
+}  // namespace gluray::cluster

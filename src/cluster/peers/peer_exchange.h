@@ -1,0 +1,147 @@
+// The light of a sort-last program's pictures on one rank: asks peers about rays that may meet their
+// surfaces, and answers theirs. Tiles that must ask are traced twice: first all their queries are collected,
+// then they get the answers. Messages come on the worker's main thread; one thread traces, with those of its
+// renderer.
+#pragma once
+#include "cluster/messages/peer_messages.h"
+#include "cluster/messages/program_messages.h"
+#include "cluster/peers/meetings.h"
+#include "cluster/peers/near_peer.h"
+#include "cluster/peers/part_changes.h"
+#include "cluster/peers/tile_ledger.h"
+#include "render/effects/occlusion_answers.h"
+#include "render/remote/remote_surfaces.h"
+#include "render/tiles/tiles.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::cluster {
+
+class PeerExchange final : public render::FilmSource, public render::RemoteSurfaces {
+ public:
+  /// Sends to a peer. Any thread.
+  using Send = std::function<void(int peer, std::vector<std::byte> message)>;
+  using Say = std::function<void(const std::string&)>;
+
+  /// `self`: this rank, of the program's `ranks`. `say`: one line for the user, any thread.
+  PeerExchange(Hash128 program, int self, int ranks, Send send, Say say);
+
+  // The main thread.
+  void joins(int rank);
+  void leaves(int rank);
+  void take(const SceneComes& coming, double now);
+  void take(const SceneHeld& scene, double now);
+  void take(OcclusionQueries queries, double now);
+  void take(const OcclusionReplies& replies, double now);
+  void take(const DoneAsking& done, double now);
+  void take(const StillHere& here, double now);
+  /// The program wants a picture: what is held ends as soon as peers have their answers, or at once if it is
+  /// of the same view. `shown`: that view, if surfaces of peers may block its light.
+  void announce(const std::optional<ViewName>& shown);
+  /// Says to peers that work goes on. Call ten times a second or more.
+  void tick(double now);
+  /// The program does not want its picture any more.
+  void cancel();
+  /// Nothing is traced any more.
+  void close();
+
+  // The tracing thread.
+  /// What announce() announced begins. `traced` is called when the picture is whole. `meets`: surfaces of
+  /// peers may block its light.
+  void start(bool averages, bool meets, std::function<void()> traced);
+  /// Whether the picture must be traced anew: without a peer that is gone, or without averages.
+  bool again() const { return again_; }
+  bool averages() const { return averages_; }
+  /// The scene is gone. Call when tracing has ended, whatever happened.
+  void finish() noexcept;
+
+  void begin(const Image& image) noexcept override;
+  int next() noexcept override;
+  void done(int tile, double seconds, bool seenThrough) noexcept override;
+  uint32_t index(uint32_t own) const noexcept override { return own; }
+  void collected(const render::FactorFilm& film, int tile, double seconds) noexcept override;
+  bool complete(render::FactorFilm& film) noexcept override;
+  int nextToColor() noexcept override;
+  void begin(const render::FrameData& frame) override;
+  void beginEmpty(const scene::Snapshot& snapshot) override;
+  accel::Bounds bounds() const noexcept override { return bounds_; }
+  bool changed() const noexcept override { return changes_; }
+  uint32_t occluded(const render::RemoteQuery& query, uint32_t blocked,
+                    render::Passing passing) noexcept override;
+  bool recall(uint32_t& blocked) noexcept override;
+  bool isReplaying() const noexcept override;
+  void hold(const std::function<void()>& whole) noexcept override;
+
+ private:
+  using Lock = std::unique_lock<std::mutex>;
+  template <class M>
+  void sendTo(int peer, M message) const {
+    message.address = {program_, self_, peer};
+    send_(peer, forRanks(message));
+  }
+  template <class M>
+  void sendToAll(const M& message) const {
+    for (int rank = 0; rank < meetings_.ranks(); ++rank)
+      if (rank != self_) sendTo(rank, message);
+  }
+  /// `frame` null: this rank has no surface of the view.
+  void meet(const scene::Snapshot& snapshot, const accel::Bounds& bounds, const render::FrameData* frame);
+  void addNear();
+  void setScene(SceneHeld scene);
+  void refuseAll();
+  bool isSilent(int rank, double now) const;
+  size_t nearOf(int rank) const;  // near_.size(): none
+  void sendQueries(int tile, TileRecord& record, double now);
+  /// Answers one peer's queries, without the lock. False: there are none.
+  bool answersOne(Lock& lock) noexcept;
+  void answer(const OcclusionQueries& queries) const noexcept;
+  void answerAll(std::deque<OcclusionQueries> queries) const;
+  void serve(Lock& lock);
+  void drop(int rank, const std::string& why);
+  bool isAsked(double now) const;
+  bool isCancelled() const { return started_ <= cancelled_; }
+  bool ends() const { return isCancelled() || closed_ || again_; }
+
+  const Hash128 program_;
+  const int self_;
+  const Send send_;
+  const Say say_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  Meetings meetings_;
+  std::vector<bool> asking_;   // peers that may ask about the scene held
+  std::vector<double> heard_;  // when each peer said something
+  std::deque<OcclusionQueries> queries_;
+  SceneHeld scene_;                                     // the last one; its round rises with each
+  bool held_ = false;                                   // it is there, or comes
+  size_t announced_ = 0, started_ = 0, cancelled_ = 0;  // counts of pictures
+  std::optional<ViewName> coming_;                      // whose scene is built
+  double saidComing_ = 0, saidHere_ = 0;
+  bool closed_ = false;
+
+  // Of the picture. What tracing threads read without the lock does not change while they trace.
+  std::function<void()> traced_;
+  std::atomic<bool> again_{false}, averages_{true};
+  const scene::Snapshot* snapshot_ = nullptr;
+  std::optional<render::OcclusionAnswers> answers_;
+  std::vector<NearPeer> near_;
+  accel::Bounds bounds_;
+  std::vector<size_t> waiting_;  // beside near_: tiles that wait for answers
+  uint64_t attempt_ = 0;
+  int refusals_ = 0;
+  PartChanges parts_;
+  bool changes_ = false;
+  TileLedger ledger_;
+  std::vector<int> tiles_;  // of the picture
+  size_t colored_ = 0;      // of them, or being coloured: of moving frames, once all are collected
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,78 @@
+// Occlusion queries and their answers as bytes, without loss: packets of rays in the order in which they are
+// asked. Origins that repeat, as those of several samples at one point do, are written once. Any thread.
+#pragma once
+#include "accel/rays/occlusion.h"
+#include "accel/rays/ray_kind.h"
+#include "cluster/stream/byte_stream.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gluray::cluster {
+
+/// Rays of one packet, of the lanes in `lanes`.
+struct QueryPacket {
+  uint32_t lanes = 0;
+  accel::RayKind kind = accel::RayKind::occlusion;  // or shadow
+  std::optional<glm::vec3> lamp;                    // render::RemoteQuery::lamp, in the receiver's eye space
+  accel::OcclusionRays rays;                        // origins, directions and tFar of those lanes
+};
+
+class QueryWriter {
+ public:
+  void add(const QueryPacket& packet);
+  size_t rays() const { return rays_; }
+  std::vector<std::byte> take() { return out_.take(); }
+
+ private:
+  ByteWriter out_;
+  size_t rays_ = 0;
+  uint32_t known_ = 0;  // lanes of origins_
+  std::array<glm::vec3, accel::kLanes> origins_;
+};
+
+class QueryReader {
+ public:
+  explicit QueryReader(std::span<const std::byte> bytes) : in_(bytes) {}
+  /// False: there are no more. Sets tNear to 0. Throws Malformed.
+  bool next(QueryPacket& packet);
+
+ private:
+  ByteReader in_;
+  uint32_t known_ = 0;
+  std::array<glm::vec3, accel::kLanes> origins_;
+};
+
+/// Of one packet of queries.
+struct AnswerPacket {
+  uint32_t blocked = 0;
+  uint32_t partly = 0;                           // lanes of which a part passes, neither nothing nor all
+  std::array<glm::vec3, accel::kLanes> through;  // what passes, of these lanes
+};
+
+class AnswerWriter {
+ public:
+  void add(const AnswerPacket& packet);
+  std::vector<std::byte> take() { return out_.take(); }
+
+ private:
+  ByteWriter out_;
+};
+
+class AnswerReader {
+ public:
+  explicit AnswerReader(std::span<const std::byte> bytes) : in_(bytes) {}
+  /// The answers to the next packet, which asked for `lanes`. Throws Malformed.
+  AnswerPacket next(uint32_t lanes);
+  bool atEnd() const { return in_.left() == 0; }
+
+ private:
+  ByteReader in_;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,64 @@
+// Pictures by a job of workers, in place of this process's renderer. Any thread.
+#pragma once
+#include "cluster/program/worker_link.h"
+#include "frame/tracer.h"
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace gluray::cluster {
+
+/// Gives one picture at a time to the workers. Where no worker answers, this process traces; it says so once,
+/// and looks for workers again.
+class RemoteTracer {
+ public:
+  /// `here`: traces in this process. `say`: one line for the user.
+  RemoteTracer(std::string directory, std::string job, MpiPlace place, frame::TraceBehind here,
+               std::function<void(const std::string&)> say);
+
+  /// As frame::Trace and frame::TraceBehind. `stop` null: in front of calls that may be stopped.
+  bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+             const std::function<bool()>& stop) noexcept;
+  /// As frame::Shown.
+  void shown(const scene::Snapshot& snapshot, const Image& image, bool finished) noexcept;
+  /// As frame::Scenery. trace() leaves ground and background out where the program has several ranks and the
+  /// setting `gather` is on.
+  bool isGathered(const scene::Snapshot& snapshot) noexcept;
+  bool traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
+                     std::string& error) noexcept;
+  void leaveSceneryOut() noexcept;
+  /// As frame::Improves, of the last picture.
+  bool improves() const noexcept { return improves_; }
+  /// As frame::StandsAlone.
+  bool standsAlone(const scene::Snapshot& snapshot) const noexcept { return link_.standsAlone(snapshot); }
+
+ private:
+  enum class Result : uint8_t { done, stopped, failed, nobody };
+  Result byWorkers(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                   const std::function<bool()>& stop);
+  Result receive(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                 const std::function<bool()>& stop);
+  void tell(const std::string& why);
+  bool traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+                const std::function<bool()>& stop) noexcept;
+  /// Whether trace() leaves out what shows outside of all ranks' data.
+  bool leavesOut(const scene::Snapshot& snapshot) const;
+
+  const std::string job_;
+  const bool hasPeers_;  // other ranks of the same program
+  const frame::TraceBehind here_;
+  const std::function<void(const std::string&)> say_;
+  std::mutex mutex_;
+  std::atomic<int> wanted_{0};  // calls in front that wait or trace
+  std::atomic<bool> improves_{false};
+  WorkerLink link_;
+  bool traced_ = false;   // the last picture came from workers
+  std::string told_;      // why the one before did not
+  std::string toldNote_;  // PictureDone::note
+  std::atomic<bool> toldOfScenery_{false};
+};
+
+}  // namespace gluray::cluster

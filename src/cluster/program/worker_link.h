@@ -1,0 +1,84 @@
+// A program's connection to the worker of its machine. One thread at a time.
+#pragma once
+#include "cluster/local/line.h"
+#include "cluster/messages/program_messages.h"
+#include "cluster/program/worker_place.h"
+#include "cluster/stream/snapshot_encoder.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+
+namespace gluray::cluster {
+
+/// Where a program stands among the ranks of its MPI job.
+struct MpiPlace {
+  int onMachine = 0;  // its number among those of its machine
+  std::string job;    // empty: it is no MPI program
+  int rank = 0, ranks = 1;
+};
+
+class WorkerLink {
+ public:
+  /// The worker of the job `job` whose socket is in `directory`; of several on this machine, that of the
+  /// program's place.
+  WorkerLink(std::string directory, std::string job, MpiPlace place);
+
+  /// Connects where it is not connected. False: no worker traces for this program at present; why() says why.
+  /// The first attempt waits for the worker's welcome, later ones do not.
+  bool isReady(double now);
+  const std::string& why() const { return why_; }
+  int ranks() const { return ranks_; }
+
+  /// Whether pictures of the snapshot depend on nothing else: false where surfaces of the program's other
+  /// ranks belong to them or block their light.
+  bool standsAlone(const scene::Snapshot& snapshot) const;
+  /// Whether the last picture of the snapshot showed surfaces of other ranks, too: then this process must not
+  /// trace it.
+  bool isGathered(const scene::Snapshot& snapshot) const;
+  /// Whether another rank's process makes that picture.
+  bool isMadeElsewhere(const scene::Snapshot& snapshot) const {
+    return isGathered(snapshot) && elsewhere_ == snapshot.number;
+  }
+  /// Tells what this process shows of a gathered picture. False: the connection has failed.
+  bool show(const scene::Snapshot& snapshot, const Image& image, bool finished);
+  /// Sends the snapshot and those of its arrays that the worker lacks. False: the connection has failed.
+  bool ask(const scene::Snapshot& snapshot, uint32_t missColor);
+  enum class Came : uint8_t { nothing, sign, picture, failure };
+  /// Waits for what the worker says of the picture. `failure`: it has said nothing for long, or is gone.
+  Came wait(int timeoutMs, double now);
+  /// After Came::picture.
+  const PictureDone& picture() const { return picture_; }
+  /// The picture's pixels, until the next ask().
+  const std::byte* pixels() const { return memory_.get(); }
+  void cancel();
+  void disconnect(std::string why, double now);
+
+ private:
+  bool connect(double now);
+  bool greet(int timeoutMs, double now);
+  bool sendArrays(const EncodedSnapshot& encoded);
+  void forgetGone();
+  template <class M>
+  bool send(const M& message, int attached = -1);
+
+  const std::string directory_, job_;
+  const MpiPlace place_;
+  std::optional<Line> line_;
+  bool welcome_ = false, everTried_ = false;
+  double nextTry_ = 0, lastSign_ = 0, helloAt_ = 0;
+  std::string why_;
+  int ranks_ = 1;
+  SnapshotEncoder encoder_;
+  std::unordered_map<Hash128, std::weak_ptr<const void>> sent_;
+  size_t sentAfterForgetting_ = 0;
+  uint64_t lastId_ = 0;
+  std::shared_ptr<const std::byte> memory_;
+  size_t memoryBytes_ = 0;
+  PictureDone picture_;
+  // Snapshot::number of the last request, the last gathered picture, and the last one of another process.
+  uint64_t asked_ = 0, gathered_ = 0, elsewhere_ = 0;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,52 @@
+// The tiles that a head has given this rank of one picture, and the way of the traced ones back. Any thread.
+#pragma once
+#include "cluster/messages/rank_messages.h"
+#include "cluster/ranks/outbox.h"
+#include "render/tiles/tiles.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace gluray::cluster {
+
+class TileQueue final : public render::TileSource {
+ public:
+  /// The outbox must outlive it.
+  TileQueue(int head, uint64_t id, Outbox& outbox) : head_(head), id_(id), outbox_(outbox) {}
+
+  void add(const std::vector<int32_t>& tiles);
+  /// Threads that wait for tiles end.
+  void close();
+  bool isClosed() const { return closed_.load(std::memory_order_relaxed); }
+
+  /// Of a moving frame: no tiles come any more.
+  void filmComes(FilmComes comes);
+  /// Waits until it comes. Nothing: the queue has been closed.
+  std::optional<FilmComes> waitForFilm();
+  /// Sends the tile of a moving frame.
+  void collected(const render::FactorFilm& film, int tile, double seconds) noexcept;
+
+  void begin(const Image& image) noexcept override { image_ = &image; }
+  int next() noexcept override;
+  void done(int tile, double seconds, bool seenThrough) noexcept override;
+  /// done() of all tiles of an image that was traced at once.
+  void doneAll(const Image& image, double seconds);
+
+ private:
+  const int head_;
+  const uint64_t id_;
+  Outbox& outbox_;
+  const Image* image_ = nullptr;
+  std::mutex mutex_;
+  std::condition_variable more_;
+  std::deque<int32_t> tiles_;
+  std::optional<FilmComes> film_;
+  std::atomic<bool> closed_{false};
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,53 @@
+// Writes and reads the plain values of messages, in this machine's byte order: both ends have the same
+// (checked when they meet). Any thread.
+#pragma once
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace gluray::cluster {
+
+/// A message that no sender of this version makes.
+class Malformed : public std::runtime_error {
+ public:
+  explicit Malformed(const std::string& what) : std::runtime_error("malformed message: " + what) {}
+};
+
+class ByteWriter {
+ public:
+  void put(const void* bytes, size_t size);
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) { put(&value, sizeof value); }
+  const std::vector<std::byte>& bytes() const { return bytes_; }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+/// Throws Malformed where a message ends too early.
+class ByteReader {
+ public:
+  explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  std::span<const std::byte> take(size_t size);
+  template <class T>
+  requires std::is_trivially_copyable_v<T> T get() {
+    T value;
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    return value;
+  }
+  /// Number of elements that follow, each of which takes at least `least` bytes: longer lists than what
+  /// is left are refused before memory is allocated for them.
+  size_t count(size_t least);
+  size_t left() const { return bytes_.size(); }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,172 @@
+// The members of what snapshots are made of, for whoever writes and reads them: fields(archive, value) calls
+// archive(member, ...) with all of them. Structured bindings name them, so that a member that is added and
+// not named here is an error of the compiler. Any thread.
+#pragma once
+#include "scene/backdrop.h"
+#include "scene/snapshot.h"
+#include "scene/surroundings.h"
+
+#include <concepts>
+#include <type_traits>
+
+namespace gluray::cluster {
+
+/// T, or const T.
+template <class V, class T>
+concept Like = std::same_as<std::remove_const_t<V>, T>;
+
+void fields(auto& archive, Like<scene::Camera> auto& value) {
+  auto& [clipFromEye, viewport, depthNear, depthFar, rowsFromTop] = value;
+  archive(clipFromEye, viewport, depthNear, depthFar, rowsFromTop);
+}
+void fields(auto& archive, Like<scene::Region> auto& value) {
+  auto& [x, y, width, height] = value;
+  archive(x, y, width, height);
+}
+void fields(auto& archive, Like<scene::ColorWrites> auto& value) {
+  auto& [red, green, blue, alpha] = value;
+  archive(red, green, blue, alpha);
+}
+void fields(auto& archive, Like<scene::ObjectNumber> auto& value) {
+  auto& [number] = value;
+  archive(number);
+}
+void fields(auto& archive, Like<scene::PolygonOffset> auto& value) {
+  auto& [factor, units, resolution, euclidean, floats] = value;
+  archive(factor, units, resolution, euclidean, floats);
+}
+void fields(auto& archive, Like<scene::Blending::Part> auto& value) {
+  auto& [equation, source, destination] = value;
+  archive(equation, source, destination);
+}
+void fields(auto& archive, Like<scene::Blending> auto& value) {
+  auto& [rgb, alpha, constant, hasAlpha, writesDepth] = value;
+  archive(rgb, alpha, constant, hasAlpha, writesDepth);
+}
+void fields(auto& archive, Like<scene::Layers> auto& value) {
+  auto& [of, opaqueDepth, tolerance, peels, colors, blending, depthSteps] = value;
+  archive(of, opaqueDepth, tolerance, peels, colors, blending, depthSteps);
+}
+void fields(auto& archive, Like<scene::LightSampling> auto& value) {
+  auto& [mode, pass, tiles] = value;
+  archive(mode, pass, tiles);
+}
+void fields(auto& archive, Like<scene::Backdrop> auto& value) {
+  auto& [isClear] = value;
+  archive(isClear);
+}
+
+void fields(auto& archive, Like<scene::Light> auto& value) {
+  auto& [ambient, diffuse, specular, position, spotDirection, spotExponent, spotCutoff, attenuation] = value;
+  archive(ambient, diffuse, specular, position, spotDirection, spotExponent, spotCutoff, attenuation);
+}
+void fields(auto& archive, Like<scene::Material> auto& value) {
+  auto& [ambient, diffuse, specular, emission, shininess] = value;
+  archive(ambient, diffuse, specular, emission, shininess);
+}
+void fields(auto& archive, Like<scene::MaterialPair> auto& value) {
+  auto& [front, back] = value;
+  archive(front, back);
+}
+void fields(auto& archive, Like<scene::ColorMaterial> auto& value) {
+  auto& [front, back] = value;
+  archive(front, back);
+}
+void fields(auto& archive, Like<scene::Fog> auto& value) {
+  auto& [mode, density, start, end, color, clampsSum, fromCoordinates, scaled, scale, extrapolates] = value;
+  archive(mode, density, start, end, color, clampsSum, fromCoordinates, scaled, scale, extrapolates);
+}
+void fields(auto& archive, Like<scene::AlphaTest> auto& value) {
+  auto& [function, asBytes, reference] = value;
+  archive(function, asBytes, reference);
+}
+void fields(auto& archive, Like<scene::FragmentLight> auto& value) {
+  auto& [kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
+         shininess, half] = value;
+  archive(kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
+          shininess, half);
+}
+void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
+  auto& [metallic, roughness, baseF0, edgeTint, emissive] = value;
+  archive(metallic, roughness, baseF0, edgeTint, emissive);
+}
+void fields(auto& archive, Like<scene::HeightColors> auto& value) {
+  auto& [axis, scale, offset, exponent] = value;
+  archive(axis, scale, offset, exponent);
+}
+void fields(auto& archive, Like<scene::Rim> auto& value) {
+  auto& [on, mixes, color, exponent, opacity] = value;
+  archive(on, mixes, color, exponent, opacity);
+}
+void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
+  auto& [model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
+         clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight,
+         darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor, texturesOnBack,
+         texturesFirst, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor] =
+      value;
+  archive(model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
+          clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight,
+          darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor, texturesOnBack,
+          texturesFirst, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
+}
+void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
+  auto& [source, operand] = value;
+  archive(source, operand);
+}
+void fields(auto& archive, Like<scene::Combine::Part> auto& value) {
+  auto& [function, arguments, scale] = value;
+  archive(function, arguments, scale);
+}
+void fields(auto& archive, Like<scene::Combine> auto& value) {
+  auto& [rgb, alpha] = value;
+  archive(rgb, alpha);
+}
+void fields(auto& archive, Like<scene::TexGen::Coordinate> auto& value) {
+  auto& [mode, plane] = value;
+  archive(mode, plane);
+}
+void fields(auto& archive, Like<scene::TexGen> auto& value) {
+  auto& [coordinates] = value;
+  archive(coordinates);
+}
+void fields(auto& archive, Like<scene::Texture> auto& value) {
+  auto& [image, target, unit, wrapS, wrapT, wrapR, magFilter, minFilter, mipFilter, lodRule, lodBias, minLod,
+         maxLod, borderColor, env, combine, envColor, texGen, textureMatrix] = value;
+  archive(image, target, unit, wrapS, wrapT, wrapR, magFilter, minFilter, mipFilter, lodRule, lodBias, minLod,
+          maxLod, borderColor, env, combine, envColor, texGen, textureMatrix);
+}
+void fields(auto& archive, Like<scene::Shading> auto& value) {
+  auto& [lighting, smooth, twoSided, localViewer, separateSpecular, colorSum, normalize, rescaleNormal,
+         colorMaterial, globalAmbient, lights, textures, fog, alphaTest, fragment] = value;
+  archive(lighting, smooth, twoSided, localViewer, separateSpecular, colorSum, normalize, rescaleNormal,
+          colorMaterial, globalAmbient, lights, textures, fog, alphaTest, fragment);
+}
+
+void fields(auto& archive, Like<scene::Impostors> auto& value) {
+  auto& [billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows, bulge,
+         bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend] = value;
+  archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows,
+          bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
+}
+void fields(auto& archive, Like<scene::FramebufferPicture> auto& value) {
+  auto& [viewport, depthNear, depthFar, region, offset, colors, depths, content] = value;
+  archive(viewport, depthNear, depthFar, region, offset, colors, depths, content.low, content.high);
+}
+void fields(auto& archive, Like<scene::Pictured> auto& value) {
+  auto& [picture, clipFromObject] = value;
+  archive(picture, clipFromObject);
+}
+void fields(auto& archive, Like<scene::Surroundings> auto& value) {
+  auto& [shadings, instances, blended, viewFromWorld, pictured, pictures, framebuffer] = value;
+  archive(shadings, instances, blended, viewFromWorld, pictured, pictures, framebuffer);
+}
+void fields(auto& archive, Like<scene::Snapshot> auto& value) {
+  auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
+         samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
+         instances, surroundings, ground, catches, backdrop, settings] = value;
+  archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
+          samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
+          instances, surroundings, ground, catches, backdrop, settings);
+}
+
+}  // namespace gluray::cluster

@@ -1,0 +1,12 @@
+// The settings of a snapshot: those that differ from their defaults, in the order of the table. Any thread.
+#pragma once
+#include "cluster/stream/byte_stream.h"
+#include "settings/settings.h"
+
+namespace gluray::cluster {
+
+void writeSettings(ByteWriter& out, const Settings& settings);
+/// Throws Malformed where a value is not allowed.
+Settings readSettings(ByteReader& in);
+
+}  // namespace gluray::cluster

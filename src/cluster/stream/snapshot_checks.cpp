@@ -1,0 +1,119 @@
+#include "cluster/stream/snapshot_checks.h"
+
+#include "cluster/stream/byte_stream.h"
+#include "scene/backdrop.h"
+#include "scene/surroundings.h"
+
+#include <algorithm>
+
+namespace gluray::cluster {
+namespace {
+
+constexpr int kMaxPixels = 1 << 15;  // wide and high
+constexpr int kMaxSamples = 64;
+
+void require(bool holds, const char* what) {
+  if (!holds) throw Malformed(what);
+}
+
+bool isOfRegion(size_t count, const scene::Region& region) {
+  return count == static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
+}
+
+void checkPixels(const scene::Snapshot& s) {
+  const scene::Region& r = s.region;
+  require(r.width > 0 && r.height > 0 && r.width <= kMaxPixels && r.height <= kMaxPixels &&
+              std::abs(r.x) <= kMaxPixels && std::abs(r.y) <= kMaxPixels,
+          "the region has no such size");
+  const glm::ivec4& v = s.camera.viewport;
+  require(v.z > 0 && v.w > 0 && v.z <= 2 * kMaxPixels && v.w <= 2 * kMaxPixels,
+          "the viewport has no such size");
+  require(s.samples >= 1 && s.samples <= kMaxSamples, "there are too many samples");
+  require(s.samplePositions.size() <= static_cast<size_t>(kMaxSamples), "there are too many samples");
+  require(s.samples == 1 || s.samplePositions.size() == static_cast<size_t>(s.samples),
+          "samples have no positions");
+  if (s.layers) {
+    require(isOfRegion(s.layers->opaqueDepth.size(), r), "depths do not fit the region");
+    require(s.layers->of != scene::Layers::Of::drawn || isOfRegion(s.layers->colors.size(), r),
+            "colours do not fit the region");
+  }
+  if (s.backdrop)
+    require(s.backdrop->isClear.empty() || isOfRegion(s.backdrop->isClear.size(), r),
+            "the backdrop does not fit the region");
+  if (s.lightSampling.tiles) {
+    constexpr int kTile = scene::LightSampling::kTile;
+    const auto across = static_cast<size_t>((r.width + kTile - 1) / kTile),
+               up = static_cast<size_t>((r.height + kTile - 1) / kTile);
+    require(s.lightSampling.tiles->size() == across * up, "tiles do not fit the region");
+  }
+}
+
+void checkTexture(const scene::Texture& texture) {
+  require(texture.image != nullptr, "a texture has no image");
+  require(texture.unit < scene::kTextureUnits, "there is no such texture unit");
+  require(texture.image->width > 0 && texture.image->height > 0 && texture.image->depth > 0,
+          "an image is empty");
+  for (const scene::TexelGrid& level : texture.image->mipmaps)
+    require(level.width > 0 && level.height > 0 && level.depth > 0, "an image is empty");
+  if (texture.target == scene::TextureTarget::cubeMap)
+    require(texture.image->depth == 6, "a cube map does not have six faces");
+  for (const scene::Combine::Part* part : {&texture.combine.rgb, &texture.combine.alphaPart})
+    for (const scene::Combine::Argument& argument : part->arguments)
+      require(argument.source < scene::Combine::textureUnit + scene::kTextureUnits,
+              "there is no such texture unit");
+}
+
+void checkShadings(const std::vector<scene::Shading>& shadings) {
+  for (const scene::Shading& shading : shadings) {
+    require(shading.textures.size() <= scene::kTextureUnits, "there are too many textures");
+    for (const scene::Texture& texture : shading.textures) checkTexture(texture);
+    for (const scene::Texture& texture : shading.fragment.map) checkTexture(texture);
+    require(shading.fragment.height.axis >= 0 && shading.fragment.height.axis <= 2, "colours by no axis");
+    require(shading.fragment.color != scene::FragmentShading::Color::map || !shading.fragment.map.empty(),
+            "a map is missing");
+  }
+}
+
+void checkInstances(const std::vector<scene::Instance>& instances,
+                    const std::vector<scene::Shading>& shadings) {
+  for (const scene::Instance& instance : instances) {
+    require(instance.shading < shadings.size(), "a shading does not exist");
+    require(!instance.materials.empty(), "an instance has no material");
+    const scene::FragmentShading& fragment = shadings[instance.shading].fragment;
+    require(fragment.color != scene::FragmentShading::Color::perTriangle || instance.triangleColors,
+            "triangles have no colours");
+    require(fragment.normals != scene::FragmentShading::Normals::perTriangle || instance.triangleNormals,
+            "triangles have no normals");
+    require(!fragment.edges || instance.triangleEdges, "triangles have no edges");
+  }
+}
+
+void checkPicture(const scene::FramebufferPicture* picture, bool colors) {
+  require(picture, "a picture is missing");
+  const scene::Region& region = picture->region;
+  require(region.width >= 0 && region.height >= 0, "a picture has no shape");
+  const auto pixels = static_cast<uint64_t>(region.width) * static_cast<uint64_t>(region.height);
+  require(picture->colors.size() == (colors ? pixels : 0) && picture->depths.size() == pixels,
+          "a picture has other pixels than its shape says");
+}
+
+}  // namespace
+
+void check(const scene::Snapshot& snapshot) {
+  checkPixels(snapshot);
+  checkShadings(snapshot.shadings);
+  checkInstances(snapshot.instances, snapshot.shadings);
+  if (!snapshot.surroundings) return;
+  const scene::Surroundings& around = *snapshot.surroundings;
+  require(around.blended.size() == around.instances.size(), "surroundings do not fit each other");
+  require(around.pictured.size() <= around.instances.size(), "more surfaces are pictured than there are");
+  for (const scene::Pictured& one : around.pictured)
+    require(one.picture == scene::Pictured::kNone || one.picture < around.pictures.size(),
+            "a surface has no picture");
+  for (const auto& picture : around.pictures) checkPicture(picture.get(), true);
+  if (around.framebuffer) checkPicture(around.framebuffer.get(), false);
+  checkShadings(around.shadings);
+  checkInstances(around.instances, around.shadings);
+}
+
+}  // namespace gluray::cluster

@@ -1,0 +1,81 @@
+// A program that is connected to this worker. The worker's main thread.
+#pragma once
+#include "cluster/gather/part_gatherer.h"
+#include "cluster/local/line.h"
+#include "cluster/local/sealed_memory.h"
+#include "cluster/messages/program_messages.h"
+#include "cluster/worker/picture.h"
+#include "frame/pace.h"
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace gluray::cluster {
+
+class ConnectedProgram {
+ public:
+  explicit ConnectedProgram(Line line) : line_(std::move(line)) {}
+
+  Line& line() { return line_; }
+  bool isGone() const { return gone_ || line_.isBroken(); }
+  /// Closes the connection at the next occasion.
+  void end() { gone_ = true; }
+
+  template <class M>
+  void send(const M& message, int attached = -1) {
+    if (!line_.send(M::kType, encoded(message), attached, kPatienceMs)) gone_ = true;
+  }
+
+  uint64_t peer = 0;  // its number in PeerPrograms; 0: it is a program of one process
+  std::string name;   // for messages to the user; empty: it has not said hello
+  std::unordered_set<Hash128> arrays;
+  std::vector<Hash128> newArrays;  // since the last request
+  std::optional<TraceRequest> request;
+  using Share = PartGatherer::Share;
+  Share share = Share::whole;  // of the picture, that is this rank's; programs of one process: the whole
+  bool isGathering() const { return share == Share::awaited; }
+  /// Its picture is wanted and not begun.
+  bool isWaiting() const { return isGathering() || paging.job != 0; }
+  bool isWhole() const { return share == Share::whole; }
+  /// Makes `memory` large enough for a picture, and says so.
+  void makeRoom(size_t bytes) {
+    if (bytes <= memory.bytes) return;
+    memory = writtenMemory(bytes);
+    send(PictureMemory{memory.bytes}, memory.memory.get());
+  }
+  /// Its pictures show the geometry of all ranks, so that all workers need it.
+  bool spreads = true;
+  int ranks = 1;            // of the program
+  uint64_t arrayBytes = 0;  // of `arrays`
+  struct Paging {
+    uint64_t number = 0;  // of the program, for PageMaker
+    uint64_t job = 0;     // that cuts the snapshot of `request`; 0: none
+    std::shared_ptr<std::atomic<bool>> cancelled;
+  };
+  Paging paging;
+  std::optional<TraceRequest> paged;  // `request`, its geometry in pages
+  /// What of its geometry the picture of all ranks shows.
+  const TraceRequest& given() const { return paged ? *paged : *request; }
+  std::optional<Picture> picture;
+  WrittenMemory memory;
+  std::map<uint64_t, std::vector<float>> costs;  // of tiles, by view
+  struct Animation {
+    frame::Pace pace;
+    uint32_t frames = 0;
+  };
+  std::map<uint64_t, Animation> animations;  // by view
+  std::optional<Hash128> film;               // array of the moving picture that is at work
+  double saidAtWork = 0;
+
+ private:
+  static constexpr int kPatienceMs = 200;  // for a program that does not read
+  Line line_;
+  bool gone_ = false;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,41 @@
+// The film of a moving frame at its head: its tiles as ranks collect them, and who is to colour which. The
+// worker's main thread.
+#pragma once
+#include "cluster/messages/rank_messages.h"
+#include "cluster/stream/arrays.h"
+#include "render/tiles/tiles.h"
+
+#include <vector>
+
+namespace gluray::cluster {
+
+class FilmParts {
+ public:
+  FilmParts(int width, int height);
+
+  /// Puts a tile that `rank` has collected onto the film. False: it was there. Throws Malformed.
+  bool take(int rank, const FilmTile& tile);
+  /// Whether the rank has collected the tile and not coloured it.
+  bool isAwaited(int rank, int tile) const;
+  bool isAwaited(int rank) const;
+  void setColored(int tile);
+  /// Whether all collected tiles are coloured.
+  bool isColored() const { return awaited_ == 0; }
+  /// The tiles that the rank is to colour.
+  std::vector<int32_t> tilesOf(int rank) const;
+
+  /// The film as it is goes to the ranks.
+  Array give();
+  bool isGiven() const { return given_; }
+
+ private:
+  static constexpr int kNobody = -1;  // of ranks_: not collected, or coloured
+
+  render::Tiles tiles_;
+  render::FactorFilm film_;  // no pixels before the first tile
+  std::vector<int> ranks_;   // by tile
+  size_t awaited_ = 0;
+  bool given_ = false;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,52 @@
+// A rank as one of those that trace pictures for the heads of the job, itself included. The worker's main
+// thread.
+#pragma once
+#include "cluster/arrays/array_store.h"
+#include "cluster/messages/rank_messages.h"
+#include "cluster/ranks/outbox.h"
+#include "cluster/ranks/ranks.h"
+#include "cluster/shares/tile_queue.h"
+#include "cluster/worker/tracing_thread.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace gluray::cluster {
+
+class Member {
+ public:
+  /// `threads`: with which this rank traces. All must outlive it.
+  Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, PageStore& pages, int threads);
+  ~Member();
+  Member(const Member&) = delete;
+  Member& operator=(const Member&) = delete;
+
+  void take(int head, TraceOrder order, double now);
+  void take(int head, const MoreTiles& tiles);
+  void take(int head, FilmComes film);
+  void take(int head, const EndOfPicture& end);
+  void take(int head, const Forget& forget);
+  /// As the rank that orders broadcasts.
+  void take(int root, const TurnWanted& wanted);
+  void take(const Turn& turn);
+  /// Says to heads that their pictures are at work. Call ten times a second or more.
+  void tick(double now);
+  bool isBusy() const { return !queues_.empty(); }
+
+ private:
+  using Key = std::pair<int, uint64_t>;  // head, picture
+
+  Ranks& ranks_;
+  ArrayStore& store_;
+  Outbox& outbox_;
+  PageStore& pages_;
+  const int threads_;
+  TracingThread tracing_;
+  std::map<Key, std::shared_ptr<TileQueue>> queues_;
+  std::map<int, int> incoming_;  // by head: broadcasts that have not come to their end
+  double saidAlive_ = 0;
+};
+
+}  // namespace gluray::cluster

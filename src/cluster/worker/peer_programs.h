@@ -1,0 +1,70 @@
+// The programs of this worker that are ranks of sort-last programs: each has a thread that traces its
+// pictures and an exchange with its peers. The worker's main thread.
+#pragma once
+#include "cluster/arrays/array_store.h"
+#include "cluster/gather/part_gatherer.h"
+#include "cluster/messages/peer_messages.h"
+#include "cluster/messages/program_messages.h"
+#include "cluster/messages/rank_messages.h"
+#include "cluster/peers/peer_directory.h"
+#include "cluster/peers/peer_exchange.h"
+#include "cluster/ranks/outbox.h"
+#include "cluster/ranks/ranks.h"
+#include "cluster/worker/tracing_thread.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace gluray::cluster {
+
+class PeerPrograms {
+ public:
+  using Say = PeerExchange::Say;  // any thread
+
+  /// `threads`: that trace each program's pictures. All must outlive it.
+  PeerPrograms(Ranks& ranks, ArrayStore& store, Outbox& outbox, int threads, Say say);
+  ~PeerPrograms();
+  PeerPrograms(const PeerPrograms&) = delete;
+  PeerPrograms& operator=(const PeerPrograms&) = delete;
+
+  /// Rank `rank` of `ranks` of the program that `program` names. Returns its number.
+  uint64_t add(const Hash128& program, int rank, int ranks);
+  void remove(uint64_t number);
+  void trace(uint64_t number, TraceOrder order, const ViewName& shown);
+  /// Nothing more of the picture is to be traced.
+  void end(uint64_t number, uint64_t picture);
+  /// Who brings together the parts of a view, for that rank.
+  PartGatherer& gatherer(uint64_t number) { return *locals_.at(number).gatherer; }
+  /// A message of rank `from` of the job. False: it is none for this. Throws Malformed.
+  bool take(int from, uint16_t type, std::span<const std::byte> body, double now);
+  void tick(double now);
+  bool isBusy() const;
+
+ private:
+  struct Local {
+    Hash128 program;
+    int rank = 0, ranks = 1;
+    std::unique_ptr<PeerExchange> exchange;
+    std::unique_ptr<PartGatherer> gatherer;
+    std::unique_ptr<TracingThread> thread;
+    uint64_t picture = 0;  // that is traced; 0: none
+    std::shared_ptr<TileQueue> tiles;
+  };
+  Local* find(const PeerAddress& address);
+  void joins(int from, const PeerAddress& address);
+  void leaves(int from, const PeerAddress& address, double now);
+  void tellAll(const Local& local, bool here);
+
+  Ranks& ranks_;
+  ArrayStore& store_;
+  Outbox& outbox_;
+  const int threads_;
+  const Say say_;
+  PeerDirectory directory_;
+  std::map<uint64_t, Local> locals_;
+  uint64_t last_ = 0;
+};
+
+}  // namespace gluray::cluster

@@ -1,0 +1,61 @@
+// What a head knows of the ranks of its job. The worker's main thread.
+#pragma once
+#include "cluster/shares/tile_shares.h"
+
+#include <vector>
+
+namespace gluray::cluster {
+
+class RankStates {
+ public:
+  /// `threads`: of each, until it says how many it has.
+  RankStates(int ranks, int self, int threads) : states_(static_cast<size_t>(ranks)), self_(self) {
+    for (State& state : states_) state.threads = threads;
+  }
+
+  /// A result came from the rank, or it has caught up with the broadcasts.
+  void heard(int rank, double now) { at(rank).heard = now, at(rank).late = false; }
+  /// The rank says that it is there.
+  void isThere(int rank, double now) { at(rank).heard = now; }
+  /// The rank is left out until it is heard.
+  void setLate(int rank) { at(rank).late = true; }
+  void setThreads(int rank, int threads) { at(rank).threads = threads; }
+  /// Something was asked of the rank, from which nothing was awaited before.
+  void asked(int rank, double now) { at(rank).heard = now; }
+  /// Whether a sign of the rank is overdue.
+  bool isOverdue(int rank, double now) const {
+    const State& state = states_[static_cast<size_t>(rank)];
+    return rank != self_ && now - state.heard > kPatience;
+  }
+  bool isLate(int rank) const { return states_[static_cast<size_t>(rank)].late; }
+  int self() const { return self_; }
+  int size() const { return static_cast<int>(states_.size()); }
+  int allThreads() const {
+    int sum = 0;
+    for (const State& state : states_) sum += state.threads;
+    return sum;
+  }
+  /// Who may take part in a picture; `alone`: nobody but this rank.
+  std::vector<Tracer> tracers(bool alone) const {
+    std::vector<Tracer> all;
+    for (int rank = 0; rank < size(); ++rank) {
+      const State& state = states_[static_cast<size_t>(rank)];
+      all.push_back({state.threads, 1, alone ? rank == self_ : !state.late});
+    }
+    return all;
+  }
+
+ private:
+  static constexpr double kPatience = 1;  // seconds; ranks that work on a picture say so more often
+  struct State {
+    int threads = 1;
+    double heard = 0;
+    bool late = false;
+  };
+  State& at(int rank) { return states_[static_cast<size_t>(rank)]; }
+
+  std::vector<State> states_;
+  int self_;
+};
+
+}  // namespace gluray::cluster

@@ -1,8 +1,0 @@
-#include "dist/messages/version.h"
-
-namespace gluray::dist {
-
-// The number behind it rises with each change of messages or of the scene's types between two releases.
-const char* version() { return GLURAY_VERSION " (8)"; }
-
-}  // namespace gluray::dist

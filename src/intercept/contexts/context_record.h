@@ -1,0 +1,77 @@
+// Registry of the process's contexts and their state, for this folder and for what acts on the current
+// context when frames end (frames/).
+#pragma once
+#include "gl/context/context.h"
+#include "intercept/contexts/contexts.h"
+#include "intercept/hud/hud.h"
+#include "intercept/present/read_back/frame_picture.h"
+#include "intercept/tracing/make_presenter.h"
+#include "intercept/windows/idle_window_of_context.h"
+#include "intercept/windows/lag.h"
+#include "intercept/windows/window_of_context.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace gluray::intercept {
+
+using Key = std::pair<Api, const void*>;
+
+struct Record {
+  std::shared_ptr<gl::ShareGroup> group;
+  std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
+  std::unique_ptr<present::FramePicture> picture;  // if pictures are wanted; outlives the context, too
+  std::unique_ptr<Hud> hud;                        // if wanted
+  std::optional<present::Features> features;       // read when a picture is kept first
+  std::unique_ptr<Lag> lag;                        // if frames may lag
+  WindowOfContext window;
+  IdleWindowOfContext idle;
+  std::shared_ptr<gl::Context> context;  // null until first current, or if it could not be made
+  bool tried = false;
+  std::optional<uintptr_t> asked;  // drawable for which it was asked whether it has a back buffer
+  const void* display = nullptr;
+  std::string vendor, renderer, version;
+  Api api = Api::glx;
+
+  ~Record();
+};
+
+struct Registry {
+  std::mutex mutex;
+  std::map<Key, std::shared_ptr<Record>> records;
+  Totals dead;
+};
+/// Never destroyed: programs call OpenGL while they exit.
+Registry& registry();
+
+struct Current {
+  std::shared_ptr<Record> record;
+  Key key{};
+  Drawables drawables;
+  AskSize size;
+  AskShown shown;
+};
+/// The calling thread's current context and drawables.
+Current& current();
+
+/// Adds the statistics of the record's context. Requires that the registry is locked.
+void addTo(Totals& sum, const Record& record);
+
+/// Who hears of new contexts, on the thread in which they are current.
+class ContextWatcher {
+ public:
+  virtual ~ContextWatcher() = default;
+  /// The record's context is about to be made: adds to `info`, and to the record, what shall be recorded.
+  virtual void making(Record& record, gl::ContextInfo& info) = 0;
+  /// It was made, or could not be. No lock is held.
+  virtual void made() noexcept = 0;
+};
+/// Call before the first context is made. The watcher must live forever.
+void watchContexts(ContextWatcher& watcher) noexcept;
+
+}  // namespace gluray::intercept

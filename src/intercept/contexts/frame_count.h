@@ -1,0 +1,12 @@
+// Counts the frames that the process ends. Any thread.
+#pragma once
+#include <cstdint>
+
+namespace gluray::intercept {
+
+/// A frame has ended: counts it, and tells the clock that `gluray explain` preloads.
+void countFrame() noexcept;
+/// Number of frames that have ended.
+uint64_t framesEnded() noexcept;
+
+}  // namespace gluray::intercept

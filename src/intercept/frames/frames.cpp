@@ -1,0 +1,108 @@
+#include "intercept/frames/frames.h"
+
+#include "base/clock.h"
+#include "base/log.h"
+#include "base/never_destroyed.h"
+#include "base/timeline.h"
+#include "intercept/contexts/context_record.h"
+#include "intercept/contexts/frame_count.h"
+#include "intercept/control/link.h"
+#include "intercept/frames/kept_buffer.h"
+#include "intercept/frames/later_swap.h"
+#include "intercept/reports/explanation.h"
+#include "intercept/reports/report.h"
+#include "intercept/session/guarded.h"
+#include "intercept/session/session.h"
+
+namespace gluray::intercept {
+namespace {
+
+void endFrame() noexcept {
+  countFrame();
+  writeReportIfDue();
+}
+
+/// Keeps the picture of the frame that is about to be shown; reads it from the window's `buffer`.
+void takePicture(Record& record, GLenum buffer) {
+  if (!record.picture || !record.context) return;
+  glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
+  if (size.x <= 0 || size.y <= 0) {
+    GLint viewport[4] = {};
+    record.context->real.GetIntegerv(GL_VIEWPORT, viewport);
+    size = {viewport[0] + viewport[2], viewport[1] + viewport[3]};
+  }
+  if (size.x > 0 && size.y > 0)
+    keepPicture(record.picture->take(record.context->real, buffer, size.x, size.y, framesEnded() + 1));
+}
+
+/// Draws the HUD over the frame that is about to be shown, unless the program could notice it.
+void drawHud(Record& record) {
+  gl::Context& context = *record.context;
+  if (context.info().off || context.immediate.insideBegin() || context.shadow.activeQueries > 0) return;
+  GLint mode = GL_RENDER;
+  if (!context.info().core) context.real.GetIntegerv(GL_RENDER_MODE, &mode);
+  if (mode != GL_RENDER) return;
+  if (!record.hud) record.hud = std::make_unique<Hud>(context.real);
+  const GLenum pending = record.hud->draw(totals().statistics, nowSeconds());
+  if (pending != GL_NO_ERROR) context.errors.set(pending);
+}
+
+/// Contexts that are made record what the report needs.
+class Watcher final : public ContextWatcher {
+ public:
+  void making(Record& record, gl::ContextInfo& info) override {
+    if (!session().reportFile.empty()) info.frameEnded = endFrame;
+    const bool pictures = session().explainFrames && session().picture;
+    const bool es = record.version.starts_with("OpenGL ES");
+    if (!es && (pictures || mayBeControlled()))
+      info.frameEnding = [&record] {
+        takePicture(record, GL_FRONT);
+        keepBuffer(record, GL_FRONT, ShownFrame::now);
+      };
+    if (log::enabled(log::Level::trace)) info.decisions = std::make_shared<gl::Decisions>();
+    if (!session().explainFrames && !info.decisions) return;
+    info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
+    if (!es && pictures) record.picture = std::make_unique<present::FramePicture>();
+  }
+  void made() noexcept override { watchForReport(); }
+};
+
+}  // namespace
+
+void followContexts() noexcept {
+  static NeverDestroyed<Watcher> watcher;  // programs make contexts while they exit
+  watchContexts(*watcher);
+}
+
+void swapping(uintptr_t drawable) noexcept {
+  flushCurrent();
+  guarded("cannot measure a frame", [&] {
+    if (gl::t_thread.context && current().drawables.draw == drawable)
+      gl::t_thread.context->passthrough.stopMeasuring();
+  });
+  const bool wanted = wantedPicture() != control::Wanted::none;
+  if (!session().picture && !session().hud && !wanted) return;
+  if (!current().record || current().drawables.draw != drawable || !current().record->context ||
+      !current().record->context->info().doubleBuffered)
+    return;
+  guarded("cannot take a picture", [&] {
+    if (session().picture) takePicture(*current().record, GL_BACK);
+  });
+  guarded("cannot show figures", [&] {
+    if (session().hud) drawHud(*current().record);
+  });
+  if (wanted) keepBuffer(*current().record, GL_BACK, ShownFrame::now);
+}
+
+void swapped(uintptr_t drawable) noexcept {
+  guarded("cannot end a frame", [&] {
+    gl::Context* context = gl::t_thread.context;
+    // Without a back buffer a swap shows nothing new: there glFlush and glFinish end frames.
+    if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
+      context->frames.afterSwap(), countFrame(), timeline::mark("frame");
+  });
+  noteSwap();
+  writeReportIfDue();
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,26 @@
+// What keeps errors of ours from the program, and its forked children free of us. Any thread.
+#pragma once
+#include "base/log.h"
+
+#include <exception>
+#include <string>
+
+namespace gluray::intercept {
+
+/// Call in the child of a fork, which has no threads of ours.
+void noteFork() noexcept;
+/// Whether this process is such a child: then all is passed through.
+bool isForkedChild() noexcept;
+
+/// Runs `body`, logs its exceptions once, and goes on. Does nothing in a forked child.
+template <class F>
+void guarded(const char* what, F&& body) noexcept {
+  if (isForkedChild()) return;
+  try {
+    body();
+  } catch (const std::exception& e) {
+    log::once(log::Level::error, what, std::string(what) + ": " + e.what());
+  } catch (...) { log::once(log::Level::error, what, what); }
+}
+
+}  // namespace gluray::intercept

@@ -1,0 +1,15 @@
+// The workers that trace for this process. Any thread.
+#pragma once
+#include "cluster/program/remote_tracer.h"
+
+namespace gluray::intercept {
+
+/// Those that the session's settings name; null: this process traces. Made at the first call, never
+/// destroyed.
+cluster::RemoteTracer* workers();
+
+/// Traces in this process. `stop` as in frame::TraceBehind; null: frame::Trace.
+bool traceHere(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
+               const std::function<bool()>& stop);
+
+}  // namespace gluray::intercept

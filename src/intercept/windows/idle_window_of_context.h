@@ -1,0 +1,32 @@
+// X windows whose pictures get better while their programs draw nothing. Swaps of a window are announced, so
+// that nothing older than what the program shows is ever put into it.
+#pragma once
+#include "base/idle_window.h"
+
+#include <cstdint>
+#include <memory>
+
+struct _XDisplay;  // Xlib's Display, without its header's macros
+
+namespace gluray::intercept {
+
+class BackgroundWindow;
+
+/// The window that a context's frames are refined in. GL thread.
+class IdleWindowOfContext {
+ public:
+  /// The window behind a GLX drawable as it is now, over a connection of its own. Null: not possible.
+  /// Whatever the program shows in it later, windowChanges() ends its use.
+  std::shared_ptr<IdleWindow> open(_XDisplay* display, uintptr_t drawable);
+
+ private:
+  _XDisplay* display_ = nullptr;
+  uintptr_t name_ = 0;
+  std::shared_ptr<BackgroundWindow> window_;
+};
+
+/// Call before the program shows something else in the drawable's window. Waits while a picture is being put
+/// into it. Any thread; costs one comparison while no window is refined.
+void windowChanges(uintptr_t drawable) noexcept;
+
+}  // namespace gluray::intercept
