@@ -34,6 +34,16 @@ FOLDERS = {
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", ""],
     "render": ["tiles", "camera", "local", "bsdf", "sampling", "film", "lights", "frame_data", "shading", "hit_points", "remote",
                "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", ""],
+    "gl": ["basics", "real", "welding", "capture", "glsl", "families", "families/built_in", "families/files", "programs", "trials",
+           "clock", "buffers", "sharing", "arrays", "textures", "program_state", "state", "shadow", "impostors", "batch", "objects",
+           "views", "history", "counts", "framebuffers", "pending", "layers", "window", "flush", "classify", "draws",
+           "culled/shader_slice", "culled/clusters", "culled/small", "culled/feedback", "culled/instances", "culled", "context",
+           "commands"],
+    "control": ["", "messages", "auth", "connection", "client", "link/program", "link", "hub", "hub/server"],
+    "cluster": ["stream", "messages", "local", "ranks", "ranks/mpi", "program", "arrays", "shares", "pages", "peers", "gather",
+                "worker/facts", "worker/film", "worker"],
+    "intercept": ["doors", "stubs", "probe", "session", "window_systems", "present/state", "present/read_back", "present/write_back",
+                  "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "frames", "hooks", ""],
 }
 # Name of the monopoly, pattern of its headers, folders that may include them. Holds for tests beside the code, too.
 MONOPOLIES = [

@@ -1,0 +1,44 @@
+// A draw that the program asks for: where its vertices come from, how it is traced, and how the real OpenGL makes
+// it. What handles a command builds one and gives it to Draws, which asks these questions in this order. GL
+// thread.
+#pragma once
+#include "gl/basics/reasons.h"
+#include "gl/capture/mesh_cache.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/draws/fate.h"
+
+#include <cstdint>
+
+namespace gluray::gl {
+
+class DrawRequest {
+ public:
+  /// What the draw counts as where the real OpenGL makes it.
+  struct Load {
+    DrawPath path = DrawPath::arrays;
+    PrimitiveClass primitive = PrimitiveClass::surfaces;
+    uint64_t triangles = 0;
+  };
+
+  /// Why no such draw is traced in the current state, whatever its vertices are, or Reason::traced. Does not
+  /// throw.
+  virtual Reason classifyState() = 0;
+  /// Its mesh, known or new. May throw.
+  virtual KnownMesh mesh() = 0;
+  /// Why a draw of this mesh is not traced, or Reason::traced. May throw.
+  virtual Reason classifyMesh(const KnownMesh& mesh) = 0;
+  /// Adds it to the batch, and counts it. Returns Reason::traced, or why it cannot join. May throw.
+  virtual Reason trace(const KnownMesh& mesh) = 0;
+  /// Makes it in another way, because it is not traced for this reason. False: nothing was done.
+  virtual bool replace(Reason) { return false; }
+  /// Holds it, which is rasterised for this reason, against other passes over the same surfaces.
+  virtual void meetPasses(Reason reason) = 0;
+  virtual Load load() = 0;
+  /// Lets the real OpenGL make it.
+  virtual Fate make() = 0;
+
+ protected:
+  ~DrawRequest() = default;
+};
+
+}  // namespace gluray::gl

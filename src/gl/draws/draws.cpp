@@ -1,0 +1,31 @@
+#include "gl/draws/draws.h"
+
+namespace gluray::gl {
+
+DrawPlan Draws::classify(DrawRequest& draw) const {
+  DrawPlan plan{draw.classifyState(), {}};
+  if (plan.reason != Reason::traced) return plan;
+  plan.reason = p_.failsafe.attempt([&] {
+    plan.mesh = draw.mesh();
+    return draw.classifyMesh(plan.mesh);
+  });
+  return plan;
+}
+
+Fate Draws::execute(const DrawPlan& plan, DrawRequest& draw) {
+  Reason reason = plan.reason;
+  if (reason == Reason::traced) reason = p_.failsafe.attempt([&] { return draw.trace(plan.mesh); });
+  return reason == Reason::traced ? Fate::traced : rasterise(draw, reason);
+}
+
+Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
+  if (draw.replace(reason)) return Fate::replaced;
+  draw.meetPasses(reason);
+  const DrawRequest::Load load = draw.load();
+  p_.counts.rasterised(reason, load.path, load.primitive, load.triangles);
+  p_.raster.before(load.primitive);
+  p_.shadow.sendBuffers();
+  return draw.make();
+}
+
+}  // namespace gluray::gl

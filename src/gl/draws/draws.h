@@ -1,0 +1,42 @@
+// Decides what becomes of a draw, and does it: the one place where draws are traced or rasterised and counted,
+// whatever their vertices come from. A part of each Context, GL thread.
+#pragma once
+#include "gl/counts/draw_counts.h"
+#include "gl/draws/draw_request.h"
+#include "gl/draws/raster_draws.h"
+
+namespace gluray::gl {
+
+/// What is to become of a draw.
+struct DrawPlan {
+  Reason reason = Reason::traced;  // why it is not traced
+  KnownMesh mesh;                  // of a draw that is traced
+};
+
+class Draws {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    Failsafe& failsafe;
+    DrawCounts& counts;
+    RasterDraws& raster;
+  };
+  explicit Draws(const Parts& parts) : p_(parts) {}
+
+  /// Decides and does it. Returns Fate::traced, replaced, culled or rasterised.
+  Fate submit(DrawRequest& draw) { return execute(classify(draw), draw); }
+  /// The same for a draw that is rasterised for this reason.
+  Fate rasterise(DrawRequest& draw, Reason reason);
+  /// Prepares for a primitive that the real OpenGL gets vertex by vertex, and counts it. `triangles`: of the
+  /// vertices that are known so far.
+  void beginRasterised(PrimitiveClass primitive, DrawPath path, Reason reason, uint64_t triangles);
+
+ private:
+  /// Draws and changes nothing.
+  DrawPlan classify(DrawRequest& draw) const;
+  Fate execute(const DrawPlan& plan, DrawRequest& draw);
+
+  Parts p_;
+};
+
+}  // namespace gluray::gl
