@@ -1,5 +1,5 @@
-/* A window with a scene of rings on a floor, and pictures of it as X shows it and as OpenGL reads it. Included by
- * one program. */
+/* A window with a scene of rings on a floor, and pictures of it as X shows it and as OpenGL reads it.
+ * Included by one program. */
 #pragma once
 #define GL_GLEXT_PROTOTYPES
 #include "tests/doors/two_rings.h"

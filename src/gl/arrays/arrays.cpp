@@ -1,8 +1,8 @@
 #include "gl/arrays/arrays.h"
 
-#include "gl/sharing/share_group.h"
 #include "gl/real/extensions.h"
 #include "gl/real/state_queries.h"
+#include "gl/sharing/share_group.h"
 
 #include <algorithm>
 #include <cstring>

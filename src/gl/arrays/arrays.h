@@ -1,10 +1,10 @@
 // State of vertex arrays, read back from the real OpenGL, and the meshes and captures built from them. GL
 // thread.
 #pragma once
-#include "gl/real/elements.h"
+#include "gl/basics/reasons.h"
 #include "gl/buffers/buffer.h"
 #include "gl/capture/captured_vertices.h"
-#include "gl/basics/reasons.h"
+#include "gl/real/elements.h"
 #include "gl/sharing/share_group.h"
 #include "scene/mesh.h"
 

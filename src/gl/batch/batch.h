@@ -1,8 +1,8 @@
 // The batch: draws that wait to be traced together, with one framebuffer, camera and depth state. BatchFiller
 // fills it, Flusher empties it. GL thread.
 #pragma once
-#include "gl/batch/snapshot_memory.h"
 #include "gl/batch/program_draw.h"
+#include "gl/batch/snapshot_memory.h"
 #include "gl/state/state.h"
 #include "scene/snapshot.h"
 

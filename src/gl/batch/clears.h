@@ -1,8 +1,8 @@
 // Queries the real OpenGL's state that decides what a glClear covers. GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "gl/real/real.h"
 #include "gl/real/extensions.h"
+#include "gl/real/real.h"
 #include "scene/snapshot.h"
 
 namespace gluray::gl {

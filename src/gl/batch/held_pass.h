@@ -1,7 +1,7 @@
 // Render passes whose draws are held back because their result is traced. Kept by LayerDraws, GL thread.
 #pragma once
-#include "gl/clock/picture_wish.h"
 #include "gl/batch/program_draw.h"
+#include "gl/clock/picture_wish.h"
 
 #include <glm/glm.hpp>
 

@@ -1,8 +1,8 @@
 // Presents peeled layers: traced in place of the program's peels, or drawn by replaying those peels.
 // Implemented in intercept/present/, called by LayerDraws. GL thread, context current.
 #pragma once
-#include "gl/batch/present_result.h"
 #include "gl/batch/held_pass.h"
+#include "gl/batch/present_result.h"
 #include "gl/real/real.h"
 #include "scene/snapshot.h"
 

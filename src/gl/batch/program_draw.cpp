@@ -2,10 +2,10 @@
 
 #include "gl/arrays/arrays.h"
 #include "gl/glsl/built_in_variables.h"
-#include "gl/programs/match.h"
 #include "gl/programs/built_in_uniforms.h"
-#include "gl/state/state.h"
+#include "gl/programs/match.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/state.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

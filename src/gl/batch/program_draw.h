@@ -1,12 +1,12 @@
 // A shader program's draw with all its inputs, kept while its instance is in the batch: if tracing fails, the
 // real OpenGL replays it. GL thread.
 #pragma once
-#include "gl/real/elements.h"
 #include "gl/buffers/buffer.h"
 #include "gl/glsl/program.h"
 #include "gl/programs/samplers.h"
 #include "gl/programs/uniform_blocks.h"
 #include "gl/programs/uniforms.h"
+#include "gl/real/elements.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>

@@ -5,8 +5,8 @@
 #include "base/image.h"
 #include "gl/batch/cleared_target.h"
 #include "gl/batch/lag_refusal.h"
-#include "gl/clock/picture_wish.h"
 #include "gl/batch/present_result.h"
+#include "gl/clock/picture_wish.h"
 #include "gl/real/real.h"
 #include "scene/snapshot.h"
 

@@ -2,8 +2,8 @@
 // by VertexStream (glBegin, lists) and gl/arrays; mesh_builder turns them into meshes, replay into GL calls.
 #pragma once
 #include "base/hash.h"
-#include "gl/capture/attribute_slots.h"
 #include "gl/basics/growing_array.h"
+#include "gl/capture/attribute_slots.h"
 #include "gl/capture/surface_facts.h"
 #include "scene/shading.h"
 

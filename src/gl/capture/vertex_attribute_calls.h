@@ -1,8 +1,8 @@
 // Attribute calls, made millions of times a frame: a thread-local read, a test and a few stores. Rare cases
 // go to Context through one out-of-line call. Called by stubs on any thread with a current context.
 #pragma once
-#include "gl/capture/vertex_stream.h"
 #include "gl/basics/thread_state.h"
+#include "gl/capture/vertex_stream.h"
 
 #include <GL/gl.h>
 

@@ -1,8 +1,8 @@
 // Lines and points that settings turn into solids: tubes (scene::Shape::capsules) and spheres (balls). GL
 // thread.
 #pragma once
-#include "gl/capture/solid_settings.h"
 #include "gl/basics/reasons.h"
+#include "gl/capture/solid_settings.h"
 #include "gl/shadow/shadow_state.h"
 #include "scene/snapshot.h"
 

@@ -1,7 +1,7 @@
 #include "gl/classify/triage.h"
 
-#include "gl/capture/mesh_builder.h"
 #include "gl/basics/affine.h"
+#include "gl/capture/mesh_builder.h"
 #include "gl/classify/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/textures/texture_env.h"

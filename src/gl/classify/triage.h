@@ -1,14 +1,14 @@
 // Decides whether draws of the fixed-function pipeline are traced or rasterised, and has the checks that all
 // draws share. A part of each Context, GL thread.
 #pragma once
-#include "gl/pending/pending_batch.h"
-#include "gl/capture/mesh_cache.h"
-#include "gl/counts/draw_kinds.h"
-#include "gl/basics/reasons.h"
-#include "gl/history/surface_history.h"
 #include "gl/basics/failsafe.h"
-#include "gl/shadow/shadow_state.h"
+#include "gl/basics/reasons.h"
+#include "gl/capture/mesh_cache.h"
 #include "gl/clock/frame_clock.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/history/surface_history.h"
+#include "gl/pending/pending_batch.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <glm/glm.hpp>
 

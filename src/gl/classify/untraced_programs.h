@@ -2,8 +2,8 @@
 // Context, GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
-#include "gl/shadow/shadow_state.h"
 #include "gl/clock/frame_clock.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,8 +1,8 @@
 // The arguments with which intercept/ or a test creates a Context.
 #pragma once
 #include "base/clock.h"
-#include "gl/trials/engine_choice.h"
 #include "gl/families/family.h"
+#include "gl/trials/engine_choice.h"
 #include "settings/live/settings_source.h"
 
 #include <glm/glm.hpp>

@@ -1,11 +1,11 @@
 // A context's current frame: its number, when it began, who draws it. A part of each Context, GL thread.
 #pragma once
 #include "base/clock.h"
-#include "gl/clock/picture_wish.h"
 #include "gl/clock/context_info.h"
-#include "gl/trials/frame_trials.h"
-#include "gl/trials/engine_choice.h"
 #include "gl/clock/offscreen_animation.h"
+#include "gl/clock/picture_wish.h"
+#include "gl/trials/engine_choice.h"
+#include "gl/trials/frame_trials.h"
 #include "scene/light_sampling.h"
 
 #include <cstdint>

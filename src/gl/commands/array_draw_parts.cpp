@@ -1,7 +1,7 @@
 #include "base/clock.h"
 #include "base/timeline.h"
-#include "gl/commands/array_draws.h"
 #include "gl/capture/mesh_builder.h"
+#include "gl/commands/array_draws.h"
 #include "gl/context/handlers.h"
 
 namespace gluray::gl {
@@ -29,10 +29,10 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
   return known;
 }
 
-Load loadOf(Context& c, GLenum mode, const Elements& e) {
+DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& e) {
   const uint64_t impostors = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
-  if (c.shadow.program.drawsImpostors(mode)) return {PrimitiveClass::surfaces, impostors};
-  return {kindOf(mode), trianglesOf(mode, e)};
+  if (c.shadow.program.drawsImpostors(mode)) return {pathOf(e), PrimitiveClass::surfaces, impostors};
+  return {pathOf(e), kindOf(mode), trianglesOf(mode, e)};
 }
 
 }  // namespace gluray::gl

@@ -5,11 +5,11 @@
 #include "base/timeline.h"
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/vertex_attribute_calls.h"
-#include "gl/commands/raster_light.h"
-#include "gl/context/handlers.h"
+#include "gl/commands/fixed_arrays_draw.h"
 #include "gl/context/geometry_run.h"
-#include "gl/real/extensions.h"
+#include "gl/context/handlers.h"
 #include "gl/context/stub.h"
+#include "gl/real/extensions.h"
 
 #include <algorithm>
 #include <cstring>
@@ -38,53 +38,29 @@ namespace {
 constexpr GLsizei kSmall = 192;  // most vertices of a draw that joins a run instead of becoming a mesh
 
 /// Records a draw in a list. Its arrays are read now, as display lists demand (GL 2.1, 5.4).
-void recordDraw(Context& c, GLenum mode, const Elements& e) {
+Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
   c.shadow.refresh(kFixedArrays);
   // Without a position array the draw may use the current position: the real OpenGL decides.
   if (e.instances >= 0 || c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced ||
       mode > GL_POLYGON || !c.shadow.arrays.vertex.enabled) {
     c.shadow.sendBuffers();
-    return c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
+    return c.lists.recordFragment([&] { drawReal(c.real, mode, e); }), Fate::recordedBelow;
   }
   if (e.count <= kSmall)
-    return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e));
+    return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e)), Fate::joinedRun;
   std::unique_ptr<ListOp> op;
   const Reason captured = c.failsafe.attempt([&] {
     CapturedVertices run = capture(c.real, c.shadow.arrays, mode, e);
     if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.shadow.sharedGroup);
     return Reason::traced;
   });
-  if (captured == Reason::traced) return c.failsafe.insist([&] { c.lists.append(op); });
+  if (captured == Reason::traced) return c.failsafe.insist([&] { c.lists.append(op); }), Fate::recorded;
   c.shadow.sendBuffers();
   c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
+  return Fate::recordedBelow;
 }
 
 }  // namespace
-
-Reason traceFixedArrays(Context& c, GLenum mode, const Elements& e) {
-  if (mode > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
-  Reason reason = c.triage.of(classOf(mode));
-  if (reason == Reason::traced) reason = c.shadow.arrays.reason;
-  if (reason != Reason::traced) return reason;
-  return c.failsafe.attempt([&] {
-    const KnownMesh known = meshOf(c, c.shadow.arrays, mode, e);
-    const Reason fine = c.triage.of(known, {});
-    if (fine != Reason::traced) return fine;
-    c.filler.add(known.mesh, slotsOf(c.shadow.arrays), {});
-    c.counts.traced(pathOf(e), known.mesh->triangleCount);
-    return fine;
-  });
-}
-
-void meetFixedArrays(Context& c, PrimitiveClass kind, Reason reason, GLenum mode, const Elements& e) {
-  c.shadow.refresh(kModelview);
-  if (!c.raster.needsVertices(kind, reason)) return c.raster.passUnseen(kind, reason);
-  c.shadow.refresh(kFixedArrays);
-  if (!c.shadow.arrays.vertex.enabled || c.shadow.arrays.reason != Reason::traced) return;
-  c.raster.meetPasses(
-      kind, reason, [&] { return sampleTriangles(c.real, c.shadow.arrays, mode, e); },
-      [&] { return meshOf(c, c.shadow.arrays, mode, e); });
-}
 
 namespace {
 
@@ -100,41 +76,38 @@ bool joinsRun(Context& c, GLenum mode, const Elements& e) {
   return joined == Reason::traced;
 }
 
-/// Traces or rasterises a draw of fixed function's arrays.
-void drawFixedArrays(Context& c, GLenum mode, const Elements& e) {
-  c.immediate.closeRunIfOpen();
-  c.shadow.refresh(kDrawGroups);  // the run may have set a material
-  // Without a position array the draw may use the current position: the real OpenGL decides.
-  const bool known = c.shadow.arrays.vertex.enabled && e.instances < 0;
-  const Reason reason = known ? traceFixedArrays(c, mode, e) : Reason::arrayState;
-  if (reason == Reason::traced) return;
-  const PrimitiveClass kind = kindOf(mode);
-  meetFixedArrays(c, kind, reason, mode, e);
-  c.counts.rasterised(reason, pathOf(e), kind, countTriangles(mode, static_cast<uint64_t>(e.count)));
-  c.raster.before(kind);
-  c.shadow.sendBuffers();
-  if (!known || !c.culled.draw(mode, e)) drawReal(c.real, mode, e);
-  if (known) lightRasterised(c, mode, e);
+/// Records a draw in the list that is compiled.
+Fate record(Context& c, GLenum mode, const Elements& e) {
+  // Instanced draws are errors in lists, empty ones too.
+  if ((e.count == 0 || e.instances == 0) && e.instances < 0) return Fate::empty;
+  return recordDraw(c, mode, e);
 }
 
-void draw(Context& c, GLenum mode, const Elements& e) {
-  if (!validate(c, mode, e) || e.first < 0) return;  // elements before the array are undefined
-  // An empty draw draws nothing, but the real OpenGL may raise errors for it.
-  const bool empty = e.count == 0 || e.instances == 0;
-  // Instanced draws are errors in lists, empty ones too.
-  if (c.lists.compiling()) return empty && e.instances < 0 ? void() : recordDraw(c, mode, e);
-  if (empty) return drawReal(c.real, mode, e);
+Fate drawByFixedFunction(Context& c, GLenum mode, const Elements& e) {
+  c.shadow.refresh(kDrawGroups | kFixedArrays);
+  if (joinsRun(c, mode, e)) return Fate::joinedRun;
+  c.immediate.closeRunIfOpen();
+  c.shadow.refresh(kDrawGroups);  // the run may have set a material
+  FixedArraysDraw request(c, mode, e);
+  return c.draws.submit(request);
+}
+
+Fate draw(Context& c, GLenum mode, const Elements& e) {
+  if (!validate(c, mode, e)) return Fate::refused;
+  if (e.first < 0) return Fate::undefined;
+  if (c.lists.compiling()) return record(c, mode, e);
+  if (e.count == 0 || e.instances == 0) return drawReal(c.real, mode, e), Fate::empty;
   const DrawTimer timer(c.counts.kinds());
   if (c.clock.passesThrough()) {
-    const Load load = loadOf(c, mode, e);
-    if (c.passthrough.takes(pathOf(e), load.kind, load.triangles)) return drawReal(c.real, mode, e);
+    const DrawRequest::Load load = loadOf(c, mode, e);
+    if (c.passthrough.takes(load.path, load.primitive, load.triangles))
+      return drawReal(c.real, mode, e), Fate::passedThrough;
   }
   c.passthrough.works();
-  if (drawUntraced(c, mode, e)) return;
+  if (drawUntraced(c, mode, e)) return Fate::untraced;
   c.shadow.refresh(kRaster);
-  if (c.shadow.state.raster.program != 0 || c.info().core) return drawByProgram(c, mode, e);
-  c.shadow.refresh(kDrawGroups | kFixedArrays);
-  if (!joinsRun(c, mode, e)) drawFixedArrays(c, mode, e);
+  const bool program = c.shadow.state.raster.program != 0 || c.info().core;
+  return program ? drawByProgram(c, mode, e) : drawByFixedFunction(c, mode, e);
 }
 
 }  // namespace

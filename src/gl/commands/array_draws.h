@@ -1,10 +1,10 @@
 // Helpers shared by array draws of fixed function and of shader programs. Private to gl/arrays. GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
-#include "gl/real/elements.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/counts/draw_kinds.h"
-#include "gl/basics/reasons.h"
+#include "gl/draws/draw_request.h"
+#include "gl/real/elements.h"
 
 #include <GL/gl.h>
 
@@ -32,18 +32,7 @@ uint64_t trianglesOf(GLenum mode, const Elements& elements);
 KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// What a draw counts as; an impostor counts as one triangle.
-struct Load {
-  PrimitiveClass kind;
-  uint64_t triangles;
-};
-Load loadOf(Context& c, GLenum mode, const Elements& elements);
-
-/// Traces a draw of fixed function's arrays if triage allows it; otherwise returns why not. Call
-/// refresh(kDrawGroups | kFixedArrays) before.
-Reason traceFixedArrays(Context& c, GLenum mode, const Elements& elements);
-/// Holds a draw of fixed function's arrays, which is rasterised for this reason, against other passes over
-/// the same surfaces (RasterDraws::meetPasses()).
-void meetFixedArrays(Context& c, PrimitiveClass kind, Reason reason, GLenum mode, const Elements& elements);
+DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& elements);
 
 /// Whether the real OpenGL makes the draws of the program in use, whatever the state and their vertices are,
 /// and nothing waits for them or asks about them.
@@ -56,7 +45,7 @@ void rememberUntraced(Context& c, GLenum mode, const Elements& elements);
 /// out, and nothing was done.
 bool drawUntraced(Context& c, GLenum mode, const Elements& elements);
 
-/// Draws with the current shader program: traced if triage allows it, else rasterised.
-void drawByProgram(Context& c, GLenum mode, const Elements& elements);
+/// Draws with the current shader program.
+Fate drawByProgram(Context& c, GLenum mode, const Elements& elements);
 
 }  // namespace gluray::gl

@@ -1,8 +1,8 @@
 // glBlitFramebuffer, which reads what was drawn so far: resolves waiting pictures, copies depth, or blits.
-#include "gl/framebuffers/depth_copy.h"
 #include "gl/context/handlers.h"
-#include "gl/real/debug_silence.h"
 #include "gl/context/stub.h"
+#include "gl/framebuffers/depth_copy.h"
+#include "gl/real/debug_silence.h"
 
 namespace gluray::gl {
 namespace {

@@ -2,10 +2,10 @@
 // draws that the parameters describe; all others are the real OpenGL's.
 #include "gl/commands/array_draws.h"
 #include "gl/commands/bound_buffer.h"
-#include "gl/counts/draw_kinds.h"
 #include "gl/context/handlers.h"
-#include "gl/real/extensions.h"
 #include "gl/context/stub.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/real/extensions.h"
 
 #include <algorithm>
 #include <array>

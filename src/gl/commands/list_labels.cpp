@@ -1,8 +1,8 @@
 // Labels of display lists (GL 4.6 compatibility profile, section 20.9): the real OpenGL knows no list of the
 // program, so their labels are kept here. All other objects are its own.
 #include "gl/context/handlers.h"
-#include "gl/real/state_queries.h"
 #include "gl/context/stub.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

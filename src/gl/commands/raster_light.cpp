@@ -1,11 +1,11 @@
 #include "gl/commands/raster_light.h"
 
-#include "gl/commands/array_draws.h"
+#include "gl/basics/affine.h"
 #include "gl/capture/mesh_builder.h"
+#include "gl/commands/array_draws.h"
 #include "gl/context/context.h"
 #include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
-#include "gl/basics/affine.h"
 #include "gl/real/state_queries.h"
 #include "scene/effects.h"
 

@@ -1,9 +1,9 @@
 // Handlers of clears, glFlush, glFinish, fences, the attribute stack, queries, and changes of textures and
 // programs.
 #include "gl/context/handlers.h"
+#include "gl/context/stub.h"
 #include "gl/real/hidden_extensions.h"
 #include "gl/real/state_queries.h"
-#include "gl/context/stub.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

@@ -1,7 +1,7 @@
 // Draws that are certain to be rasterised, by programs that no family describes. Little is asked about them:
 // programs make thousands of them in a frame.
-#include "gl/commands/array_draws.h"
 #include "gl/capture/captured_vertices.h"
+#include "gl/commands/array_draws.h"
 #include "gl/context/handlers.h"
 
 namespace gluray::gl {

@@ -1,9 +1,9 @@
 #include "gl/context/attention.h"
 
-#include "gl/context/immediate.h"
-#include "gl/context/list_compiler.h"
 #include "gl/basics/thread_state.h"
 #include "gl/clock/frame_clock.h"
+#include "gl/context/immediate.h"
+#include "gl/context/list_compiler.h"
 
 namespace gluray::gl {
 

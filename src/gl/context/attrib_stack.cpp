@@ -1,8 +1,8 @@
 #include "gl/context/attrib_stack.h"
 
 #include "gl/context/list_compiler.h"
-#include "gl/real/state_queries.h"
 #include "gl/framebuffers/cleared_framebuffers.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,27 +1,28 @@
 // One OpenGL context: the parts that capture, decide, flush and show, and the functions that generated stubs
 // call. intercept/ creates it; stubs and handlers use it, always on the thread where it is current.
 #pragma once
+#include "gl/basics/failsafe.h"
+#include "gl/basics/thread_state.h"
+#include "gl/classify/triage.h"
+#include "gl/classify/untraced_programs.h"
+#include "gl/clock/frame_settings.h"
 #include "gl/context/attention.h"
+#include "gl/context/attrib_stack.h"
+#include "gl/context/frame_ends.h"
+#include "gl/context/fullscreen_passes.h"
+#include "gl/context/immediate.h"
+#include "gl/context/list_compiler.h"
+#include "gl/culled/culled_draws.h"
 #include "gl/draws/batch_filler.h"
+#include "gl/draws/draws.h"
+#include "gl/draws/program_draws.h"
+#include "gl/draws/raster_draws.h"
 #include "gl/flush/flusher.h"
 #include "gl/flush/resolve_draws.h"
-#include "gl/context/immediate.h"
-#include "gl/culled/culled_draws.h"
-#include "gl/draws/raster_draws.h"
-#include "gl/classify/triage.h"
-#include "gl/real/errors.h"
-#include "gl/basics/failsafe.h"
-#include "gl/layers/layer_draws.h"
-#include "gl/context/list_compiler.h"
-#include "gl/draws/program_draws.h"
-#include "gl/classify/untraced_programs.h"
-#include "gl/context/attrib_stack.h"
-#include "gl/shadow/shadow_state.h"
-#include "gl/basics/thread_state.h"
 #include "gl/framebuffers/composed_views.h"
-#include "gl/context/frame_ends.h"
-#include "gl/clock/frame_settings.h"
-#include "gl/context/fullscreen_passes.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/real/errors.h"
+#include "gl/shadow/shadow_state.h"
 #include "gl/window/window_frames.h"
 
 #include <memory>
@@ -65,6 +66,7 @@ class Context {
   Triage triage;
   BatchFiller filler;
   RasterDraws raster;
+  Draws draws;
   LayerDraws layers;
   ResolveDraws resolves;
   WindowFrames window;

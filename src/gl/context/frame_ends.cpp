@@ -1,11 +1,11 @@
 #include "gl/context/frame_ends.h"
 
-#include "gl/flush/resolve_draws.h"
-#include "gl/context/immediate.h"
-#include "gl/context/list_compiler.h"
-#include "gl/real/state_queries.h"
 #include "gl/basics/thread_state.h"
 #include "gl/batch/clears.h"
+#include "gl/context/immediate.h"
+#include "gl/context/list_compiler.h"
+#include "gl/flush/resolve_draws.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

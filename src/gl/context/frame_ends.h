@@ -1,10 +1,10 @@
 // Decides when frames begin and end: at swaps, at glFlush and glFinish, or at clears of programs that only
 // draw into memory. A part of each Context, GL thread.
 #pragma once
-#include "gl/flush/flusher.h"
-#include "gl/counts/draw_counts.h"
 #include "gl/clock/frame_settings.h"
 #include "gl/context/passthrough_frames.h"
+#include "gl/counts/draw_counts.h"
+#include "gl/flush/flusher.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/gl.h>

@@ -1,11 +1,11 @@
 #include "gl/context/fullscreen_passes.h"
 
 #include "gl/flush/resolve_draws.h"
-#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/programs/uniforms.h"
-#include "gl/state/output_state.h"
+#include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/output_state.h"
 #include "gl/textures/texture_image.h"
 #include "gl/textures/texture_sampling.h"
 

@@ -1,8 +1,8 @@
 // Full-screen passes (FXAA, resolve) that we make in place of the program, because a software OpenGL takes
 // longer for them than we for the whole picture. A part of each Context, GL thread.
 #pragma once
-#include "gl/real/elements.h"
 #include "gl/flush/flusher.h"
+#include "gl/real/elements.h"
 
 #include <GL/gl.h>
 

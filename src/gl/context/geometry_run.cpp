@@ -145,32 +145,49 @@ void GeometryRun::execute(Context& context) {
   if (!captured_.materials.empty()) context.shadow.latch.letGo(context.real);
 }
 
+/// The run, as its list is called.
+class GeometryRun::RunDraw final : public DrawRequest {
+ public:
+  RunDraw(GeometryRun& run, Context& context) : run_(run), c_(context) {}
+  Reason classifyState() override {
+    const Reason reason = c_.triage.of(run_.kind_);
+    if (reason != Reason::traced || !run_.verticesLost_) return reason;
+    return run_.kind_ == PrimitiveClass::points ? Reason::points : Reason::lines;
+  }
+  KnownMesh mesh() override { return run_.mesh(c_); }
+  Reason classifyMesh(const KnownMesh& mesh) override { return c_.triage.of(mesh, run_.captured_.materials); }
+  Reason trace(const KnownMesh& mesh) override {
+    c_.filler.add(mesh.mesh, run_.layout_.mask, run_.captured_.materials);
+    c_.counts.traced(DrawPath::list, run_.triangles_);
+    return Reason::traced;
+  }
+  void meetPasses(Reason reason) override {
+    c_.raster.meetPasses(
+        run_.kind_, reason, [&] { return run_.sample(); },
+        [&]() -> const KnownMesh& { return run_.mesh(c_); });
+  }
+  Load load() override { return {DrawPath::list, run_.kind_, run_.triangles_}; }
+  Fate make() override {
+    run_.rasterise(c_);
+    // The run's last attributes are now current in the real OpenGL: ours are sent again.
+    c_.shadow.current.lost(run_.layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
+    c_.touch(kMaterial);
+    return Fate::rasterised;
+  }
+
+ private:
+  GeometryRun& run_;
+  Context& c_;
+};
+
 void GeometryRun::draw(Context& context) {
   const std::lock_guard lock(mutex_);
   const DrawTimer timer(context.counts.kinds());
   context.passthrough.works();
   inherit(context);
   context.shadow.refresh(kDrawGroups);
-  Reason reason = context.triage.of(kind_);
-  if (reason == Reason::traced && verticesLost_)
-    reason = kind_ == PrimitiveClass::points ? Reason::points : Reason::lines;
-  if (reason == Reason::traced) {
-    reason = context.failsafe.attempt([&] {
-      const KnownMesh& known = mesh(context);
-      const Reason fine = context.triage.of(known, captured_.materials);
-      if (fine == Reason::traced) context.filler.add(known.mesh, layout_.mask, captured_.materials);
-      return fine;
-    });
-  }
-  if (reason == Reason::traced) return context.counts.traced(DrawPath::list, triangles_);
-  context.raster.meetPasses(
-      kind_, reason, [&] { return sample(); }, [&]() -> const KnownMesh& { return mesh(context); });
-  context.counts.rasterised(reason, DrawPath::list, kind_, triangles_);
-  context.raster.before(kind_);
-  rasterise(context);
-  // The run's last attributes are now current in the real OpenGL: ours are sent again.
-  context.shadow.current.lost(layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
-  context.touch(kMaterial);
+  RunDraw request(*this, context);
+  context.draws.submit(request);
 }
 
 bool GeometryRun::drawDirectly(Context& context) {

@@ -1,8 +1,8 @@
 // Captured vertices in a display list. GL threads: several may call a list of their share group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
-#include "gl/history/sampled_surfaces.h"
 #include "gl/context/list.h"
+#include "gl/history/sampled_surfaces.h"
 #include "gl/sharing/share_group.h"
 
 #include <memory>
@@ -26,6 +26,7 @@ class GeometryRun final : public ListOp {
   void execute(Context& context) override;
 
  private:
+  class RunDraw;
   void draw(Context& context);
   /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);

@@ -4,8 +4,8 @@
 #include "gl/capture/vertex_attribute_calls.h"
 #include "gl/context/context.h"
 #include "gl/context/handlers.h"
-#include "gl/real/extensions.h"
 #include "gl/context/stub.h"
+#include "gl/real/extensions.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -109,7 +109,8 @@ void Immediate::addSlotToRun(Slot slot) {
 
 void Immediate::vertex(float x, float y, float z, float w) {
   if (p_.beginEnd.inside == Inside::rasterised) ++openPrimitive_.count;
-  if (p_.shadow.info.off || p_.beginEnd.inside == Inside::rasterised) return p_.shadow.real.Vertex4f(x, y, z, w);
+  if (p_.shadow.info.off || p_.beginEnd.inside == Inside::rasterised)
+    return p_.shadow.real.Vertex4f(x, y, z, w);
   if (p_.beginEnd.inside == Inside::captured) return stream_.vertexSlow(x, y, z, w);
   // A vertex outside glBegin draws nothing, unless its list is called inside the caller's glBegin.
   if (!p_.lists.compiling()) return;
@@ -145,11 +146,7 @@ void Immediate::begin(GLenum mode) {
     if (reason != Reason::traced && !canBegin(mode)) return;  // no primitive is open
     const bool captured = reason == Reason::traced || p_.raster.needsVertices(kind, reason);
     if (!captured) {
-      p_.raster.passUnseen(kind, reason);
-      p_.raster.before(kind);
-      p_.shadow.sendBuffers();  // glArrayElement may follow
-      if (p_.counts.kinds()) p_.counts.kinds()->start();
-      p_.counts.rasterised(reason, DrawPath::immediate, kind, 0);  // end() counts its triangles
+      p_.draws.beginRasterised(DrawPath::immediate, kind, reason);  // end() counts its triangles
       openPrimitive_ = {mode, 0, 0};
       p_.beginEnd.inside = Inside::rasterised;
       p_.shadow.real.Begin(mode);
@@ -217,7 +214,8 @@ void Immediate::end() {
     for (InheritedSlot& slot : inherited_)  // vertices of incomplete primitives are dropped
       slot.vertices = std::min(slot.vertices, stream_.captured().vertexCount);
   }
-  const bool passed = p_.beginEnd.inside == Inside::rasterised && p_.clock.passesThrough() && !p_.lists.compiling();
+  const bool passed =
+      p_.beginEnd.inside == Inside::rasterised && p_.clock.passesThrough() && !p_.lists.compiling();
   p_.beginEnd.inside = Inside::nothing;
   passed ? p_.attention.passed(open_) : p_.attention.update();
   if (p_.lists.misused()) recordMisuse();
@@ -244,7 +242,8 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   // The real OpenGL decides about the error when the list is called.
   if (p_.lists.compiling() && !insideBegin() && !p_.shadow.info.off && (!known || refused))
     return p_.lists.recordFragment([&] { p_.shadow.real.Materialfv(face, pname, params); });
-  if (p_.lists.compiling() && p_.beginEnd.inside == Inside::captured && !known) return p_.lists.misuse(GL_INVALID_ENUM);
+  if (p_.lists.compiling() && p_.beginEnd.inside == Inside::captured && !known)
+    return p_.lists.misuse(GL_INVALID_ENUM);
   if (p_.shadow.info.off || p_.beginEnd.inside == Inside::rasterised || !known) {
     if (!p_.beginEnd.fragment) p_.shadow.dirty |= kMaterial;
     return p_.shadow.real.Materialfv(face, pname, params);

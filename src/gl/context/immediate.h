@@ -1,15 +1,16 @@
 // glBegin, glVertex and glEnd: captured in runs (consecutive pairs of equal state), or left to the real
 // OpenGL. A part of each Context, called by stubs and handlers on its thread.
 #pragma once
-#include "gl/draws/batch_filler.h"
+#include "gl/basics/reasons.h"
 #include "gl/capture/captured_vertices.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/capture/vertex_stream.h"
-#include "gl/counts/draw_kinds.h"
-#include "gl/draws/raster_draws.h"
-#include "gl/basics/reasons.h"
-#include "gl/welding/when_to_weld.h"
 #include "gl/context/passthrough_frames.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/draws/batch_filler.h"
+#include "gl/draws/draws.h"
+#include "gl/draws/raster_draws.h"
+#include "gl/welding/when_to_weld.h"
 
 #include <GL/gl.h>
 
@@ -32,6 +33,7 @@ class Immediate {
     Triage& triage;
     BatchFiller& filler;
     RasterDraws& raster;
+    Draws& draws;
     WindowFrames& window;
     PassthroughFrames& passthrough;
     ListCompiler& lists;
@@ -89,6 +91,8 @@ class Immediate {
   void idle();
 
  private:
+  class RunDraw;
+
   /// Sets a current value that the real OpenGL does not have yet.
   void setCurrent(Slot slot, const float* values);
   void noteColor(Slot slot);
@@ -115,7 +119,7 @@ class Immediate {
   DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs
   GLenum canBegin_ = kNoMode;                        // the real OpenGL's glBegin of this mode succeeds
   Primitive openPrimitive_{};                        // of a rasterised glBegin: mode and vertices so far
-  std::vector<InheritedSlot> inherited_;  // slots that a list's run takes from its caller
+  std::vector<InheritedSlot> inherited_;             // slots that a list's run takes from its caller
 };
 
 }  // namespace gluray::gl

@@ -116,27 +116,40 @@ KnownMesh Immediate::meshOfRun() {
   return known;
 }
 
+/// The run, captured and ended.
+class Immediate::RunDraw final : public DrawRequest {
+ public:
+  explicit RunDraw(Immediate& immediate) : i_(immediate), run_(immediate.stream_.captured()) {}
+  Reason classifyState() override { return i_.p_.failsafe.aside() ? i_.p_.failsafe.reason() : i_.reason_; }
+  KnownMesh mesh() override { return i_.meshOfRun(); }
+  Reason classifyMesh(const KnownMesh& mesh) override { return i_.p_.triage.of(mesh, run_.materials); }
+  Reason trace(const KnownMesh& mesh) override {
+    i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
+    i_.p_.counts.traced(i_.path_, countTriangles(run_));
+    return Reason::traced;
+  }
+  void meetPasses(Reason reason) override {
+    i_.p_.raster.meetPasses(
+        i_.class_, reason, [&] { return sampleTriangles(run_); }, [&] { return mesh(); });
+  }
+  Load load() override { return {i_.path_, i_.class_, countTriangles(run_)}; }
+  Fate make() override {
+    replay(i_.p_.shadow.real, run_);
+    return Fate::rasterised;
+  }
+
+ private:
+  Immediate& i_;
+  const CapturedVertices& run_;
+};
+
 void Immediate::drawRun() {
   const CapturedVertices& run = stream_.captured();
   if (run.empty()) return;
   weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
   const DrawTimer timer(p_.counts.kinds());
-  const Reason reason = p_.failsafe.attempt([&] {
-    if (p_.failsafe.aside()) return p_.failsafe.reason();
-    if (reason_ != Reason::traced) return reason_;
-    const KnownMesh known = meshOfRun();
-    const Reason fine = p_.triage.of(known, run.materials);
-    if (fine == Reason::traced) p_.filler.add(known.mesh, run.layout.mask, run.materials);
-    return fine;
-  });
-  const uint64_t triangles = countTriangles(run);
-  if (reason == Reason::traced) return p_.counts.traced(path_, triangles);
-  p_.raster.meetPasses(
-      class_, reason, [&] { return sampleTriangles(run); }, [&] { return meshOfRun(); });
-  p_.counts.rasterised(reason, path_, class_, triangles);
-  p_.raster.before(class_);
-  p_.shadow.sendBuffers();
-  replay(p_.shadow.real, run);
+  RunDraw request(*this);
+  p_.draws.submit(request);
 }
 
 /// Sends what has been set since the last vertex into the open fragment.

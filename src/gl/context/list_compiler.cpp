@@ -1,8 +1,8 @@
 #include "gl/context/list_compiler.h"
 
 #include "gl/context/context.h"
-#include "gl/context/handlers.h"
 #include "gl/context/geometry_run.h"
+#include "gl/context/handlers.h"
 #include "gl/context/stub.h"
 
 #include <GL/gl.h>

@@ -1,9 +1,9 @@
 // Compiles and calls display lists: glNewList, glEndList, glCallList. A part of each Context, for stubs and
 // handlers on its thread.
 #pragma once
+#include "gl/basics/failsafe.h"
 #include "gl/capture/captured_vertices.h"
 #include "gl/counts/draw_kinds.h"
-#include "gl/basics/failsafe.h"
 #include "gl/shadow/shadow_state.h"
 
 #include <GL/gl.h>

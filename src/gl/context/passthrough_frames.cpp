@@ -1,8 +1,8 @@
 #include "gl/context/passthrough_frames.h"
 
-#include "gl/context/attention.h"
 #include "gl/buffers/buffer.h"
 #include "gl/clock/frame_settings.h"
+#include "gl/context/attention.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {

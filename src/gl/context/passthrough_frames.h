@@ -1,8 +1,8 @@
 // Passthrough frames: draws go straight to the real OpenGL, and nothing but display lists is captured. Starts
 // and stops EngineChoice's measurements. A part of each Context, GL thread.
 #pragma once
-#include "gl/flush/flusher.h"
 #include "gl/counts/draw_counts.h"
+#include "gl/flush/flusher.h"
 
 namespace gluray::gl {
 

@@ -1,8 +1,8 @@
 // Writes to the log, at level trace, what became of each draw and each batch of a context, and in which
 // command: two versions of GLuRay that decide alike write the same lines. GL thread.
 #pragma once
-#include "gl/counts/draw_kinds.h"
 #include "gl/basics/reasons.h"
+#include "gl/counts/draw_kinds.h"
 
 #include <cstdint>
 #include <string>

@@ -1,11 +1,11 @@
 // Counts draws for `--report` and `gluray explain`, and for EngineChoice. A part of each Context, GL thread.
 #pragma once
-#include "gl/counts/decisions.h"
-#include "gl/counts/draw_kinds.h"
 #include "gl/basics/reasons.h"
-#include "gl/shadow/shadow_state.h"
 #include "gl/basics/statistics.h"
 #include "gl/clock/frame_clock.h"
+#include "gl/counts/decisions.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <cstdint>
 

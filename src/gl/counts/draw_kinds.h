@@ -1,8 +1,8 @@
 // Draws of a context by kind, with counts and times, for `gluray explain`; exists only under it. The
 // context's GL thread writes it; any thread may read it.
 #pragma once
-#include "gl/capture/captured_vertices.h"
 #include "gl/basics/reasons.h"
+#include "gl/capture/captured_vertices.h"
 #include "gl/real/real.h"
 
 #include <compare>

@@ -2,9 +2,9 @@
 // context current.
 #pragma once
 #include "base/hash.h"
-#include "gl/real/elements.h"
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/glsl/program.h"
+#include "gl/real/elements.h"
 #include "gl/shadow/shadow_state.h"
 
 #include <span>

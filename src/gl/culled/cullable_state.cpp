@@ -1,8 +1,8 @@
 #include "gl/culled/cullable_state.h"
 
 #include "gl/real/buffer_bits.h"
-#include "gl/state/output_state.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/output_state.h"
 
 #include <GL/glext.h>
 

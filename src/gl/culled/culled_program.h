@@ -1,10 +1,10 @@
 // Whether the draws of a shader program can be culled, and where it puts its vertices. GL thread, context
 // current.
 #pragma once
+#include "gl/basics/reasons.h"
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/culled/small/placed_positions.h"
-#include "gl/basics/reasons.h"
 #include "gl/programs/match.h"
 #include "gl/real/real.h"
 

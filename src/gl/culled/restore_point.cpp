@@ -1,8 +1,8 @@
 #include "gl/culled/restore_point.h"
 
+#include "gl/batch/clears.h"
 #include "gl/real/extensions.h"
 #include "gl/real/state_queries.h"
-#include "gl/batch/clears.h"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 // The pixels that a draw may change, as they were before it. A part of CulledDraws, GL thread.
 #pragma once
-#include "gl/pending/pending_batch.h"
 #include "gl/draws/raster_draws.h"
+#include "gl/pending/pending_batch.h"
 #include "gl/shadow/shadow_state.h"
 #include "scene/snapshot.h"
 

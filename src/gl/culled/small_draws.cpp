@@ -1,12 +1,12 @@
 #include "gl/culled/small_draws.h"
 
+#include "gl/batch/clears.h"
 #include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
+#include "gl/framebuffers/cleared_framebuffers.h"
 #include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
-#include "gl/framebuffers/cleared_framebuffers.h"
-#include "gl/batch/clears.h"
 
 #include <GL/glext.h>
 

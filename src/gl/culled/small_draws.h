@@ -3,13 +3,13 @@
 // thread.
 #pragma once
 #include "base/hash.h"
-#include "gl/real/elements.h"
+#include "gl/basics/reasons.h"
 #include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/clusters/culled_mesh.h"
 #include "gl/culled/clusters/depth_pyramid.h"
+#include "gl/real/elements.h"
 #include "gl/trials/frame_trials.h"
 #include "gl/trials/look_schedule.h"
-#include "gl/basics/reasons.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

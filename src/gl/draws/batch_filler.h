@@ -1,9 +1,9 @@
 // Fills the batch: turns fixed-function surfaces into instances, and opens the batch for those of shader
 // programs. A part of each Context, GL thread.
 #pragma once
-#include "gl/flush/flusher.h"
 #include "gl/capture/captured_vertices.h"
 #include "gl/classify/triage.h"
+#include "gl/flush/flusher.h"
 
 #include <glm/glm.hpp>
 

@@ -28,4 +28,12 @@ Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
   return draw.make();
 }
 
+void Draws::beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reason) {
+  p_.raster.passUnseen(primitive, reason);
+  p_.raster.before(primitive);
+  p_.shadow.sendBuffers();  // glArrayElement may follow
+  if (p_.counts.kinds()) p_.counts.kinds()->start();
+  p_.counts.rasterised(reason, path, primitive, 0);
+}
+
 }  // namespace gluray::gl

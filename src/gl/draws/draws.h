@@ -1,5 +1,5 @@
-// Decides what becomes of a draw, and does it: the one place where draws are traced or rasterised and counted,
-// whatever their vertices come from. A part of each Context, GL thread.
+// Decides what becomes of a draw, and does it: the one place where draws are traced or rasterised and
+// counted, whatever their vertices come from. A part of each Context, GL thread.
 #pragma once
 #include "gl/counts/draw_counts.h"
 #include "gl/draws/draw_request.h"
@@ -27,9 +27,9 @@ class Draws {
   Fate submit(DrawRequest& draw) { return execute(classify(draw), draw); }
   /// The same for a draw that is rasterised for this reason.
   Fate rasterise(DrawRequest& draw, Reason reason);
-  /// Prepares for a primitive that the real OpenGL gets vertex by vertex, and counts it. `triangles`: of the
-  /// vertices that are known so far.
-  void beginRasterised(PrimitiveClass primitive, DrawPath path, Reason reason, uint64_t triangles);
+  /// Prepares for a primitive that the real OpenGL gets vertex by vertex, and counts it, without triangles.
+  /// DrawKinds::stop() ends it.
+  void beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reason);
 
  private:
   /// Draws and changes nothing.

@@ -5,21 +5,21 @@
 
 namespace gluray::gl {
 
-#define GLURAY_FATES(X)                                                     \
-  X(refused, "an error")                                                    \
-  X(empty, "no vertices: the real OpenGL looks for errors")                 \
-  X(undefined, "vertices before the array: nothing is drawn")               \
-  X(recorded, "kept by the display list that is compiled")                  \
-  X(recordedBelow, "kept by a display list of the real OpenGL")             \
-  X(passedThrough, "in a passthrough frame")                                \
-  X(joinedRun, "small: its vertices join a run of glBegin and glEnd")       \
-  X(heldPass, "a pass before peels, held back")                             \
-  X(heldPeel, "a later peel, held back")                                    \
+#define GLURAY_FATES(X)                                                      \
+  X(refused, "an error")                                                     \
+  X(empty, "no vertices: the real OpenGL looks for errors")                  \
+  X(undefined, "vertices before the array: nothing is drawn")                \
+  X(recorded, "kept by the display list that is compiled")                   \
+  X(recordedBelow, "kept by a display list of the real OpenGL")              \
+  X(passedThrough, "in a passthrough frame")                                 \
+  X(joinedRun, "small: its vertices join a run of glBegin and glEnd")        \
+  X(heldPass, "a pass before peels, held back")                              \
+  X(heldPeel, "a later peel, held back")                                     \
   X(leftOutPass, "a pass that draws nothing, because its layers are traced") \
-  X(traced, "traced with the batch")                                        \
-  X(replaced, "a full-screen pass that is made in its place")               \
-  X(untraced, "by a program that is never traced")                          \
-  X(culled, "rasterised without what cannot be seen")                       \
+  X(traced, "traced with the batch")                                         \
+  X(replaced, "a full-screen pass that is made in its place")                \
+  X(untraced, "by a program that is never traced")                           \
+  X(culled, "rasterised without what cannot be seen")                        \
   X(rasterised, "rasterised")
 
 enum class Fate : uint8_t {

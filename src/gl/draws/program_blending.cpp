@@ -1,7 +1,7 @@
 // Surfaces of shader programs whose alpha may be below 1, or that write no depth: whether they are traced, as
 // opaque ones or as layers that are blended in the order of drawing (ADR 0038, ADR 0078).
-#include "gl/layers/layer_draws.h"
 #include "gl/draws/program_draws.h"
+#include "gl/layers/layer_draws.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
 #include "gl/draws/program_draws.h"
 
 #include "gl/arrays/array_indices.h"
-#include "gl/capture/mesh_builder.h"
 #include "gl/basics/affine.h"
+#include "gl/capture/mesh_builder.h"
 #include "gl/classify/solid_draws.h"
-#include "gl/layers/layer_draws.h"
 #include "gl/impostors/pixel_impostors.h"
 #include "gl/impostors/sent_billboards.h"
+#include "gl/layers/layer_draws.h"
 #include "gl/real/state_queries.h"
 
 #include <algorithm>

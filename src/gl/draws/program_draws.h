@@ -2,11 +2,11 @@
 // of each Context, GL thread.
 #pragma once
 #include "gl/arrays/array_indices.h"
-#include "gl/draws/batch_filler.h"
+#include "gl/basics/reasons.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/counts/draw_kinds.h"
+#include "gl/draws/batch_filler.h"
 #include "gl/draws/raster_draws.h"
-#include "gl/basics/reasons.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

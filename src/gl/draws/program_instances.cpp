@@ -1,7 +1,7 @@
 // ProgramDraws: instanced draws, whose matrices, normals and colours come from arrays with a divisor.
 #include "gl/basics/affine.h"
-#include "gl/layers/layer_draws.h"
 #include "gl/draws/program_draws.h"
+#include "gl/layers/layer_draws.h"
 #include "scene/world_space.h"
 
 #include <algorithm>

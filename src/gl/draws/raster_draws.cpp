@@ -1,9 +1,9 @@
 #include "gl/draws/raster_draws.h"
 
 #include "gl/flush/resolve_draws.h"
-#include "gl/real/errors.h"
-#include "gl/layers/layer_draws.h"
 #include "gl/framebuffers/composed_views.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/real/errors.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {

@@ -1,11 +1,11 @@
 // Prepares rasterised draws among traced ones: flushes what must be shown before them, and finds the traced
 // surfaces that they coincide with. A part of each Context, GL thread.
 #pragma once
-#include "gl/flush/flusher.h"
 #include "gl/capture/mesh_cache.h"
-#include "gl/counts/draw_kinds.h"
-#include "gl/history/multipass_surfaces.h"
 #include "gl/classify/triage.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/flush/flusher.h"
+#include "gl/history/multipass_surfaces.h"
 
 #include <optional>
 #include <span>

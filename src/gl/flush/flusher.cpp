@@ -2,11 +2,11 @@
 
 #include "base/clock.h"
 #include "base/timeline.h"
-#include "gl/pending/address_space_gate.h"
 #include "gl/flush/resolve_draws.h"
-#include "gl/real/errors.h"
-#include "gl/layers/layer_draws.h"
 #include "gl/framebuffers/composed_views.h"
+#include "gl/layers/layer_draws.h"
+#include "gl/pending/address_space_gate.h"
+#include "gl/real/errors.h"
 #include "gl/window/window_frames.h"
 
 #include <optional>
@@ -35,7 +35,8 @@ void Flusher::presentBatch(Reason reason) {
   const BatchKey key = p_.pending.batch.key();
   if (key.framebuffer == 0) p_.window.makeClear();
   const bool factors = key.layers == BatchKey::Layers::factors;
-  if (factors && reason != Reason::traced) return void(p_.pending.batch.take());  // the real OpenGL has drawn them
+  if (factors && reason != Reason::traced)
+    return void(p_.pending.batch.take());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
@@ -53,14 +54,15 @@ void Flusher::presentBatch(Reason reason) {
   const AntialiasedPicture antialiased = p_.cleared.antialiased();
   p_.cleared.forget();
   if (!rasterise) p_.composed.presenting(key, *snapshot);
-  const PresentResult result = peeled ? p_.layers.present(snapshot, key)
-                                      : p_.pending.presenter.present(p_.shadow.real, snapshot,
-                                                          {.depthFunc = key.depthFunc,
-                                                           .core = p_.shadow.info.core,
-                                                           .rasterise = rasterise,
-                                                           .programDraws = p_.pending.batch.takeProgramDraws(),
-                                                           .wish = p_.clock.wish(),
-                                                           .cleared = under});
+  const PresentResult result =
+      peeled ? p_.layers.present(snapshot, key)
+             : p_.pending.presenter.present(p_.shadow.real, snapshot,
+                                            {.depthFunc = key.depthFunc,
+                                             .core = p_.shadow.info.core,
+                                             .rasterise = rasterise,
+                                             .programDraws = p_.pending.batch.takeProgramDraws(),
+                                             .wish = p_.clock.wish(),
+                                             .cleared = under});
   if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.traced(key, snapshot);
   if (!rasterise) p_.composed.presented(key, snapshot, result.outcome == PresentResult::traced);
   p_.cleared.wrote(key.framebuffer, result.uploaded);
@@ -119,7 +121,8 @@ void Flusher::imagesChange() noexcept {
 }
 
 void Flusher::contentsChange(GLuint buffer) noexcept {
-  if (p_.resolves.readsBuffer(buffer) || p_.window.readsBuffer(buffer) || p_.pending.batch.readsBuffer(buffer))
+  if (p_.resolves.readsBuffer(buffer) || p_.window.readsBuffer(buffer) ||
+      p_.pending.batch.readsBuffer(buffer))
     p_.failsafe.protect([&] { flush(); });
 }
 

@@ -1,5 +1,5 @@
-// Traces the pending batch and writes it into the framebuffer. Also writes pictures that were traced or delayed
-// earlier ("settles" them). A part of each Context, GL thread.
+// Traces the pending batch and writes it into the framebuffer. Also writes pictures that were traced or
+// delayed earlier ("settles" them). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/unresolved_picture.h"
 #include "gl/pending/batch_flush.h"

@@ -1,12 +1,12 @@
 #include "gl/flush/resolve_draws.h"
 
-#include "gl/framebuffers/depth_copy.h"
-#include "gl/real/errors.h"
-#include "gl/programs/uniforms.h"
-#include "gl/real/debug_silence.h"
-#include "gl/real/state_queries.h"
 #include "gl/batch/clears.h"
 #include "gl/framebuffers/composed_views.h"
+#include "gl/framebuffers/depth_copy.h"
+#include "gl/programs/uniforms.h"
+#include "gl/real/debug_silence.h"
+#include "gl/real/errors.h"
+#include "gl/real/state_queries.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
@@ -179,7 +179,8 @@ bool ResolveDraws::into(ResolveTarget& target) {
 }
 
 bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
-  if (!p_.pending.unresolved.waiting || !p_.pending.batch.empty() || region.x != 0 || region.y != 0) return false;
+  if (!p_.pending.unresolved.waiting || !p_.pending.batch.empty() || region.x != 0 || region.y != 0)
+    return false;
   const glm::ivec2 size(region.width, region.height);
   const UnresolvedPicture::Waiting& waiting = *p_.pending.unresolved.waiting;
   const KnownProgram& known = *p_.shadow.state.program.known;

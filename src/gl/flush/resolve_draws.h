@@ -1,10 +1,10 @@
 // Keeps a traced picture of a multisampled framebuffer until the program resolves it, and then writes the
 // resolved pixels only (ADR 0020). A part of each Context, GL thread.
 #pragma once
-#include "gl/pending/pending_batch.h"
 #include "gl/batch/presenter.h"
 #include "gl/batch/unresolved_picture.h"
 #include "gl/counts/draw_kinds.h"
+#include "gl/pending/pending_batch.h"
 
 #include <GL/gl.h>
 
@@ -37,7 +37,9 @@ class ResolveDraws {
   bool waits() const { return p_.pending.unresolved.waiting.has_value(); }
   bool any() const { return p_.pending.unresolved.any(); }
   /// Whether one of the waiting picture's draws reads `buffer` as a texture.
-  bool readsBuffer(GLuint buffer) const { return waits() && gl::readsBuffer(p_.pending.unresolved.waiting->draws, buffer); }
+  bool readsBuffer(GLuint buffer) const {
+    return waits() && gl::readsBuffer(p_.pending.unresolved.waiting->draws, buffer);
+  }
   /// Takes the pending batch, which then waits to be resolved. False: it must not wait.
   bool hold();
   /// Writes the waiting picture's samples into its framebuffer.

@@ -1,7 +1,7 @@
 #include "gl/framebuffers/antialiased_picture.h"
 
-#include "gl/real/state_queries.h"
 #include "gl/batch/clears.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 

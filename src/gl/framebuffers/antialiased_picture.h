@@ -1,8 +1,8 @@
 // Finds pictures of ours that are anti-aliased already, so that a program's anti-aliasing pass over them can
 // be skipped. Owned by ClearedFramebuffers, GL thread.
 #pragma once
-#include "gl/real/real.h"
 #include "gl/real/extensions.h"
+#include "gl/real/real.h"
 #include "gl/textures/texture.h"
 #include "scene/snapshot.h"
 

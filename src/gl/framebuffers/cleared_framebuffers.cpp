@@ -1,7 +1,7 @@
 #include "gl/framebuffers/cleared_framebuffers.h"
 
-#include "gl/real/state_queries.h"
 #include "gl/batch/clears.h"
+#include "gl/real/state_queries.h"
 #include "settings/samples.h"
 
 #include <GL/glext.h>

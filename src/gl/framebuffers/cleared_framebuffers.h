@@ -1,12 +1,12 @@
 // Tracks whether the draw framebuffer holds only a clear, how its depths may have changed, and whether
 // pictures in it are anti-aliased already. A part of each Context, GL thread.
 #pragma once
+#include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"
 #include "gl/batch/cleared_target.h"
-#include "gl/basics/failsafe.h"
-#include "gl/shadow/shadow_state.h"
-#include "gl/framebuffers/antialiased_picture.h"
 #include "gl/clock/frame_clock.h"
+#include "gl/framebuffers/antialiased_picture.h"
+#include "gl/shadow/shadow_state.h"
 #include "settings/samples.h"
 
 #include <GL/gl.h>

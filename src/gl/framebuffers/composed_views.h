@@ -3,10 +3,10 @@
 // unless `gather` is on, and a ground, a background or several samples per pixel.
 #pragma once
 #include "base/image.h"
-#include "gl/batch/batch.h"
 #include "gl/basics/failsafe.h"
-#include "gl/shadow/shadow_state.h"
+#include "gl/batch/batch.h"
 #include "gl/framebuffers/cleared_framebuffers.h"
+#include "gl/shadow/shadow_state.h"
 #include "scene/snapshot.h"
 
 #include <cstdint>

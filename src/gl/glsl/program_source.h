@@ -2,8 +2,8 @@
 #pragma once
 #include "base/hash.h"
 #include "gl/glsl/glsl_statements.h"
-#include "gl/glsl/shader_texts.h"
 #include "gl/glsl/program.h"
+#include "gl/glsl/shader_texts.h"
 #include "gl/real/real.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 #include "gl/history/depth_history.h"
 
-#include "gl/state/state.h"
 #include "gl/batch/clears.h"
+#include "gl/state/state.h"
 
 #include <algorithm>
 

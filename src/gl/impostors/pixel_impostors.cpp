@@ -1,7 +1,7 @@
 #include "gl/impostors/pixel_impostors.h"
 
-#include "gl/state/state.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/state.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -2,8 +2,8 @@
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
 #include "gl/impostors/sent_billboards.h"
-#include "gl/state/state.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/state.h"
 
 #include <glm/glm.hpp>
 

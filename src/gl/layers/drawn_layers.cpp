@@ -2,8 +2,8 @@
 // without depth writes: those of fixed function, and those of shader programs that families describe. Colour
 // and depth beneath are read when the batch is presented.
 #include "gl/basics/affine.h"
-#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
+#include "gl/real/errors.h"
 
 #include <algorithm>
 #include <cmath>

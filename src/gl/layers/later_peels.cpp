@@ -1,13 +1,13 @@
 // Peels after the first one, whose layers are traced already. They are held back until the program has drawn
 // enough peels to show all layers. The occlusion queries by which it decides when to stop count the pixels
 // that the peels would have written.
-#include "gl/real/errors.h"
+#include "gl/batch/clears.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_limits.h"
 #include "gl/layers/peel_outputs.h"
 #include "gl/programs/uniforms.h"
+#include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
-#include "gl/batch/clears.h"
 
 #include <GL/glext.h>
 

@@ -2,13 +2,13 @@
 // without order (sum_draws.cpp) or blended in drawing order (drawn_layers.cpp). Decides whether they can be
 // traced, starts their batches and presents peeled ones. A part of each Context, GL thread.
 #pragma once
+#include "gl/basics/reasons.h"
 #include "gl/batch/batch.h"
-#include "gl/pending/batch_flush.h"
-#include "gl/pending/pending_batch.h"
 #include "gl/batch/presenter.h"
 #include "gl/counts/draw_kinds.h"
-#include "gl/basics/reasons.h"
 #include "gl/layers/peeling.h"
+#include "gl/pending/batch_flush.h"
+#include "gl/pending/pending_batch.h"
 
 namespace gluray::gl {
 

@@ -1,10 +1,10 @@
 // The depth pass and the first peel of dual depth peeling, and the common parts of all layers.
-#include "gl/real/errors.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_outputs.h"
 #include "gl/programs/uniforms.h"
-#include "gl/state/output_state.h"
+#include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/output_state.h"
 
 #include <GL/glext.h>
 

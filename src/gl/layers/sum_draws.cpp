@@ -2,8 +2,8 @@
 // held back: the traced sums are added to the framebuffer's, and rasterised draws may come before and after.
 #include "gl/layers/layer_draws.h"
 #include "gl/real/buffer_bits.h"
-#include "gl/state/output_state.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/output_state.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

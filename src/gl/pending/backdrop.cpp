@@ -1,9 +1,9 @@
 #include "gl/pending/backdrop.h"
 
 #include "base/log.h"
+#include "gl/batch/clears.h"
 #include "gl/pending/pending_batch.h"
 #include "gl/real/errors.h"
-#include "gl/batch/clears.h"
 
 #include <algorithm>
 #include <cmath>

@@ -32,7 +32,7 @@ bool PendingBatch::canTrace() {
 }
 
 void PendingBatch::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
-                          std::vector<ProgramDraw> draws, bool known) {
+                               std::vector<ProgramDraw> draws, bool known) {
   const RealGl& real = p_.shadow.real;
   const bool isShort = addressSpaceIsShort();
   const PresentResult result = [&] {

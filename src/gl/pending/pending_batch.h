@@ -1,10 +1,10 @@
-// The batch that waits to be traced, with what presents it and what its pictures cost. Flusher decides when it is
-// presented. A part of each Context, GL thread.
+// The batch that waits to be traced, with what presents it and what its pictures cost. Flusher decides when
+// it is presented. A part of each Context, GL thread.
 #pragma once
+#include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"
 #include "gl/batch/presenter.h"
 #include "gl/batch/unresolved_picture.h"
-#include "gl/basics/failsafe.h"
 #include "gl/clock/frame_clock.h"
 #include "gl/counts/draw_counts.h"
 #include "gl/framebuffers/cleared_framebuffers.h"

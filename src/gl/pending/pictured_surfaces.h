@@ -4,10 +4,10 @@
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/presenter.h"
+#include "gl/clock/frame_clock.h"
 #include "gl/history/surface_history.h"
 #include "gl/real/errors.h"
 #include "gl/shadow/shadow_state.h"
-#include "gl/clock/frame_clock.h"
 #include "scene/framebuffer_picture.h"
 
 #include <memory>

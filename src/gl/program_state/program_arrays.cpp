@@ -1,7 +1,7 @@
 // Reads the vertex arrays of shader programs.
 #include "gl/program_state/program_state.h"
-#include "gl/sharing/share_group.h"
 #include "gl/real/state_queries.h"
+#include "gl/sharing/share_group.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Whether programs fit a family, by the statements of their sources.
-#include "gl/testing/test_match.h"
 #include "gl/glsl/shader_digest.h"
+#include "gl/testing/test_match.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "gl/programs/uniforms.h"
 
-#include "gl/glsl/built_in_variables.h"
 #include "gl/families/components.h"
+#include "gl/glsl/built_in_variables.h"
 #include "gl/programs/built_in_uniforms.h"
 #include "gl/programs/uniform_blocks.h"
 #include "gl/real/state_queries.h"

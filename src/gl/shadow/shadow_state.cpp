@@ -1,8 +1,8 @@
 #include "gl/shadow/shadow_state.h"
 
+#include "gl/basics/failsafe.h"
 #include "gl/capture/solid_settings.h"
 #include "gl/real/errors.h"
-#include "gl/basics/failsafe.h"
 
 #include <string_view>
 #include <utility>

@@ -2,9 +2,9 @@
 // contexts may be current on several threads. The objects themselves are not: programs must synchronise their
 // use, as OpenGL requires.
 #pragma once
-#include "gl/sharing/deleted_buffers.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/programs/match.h"
+#include "gl/sharing/deleted_buffers.h"
 #include "gl/sharing/deleted_images.h"
 #include "gl/sharing/shared_names.h"
 

@@ -1,8 +1,8 @@
 // Per-fragment operations and polygon state: why they rule out tracing, and the values that tracing needs.
 #include "gl/real/blend_state.h"
+#include "gl/real/state_queries.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state.h"
-#include "gl/real/state_queries.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -3,9 +3,9 @@
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/program_state/program_state.h"
+#include "gl/real/extensions.h"
 #include "gl/real/real.h"
 #include "gl/state/attached_images.h"
-#include "gl/real/extensions.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

@@ -1,7 +1,7 @@
 // Reads back the state of the draw framebuffer.
 #include "gl/real/buffer_bits.h"
-#include "gl/state/state.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/state.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

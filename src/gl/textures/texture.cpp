@@ -1,8 +1,8 @@
 #include "gl/textures/texture.h"
 
 #include "gl/arrays/arrays.h"
-#include "gl/sharing/share_group.h"
 #include "gl/real/state_queries.h"
+#include "gl/sharing/share_group.h"
 #include "gl/textures/texture_env.h"
 #include "gl/textures/texture_sampling.h"
 

@@ -55,7 +55,8 @@ class TextureCache {
     auto operator<=>(const Key&) const = default;
   };
   /// Adds the active unit's texture, if one is enabled. Returns Reason::traced, or why it cannot be traced.
-  Reason readUnit(const RealGl& real, const RareState& has, GLint unit, std::vector<scene::Texture>& textures);
+  Reason readUnit(const RealGl& real, const RareState& has, GLint unit,
+                  std::vector<scene::Texture>& textures);
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
                                                    const ImageRange& range, Reason& reason);
   /// Forgets images that another context may have changed.

@@ -1,8 +1,8 @@
 // Texture images read back from the real OpenGL. GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
-#include "gl/real/real.h"
 #include "gl/real/extensions.h"
+#include "gl/real/real.h"
 #include "scene/texture.h"
 
 #include <GL/gl.h>

@@ -1,8 +1,8 @@
 #include "gl/views/view_scenes.h"
 
 #include "base/log.h"
-#include "gl/views/surroundings_maker.h"
 #include "gl/batch/clears.h"
+#include "gl/views/surroundings_maker.h"
 #include "scene/same_camera.h"
 
 #include <algorithm>

@@ -2,11 +2,11 @@
 
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "gl/batch/clears.h"
+#include "gl/layers/layer_draws.h"
 #include "gl/pending/address_space_gate.h"
 #include "gl/real/errors.h"
-#include "gl/layers/layer_draws.h"
 #include "gl/real/state_queries.h"
-#include "gl/batch/clears.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>

@@ -1,8 +1,8 @@
 // WindowFrames: pictures that are shown without the back buffer (ADR 0024).
 #include "base/timeline.h"
+#include "gl/batch/clears.h"
 #include "gl/pending/address_space_gate.h"
 #include "gl/real/draw_binding.h"
-#include "gl/batch/clears.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/glext.h>
@@ -27,8 +27,8 @@ bool WindowFrames::mayShowDirectly() noexcept {
            key.layers == BatchKey::Layers::none && (key.depthFunc == GL_LEQUAL || key.depthFunc == GL_LESS) &&
            !p_.pending.batch.waiting().wideColors && key.colorWrites.all() &&
            contains(p_.cleared.target()->region, p_.pending.batch.waiting().region) && !p_.shadow.info.off &&
-           !p_.failsafe.aside() && !p_.clock.passesThrough() &&
-           p_.shadow.activeQueries == 0 && !addressSpaceIsShort();
+           !p_.failsafe.aside() && !p_.clock.passesThrough() && p_.shadow.activeQueries == 0 &&
+           !addressSpaceIsShort();
   });
 }
 

@@ -1,8 +1,8 @@
 // Tracks the process's OpenGL contexts and the thread in which each is current. The hooks of GLX, EGL and
 // OSMesa call these functions around the real ones; none of them throws. Any thread.
 #pragma once
-#include "gl/counts/draw_kinds.h"
 #include "gl/basics/statistics.h"
+#include "gl/counts/draw_kinds.h"
 #include "intercept/window_systems/real_functions.h"
 
 #include <glm/glm.hpp>

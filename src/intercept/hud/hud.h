@@ -1,8 +1,8 @@
 // The overlay of `--hud`: frames per second, triangles, and how they are drawn, in the window's lower left
 // corner. One per context, on its GL thread.
 #pragma once
-#include "gl/sharing/share_group.h"
 #include "gl/basics/statistics.h"
+#include "gl/sharing/share_group.h"
 #include "intercept/present/write_back/write_back.h"
 
 #include <optional>

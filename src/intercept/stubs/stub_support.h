@@ -2,10 +2,10 @@
 // passed by pointer, for display lists. Included by generated code and its test.
 #pragma once
 #include "gl/capture/vertex_attribute_calls.h"
+#include "gl/commands/finished_read.h"
 #include "gl/context/handlers.h"
 #include "gl/context/param_counts.h"
 #include "gl/context/stub.h"
-#include "gl/commands/finished_read.h"
 #include "intercept/stubs/orphan_gl.h"
 #include "intercept/stubs/packed_attributes.h"
 

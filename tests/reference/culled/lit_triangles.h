@@ -59,7 +59,7 @@ inline void begin(Gl gl) {
 }
 
 inline void draw(Gl gl, GLuint program, const Triangles& triangles, const glm::mat4& eyeFromObject = view(),
-          const glm::vec3& tint = kTint, GLsizei indices = 0) {
+                 const glm::vec3& tint = kTint, GLsizei indices = 0) {
   drawTriangles(gl, program, triangles, {camera(), eyeFromObject, tint, indices});
 }
 

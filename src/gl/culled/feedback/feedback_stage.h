@@ -1,7 +1,7 @@
 // Transform feedback of our own, beside that of the program. GL thread, context current.
 #pragma once
-#include "gl/real/real.h"
 #include "gl/real/other_program.h"
+#include "gl/real/real.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,8 +1,8 @@
 // Where a program's vertex shader puts the vertices of a draw, whatever it computes: the real OpenGL runs the
 // shader, and feeds gl_Position back. One per program. GL thread, context current.
 #pragma once
-#include "gl/real/elements.h"
 #include "gl/culled/feedback/program_copy.h"
+#include "gl/real/elements.h"
 #include "gl/real/real.h"
 
 #include <GL/gl.h>

@@ -2,9 +2,9 @@
 // thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
+#include "gl/basics/reasons.h"
 #include "gl/culled/instances/instances.h"
 #include "gl/culled/shader_slice/position_slice.h"
-#include "gl/basics/reasons.h"
 #include "gl/glsl/program.h"
 
 #include <functional>

@@ -2,9 +2,9 @@
 // of CulledDraws, GL thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
-#include "gl/real/elements.h"
-#include "gl/culled/instances/instance_units.h"
 #include "gl/basics/reasons.h"
+#include "gl/culled/instances/instance_units.h"
+#include "gl/real/elements.h"
 #include "gl/real/real.h"
 
 #include <cstdint>

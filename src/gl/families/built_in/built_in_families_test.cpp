@@ -1,7 +1,7 @@
 // Families of programs that take vertices from fixed function: their files, and which programs fit.
+#include "gl/programs/built_in_uniforms.h"
 #include "gl/testing/test_family_text.h"
 #include "gl/testing/test_match.h"
-#include "gl/programs/built_in_uniforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The families of PyMOL's spheres and sticks: its programs fit, those with effects that are not described do
 // not.
-#include "gl/testing/test_pymol_text.h"
 #include "gl/testing/test_match.h"
+#include "gl/testing/test_pymol_text.h"
 
 #include <gtest/gtest.h>
 

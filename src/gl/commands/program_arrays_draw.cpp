@@ -1,0 +1,103 @@
+#include "gl/commands/program_arrays_draw.h"
+
+#include "gl/commands/array_draws.h"
+#include "gl/commands/raster_light.h"
+#include "gl/commands/shown_places.h"
+#include "gl/context/context.h"
+
+namespace gluray::gl {
+namespace {
+
+Reason classifyPass(Context& c, PrimitiveClass primitive) {
+  switch (layersOf(c.shadow.state.program)) {
+    case BatchKey::Layers::peeled: return c.layers.triagePeel(primitive);
+    case BatchKey::Layers::summed: return c.layers.triageSum(primitive);
+    case BatchKey::Layers::none:
+    case BatchKey::Layers::drawn:
+    case BatchKey::Layers::factors: break;
+  }
+  return c.programs.triage(primitive);
+}
+
+}  // namespace
+
+ProgramArraysDraw::ProgramArraysDraw(Context& context, GLenum mode, const Elements& elements)
+    : c_(context),
+      mode_(mode),
+      elements_(elements),
+      fixed_(context, mode, elements),
+      takesFixed_(readsBuiltIns(context.shadow.state.program)),
+      sentBillboards_(context.shadow.attributes.sentBillboards &&
+                      (mode == GL_TRIANGLES || mode == GL_QUADS)) {}
+
+Reason ProgramArraysDraw::classifyState() {
+  if (takesFixed_) {
+    c_.shadow.refresh(kDrawGroups | kFixedArrays);
+    // Attribute 0 takes the place of gl_Vertex.
+    return c_.shadow.attributes.generic.empty() ? fixed_.classifyState() : Reason::arrayState;
+  }
+  if (mode_ > GL_POLYGON) return Reason::program;
+  const bool impostors = sentBillboards_ || c_.shadow.program.drawsImpostors(mode_);
+  Reason reason = classifyPass(c_, impostors ? PrimitiveClass::surfaces : classOf(mode_));
+  if (reason == Reason::traced && impostors) reason = c_.programs.triageImpostors();
+  if (reason != Reason::traced) return reason;
+  // A program that expects impostors draws surfaces in a way that is unknown.
+  const bool odd = !impostors && c_.shadow.attributes.shape != scene::Shape::triangles;
+  return odd ? Reason::program : Reason::traced;
+}
+
+KnownMesh ProgramArraysDraw::mesh() {
+  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.attributes, mode_, elements_);
+}
+
+uint64_t ProgramArraysDraw::shown(const KnownMesh& known) const {
+  return known.mesh ? uint64_t{known.mesh->triangleCount} * elements_.repeats() : 0;
+}
+
+uint64_t ProgramArraysDraw::sent(const KnownMesh& known) const {
+  return sentBillboards_ ? trianglesOf(mode_, elements_) : shown(known);
+}
+
+Reason ProgramArraysDraw::classifyMesh(const KnownMesh& known) {
+  if (takesFixed_) return fixed_.classifyMesh(known);
+  const Reason reason = c_.programs.triage(known, sent(known));
+  return reason == Reason::traced ? c_.programs.triageInstances(*known.mesh, elements_) : reason;
+}
+
+Reason ProgramArraysDraw::trace(const KnownMesh& known) {
+  if (takesFixed_) return fixed_.trace(known);
+  const Reason reason = c_.programs.add(known.mesh, mode_, elements_);
+  if (reason == Reason::traced) c_.counts.traced(pathOf(elements_), shown(known), sent(known));
+  return reason;
+}
+
+bool ProgramArraysDraw::replace(Reason reason) {
+  return reason == Reason::programPass && c_.protect([&] { return c_.fullscreen.replace(mode_, elements_); });
+}
+
+void ProgramArraysDraw::meetPasses(Reason) {
+  const PrimitiveClass primitive = loadOf(c_, mode_, elements_).kind;
+  if (c_.surfaces.objects.asked()) [[unlikely]]
+    c_.protect([&] { c_.surfaces.objects.placed(placesOf(c_.shadow, elements_)); });
+  c_.protect([&] {
+    if (!c_.surfaces.passes.any() && c_.untraced.areAll())
+      rememberUntraced(c_, mode_, elements_);
+    else
+      c_.programs.meetPasses(primitive, mode_, elements_);
+  });
+  if (!c_.info().core && mode_ <= GL_POLYGON) fixed_.meetPasses(primitive, Reason::program);
+}
+
+DrawRequest::Load ProgramArraysDraw::load() {
+  const Load load = loadOf(c_, mode_, elements_);
+  return {pathOf(elements_), load.kind, load.triangles};
+}
+
+Fate ProgramArraysDraw::make() {
+  const bool culled = c_.culled.draw(mode_, elements_);
+  if (!culled) drawReal(c_.real, mode_, elements_);
+  lightRasterised(c_, mode_, elements_);
+  return culled ? Fate::culled : Fate::rasterised;
+}
+
+}  // namespace gluray::gl
