@@ -76,7 +76,7 @@ bool ProgramArraysDraw::replace(Reason reason) {
 }
 
 void ProgramArraysDraw::meetPasses(Reason) {
-  const PrimitiveClass primitive = loadOf(c_, mode_, elements_).kind;
+  const PrimitiveClass primitive = load().primitive;
   if (c_.surfaces.objects.asked()) [[unlikely]]
     c_.protect([&] { c_.surfaces.objects.placed(placesOf(c_.shadow, elements_)); });
   c_.protect([&] {
@@ -88,10 +88,7 @@ void ProgramArraysDraw::meetPasses(Reason) {
   if (!c_.info().core && mode_ <= GL_POLYGON) fixed_.meetPasses(primitive, Reason::program);
 }
 
-DrawRequest::Load ProgramArraysDraw::load() {
-  const Load load = loadOf(c_, mode_, elements_);
-  return {pathOf(elements_), load.kind, load.triangles};
-}
+DrawRequest::Load ProgramArraysDraw::load() { return loadOf(c_, mode_, elements_); }
 
 Fate ProgramArraysDraw::make() {
   const bool culled = c_.culled.draw(mode_, elements_);
