@@ -3,8 +3,6 @@
 #pragma once
 #include "dist/messages/codec.h"
 #include "dist/stream/film_pixels.h"
-#include "render/moving/film_source.h"
-#include "render/tiles/tile_source.h"
 
 namespace gluray::dist {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "base/image.h"
 #include "dist/stream/byte_stream.h"
-#include "render/frame_data/frame_data.h"
+#include "render/tiles/tile.h"
 
 #include <cstddef>
 #include <cstdint>
