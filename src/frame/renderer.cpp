@@ -9,10 +9,8 @@
 #include "render/film/anti_alias.h"
 #include "render/film/resolve_samples.h"
 #include "render/ground/staged_scene.h"
-#include "render/moving/film_source.h"
 #include "render/tile_tracer.h"
 #include "render/tiles/float_guard.h"
-#include "render/tiles/tile_source.h"
 #include "scene/effects.h"
 
 #include <atomic>

@@ -1,8 +1,6 @@
 // Renders a snapshot into an image: intercept/'s only interface to the ray tracer. Any thread.
 #pragma once
 #include "base/image.h"
-#include "render/moving/film_source.h"
-#include "render/tiles/tile_source.h"
 #include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"

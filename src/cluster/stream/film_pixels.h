@@ -1,8 +1,8 @@
 // Films of factors of light (render/moving/factor_film.h) as bytes: of one tile, and whole. Any thread.
 #pragma once
-#include "cluster/stream/byte_stream.h"
-#include "render/frame_data/frame_data.h"
+#include "dist/stream/byte_stream.h"
 #include "render/moving/factor_film.h"
+#include "render/tiles/tile.h"
 
 #include <cstddef>
 #include <cstdint>

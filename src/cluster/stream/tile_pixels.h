@@ -2,8 +2,8 @@
 // thread.
 #pragma once
 #include "base/image.h"
-#include "cluster/stream/byte_stream.h"
-#include "render/frame_data/frame_data.h"
+#include "dist/stream/byte_stream.h"
+#include "render/tiles/tile.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -5,7 +5,6 @@
 #include "cluster/pages/paged_tiles.h"
 #include "cluster/worker/film/film_tiles.h"
 #include "render/moving/moving_frame.h"
-#include "render/tiles/tile_source.h"
 
 #include <exception>
 #include <utility>

@@ -1,6 +1,7 @@
 // Depth of field of all kinds of surfaces: layers, clipped ones, impostors, far viewers.
 #include "base/sanitized.h"
 #include "render/camera/lens.h"
+#include "render/testing/test_ball.h"
 #include "render/testing/test_targets.h"
 #include "render/testing/test_trace.h"
 
@@ -157,6 +158,30 @@ TEST(LensSurfaces, AreOccludedAsWell) {
   const auto red = [&](int x) { return image.color[static_cast<size_t>(32 * kSurfacesSize + x)] & 255; };
   EXPECT_EQ(red(2), 255u);
   EXPECT_LT(red(kSurfacesSize / 2 + 2), 230u);
+}
+
+/// A sphere as a mesh and as an impostor.
+scene::MeshPtr sphere(const glm::vec3& center, float radius) {
+  auto mesh = std::make_shared<scene::Mesh>();
+  mesh->shape = scene::Shape::spheres;
+  mesh->vertexCount = mesh->triangleCount = 1;
+  mesh->positions = test::makeAttribute<glm::vec3>({center}, scene::Format::float3);
+  mesh->radius = radius;
+  mesh->lower = center - radius, mesh->upper = center + radius;
+  return mesh;
+}
+
+TEST(Lens, ShowsImpostorsAsTheirSolids) {
+  const glm::vec3 center(0.3f, -0.2f, -9);
+  const test::Traced solid = test::trace(inFocus({sphere(center, 1)})),
+                     mesh = test::trace(inFocus({test::ballMesh(256, 1, center, false)}));
+  int seen = 0;
+  for (int y = 0; y < kSurfacesSize; ++y)
+    for (int x = 0; x < kSurfacesSize; ++x) {
+      seen += solid.color(x, y).a > 0 ? 1 : 0;
+      ASSERT_LE(test::difference(solid.color(x, y), mesh.color(x, y)), 4) << x << " " << y;
+    }
+  EXPECT_GT(seen, 100);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "render/local/mipmap.h"
 
-#include "render/local/texture_sampling.h"
+#include "render/local/texture_lookup.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Levels of detail against closed-form values.
 #include "render/local/mipmap.h"
 
-#include "render/local/texture_sampling.h"
+#include "render/local/texture_lookup.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "render/local/combine.h"
 #include "render/local/texgen.h"
-#include "render/local/texture_sampling.h"
+#include "render/local/texture_lookup.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "render/local/texture_sampling.h"
+#include "render/local/texture_lookup.h"
 
 #include <algorithm>
 #include <cmath>

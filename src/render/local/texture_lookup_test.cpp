@@ -1,5 +1,5 @@
 // Texture sampling and environments against analytic values.
-#include "render/local/texture_sampling.h"
+#include "render/local/texture_lookup.h"
 
 #include "render/local/combine.h"
 #include "render/local/mipmap.h"
