@@ -4,6 +4,7 @@
 #include "render/frame_data/frame_data.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
+#include "render/moving/film_source.h"
 
 #include <stdexcept>
 

@@ -4,6 +4,7 @@
 #include "bench/scale/cpu_seconds.h"
 #include "cluster/messages/rank_messages.h"
 #include "render/tiles/tiles.h"
+#include "render/tiles/tile_source.h"
 
 #include <stdexcept>
 

@@ -1,8 +1,8 @@
 // What the ranks of a job of workers say to each other. Of a program's pictures, the rank that it is
 // connected to is the head. Any thread.
 #pragma once
-#include "dist/messages/codec.h"
-#include "dist/stream/film_pixels.h"
+#include "cluster/messages/codec.h"
+#include "cluster/stream/film_pixels.h"
 
 namespace gluray::cluster {
 

@@ -3,6 +3,7 @@
 #pragma once
 #include "cluster/pages/page_store.h"
 #include "render/tiles/tiles.h"
+#include "render/tiles/tile_source.h"
 
 namespace gluray::cluster {
 

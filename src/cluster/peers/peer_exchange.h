@@ -12,6 +12,7 @@
 #include "render/effects/occlusion_answers.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
+#include "render/moving/film_source.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -3,6 +3,7 @@
 #include "cluster/messages/rank_messages.h"
 #include "cluster/ranks/outbox.h"
 #include "render/tiles/tiles.h"
+#include "render/tiles/tile_source.h"
 
 #include <atomic>
 #include <condition_variable>

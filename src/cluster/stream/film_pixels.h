@@ -1,6 +1,6 @@
 // Films of factors of light (render/moving/factor_film.h) as bytes: of one tile, and whole. Any thread.
 #pragma once
-#include "dist/stream/byte_stream.h"
+#include "cluster/stream/byte_stream.h"
 #include "render/moving/factor_film.h"
 #include "render/tiles/tile.h"
 

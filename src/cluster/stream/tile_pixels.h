@@ -2,7 +2,7 @@
 // thread.
 #pragma once
 #include "base/image.h"
-#include "dist/stream/byte_stream.h"
+#include "cluster/stream/byte_stream.h"
 #include "render/tiles/tile.h"
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/shares/tile_queue.h"
+#include "render/moving/film_source.h"
 
 #include <atomic>
 
