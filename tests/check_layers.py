@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Checks the boundaries between rooms: which room may include which, in which order the folders of a room include each other,
-which rooms may include certain libraries, how long a file may be. ARCHITECTURE.md describes the rooms; this file holds the rules.
+which rooms may include certain libraries, how long a file may be, how many a folder may hold. ARCHITECTURE.md describes the rooms; this file holds the rules.
 
 check_layers.py ROOT        checks the source tree at ROOT; prints each violation and exits 1 where there is one
 check_layers.py --self-test plants violations of every rule in a small tree and fails if it misses one
 """
+import collections
 import pathlib
 import re
 import sys
@@ -31,6 +32,8 @@ ALLOWED = {
 # A nested folder is a folder of its own ("outer/inner"); "" is the room itself. Folders named testing, whose headers tests alone
 # include, have no place in the order, nor have *_test.cpp.
 FOLDERS = {
+    "settings": ["", "layers", "live"],
+    "frame": ["tracing", "refinement", "pictures", "pixels", "questions"],
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", ""],
     "render": ["tiles", "camera", "local", "bsdf", "sampling", "film", "lights", "frame_data", "shading", "hit_points", "remote",
                "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", ""],
@@ -55,7 +58,8 @@ MONOPOLIES = [
     ("MPI", r"mpi\.h$", ["src/cluster"]),
 ]
 MPI_FILES = 1  # number of files in cluster/ that may include mpi.h
-MAX_LINES = 500
+MAX_LINES = 300
+MAX_FILES = 40  # of code in a folder
 CODE = {".c", ".cpp", ".h", ".hpp", ".S"}
 MEASURED = CODE | {".py"}
 TREES = ["apps", "bench", "examples", "python", "scenes", "scripts", "src", "tests", "tools"]
@@ -118,6 +122,24 @@ def unused_folders(root, folders):
                 yield f"src/{room}/{folder}: the order of room {room} names a folder without code"
 
 
+def crowd_violations(root):
+    """Folders with too many files, and headers under src/ whose names others have."""
+    crowds, headers = collections.Counter(), collections.defaultdict(list)
+    for tree in TREES:
+        for file in sorted((root / tree).rglob("*")):
+            path = file.relative_to(root).as_posix()
+            if file.suffix in MEASURED and "__pycache__" not in path:
+                crowds[path.rpartition("/")[0]] += 1
+            if tree == "src" and file.suffix in (".h", ".hpp"):
+                headers[file.name].append(path)
+    for folder, files in sorted(crowds.items()):
+        if files > MAX_FILES:
+            yield f"{folder}: {files} files; a folder is split at {MAX_FILES}"
+    for name, paths in sorted(headers.items()):
+        if len(paths) > 1:
+            yield f"{' and '.join(paths)} have one name"
+
+
 def monopoly_violations(path, includes):
     for name, pattern, holders in MONOPOLIES:
         if any(within(path, holder) for holder in holders):
@@ -142,6 +164,7 @@ def module_violations(path, text):
 
 def violations(root, folders):
     """All violations of the tree at `root`, as lines to print. `folders`: as FOLDERS."""
+    yield from crowd_violations(root)
     mpi_files = []
     yield from unused_folders(root, folders)
     for tree in TREES:
@@ -185,10 +208,11 @@ SOUND = {
     "src/render/kernels/kernels.h": '#include "render/tiles/rows/row.h"\n',
     "src/render/testing/test_tiles.h": '#include "render/tiles.h"\n',
     "src/render/CMakeLists.txt": "gluray_module(render DEPS base scene accel LIBS TBB::tbb)\n",
-    "src/intercept/hooks/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/renderer.h"\n',
+    "src/intercept/hooks/glx.cpp": '#include <GL/glx.h>\n#include <dlfcn.h>\n#include "frame/tracing/renderer.h"\n',
     "src/cluster/mpi.cpp": "#include <mpi.h>\n",
     "apps/gluray/main.cpp": "#include <dlfcn.h>\n",
     "tests/long_test.cpp": "\n" * MAX_LINES,
+    **{f"bench/crowd/{number}.py": "\n" for number in range(MAX_FILES)},
 }
 PLANTED = [
     ("src/gl/planted.cpp", '#include "render/tiles.h"\n', "room gl may not include"),
@@ -214,6 +238,8 @@ PLANTED = [
     ("src/cluster/planted.cpp", "#include <mpi.h>\n", "mpi.h is included by"),
     ("src/render/CMakeLists.txt", "gluray_module(render DEPS base gl\n  LIBS TBB::tbb)\n", "may not depend on gl"),
     ("tests/long_test.cpp", "\n" * (MAX_LINES + 1), "a file is split"),
+    ("src/frame/log.h", "#pragma once\n", "have one name"),
+    ("bench/crowd/more.py", "\n", "a folder is split"),
 ]
 
 

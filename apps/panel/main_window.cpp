@@ -13,7 +13,7 @@
 #include "pages/settings_page.h"
 #include "pages/why_page.h"
 #include "qt_text.h"
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 
 #include <QAction>
 #include <QCheckBox>

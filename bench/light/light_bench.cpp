@@ -6,7 +6,7 @@
 #include "bench/data/report.h"
 #include "bench/light/compare_rays.h"
 #include "bench/light/stage.h"
-#include "frame/refiner.h"
+#include "frame/refinement/refiner.h"
 
 #include <CLI/CLI.hpp>
 

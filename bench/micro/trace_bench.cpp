@@ -1,7 +1,7 @@
 // Building acceleration structures, and tracing and shading a frame of 1024x1024 pixels.
 #include "bench/micro/micro_mesh.h"
 #include "bench/render/wavelet_snapshot.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <benchmark/benchmark.h>
 

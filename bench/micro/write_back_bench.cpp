@@ -1,7 +1,7 @@
 // Putting a traced picture of 1024x1024 pixels into the program's framebuffer, over an OpenGL in memory.
 #include "bench/micro/micro_mesh.h"
 #include "bench/render/wavelet_snapshot.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "intercept/present/write_back/texture_upload.h"
 #include "intercept/present/write_back/write_back.h"
 #include "intercept/windows/shm_window.h"

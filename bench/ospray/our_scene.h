@@ -2,7 +2,7 @@
 #pragma once
 #include "bench/data/orbit.h"
 #include "bench/data/triangle_mesh.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <cstdint>
 #include <string>

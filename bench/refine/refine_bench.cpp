@@ -6,8 +6,8 @@
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/render/wavelet_snapshot.h"
-#include "frame/refiner.h"
-#include "frame/renderer.h"
+#include "frame/refinement/refiner.h"
+#include "frame/tracing/renderer.h"
 
 #include <CLI/CLI.hpp>
 

@@ -7,7 +7,7 @@
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/render/wavelet_snapshot.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>

@@ -2,9 +2,9 @@
 
 #include "cluster/peers/query_stream.h"
 #include "render/frame_data/frame_data.h"
+#include "render/moving/film_source.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
-#include "render/moving/film_source.h"
 
 #include <stdexcept>
 

@@ -1,6 +1,6 @@
 // The occlusion rays of a picture as queries to one peer, before any are culled.
 #pragma once
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>

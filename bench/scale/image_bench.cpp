@@ -6,7 +6,7 @@
 #include "bench/scale/views.h"
 #include "cluster/program/remote_tracer.h"
 #include "control/runtime_directory.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <CLI/CLI.hpp>
 #include <sys/mman.h>

@@ -11,7 +11,7 @@
 #include "cluster/program/worker_place.h"
 #include "cluster/worker/worker.h"
 #include "control/listening_place.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <CLI/CLI.hpp>
 

@@ -3,8 +3,8 @@
 #include "bench/data/report.h"
 #include "bench/scale/cpu_seconds.h"
 #include "cluster/messages/rank_messages.h"
-#include "render/tiles/tiles.h"
 #include "render/tiles/tile_source.h"
+#include "render/tiles/tiles.h"
 
 #include <stdexcept>
 

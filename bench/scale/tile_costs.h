@@ -1,7 +1,7 @@
 // What the tiles of a picture cost the rank that traces them: CPU time, measured on one thread.
 #pragma once
 #include "base/image.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "scene/snapshot.h"
 
 #include <vector>

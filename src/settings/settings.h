@@ -18,8 +18,8 @@ int threadsOfRank(int cores, int allowed, int ranks);
 /// The same for this process, from its affinity and the variables of MPI launchers.
 int threadsOfThisRank();
 
-/// The settings of this process from all layers (settings/layers/layers.h). Reports each unreadable value
-/// once through `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and ignores it.
+/// The settings of this process from all layers (settings/layers/settings_layers.h). Reports each unreadable
+/// value once through `complain` ("GLURAY_BVH=x: use auto, fast, full, compact or least") and ignores it.
 Session sessionFromEnvironment(const Complain& complain);
 
 }  // namespace gluray

@@ -1,7 +1,7 @@
 // Every scene, traced from what another process reads: the same picture to the bit.
 #include "cluster/stream/snapshot_decoder.h"
 #include "cluster/stream/snapshot_encoder.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "scenes/scene.h"
 #include "tests/reference/drawn_scene.h"

@@ -8,8 +8,8 @@
  * the monotonic clock. The line "show" draws a frame that is not read back, and prints "shown"; from then on
  * so do Expose events.
  */
-#include "tests/doors/two_rings.h"
-#include "tests/doors/x_window.h"
+#include "tests/doors/programs/two_rings.h"
+#include "tests/doors/programs/x_window.h"
 
 #include <EGL/egl.h>
 #include <GL/glx.h>

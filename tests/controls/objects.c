@@ -4,7 +4,7 @@
  * Y), HALF of its width high and wide, its right side nearer by 0.06, and its middle by BUMP. Expose events
  * draw the last line again.
  */
-#include "tests/doors/x_window.h"
+#include "tests/doors/programs/x_window.h"
 
 #include <EGL/egl.h>
 #include <GL/glx.h>

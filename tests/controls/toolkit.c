@@ -4,8 +4,8 @@
  * Prints the number of views that it has drawn for each line, and the window's width as it knows it.
  */
 #define GL_GLEXT_PROTOTYPES
-#include "tests/doors/two_rings.h"
-#include "tests/doors/x_window.h"
+#include "tests/doors/programs/two_rings.h"
+#include "tests/doors/programs/x_window.h"
 
 #include <GL/glx.h>
 #include <poll.h>

@@ -2,7 +2,7 @@
 
     check.py [options] -- PROGRAM [ARGUMENTS]
 
-The program draws in rounds of ten frames (tests/doors/workload.h): 20 queries and 50 triangles a frame. It must end well,
+The program draws in rounds of ten frames (tests/doors/programs/workload.h): 20 queries and 50 triangles a frame. It must end well,
 print no message of GLuRay, and the report must count each call.
 """
 from __future__ import annotations

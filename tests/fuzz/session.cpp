@@ -1,6 +1,6 @@
 #include "tests/fuzz/session.h"
 
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "tests/fuzz/comparison.h"
 #include "tests/fuzz/null_gl.h"
 #include "tests/support/gl_state.h"

@@ -3,7 +3,7 @@
  * Frame n is cleared to a red of 20 + 10 n. After each swap, and while it rests, the client looks at its
  * window through X; a frame that it has not seen before is written to standard output as PPM, after a line
  * "N" that names it. */
-#include "tests/doors/ring.h"
+#include "tests/doors/programs/ring.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,6 +1,6 @@
 #include "tests/lag/lag_stage.h"
 
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
  * Included by one program. */
 #pragma once
 #define GL_GLEXT_PROTOTYPES
-#include "tests/doors/two_rings.h"
+#include "tests/doors/programs/two_rings.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

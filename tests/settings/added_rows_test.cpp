@@ -1,6 +1,6 @@
 // Rows added only to spec/settings.toml appear in structs, files, variables, options and messages.
 #include "command_line.h"
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 #include "settings/values.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "intercept/probe/real_vendor.h"
 #include "programs/door_files.h"
 #include "programs/streams.h"
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 
 #include <sys/auxv.h>
 #include <sys/resource.h>

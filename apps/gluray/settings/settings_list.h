@@ -1,7 +1,7 @@
 // gluray settings and gluray get: settings with their values and origins.
 #pragma once
 #include "command_line.h"
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 
 namespace gluray::launcher {
 

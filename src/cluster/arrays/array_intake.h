@@ -3,7 +3,7 @@
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/ranks/outbox.h"
-#include "cluster/stream/arrays.h"
+#include "cluster/stream/shared_arrays.h"
 #include "parallel/arena.h"
 
 #include <condition_variable>

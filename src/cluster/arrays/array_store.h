@@ -1,6 +1,6 @@
 // The arrays that a worker has, for the snapshots of all programs. Any thread.
 #pragma once
-#include "cluster/stream/arrays.h"
+#include "cluster/stream/shared_arrays.h"
 
 #include <condition_variable>
 #include <functional>

@@ -1,7 +1,7 @@
 // Memory that processes of one machine share and nobody can change any more: arrays go from the program to
 // workers without another copy. Any thread.
 #pragma once
-#include "cluster/stream/arrays.h"
+#include "cluster/stream/shared_arrays.h"
 #include "control/descriptor.h"
 
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include "cluster/messages/page_messages.h"
 #include "cluster/pages/page_traffic.h"
 #include "cluster/ranks/outbox.h"
-#include "cluster/stream/page.h"
+#include "cluster/stream/page_layout.h"
 
 #include <atomic>
 #include <chrono>

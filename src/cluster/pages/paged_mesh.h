@@ -2,8 +2,8 @@
 #pragma once
 #include "base/hash.h"
 #include "cluster/pages/page_split.h"
-#include "cluster/stream/arrays.h"
-#include "cluster/stream/page.h"
+#include "cluster/stream/page_layout.h"
+#include "cluster/stream/shared_arrays.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>

@@ -2,8 +2,8 @@
 // threads.
 #pragma once
 #include "cluster/pages/page_store.h"
-#include "render/tiles/tiles.h"
 #include "render/tiles/tile_source.h"
+#include "render/tiles/tiles.h"
 
 namespace gluray::cluster {
 

@@ -10,9 +10,9 @@
 #include "cluster/peers/part_changes.h"
 #include "cluster/peers/tile_ledger.h"
 #include "render/effects/occlusion_answers.h"
+#include "render/moving/film_source.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
-#include "render/moving/film_source.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -1,7 +1,7 @@
 // Pictures by a job of workers, in place of this process's renderer. Any thread.
 #pragma once
 #include "cluster/program/worker_link.h"
-#include "frame/tracer.h"
+#include "frame/tracing/tracer.h"
 
 #include <atomic>
 #include <functional>

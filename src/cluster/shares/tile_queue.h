@@ -2,8 +2,8 @@
 #pragma once
 #include "cluster/messages/rank_messages.h"
 #include "cluster/ranks/outbox.h"
-#include "render/tiles/tiles.h"
 #include "render/tiles/tile_source.h"
+#include "render/tiles/tiles.h"
 
 #include <atomic>
 #include <condition_variable>

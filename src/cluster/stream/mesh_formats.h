@@ -1,6 +1,6 @@
 // Which formats the arrays of a mesh may have. Any thread.
 #pragma once
-#include "cluster/stream/page.h"
+#include "cluster/stream/page_layout.h"
 #include "scene/mesh.h"
 
 #include <cstdint>

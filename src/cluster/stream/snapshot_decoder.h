@@ -1,9 +1,9 @@
 // Reads the snapshots that SnapshotEncoder writes. What it reads may come from anywhere: all that tracing
 // relies on is checked.
 #pragma once
-#include "cluster/stream/arrays.h"
 #include "cluster/stream/byte_stream.h"
-#include "cluster/stream/page.h"
+#include "cluster/stream/page_layout.h"
+#include "cluster/stream/shared_arrays.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "cluster/stream/snapshot_encoder.h"
 
 #include "cluster/stream/archive.h"
-#include "cluster/stream/page.h"
+#include "cluster/stream/page_layout.h"
 #include "cluster/stream/settings_codec.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Writes snapshots for other processes. Arrays stand in them by name (arrays.h): whoever sends the message
 // sends those first that the receiver lacks.
 #pragma once
-#include "cluster/stream/arrays.h"
+#include "cluster/stream/shared_arrays.h"
 #include "scene/snapshot.h"
 
 #include <cstddef>

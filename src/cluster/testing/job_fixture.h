@@ -4,8 +4,8 @@
 #include "cluster/testing/thread_ranks.h"
 #include "cluster/worker/worker.h"
 #include "control/listening_place.h"
-#include "frame/lit_scene.h"
-#include "frame/renderer.h"
+#include "frame/testing/lit_scene.h"
+#include "frame/tracing/renderer.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -5,7 +5,7 @@
 #include "cluster/local/sealed_memory.h"
 #include "cluster/messages/program_messages.h"
 #include "cluster/worker/picture.h"
-#include "frame/pace.h"
+#include "frame/tracing/pace.h"
 
 #include <atomic>
 #include <map>

@@ -3,7 +3,7 @@
 #include "cluster/program/job_question.h"
 #include "cluster/testing/job_fixture.h"
 #include "control/local_socket.h"
-#include "frame/lit_scene.h"
+#include "frame/testing/lit_scene.h"
 
 #include <sys/socket.h>
 #include <sys/stat.h>

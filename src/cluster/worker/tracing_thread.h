@@ -6,7 +6,7 @@
 #include "cluster/peers/peer_exchange.h"
 #include "cluster/shares/tile_queue.h"
 #include "cluster/stream/snapshot_decoder.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "render/tiles/tile_source.h"
 
 #include <condition_variable>

@@ -1,7 +1,7 @@
 // Events that the hub has asked for: the program's state, and settings that change; and what it asks for of
 // thumbnails. Control thread; times in seconds.
 #pragma once
-#include "control/link/pictures.h"
+#include "control/link/picture_requests.h"
 #include "control/link/program/controlled_program.h"
 #include "control/link/rates.h"
 #include "settings/live/live_settings.h"

@@ -133,7 +133,7 @@ void ProgramSide::call(const json& id, const json& message, double now) {
   if (!name) return answer(id, {{"why", "name must be a short text"}});
   if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});
   const json arguments = given ? *given : json::object();
-  if (Pictures::knows(*name)) return pictures_.take(*name, id, arguments, now);
+  if (PictureRequests::knows(*name)) return pictures_.take(*name, id, arguments, now);
   calls_.take(*name, id, arguments, now);
 }
 

@@ -5,7 +5,7 @@
 #include "control/link/calls.h"
 #include "control/link/change_requests.h"
 #include "control/link/observed.h"
-#include "control/link/pictures.h"
+#include "control/link/picture_requests.h"
 #include "control/link/program/controlled_program.h"
 #include "control/link/program/waker.h"
 
@@ -58,7 +58,7 @@ class ProgramSide {
   Waker waker_;
   ChangeRequests changes_;
   Observed observed_;
-  Pictures pictures_;
+  PictureRequests pictures_;
   Calls calls_;
   bool greeted_ = false;
   double helloBy_ = 0;

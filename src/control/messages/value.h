@@ -1,6 +1,6 @@
 // Values of settings as JSON, and back (docs/control-protocol.md, Requests). Any thread.
 #pragma once
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 #include "settings/rows.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,6 +1,6 @@
 // Which surface a snapshot shows at a position of its window. Any thread.
 #pragma once
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 
 #include <glm/glm.hpp>
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/real/extensions.h"
 #include "gl/real/real.h"
-#include "gl/textures/texture.h"
+#include "gl/textures/texture_cache.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>

@@ -4,7 +4,7 @@
 #include "gl/program_state/program_state.h"
 #include "gl/programs/uniforms.h"
 #include "gl/sharing/share_group.h"
-#include "gl/textures/texture.h"
+#include "gl/textures/texture_cache.h"
 
 #include <string>
 #include <utility>

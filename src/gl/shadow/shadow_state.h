@@ -10,7 +10,7 @@
 #include "gl/shadow/material_latch.h"
 #include "gl/sharing/share_group.h"
 #include "gl/state/state.h"
-#include "gl/textures/texture.h"
+#include "gl/textures/texture_cache.h"
 
 #include <GL/gl.h>
 

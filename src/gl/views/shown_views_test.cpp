@@ -1,7 +1,7 @@
 // Which views get a ground and a background, and which pixels a background may change.
 #include "gl/views/shown_views.h"
 
-#include "gl/pending/backdrop.h"
+#include "gl/pending/cleared_pixels.h"
 
 #include <GL/glext.h>
 #include <gtest/gtest.h>

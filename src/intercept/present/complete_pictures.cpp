@@ -1,7 +1,7 @@
 #include "intercept/present/complete_pictures.h"
 
-#include "intercept/present/layers.h"
-#include "intercept/present/present_result.h"
+#include "intercept/present/layer_passes.h"
+#include "intercept/present/result_of.h"
 #include "intercept/present/state/state_guard.h"
 
 #include <exception>
@@ -42,7 +42,7 @@ bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
 
 std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& snapshot, bool finished) {
   if (unshown_ >= kMaxUnshown && unshown_ % kTrialEvery != 0) return nullptr;
-  const frame::Pictures::Result result =
+  const frame::TracedPictures::Result result =
       pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
   return result.picture ? std::make_shared<const Image>(result.picture->image) : nullptr;
 }

@@ -1,7 +1,7 @@
 // Makes complete pictures of MPI programs beside the pictures that their ranks show, before the other ranks
 // get these, and writes them (adr/0089). One per context. GL thread.
 #pragma once
-#include "frame/pictures.h"
+#include "frame/pictures/traced_pictures.h"
 #include "gl/batch/complete_presenter.h"
 #include "intercept/present/kept_framebuffer.h"
 #include "intercept/present/presented_pictures.h"
@@ -36,7 +36,7 @@ class CompletePictures final : public gl::CompletePresenter {
   std::shared_ptr<const Image> traced(const scene::Snapshot& snapshot, bool finished);
 
   frame::Tracer tracer_;
-  frame::Pictures pictures_;
+  frame::TracedPictures pictures_;
   PresentedPictures& shared_;
   bool isExpected_ = false;
   std::shared_ptr<const Image> made_;

@@ -8,7 +8,7 @@ const frame::LastPictures::Picture* PresentedPictures::of(const scene::Snapshot&
                                                           gl::PictureWish wish,
                                                           std::optional<uint32_t> missColor,
                                                           gl::PresentResult& result, std::string& why) {
-  frame::Pictures::Result got =
+  frame::TracedPictures::Result got =
       pictures.of(snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown});
   result.cost = got.cost;
   result.passes = got.passes;

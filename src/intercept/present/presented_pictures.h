@@ -1,7 +1,7 @@
 // State shared by the roles of one context's presenter: pictures, features, write-backs. GL thread.
 #pragma once
-#include "frame/pictures.h"
-#include "frame/tracer.h"
+#include "frame/pictures/traced_pictures.h"
+#include "frame/tracing/tracer.h"
 #include "gl/batch/presenter.h"
 #include "intercept/present/read_back/sample_depths.h"
 #include "intercept/present/state/features.h"
@@ -37,7 +37,7 @@ struct PresentedPictures {
   void forget() noexcept;
 
   frame::Tracer tracer;
-  frame::Pictures pictures;
+  frame::TracedPictures pictures;
   Written written;
   ClearedColor clearedWindow;
   SampleDepths samples;

@@ -1,6 +1,6 @@
 // TracingPresenter: pictures of multisampled framebuffers, resolved without the real OpenGL.
 #include "base/clock.h"
-#include "intercept/present/layers.h"
+#include "intercept/present/layer_passes.h"
 #include "intercept/present/tracing_presenter.h"
 
 #include <exception>

@@ -2,8 +2,8 @@
 
 #include "base/clock.h"
 #include "gl/layers/peel_limits.h"
-#include "intercept/present/layers.h"
-#include "intercept/present/present_result.h"
+#include "intercept/present/layer_passes.h"
+#include "intercept/present/result_of.h"
 
 namespace gluray::present {
 

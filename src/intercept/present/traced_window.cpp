@@ -1,10 +1,10 @@
 #include "intercept/present/traced_window.h"
 
 #include "base/clock.h"
-#include "frame/window_content.h"
+#include "frame/pixels/window_content.h"
 #include "gl/window/lagged_frame.h"
-#include "intercept/present/present_result.h"
 #include "intercept/present/read_back/window_buffers.h"
+#include "intercept/present/result_of.h"
 
 #include <exception>
 #include <functional>

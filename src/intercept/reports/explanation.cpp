@@ -1,7 +1,7 @@
 #include "intercept/reports/explanation.h"
 
 #include "base/never_destroyed.h"
-#include "frame/tracer_info.h"
+#include "frame/tracing/tracer_info.h"
 #include "gl/programs/match.h"
 #include "intercept/session/session.h"
 

@@ -1,6 +1,6 @@
 #include "intercept/tracing/make_presenter.h"
 
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "intercept/tracing/workers.h"
 

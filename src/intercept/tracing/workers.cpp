@@ -4,7 +4,7 @@
 #include "base/log.h"
 #include "control/link/job.h"
 #include "control/runtime_directory.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "intercept/session/session.h"
 
 #include <charconv>

@@ -1,7 +1,7 @@
 #include "intercept/windows/background_window.h"
 
 #include "base/guarded_write.h"
-#include "frame/pixel_rows.h"
+#include "frame/pixels/pixel_rows.h"
 #include "intercept/window_systems/xcb.h"
 
 #include <algorithm>

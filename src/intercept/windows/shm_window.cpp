@@ -1,7 +1,7 @@
 #include "intercept/windows/shm_window.h"
 
 #include "base/timeline.h"
-#include "frame/pixel_rows.h"
+#include "frame/pixels/pixel_rows.h"
 #include "intercept/session/guarded.h"
 #include "parallel/loops.h"
 

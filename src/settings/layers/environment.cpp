@@ -1,4 +1,4 @@
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 
 #include <sched.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "settings/layers/profiles.h"
 
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 #include "settings/values.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "base/environment_variable.h"
 #include "settings/layers/config_file.h"
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 // values that are set live. Any thread.
 #pragma once
 #include "base/clock.h"
-#include "settings/layers/layers.h"
+#include "settings/layers/settings_layers.h"
 #include "settings/live/settings_source.h"
 
 #include <array>

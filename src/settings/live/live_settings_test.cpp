@@ -1,6 +1,6 @@
 // Settings that change while a process runs, in files that are edited. live_changes_test.cpp has values that
 // are set live.
-#include "settings/live/live_fixture.h"
+#include "settings/testing/live_fixture.h"
 
 #include <chrono>
 #include <filesystem>

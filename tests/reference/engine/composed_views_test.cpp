@@ -1,7 +1,7 @@
 // A rank of an MPI program reads its picture, composes it with others, and draws the result over a background
 // (adr/0089): where the picture is recognised, the framebuffer is that of one process; elsewhere it is what
 // the program has drawn.
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "tests/reference/engine/quad.h"
 #include "tests/reference/framebuffer.h"

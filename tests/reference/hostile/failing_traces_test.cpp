@@ -1,7 +1,7 @@
 // The tracer fails for some pictures: each failure costs what it concerns (scene::Loss), and every picture is
 // the real OpenGL's.
 #include "base/files.h"
-#include "frame/renderer.h"
+#include "frame/tracing/renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "tests/support/traced_context.h"
 

@@ -2,7 +2,7 @@
 // worker's main thread.
 #pragma once
 #include "cluster/messages/rank_messages.h"
-#include "cluster/stream/arrays.h"
+#include "cluster/stream/shared_arrays.h"
 #include "render/tiles/tiles.h"
 
 #include <vector>

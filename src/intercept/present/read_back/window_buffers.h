@@ -1,6 +1,6 @@
 // Reads and clears a window's buffers, independent of the GL state. GL thread, context current.
 #pragma once
-#include "frame/window_content.h"
+#include "frame/pixels/window_content.h"
 #include "gl/batch/presenter.h"
 #include "intercept/present/state/features.h"
 

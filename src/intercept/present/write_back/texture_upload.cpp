@@ -1,7 +1,7 @@
 #include "intercept/present/write_back/texture_upload.h"
 
 #include "base/timeline.h"
-#include "frame/pixel_rows.h"
+#include "frame/pixels/pixel_rows.h"
 #include "gl/real/state_queries.h"
 #include "gl/textures/texture_image.h"
 #include "parallel/loops.h"

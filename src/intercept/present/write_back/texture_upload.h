@@ -2,7 +2,7 @@
 // drawing it. GL thread, context current, outside glBegin/glEnd.
 #pragma once
 #include "base/image.h"
-#include "frame/hit_bands.h"
+#include "frame/pixels/hit_bands.h"
 #include "gl/batch/presenter.h"
 #include "intercept/present/state/features.h"
 #include "intercept/present/state/state_guard.h"

@@ -3,7 +3,7 @@
 // conditional rendering or transform feedback starts that the program's own draws were not part of.
 #pragma once
 #include "base/image.h"
-#include "frame/hit_bands.h"
+#include "frame/pixels/hit_bands.h"
 #include "gl/batch/presenter.h"
 #include "intercept/present/state/state_guard.h"
 

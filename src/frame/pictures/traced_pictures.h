@@ -1,0 +1,73 @@
+// Provides a context's pictures: from the cache of earlier frames, traced ahead by a thread, or traced now.
+// GL thread, one per context.
+#pragma once
+#include "frame/pictures/frame_pictures.h"
+#include "frame/pictures/last_pictures.h"
+#include "frame/refinement/refiner.h"
+#include "frame/tracing/trace_ahead.h"
+#include "frame/tracing/tracer.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gluray::frame {
+
+class TracedPictures {
+ public:
+  /// A picture, or null if tracing failed, and its cost.
+  struct Result {
+    const LastPictures::Picture* picture = nullptr;  // valid until the next call of of()
+    bool repeated = false;                           // from an earlier frame
+    scene::TraceCost cost;
+    std::string why;  // one line, if tracing failed
+    // Of pictures with light: passes traced now, and the estimated noise; infinite: not known.
+    uint32_t passes = 0;
+    double noise = std::numeric_limits<double>::infinity();
+  };
+  /// What the caller accepts. Pictures without light are always finished.
+  struct Wish {
+    bool mayRepeat = true;              // an earlier frame's picture
+    std::optional<uint32_t> missColor;  // the colour of misses, if it matters
+    bool finished = false;              // light only with as little noise as the settings want
+    bool asShown = false;               // an earlier frame's picture with the noise that it had
+  };
+
+  explicit TracedPictures(Tracer tracer) : tracer_(std::move(tracer)) {}
+
+  /// The picture of `snapshot`. Finished, too, if its light is sampled in full. Others are one pass at first;
+  /// each time that they are asked for again, they get more, for a limited time.
+  Result of(const scene::Snapshot& snapshot, const Wish& wish);
+  /// Whether an earlier frame's picture is available.
+  bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
+    return lastOf(snapshot, missColor) || recolorable(snapshot);
+  }
+  /// Pictures of of() that were written.
+  FramePictures& frame() { return frame_; }
+  /// Starts tracing ahead: see TraceAhead::start().
+  bool startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late);
+  /// Discards the picture that is traced ahead.
+  void dropAhead() noexcept;
+
+ private:
+  void tellShown(const scene::Snapshot& snapshot, const LastPictures::Picture& picture,
+                 const Result& result) noexcept;
+  bool traceOnce(const scene::Snapshot& snapshot, bool full, LastPictures::Picture& picture, Result& result);
+  LastPictures::Picture* lastOf(const scene::Snapshot& snapshot,
+                                std::optional<uint32_t> missColor = {}) noexcept;
+  LastPictures::Picture* recolorable(const scene::Snapshot& snapshot) noexcept;
+  LastPictures::Picture* ofColor(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept;
+  LastPictures::Picture* known(const scene::Snapshot& snapshot, const Wish& wish, bool refines) noexcept;
+  bool finish(const scene::Snapshot& snapshot, LastPictures::Picture& picture, Result& result) noexcept;
+  void refine(const scene::Snapshot& snapshot, LastPictures::Picture& picture, bool finish,
+              Result& result) noexcept;
+
+  Tracer tracer_;
+  LastPictures last_;
+  FramePictures frame_{tracer_, last_};
+  std::unique_ptr<TraceAhead> ahead_;  // made at the first lagged frame
+};
+
+}  // namespace gluray::frame

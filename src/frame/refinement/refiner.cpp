@@ -1,0 +1,128 @@
+#include "frame/refinement/refiner.h"
+
+#include "frame/refinement/denoiser.h"
+#include "frame/refinement/noise_picture.h"
+#include "scene/effects.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace gluray::frame {
+namespace {
+
+constexpr size_t kMaxBytes = size_t{1} << 30;  // of sums
+constexpr double kQuiet = 0.5;  // of the noise that a picture may have: tiles with less take no more passes
+
+size_t valuesOf(const scene::Snapshot& s) {
+  return static_cast<size_t>(s.region.width) * static_cast<size_t>(s.region.height) *
+         static_cast<size_t>(std::max(s.samples, 1));
+}
+
+/// Whether passes have wide colours where the picture has bytes. Layers and averages are made of bytes: wide
+/// colours would change the local look.
+bool usesWideColors(const scene::Snapshot& s) {
+  return !s.wideColors && !s.layers && (s.samples > 1 || s.settings.spp <= 1);
+}
+
+void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
+  const double build = cost.buildSeconds, trace = cost.traceSeconds;
+  const uint64_t blas = cost.blasBuilds, tlas = cost.tlasBuilds, refinements = cost.blasRefinements;
+  cost = more;
+  cost.buildSeconds += build, cost.traceSeconds += trace;
+  cost.blasBuilds += blas, cost.tlasBuilds += tlas, cost.blasRefinements += refinements;
+}
+
+/// Whether each pixel is one sample of one surface. Averages and layers are traced as a whole: what the rest
+/// of the picture has decides how.
+bool isSimple(const scene::Snapshot& s) {
+  return !s.layers && !(s.settings.camera.aperture > 0) && (s.samples > 1 || s.settings.spp <= 1);
+}
+
+bool isFiltered(const scene::Snapshot& s) {
+  return !s.catches && s.settings.denoise != Denoise::off && s.settings.look != Look::noise && isSimple(s) &&
+         Refinement::bytesFor(valuesOf(s), true) <= kMaxBytes;
+}
+
+}  // namespace
+
+bool isRefinable(const scene::Snapshot& snapshot) {
+  return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
+         snapshot.settings.renderer == gluray::Renderer::embree &&
+         Refinement::bytesFor(valuesOf(snapshot)) <= kMaxBytes;
+}
+
+bool isFinished(const Refinement& refinement, const Settings& settings) {
+  const uint32_t passes = refinement.passes();
+  if (passes >= static_cast<uint32_t>(settings.refine.passes)) return true;
+  return passes >= kMinPasses && refinement.noise() <= double{settings.noise};
+}
+
+Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
+    : snapshot_(snapshot),
+      wide_(snapshot.wideColors || (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums)),
+      refinement_(refinement),
+      filters_(isFiltered(snapshot)) {
+  snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
+  if (usesWideColors(snapshot)) snapshot_.wideColors = true;
+  if (snapshot.catches) refinement.judgeAlpha();
+  if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
+}
+
+/// False with a line in `error`: there are none; without one: tracing was interrupted.
+bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::string& error) {
+  using Mode = scene::LightSampling::Mode;
+  scene::Snapshot guides = snapshot_;
+  guides.wideColors = true;
+  LightGuides found;
+  Image image;
+  for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
+    guides.lightSampling = {mode};
+    scene::TraceCost own;
+    if (!trace(guides, image, own, error)) return cost.loss = own.loss, false;
+    addCost(own, cost);
+    try {
+      keepGuides(mode, image, found);
+    } catch (const std::bad_alloc&) {
+      cost.loss = scene::Loss::frames;
+      return error = "out of memory", false;
+    }
+  }
+  refinement_.guides = std::move(found);
+  return true;
+}
+
+bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cost, std::string& error) {
+  try {
+    snapshot_.lightSampling.pass = refinement_.passes();
+    if (snapshot_.settings.refine.adaptive && isSimple(snapshot_))
+      refinement_.leaveOut(kQuiet * double{snapshot_.settings.noise});
+    snapshot_.lightSampling.tiles = whole_ ? refinement_.tiles() : nullptr;
+    image_.missColor = missColor;
+    scene::TraceCost own;
+    if (!trace(snapshot_, image_, own, error)) return cost.loss = own.loss, whole_ = false;
+    addCost(own, cost);
+    elsewhere_ = own.elsewhere, finishedElsewhere_ = own.refined;
+    if (elsewhere_) return true;
+    whole_ = true;
+    if (filters_ && !refinement_.guides.known() && !traceGuides(trace, cost, error)) {
+      if (error.empty()) return whole_ = false;
+      logNoFilter(error);
+      filters_ = false, error.clear();
+    }
+    refinement_.add(image_);
+    return true;
+  } catch (const std::exception& e) {
+    cost.loss = scene::lossOf(e);
+    error = "out of memory while refining a picture";
+    return false;
+  }
+}
+
+void Refiner::show(Image& out) const {
+  refinement_.show(image_, wide_, out);
+  if (snapshot_.settings.look == Look::noise && !snapshot_.layers)
+    return paintNoise(refinement_.pixelNoise(), snapshot_.settings.noise, out);
+  if (filters_ && !denoise(refinement_, snapshot_.settings, out)) refinement_.show(image_, wide_, out);
+}
+
+}  // namespace gluray::frame
