@@ -18,6 +18,8 @@ if(GLURAY_WERROR)
 endif()
 # The tests' own code compiles in three quarters of the time with -O1. What it tests is optimised in full, except in headers.
 set(GLURAY_TEST_OPTIONS $<$<CONFIG:Release>:-O1>)
+# So does code that runs once, or waits for people, files and sockets.
+set(GLURAY_CALM_OPTIONS $<$<CONFIG:Release>:-O1>)
 if(GLURAY_SANITIZE MATCHES "undefined")
   # Nor is it looked at for undefined behaviour, which takes a quarter of its time.
   list(APPEND GLURAY_TEST_OPTIONS -fno-sanitize=undefined)

@@ -63,6 +63,18 @@ void ListCompiler::executeAdded(ListOp& op) {
   if (executing()) runDetached([&] { op.execute(p_.context); });
 }
 
+GLuint ListCompiler::beginFragment() {
+  if (p_.immediate.insideBegin() || p_.immediate.executedInside()) return misuse(), 0;
+  const GLuint id = p_.shadow.real.GenLists(1);
+  if (!id) return p_.shadow.errors.set(GL_OUT_OF_MEMORY), 0;
+  p_.shadow.real.NewList(id, GL_COMPILE);
+  return id;
+}
+
+void ListCompiler::appendInsisting(std::unique_ptr<ListOp>& op) {
+  p_.failsafe.insist([&] { append(op); });
+}
+
 void ListCompiler::appendFragment(GLuint realList) {
   stencilSet(p_.context);  // its commands are unknown
   std::unique_ptr<ListOp> op;

@@ -72,6 +72,10 @@ class ListCompiler {
  private:
   template <class F>
   void runDetached(F&& body);
+  /// The name of a real list that is open now; 0: it cannot be, and the error was raised.
+  GLuint beginFragment();
+  /// append(), once more if it throws.
+  void appendInsisting(std::unique_ptr<ListOp>& op);
 
   std::shared_ptr<DisplayList> list_;
   GLuint name_ = 0;

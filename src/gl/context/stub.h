@@ -16,15 +16,13 @@ void ListCompiler::record(F&& call, bool anywhere) {
   if (p_.immediate.insideBegin()) return misuse();
   std::unique_ptr<ListOp> op;
   p_.failsafe.insist([&] { op = std::make_unique<CallOp<std::decay_t<F>>>(call, anywhere); });
-  p_.failsafe.insist([&] { append(op); });
+  appendInsisting(op);
 }
 
 template <class F>
 void ListCompiler::recordFragment(F&& call) {
-  if (p_.immediate.insideBegin() || p_.immediate.executedInside()) return misuse();
-  const GLuint id = p_.shadow.real.GenLists(1);
-  if (!id) return p_.shadow.errors.set(GL_OUT_OF_MEMORY);
-  p_.shadow.real.NewList(id, GL_COMPILE);
+  const GLuint id = beginFragment();
+  if (!id) return;
   call();
   p_.shadow.real.EndList();
   appendFragment(id);
