@@ -23,7 +23,7 @@ uniform vec3 tint;
 void main() { gl_FragColor = vec4(tint, 1.0); })";
 inline const char* const kHoles = R"(#version 120
 uniform vec3 tint;
-inline void main() {
+void main() {
   if (fract(gl_FragCoord.x / 16.0) < 0.5) discard;
   gl_FragColor = vec4(tint, 1.0);
 })";
