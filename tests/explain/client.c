@@ -12,7 +12,7 @@
    signals    5 frames, and then it prints whether each signal has a handler
    front and unseen have no handler for SIGTERM.
    The colour of the traced surface follows the clock. */
-#include "../doors/x_window.h"
+#include "../doors/programs/x_window.h"
 
 #include <GL/glx.h>
 #include <signal.h>
