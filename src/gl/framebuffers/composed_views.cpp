@@ -1,8 +1,8 @@
 #include "gl/framebuffers/composed_views.h"
 
 #include "gl/batch/presenter.h"
-#include "gl/real/errors.h"
 #include "gl/framebuffers/composed_pixels.h"
+#include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
 #include "settings/samples.h"
 
