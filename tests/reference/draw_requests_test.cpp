@@ -42,7 +42,7 @@ class ScriptedDraw final : public gl::DrawRequest {
   Fate make() override { return asked += "make", culled ? Fate::culled : Fate::rasterised; }
 };
 
-struct Row {
+struct Expected {
   const char* name;
   ScriptedDraw draw;
   std::string asked;
@@ -50,9 +50,9 @@ struct Row {
   Reason counted = Reason::traced;  // the reason for which it is rasterised; traced: it is not
 };
 
-std::vector<Row> rows() {
+std::vector<Expected> expectedDraws() {
   const std::string rasterised = "replace passes load make";
-  std::vector<Row> all;
+  std::vector<Expected> all;
   const auto add = [&](const char* name, std::string asked, Fate fate, Reason counted) -> ScriptedDraw& {
     all.push_back({name, {}, std::move(asked), fate, counted});
     return all.back().draw;
@@ -74,7 +74,7 @@ std::vector<Row> rows() {
 }
 
 TEST(DrawRequests, AreAskedInOrderAndActedUponOnce) {
-  for (Row& row : rows()) {
+  for (Expected& row : expectedDraws()) {
     SCOPED_TRACE(row.name);
     const TracedContext context;
     const gl::Statistics& counts = context.context().counts.statistics;

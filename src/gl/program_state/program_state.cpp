@@ -1,5 +1,6 @@
 #include "gl/program_state/program_state.h"
 
+#include "gl/basics/affine.h"
 #include "gl/glsl/built_in_variables.h"
 #include "gl/program_state/program_lights.h"
 #include "gl/program_state/program_reader.h"

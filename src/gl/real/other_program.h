@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace gluray::gl {

@@ -5,6 +5,7 @@
 #include "gl/real/extensions.h"
 #include "gl/real/real.h"
 #include "gl/textures/texture_image.h"
+#include "scene/snapshot.h"
 
 #include <map>
 #include <memory>
