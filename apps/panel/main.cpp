@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
       wakeWindow);
   panel::Controls controls([&](nlohmann::json message) { thread.send(std::move(message)); });
   QObject::connect(&thread, &panel::HubThread::connected, &controls, &panel::Controls::connected);
-  QObject::connect(&thread, &panel::HubThread::received, &controls, &panel::Controls::take);
+  QObject::connect(&thread, &panel::HubThread::received, &controls, &panel::Controls::receiveMessage);
   QObject::connect(&thread, &panel::HubThread::lost, &controls, &panel::Controls::disconnected);
   panel::MainWindow window(controls);
   window.show();

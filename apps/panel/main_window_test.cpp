@@ -23,7 +23,7 @@ namespace {
 using nlohmann::json;
 
 struct MainWindowTest : testing::Test {
-  void take(const json& message) { controls.take(std::make_shared<const json>(message)); }
+  void take(const json& message) { controls.receiveMessage(std::make_shared<const json>(message)); }
   void SetUp() override { window.show(); }
   void appear() {
     take({{"type", "event"},

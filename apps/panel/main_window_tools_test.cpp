@@ -49,7 +49,7 @@ TEST_F(WindowToolsTest, ALineOfAToolStaysWhenARequestIsCarriedOut) {
   program.settle();
   EXPECT_TRUE(status().startsWith("Nothing"));
   program.controls.set("ao", true);
-  program.take({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "it is busy"}});
+  program.receiveMessage({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "it is busy"}});
   EXPECT_EQ(status(), "it is busy");
 }
 

@@ -42,7 +42,7 @@ class PanelLiveTest : public testing::Test {
   void SetUp() override {
     qputenv("GLURAY_RUNTIME", (folder_.path() + "/run").toUtf8());
     QObject::connect(&thread_, &HubThread::connected, &controls_, &Controls::connected);
-    QObject::connect(&thread_, &HubThread::received, &controls_, &Controls::take);
+    QObject::connect(&thread_, &HubThread::received, &controls_, &Controls::receiveMessage);
     QObject::connect(&thread_, &HubThread::lost, &controls_, &Controls::disconnected);
   }
   void TearDown() override {

@@ -75,7 +75,7 @@ void serve(const Options& options, cluster::Ranks& ranks) {
   control::ListeningPlace place(cluster::workerPlace(options.job, ranks.rankHere()),
                                 "gluray-worker --job " + options.job);
   bool taken = false;
-  std::string why = place.take(control::runtimeDirectory(), taken);
+  std::string why = place.lockPlace(control::runtimeDirectory(), taken);
   control::Descriptor listening(why.empty() ? place.listenHere(why) : -1);
   if (!why.empty()) throw std::runtime_error(why);
 

@@ -37,10 +37,10 @@ class Recorder final : public render::RemoteSurfaces, public render::FilmSource 
     const render::Tiles tiles(image, render::kTileSize);
     count_ = tiles.columns * tiles.rows;
   }
-  int next() noexcept override { return next_ < count_ ? next_++ : -1; }
+  int nextTile() noexcept override { return next_ < count_ ? next_++ : -1; }
   void done(int, double, bool) noexcept override {
     all.rays += writer_.rays();
-    all.bytes += writer_.take().size();
+    all.bytes += writer_.takeBytes().size();
     writer_ = {};
   }
   uint32_t index(uint32_t own) const noexcept override { return own; }

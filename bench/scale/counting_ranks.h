@@ -51,9 +51,10 @@ class CountingRanks final : public cluster::Ranks {
       return;
     }
     traffic_.queryBytes += bytes;
-    const auto queries = cluster::decoded<cluster::OcclusionQueries>(in.take(in.left()));
+    const auto queries = cluster::decoded<cluster::OcclusionQueries>(in.readBytes(in.left()));
     cluster::QueryReader reader(queries.rays);
-    for (cluster::QueryPacket packet; reader.next(packet);) traffic_.rays += std::popcount(packet.lanes);
+    for (cluster::QueryPacket packet; reader.nextPacket(packet);)
+      traffic_.rays += std::popcount(packet.lanes);
   }
 
   cluster::Alone alone_;

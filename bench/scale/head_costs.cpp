@@ -34,8 +34,8 @@ HeadCosts spentOn(cluster::Picture& picture, const std::vector<std::vector<std::
       cluster::ByteReader in(bytes);
       in.get<uint16_t>();
       bool grew = false;
-      const auto tile = cluster::decoded<cluster::TracedTile>(in.take(in.left()));
-      picture.take(static_cast<int>(rank), tile, memory, grew, 0);
+      const auto tile = cluster::decoded<cluster::TracedTile>(in.readBytes(in.left()));
+      picture.addTile(static_cast<int>(rank), tile, memory, grew, 0);
       const double taken = threadCpuSeconds();
       if (!picture.isTraced()) give(picture, static_cast<int>(rank), queues[rank]);
       sum.take += taken - start, sum.give += threadCpuSeconds() - taken;

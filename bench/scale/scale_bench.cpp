@@ -40,7 +40,7 @@ class Job {
   Job(const std::string& directory, int threads)
       : place_(cluster::workerPlace("scale", 0), "gluray-bench-scale") {
     bool taken = false;
-    std::string why = place_.take(directory, taken);
+    std::string why = place_.lockPlace(directory, taken);
     auto listening = std::make_shared<control::Descriptor>(why.empty() ? place_.listenHere(why) : -1);
     if (!why.empty()) throw std::runtime_error(why);
     thread_ = std::thread([this, listening, threads] {

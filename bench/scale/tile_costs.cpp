@@ -20,7 +20,7 @@ class TimedTiles final : public render::TileSource {
     seconds.assign(static_cast<size_t>(tiles.columns * tiles.rows), 0);
     next_ = 0;
   }
-  int next() noexcept override {
+  int nextTile() noexcept override {
     started_ = threadCpuSeconds();
     if (next_ == 0) first = started_;
     if (static_cast<size_t>(next_) < seconds.size()) return next_++;

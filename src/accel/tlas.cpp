@@ -42,7 +42,7 @@ bool Tlas::clear() {
 }
 
 // Attaches, moves or (null) removes the instance of one index.
-void Tlas::place(size_t index, const PlacedBlas* placed) {
+void Tlas::placeInstance(size_t index, const PlacedBlas* placed) {
   RTCGeometryTy*& geometry = geometries_[index];
   const auto id = static_cast<unsigned>(index);
   if (!placed || !placed->blas) {
@@ -64,10 +64,10 @@ void Tlas::place(size_t index, const PlacedBlas* placed) {
 bool Tlas::update(std::vector<PlacedBlas> instances, const glm::dmat4& eyeFromWorld) {
   if (instances == held_) return false;
   const size_t before = held_.size();
-  for (size_t i = instances.size(); i < geometries_.size(); ++i) place(i, nullptr);
+  for (size_t i = instances.size(); i < geometries_.size(); ++i) placeInstance(i, nullptr);
   geometries_.resize(instances.size());
   for (size_t i = 0; i < instances.size(); ++i) {
-    if (i >= before || !(instances[i] == held_[i])) place(i, &instances[i]);
+    if (i >= before || !(instances[i] == held_[i])) placeInstance(i, &instances[i]);
   }
   // Until the commit succeeds, the contents are unknown: after an error all geometries are placed again.
   std::vector<PlacedBlas> alive = std::exchange(held_, {});

@@ -39,7 +39,7 @@ class Tlas {
   RTCSceneTy* scene() const { return scene_; }
 
  private:
-  void place(size_t index, const PlacedBlas*);
+  void placeInstance(size_t index, const PlacedBlas*);
   void release();
 
   const Device& device_;

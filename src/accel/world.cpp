@@ -52,7 +52,7 @@ UpdateStatistics World::update(const scene::Snapshot& snapshot, Arena& arena, co
     const uint64_t refits = cache_.refits(), refined = cache_.refinements();
     scene_ = nullptr;
     cache_.beginBatch(snapshot.frame);
-    std::vector<PlacedBlas> placed = place(snapshot);
+    std::vector<PlacedBlas> placed = placeInstances(snapshot);
     if (placeAround(snapshot, placed, hidden)) ++statistics.tlasBuilds;
     const bool unseen = removeUnseen(snapshot, hidden, placed);
     ground_ = Ground(snapshot);
@@ -109,7 +109,7 @@ void World::releaseUnused() {
   if (now - lightUsed_ > 1) light_.release();
 }
 
-std::vector<PlacedBlas> World::place(const scene::Snapshot& snapshot) {
+std::vector<PlacedBlas> World::placeInstances(const scene::Snapshot& snapshot) {
   std::vector<Geometry> meshes;
   meshes.reserve(snapshot.instances.size());
   for (const scene::Instance& instance : snapshot.instances)

@@ -97,7 +97,7 @@ class World {
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
 
  private:
-  std::vector<PlacedBlas> place(const scene::Snapshot&);
+  std::vector<PlacedBlas> placeInstances(const scene::Snapshot&);
   bool placeAround(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn, const HiddenFrom&);
   RTCSceneTy* lightScene(RayKind kind) const { return light_.exists() ? light_.scene(kind) : scene_; }
   std::vector<BlasPtr> structures(const std::vector<Geometry>&, BvhQuality);

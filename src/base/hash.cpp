@@ -27,7 +27,7 @@ void HashStream::add(const void* data, size_t sizeBytes) noexcept {
   XXH3_128bits_update(&state_->xxh, data, sizeBytes);
 }
 
-Hash128 HashStream::take() noexcept {
+Hash128 HashStream::finishHash() noexcept {
   const XXH128_hash_t h = XXH3_128bits_digest(&state_->xxh);
   XXH3_128bits_reset(&state_->xxh);
   return {h.low64, h.high64};

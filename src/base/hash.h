@@ -27,7 +27,7 @@ class HashStream {
 
   void add(const void* data, size_t sizeBytes) noexcept;
   /// Returns the hash and starts the next.
-  Hash128 take() noexcept;
+  Hash128 finishHash() noexcept;
 
  private:
   struct State;

@@ -32,7 +32,7 @@ std::string removeOldSocket(const std::string& path) {
 
 }  // namespace
 
-std::string ListeningPlace::take(const std::string& directory, bool& taken) {
+std::string ListeningPlace::lockPlace(const std::string& directory, bool& taken) {
   taken = false;
   if (std::string why = makeRuntimeDirectory(directory); !why.empty()) return why;
   directory_ = directory;

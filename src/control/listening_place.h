@@ -15,7 +15,7 @@ class ListeningPlace {
   ~ListeningPlace() { leave(); }
 
   /// Takes the lock. Returns why not; empty: it is held. `taken`: another process holds it.
-  std::string take(const std::string& directory, bool& taken);
+  std::string lockPlace(const std::string& directory, bool& taken);
   /// Removes the socket of an earlier process and listens. The descriptor, which does not block and which
   /// child processes do not get, is the caller's; -1 and `why`. Only while the lock is held.
   int listenHere(std::string& why);

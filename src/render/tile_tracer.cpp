@@ -105,7 +105,7 @@ void eachTileOf(TileSource& source, const Image& image, accel::PageCache& pages,
   source.begin(image);
   const Tiles tiles(image, kTileSize);
   eachTileFrom(
-      "tiles", [&] { return source.next(); },
+      "tiles", [&] { return source.nextTile(); },
       [&](int index) {
         const double start = nowSeconds();
         const accel::PageCache::Reader reader(pages);

@@ -59,7 +59,7 @@ bool traceShared(const Pass& pass, FilmSource& source) {
   FactorFilm& film = *pass.moving.film;
   source.begin(*pass.frame.image);
   eachTileFrom(
-      "tiles", [&] { return source.next(); },
+      "tiles", [&] { return source.nextTile(); },
       [&](int tile) {
         const double start = nowSeconds();
         pass.collect(tiles.at(tile));
@@ -81,7 +81,7 @@ bool traceShared(const Pass& pass, FilmSource& source) {
 bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays, FilmSource* source) {
   LightHistories own;
   LightHistories& histories = kept ? *kept : own;
-  LightHistory& history = histories.of(frame.snapshot->view);
+  LightHistory& history = histories.historyOf(frame.snapshot->view);
   MovingFrame moving;
   moving.index = source ? source->index(history.index()) : history.index(), moving.rays = rays;
   frame.moving = &moving;

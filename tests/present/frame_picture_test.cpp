@@ -40,7 +40,7 @@ class FramePictureTest : public testing::TestWithParam<ContextWish> {
     ASSERT_TRUE(writeBack_->write(image, {}, pending));
     picture_.written(gl(), image);
   }
-  Picture take() { return picture_.take(gl(), GL_FRONT, kPictureSize, kPictureSize, 1); }
+  Picture take() { return picture_.readFrame(gl(), GL_FRONT, kPictureSize, kPictureSize, 1); }
   /// Lets the real OpenGL draw a rectangle.
   void paint(int x, int y, int width, int height) {
     gl().Enable(GL_SCISSOR_TEST);

@@ -122,7 +122,7 @@ int watchPrograms(const CommandLine& line) {
   while (!stopped) {
     const double rest = seconds - std::chrono::duration<double>(steady_clock::now() - begin).count();
     if (rest <= 0) break;
-    const json event = hub.client().next(rest);
+    const json event = hub.client().awaitEvent(rest);
     if (!event.is_null())
       printer.print(event);
     else if (!hub.client().whyClosed().empty())

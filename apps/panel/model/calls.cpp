@@ -46,7 +46,7 @@ bool Calls::anyChanges() const {
   return std::any_of(waiting_.begin(), waiting_.end(), [](const auto& call) { return call.second.changes; });
 }
 
-bool Calls::take(uint64_t id, const json& answer) {
+bool Calls::receiveAnswer(uint64_t id, const json& answer) {
   const auto found = waiting_.find(id);
   if (found == waiting_.end()) return false;
   const Waiting call = std::move(found->second);

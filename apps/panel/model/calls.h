@@ -29,7 +29,7 @@ class Calls {
   /// Whether a request that may change settings is unanswered, also where its receiver has gone.
   bool anyChanges() const;
   /// Whether the answer is that of a call; then its taker has been called.
-  bool take(uint64_t id, const nlohmann::json& answer);
+  bool receiveAnswer(uint64_t id, const nlohmann::json& answer);
   /// Calls of programs that are not in the list end with `why`: late answers are nobody's.
   void endOthers(const std::vector<int>& programs, const std::string& why);
   /// All calls end.

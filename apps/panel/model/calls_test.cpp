@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 struct CallsTest : testing::Test {
-  void take(const json& message) { controls.take(std::make_shared<const json>(message)); }
+  void take(const json& message) { controls.receiveMessage(std::make_shared<const json>(message)); }
   void takePrograms(std::initializer_list<int> numbers) {
     json list = json::array();
     for (const int n : numbers) list.push_back({{"program", n}, {"pid", 100 + n}, {"name", "p"}});

@@ -75,11 +75,12 @@ void Comparison::renew() {
   requests.push_back(set("never"));
   requests.push_back({{"type", "call"}, {"name", "shot"}, {"arguments", json::object()}});
   requests.push_back(set(before));
-  controls_.batch(program_, std::move(requests), this,
-                  [this, round = ++round_](const std::vector<CallAnswer>& answers) { take(answers, round); });
+  controls_.batch(
+      program_, std::move(requests), this,
+      [this, round = ++round_](const std::vector<CallAnswer>& answers) { receiveAnswers(answers, round); });
 }
 
-void Comparison::take(const std::vector<CallAnswer>& answers, uint64_t round) {
+void Comparison::receiveAnswers(const std::vector<CallAnswer>& answers, uint64_t round) {
   if (round != round_) return;
   std::string why;
   for (const CallAnswer& answer : answers)

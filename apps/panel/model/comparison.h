@@ -28,7 +28,7 @@ class Comparison : public QObject {
  private:
   void programShown();
   void stateCame(int program);
-  void take(const std::vector<CallAnswer>& answers, uint64_t round);
+  void receiveAnswers(const std::vector<CallAnswer>& answers, uint64_t round);
 
   Controls& controls_;
   QTimer settled_;  // runs while a window may still change its size

@@ -123,7 +123,7 @@ void Controls::disconnected(const QString& why) {
   emit said(why);
 }
 
-void Controls::take(const Message& message) {
+void Controls::receiveMessage(const Message& message) {
   const std::string type = textIn(*message, "type");
   if (type == "answer") takeAnswer(*message);
   if (type == "event") takeEvent(*message);
@@ -135,7 +135,7 @@ void Controls::take(const Message& message) {
 
 void Controls::takeAnswer(const json& answer) {
   const uint64_t id = numberIn<uint64_t>(answer, "id", 0);
-  if (calls_.take(id, answer)) return;
+  if (calls_.receiveAnswer(id, answer)) return;
   const auto asked = asked_.find(id);
   if (asked == asked_.end()) return;
   const QString what = std::exchange(asked->second, {});

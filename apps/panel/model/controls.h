@@ -90,7 +90,7 @@ class Controls : public QObject {
   // Called as the hub's thread reports.
   void connected();
   void disconnected(const QString& why);
-  void take(const Message& message);
+  void receiveMessage(const Message& message);
 
  signals:
   void programsChanged();

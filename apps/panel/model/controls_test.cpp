@@ -13,7 +13,7 @@ struct ControlsTest : testing::Test {
                      [this](const QString& line) { said.push_back(line.toStdString()); });
     QObject::connect(&controls, &Controls::settingsChanged, &controls, [this] { ++settings; });
   }
-  void take(const json& message) { controls.take(std::make_shared<const json>(message)); }
+  void take(const json& message) { controls.receiveMessage(std::make_shared<const json>(message)); }
   void takePrograms(std::initializer_list<int> numbers) {
     json list = json::array();
     for (const int n : numbers)

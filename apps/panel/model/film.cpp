@@ -41,7 +41,7 @@ void Film::start() {
   connect(&controls_, &Controls::programsChanged, this, [this] {
     if (!controls_.find(program_)) finish(tr("the program has ended"));
   });
-  next();
+  askNextPicture();
 }
 
 void Film::stop() {
@@ -55,7 +55,7 @@ json Film::valueOf(int frame) const {
   return plan_.whole ? json(std::llround(value)) : json(value);
 }
 
-void Film::next() {
+void Film::askNextPicture() {
   if (finished_) return;
   if (plan_.frames > 0 && saved_ >= plan_.frames) return finish({});
   if (QFile::exists(fileOf(saved_))) return finish(tr("%1 exists already").arg(fileOf(saved_)));
@@ -71,18 +71,19 @@ void Film::next() {
 
 void Film::shoot() {
   if (finished_) return;
-  auto* fetch = new ShotFetch(controls_, program_, this,
-                              [this](const QImage& picture, const QString& why) { take(picture, why); });
+  auto* fetch = new ShotFetch(controls_, program_, this, [this](const QImage& picture, const QString& why) {
+    receivePicture(picture, why);
+  });
   fetch->shoot();
 }
 
-void Film::take(const QImage& picture, const QString& why) {
+void Film::receivePicture(const QImage& picture, const QString& why) {
   if (finished_) return;
   if (!why.isEmpty()) return finish(why);
   savePicture(picture, fileOf(saved_), this, [this](const QString& whyNot) {
     if (!whyNot.isEmpty()) return finish(whyNot);
     emit progressed(++saved_);
-    next();
+    askNextPicture();
   });
 }
 

@@ -33,9 +33,9 @@ class Film : public QObject {
   void finished(const QString& why);
 
  private:
-  void next();
+  void askNextPicture();
   void shoot();
-  void take(const QImage& picture, const QString& why);
+  void receivePicture(const QImage& picture, const QString& why);
   void finish(const QString& why);
   nlohmann::json valueOf(int frame) const;
 

@@ -49,7 +49,7 @@ void Movement::end() {
   pause_.stop();
 }
 
-void Movement::next() {
+void Movement::beginNextMovement() {
   end();
   gesture_.clear();
 }

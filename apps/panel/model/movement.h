@@ -29,7 +29,7 @@ class Movement : public QObject {
   /// The movement is over; what waits is sent.
   void end();
   /// The same; the next change is of another movement, however soon it comes.
-  void next();
+  void beginNextMovement();
   /// Whether further changes follow.
   bool goesOn() const { return moving_; }
 

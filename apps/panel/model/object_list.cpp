@@ -90,10 +90,10 @@ void ObjectList::askPage(uint32_t after) {
   json arguments{{"after", after}, {"count", kPageOfObjects}};
   if (after == 0 && !version_.is_null()) arguments["known"] = version_;
   controls_.call(program_, "objects", std::move(arguments), this,
-                 [this, round = round_](const CallAnswer& answer) { take(answer, round); });
+                 [this, round = round_](const CallAnswer& answer) { receiveAnswer(answer, round); });
 }
 
-void ObjectList::take(const CallAnswer& answer, uint64_t round) {
+void ObjectList::receiveAnswer(const CallAnswer& answer, uint64_t round) {
   if (round != round_) return;
   if (!answer.why.empty()) return finish(QString::fromStdString(answer.why));
   const json* const same = member(answer.value, "same");

@@ -45,7 +45,7 @@ class ObjectList : public QObject {
   void restart();
   void ask();
   void askPage(uint32_t after);
-  void take(const CallAnswer& answer, uint64_t round);
+  void receiveAnswer(const CallAnswer& answer, uint64_t round);
   void finish(const QString& why);
 
   Controls& controls_;

@@ -25,27 +25,28 @@ class FakeProgram {
   int width = 40, height = 30;  // of its window
   Controls controls{[this](json message) { receive(std::move(message)); }};
 
-  void take(const json& message) { controls.take(std::make_shared<const json>(message)); }
+  void receiveMessage(const json& message) { controls.receiveMessage(std::make_shared<const json>(message)); }
 
   void appear() {
-    take({{"type", "event"},
-          {"what", "programs"},
-          {"programs",
-           {{{"program", kNumber}, {"pid", 4242}, {"name", "paraview"}, {"host", "here"}, {"ranks", 1}}}}});
+    receiveMessage(
+        {{"type", "event"},
+         {"what", "programs"},
+         {"programs",
+          {{{"program", kNumber}, {"pid", 4242}, {"name", "paraview"}, {"host", "here"}, {"ranks", 1}}}}});
     say("integrator", "local");
     state();
     thumbnail(width, height);
   }
-  void end() { take({{"type", "event"}, {"what", "programs"}, {"programs", json::array()}}); }
+  void end() { receiveMessage({{"type", "event"}, {"what", "programs"}, {"programs", json::array()}}); }
 
   /// An event `settings`.
   void say(const std::string& name, const json& value, const char* layer = "live") {
-    take({{"type", "event"},
-          {"what", "settings"},
-          {"program", kNumber},
-          {"values", {{name, {{"value", value}, {"layer", layer}, {"place", ""}}}}},
-          {"undo", 2},
-          {"redo", 0}});
+    receiveMessage({{"type", "event"},
+                    {"what", "settings"},
+                    {"program", kNumber},
+                    {"values", {{name, {{"value", value}, {"layer", layer}, {"place", ""}}}}},
+                    {"undo", 2},
+                    {"redo", 0}});
   }
   void state(const json& more = json::object()) {
     json members{{"fps", 24.0},
@@ -53,7 +54,7 @@ class FakeProgram {
                  {"traced", 0.98},
                  {"windows", {{{"width", width}, {"height", height}}}}};
     members.update(more);
-    take({{"type", "event"}, {"what", "state"}, {"program", kNumber}, {"state", members}});
+    receiveMessage({{"type", "event"}, {"what", "state"}, {"program", kNumber}, {"state", members}});
   }
   /// A picture, the left half of which is red, the right one blue.
   static std::string halves(int columns, int rows) {
@@ -64,12 +65,12 @@ class FakeProgram {
   }
   void thumbnail(int columns, int rows) { thumbnail(columns, rows, halves(columns, rows)); }
   void thumbnail(int columns, int rows, const std::string& bytes) {
-    take({{"type", "event"},
-          {"what", "thumbnail"},
-          {"program", kNumber},
-          {"width", columns},
-          {"height", rows},
-          {"pixels", control::toBase64(bytes)}});
+    receiveMessage({{"type", "event"},
+                    {"what", "thumbnail"},
+                    {"program", kNumber},
+                    {"width", columns},
+                    {"height", rows},
+                    {"pixels", control::toBase64(bytes)}});
   }
 
   /// The requests of that call, also those in batches.
@@ -90,10 +91,10 @@ class FakeProgram {
     json message = answerOf(request);
     message["type"] = "answer";
     message["id"] = request["id"];
-    take(message);
+    receiveMessage(message);
   }
   void answerValue(const json& request, const json& value) {
-    take(
+    receiveMessage(
         {{"type", "answer"}, {"id", request["id"]}, {"results", {{{"program", kNumber}, {"value", value}}}}});
   }
   /// Until all requests are answered, also those that answers lead to.

@@ -164,7 +164,7 @@ BlasPtr BlasCache::deformed(const Geometry& geometry, const std::vector<Geometry
   }
   const auto former = formerOf(mesh, wanted, quality);
   if (former == entries_.end()) return nullptr;
-  switch (deformations_.next(mesh, former->second.blas->spreadIn(mesh))) {
+  switch (deformations_.stepFor(mesh, former->second.blas->spreadIn(mesh))) {
     case Deformations::Step::build: return nullptr;
     case Deformations::Step::buildToRefit: return Blas::createToRefit(device_, iota_, geometry);
     case Deformations::Step::refit: break;

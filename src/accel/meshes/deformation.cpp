@@ -95,7 +95,7 @@ double Neighbours::spreadIn(const scene::Mesh& mesh) const {
   return share_ > 0 ? areaShare(mesh) / share_ : 1;
 }
 
-Deformations::Step Deformations::next(const scene::Mesh& mesh, double spread) {
+Deformations::Step Deformations::stepFor(const scene::Mesh& mesh, double spread) {
   constexpr size_t kMaxCourses = 256;
   constexpr int kSettled = 2;     // first changes that are built normally: there may be no more
   constexpr double kFar = 2;      // spread from which rays lose more time than the refit saves

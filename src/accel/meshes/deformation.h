@@ -44,7 +44,7 @@ class Deformations {
   static constexpr uint32_t kMin = 10'000;
   /// The step for a mesh whose positions changed. `spread`: Blas::spreadIn of the earlier structure; 0: it
   /// cannot be refitted.
-  Step next(const scene::Mesh& mesh, double spread);
+  Step stepFor(const scene::Mesh& mesh, double spread);
   /// Positions returned whose structure was refitted to others: the animation repeats. Pauses refits.
   void comesAround(const scene::Mesh& mesh);
 

@@ -184,22 +184,22 @@ TEST(Deformations, LargeMotionsAreNotRefitted) {
   const auto mesh = makeMesh(waves(0));
   Deformations d;
   using Step = Deformations::Step;
-  EXPECT_EQ(d.next(*mesh, 0), Step::build);
-  EXPECT_EQ(d.next(*mesh, 0), Step::build);
-  EXPECT_EQ(d.next(*mesh, 0), Step::buildToRefit);
-  EXPECT_EQ(d.next(*mesh, 1.5), Step::refit);
-  EXPECT_EQ(d.next(*mesh, 5), Step::build);  // one refit does not make up for the slower build
-  for (int i = 0; i < 30; ++i) EXPECT_EQ(d.next(*mesh, 1), Step::build);
+  EXPECT_EQ(d.stepFor(*mesh, 0), Step::build);
+  EXPECT_EQ(d.stepFor(*mesh, 0), Step::build);
+  EXPECT_EQ(d.stepFor(*mesh, 0), Step::buildToRefit);
+  EXPECT_EQ(d.stepFor(*mesh, 1.5), Step::refit);
+  EXPECT_EQ(d.stepFor(*mesh, 5), Step::build);  // one refit does not make up for the slower build
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(d.stepFor(*mesh, 1), Step::build);
 }
 
 TEST(Deformations, SlowMotionsAreRebuiltAfterALongWay) {
   const auto mesh = makeMesh(waves(0));
   Deformations d;
   using Step = Deformations::Step;
-  for (int i = 0; i < 3; ++i) d.next(*mesh, 0);
-  for (int i = 0; i < 10; ++i) EXPECT_EQ(d.next(*mesh, 1 + 0.1 * i), Step::refit);
-  EXPECT_EQ(d.next(*mesh, 2.1), Step::buildToRefit);
-  EXPECT_EQ(d.next(*mesh, 1), Step::refit);
+  for (int i = 0; i < 3; ++i) d.stepFor(*mesh, 0);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(d.stepFor(*mesh, 1 + 0.1 * i), Step::refit);
+  EXPECT_EQ(d.stepFor(*mesh, 2.1), Step::buildToRefit);
+  EXPECT_EQ(d.stepFor(*mesh, 1), Step::refit);
 }
 
 TEST(AllInReach, FindsASingleVertexOutOfReach) {

@@ -56,7 +56,7 @@ void PartGatherer::meetAgain() {
   state_ = State::meeting;
 }
 
-PartGatherer::Share PartGatherer::look(const TraceRequest& request, double now) {
+PartGatherer::Share PartGatherer::findShare(const TraceRequest& request, double now) {
   switch (state_) {
     case State::meeting: return meet(request, now);
     case State::collecting: return collect(request, now);
@@ -214,7 +214,7 @@ void PartGatherer::loses(int rank, double now) {
   if (given_.erase(rank) > 0 && state_ == State::tracing) lost_ = true;
 }
 
-void PartGatherer::take(const PartHere& part, double now) {
+void PartGatherer::receive(const PartHere& part, double now) {
   const int rank = part.address.from;
   at(rank) = now;
   meetings_.opens(part);
@@ -225,7 +225,7 @@ void PartGatherer::take(const PartHere& part, double now) {
   if (state_ == State::given && rank < to_) meetAgain();
 }
 
-void PartGatherer::take(const PartOver& over, double now) {
+void PartGatherer::receive(const PartOver& over, double now) {
   const int rank = over.address.from;
   meetings_.closes(rank);
   loses(rank, now);
@@ -234,12 +234,12 @@ void PartGatherer::take(const PartOver& over, double now) {
   refused();
 }
 
-void PartGatherer::take(const PartComes& comes, double now) {
+void PartGatherer::receive(const PartComes& comes, double now) {
   at(comes.address.from) = now;
   meetings_.comes(comes.address.from, now);
 }
 
-void PartGatherer::take(PartGiven part, double now) {
+void PartGatherer::receive(PartGiven part, double now) {
   const int rank = part.address.from;
   at(rank) = now;
   const bool isWhole = state_ == State::meeting || state_ == State::collecting || state_ == State::tracing;
@@ -254,7 +254,7 @@ void PartGatherer::take(PartGiven part, double now) {
   if (!isMade || !made_.isOwed) sendTo(rank, PartDone{{}, part.round});
 }
 
-void PartGatherer::take(const PartDone& done, double now) {
+void PartGatherer::receive(const PartDone& done, double now) {
   at(done.address.from) = now;
   if (state_ != State::given || done.address.from != to_ || done.round != toRound_) return;
   refused();
@@ -267,7 +267,7 @@ void PartGatherer::refused() {
   meetAgain();
 }
 
-void PartGatherer::take(PartPicture picture, double now) {
+void PartGatherer::receive(PartPicture picture, double now) {
   const int rank = picture.address.from;
   at(rank) = now;
   const bool isAwaited = state_ == State::given && rank == to_ && picture.round == toRound_;
@@ -278,9 +278,9 @@ void PartGatherer::take(PartPicture picture, double now) {
   if (isAwaited) isShown_ = true;
 }
 
-void PartGatherer::take(const PartGone& gone, double now) { loses(gone.address.from, now); }
+void PartGatherer::receive(const PartGone& gone, double now) { loses(gone.address.from, now); }
 
-void PartGatherer::take(const PartAtWork& work, double now) { at(work.address.from) = now; }
+void PartGatherer::receive(const PartAtWork& work, double now) { at(work.address.from) = now; }
 
 void PartGatherer::comes(double now) {
   if (isOpen_ || !meetings_.someWait() || now - saidComes_ < Meetings::kSayEvery) return;

@@ -36,14 +36,15 @@ class PartGatherer {
     own,      // the part alone
   };
   /// Which share of the picture of the view is the rank's. `request`: that of begin().
-  Share look(const TraceRequest& request, double now);
+  Share findShare(const TraceRequest& request, double now);
   /// Parts of other ranks, for Share::whole.
   const std::vector<PartGiven>& parts() const { return decided_[current_].parts; }
   /// Why the last part that was not gathered was not; empty: there was no reason that lasts.
   const std::string& whyOwn() const { return saidWhy_; }
   /// For Share::shown; null: it is kept no longer.
   const PartPicture* picture();
-  /// Whether a part of the whole is gone or has come late: its picture must end, and look() decides anew.
+  /// Whether a part of the whole is gone or has come late: its picture must end, and findShare() decides
+  /// anew.
   bool isLost() const { return state_ == State::tracing && lost_; }
   /// The whole has been traced; not `traced`: it has not.
   void end(bool traced, double now);
@@ -56,14 +57,14 @@ class PartGatherer {
 
   void joins(int rank);
   void leaves(int rank, double now);
-  void take(const PartHere& part, double now);
-  void take(const PartOver& over, double now);
-  void take(const PartComes& comes, double now);
-  void take(PartGiven part, double now);
-  void take(const PartDone& done, double now);
-  void take(PartPicture picture, double now);
-  void take(const PartGone& gone, double now);
-  void take(const PartAtWork& work, double now);
+  void receive(const PartHere& part, double now);
+  void receive(const PartOver& over, double now);
+  void receive(const PartComes& comes, double now);
+  void receive(PartGiven part, double now);
+  void receive(const PartDone& done, double now);
+  void receive(PartPicture picture, double now);
+  void receive(const PartGone& gone, double now);
+  void receive(const PartAtWork& work, double now);
   /// Says to peers that work goes on. Call ten times a second or more.
   void tick(double now);
 

@@ -41,7 +41,7 @@ class SimulatedRank {
     std::memcpy(&type, bytes.data(), sizeof type);
     const std::span<const std::byte> body = bytes.subspan(sizeof type);
     const auto as = [&]<class M>(M) {
-      if (type == M::kType) gatherer_.take(decoded<M>(body), now);
+      if (type == M::kType) gatherer_.receive(decoded<M>(body), now);
     };
     as(PartHere{}), as(PartOver{}), as(PartComes{}), as(PartGiven{}), as(PartDone{}), as(PartPicture{});
     as(PartGone{}), as(PartAtWork{});
@@ -51,7 +51,7 @@ class SimulatedRank {
     if (!request_) return;
     if (share_ == Share::whole && gatherer_.isLost()) share_ = Share::awaited;
     if (share_ == Share::awaited) {
-      share_ = gatherer_.look(*request_, now);
+      share_ = gatherer_.findShare(*request_, now);
       ends_ = now + duration_;
     }
     if (share_ == Share::awaited || (share_ != Share::shown && now < ends_)) return;

@@ -50,12 +50,12 @@ class ReadMessage : public ReadArchive<ReadMessage> {
   using ReadArchive::ReadArchive;
   using ReadArchive::value;
   void value(std::string& text) {
-    const auto bytes = in_.take(in_.count(1));
+    const auto bytes = in_.readBytes(in_.count(1));
     text.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   }
   void value(ImageShape& shape) { shape = readShape(in_); }
   void value(std::vector<std::byte>& bytes) {
-    const auto taken = in_.take(in_.count(1));
+    const auto taken = in_.readBytes(in_.count(1));
     bytes.assign(taken.begin(), taken.end());
   }
   ByteReader& in() { return in_; }
@@ -66,7 +66,7 @@ template <class M>
 std::vector<std::byte> encoded(const M& message) {
   WriteMessage archive;
   archive(message);
-  return archive.out().take();
+  return archive.out().takeBytes();
 }
 /// Throws Malformed.
 template <class M>
@@ -84,7 +84,7 @@ std::vector<std::byte> forRanks(const M& message) {
   WriteMessage archive;
   archive.out().put(M::kType);
   archive(message);
-  return archive.out().take();
+  return archive.out().takeBytes();
 }
 
 }  // namespace gluray::cluster

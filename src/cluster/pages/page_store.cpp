@@ -137,7 +137,7 @@ bool PageStore::fetch(const PageName& name, std::byte* to, size_t bytes) {
   return false;
 }
 
-void PageStore::take(PageGiven given) {
+void PageStore::receivePage(PageGiven given) {
   {
     const std::lock_guard lock(mutex_);
     const auto [begin, end] = awaited_.equal_range(given.id);

@@ -42,7 +42,7 @@ class PageStore final : public PageSource {
   std::string end();
 
   // The main thread.
-  void take(PageGiven given);
+  void receivePage(PageGiven given);
   void wake();
 
   size_t budget() const;

@@ -41,7 +41,7 @@ class StoredPage : public testing::Test {
   std::future<bool> load() {
     std::future<bool> loaded = std::async(std::launch::async, [this] { return made_.page->load(); });
     while (letters_.empty()) {
-      for (Outbox::Letter& letter : outbox_.take()) letters_.push_back(std::move(letter));
+      for (Outbox::Letter& letter : outbox_.takeLetters()) letters_.push_back(std::move(letter));
       std::this_thread::sleep_for(1ms);
     }
     return loaded;
@@ -62,7 +62,7 @@ TEST_F(StoredPage, ComesFromItsOwner) {
   ASSERT_EQ(letters_.size(), 1u);
   EXPECT_EQ(letters_[0].to, kOwner);
   const std::vector<std::byte> bytes = indices({0, 1, 2, 2, 1, 3});
-  store_.take({kId, bytes});
+  store_.receivePage({kId, bytes});
   EXPECT_TRUE(loaded.get());
   EXPECT_TRUE(std::equal(bytes.begin(), bytes.end(), made_.memory.get()));
   EXPECT_FALSE(store_.hasFailed());
@@ -71,15 +71,15 @@ TEST_F(StoredPage, ComesFromItsOwner) {
 
 TEST_F(StoredPage, ThatOtherPagesDoNotAnswer) {
   std::future<bool> loaded = load();
-  store_.take({Hash128{1, 1}, indices({0, 0, 0, 0, 0, 0})});
+  store_.receivePage({Hash128{1, 1}, indices({0, 0, 0, 0, 0, 0})});
   EXPECT_EQ(loaded.wait_for(20ms), std::future_status::timeout);
-  store_.take({kId, indices({0, 1, 2, 2, 1, 3})});
+  store_.receivePage({kId, indices({0, 1, 2, 2, 1, 3})});
   EXPECT_TRUE(loaded.get());
 }
 
 TEST_F(StoredPage, ThatItsOwnerHasForgotten) {
   std::future<bool> loaded = load();
-  store_.take({kId, {}});
+  store_.receivePage({kId, {}});
   EXPECT_FALSE(loaded.get());
   EXPECT_TRUE(store_.hasFailed());
   EXPECT_EQ(store_.end(), "rank 3 does not have the geometry any more");
@@ -87,14 +87,14 @@ TEST_F(StoredPage, ThatItsOwnerHasForgotten) {
 
 TEST_F(StoredPage, OfAnotherLength) {
   std::future<bool> loaded = load();
-  store_.take({kId, indices({0, 1, 2})});
+  store_.receivePage({kId, indices({0, 1, 2})});
   EXPECT_FALSE(loaded.get());
   EXPECT_TRUE(store_.hasFailed());
 }
 
 TEST_F(StoredPage, WithIndicesBeyondItsVertices) {
   std::future<bool> loaded = load();
-  store_.take({kId, indices({0, 1, 2, 2, 1, 4})});
+  store_.receivePage({kId, indices({0, 1, 2, 2, 1, 4})});
   EXPECT_FALSE(loaded.get());
   EXPECT_EQ(store_.end(), "a page is not what its name says");
 }
@@ -112,7 +112,7 @@ TEST_F(StoredPage, IsNotWaitedForWhenThePictureIsStopped) {
 TEST_F(StoredPage, IsNotAskedForAfterAFailure) {
   made_.page->fail("another page is wrong");
   EXPECT_FALSE(made_.page->load());
-  EXPECT_TRUE(outbox_.take().empty());
+  EXPECT_TRUE(outbox_.takeLetters().empty());
   EXPECT_EQ(store_.end(), "another page is wrong");
   // The next picture begins anew.
   store_.begin([] { return false; });
@@ -123,7 +123,7 @@ TEST_F(StoredPage, ThatComesOverAndOverIsReported) {
   for (int i = 0; i < 5; ++i) {
     letters_.clear();
     std::future<bool> loaded = load();
-    store_.take({kId, indices({0, 1, 2, 2, 1, 3})});
+    store_.receivePage({kId, indices({0, 1, 2, 2, 1, 3})});
     EXPECT_TRUE(loaded.get());
   }
   EXPECT_EQ(said_, "");
@@ -140,7 +140,7 @@ TEST_F(PageOfASilentOwner, FailsThePicture) {
   std::future<bool> loaded = load();
   EXPECT_FALSE(loaded.get());
   EXPECT_EQ(store_.end(), "rank 3 does not give its geometry");
-  store_.take({kId, indices({0, 1, 2, 2, 1, 3})});  // too late: nobody waits
+  store_.receivePage({kId, indices({0, 1, 2, 2, 1, 3})});  // too late: nobody waits
 }
 
 TEST_F(StoredPage, IsOnePageWhileItLives) {

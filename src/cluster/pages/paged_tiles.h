@@ -12,7 +12,7 @@ class PagedTiles final : public render::TileSource {
   /// Both must outlive it.
   PagedTiles(render::TileSource& tiles, const PageStore& pages) : tiles_(tiles), pages_(pages) {}
   void begin(const Image& image) noexcept override { tiles_.begin(image); }
-  int next() noexcept override { return pages_.hasFailed() ? -1 : tiles_.next(); }
+  int nextTile() noexcept override { return pages_.hasFailed() ? -1 : tiles_.nextTile(); }
   void done(int tile, double seconds, bool seenThrough) noexcept override {
     if (!pages_.hasFailed()) tiles_.done(tile, seconds, seenThrough);
   }

@@ -35,7 +35,7 @@ PartState PartChanges::show(const scene::Snapshot& snapshot, const render::Frame
   View& view = this->view();
   if (snapshot.number != 0 && snapshot.number == view.number) return view.own;  // another pass over it
   render::Placement now;
-  if (frame) now.take(snapshot);
+  if (frame) now.rememberScene(snapshot);
   const bool both = !now.objects.empty() && !view.placement.objects.empty();
   const bool changed = both ? render::Reprojection(view.placement, view.space, now, *frame).changed
                             : now.objects.size() != view.placement.objects.size();

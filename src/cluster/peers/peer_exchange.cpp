@@ -40,13 +40,13 @@ void PeerExchange::leaves(int rank) {
   changed_.notify_all();
 }
 
-void PeerExchange::take(const SceneComes& coming, double now) {
+void PeerExchange::receive(const SceneComes& coming, double now) {
   const std::lock_guard lock(mutex_);
   meetings_.comes(coming.address.from, coming.viewport, now);
   changed_.notify_all();
 }
 
-void PeerExchange::take(const SceneHeld& scene, double now) {
+void PeerExchange::receive(const SceneHeld& scene, double now) {
   const std::lock_guard lock(mutex_);
   meetings_.holds(scene);
   asking_[static_cast<size_t>(scene.address.from)] = true;
@@ -54,7 +54,7 @@ void PeerExchange::take(const SceneHeld& scene, double now) {
   changed_.notify_all();
 }
 
-void PeerExchange::take(OcclusionQueries queries, double now) {
+void PeerExchange::receive(OcclusionQueries queries, double now) {
   const std::lock_guard lock(mutex_);
   heard_[static_cast<size_t>(queries.address.from)] = now;
   // Between two pictures of one view they wait for the second.
@@ -64,7 +64,7 @@ void PeerExchange::take(OcclusionQueries queries, double now) {
   changed_.notify_all();
 }
 
-void PeerExchange::take(const OcclusionReplies& replies, double now) {
+void PeerExchange::receive(const OcclusionReplies& replies, double now) {
   const std::lock_guard lock(mutex_);
   const int rank = replies.address.from;
   const size_t near = nearOf(rank);
@@ -83,7 +83,7 @@ void PeerExchange::take(const OcclusionReplies& replies, double now) {
   } catch (const Malformed& error) { drop(rank, error.what()); }
 }
 
-void PeerExchange::take(const DoneAsking& done, double now) {
+void PeerExchange::receive(const DoneAsking& done, double now) {
   const std::lock_guard lock(mutex_);
   heard_[static_cast<size_t>(done.address.from)] = now;
   asking_[static_cast<size_t>(done.address.from)] = false;
@@ -91,7 +91,7 @@ void PeerExchange::take(const DoneAsking& done, double now) {
   changed_.notify_all();
 }
 
-void PeerExchange::take(const StillHere& here, double now) {
+void PeerExchange::receive(const StillHere& here, double now) {
   const std::lock_guard lock(mutex_);
   heard_[static_cast<size_t>(here.address.from)] = now;
 }

@@ -37,12 +37,12 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   // The main thread.
   void joins(int rank);
   void leaves(int rank);
-  void take(const SceneComes& coming, double now);
-  void take(const SceneHeld& scene, double now);
-  void take(OcclusionQueries queries, double now);
-  void take(const OcclusionReplies& replies, double now);
-  void take(const DoneAsking& done, double now);
-  void take(const StillHere& here, double now);
+  void receive(const SceneComes& coming, double now);
+  void receive(const SceneHeld& scene, double now);
+  void receive(OcclusionQueries queries, double now);
+  void receive(const OcclusionReplies& replies, double now);
+  void receive(const DoneAsking& done, double now);
+  void receive(const StillHere& here, double now);
   /// The program wants a picture: what is held ends as soon as peers have their answers, or at once if it is
   /// of the same view. `shown`: that view, if surfaces of peers may block its light.
   void announce(const std::optional<ViewName>& shown);
@@ -64,7 +64,7 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   void finish() noexcept;
 
   void begin(const Image& image) noexcept override;
-  int next() noexcept override;
+  int nextTile() noexcept override;
   void done(int tile, double seconds, bool seenThrough) noexcept override;
   uint32_t index(uint32_t own) const noexcept override { return own; }
   void collected(const render::FactorFilm& film, int tile, double seconds) noexcept override;

@@ -107,12 +107,12 @@ bool PeerExchange::answersOne(Lock& lock) noexcept {
   return true;
 }
 
-int PeerExchange::next() noexcept {
+int PeerExchange::nextTile() noexcept {
   Lock lock(mutex_);
   for (;;) {
     if (ends()) return -1;
     if (answersOne(lock)) continue;
-    const TileLedger::Work work = ledger_.take();
+    const TileLedger::Work work = ledger_.takeWork();
     if (work.record) {
       record = work.record;
       return work.tile;
@@ -187,7 +187,7 @@ void PeerExchange::answer(const OcclusionQueries& queries) const noexcept {
     QueryReader in(queries.rays);
     AnswerWriter out;
     QueryPacket packet;
-    while (in.next(packet)) {
+    while (in.nextPacket(packet)) {
       alignas(64) int32_t valid[accel::kLanes];
       for (int i = 0; i < accel::kLanes; ++i) valid[i] = packet.lanes >> i & 1 ? -1 : 0;
       glm::vec3 through[accel::kLanes];
@@ -202,7 +202,7 @@ void PeerExchange::answer(const OcclusionQueries& queries) const noexcept {
       }
       out.add(answers);
     }
-    replies.answers = out.take();
+    replies.answers = out.takeBytes();
   } catch (const std::exception&) { replies.refused = true; }
   try {
     sendTo(queries.address.from, std::move(replies));

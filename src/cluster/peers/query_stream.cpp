@@ -45,7 +45,7 @@ void QueryWriter::add(const QueryPacket& packet) {
   rays_ += static_cast<size_t>(std::popcount(lanes));
 }
 
-bool QueryReader::next(QueryPacket& packet) {
+bool QueryReader::nextPacket(QueryPacket& packet) {
   if (in_.left() == 0) return false;
   packet.lanes = in_.get<uint16_t>();
   const auto flags = in_.get<uint8_t>();
@@ -78,7 +78,7 @@ void AnswerWriter::add(const AnswerPacket& packet) {
   eachLane(packet.partly, [&](int i) { out_.put(packet.through[static_cast<size_t>(i)]); });
 }
 
-AnswerPacket AnswerReader::next(uint32_t lanes) {
+AnswerPacket AnswerReader::nextPacket(uint32_t lanes) {
   AnswerPacket packet;
   const auto some = in_.get<uint8_t>();
   packet.blocked = in_.get<uint16_t>();

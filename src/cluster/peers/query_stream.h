@@ -27,7 +27,7 @@ class QueryWriter {
  public:
   void add(const QueryPacket& packet);
   size_t rays() const { return rays_; }
-  std::vector<std::byte> take() { return out_.take(); }
+  std::vector<std::byte> takeBytes() { return out_.takeBytes(); }
 
  private:
   ByteWriter out_;
@@ -40,7 +40,7 @@ class QueryReader {
  public:
   explicit QueryReader(std::span<const std::byte> bytes) : in_(bytes) {}
   /// False: there are no more. Sets tNear to 0. Throws Malformed.
-  bool next(QueryPacket& packet);
+  bool nextPacket(QueryPacket& packet);
 
  private:
   ByteReader in_;
@@ -58,7 +58,7 @@ struct AnswerPacket {
 class AnswerWriter {
  public:
   void add(const AnswerPacket& packet);
-  std::vector<std::byte> take() { return out_.take(); }
+  std::vector<std::byte> takeBytes() { return out_.takeBytes(); }
 
  private:
   ByteWriter out_;
@@ -68,7 +68,7 @@ class AnswerReader {
  public:
   explicit AnswerReader(std::span<const std::byte> bytes) : in_(bytes) {}
   /// The answers to the next packet, which asked for `lanes`. Throws Malformed.
-  AnswerPacket next(uint32_t lanes);
+  AnswerPacket nextPacket(uint32_t lanes);
   bool atEnd() const { return in_.left() == 0; }
 
  private:

@@ -76,14 +76,14 @@ TEST(QueryStream, PacketsComeBackToTheBit) {
     packets.push_back(packet);
   }
   EXPECT_EQ(out.rays(), rays);
-  const std::vector<std::byte> bytes = out.take();
+  const std::vector<std::byte> bytes = out.takeBytes();
   QueryReader in(bytes);
   QueryPacket packet;
   for (const QueryPacket& expected : packets) {
-    ASSERT_TRUE(in.next(packet));
+    ASSERT_TRUE(in.nextPacket(packet));
     expectSame(expected, packet);
   }
-  EXPECT_FALSE(in.next(packet));
+  EXPECT_FALSE(in.nextPacket(packet));
 }
 
 TEST(QueryStream, FourSamplesOfAPointTakeSixteenBytesARay) {
@@ -98,7 +98,7 @@ TEST(QueryStream, FourSamplesOfAPointTakeSixteenBytesARay) {
       out.add(packet);
     }
   }
-  EXPECT_LE(out.take().size(), size_t{16} * 100 * 4 * kLanes);
+  EXPECT_LE(out.takeBytes().size(), size_t{16} * 100 * 4 * kLanes);
 }
 
 TEST(QueryStream, AnswersComeBack) {
@@ -108,10 +108,10 @@ TEST(QueryStream, AnswersComeBack) {
   AnswerWriter out;
   out.add({3});
   out.add(some);
-  const std::vector<std::byte> bytes = out.take();
+  const std::vector<std::byte> bytes = out.takeBytes();
   AnswerReader in(bytes);
-  EXPECT_EQ(in.next(0xFF).blocked, 3u);
-  const AnswerPacket read = in.next(0xFF);
+  EXPECT_EQ(in.nextPacket(0xFF).blocked, 3u);
+  const AnswerPacket read = in.nextPacket(0xFF);
   EXPECT_EQ(read.blocked, 5u);
   EXPECT_EQ(read.partly, 8u);
   EXPECT_EQ(read.through[3], some.through[3]);
@@ -121,14 +121,14 @@ TEST(QueryStream, AnswersComeBack) {
 TEST(QueryStream, WhatNobodyWritesIsRefused) {
   AnswerWriter out;
   out.add({0x10});
-  const std::vector<std::byte> answers = out.take();
+  const std::vector<std::byte> answers = out.takeBytes();
   AnswerReader in(answers);
-  EXPECT_THROW(in.next(0xF), Malformed) << "a ray that was not asked about";
+  EXPECT_THROW(in.nextPacket(0xF), Malformed) << "a ray that was not asked about";
 
   Random random(3);
   QueryWriter queries;
   for (int i = 0; i < 20; ++i) queries.add(packetOf(random));
-  const std::vector<std::byte> good = queries.take();
+  const std::vector<std::byte> good = queries.takeBytes();
   int refused = 0;
   for (uint32_t n = 0; n < 20000; ++n) {
     std::vector<std::byte> bytes = good;
@@ -138,7 +138,7 @@ TEST(QueryStream, WhatNobodyWritesIsRefused) {
     try {
       QueryReader reader(bytes);
       QueryPacket packet;
-      while (reader.next(packet)) ASSERT_NE(packet.lanes, 0u);
+      while (reader.nextPacket(packet)) ASSERT_NE(packet.lanes, 0u);
     } catch (const Malformed&) { ++refused; }
   }
   EXPECT_GT(refused, 1000);
@@ -197,8 +197,8 @@ TEST(TileRecord, QueriesGetTheirAnswersInTheirOrder) {
   some.partly = 2, some.through[1] = {0.5f, 0.25f, 1};
   AnswerWriter first, second;
   first.add({0x01}), second.add(some);
-  const std::vector<std::byte> bytes = first.take();
-  record.answer(1, second.take());
+  const std::vector<std::byte> bytes = first.takeBytes();
+  record.answer(1, second.takeBytes());
   record.answer(0, bytes);
   EXPECT_THROW(record.answer(0, bytes), Malformed) << "twice";
   record.replay();

@@ -10,7 +10,7 @@ void TileLedger::reset(std::vector<int> tiles, size_t peers) {
   peers_ = peers;
 }
 
-TileLedger::Work TileLedger::take() {
+TileLedger::Work TileLedger::takeWork() {
   if (!ready_.empty()) {
     const int tile = ready_.front();
     ready_.pop_front();

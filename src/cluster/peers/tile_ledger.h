@@ -20,7 +20,7 @@ class TileLedger {
     TileRecord* record = nullptr;
   };
   /// The next tile to trace: rather one with answers than a new one.
-  Work take();
+  Work takeWork();
   /// Its pixels are final.
   void finish(int tile);
   /// It waits for so many answers.

@@ -24,7 +24,7 @@ bool TileRecord::asks() const {
 void TileRecord::answer(int peer, std::span<const std::byte> bytes) {
   AnswerReader in(bytes);
   for (const auto& [number, lanes] : std::exchange(asked_[static_cast<size_t>(peer)].packets, {})) {
-    const AnswerPacket packet = in.next(lanes);
+    const AnswerPacket packet = in.nextPacket(lanes);
     Call& call = calls_[number];
     call.blocked = static_cast<uint16_t>(call.blocked | packet.blocked);
     call.partly = static_cast<uint16_t>(call.partly | packet.partly);

@@ -23,7 +23,9 @@ class TileRecord {
   bool asks() const;
   size_t peers() const { return asked_.size(); }
   /// Bytes for a peer; empty: it is not asked. Once.
-  std::vector<std::byte> queriesFor(int peer) { return asked_[static_cast<size_t>(peer)].queries.take(); }
+  std::vector<std::byte> queriesFor(int peer) {
+    return asked_[static_cast<size_t>(peer)].queries.takeBytes();
+  }
   size_t raysFor(int peer) const { return asked_[static_cast<size_t>(peer)].queries.rays(); }
   /// Throws Malformed where they are not the answers to what it was asked.
   void answer(int peer, std::span<const std::byte> bytes);

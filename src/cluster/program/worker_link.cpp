@@ -65,7 +65,7 @@ PartView partViewOf(const scene::Snapshot& s) {
   WriteMessage all;
   all(s.camera.depthNear, s.camera.depthFar, s.camera.rowsFromTop, s.region, s.samples, s.samplePositions,
       s.polygonOffset, s.wideColors, s.encodes, s.colorWrites, s.laterWins);
-  const std::vector<std::byte> bytes = all.out().take();
+  const std::vector<std::byte> bytes = all.out().takeBytes();
   PartView view;
   view.frame = s.frame, view.viewport = s.camera.viewport;
   view.clipFromEye = s.camera.clipFromEye, view.eyeFromWorld = s.eyeFromWorld;

@@ -18,7 +18,7 @@ void Outbox::push(int to, std::vector<std::byte> message) {
   if (letters_.size() == 1) eventfd_write(event_.get(), 1);
 }
 
-std::vector<Outbox::Letter> Outbox::take() {
+std::vector<Outbox::Letter> Outbox::takeLetters() {
   const std::lock_guard lock(mutex_);
   eventfd_t count = 0;
   if (!letters_.empty()) eventfd_read(event_.get(), &count);

@@ -19,7 +19,7 @@ class Outbox {
   /// Throws std::system_error.
   Outbox();
   void push(int to, std::vector<std::byte> message);
-  std::vector<Letter> take();
+  std::vector<Letter> takeLetters();
   /// Readable while something is in it.
   int descriptor() const { return event_.get(); }
 

@@ -44,7 +44,7 @@ void TileQueue::collected(const render::FactorFilm& film, int tile, double secon
   } catch (const std::bad_alloc&) {}  // the head gives the tile to another rank
 }
 
-int TileQueue::next() noexcept {
+int TileQueue::nextTile() noexcept {
   std::unique_lock lock(mutex_);
   const int count = image_ ? render::Tiles(*image_, render::kTileSize).columns *
                                  render::Tiles(*image_, render::kTileSize).rows

@@ -33,7 +33,7 @@ class TileQueue final : public render::TileSource {
   void collected(const render::FactorFilm& film, int tile, double seconds) noexcept;
 
   void begin(const Image& image) noexcept override { image_ = &image; }
-  int next() noexcept override;
+  int nextTile() noexcept override;
   void done(int tile, double seconds, bool seenThrough) noexcept override;
   /// done() of all tiles of an image that was traced at once.
   void doneAll(const Image& image, double seconds);

@@ -93,7 +93,7 @@ class ReadArchive {
   void value(std::vector<T>& v) {
     if constexpr (kIsPlain<T>) {
       v.resize(in_.count(sizeof(T)));
-      const auto bytes = in_.take(v.size() * sizeof(T));
+      const auto bytes = in_.readBytes(v.size() * sizeof(T));
       if (!v.empty()) std::memcpy(v.data(), bytes.data(), bytes.size());
     } else {
       // An element may take far more memory than its bytes: grows as they are read.

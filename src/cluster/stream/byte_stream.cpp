@@ -11,7 +11,7 @@ void ByteWriter::put(const void* bytes, size_t size) {
   bytes_.insert(bytes_.end(), first, first + size);
 }
 
-std::span<const std::byte> ByteReader::take(size_t size) {
+std::span<const std::byte> ByteReader::readBytes(size_t size) {
   if (size > bytes_.size()) throw Malformed("it ends too early");
   const auto taken = bytes_.first(size);
   bytes_ = bytes_.subspan(size);

@@ -24,7 +24,7 @@ class ByteWriter {
   requires std::is_trivially_copyable_v<T>
   void put(const T& value) { put(&value, sizeof value); }
   const std::vector<std::byte>& bytes() const { return bytes_; }
-  std::vector<std::byte> take() { return std::move(bytes_); }
+  std::vector<std::byte> takeBytes() { return std::move(bytes_); }
 
  private:
   std::vector<std::byte> bytes_;
@@ -34,11 +34,11 @@ class ByteWriter {
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
-  std::span<const std::byte> take(size_t size);
+  std::span<const std::byte> readBytes(size_t size);
   template <class T>
   requires std::is_trivially_copyable_v<T> T get() {
     T value;
-    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+    std::memcpy(&value, readBytes(sizeof value).data(), sizeof value);
     return value;
   }
   /// Number of elements that follow, each of which takes at least `least` bytes: longer lists than what

@@ -43,7 +43,7 @@ void put(ByteWriter& out, const T& value) {
 }
 
 void get(ByteReader& in, const Row&, std::string& text) {
-  const auto bytes = in.take(in.count(1));
+  const auto bytes = in.readBytes(in.count(1));
   text.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 void get(ByteReader& in, const Row& row, std::vector<std::string>& list) {

@@ -24,7 +24,7 @@ class Encoding : public WriteArchive<Encoding> {
   void value(const std::shared_ptr<const scene::TextureImage>& image);
   void value(const Settings& settings) { writeSettings(out_, settings); }
 
-  EncodedSnapshot take() { return {out_.take(), std::move(arrays_)}; }
+  EncodedSnapshot take() { return {out_.takeBytes(), std::move(arrays_)}; }
 
  private:
   void write(const scene::Mesh& mesh);

@@ -75,7 +75,7 @@ class WorkerJob {
   void start(ThreadRanks& rank) {
     control::ListeningPlace& place = places_.emplace_back(workerPlace(name_, rank.rank()), "worker");
     bool taken = false;
-    EXPECT_EQ(place.take(directory_, taken), "");
+    EXPECT_EQ(place.lockPlace(directory_, taken), "");
     std::string why;
     auto listening = std::make_shared<control::Descriptor>(place.listenHere(why));
     EXPECT_EQ(why, "");

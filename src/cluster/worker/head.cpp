@@ -58,7 +58,7 @@ void Head::askNow(ConnectedProgram& program, double now) {
 }
 
 void Head::gather(ConnectedProgram& program, double now) {
-  program.share = peers_.gatherer(program.peer).look(program.given(), now);
+  program.share = peers_.gatherer(program.peer).findShare(program.given(), now);
   if (program.share == Share::shown) return giveShown(program);
   if (!program.isGathering()) start(program, true, now);
 }
@@ -115,7 +115,7 @@ void Head::giveTiles(Picture& picture, int rank) {
   if (!tiles.empty()) ranks_.send(rank, forRanks(MoreTiles{picture.id(), tiles}));
 }
 
-void Head::take(int rank, const TracedTile& tile, double now) {
+void Head::receive(int rank, const TracedTile& tile, double now) {
   states_.heard(rank, now);
   ConnectedProgram* const program = programOf(tile.id);
   if (!program) return;
@@ -123,7 +123,7 @@ void Head::take(int rank, const TracedTile& tile, double now) {
   const bool wasTraced = picture.isTraced();
   try {
     bool grew = false;
-    picture.take(rank, tile, program->memory, grew, now);
+    picture.addTile(rank, tile, program->memory, grew, now);
     if (grew) program->send(PictureMemory{program->memory.bytes}, program->memory.memory.get());
   } catch (const Malformed&) {
     picture.drop(rank);
@@ -143,7 +143,7 @@ void Head::take(int rank, const TracedTile& tile, double now) {
   finish(*program, now);
 }
 
-void Head::take(int rank, const Finished& result, double now) {
+void Head::receive(int rank, const Finished& result, double now) {
   states_.heard(rank, now);
   ConnectedProgram* const program = programOf(result.id);
   if (!program) return;
@@ -152,7 +152,7 @@ void Head::take(int rank, const Finished& result, double now) {
   finish(*program, now);
 }
 
-void Head::take(int rank, const Alive& alive, double now) {
+void Head::receive(int rank, const Alive& alive, double now) {
   states_.isThere(rank, now);
   states_.setThreads(rank, std::clamp(alive.threads, 1, 1 << 16));
 }

@@ -33,12 +33,12 @@ class Head {
   std::vector<int> descriptors();
   /// Reads what programs have sent.
   void readPrograms(double now);
-  void take(const ArrayChecked& checked);
-  void take(const PagesMade& made, double now);
-  void take(int rank, const TracedTile& tile, double now);
-  void take(int rank, const FilmTile& tile, double now);
-  void take(int rank, const Finished& result, double now);
-  void take(int rank, const Alive& alive, double now);
+  void receive(const ArrayChecked& checked);
+  void receive(const PagesMade& made, double now);
+  void receive(int rank, const TracedTile& tile, double now);
+  void receive(int rank, const FilmTile& tile, double now);
+  void receive(int rank, const Finished& result, double now);
+  void receive(int rank, const Alive& alive, double now);
   void takeCaughtUp(int rank, double now) { states_.heard(rank, now); }
   /// Notices ranks that say nothing, says to programs that work goes on. Call ten times a second or more.
   void tick(double now);

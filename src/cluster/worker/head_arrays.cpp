@@ -20,7 +20,7 @@ void Head::takeArray(ConnectedProgram& program, const ArrayComes& array, const c
   program.newArrays.push_back(array.name);
 }
 
-void Head::take(const ArrayChecked& checked) {
+void Head::receive(const ArrayChecked& checked) {
   const auto found = holders_.find(checked.name);
   if (found == holders_.end() || found->second.check != checked.number) return;  // forgotten since
   if (checked.isRight) {

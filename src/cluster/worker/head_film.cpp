@@ -18,13 +18,13 @@ FilmOrder Head::filmOrderOf(ConnectedProgram& program) {
   return {true, animation.frames, rays.perPixel, rays.quarter};
 }
 
-void Head::take(int rank, const FilmTile& tile, double now) {
+void Head::receive(int rank, const FilmTile& tile, double now) {
   states_.heard(rank, now);
   ConnectedProgram* const program = programOf(tile.id);
   if (!program) return;
   Picture& picture = *program->picture;
   try {
-    picture.take(rank, tile, now);
+    picture.addTile(rank, tile, now);
   } catch (const Malformed&) {
     picture.drop(rank);
     return goOn(*program, now);

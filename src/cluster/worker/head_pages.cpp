@@ -46,7 +46,7 @@ void Head::makePages(ConnectedProgram& program, double now) {
   pages_.make(std::move(job));
 }
 
-void Head::take(const PagesMade& made, double now) {
+void Head::receive(const PagesMade& made, double now) {
   const auto found =
       std::ranges::find(programs_, made.number, [](const ConnectedProgram& p) { return p.paging.job; });
   if (found == programs_.end() || made.number == 0) return;

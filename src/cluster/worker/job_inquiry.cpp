@@ -31,11 +31,11 @@ void JobInquiry::forget(const ConnectedProgram& program) {
   std::erase_if(questions_, [&](const Question& question) { return question.program == &program; });
 }
 
-void JobInquiry::take(int head, const FactsWanted& wanted) {
+void JobInquiry::receive(int head, const FactsWanted& wanted) {
   ranks_.send(head, forRanks(FactsGiven{wanted.id, version(), encoded(factsOf(ranks_, threads_))}));
 }
 
-void JobInquiry::take(int rank, const FactsGiven& given) {
+void JobInquiry::receive(int rank, const FactsGiven& given) {
   const auto question = std::ranges::find(questions_, given.id, &Question::id);
   if (question == questions_.end()) return;  // too late
   RankFacts facts;

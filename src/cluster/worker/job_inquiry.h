@@ -20,9 +20,9 @@ class JobInquiry {
   /// The program is gone.
   void forget(const ConnectedProgram& program);
   /// As the rank that is asked.
-  void take(int head, const FactsWanted& wanted);
+  void receive(int head, const FactsWanted& wanted);
   /// As the head. Throws Malformed.
-  void take(int rank, const FactsGiven& given);
+  void receive(int rank, const FactsGiven& given);
   /// Ends questions that are overdue. Call ten times a second or more.
   void tick(double now);
 

@@ -103,9 +103,9 @@ TEST_F(JobInquiryTest, RanksOfOtherVersionsAreTold) {
   ConnectedProgram program{Line(Descriptor(ends[0]))};
   Line asker{Descriptor(ends[1])};
   inquiry.ask(program, 0);
-  inquiry.take(1, FactsGiven{1, "9.9 (1)", {std::byte{1}}});
+  inquiry.receive(1, FactsGiven{1, "9.9 (1)", {std::byte{1}}});
   EXPECT_FALSE(asker.receive());
-  inquiry.take(1, FactsGiven{7, "9.9 (1)", {}});  // of no question
+  inquiry.receive(1, FactsGiven{7, "9.9 (1)", {}});  // of no question
   inquiry.tick(2.1);
   const auto message = asker.receive();
   ASSERT_TRUE(message);

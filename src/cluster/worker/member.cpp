@@ -21,7 +21,7 @@ Member::~Member() {
   store_.wake(), pages_.wake();
 }
 
-void Member::take(int head, TraceOrder order, double now) {
+void Member::receive(int head, TraceOrder order, double now) {
   const Key key{head, order.id};
   auto queue = std::make_shared<TileQueue>(head, order.id, outbox_);
   queues_[key] = queue;
@@ -30,17 +30,17 @@ void Member::take(int head, TraceOrder order, double now) {
   saidAlive_ = now;
 }
 
-void Member::take(int head, const MoreTiles& tiles) {
+void Member::receive(int head, const MoreTiles& tiles) {
   if (const auto found = queues_.find({head, tiles.id}); found != queues_.end())
     found->second->add(tiles.tiles);
 }
 
-void Member::take(int head, FilmComes film) {
+void Member::receive(int head, FilmComes film) {
   if (const auto found = queues_.find({head, film.id}); found != queues_.end())
     found->second->filmComes(std::move(film));
 }
 
-void Member::take(int head, const EndOfPicture& end) {
+void Member::receive(int head, const EndOfPicture& end) {
   const auto found = queues_.find({head, end.id});
   if (found == queues_.end()) return;
   found->second->close();
@@ -48,14 +48,14 @@ void Member::take(int head, const EndOfPicture& end) {
   store_.wake(), pages_.wake();
 }
 
-void Member::take(int head, const Forget& forget) { store_.forget(head, forget.names); }
+void Member::receive(int head, const Forget& forget) { store_.forget(head, forget.names); }
 
-void Member::take(int root, const TurnWanted& wanted) {
+void Member::receive(int root, const TurnWanted& wanted) {
   for (int rank = 0; rank < ranks_.size(); ++rank)
     ranks_.send(rank, forRanks(Turn{root, wanted.name, wanted.bytes}));
 }
 
-void Member::take(const Turn& turn) {
+void Member::receive(const Turn& turn) {
   if (turn.bytes > kMaxBytes || turn.root < 0 || turn.root >= ranks_.size()) throw Malformed("no such array");
   if (turn.root == ranks_.rank()) {
     const Array array = store_.find(turn.name);

@@ -23,14 +23,14 @@ class Member {
   Member(const Member&) = delete;
   Member& operator=(const Member&) = delete;
 
-  void take(int head, TraceOrder order, double now);
-  void take(int head, const MoreTiles& tiles);
-  void take(int head, FilmComes film);
-  void take(int head, const EndOfPicture& end);
-  void take(int head, const Forget& forget);
+  void receive(int head, TraceOrder order, double now);
+  void receive(int head, const MoreTiles& tiles);
+  void receive(int head, FilmComes film);
+  void receive(int head, const EndOfPicture& end);
+  void receive(int head, const Forget& forget);
   /// As the rank that orders broadcasts.
-  void take(int root, const TurnWanted& wanted);
-  void take(const Turn& turn);
+  void receive(int root, const TurnWanted& wanted);
+  void receive(const Turn& turn);
   /// Says to heads that their pictures are at work. Call ten times a second or more.
   void tick(double now);
   bool isBusy() const { return !queues_.empty(); }

@@ -100,10 +100,10 @@ void PeerPrograms::leaves(int from, const PeerAddress& address, double now) {
       local.exchange->leaves(address.from), local.gatherer->leaves(address.from, now);
 }
 
-bool PeerPrograms::take(int from, uint16_t type, std::span<const std::byte> body, double now) {
+bool PeerPrograms::receive(int from, uint16_t type, std::span<const std::byte> body, double now) {
   const auto to = [&]<class M>(auto Local::*receiver, M message) {
     message = decoded<M>(body);
-    if (Local* const local = find(message.address)) (local->*receiver)->take(std::move(message), now);
+    if (Local* const local = find(message.address)) (local->*receiver)->receive(std::move(message), now);
     return true;
   };
   switch (type) {

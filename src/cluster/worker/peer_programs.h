@@ -38,7 +38,7 @@ class PeerPrograms {
   /// Who brings together the parts of a view, for that rank.
   PartGatherer& gatherer(uint64_t number) { return *locals_.at(number).gatherer; }
   /// A message of rank `from` of the job. False: it is none for this. Throws Malformed.
-  bool take(int from, uint16_t type, std::span<const std::byte> body, double now);
+  bool receive(int from, uint16_t type, std::span<const std::byte> body, double now);
   void tick(double now);
   bool isBusy() const;
 

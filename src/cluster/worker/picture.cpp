@@ -51,7 +51,7 @@ Picture::Picture(const TraceRequest& request, uint64_t id, bool averages, const 
   if (kind == Kind::moving) film_.emplace(width_, height_);
 }
 
-void Picture::take(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now) {
+void Picture::addTile(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now) {
   grew = false;
   if (!shape_) {
     if (tile.shape.width != width_ || tile.shape.height != height_)
@@ -72,11 +72,11 @@ void Picture::take(int rank, const TracedTile& tile, WrittenMemory& memory, bool
   seenThrough_ = seenThrough_ || tile.seenThrough;
 }
 
-void Picture::take(int rank, const FilmTile& tile, double now) {
+void Picture::addTile(int rank, const FilmTile& tile, double now) {
   if (!film_) throw Malformed("the picture has no film");
   lastResult_[static_cast<size_t>(rank)] = now;
   shares_.resume(rank);
-  if (!film_->take(rank, tile)) return;
+  if (!film_->addTile(rank, tile)) return;
   shares_.finish(tile.tile);
   costs_[static_cast<size_t>(tile.tile)] = std::max(tile.seconds, 1e-6f);
 }

@@ -39,9 +39,9 @@ class Picture {
   size_t pending(int rank) const { return shares_.pending(rank); }
   /// Puts the tile into `memory`, which it makes large enough (`grew`). Throws Malformed where the tile does
   /// not fit the picture; std::system_error.
-  void take(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now);
+  void addTile(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now);
   /// The same of a moving picture's film.
-  void take(int rank, const FilmTile& tile, double now);
+  void addTile(int rank, const FilmTile& tile, double now);
   void finished(int rank, const Finished& result);
   void drop(int rank);
   /// Hits of a moving picture are lost: it must be traced anew.

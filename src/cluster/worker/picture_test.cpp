@@ -22,7 +22,7 @@ class PictureOfASlowRank : public testing::Test {
         traced.shape = shapeOf(image), traced.tile = tile;
         traced.pixels = packTile(image, render::Tiles(kSize, kSize, render::kTileSize).at(tile));
         bool grew = false;
-        picture.take(0, traced, memory_, grew, now);
+        picture.addTile(0, traced, memory_, grew, now);
       }
   }
   Picture started(Picture::Kind kind) {

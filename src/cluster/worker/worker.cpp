@@ -48,16 +48,16 @@ void Worker::run(const std::atomic<bool>& stop) {
 }
 
 void Worker::goOn() {
-  if (look() || head_.isBusy() || member_.isBusy() || peers_.isBusy()) lastBusy_ = nowSeconds();
+  if (handleArrivals() || head_.isBusy() || member_.isBusy() || peers_.isBusy()) lastBusy_ = nowSeconds();
   wait();
 }
 
-bool Worker::look() {
+bool Worker::handleArrivals() {
   const double now = nowSeconds();
   bool found = false;
   accept();
   head_.readPrograms(now);
-  for (Outbox::Letter& letter : outbox_.take())
+  for (Outbox::Letter& letter : outbox_.takeLetters())
     ranks_.send(letter.to, std::move(letter.message)), found = true;
   ranks_.progress();
   for (int i = 0; i < kMaxAtOnce; ++i) {
@@ -78,34 +78,35 @@ void Worker::handle(const RankMessage& message, double now) {
   try {
     ByteReader in(message.bytes);
     const auto type = in.get<uint16_t>();
-    if (type == RankHello::kType) return roll_.takeHello(from, in.take(in.left()));
-    const auto as = [&]<class M>(M) { return decoded<M>(in.take(in.left())); };
+    if (type == RankHello::kType) return roll_.takeHello(from, in.readBytes(in.left()));
+    const auto as = [&]<class M>(M) { return decoded<M>(in.readBytes(in.left())); };
     switch (type) {
       case AllAreAlike::kType: as(AllAreAlike{}); return roll_.takeEnd();
       case ArrayChecked::kType:
         if (from != ranks_.rank()) throw Malformed("it is for the sender alone");
-        return head_.take(as(ArrayChecked{}));
+        return head_.receive(as(ArrayChecked{}));
       case PagesMade::kType:
         if (from != ranks_.rank()) throw Malformed("it is for the sender alone");
-        return head_.take(as(PagesMade{}), now);
+        return head_.receive(as(PagesMade{}), now);
       case PageWanted::kType: return pageMaker_.give(from, as(PageWanted{}));
-      case PageGiven::kType: return pages_.take(as(PageGiven{}));
-      case TurnWanted::kType: return member_.take(from, as(TurnWanted{}));
-      case Turn::kType: return member_.take(as(Turn{}));
-      case Forget::kType: return member_.take(from, as(Forget{}));
-      case TraceOrder::kType: return member_.take(from, as(TraceOrder{}), now);
-      case MoreTiles::kType: return member_.take(from, as(MoreTiles{}));
-      case FilmComes::kType: return member_.take(from, as(FilmComes{}));
-      case FilmTile::kType: return head_.take(from, as(FilmTile{}), now);
-      case EndOfPicture::kType: return member_.take(from, as(EndOfPicture{}));
-      case TracedTile::kType: return head_.take(from, as(TracedTile{}), now);
+      case PageGiven::kType: return pages_.receivePage(as(PageGiven{}));
+      case TurnWanted::kType: return member_.receive(from, as(TurnWanted{}));
+      case Turn::kType: return member_.receive(as(Turn{}));
+      case Forget::kType: return member_.receive(from, as(Forget{}));
+      case TraceOrder::kType: return member_.receive(from, as(TraceOrder{}), now);
+      case MoreTiles::kType: return member_.receive(from, as(MoreTiles{}));
+      case FilmComes::kType: return member_.receive(from, as(FilmComes{}));
+      case FilmTile::kType: return head_.receive(from, as(FilmTile{}), now);
+      case EndOfPicture::kType: return member_.receive(from, as(EndOfPicture{}));
+      case TracedTile::kType: return head_.receive(from, as(TracedTile{}), now);
       case CaughtUp::kType: as(CaughtUp{}); return head_.takeCaughtUp(from, now);
-      case Finished::kType: return head_.take(from, as(Finished{}), now);
-      case Alive::kType: return head_.take(from, as(Alive{}), now);
-      case FactsWanted::kType: return inquiry_.take(from, as(FactsWanted{}));
-      case FactsGiven::kType: return inquiry_.take(from, as(FactsGiven{}));
+      case Finished::kType: return head_.receive(from, as(Finished{}), now);
+      case Alive::kType: return head_.receive(from, as(Alive{}), now);
+      case FactsWanted::kType: return inquiry_.receive(from, as(FactsWanted{}));
+      case FactsGiven::kType: return inquiry_.receive(from, as(FactsGiven{}));
       default:
-        if (!peers_.take(from, type, in.take(in.left()), now)) throw Malformed("its kind is not known");
+        if (!peers_.receive(from, type, in.readBytes(in.left()), now))
+          throw Malformed("its kind is not known");
     }
   } catch (const Malformed& error) { say_("rank " + std::to_string(from) + ": " + error.what()); }
 }

@@ -29,7 +29,7 @@ class Worker {
 
  private:
   /// Handles what has come. False: nothing has.
-  bool look();
+  bool handleArrivals();
   void goOn();
   void handle(const RankMessage& message, double now);
   void accept();

@@ -67,7 +67,7 @@ void Client::start(std::shared_ptr<Connection> connection) {
     return *self && (*self)->connection_.get() == which ? *self : nullptr;
   };
   connection_->start({[mine](json&& message) {
-                        if (Client* client = mine()) client->take(std::move(message));
+                        if (Client* client = mine()) client->receiveMessage(std::move(message));
                       },
                       [mine](const std::string& why) {
                         if (Client* client = mine())
@@ -97,7 +97,7 @@ void Client::takeHello(const json& message) {
   greeted_ = true;
 }
 
-void Client::take(json&& message) {
+void Client::receiveMessage(json&& message) {
   if (!greeted_) return takeHello(message);
   const std::string type = textIn(message, "type");
   if (type == "event") {
@@ -134,7 +134,7 @@ Client::Answer Client::ask(json request, double seconds) {
   return {{}, "the hub does not answer; end it, and start gluray hub", true};
 }
 
-json Client::next(double seconds) {
+json Client::awaitEvent(double seconds) {
   interrupted_ = false;
   wait(seconds, [&] { return !events_.empty() || !connection_ || interrupted_; });
   if (events_.empty()) return {};

@@ -16,7 +16,7 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMaxEvents = 1000;  // that wait for next(); older ones are lost
+inline constexpr size_t kMaxEvents = 1000;  // that wait for awaitEvent(); older ones are lost
 
 class Client {
  public:
@@ -44,18 +44,18 @@ class Client {
   bool hubListensOnTcp() const { return hubListensOnTcp_; }
   /// Ends the connection.
   void leave() { close("the client has left"); }
-  /// The answer to a request, which gets an id. Events that arrive meanwhile wait for next().
+  /// The answer to a request, which gets an id. Events that arrive meanwhile wait for awaitEvent().
   Answer ask(nlohmann::json request, double seconds);
   /// The next event; null: none came in that time, or the connection has ended, or interrupt() was called.
-  nlohmann::json next(double seconds);
-  /// Makes next() return; for handlers that the io_context runs.
+  nlohmann::json awaitEvent(double seconds);
+  /// Makes awaitEvent() return; for handlers that the io_context runs.
   void interrupt() { interrupted_ = true; }
   /// Empty while it is connected, otherwise one line that says why it is not.
   const std::string& whyClosed() const { return whyClosed_; }
 
  private:
   static constexpr double kOld = 1e9;  // seconds
-  void take(nlohmann::json&& message);
+  void receiveMessage(nlohmann::json&& message);
   void takeHello(const nlohmann::json& message);
   void start(std::shared_ptr<Connection> connection);
   void close(const std::string& why);

@@ -107,8 +107,8 @@ TEST_F(ClientTest, EventsWaitUntilTheyAreTaken) {
     peer->send(json{{"type", "answer"}, {"id", request["id"]}, {"results", json::array()}});
   };
   ASSERT_EQ(client.ask({{"type", "observe"}}, kLong).why, "");
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(client.next(kLong)["program"], i);
-  EXPECT_TRUE(client.next(kShort).is_null());
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(client.awaitEvent(kLong)["program"], i);
+  EXPECT_TRUE(client.awaitEvent(kShort).is_null());
   EXPECT_EQ(client.whyClosed(), "");
 }
 
@@ -117,7 +117,7 @@ TEST_F(ClientTest, InterruptedWaitsEnd) {
   ASSERT_EQ(connect(), "");
   asio::steady_timer timer(io, std::chrono::milliseconds(10));
   timer.async_wait([&](const asio::error_code&) { client.interrupt(); });
-  EXPECT_TRUE(client.next(1e6).is_null());
+  EXPECT_TRUE(client.awaitEvent(1e6).is_null());
 }
 
 TEST_F(ClientTest, AHubThatDoesNotAnswerCostsTheTimeAlone) {
@@ -138,7 +138,7 @@ TEST_F(ClientTest, AHubThatEndsEndsTheRequest) {
   answer = [&](const json&) { peer->close("enough"); };
   const std::string why = "the connection to the hub ended: the other side closed it";
   EXPECT_EQ(client.ask({{"type", "list"}}, kLong).why, why);
-  EXPECT_TRUE(client.next(kLong).is_null());
+  EXPECT_TRUE(client.awaitEvent(kLong).is_null());
   EXPECT_EQ(client.whyClosed(), why);
 }
 

@@ -54,11 +54,11 @@ void Connection::read() {
                           [self = shared_from_this()](const error_code& error, size_t bytes) {
                             if (!self->open_) return;
                             if (error) return self->close(reasonOf(error));
-                            self->guarded([&] { self->take(bytes); });
+                            self->guarded([&] { self->consumeBytes(bytes); });
                           });
 }
 
-void Connection::take(size_t bytes) {
+void Connection::consumeBytes(size_t bytes) {
   if (!reader_.add({buffer_.data(), bytes})) {
     send(json{{"type", "error"}, {"why", "the message is longer than 1 MiB"}});
     return finish("a message is longer than 1 MiB");
@@ -76,7 +76,7 @@ void Connection::takeLines() {
         if (!error) self->guarded([&] { self->takeLines(); });
       });
     }
-    const auto line = reader_.next();
+    const auto line = reader_.nextLine();
     if (!line) return read();
     ++taken_;
     Parsed parsed = parse(*line);

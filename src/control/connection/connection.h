@@ -56,7 +56,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   template <class Work>
   void guarded(Work work);
   void read();
-  void take(size_t bytes);
+  void consumeBytes(size_t bytes);
   void takeLines();
   void write();
   void wrote(size_t lines);

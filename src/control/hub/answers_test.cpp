@@ -40,7 +40,7 @@ TEST_F(HubCoreRequests, AProgramThatIsSilentDelaysNoOther) {
   give(other, {{"type", "get"}, {"id", 1}, {"program", 1}});
   answer(quick, quick.one("get"), {{"values", json::object()}});
   answered(other);
-  EXPECT_EQ(hub_.next(), now_ + std::chrono::seconds(3));
+  EXPECT_EQ(hub_.nextDue(), now_ + std::chrono::seconds(3));
   wait(milliseconds(3000));
   EXPECT_EQ(answered(peer, 1)["results"],
             json::array({{{"program", 1}, {"frame", 12}, {"values", {{"ao", true}}}},
@@ -85,9 +85,9 @@ TEST_F(HubCoreRequests, IdsAreTheSameWhereTheyAreWrittenAlike) {
   EXPECT_TRUE(peer.got.empty()) << json(peer.got);
   give(peer, {{"type", "get"}, {"id", most}, {"program", 1}});
   EXPECT_NE(peer.one("error").value("why", ""), "");
-  for (const json& asked : one.take("get")) answer(one, asked, {{"values", json::object()}});
+  for (const json& asked : one.takeMessages("get")) answer(one, asked, {{"values", json::object()}});
   std::vector<std::string> answered;
-  for (const json& message : peer.take("answer")) answered.push_back(message["id"].dump());
+  for (const json& message : peer.takeMessages("answer")) answered.push_back(message["id"].dump());
   EXPECT_EQ(answered, (std::vector<std::string>{"-1", "18446744073709551615", "1.8446744073709552e+19", "1",
                                                 "1.0", "\"1\""}));
 }
@@ -101,10 +101,10 @@ TEST_F(HubCoreRequests, APeerThatGoesEndsItsRequests) {
   give(peer, {{"type", "set"}, {"id", 2}, {"program", 1}, {"values", json::object()}});
   give(peer, {{"type", "undo"}, {"id", 3}, {"program", 1}});
   end(leaver);
-  answer(one, one.take("get")[0], json::object());
+  answer(one, one.takeMessages("get")[0], json::object());
   EXPECT_TRUE(leaver.got.empty());
   end(one);
-  const std::vector<json> answers = peer.take("answer");
+  const std::vector<json> answers = peer.takeMessages("answer");
   ASSERT_EQ(answers.size(), 3u);
   for (const json& each : answers) EXPECT_EQ(each["results"][0]["why"], "it has ended") << each;
   give(one, {{"type", "answer"}, {"id", 1}});  // after its end
@@ -122,7 +122,7 @@ TEST_F(HubCoreRequests, ABatchIsCarriedOutInOrder) {
                 {{"type", "batch"}, {"requests", json::array()}},
                 7,
                 {{"type", "list"}}}}});
-  EXPECT_TRUE(one.take("get").empty()) << "the set comes first";
+  EXPECT_TRUE(one.takeMessages("get").empty()) << "the set comes first";
   answer(one, one.one("set"), {{"frame", 3}, {"values", json::object()}});
   wait(milliseconds(9000));
   answer(one, one.one("get"), {{"values", json::object()}});

@@ -126,7 +126,7 @@ void ChangeQueue::passed() {
   for (const Part& part : late) part.done(failure(kNoTurn));
 }
 
-HubTime ChangeQueue::next() const {
+HubTime ChangeQueue::nextDue() const {
   HubTime next = HubTime::max();
   for (const auto& [program, line] : lines_)
     if (!line.waiting.empty()) next = std::min(next, line.waiting.front().parts.back().limit);

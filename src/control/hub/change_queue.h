@@ -31,7 +31,7 @@ class ChangeQueue {
   void add(uint64_t program, ChangeRequest request, Questions::Done done);
   /// Ends those whose turn has not come in time.
   void passed();
-  HubTime next() const;
+  HubTime nextDue() const;
   /// The program has gone: those that wait fail.
   void ended(uint64_t program);
 

@@ -31,10 +31,10 @@ TEST_F(HubCoreChanges, OneIsInFlightAtATime) {
   EXPECT_EQ(undo, (json{{"type", "undo"}, {"id", undo["id"]}}));
   answer(one, undo, {{"frame", 4}, {"values", json::object()}});
   answer(one, one.one("redo"), {{"why", "nothing to make again"}});
-  const std::vector<json> answers = peer.take("answer");
+  const std::vector<json> answers = peer.takeMessages("answer");
   ASSERT_EQ(answers.size(), 2u);
   EXPECT_EQ(answers[1]["results"][0]["frame"], 2);
-  EXPECT_EQ(other.take("answer").size(), 3u);
+  EXPECT_EQ(other.takeMessages("answer").size(), 3u);
 }
 
 TEST_F(HubCoreChanges, SetsOfOneGestureAreMerged) {
@@ -48,7 +48,7 @@ TEST_F(HubCoreChanges, SetsOfOneGestureAreMerged) {
   EXPECT_EQ(second["values"], (json{{"a", 50}, {"b0", 50}, {"b1", 49}}));
   EXPECT_EQ(second["gesture"], first["gesture"]);
   answer(one, second, {{"frame", 2}});
-  const std::vector<json> answers = peer.take("answer");
+  const std::vector<json> answers = peer.takeMessages("answer");
   ASSERT_EQ(answers.size(), 50u);
   for (size_t i = 1; i < answers.size(); ++i) EXPECT_EQ(answers[i]["results"][0]["frame"], 2);
   EXPECT_TRUE(one.got.empty());
@@ -93,7 +93,7 @@ TEST_F(HubCoreChanges, AWrongSetDoesNotTakeOthersWithIt) {
     EXPECT_EQ(asked["values"]["a"], value);
     answer(one, asked, value == 4 ? json{{"why", "a=4: no"}} : json{{"frame", value}});
   }
-  const std::vector<json> answers = peer.take("answer");
+  const std::vector<json> answers = peer.takeMessages("answer");
   ASSERT_EQ(answers.size(), 5u);
   for (const json& each : answers) EXPECT_EQ(each["results"][0].contains("why"), each["id"] == 4) << each;
 }
@@ -106,7 +106,7 @@ TEST_F(HubCoreChanges, ThoseThatWaitTooLongFail) {
   wait(milliseconds(2999));
   EXPECT_TRUE(peer.got.empty());
   wait(milliseconds(1));
-  const std::vector<json> answers = peer.take("answer");
+  const std::vector<json> answers = peer.takeMessages("answer");
   ASSERT_EQ(answers.size(), 2u) << "the one in flight, and the one whose turn has not come";
   for (const json& each : answers) EXPECT_TRUE(each["results"][0].contains("why")) << each;
   const json asked = one.one("set");
@@ -127,11 +127,11 @@ TEST_F(HubCoreChanges, TheLastValueOfAGestureIsNotLost) {
   set(peer, 3, {{"a", 3}}, "x");
   wait(milliseconds(2000));
   EXPECT_TRUE(result(peer, 1).contains("why"));
-  const std::vector<json> asked = one.take("set");
+  const std::vector<json> asked = one.takeMessages("set");
   ASSERT_EQ(asked.size(), 2u);
   EXPECT_EQ(asked[1]["values"], (json{{"a", 3}, {"b", 2}}));
   answer(one, asked[1], {{"frame", 2}});
-  const std::vector<json> answers = peer.take("answer");
+  const std::vector<json> answers = peer.takeMessages("answer");
   ASSERT_EQ(answers.size(), 2u);
   for (const json& each : answers) EXPECT_EQ(each["results"][0]["frame"], 2) << each;
 }
@@ -160,7 +160,7 @@ TEST_F(HubCoreChanges, AProgramThatStopsAnswersAllInTime) {
   for (int i = 0; i < 100; ++i) set(peer, i, {{"a", i}}, "x");
   wait(milliseconds(3000));
   wait(milliseconds(3000));
-  EXPECT_EQ(peer.take("answer").size(), 100u);
+  EXPECT_EQ(peer.takeMessages("answer").size(), 100u);
 }
 
 TEST_F(HubCoreChanges, AClientThatGoesLeavesItsChanges) {

@@ -152,8 +152,8 @@ void HubCore::due() {
   observers_.passed();
 }
 
-HubTime HubCore::next() {
-  HubTime next = std::min({questions_.next(), changes_.next(), observers_.next()});
+HubTime HubCore::nextDue() {
+  HubTime next = std::min({questions_.nextDue(), changes_.nextDue(), observers_.nextDue()});
   for (const auto& [connection, peer] : peers_.all())
     if (peer.role == Role::unknown && !peer.finished) next = std::min(next, peer.helloLimit);
   return next;

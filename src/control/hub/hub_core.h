@@ -38,7 +38,7 @@ class HubCore {
   /// Does what is due.
   void passed(HubTime now);
   /// When passed() must be called.
-  HubTime next();
+  HubTime nextDue();
 
   size_t programs() const { return programs_.connections(); }
   /// Connected clients, and connections that may become one.

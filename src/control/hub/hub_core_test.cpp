@@ -47,12 +47,12 @@ TEST_F(HubCoreRequests, AFirstMessageThatIsNoRightHelloEndsTheConnection) {
 
 TEST_F(HubCoreRequests, HelloMustComeInTime) {
   FakePeer& peer = connect();
-  EXPECT_EQ(hub_.next(), now_ + std::chrono::seconds(5));
+  EXPECT_EQ(hub_.nextDue(), now_ + std::chrono::seconds(5));
   wait(milliseconds(4999));
   EXPECT_EQ(peer.finished, "");
   wait(milliseconds(1));
   EXPECT_NE(peer.finished, "");
-  EXPECT_EQ(hub_.next(), HubTime::max());
+  EXPECT_EQ(hub_.nextDue(), HubTime::max());
 }
 
 TEST_F(HubCoreRequests, HelloComesOnce) {
@@ -182,7 +182,7 @@ TEST_F(HubCoreRequests, SoManyRequestsMayWait) {
   give(peer, {{"type", "list"}, {"id", "more"}});
   EXPECT_NE(answered(peer, "more").value("why", ""), "");
   wait(milliseconds(10000));
-  EXPECT_EQ(peer.take("answer").size(), kMaxRequests);
+  EXPECT_EQ(peer.takeMessages("answer").size(), kMaxRequests);
 }
 
 TEST_F(HubCoreRequests, ProgramsMayNotAsk) {

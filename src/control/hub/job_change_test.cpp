@@ -76,7 +76,7 @@ TEST_F(HubCoreJobs, ChangesAreHeldAppliedAndDrawn) {
       const json apply = ranks[i]->one("apply");
       EXPECT_EQ(apply["of"], holds[i]["id"]);
       EXPECT_EQ(apply["frame"], 12 + i) << "in the rank's own count";
-      EXPECT_TRUE(ranks[0]->take("draw").empty()) << "not before all ranks have it";
+      EXPECT_TRUE(ranks[0]->takeMessages("draw").empty()) << "not before all ranks have it";
       answer(*ranks[i], apply, {{"frame", 12 + i}});
     }
     for (size_t i = 0; i < 3; ++i) {
@@ -148,7 +148,7 @@ TEST_F(HubCoreJobs, ManyChangesWaitWithoutRecursion) {
   for (FakePeer* each : clients)
     for (int id = 0; id < 256; ++id) give(*each, {{"type", "undo"}, {"id", id}, {"program", 1}});
   end(*ranks[2]);
-  for (FakePeer* each : clients) EXPECT_EQ(each->take("answer").size(), 256u);
+  for (FakePeer* each : clients) EXPECT_EQ(each->takeMessages("answer").size(), 256u);
 }
 
 TEST_F(HubCoreJobs, RankZeroSpeaksForTheJob) {

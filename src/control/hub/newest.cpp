@@ -45,7 +45,7 @@ void Newest::forget(uint64_t program) {
 
 void Newest::forget(const Key& key) { slots_.erase(key); }
 
-HubTime Newest::next() const {
+HubTime Newest::nextDue() const {
   HubTime next = HubTime::max();
   for (const auto& [key, slot] : slots_)
     if (slot.kept) next = std::min(next, slot.due);

@@ -22,7 +22,7 @@ class Newest {
   void forget(uint64_t program);
   void forget(const Key& key);
   /// When the next one that is kept may be sent.
-  HubTime next() const;
+  HubTime nextDue() const;
 
  private:
   struct Slot {

@@ -188,11 +188,11 @@ void Observers::passed() {
   for (auto& [connection, client] : clients_) drained(connection);
 }
 
-HubTime Observers::next() const {
+HubTime Observers::nextDue() const {
   HubTime next = HubTime::max();
   for (const auto& [connection, client] : clients_) {
     if (peers_.waiting(connection) > kBehind) continue;
-    next = std::min(next, client.newest.next());
+    next = std::min(next, client.newest.nextDue());
     if (client.listDue) next = std::min(next, client.listAt);
   }
   return next;

@@ -49,7 +49,7 @@ class Observers {
   /// Sends what a client may have now.
   void drained(uint64_t client);
   void passed();
-  HubTime next() const;
+  HubTime nextDue() const;
 
  private:
   struct Client {

@@ -7,7 +7,7 @@ namespace {
 struct HubCoreObservers : HubCoreTest {
   void observe(FakePeer& from, const json& program, const json& what, double every = 0.05) {
     give(from, {{"type", "observe"}, {"id", "o"}, {"program", program}, {"what", what}, {"every", every}});
-    for (const json& answer : from.take("answer"))
+    for (const json& answer : from.takeMessages("answer"))
       EXPECT_EQ(answer, (json{{"type", "answer"}, {"id", "o"}, {"results", json::array()}}));
   }
   void state(const FakePeer& program, int frame) {
@@ -15,7 +15,7 @@ struct HubCoreObservers : HubCoreTest {
   }
   static std::vector<int> frames(FakePeer& peer) {
     std::vector<int> frames;
-    for (const json& event : peer.take("event")) frames.push_back(event["state"]["frame"].get<int>());
+    for (const json& event : peer.takeMessages("event")) frames.push_back(event["state"]["frame"].get<int>());
     return frames;
   }
 };
@@ -53,7 +53,7 @@ TEST_F(HubCoreObservers, ThumbnailsHaveTheLargestSizeThatIsWanted) {
   end(other);
   EXPECT_EQ(one.one("observe")["size"], 256);
   for (const json& size : {json(15), json(513), json("64"), json(20.5)}) {
-    peer.take("answer");
+    peer.takeMessages("answer");
     give(peer, {{"type", "observe"}, {"id", 1}, {"program", 1}, {"what", {"thumbnail"}}, {"size", size}});
     EXPECT_NE(peer.one("answer").value("why", ""), "") << size;
   }
@@ -72,7 +72,7 @@ TEST_F(HubCoreObservers, ClientsThatComeLaterGetTheNewestThumbnail) {
   EXPECT_EQ(other.one("event")["width"], 4);
   observe(peer, 1, json::array()), observe(other, 1, json::array());
   observe(other, 1, {"thumbnail"});
-  EXPECT_TRUE(other.take("event").empty()) << "it may be old; the program is asked";
+  EXPECT_TRUE(other.takeMessages("event").empty()) << "it may be old; the program is asked";
 }
 
 TEST_F(HubCoreObservers, EventsGoToThoseThatWantThem) {
@@ -112,12 +112,12 @@ TEST_F(HubCoreObservers, ASlowClientGetsTheNewest) {
   FakePeer& two = program();
   FakePeer& peer = client();
   observe(peer, "all", {"state", "settings"});
-  for (const json& asked : one.take("observe")) answer(one, asked, json::object());
+  for (const json& asked : one.takeMessages("observe")) answer(one, asked, json::object());
   peer.waiting = kBehind + 1;
   for (int frame = 0; frame < 100; ++frame)
     state(two, frame + 1000), state(one, frame), wait(milliseconds(50));
   EXPECT_TRUE(peer.got.empty());
-  EXPECT_EQ(hub_.next(), HubTime::max()) << "nothing is due before it reads";
+  EXPECT_EQ(hub_.nextDue(), HubTime::max()) << "nothing is due before it reads";
   give(one, {{"type", "event"}, {"what", "settings"}, {"values", {{"ao", 1}}}});
   EXPECT_EQ(peer.one("event")["values"], (json{{"ao", 1}})) << "changes are never left out";
   peer.waiting = 0;
@@ -145,7 +145,7 @@ TEST_F(HubCoreObservers, SettingsBeginWithAllOfThem) {
   answer(one, one.one("observe"), json::object());
   settings(3);
   EXPECT_EQ(second.one("event")["values"]["ao"], 3);
-  EXPECT_EQ(first.take("event").size(), 2u);
+  EXPECT_EQ(first.takeMessages("event").size(), 2u);
   observe(second, 1, {"state"});
   settings(4);
   EXPECT_TRUE(second.got.empty());
@@ -157,14 +157,15 @@ TEST_F(HubCoreObservers, ProgramsAreToldWhenTheyChange) {
   EXPECT_EQ(peer.one("event"), (json{{"type", "event"}, {"what", "programs"}, {"programs", json::array()}}));
   wait(milliseconds(50));
   for (int i = 0; i < 200; ++i) program();
-  const std::vector<json> at = peer.take("event");
+  const std::vector<json> at = peer.takeMessages("event");
   EXPECT_LE(at.size(), 1u) << "not one for each";
   wait(milliseconds(50));
   EXPECT_EQ(peer.one("event")["programs"].size(), 200u);
   observe(peer, 3, {"state"});
   end(*peers_[5]);
   wait(milliseconds(100));
-  EXPECT_EQ(peer.take("event").back()["programs"].size(), 199u) << "lasts until an observe of all without it";
+  EXPECT_EQ(peer.takeMessages("event").back()["programs"].size(), 199u)
+      << "lasts until an observe of all without it";
   observe(peer, "all", json::array());
   program();
   wait(milliseconds(100));
@@ -183,7 +184,7 @@ TEST_F(HubCoreObservers, TheListComesBeforeEventsOfNewPrograms) {
   answer(second, second.one("observe"), json::object());
   peer.got.clear();
   give(second, {{"type", "event"}, {"what", "settings"}, {"values", json::object()}});
-  std::vector<json> events = peer.take("event");
+  std::vector<json> events = peer.takeMessages("event");
   ASSERT_EQ(events.size(), 2u);
   EXPECT_EQ(events[0]["programs"].size(), 4u);
   EXPECT_EQ(events[1]["what"], "settings");
@@ -207,7 +208,7 @@ TEST_F(HubCoreObservers, AListIsMadeWhenItIsSent) {
   EXPECT_TRUE(peer.got.empty());
   peer.waiting = 0;
   hub_.drained(peer.connection, now_);
-  const std::vector<json> events = peer.take("event");
+  const std::vector<json> events = peer.takeMessages("event");
   ASSERT_EQ(events.size(), 2u);
   ASSERT_EQ(events[0]["programs"].size(), 1u) << events[0];
   EXPECT_EQ(events[0]["programs"][0]["program"], 2);

@@ -37,7 +37,7 @@ class Questions {
   /// Ends questions whose limit has passed.
   void passed();
   /// When the next limit passes.
-  HubTime next() const { return limits_.empty() ? HubTime::max() : limits_.begin()->first; }
+  HubTime nextDue() const { return limits_.empty() ? HubTime::max() : limits_.begin()->first; }
 
  private:
   struct Question {

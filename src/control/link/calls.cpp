@@ -10,7 +10,7 @@ namespace gluray::control {
 
 using nlohmann::json;
 
-void Calls::take(const std::string& name, const json& id, const json& arguments, double now) {
+void Calls::startCall(const std::string& name, const json& id, const json& arguments, double now) {
   if (carryOut(name, id, arguments)) return;
   if (waiting_.size() >= kMaxWaiting) return answer_(id, {{"why", "too many calls wait for a frame"}});
   waiting_.push_back({name, id, arguments, FrameWait(source_, now)});
@@ -44,7 +44,7 @@ void Calls::passed(double now) {
   if (wake) waker_.wake();
 }
 
-double Calls::next(double now) const {
+double Calls::nextDue(double now) const {
   return waiting_.empty() ? std::numeric_limits<double>::infinity() : now + kPoll;
 }
 

@@ -24,10 +24,11 @@ class Calls {
   Calls(ControlledProgram& program, const SettingsSource& source, Waker& waker, Answer answer)
       : program_(program), source_(source), waker_(waker), answer_(std::move(answer)) {}
 
-  void take(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments, double now);
+  void startCall(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments,
+                 double now);
   /// Answers what is due.
   void passed(double now);
-  double next(double now) const;
+  double nextDue(double now) const;
 
  private:
   struct Waiting {

@@ -40,7 +40,8 @@ bool ChangeRequests::knows(const std::string& type) {
 
 void ChangeRequests::refuse(const json& id, const std::string& why) { answer_(id, json{{"why", why}}); }
 
-void ChangeRequests::take(const std::string& type, const json& id, const json& message, double now) {
+void ChangeRequests::receiveRequest(const std::string& type, const json& id, const json& message,
+                                    double now) {
   if (type == "apply" || type == "draw" || type == "drop") {
     const json* const of = member(message, "of");
     const auto held =
@@ -146,7 +147,7 @@ void ChangeRequests::passed(double now) {
   std::erase_if(held_, [&](const Held& held) { return now >= held.until; });
 }
 
-double ChangeRequests::next(double now) const {
+double ChangeRequests::nextDue(double now) const {
   double next = std::numeric_limits<double>::infinity();
   if (!waiting_.empty()) next = now + kPoll;
   for (const Held& held : held_) next = std::min(next, held.until);

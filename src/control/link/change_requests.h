@@ -32,13 +32,14 @@ class ChangeRequests {
                  std::function<void()> wake, Answer answer)
       : live_(live), source_(source), history_(history), wake_(std::move(wake)), answer_(std::move(answer)) {}
 
-  /// Whether take() knows the type.
+  /// Whether receiveRequest() knows the type.
   static bool knows(const std::string& type);
-  void take(const std::string& type, const nlohmann::json& id, const nlohmann::json& message, double now);
+  void receiveRequest(const std::string& type, const nlohmann::json& id, const nlohmann::json& message,
+                      double now);
   /// Answers, asks to draw, and drops what is due.
   void passed(double now);
   /// When passed() is to be called next; infinity: not before the next request.
-  double next(double now) const;
+  double nextDue(double now) const;
 
   const SettingsHistory& history() const { return history_; }
 

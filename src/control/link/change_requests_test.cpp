@@ -6,7 +6,7 @@ namespace {
 
 TEST_F(ProgramSideTest, SetIsAnsweredWhenAFrameHasTheValues) {
   EXPECT_EQ(ask(setting({{"ao", true}, {"ao.samples", 32}})), json());
-  source.endFrame(), source.take(version);
+  source.endFrame(), source.takeNewer(version);
   pass(0.01);
   EXPECT_TRUE(sent.empty()) << "taken, but nothing is drawn";
   source.beginFrame();
@@ -76,7 +76,7 @@ TEST_F(ProgramSideTest, HeldChangesCountFromTheirFrame) {
   json hold = setting({{"spp", 4}});
   hold["id"] = "a", hold["hold"] = true;
   now = nowSeconds();
-  begin(), take(hold);
+  begin(), receiveMessage(hold);
   json at = resultOf(last());
   EXPECT_EQ(at["frame"], 2);
   EXPECT_EQ(at["drawing"], true);
@@ -111,7 +111,7 @@ TEST_F(ProgramSideTest, HeldChangesMayBeLateDroppedOrForgotten) {
   EXPECT_NE(ask({{"type", "apply"}, {"of", 1}, {"frame", 2}}).value("why", ""), "");
   hold["values"]["spp"] = 0;
   EXPECT_NE(ask(hold).value("why", ""), "");
-  for (int i = 0; i < 100; ++i) hold["values"]["spp"] = 2, hold["id"] = i, take(hold);
+  for (int i = 0; i < 100; ++i) hold["values"]["spp"] = 2, hold["id"] = i, receiveMessage(hold);
   for (const json& frame : {json("x"), json(-1), json(1e300), json()}) {
     json apply{{"type", "apply"}, {"of", 99}, {"frame", frame}};
     EXPECT_NE(ask(apply).value("why", ""), "") << frame;

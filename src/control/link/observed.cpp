@@ -15,7 +15,7 @@ json described(const LiveSettings::Value& value) {
   return {{"value", valueOf(*value.row, value.text)}, {"layer", nameOf(value.layer)}, {"place", value.place}};
 }
 
-json Observed::take(const json& message, double now) {
+json Observed::observeRequested(const json& message, double now) {
   const json *const what = member(message, "what"), *const every = member(message, "every");
   if (!what || !what->is_array()) return {{"why", "what must be a list"}};
   if (every && !every->is_number()) return {{"why", "every must be a number of seconds"}};
@@ -37,7 +37,7 @@ json Observed::take(const json& message, double now) {
   return json::object();
 }
 
-double Observed::next() const {
+double Observed::nextDue() const {
   double next = std::numeric_limits<double>::infinity();
   if (state_) next = std::min(nextState_, nextLook_);
   return settings_ ? std::min(next, nextLook_) : next;

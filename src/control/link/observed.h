@@ -29,10 +29,10 @@ class Observed {
 
   /// Observes what the request says and nothing else. Returns the answer; it has `why` if the request is
   /// wrong.
-  nlohmann::json take(const nlohmann::json& message, double now);
+  nlohmann::json observeRequested(const nlohmann::json& message, double now);
   /// Sends what is due. `slow`: the hub does not read what was sent; states are left out.
   void passed(const SettingsHistory& history, bool slow, double now);
-  double next() const;
+  double nextDue() const;
   /// What the last request says of thumbnails.
   const ThumbnailWish& thumbnails() const { return thumbnails_; }
 
@@ -46,7 +46,7 @@ class Observed {
   const Send send_;
   bool state_ = false, settings_ = false;
   ThumbnailWish thumbnails_;
-  bool first_ = true;  // no settings were sent since take()
+  bool first_ = true;  // no settings were sent since observeRequested()
   double every_ = 1, nextState_ = 0, nextLook_ = 0;
   uint64_t revision_ = 0;  // of the settings that were sent
   size_t undo_ = 0, redo_ = 0;

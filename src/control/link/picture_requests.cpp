@@ -11,7 +11,7 @@ namespace gluray::control {
 
 using nlohmann::json;
 
-void PictureRequests::take(const std::string& call, const json& id, const json& arguments, double now) {
+void PictureRequests::startCall(const std::string& call, const json& id, const json& arguments, double now) {
   if (call == "pixels") return answer_(id, piece(arguments, now));
   for (const char* name : {"width", "height"})
     if (arguments.contains(name))
@@ -119,7 +119,7 @@ void PictureRequests::wakeIfDue(bool slow, double now) {
   if (wake) waker_.wake();
 }
 
-double PictureRequests::next(double now) const {
+double PictureRequests::nextDue(double now) const {
   double next = std::numeric_limits<double>::infinity();
   if (!waiting_.empty()) next = now + kPoll;
   if (wish_.on) next = std::min(next, std::max(due_, now + kLook));

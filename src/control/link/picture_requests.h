@@ -47,13 +47,14 @@ class PictureRequests {
         answer_(std::move(answer)),
         send_(std::move(send)) {}
 
-  /// Whether take() carries out the call.
+  /// Whether startCall() carries out the call.
   static bool knows(const std::string& call) { return call == "shot" || call == "pixels"; }
-  void take(const std::string& call, const nlohmann::json& id, const nlohmann::json& arguments, double now);
+  void startCall(const std::string& call, const nlohmann::json& id, const nlohmann::json& arguments,
+                 double now);
   void observe(const ThumbnailWish& wish, double now);
   /// Answers and sends what is due. `slow`: the hub does not read what was sent; thumbnails wait.
   void passed(bool slow, double now);
-  double next(double now) const;
+  double nextDue(double now) const;
 
  private:
   struct Waiting {

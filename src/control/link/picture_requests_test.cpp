@@ -49,11 +49,11 @@ struct PicturesTest : testing::Test {
     pictures.passed(slow, now), waker.passed(now);
   }
   void shoot(const json& arguments = json::object()) {
-    pictures.take("shot", ++id, arguments, now);
+    pictures.startCall("shot", ++id, arguments, now);
     pictures.passed(slow, now), waker.passed(now);
   }
   json piece(const json& shot, const json& row) {
-    pictures.take("pixels", ++id, {{"shot", shot}, {"row", row}}, now);
+    pictures.startCall("pixels", ++id, {{"shot", shot}, {"row", row}}, now);
     return answers.back();
   }
   size_t thumbnails() const { return events.size(); }
@@ -74,7 +74,7 @@ TEST_F(PicturesTest, NothingIsWantedUnasked) {
   frame(), pass(1), frame();
   EXPECT_EQ(program.wanted, Wanted::none);
   EXPECT_EQ(program.woken, 0);
-  EXPECT_GT(pictures.next(now), now + 1e9);
+  EXPECT_GT(pictures.nextDue(now), now + 1e9);
 }
 
 TEST_F(PicturesTest, AShotIsTheNextFrame) {
@@ -135,7 +135,7 @@ TEST_F(PicturesTest, ShotsAreForgotten) {
   EXPECT_NE(piece(5, 0).value("why", ""), "");
   pass(11);
   EXPECT_NE(piece(2, 0).value("why", ""), "");
-  EXPECT_GT(pictures.next(now), now + 1e9);
+  EXPECT_GT(pictures.nextDue(now), now + 1e9);
 }
 
 TEST_F(PicturesTest, ShotsAreChecked) {

@@ -92,7 +92,7 @@ struct ProgramLink::Serving {
                                    [this](const std::string& why) { connection->finish(why); },
                                    [this] { return connection->waiting(); }});
     connection->start({[this](json&& message) {
-                         side->take(message, nowSeconds());
+                         side->receiveMessage(message, nowSeconds());
                          if (!std::exchange(greeted, side->greeted()) && greeted)
                            link.program_.linkBegan(link.hub_.host.empty());
                          schedule();
@@ -118,7 +118,7 @@ struct ProgramLink::Serving {
   }
 
   void schedule() {
-    const double now = nowSeconds(), next = side->next(now);
+    const double now = nowSeconds(), next = side->nextDue(now);
     if (!connection->open() || !std::isfinite(next)) return void(timer.cancel());
     timer.expires_after(std::chrono::duration_cast<asio::steady_timer::duration>(
         std::chrono::duration<double>(std::clamp(next - now, 0.0, 3600.0))));
@@ -147,7 +147,7 @@ ProgramLink::ProgramLink(ControlledProgram& program, LiveSettings& live, const S
       hub_(std::move(hub)),
       socket_(hub_.host.empty() ? socketIn(hub_.directory) : "") {}
 
-void ProgramLink::look(double now) noexcept {
+void ProgramLink::lookForHub(double now) noexcept {
   double next = next_.load(std::memory_order_relaxed);
   if (now < next || running_.load(std::memory_order_relaxed)) return;
   if (exiting_ || forked_ || !next_.compare_exchange_strong(next, now + kLookSeconds)) return;

@@ -25,7 +25,7 @@ class ProgramLink {
 
   /// Call when a frame begins. Looks for a hub at most every kLookSeconds, and starts the threads if there is
   /// one. Any thread; `now`: nowSeconds().
-  void look(double now) noexcept;
+  void lookForHub(double now) noexcept;
   /// In the child of a fork, which has no such threads.
   void forked() noexcept;
   /// When the process exits: ends the threads, and waits for them for a short time.

@@ -74,7 +74,7 @@ void ProgramSide::greet(const std::string& type, const json& message) {
   peer_.finish(why);
 }
 
-void ProgramSide::take(const json& message, double now) {
+void ProgramSide::receiveMessage(const json& message, double now) {
   const std::string type = textMember(message, "type", kMaxCharacters).value_or("");
   if (!greeted_) return greet(type, message);
   if (type == "hello" || type == "answer" || type == "event" || type == "error") return;
@@ -87,7 +87,7 @@ void ProgramSide::take(const json& message, double now) {
 
 void ProgramSide::carryOut(const std::string& type, const json& id, const json& message, double now) {
   if (ChangeRequests::knows(type))
-    changes_.take(type, id, message, now);
+    changes_.receiveRequest(type, id, message, now);
   else if (type == "get")
     answer(id, valuesOf(member(message, "names"), isTrue(member(message, "layers"))));
   else if (type == "describe")
@@ -122,7 +122,7 @@ json ProgramSide::valuesOf(const json* names, bool withLayers) {
 }
 
 void ProgramSide::observe(const json& id, const json& message, double now) {
-  json result = observed_.take(message, now);
+  json result = observed_.observeRequested(message, now);
   if (!result.contains("why")) pictures_.observe(observed_.thumbnails(), now);
   answer(id, std::move(result));
 }
@@ -133,8 +133,8 @@ void ProgramSide::call(const json& id, const json& message, double now) {
   if (!name) return answer(id, {{"why", "name must be a short text"}});
   if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});
   const json arguments = given ? *given : json::object();
-  if (PictureRequests::knows(*name)) return pictures_.take(*name, id, arguments, now);
-  calls_.take(*name, id, arguments, now);
+  if (PictureRequests::knows(*name)) return pictures_.startCall(*name, id, arguments, now);
+  calls_.startCall(*name, id, arguments, now);
 }
 
 void ProgramSide::passed(double now) {
@@ -150,9 +150,9 @@ void ProgramSide::passed(double now) {
   pictures_.passed(slow, now);
 }
 
-double ProgramSide::next(double now) const {
-  return greeted_ ? std::min({changes_.next(now), observed_.next(), pictures_.next(now), calls_.next(now),
-                              waker_.next(now)})
+double ProgramSide::nextDue(double now) const {
+  return greeted_ ? std::min({changes_.nextDue(now), observed_.nextDue(), pictures_.nextDue(now),
+                              calls_.nextDue(now), waker_.nextDue(now)})
                   : helloBy_;
 }
 

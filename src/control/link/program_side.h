@@ -35,10 +35,10 @@ class ProgramSide {
   /// Says hello.
   void begin(double now);
   /// A message of the hub.
-  void take(const nlohmann::json& message, double now);
+  void receiveMessage(const nlohmann::json& message, double now);
   void passed(double now);
   /// When passed() is to be called next; infinity: not before the next message.
-  double next(double now) const;
+  double nextDue(double now) const;
   /// Whether the hub has said hello.
   bool greeted() const { return greeted_; }
 

@@ -15,7 +15,7 @@ TEST_F(ProgramSideTest, SaysHelloAndWantsOne) {
                       {[](const Connection::Line&) {}, [&](const std::string& w) { why.push_back(w); },
                        [] { return size_t{0}; }});
     other.begin(now);
-    if (!first.is_null()) other.take(first, now);
+    if (!first.is_null()) other.receiveMessage(first, now);
     other.passed(now + 5.1);
     return !why.empty();
   };
@@ -62,7 +62,7 @@ TEST_F(ProgramSideTest, StateIsSentWhileItIsObserved) {
   ask({{"type", "observe"}, {"what", json::array()}});
   pass(5);
   EXPECT_EQ(sent.size(), before + 1);
-  EXPECT_GT(side.next(now), now + 1e9);
+  EXPECT_GT(side.nextDue(now), now + 1e9);
 }
 
 TEST_F(ProgramSideTest, SettingsAreSentWhenTheyChange) {
@@ -80,7 +80,7 @@ TEST_F(ProgramSideTest, SettingsAreSentWhenTheyChange) {
   pass(1);
   EXPECT_EQ(last()["values"].size(), 1u);
   EXPECT_EQ(last()["values"]["ao"]["value"], true);
-  take({{"type", "undo"}, {"id", 4}});
+  receiveMessage({{"type", "undo"}, {"id", 4}});
   EXPECT_EQ(last()["values"]["spp"]["layer"], "built-in");
   EXPECT_EQ(last()["redo"], 1);
 }
@@ -92,7 +92,7 @@ TEST_F(ProgramSideTest, ObserveChecksWhatItIsAsked) {
   EXPECT_NE(why("state"), "");
   EXPECT_NE(why(json::array({"state"}), "1"), "");
   EXPECT_EQ(why(json::array({"state"}), -3), "");
-  EXPECT_GE(side.next(now), now + 0.9 * Observed::kMinInterval);
+  EXPECT_GE(side.nextDue(now), now + 0.9 * Observed::kMinInterval);
   EXPECT_EQ(why(json::array({"thumbnail"})), "");
   EXPECT_EQ(why(json::array({"state", "thumbnail", "later", 7})), "");
 }
@@ -112,7 +112,7 @@ TEST_F(ProgramSideTest, CallsWaitForAFrame) {
   EXPECT_EQ(ask(late), json());
   pass(0);
   EXPECT_EQ(program.woken, 1);
-  EXPECT_LT(side.next(now), now + 0.1);
+  EXPECT_LT(side.nextDue(now), now + 0.1);
   program.drawn = true, pass(0.1);
   EXPECT_EQ(resultOf(last()), json({{"value", 8}}));
   EXPECT_EQ(sent.size(), 1u);
@@ -126,13 +126,13 @@ TEST_F(ProgramSideTest, CallsWaitForAFrame) {
 TEST_F(ProgramSideTest, NonsenseIsAnswered) {
   EXPECT_NE(ask({{"type", "dance"}}).value("why", ""), "");
   for (const json& id : {json(), json::object(), json(true), json(std::string(500, 'x'))}) {
-    take({{"type", "get"}, {"id", id}});
+    receiveMessage({{"type", "get"}, {"id", id}});
     EXPECT_EQ(last()["type"], "error") << id;
   }
-  take({{"type", "set"}});
+  receiveMessage({{"type", "set"}});
   EXPECT_EQ(last()["type"], "error");
   const size_t before = sent.size();
-  for (const char* type : {"error", "answer", "event", "hello"}) take({{"type", type}, {"id", 1}});
+  for (const char* type : {"error", "answer", "event", "hello"}) receiveMessage({{"type", type}, {"id", 1}});
   EXPECT_EQ(sent.size(), before);
   EXPECT_TRUE(finished.empty());
 }

@@ -47,7 +47,7 @@ bool LineReader::add(std::string_view bytes) {
   return true;
 }
 
-std::optional<std::string> LineReader::next() {
+std::optional<std::string> LineReader::nextLine() {
   const size_t end = bytes_.find('\n', scanned_);
   if (end == bytes_.npos) {
     scanned_ = bytes_.size();

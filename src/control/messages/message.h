@@ -18,8 +18,8 @@ class LineReader {
   /// Adds bytes. False: a line is longer than kMaxBytes; nothing can be read from then on.
   bool add(std::string_view bytes);
   /// The next whole line without its line feed; none: more bytes are needed.
-  std::optional<std::string> next();
-  /// Bytes that wait for the end of their line or for next().
+  std::optional<std::string> nextLine();
+  /// Bytes that wait for the end of their line or for nextLine().
   size_t waiting() const { return bytes_.size() - begin_; }
   /// Bytes that it holds, read ones included.
   size_t held() const { return bytes_.size(); }

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 std::vector<std::string> linesOf(LineReader& reader) {
   std::vector<std::string> lines;
-  while (auto line = reader.next()) lines.push_back(*line);
+  while (auto line = reader.nextLine()) lines.push_back(*line);
   return lines;
 }
 
@@ -48,7 +48,7 @@ TEST(LineReader, LongerLinesEndIt) {
     LineReader reader;
     EXPECT_FALSE(reader.add(text));
     EXPECT_FALSE(reader.add("\n"));
-    EXPECT_EQ(reader.next(), std::nullopt);
+    EXPECT_EQ(reader.nextLine(), std::nullopt);
     EXPECT_EQ(reader.waiting(), 0u);
   }
   LineReader reader;
@@ -61,9 +61,9 @@ TEST(LineReader, DoesNotKeepWhatWasRead) {
   LineReader reader;
   for (int i = 0; i < 5000; ++i) {
     ASSERT_TRUE(reader.add(std::string(1000, 'x') + "\nrest"));
-    ASSERT_TRUE(reader.next());
+    ASSERT_TRUE(reader.nextLine());
     ASSERT_TRUE(reader.add("\n"));
-    ASSERT_TRUE(reader.next());
+    ASSERT_TRUE(reader.nextLine());
     EXPECT_EQ(reader.waiting(), 0u);
     ASSERT_LE(reader.held(), 2000u);
   }
@@ -73,7 +73,7 @@ TEST(LineReader, DoesNotKeepWhatWasReadOfALongStream) {
   LineReader reader;
   for (int i = 0; i < 10000; ++i) {  // never empty
     ASSERT_TRUE(reader.add(std::string(1000, 'x') + "\nrest"));
-    ASSERT_TRUE(reader.next());
+    ASSERT_TRUE(reader.nextLine());
     ASSERT_LE(reader.held(), kMaxBytes + 4000);
   }
 }

@@ -25,7 +25,7 @@ struct FakePeer {
   std::string finished;  // why the hub closed it
 
   /// The messages of a type, which are removed.
-  std::vector<json> take(const std::string& type) {
+  std::vector<json> takeMessages(const std::string& type) {
     std::vector<json> found, rest;
     for (json& message : got) (message["type"] == type ? found : rest).push_back(std::move(message));
     got = std::move(rest);
@@ -33,7 +33,7 @@ struct FakePeer {
   }
   /// The only message of a type.
   json one(const std::string& type) {
-    const std::vector<json> found = take(type);
+    const std::vector<json> found = takeMessages(type);
     EXPECT_EQ(found.size(), 1u) << type << " to " << connection << ": " << json(found) << " of " << json(got);
     return found.size() == 1 ? found[0] : json{};
   }
@@ -79,7 +79,7 @@ class HubCoreTest : public testing::Test {
                 {"ranks", ranks},
                 {"job", job}});
     EXPECT_EQ(peer.finished, "");
-    peer.take("hello");
+    peer.takeMessages("hello");
     return peer;
   }
   /// The program answers a request of the hub.

@@ -36,16 +36,16 @@ struct ProgramSideTest : testing::Test {
     live.start(sources);
     frame();
     side.begin(now);
-    take({{"type", "hello"}, {"version", 1}, {"role", "hub"}});
+    receiveMessage({{"type", "hello"}, {"version", 1}, {"role", "hub"}});
     sent.clear();
   }
   /// A frame is drawn and shown.
   void frame() {
-    source.take(version), source.beginFrame();
-    source.endFrame(), source.take(version);
+    source.takeNewer(version), source.beginFrame();
+    source.endFrame(), source.takeNewer(version);
   }
-  void begin() { source.take(version), source.beginFrame(); }
-  void take(const json& message) { side.take(message, now); }
+  void begin() { source.takeNewer(version), source.beginFrame(); }
+  void receiveMessage(const json& message) { side.receiveMessage(message, now); }
   void pass(double seconds) { side.passed(now += seconds); }
   /// The newest message.
   json last() const { return sent.empty() ? json() : sent.back(); }
@@ -53,7 +53,7 @@ struct ProgramSideTest : testing::Test {
   json ask(json message) {
     const size_t before = sent.size();
     message["id"] = 1;
-    take(message);
+    receiveMessage(message);
     return sent.size() == before ? json() : resultOf(sent[before]);
   }
   static json resultOf(const json& message) {
@@ -66,12 +66,12 @@ struct ProgramSideTest : testing::Test {
     json message = setting(values);
     message["id"] = 9;
     if (!gesture.empty()) message["gesture"] = gesture;
-    take(message);
+    receiveMessage(message);
     begin(), pass(0.01), source.endFrame();
     return resultOf(last());
   }
   json step(const char* type) {
-    take({{"type", type}, {"id", 9}});
+    receiveMessage({{"type", type}, {"id", 9}});
     begin(), pass(0.01), source.endFrame();
     return resultOf(last());
   }

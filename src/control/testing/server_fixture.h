@@ -71,7 +71,7 @@ class HubServerTest : public testing::Test {
   static void give(int socket, const json& message) { giveBytes(socket, lineOf(message)); }
 
   /// The next message; null when the other side has closed it.
-  json next(int socket) {
+  json nextMessage(int socket) {
     std::string line;
     bool closed = false;
     until([&] {
@@ -86,7 +86,7 @@ class HubServerTest : public testing::Test {
   /// Whether the other side closes it; what it says before is put into `said`.
   bool closes(int socket, std::vector<json>* said = nullptr) {
     for (int i = 0; i < 100; ++i) {
-      json message = next(socket);
+      json message = nextMessage(socket);
       if (message.is_null()) return true;
       if (said) said->push_back(std::move(message));
     }
@@ -95,7 +95,7 @@ class HubServerTest : public testing::Test {
   int client() {
     const int socket = connectHere();
     give(socket, json{{"type", "hello"}, {"version", 1}, {"role", "client"}});
-    EXPECT_EQ(next(socket)["role"], "hub");
+    EXPECT_EQ(nextMessage(socket)["role"], "hub");
     return socket;
   }
 

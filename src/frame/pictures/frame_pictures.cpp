@@ -97,10 +97,10 @@ void FramePictures::stop() noexcept {
   if (idle_) idle_->stop();
 }
 
-std::unique_ptr<Refinement> FramePictures::take(uint64_t id) noexcept {
+std::unique_ptr<Refinement> FramePictures::takePasses(uint64_t id) noexcept {
   std::unique_ptr<Refinement> passes;
-  if (read_) passes = read_->take(id);
-  if (!passes && idle_) passes = idle_->take(id);
+  if (read_) passes = read_->takePasses(id);
+  if (!passes && idle_) passes = idle_->takePasses(id);
   return passes;
 }
 
@@ -115,7 +115,7 @@ std::vector<IdlePicture> FramePictures::takePasses(std::vector<IdlePicture> pict
 void FramePictures::takeBackPasses() noexcept {
   for (const IdlePicture& one : written_)
     if (auto* const picture = read_ ? last_.withId(one.id) : nullptr)
-      picture->refinement = read_->take(one.id);
+      picture->refinement = read_->takePasses(one.id);
   read_.reset();
 }
 
@@ -148,7 +148,7 @@ FramePictures::Finished FramePictures::finishIn(const std::shared_ptr<IdleWindow
     const std::unique_ptr<IdleFrame> lent = frame->lend(window);
     IdleFrame::Done done;
     try {
-      auto step = lent->look() ? IdleFrame::Step::more : IdleFrame::Step::failed;
+      auto step = lent->readWindow() ? IdleFrame::Step::more : IdleFrame::Step::failed;
       while (step == IdleFrame::Step::more) {
         step = lent->step(tracer_, tracer_.trace, done);
         result.passes += done.traced;

@@ -30,9 +30,9 @@ class FramePictures {
   /// The program draws something: the window is not refined any more.
   void stop() noexcept;
   /// A picture of another frame is asked for.
-  void next() noexcept { stop(), shown_ = false; }
-  /// Hands over the passes over the picture of this id; null: there are none. Call after next().
-  std::unique_ptr<Refinement> take(uint64_t id) noexcept;
+  void nextFrame() noexcept { stop(), shown_ = false; }
+  /// Hands over the passes over the picture of this id; null: there are none. Call after nextFrame().
+  std::unique_ptr<Refinement> takePasses(uint64_t id) noexcept;
 
   /// Where the remembered pictures of this frame are in its framebuffer, or those of the last frame, if it is
   /// shown and no other one began. Throws std::bad_alloc.

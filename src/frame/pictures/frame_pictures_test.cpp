@@ -50,11 +50,11 @@ struct FramePicturesTest : testing::Test {
     scene->lightSampling.mode = scene::LightSampling::Mode::moving;
     scene::Snapshot full = *scene;
     full.lightSampling.mode = scene::LightSampling::Mode::full;
-    finished = TracedPictures(Tracer{tracer.trace}).of(full, {.finished = true}).picture->image;
+    finished = TracedPictures(Tracer{tracer.trace}).pictureOf(full, {.finished = true}).picture->image;
     truth = finished.color;
   }
   void write() {
-    const LastPictures::Picture* const picture = pictures.of(*scene, {}).picture;
+    const LastPictures::Picture* const picture = pictures.pictureOf(*scene, {}).picture;
     pictures.frame().wrote(scene, *picture, picture->image);
     first = {picture->image.width, picture->image.height, picture->image.color};
   }
@@ -128,7 +128,7 @@ TEST_F(FramePicturesTest, ThatTheWindowShowsAreRepeatedAsTheyAre) {
   write();
   pictures.frame().refineWhileIdle([] { return nullptr; });
   const int traces = tracer.traces;
-  const TracedPictures::Result again = pictures.of(*scene, {.asShown = true});
+  const TracedPictures::Result again = pictures.pictureOf(*scene, {.asShown = true});
   EXPECT_TRUE(again.repeated);
   EXPECT_EQ(again.picture->image.color, first.colors);
   pictures.frame().wrote(scene, *again.picture, again.picture->image);
@@ -166,7 +166,7 @@ TEST_F(FramePicturesTest, PassesOfAReadCountWhenTheFrameIsDrawnAgain) {
   const int traces = tracer.traces;
   auto same = std::make_shared<scene::Snapshot>(*scene);
   ++same->frame;
-  const TracedPictures::Result result = pictures.of(*same, {});
+  const TracedPictures::Result result = pictures.pictureOf(*same, {});
   EXPECT_LE(tracer.traces, traces + 1) << "the one that tells what is where";
   EXPECT_TRUE(result.picture->refined);
   EXPECT_LT(test::difference(result.picture->image, finished), 0.004);
@@ -179,7 +179,7 @@ TEST_F(FramePicturesTest, ThoseOfAnEarlierFrameAreForgotten) {
   auto moved = std::make_shared<scene::Snapshot>(*scene);
   ++moved->frame;
   moved->eyeFromWorld[3].x += 0.1;
-  pictures.of(*moved, {});
+  pictures.pictureOf(*moved, {});
   EXPECT_TRUE(pictures.frame().regions().empty());
   EXPECT_FALSE(readInto(first).any);
 }

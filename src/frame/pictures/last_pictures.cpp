@@ -64,8 +64,8 @@ bool LastPictures::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
          isSameBackdrop(e.backdrop, s.backdrop);
 }
 
-LastPictures::Picture* LastPictures::of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor,
-                                        Of which) noexcept {
+LastPictures::Picture* LastPictures::findPicture(const scene::Snapshot& snapshot,
+                                                 std::optional<uint32_t> missColor, Of which) noexcept {
   for (Entry& entry : entries_) {
     if (which == Of::thisSnapshot && entry.shows.number != snapshot.number) continue;
     if (missColor && entry.picture.image.missColor != *missColor) continue;
@@ -93,7 +93,7 @@ void LastPictures::keepWithinBudget() noexcept {
     if (&entry != next_) entry = {};
 }
 
-LastPictures::Picture& LastPictures::next() noexcept {
+LastPictures::Picture& LastPictures::makeRoom() noexcept {
   keepWithinBudget();
   const bool one = next_ && next_->picture.image.bytes() > kBudget / 2;
   if (!one)

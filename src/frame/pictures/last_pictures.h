@@ -31,9 +31,9 @@ class LastPictures {
     thisSnapshot,  // the one with its number
   };
   /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
-  /// next().
-  Picture* of(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {},
-              Of which = Of::equalSnapshot) noexcept;
+  /// makeRoom().
+  Picture* findPicture(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {},
+                       Of which = Of::equalSnapshot) noexcept;
   /// Null: it was replaced.
   Picture* withId(uint64_t id) noexcept {
     for (Entry& entry : entries_)
@@ -50,8 +50,8 @@ class LastPictures {
   /// Frees the passes of pictures of this view; 0: of all.
   void forgetPasses(uint64_t view = 0) noexcept;
   /// Memory for a new picture; replaces the least recently used one.
-  Picture& next() noexcept;
-  /// Marks the picture from next() as finished and showing `snapshot`. Does not keep its meshes alive.
+  Picture& makeRoom() noexcept;
+  /// Marks the picture from makeRoom() as finished and showing `snapshot`. Does not keep its meshes alive.
   void keep(const scene::Snapshot& snapshot) noexcept;
   size_t bytes() const noexcept;  // memory of all pictures, without passes
 

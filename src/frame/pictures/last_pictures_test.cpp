@@ -17,7 +17,7 @@ class LastPicturesTest : public testing::Test {
     keep(shown_);
   }
   uint64_t keep(const scene::Snapshot& snapshot) {
-    const uint64_t id = pictures_.next().id;
+    const uint64_t id = pictures_.makeRoom().id;
     pictures_.keep(snapshot);
     return id;
   }
@@ -25,7 +25,7 @@ class LastPicturesTest : public testing::Test {
   bool foundAfter(const std::function<void(scene::Snapshot&)>& change) {
     scene::Snapshot changed = shown_;
     change(changed);
-    return pictures_.of(changed) != nullptr;
+    return pictures_.findPicture(changed) != nullptr;
   }
 
   scene::MeshPtr mesh_ = gluray::test::makeMesh(gluray::test::squareData());
@@ -115,8 +115,8 @@ TEST_F(LastPicturesTest, LayersAreComparedByContent) {
     return s;
   };
   keep(layered(0.5f));
-  EXPECT_TRUE(pictures_.of(layered(0.5f)));
-  EXPECT_FALSE(pictures_.of(layered(0.25f)));
+  EXPECT_TRUE(pictures_.findPicture(layered(0.5f)));
+  EXPECT_FALSE(pictures_.findPicture(layered(0.25f)));
 }
 
 TEST_F(LastPicturesTest, WrittenChannelsMatterWhereLayersAreBlendedInTheOrderOfDrawing) {
@@ -138,26 +138,26 @@ TEST_F(LastPicturesTest, SeveralAreKeptAndTheOldestIsReplaced) {
     others.back().camera.viewport.x = i + 1;
   }
   keep(others[0]), keep(others[1]);
-  EXPECT_TRUE(pictures_.of(shown_));  // the most recently used
+  EXPECT_TRUE(pictures_.findPicture(shown_));  // the most recently used
   keep(others[2]);
-  EXPECT_TRUE(pictures_.of(shown_));
-  EXPECT_FALSE(pictures_.of(others[0]));
-  EXPECT_TRUE(pictures_.of(others[1]));
-  EXPECT_TRUE(pictures_.of(others[2]));
+  EXPECT_TRUE(pictures_.findPicture(shown_));
+  EXPECT_FALSE(pictures_.findPicture(others[0]));
+  EXPECT_TRUE(pictures_.findPicture(others[1]));
+  EXPECT_TRUE(pictures_.findPicture(others[2]));
 }
 
 TEST_F(LastPicturesTest, FindsThePictureWithTheRightMissColor) {
   for (const uint32_t color : {7u, 9u}) {
-    pictures_.next().image.missColor = color;
+    pictures_.makeRoom().image.missColor = color;
     pictures_.keep(shown_);
   }
-  const auto* seven = pictures_.of(shown_, 7);
-  const auto* nine = pictures_.of(shown_, 9);
+  const auto* seven = pictures_.findPicture(shown_, 7);
+  const auto* nine = pictures_.findPicture(shown_, 9);
   ASSERT_TRUE(seven && nine);
   EXPECT_EQ(seven->image.missColor, 7u);
   EXPECT_EQ(nine->image.missColor, 9u);
-  EXPECT_FALSE(pictures_.of(shown_, 8));
-  EXPECT_TRUE(pictures_.of(shown_));
+  EXPECT_FALSE(pictures_.findPicture(shown_, 8));
+  EXPECT_TRUE(pictures_.findPicture(shown_));
 }
 
 TEST_F(LastPicturesTest, OnlyTheLastLargePictureIsKept) {
@@ -165,14 +165,14 @@ TEST_F(LastPicturesTest, OnlyTheLastLargePictureIsKept) {
   scene::Snapshot other = shown_;
   for (int i = 1; i < 6; ++i) {
     other.camera.viewport.x = i;
-    LastPictures::Picture& picture = pictures_.next();
+    LastPictures::Picture& picture = pictures_.makeRoom();
     picture.image.resize(kSide, kSide, 1);
     pictures_.keep(other);
-    EXPECT_TRUE(pictures_.of(other));
+    EXPECT_TRUE(pictures_.findPicture(other));
   }
   EXPECT_LE(pictures_.bytes(), LastPictures::kBudget);
   other.camera.viewport.x = 4;
-  EXPECT_FALSE(pictures_.of(other));
+  EXPECT_FALSE(pictures_.findPicture(other));
 }
 
 TEST_F(LastPicturesTest, MeshesAreNotKeptAlive) {
@@ -185,9 +185,9 @@ TEST_F(LastPicturesTest, MeshesAreNotKeptAlive) {
 TEST_F(LastPicturesTest, UnfinishedPicturesAreNotFound) {
   scene::Snapshot other = shown_;
   other.camera.viewport.x = 5;
-  pictures_.next();  // tracing fails
-  EXPECT_FALSE(pictures_.of(other));
-  EXPECT_FALSE(pictures_.of(scene::Snapshot{}));
+  pictures_.makeRoom();  // tracing fails
+  EXPECT_FALSE(pictures_.findPicture(other));
+  EXPECT_FALSE(pictures_.findPicture(scene::Snapshot{}));
 }
 
 TEST_F(LastPicturesTest, EveryPictureHasAUniqueId) {

@@ -77,7 +77,7 @@ void TracedPictures::refine(const scene::Snapshot& snapshot, LastPictures::Pictu
                             Result& result) noexcept {
   try {
     auto passes = std::exchange(picture.refinement, nullptr);
-    if (!passes) passes = frame_.take(picture.id);
+    if (!passes) passes = frame_.takePasses(picture.id);
     if (!passes) passes = std::make_unique<Refinement>();
     Refiner refiner(snapshot, *passes);
     const bool all = tracePasses(refiner, tracer_.trace, picture.image.missColor, finish,
@@ -110,7 +110,7 @@ LastPictures::Picture* TracedPictures::lastOf(const scene::Snapshot& snapshot,
                                               std::optional<uint32_t> missColor) noexcept {
   using Of = LastPictures::Of;
   const bool alone = !tracer_.standsAlone || tracer_.standsAlone(snapshot);
-  return last_.of(snapshot, missColor, alone ? Of::equalSnapshot : Of::thisSnapshot);
+  return last_.findPicture(snapshot, missColor, alone ? Of::equalSnapshot : Of::thisSnapshot);
 }
 
 /// An earlier frame's picture whose misses may get another colour; null: none. Passes of layers contain that.
@@ -126,7 +126,7 @@ LastPictures::Picture* TracedPictures::ofColor(const scene::Snapshot& snapshot,
   if (auto* const same = lastOf(snapshot, missColor)) return same;
   LastPictures::Picture* const other = missColor ? recolorable(snapshot) : nullptr;
   if (!other) return nullptr;
-  if (!other->refinement) other->refinement = frame_.take(other->id);
+  if (!other->refinement) other->refinement = frame_.takePasses(other->id);
   last_.renew(*other);
   colorMisses(*missColor, other->image);
   return other;
@@ -158,13 +158,13 @@ void TracedPictures::tellShown(const scene::Snapshot& snapshot, const LastPictur
   if (tracer_.shown && !result.cost.elsewhere) tracer_.shown(snapshot, picture.image, picture.refined);
 }
 
-TracedPictures::Result TracedPictures::of(const scene::Snapshot& snapshot, const Wish& wish) {
+TracedPictures::Result TracedPictures::pictureOf(const scene::Snapshot& snapshot, const Wish& wish) {
   Result result;
   if (auto* const picture = wish.asShown ? ofColor(snapshot, wish.missColor) : nullptr) {
     result.repeated = true, result.picture = picture;
     return result;
   }
-  frame_.next();
+  frame_.nextFrame();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
   bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
@@ -180,11 +180,11 @@ TracedPictures::Result TracedPictures::of(const scene::Snapshot& snapshot, const
     full = true;  // nothing moves
   }
   last_.forgetPasses(snapshot.view);
-  LastPictures::Picture& fresh = last_.next();
+  LastPictures::Picture& fresh = last_.makeRoom();
   fresh.image.missColor = wish.missColor.value_or(0);
   fresh.moving = false;
   const bool finished = !ahead && refines && full && finish(snapshot, fresh, result);
-  const bool done = finished || (ahead ? ahead_->take(fresh.image, result.cost, result.why)
+  const bool done = finished || (ahead ? ahead_->takePicture(fresh.image, result.cost, result.why)
                                        : traceOnce(snapshot, full, fresh, result));
   if (!done) return result;
   if (!finished && !result.cost.elsewhere) paintUnrefined(snapshot, fresh.image);

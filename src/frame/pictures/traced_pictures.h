@@ -19,7 +19,7 @@ class TracedPictures {
  public:
   /// A picture, or null if tracing failed, and its cost.
   struct Result {
-    const LastPictures::Picture* picture = nullptr;  // valid until the next call of of()
+    const LastPictures::Picture* picture = nullptr;  // valid until the next call of pictureOf()
     bool repeated = false;                           // from an earlier frame
     scene::TraceCost cost;
     std::string why;  // one line, if tracing failed
@@ -39,12 +39,12 @@ class TracedPictures {
 
   /// The picture of `snapshot`. Finished, too, if its light is sampled in full. Others are one pass at first;
   /// each time that they are asked for again, they get more, for a limited time.
-  Result of(const scene::Snapshot& snapshot, const Wish& wish);
+  Result pictureOf(const scene::Snapshot& snapshot, const Wish& wish);
   /// Whether an earlier frame's picture is available.
   bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
     return lastOf(snapshot, missColor) || recolorable(snapshot);
   }
-  /// Pictures of of() that were written.
+  /// Pictures of pictureOf() that were written.
   FramePictures& frame() { return frame_; }
   /// Starts tracing ahead: see TraceAhead::start().
   bool startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late);

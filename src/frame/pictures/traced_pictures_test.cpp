@@ -20,7 +20,9 @@ struct PicturesTest : testing::Test {
   TracedPictures pictures{Tracer{tracer.trace}};
   scene::Snapshot scene = litScene();
   PicturesTest() { scene.view = 7, scene.lightSampling.mode = LightSampling::Mode::moving; }
-  TracedPictures::Result ask(bool finished = false) { return pictures.of(scene, {.finished = finished}); }
+  TracedPictures::Result ask(bool finished = false) {
+    return pictures.pictureOf(scene, {.finished = finished});
+  }
   /// Redraws become better, and end before the picture is finished, however fast the machine is.
   void neverFinish() {
     scene.settings.noise = 1e-6f;
@@ -36,7 +38,7 @@ struct PicturesTest : testing::Test {
 };
 
 TEST_F(PicturesTest, AMovingPictureIsOnePass) {
-  const TracedPictures::Result result = ask();
+  const auto result = ask();
   ASSERT_TRUE(result.picture);
   EXPECT_EQ(tracer.traces, 1);
   EXPECT_EQ(result.picture->image.color, test::CountingTrace().picture(scene).color);
@@ -80,18 +82,18 @@ TEST_F(PicturesTest, PicturesThatDependOnOtherProcessesAreNotRepeated) {
   TracedPictures shared{
       Tracer{.trace = tracer.trace, .standsAlone = [&](const scene::Snapshot&) { return alone; }}};
   scene.number = 1;
-  shared.of(scene, {.finished = true});
+  shared.pictureOf(scene, {.finished = true});
   const int traces = tracer.traces;
   EXPECT_TRUE(shared.knows(scene, {}));
-  EXPECT_TRUE(shared.of(scene, {.finished = true}).repeated);
+  EXPECT_TRUE(shared.pictureOf(scene, {.finished = true}).repeated);
   EXPECT_EQ(tracer.traces, traces);
   scene.number = 2;
   EXPECT_FALSE(shared.knows(scene, {}));
-  EXPECT_FALSE(shared.of(scene, {.finished = true}).repeated);
+  EXPECT_FALSE(shared.pictureOf(scene, {.finished = true}).repeated);
   EXPECT_EQ(tracer.traces, 2 * traces);
   alone = true;
   scene.number = 3;
-  EXPECT_TRUE(shared.of(scene, {.finished = true}).repeated);
+  EXPECT_TRUE(shared.pictureOf(scene, {.finished = true}).repeated);
 }
 
 /// Other processes may show what this one makes.
@@ -101,16 +103,16 @@ TEST_F(PicturesTest, EachNewPictureIsToldOnceAfterAllPasses) {
       Tracer{.trace = tracer.trace, .shown = [&](const scene::Snapshot&, const Image& image, bool finished) {
                told.emplace_back(image, finished);
              }}};
-  const TracedPictures::Result first = made.of(scene, {});
+  const TracedPictures::Result first = made.pictureOf(scene, {});
   ASSERT_EQ(told.size(), 1u);
   EXPECT_EQ(told[0].first.color, first.picture->image.color);
   EXPECT_FALSE(told[0].second);
-  const TracedPictures::Result finished = made.of(scene, {.finished = true});
+  const TracedPictures::Result finished = made.pictureOf(scene, {.finished = true});
   EXPECT_GT(finished.passes, 1u);
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[1].first.color, finished.picture->image.color);
   EXPECT_TRUE(told[1].second);
-  EXPECT_TRUE(made.of(scene, {}).repeated);
+  EXPECT_TRUE(made.pictureOf(scene, {}).repeated);
   EXPECT_EQ(told.size(), 2u);
 }
 
@@ -133,7 +135,7 @@ TEST_F(PicturesTest, PicturesOfAnotherProcessAreShownAsTheyCome) {
   scene.settings.denoise = Denoise::filter;
   scene.lightSampling.mode = LightSampling::Mode::full;
   scene.number = 1;
-  const auto color = [&] { return given.of(scene, {.finished = true}).picture->image.color[0]; };
+  const auto color = [&] { return given.pictureOf(scene, {.finished = true}).picture->image.color[0]; };
   EXPECT_EQ(color(), 1u);
   EXPECT_EQ(color(), 2u) << "it becomes better there";
   refined = true;
@@ -152,7 +154,8 @@ TEST_F(PicturesTest, AveragesHaveMissesOfNoColor) {
   scene.instances.erase(scene.instances.begin());  // the wall: misses instead
   const std::vector<uint32_t> expected = ask(true).picture->image.color;
   const int traces = tracer.traces;
-  const LastPictures::Picture& red = *pictures.of(scene, {.missColor = 0xff0000ff, .finished = true}).picture;
+  const LastPictures::Picture& red =
+      *pictures.pictureOf(scene, {.missColor = 0xff0000ff, .finished = true}).picture;
   EXPECT_EQ(red.image.missColor, 0xff0000ffu);
   EXPECT_EQ(red.image.color, expected);
   EXPECT_EQ(tracer.traces, traces);
@@ -164,21 +167,21 @@ TEST_F(PicturesTest, MissesOfOneColorOrAnotherAreTheSamePicture) {
   scene.settings.fps = 1000;                       // redraws have time for few passes
   scene.instances.erase(scene.instances.begin());  // the wall: misses instead
   TracedPictures steady{Tracer{tracer.trace}};
-  while (!steady.of(scene, {}).picture->refined) {}
-  const std::vector<uint32_t> expected = steady.of(scene, {}).picture->image.color;
+  while (!steady.pictureOf(scene, {}).picture->refined) {}
+  const std::vector<uint32_t> expected = steady.pictureOf(scene, {}).picture->image.color;
   const int traces = std::exchange(tracer.traces, 0);
   constexpr uint32_t kRed = 0xff0000ff, kBlue = 0xffff0000;
   for (bool refined = false, direct = true; !refined; direct = !direct) {
     const TracedPictures::Wish wish =
         direct ? TracedPictures::Wish{.missColor = kRed} : TracedPictures::Wish{};
-    const LastPictures::Picture& picture = *pictures.of(scene, wish).picture;
+    const LastPictures::Picture& picture = *pictures.pictureOf(scene, wish).picture;
     EXPECT_EQ(picture.image.missColor, kRed);
     refined = picture.refined;
-    EXPECT_EQ(pictures.of(scene, {.asShown = true}).picture, &picture);
+    EXPECT_EQ(pictures.pictureOf(scene, {.asShown = true}).picture, &picture);
   }
   EXPECT_EQ(tracer.traces, traces);
-  const uint64_t id = pictures.of(scene, {.missColor = kRed}).picture->id;
-  const LastPictures::Picture& blue = *pictures.of(scene, {.missColor = kBlue}).picture;
+  const uint64_t id = pictures.pictureOf(scene, {.missColor = kRed}).picture->id;
+  const LastPictures::Picture& blue = *pictures.pictureOf(scene, {.missColor = kBlue}).picture;
   EXPECT_NE(blue.id, id) << "write-backs know pictures by their ids";
   ASSERT_EQ(blue.image.color.size(), expected.size());
   size_t misses = 0;
@@ -203,7 +206,8 @@ TEST_F(PicturesTest, AReadAfterMotionFinishesThePicture) {
   ask();
   const Image after = ask(true).picture->image;
   TracedPictures fresh{Tracer{tracer.trace}};
-  EXPECT_EQ(after.color, fresh.of(scene, {.finished = true}).picture->image.color) << "whatever came before";
+  EXPECT_EQ(after.color, fresh.pictureOf(scene, {.finished = true}).picture->image.color)
+      << "whatever came before";
 }
 
 TEST_F(PicturesTest, PicturesThatNobodyWatchesAreFinished) {
@@ -288,9 +292,8 @@ TEST_F(PicturesTest, IfNothingCanBeTracedThereIsNoPicture) {
     error = "never";
     return false;
   }}};
-  const TracedPictures::Result result = none.of(scene, {.finished = true});
-  EXPECT_FALSE(result.picture);
-  EXPECT_EQ(result.why, "never");
+  EXPECT_FALSE(none.pictureOf(scene, {.finished = true}).picture);
+  EXPECT_EQ(none.pictureOf(scene, {.finished = true}).why, "never");
 }
 
 }  // namespace

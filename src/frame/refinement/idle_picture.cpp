@@ -187,7 +187,7 @@ bool IdleFrame::has(uint64_t id) const {
   return std::any_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.picture.id == id; });
 }
 
-bool IdleFrame::look() noexcept {
+bool IdleFrame::readWindow() noexcept {
   if (!looked()) return window_->read(shown_);
   // `next_` is free between steps.
   return window_->read(next_) && next_.width == shown_.width && next_.height == shown_.height &&
@@ -257,7 +257,7 @@ double IdleFrame::noise() const {
   return most;
 }
 
-std::unique_ptr<Refinement> IdleFrame::take(uint64_t id) noexcept {
+std::unique_ptr<Refinement> IdleFrame::takePasses(uint64_t id) noexcept {
   for (Part& part : parts_)
     if (part.picture.id == id && part.refinement && part.refinement->passes() > 0) {
       part.refiner.reset();

@@ -52,7 +52,7 @@ class IdleFrame {
   IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
             std::vector<IdleFxaa> passes = {});
   /// Reads the window. False: that is not possible, or it has changed since the last step.
-  bool look() noexcept;
+  bool readWindow() noexcept;
   /// The same pictures, for another window. It has their passes until takeBack().
   std::unique_ptr<IdleFrame> lend(std::shared_ptr<IdleWindow> window);
   void takeBack(IdleFrame& lent) noexcept;
@@ -75,7 +75,7 @@ class IdleFrame {
   /// Of its noisiest picture; infinite: not known yet.
   double noise() const;
   /// Hands over the passes of the picture of this id.
-  std::unique_ptr<Refinement> take(uint64_t id) noexcept;
+  std::unique_ptr<Refinement> takePasses(uint64_t id) noexcept;
 
  private:
   struct Part {

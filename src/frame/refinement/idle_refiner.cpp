@@ -72,9 +72,9 @@ void IdleRefiner::stop() noexcept {
   state_ = State::empty;
 }
 
-std::unique_ptr<Refinement> IdleRefiner::take(uint64_t id) noexcept {
+std::unique_ptr<Refinement> IdleRefiner::takePasses(uint64_t id) noexcept {
   const std::lock_guard lock(mutex_);
-  return frame_ ? frame_->take(id) : nullptr;
+  return frame_ ? frame_->takePasses(id) : nullptr;
 }
 
 void IdleRefiner::run(const std::atomic<bool>& cancelled) {
@@ -99,7 +99,7 @@ void IdleRefiner::run(const std::atomic<bool>& cancelled) {
 
 void IdleRefiner::refine(IdleFrame& frame, const Trace& trace, const std::function<bool()>& ends) {
   const bool again = frame.looked();
-  if (!frame.look()) return void(counts().refused += !again);
+  if (!frame.readWindow()) return void(counts().refused += !again);
   if (!again) ++counts().frames, counts().framePasses = 0;
   auto step = IdleFrame::Step::more;
   IdleFrame::Done done;

@@ -46,7 +46,7 @@ class IdleRefiner {
   /// Goes on with that frame after stop(), if its window still shows what it was left with.
   void resume() noexcept;
   /// Hands over the passes over the picture of this id; null: there are none. Call after stop().
-  std::unique_ptr<Refinement> take(uint64_t id) noexcept;
+  std::unique_ptr<Refinement> takePasses(uint64_t id) noexcept;
 
  private:
   enum class State { empty, waiting, working };

@@ -24,12 +24,12 @@ TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
   EXPECT_GE(window->painted(), 2);
   const int traced = passes;
   refiner.stop();
-  const auto refinement = refiner.take(5);
+  const auto refinement = refiner.takePasses(5);
   ASSERT_TRUE(refinement);
   EXPECT_EQ(static_cast<int>(refinement->passes()), traced);
   EXPECT_LE(refinement->noise(), 0.01);
-  EXPECT_FALSE(refiner.take(5));
-  EXPECT_FALSE(refiner.take(6));
+  EXPECT_FALSE(refiner.takePasses(5));
+  EXPECT_FALSE(refiner.takePasses(6));
 }
 
 TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
@@ -200,7 +200,7 @@ TEST_F(IdleRefinerTest, GoesOnFromThePassesSoFar) {
   EXPECT_EQ(passes, 4);
   EXPECT_EQ(window->painted(), 1);
   refiner.stop();
-  EXPECT_EQ(refiner.take(5)->passes(), 12u);
+  EXPECT_EQ(refiner.takePasses(5)->passes(), 12u);
 }
 
 TEST_F(IdleRefinerTest, SeveralViewsOfAWindowAreRefined) {

@@ -102,7 +102,7 @@ bool TraceAhead::wait() {
   return state_ != State::waiting;
 }
 
-bool TraceAhead::take(Image& image, scene::TraceCost& cost, std::string& error) {
+bool TraceAhead::takePicture(Image& image, scene::TraceCost& cost, std::string& error) {
   const scene::SnapshotPtr snapshot = snapshot_;
   const bool ran = wait();
   std::unique_lock lock(mutex_);

@@ -34,7 +34,7 @@ class TraceAhead {
   /// Whether the pending or finished picture is of this very snapshot object.
   bool has(const scene::Snapshot& snapshot) const { return snapshot_.get() == &snapshot; }
   /// Waits for the picture and swaps it into `image`. False, with one line in `error`, if tracing failed.
-  bool take(Image& image, scene::TraceCost& cost, std::string& error);
+  bool takePicture(Image& image, scene::TraceCost& cost, std::string& error);
   /// Discards the picture, after waiting for it.
   void drop() noexcept;
 

@@ -33,7 +33,7 @@ TEST(TraceAhead, PicturesOneAfterTheOther) {
     Image image;
     scene::TraceCost cost;
     std::string error;
-    EXPECT_EQ(ahead.take(image, cost, error), number != 13);
+    EXPECT_EQ(ahead.takePicture(image, cost, error), number != 13);
     EXPECT_FALSE(ahead.has(*snapshot));
     if (number == 13) {
       EXPECT_EQ(error, "frame 13");
@@ -68,7 +68,7 @@ TEST(TraceAhead, OverduePicturesAreShownOnce) {
   Image image;
   scene::TraceCost cost;
   std::string error;
-  EXPECT_TRUE(ahead.take(image, cost, error));
+  EXPECT_TRUE(ahead.takePicture(image, cost, error));
   EXPECT_EQ(image.depth[0], 3);
   EXPECT_EQ(shown, 1);
 }
@@ -83,7 +83,7 @@ TEST(TraceAhead, PicturesThatAreTakenInTimeAreNotShown) {
     ASSERT_TRUE(
         ahead.start(frame(number), 0,
                     {TraceAhead::Clock::now() + std::chrono::hours(1), [&](const Image&) { ++shown; }}));
-    EXPECT_TRUE(ahead.take(image, cost, error));
+    EXPECT_TRUE(ahead.takePicture(image, cost, error));
   }
   EXPECT_EQ(shown, 0);
 }

@@ -170,7 +170,7 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
   CapturedVertices result;
   const bool homogeneous = anyOtherW(readers.vertex, arrays.vertex, range);
   const VertexLayout& layout = result.layout =
-      VertexLayout::of(slotsOf(arrays) | (homogeneous ? bit(kPositionW) : 0));
+      VertexLayout::layoutOf(slotsOf(arrays) | (homogeneous ? bit(kPositionW) : 0));
   result.vertexCount = range.count();
   result.vertices.reserve(size_t{range.count()} * layout.stride);
   const auto put = [&](Slot slot, const ArrayReader& reader, const ArraySource& source) {

@@ -172,7 +172,7 @@ bool Batch::takes(const glm::dmat4& eyeFromObject) const {
          scene::isPlaceable(glm::mat4(worldFromEye_ * eyeFromObject));
 }
 
-scene::SnapshotPtr Batch::take() {
+scene::SnapshotPtr Batch::takeSnapshot() {
   instancesAt_.clear();
   return std::move(snapshot_);
 }

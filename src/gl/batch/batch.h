@@ -82,7 +82,7 @@ class Batch {
   /// Whether an instance with this matrix can lie in the batch's world.
   bool takes(const glm::dmat4& eyeFromObject) const;
   /// Hands the batch over and leaves it empty.
-  scene::SnapshotPtr take();
+  scene::SnapshotPtr takeSnapshot();
   /// Keeps the shader program's draw behind an added instance, in case tracing fails.
   void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
   const std::vector<ProgramDraw>& programDraws() const { return programDraws_; }

@@ -34,7 +34,7 @@ TEST(Batch, LaterOfTwoEqualSurfacesWinsUnderLequalAndEarlierUnderLess) {
     batch.add(first, {});
     batch.add(instanceOf(2), {});
     batch.add(second, {});
-    const auto snapshot = batch.take();
+    const auto snapshot = batch.takeSnapshot();
     ASSERT_EQ(snapshot->instances.size(), 2u);
     EXPECT_EQ(snapshot->instances[0].color, func == GL_LESS ? first.color : second.color);
   }
@@ -44,7 +44,7 @@ TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
   Started batch(stateWith(GL_LESS));
   batch.add(instanceOf(1, 0), {});
   batch.add(instanceOf(1, 5), {});
-  const auto snapshot = batch.take();
+  const auto snapshot = batch.takeSnapshot();
   ASSERT_EQ(snapshot->instances.size(), 2u);
   EXPECT_EQ(snapshot->instances[0].worldFromObject, glm::mat4(1))
       << "the first instance's object space is the world";
@@ -58,7 +58,7 @@ TEST(Batch, ViewsAreOfTheirContextAndWindow) {
     state.target.context = context, state.target.drawable = window, state.target.framebuffer = framebuffer;
     Started batch(state);
     batch.add(instanceOf(1), {});
-    return batch.take()->view;
+    return batch.takeSnapshot()->view;
   };
   EXPECT_EQ(viewOf(1, 7, 0), viewOf(1, 7, 0));
   EXPECT_NE(viewOf(1, 7, 0), viewOf(1, 8, 0));
@@ -74,7 +74,7 @@ TEST(Batch, SharesEqualShadings) {
   batch.add(instanceOf(1), {});
   batch.add(instanceOf(2), lit);
   batch.add(instanceOf(3), {});
-  const auto snapshot = batch.take();
+  const auto snapshot = batch.takeSnapshot();
   EXPECT_EQ(snapshot->shadings.size(), 2u);
   EXPECT_EQ(snapshot->instances[2].shading, snapshot->instances[0].shading);
 }

@@ -22,7 +22,7 @@ class CompletePresenter {
   /// present() shall make one of the snapshot that it gets next. Otherwise it makes none.
   virtual void expect() noexcept {}
   /// The complete picture of the snapshot that was presented after expect(); null: there is none.
-  virtual std::shared_ptr<const Image> take() noexcept { return nullptr; }
+  virtual std::shared_ptr<const Image> takePicture() noexcept { return nullptr; }
   enum class Copy : uint8_t { beforeDraw, afterDraw };
   /// Keeps a copy of the bound draw framebuffer's colours and depths in `region`. False: it cannot. No error
   /// may be pending. Never throws.

@@ -4,7 +4,7 @@ namespace gluray::gl {
 
 // Keeps the larger one of the two capacities. `used` is empty; `count`: the elements it had.
 template <class T>
-void SnapshotMemory::Store<T>::take(std::vector<T>& used, size_t count) {
+void SnapshotMemory::Store<T>::takeMemory(std::vector<T>& used, size_t count) {
   if (used.capacity() > spare.capacity()) spare.swap(used);
   idle = count > spare.capacity() / 4 ? 0 : idle + 1;
   if (idle > kPatience) std::vector<T>().swap(spare), idle = 0;
@@ -17,8 +17,8 @@ std::shared_ptr<scene::Snapshot> SnapshotMemory::make() {
     used->instances.clear();  // releases the meshes at once, outside the lock
     used->shadings.clear();
     const std::lock_guard lock(kept->mutex);
-    kept->instances.take(used->instances, instances);
-    kept->shadings.take(used->shadings, shadings);
+    kept->instances.takeMemory(used->instances, instances);
+    kept->shadings.takeMemory(used->shadings, shadings);
   };
   std::shared_ptr<scene::Snapshot> made(new scene::Snapshot, giveBack);
   const std::lock_guard lock(kept_->mutex);

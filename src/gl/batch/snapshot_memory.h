@@ -22,7 +22,7 @@ class SnapshotMemory {
   struct Store {
     std::vector<T> spare;  // no elements, only capacity
     int idle = 0;          // consecutive snapshots that hardly used it
-    void take(std::vector<T>& used, size_t count);
+    void takeMemory(std::vector<T>& used, size_t count);
   };
   struct Kept {
     std::mutex mutex;

@@ -8,7 +8,7 @@
 
 namespace gluray::gl {
 
-VertexLayout VertexLayout::of(SlotMask mask) {
+VertexLayout VertexLayout::layoutOf(SlotMask mask) {
   VertexLayout layout;
   layout.mask = mask | bit(kPosition);
   layout.stride = 3;

@@ -23,7 +23,7 @@ struct VertexLayout {
   uint8_t stride = 3;               // floats
 
   bool has(Slot slot) const { return mask & bit(slot); }
-  static VertexLayout of(SlotMask mask);
+  static VertexLayout layoutOf(SlotMask mask);
 };
 
 struct Primitive {

@@ -14,7 +14,7 @@ CapturedVertices row(GLenum mode, uint32_t n) {
   stream.begin(mode);
   for (uint32_t i = 0; i < n; ++i) stream.vertexSlow(static_cast<float>(i), 0, 0, 1);
   stream.end();
-  return stream.take();
+  return stream.takeRun();
 }
 
 using Corners = std::vector<uint32_t>;

@@ -27,7 +27,7 @@ CapturedVertices capturedGrid(uint32_t n, bool colored = false) {
       send(x, y), send(x + 1, y + 1), send(x, y + 1);
     }
   stream.end();
-  return stream.take();
+  return stream.takeRun();
 }
 
 TEST(Weld, GivesOnlyEqualVerticesOneNumber) {
@@ -81,7 +81,7 @@ CapturedVertices layered(uint32_t n, SlotMask slots) {
     stream.vertexSlow(x, x * x, 0, 1);
   }
   stream.end();
-  return stream.take();
+  return stream.takeRun();
 }
 
 TEST(BuildMesh, KeepsTexcoordsOfHigherUnits) {
@@ -124,7 +124,7 @@ TEST(BuildMesh, LeavesHomogeneousVerticesToTheRealOpenGL) {
   stream.begin(GL_TRIANGLES);
   stream.vertexSlow(0, 0, 0, 1), stream.vertexSlow(1, 0, 0, 2), stream.vertexSlow(0, 1, 0, 1);
   stream.end();
-  const KnownMesh known = buildMesh(stream.take());
+  const KnownMesh known = buildMesh(stream.takeRun());
   EXPECT_TRUE(known.homogeneous);
   EXPECT_FALSE(known.mesh);
 }

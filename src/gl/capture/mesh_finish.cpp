@@ -41,7 +41,7 @@ Hash128 geometryIdentity(const scene::Mesh& mesh) {
         for (uint32_t k = 0; k < 3; ++k) *corner++ = mesh.position(mesh.corner(t, k));
       stream.add(corners, static_cast<size_t>(corner - corners) * sizeof(glm::vec3));
     }
-    hashes[piece] = stream.take();
+    hashes[piece] = stream.finishHash();
   };
   forPieces(pieces, 1, [&](size_t piece, size_t last) {
     HashStream stream;

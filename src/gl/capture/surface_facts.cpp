@@ -60,7 +60,7 @@ Hash128 identityOf(const std::vector<Hash128>& pieces, uint32_t triangles) {
 
 void SurfaceWatch::start() {
   spoiled_ = false;
-  if (corners_ > 0) (void)piece_.take();
+  if (corners_ > 0) (void)piece_.finishHash();
   corners_ = 0;
   pieces_.clear();
   bounds_ = {};
@@ -73,7 +73,7 @@ void SurfaceWatch::add(const float* positions, uint32_t count, uint32_t stride) 
       const uint32_t n = std::min(count, kIdentityPiece - corners_ % kIdentityPiece);
       addToPiece(positions, n, stride);
       corners_ += n, count -= n, positions += size_t{n} * stride;
-      if (corners_ % kIdentityPiece == 0) pieces_.push_back(piece_.take());
+      if (corners_ % kIdentityPiece == 0) pieces_.push_back(piece_.finishHash());
     }
   } catch (...) { spoil(); }
 }
@@ -92,7 +92,7 @@ void SurfaceWatch::addToPiece(const float* positions, uint32_t count, uint32_t s
 bool SurfaceWatch::facts(SurfaceFacts& result) {
   if (spoiled_ || corners_ % 3 != 0) return false;
   std::vector<Hash128> pieces = pieces_;
-  if (corners_ % kIdentityPiece != 0) pieces.push_back(piece_.take());
+  if (corners_ % kIdentityPiece != 0) pieces.push_back(piece_.finishHash());
   result = {identityOf(pieces, corners_ / 3), bounds_, corners_};
   spoil();  // the last piece is gone
   return true;

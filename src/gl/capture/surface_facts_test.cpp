@@ -70,7 +70,7 @@ TEST_P(SentFacts, LeaveOutIncompleteTriangles) {
     for (int i = 0; i < 2; ++i) stream.vertexSlow(-500, static_cast<float>(i), 0, 1);
     if (seen) stream.captured();
     stream.end();
-    CapturedVertices welded = stream.take();
+    CapturedVertices welded = stream.takeRun();
     EXPECT_EQ(welded.facts.has_value(), !seen);
     const KnownMesh known = buildMesh(std::move(welded));
     EXPECT_EQ(known.mesh->geometryId,
@@ -87,7 +87,7 @@ TEST_P(SentFacts, AreNoneOnceVerticesGetAnotherForm) {
   stream.addSlot(kNormal, normal);
   sendGrid(stream, 2);
   stream.end();
-  EXPECT_FALSE(stream.take().facts);
+  EXPECT_FALSE(stream.takeRun().facts);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weld
   kept_ = numbered_ = 0;
   welder_.forget();
   watch_.start();
-  captured_.layout = VertexLayout::of(mask);
+  captured_.layout = VertexLayout::layoutOf(mask);
   insidePrimitive_ = false;
   cursor_ = captured_.vertices.data();
   updateLimit();
@@ -194,7 +194,7 @@ void VertexStream::vertexSlow(float x, float y, float z, float w) {
 
 // Works in place if there is room: memory that an earlier run has touched is worth keeping.
 void VertexStream::relayout(SlotMask mask) {
-  const VertexLayout from = captured_.layout, to = VertexLayout::of(mask);
+  const VertexLayout from = captured_.layout, to = VertexLayout::layoutOf(mask);
   captured_.vertices.reserve(size_t{std::max(captured_.vertexCount, 1u)} * to.stride);
   float old[128 + 16];
   const auto move = [&](const float* source, float* target) {
@@ -228,7 +228,7 @@ float VertexStream::addMaterial(const MaterialChange& change) {
   return static_cast<float>(captured_.materials.size());
 }
 
-CapturedVertices VertexStream::take() {
+CapturedVertices VertexStream::takeRun() {
   numberAll();
   if (SurfaceFacts facts; numbered_ > 0 && welds() && watch_.corners() == numbered_ && watch_.facts(facts))
     captured_.facts = facts;

@@ -59,7 +59,7 @@ class VertexStream {
     if (sizeOf(slot) > 3) to[3] = w;
   }
   const float* get(Slot slot) const { return get(captured_.layout, slot); }
-  /// The same, for the layout of the run that take() has just returned.
+  /// The same, for the layout of the run that takeRun() has just returned.
   const float* get(const VertexLayout& layout, Slot slot) const { return template_ + layout.offset[slot]; }
 
   /// Adds a slot; vertices already captured get the value `earlier`.
@@ -79,7 +79,7 @@ class VertexStream {
     return captured_;
   }
   /// Returns the run; the stream is empty afterwards.
-  CapturedVertices take();
+  CapturedVertices takeRun();
 
  private:
   /// Vertices sent since start(), duplicates included: what primitives count.

@@ -31,7 +31,7 @@ TEST(VertexStream, AddSlotFillsEarlierVertices) {
   stream.addSlot(kColor, white);
   stream.set(kColor, red);
   triangle(stream, 5);
-  const CapturedVertices c = stream.take();
+  const CapturedVertices c = stream.takeRun();
   ASSERT_EQ(c.vertexCount, 6u);
   const uint32_t at = c.layout.offset[kColor];
   EXPECT_EQ(c.vertex(2)[at + 1], 1);
@@ -67,7 +67,7 @@ TEST(VertexStream, WidensEarlierVerticesInPlace) {
   const float white[4] = {1, 1, 1, 1}, st[4] = {3, 4, 0, 1};
   stream.addSlot(kColor, white);
   stream.addSlot(kTexCoord0, st);
-  const CapturedVertices c = stream.take();
+  const CapturedVertices c = stream.takeRun();
   ASSERT_EQ(c.vertexCount, 150u);
   for (uint32_t i = 0; i < c.vertexCount; ++i) {
     EXPECT_EQ(c.vertex(i)[0], static_cast<float>(i / 3));
@@ -87,7 +87,7 @@ TEST(VertexStream, StoresWOnlyIfAVertexNeedsIt) {
   stream.vertexSlow(1, 2, 3, 1);
   EXPECT_FALSE(stream.hasRoom()) << "vertex() would lose w";
   stream.end();
-  const CapturedVertices c = stream.take();
+  const CapturedVertices c = stream.takeRun();
   const uint32_t at = c.layout.offset[kPositionW];
   EXPECT_EQ(c.vertex(0)[at], 1);
   EXPECT_EQ(c.vertex(3)[at], 4);
@@ -111,7 +111,7 @@ TEST(VertexStream, HoldsEverySlotAtOnce) {
   stream.begin(GL_POINTS);
   for (int i = 0; i < 3000; ++i) stream.vertexSlow(static_cast<float>(i), 0, 0, 1);
   stream.end();
-  const CapturedVertices c = stream.take();
+  const CapturedVertices c = stream.takeRun();
   for (const uint32_t i : {0u, 1500u, 2999u}) {
     EXPECT_EQ(c.vertex(i)[0], static_cast<float>(i));
     for (int s = kNormal; s < kSlotCount; ++s)

@@ -82,7 +82,7 @@ Reason Triage::ofPictures(bool large) const {
   return later || p_.pending.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
-Reason Triage::of(PrimitiveClass kind) const {
+Reason Triage::classify(PrimitiveClass kind) const {
   if (const Reason reason = ofContext(); reason != Reason::traced) return reason;
   const State& state = p_.shadow.state;
   const bool solid = drawsSolids(p_.shadow.settings, kind);
@@ -143,7 +143,7 @@ Reason Triage::ofProgramsMesh(const scene::Mesh& mesh, const std::vector<Materia
   return p_.layers.mayBeDrawn() ? Reason::traced : state.raster.unlessOpaque;
 }
 
-Reason Triage::of(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
+Reason Triage::classify(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   Reason reason = whereEverythingIsTraced(known, materials);
   const State& state = p_.shadow.state;
   const auto meetsSampled = [&] {

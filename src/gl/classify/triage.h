@@ -38,9 +38,9 @@ class Triage {
   Reason ofPictures(bool large) const;
   /// Why a draw of fixed function's vertices, by fixed function or by a program, cannot be traced now, if it
   /// is of this primitive class, or Reason::traced. Call refresh(kDrawGroups) before.
-  Reason of(PrimitiveClass kind) const;
-  /// The same for a surface with this mesh, after of(kind).
-  Reason of(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
+  Reason classify(PrimitiveClass kind) const;
+  /// The same for a surface with this mesh, after classify(kind).
+  Reason classify(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether a surface that can be traced is a layer, blended in drawing order (LayerDraws::mayBeDrawn()).
   bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
 

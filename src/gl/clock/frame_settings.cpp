@@ -19,10 +19,10 @@ int threadsOf(const Settings& settings) {
   return settings.engine == Engine::automatic ? tbb::info::default_concurrency() : 1;
 }
 
-bool FrameSettings::take() {
+bool FrameSettings::takeCurrent() {
   if (!source_) return false;
   uint64_t version = version_;
-  const SettingsSource::Shared newer = source_->take(version);
+  const SettingsSource::Shared newer = source_->takeNewer(version);
   if (!newer) return false;
   Settings next = *newer;  // may throw
   keepBetweenFrames(next, now_);

@@ -34,7 +34,7 @@ class FrameSettings {
   }
   /// Call after these: takes the current settings, except those that are fixed for the context. Returns
   /// whether the source had new ones.
-  bool take();
+  bool takeCurrent();
 
  private:
   SettingsSource* const source_;

@@ -24,11 +24,11 @@ TEST(FrameSettings, FramesLookForChangesWhenTheyBegin) {
   info.source = &g_source;
   FrameSettings settings(info);
   g_source.watch(look);
-  settings.take();
-  EXPECT_FALSE(settings.take()) << "nothing has changed";
+  settings.takeCurrent();
+  EXPECT_FALSE(settings.takeCurrent()) << "nothing has changed";
   g_spp = 4;
   EXPECT_EQ(settings.now().spp, 1) << "a frame keeps its settings";
-  EXPECT_TRUE(settings.take());
+  EXPECT_TRUE(settings.takeCurrent());
   EXPECT_EQ(settings.now().spp, 4);
 }
 

@@ -83,7 +83,7 @@ GLenum getError(Context& c) {
   const bool compiledOnly = c.lists.compiling() && !c.lists.executing();
   const bool inside = c.immediate.insideBegin() || c.immediate.executedInside();
   if (inside && !compiledOnly) return c.errors.set(GL_INVALID_OPERATION), GLenum{GL_NO_ERROR};
-  return c.errors.take();
+  return c.errors.takeError();
 }
 
 namespace {

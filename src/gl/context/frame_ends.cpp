@@ -84,8 +84,8 @@ void FrameEnds::takeSettings() {
   const ContextInfo& info = p_.shadow.info;
   DrawnObjects& objects = p_.surfaces.objects;
   const Engine before = engineOf(info, p_.settings.now(), objects.asked());
-  const bool looked = objects.look();
-  if (!p_.settings.take() && !looked) return;
+  const bool looked = objects.checkAsked();
+  if (!p_.settings.takeCurrent() && !looked) return;
   const Engine now = engineOf(info, p_.settings.now(), objects.asked());
   if (before == now) return;
   p_.flusher.flush();

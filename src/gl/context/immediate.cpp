@@ -142,7 +142,7 @@ void Immediate::begin(GLenum mode) {
     p_.passthrough.works();
     p_.shadow.refresh(kDrawGroups);
     class_ = kind;
-    const Reason reason = p_.triage.of(kind);
+    const Reason reason = p_.triage.classify(kind);
     if (reason != Reason::traced && !canBegin(mode)) return;  // no primitive is open
     const bool captured = reason == Reason::traced || p_.raster.needsVertices(kind, reason);
     if (!captured) {

@@ -44,7 +44,7 @@ void Immediate::idle() {
 }
 
 void Immediate::recordRun() {
-  CapturedVertices run = stream_.take();
+  CapturedVertices run = stream_.takeRun();
   if (run.empty() && run.layout.mask == bit(kPosition)) return;
   SlotValues finals = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
@@ -64,7 +64,7 @@ void Immediate::recordRun() {
 
 void Immediate::loosen() {
   const Primitive open = stream_.openPrimitive();
-  CapturedVertices run = stream_.take();
+  CapturedVertices run = stream_.takeRun();
   SlotValues finals = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (run.layout.has(static_cast<Slot>(s)))
@@ -122,7 +122,7 @@ class Immediate::RunDraw final : public DrawRequest {
   explicit RunDraw(Immediate& immediate) : i_(immediate), run_(immediate.stream_.captured()) {}
   Reason classifyState() override { return i_.p_.failsafe.aside() ? i_.p_.failsafe.reason() : i_.reason_; }
   KnownMesh mesh() override { return i_.meshOfRun(); }
-  Reason classifyMesh(const KnownMesh& mesh) override { return i_.p_.triage.of(mesh, run_.materials); }
+  Reason classifyMesh(const KnownMesh& mesh) override { return i_.p_.triage.classify(mesh, run_.materials); }
   Reason trace(const KnownMesh& mesh) override {
     i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
     i_.p_.counts.traced(i_.path_, countTriangles(run_));

@@ -135,7 +135,8 @@ Reason CulledDraws::planMesh(const Source& from, Plan& found) {
   if (assembly.restart && !inBuffers) return Reason::arrayState;
   const Hash128 name = assembly.added(contentOf(shadow.real, content, mode, e));
   return planClusters(
-      name, [&] { return CulledMesh::of(shadow.real, positions, components, content, assembly, e); }, found);
+      name, [&] { return CulledMesh::create(shadow.real, positions, components, content, assembly, e); },
+      found);
 }
 
 Reason CulledDraws::planClusters(const Hash128& name,

@@ -103,7 +103,7 @@ bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void(
 void CulledDraws::drawTried(const Plan& plan) {
   const bool always = p_.shadow.settings.cull.draws == Culling::always;
   History& history = *plan.history;
-  const CullingTrials::Next next = history.trials.next(always, trials_);
+  const CullingTrials::Next next = history.trials.nextDraw(always, trials_);
   const auto finished = [&] {
     if (next.measured) p_.shadow.real.Finish();
     return next.measured ? p_.shadow.info.clock() : 0;
@@ -116,19 +116,19 @@ void CulledDraws::drawTried(const Plan& plan) {
     history.trials.tookCulled(culled, seconds, trials_);
   else if (next.measured)
     history.trials.tookPlain(seconds);
-  if (!history.visible.empty() || (!always && !history.trials.pays()) || !place(plan)) return;
-  look(plan, history.visible);
+  if (!history.visible.empty() || (!always && !history.trials.pays()) || !placeClusters(plan)) return;
+  findVisible(plan, history.visible);
   if (next.measured) trials_.spend(finished() - start - seconds);
 }
 
 bool CulledDraws::drawCulled(const Plan& plan) {
-  if (!place(plan)) return false;
+  if (!placeClusters(plan)) return false;
   if (plan.rehearsed) return drawRehearsed(plan, false);
   const std::vector<uint64_t> guess = plan.history->visible;
   if (guess.empty() || !before_.keep(plan.region)) return false;
   drawParts(plan, guess);
   std::vector<uint64_t> visible;
-  if (!look(plan, visible)) {  // all that was not drawn may show
+  if (!findVisible(plan, visible)) {  // all that was not drawn may show
     before_.putBack();
     return false;
   }
@@ -157,11 +157,11 @@ void CulledDraws::countLeft(const Plan& plan, uint64_t drawn) {
 
 bool CulledDraws::drawVerified(const Plan& plan) {
   Pixels culled, whole;
-  const bool placed = place(plan);
+  const bool placed = placeClusters(plan);
   if (placed && plan.rehearsed && drawRehearsed(plan, true)) return true;
   if (!placed || plan.rehearsed || !drawCulled(plan)) {
     drawWhole(plan);
-    if (placed) look(plan, plan.history->visible);
+    if (placed) findVisible(plan, plan.history->visible);
     return true;
   }
   const bool isRead = read(plan, culled);
@@ -201,7 +201,7 @@ bool CulledDraws::readFarthest(const Plan& plan) {
   return reader.readDepth(p_.shadow.real, plan.region, depths_);
 }
 
-bool CulledDraws::look(const Plan& plan, std::vector<uint64_t>& visible) {
+bool CulledDraws::findVisible(const Plan& plan, std::vector<uint64_t>& visible) {
   if (!readFarthest(plan)) return false;
   if (plan.reversed)
     for (float& depth : depths_) depth = 1 - depth;

@@ -149,7 +149,7 @@ class CulledDraws {
   Reason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
                       Plan& plan);
   /// Moves the clusters to where this draw's vertices are. False: that is not known.
-  bool place(const Plan& plan);
+  bool placeClusters(const Plan& plan);
   static bool areFewAndLarge(const InstanceUnits& units, const CulledMesh& mesh);
   History& historyOf(Known& known, const Plan& plan);
   History& historyOf(Known& known, const Hash128& arrays);
@@ -185,7 +185,7 @@ class CulledDraws {
   /// The farthest depth of each pixel's samples.
   bool readFarthest(const Plan& plan);
   /// Reads the depth of the region and finds what may show. False: it cannot be read.
-  bool look(const Plan& plan, std::vector<uint64_t>& visible);
+  bool findVisible(const Plan& plan, std::vector<uint64_t>& visible);
   void drawParts(const Plan& plan, const std::vector<uint64_t>& parts);
   /// `as`: whose instances are drawn.
   void drawClusters(const CulledMesh& mesh, std::span<const uint64_t> clusters, const Elements& as);

@@ -43,7 +43,7 @@ constexpr std::array kObstacles{
 
 Reason obstacleIn(std::string_view text) {
   GlslTokens tokens(text);
-  for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next()) {
+  for (std::string_view word = tokens.nextToken(); !word.empty(); word = tokens.nextToken()) {
     const auto found = std::ranges::find(kObstacles, word, &Obstacle::word);
     if (found != kObstacles.end()) return found->reason;
   }
@@ -52,7 +52,7 @@ Reason obstacleIn(std::string_view text) {
 
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> wanted) {
   GlslTokens tokens(text);
-  for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next())
+  for (std::string_view word = tokens.nextToken(); !word.empty(); word = tokens.nextToken())
     if (std::ranges::find(wanted, word) != wanted.end()) return true;
   return false;
 }
@@ -85,7 +85,7 @@ Reason CulledProgram::check(const RealGl& real) {
   if (program.writes) return Reason::memoryWrites;
   ProgramSource source(real, program);
   if (!source.isWhole(false)) return Reason::noSource;
-  const std::string vertex = source.of(GL_VERTEX_SHADER), fragment = source.of(GL_FRAGMENT_SHADER);
+  const std::string vertex = source.textOf(GL_VERTEX_SHADER), fragment = source.textOf(GL_FRAGMENT_SHADER);
   for (const std::string* text : {&vertex, &fragment})
     if (const Reason reason = obstacleIn(*text); reason != Reason::traced) return reason;
   discards_ = hasWord(fragment, {"discard"});
@@ -113,7 +113,7 @@ Opacity CulledProgram::opacity(const RealGl& real, bool core, Varyings varyings)
   return alpha_->opacity(CurrentUniforms(real, known_->program, core), varyings);
 }
 
-bool CulledProgram::place(const RealGl& real, bool core, PlacedPosition& found) {
+bool CulledProgram::placedPosition(const RealGl& real, bool core, PlacedPosition& found) {
   if (reason_ != Reason::traced) return false;
   if (!positions_) positions_.emplace(*slice_);
   return positions_->find(CurrentUniforms(real, known_->program, core), found);

@@ -35,7 +35,7 @@ class CulledProgram {
   PositionFeedback& feedback() { return feedback_; }
   /// The same as position() without attributes of instances, for many draws: runs of the shader are
   /// remembered by the uniforms that they read. False: not linear.
-  bool place(const RealGl& real, bool core, PlacedPosition& found);
+  bool placedPosition(const RealGl& real, bool core, PlacedPosition& found);
   /// Whether its fragment shader leaves out fragments.
   bool discards() const { return discards_; }
   /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the

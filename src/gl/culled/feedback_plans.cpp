@@ -60,7 +60,7 @@ Reason CulledDraws::planFeedback(Plan& found) {
                                                                                          : Reason::positions;
 }
 
-bool CulledDraws::place(const Plan& plan) {
+bool CulledDraws::placeClusters(const Plan& plan) {
   if (!plan.feedback || placed_) return true;
   CulledMesh& mesh = *plan.mesh;
   const auto take = [&](const std::byte* positions) {

@@ -135,10 +135,11 @@ void CulledDraws::drawParts(const Plan& plan, const std::vector<uint64_t>& parts
   if (plan.byClusters)
     return forClustersOfInstances(plan, parts, [&](uint32_t unit, std::span<const uint64_t> clusters) {
       const bool any = std::ranges::any_of(clusters, [](uint64_t word) { return word != 0; });
-      if (any) drawClusters(mesh, clusters, draws.of(plan.elements, plan.units->part(unit, unit + 1)));
+      if (any)
+        drawClusters(mesh, clusters, draws.elementsOf(plan.elements, plan.units->part(unit, unit + 1)));
     });
   plan.units->forParts(parts, [&](const InstancePart& part) {
-    drawReal(p_.shadow.real, plan.mode, draws.of(plan.elements, part));
+    drawReal(p_.shadow.real, plan.mode, draws.elementsOf(plan.elements, part));
   });
 }
 

@@ -33,7 +33,7 @@ bool CulledDraws::rehearse(const Plan& plan, std::vector<uint64_t>& visible) {
   const FramebufferCopy copy(p_.shadow.real, p_.pending.presenter.reader(), plan.region, false);
   if (!copy.exists()) return false;
   drawParts(plan, plan.history->visible);
-  return look(plan, visible);
+  return findVisible(plan, visible);
 }
 
 bool CulledDraws::isSame(const Plan& plan, const std::vector<uint64_t>& visible) {

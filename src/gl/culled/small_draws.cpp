@@ -75,7 +75,7 @@ bool SmallDraws::hides(GLenum mode, const Elements& e) {
   Candidate candidate;
   if (!find(mode, e, candidate)) return false;
   if (epoch_ != p_.cleared.depthEpoch(common_.reversed)) beginEpoch();
-  if (!settles_ && schedule_.isDue()) look();
+  if (!settles_ && schedule_.isDue()) readDepths();
   if (!mayShow(candidate)) {
     p_.clock.smallDraws.leftOut(candidate.vertices);
     if (!verifiedAsHidden(candidate, mode, e)) return true;  // it was made
@@ -93,7 +93,7 @@ void SmallDraws::beginFrame() {
   const bool always = p_.shadow.settings.cull.draws == Culling::always;
   FrameTrials& trials = p_.clock.smallDraws;
   load_.waiting = waiting_;
-  const FrameTrials::Way way = trials.next(always, load_);
+  const FrameTrials::Way way = trials.nextFrame(always, load_);
   culls_ = way != FrameTrials::Way::plain, settles_ = way == FrameTrials::Way::settling;
   frame_ = p_.clock.frame;
   const double work = std::exchange(load_, {}).work;
@@ -174,7 +174,7 @@ bool SmallDraws::findByProgram(Candidate& candidate, const ArrayState*& arrays, 
   shadow.refresh(kAttributes);
   if (isInstanced(shadow.attributes)) return false;
   PlacedPosition placed;
-  if (!program.place(shadow.real, shadow.info.core, placed)) return false;
+  if (!program.placedPosition(shadow.real, shadow.info.core, placed)) return false;
   candidate.program = &program, candidate.matrix = placed.matrix;
   components = placed.position->components;
   return p_.culled.findPositions(program, placed.position->attribute, arrays, positions);
@@ -203,7 +203,7 @@ bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arra
     // What settling costs is limited by the trials.
     if (!always && !settles_ && buildSeconds_ > kBuildSeconds) return trials.isUnknown(), false;
     const double start = p_.shadow.info.clock();
-    known.mesh = CulledMesh::of(shadow.real, positions, components, content, assembly, e);
+    known.mesh = CulledMesh::create(shadow.real, positions, components, content, assembly, e);
     known.refused = !known.mesh, --waiting_;
     if (known.mesh) known.mesh->build(), known.mesh->forgetVertices();
     buildSeconds_ += p_.shadow.info.clock() - start;
@@ -228,7 +228,7 @@ bool SmallDraws::mayShow(const Candidate& candidate) const {
       BoxVisibility(candidate.matrix, window, isBounded ? &seen_.pyramid : nullptr));
 }
 
-void SmallDraws::look() {
+void SmallDraws::readDepths() {
   ShadowState& shadow = p_.shadow;
   FramebufferReader& reader = p_.pending.presenter.reader();
   FrameTrials& trials = p_.clock.smallDraws;

@@ -97,7 +97,7 @@ class SmallDraws {
                 int components, Candidate& candidate);
   bool mayShow(const Candidate& candidate) const;
   bool isSeen() const;
-  void look();
+  void readDepths();
   /// False: it was made after all, because `cull.verify` asks for it, and shows. From now on such draws are
   /// made.
   bool verifiedAsHidden(const Candidate& candidate, GLenum mode, const Elements& elements);

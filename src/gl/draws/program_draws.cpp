@@ -151,7 +151,7 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
 }
 
 /// Prepares batch, camera and matrix for the current program's instance. Placed::nowhere: it covers no pixel.
-ProgramDraws::Placed ProgramDraws::place(const scene::Mesh& mesh, const glm::dvec3& reach) {
+ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach) {
   const scene::Shape shape = mesh.shape;
   const ProgramState& program = p_.shadow.state.program;
   p_.shadow.state.projection = program.eyeFromObject
@@ -250,7 +250,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
       !p_.shadow.attributes.instanceTransform.empty() || p_.shadow.attributes.instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
   if (mesh->triangleCount == 0) return Reason::traced;
-  if (const Placed placed = place(*mesh, reach); placed != Placed::inBatch)
+  if (const Placed placed = preparePlace(*mesh, reach); placed != Placed::inBatch)
     return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
   const ProgramState& program = p_.shadow.state.program;
   scene::Instance instance = instanceOf(mesh, p_.shadow);

@@ -59,7 +59,7 @@ class ProgramDraws {
   /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
   enum class Placed { nowhere, inBatch, otherCamera };
-  Placed place(const scene::Mesh& mesh, const glm::dvec3& reach);
+  Placed preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   Parts p_;

@@ -34,24 +34,24 @@ void RasterDraws::passUnseen(PrimitiveClass kind, Reason reason) {
   if (needsOf(kind, reason).unseen) leaveUnseen();
 }
 
-DepthPlace RasterDraws::place() const {
+DepthPlace RasterDraws::depthPlace() const {
   p_.shadow.refresh(kTarget | kViewport);
   return depthPlaceOf(p_.shadow.state);
 }
 
 void RasterDraws::leave(std::vector<Triangle> triangles) {
-  p_.surfaces.passes.rasterisedFixed(p_.shadow.state.modelview, std::move(triangles), place(),
+  p_.surfaces.passes.rasterisedFixed(p_.shadow.state.modelview, std::move(triangles), depthPlace(),
                                      p_.triage.isPushedBack());
 }
 
 void RasterDraws::leaveUnseen() {
-  p_.failsafe.protect([&] { p_.surfaces.passes.rasterisedFixedUnseen(place()); });
+  p_.failsafe.protect([&] { p_.surfaces.passes.rasterisedFixedUnseen(depthPlace()); });
 }
 
 void RasterDraws::remember(const KnownMesh& known) {
   if (known.mesh)
     p_.surfaces.passes.drawn(known.mesh, p_.shadow.state.modelview, MultipassSurfaces::How::rasterised,
-                             place(), p_.triage.isPushedBack());
+                             depthPlace(), p_.triage.isPushedBack());
 }
 
 void RasterDraws::meet(std::span<const Triangle> triangles) {
@@ -59,7 +59,7 @@ void RasterDraws::meet(std::span<const Triangle> triangles) {
     const State& state = p_.shadow.state;
     p_.flusher.settleBelow(state.target.samples);
     const bool pushedBack = p_.triage.isPushedBack();
-    rasteriseMet(p_.surfaces.passes.meets(state.modelview, triangles, place().framebuffer, pushedBack));
+    rasteriseMet(p_.surfaces.passes.meets(state.modelview, triangles, depthPlace().framebuffer, pushedBack));
   });
 }
 

@@ -76,7 +76,7 @@ class RasterDraws {
   void remember(const KnownMesh& known);
   void leave(std::vector<Triangle> triangles);
   void leaveUnseen();
-  DepthPlace place() const;
+  DepthPlace depthPlace() const;
   /// Which way the next draw may change depths.
   void noteDepths();
 

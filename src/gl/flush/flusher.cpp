@@ -36,14 +36,14 @@ void Flusher::presentBatch(Reason reason) {
   if (key.framebuffer == 0) p_.window.makeClear();
   const bool factors = key.layers == BatchKey::Layers::factors;
   if (factors && reason != Reason::traced)
-    return void(p_.pending.batch.take());  // the real OpenGL has drawn them
+    return void(p_.pending.batch.takeSnapshot());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
     reason = Reason::framebuffer;
   const bool rasterise = reason != Reason::traced;
   if (!rasterise) p_.pending.surround();
-  const scene::SnapshotPtr snapshot = p_.pending.batch.take();
+  const scene::SnapshotPtr snapshot = p_.pending.batch.takeSnapshot();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
   if (p_.counts.decisions()) [[unlikely]]
     p_.counts.decisions()->batch(key, snapshot->instances.size(), reason);

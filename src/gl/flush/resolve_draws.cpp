@@ -119,7 +119,8 @@ bool ResolveDraws::hold() {
   const UnresolvedPicture::Cleared kept = cleared;
   settleAll();
   p_.pending.surround();
-  UnresolvedPicture::Waiting waiting{kept, key, p_.pending.batch.take(), p_.pending.batch.takeProgramDraws()};
+  UnresolvedPicture::Waiting waiting{kept, key, p_.pending.batch.takeSnapshot(),
+                                     p_.pending.batch.takeProgramDraws()};
   p_.surfaces.passes.flushed(waiting.snapshot);
   p_.surfaces.traced(waiting.key, waiting.snapshot);
   p_.pending.unresolved.waiting = std::move(waiting);

@@ -70,7 +70,7 @@ void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) 
 void ComposedViews::presented(const BatchKey& key, const scene::SnapshotPtr& snapshot, bool traced) noexcept {
   if (!watches_) return;
   withMemory([&] {
-    std::shared_ptr<const Image> image = presenter_.complete().take();
+    std::shared_ptr<const Image> image = presenter_.complete().takePicture();
     if (!traced || !image || !read(shown_)) return drop();
     pictures_.push_back({key, snapshot, std::move(image)});
     draws_ = 0;

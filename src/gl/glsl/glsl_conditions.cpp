@@ -24,7 +24,7 @@ std::vector<Part> partsOf(std::string_view text) {
   std::vector<Part> parts;
   GlslTokens tokens(text);
   bool inDirective = false;
-  for (std::string_view t = tokens.next(); !t.empty(); t = tokens.next()) {
+  for (std::string_view t = tokens.nextToken(); !t.empty(); t = tokens.nextToken()) {
     if (tokens.isDirective()) {
       parts.push_back({true, {}}), inDirective = true;
     } else if (inDirective && t == "\n") {

@@ -40,7 +40,7 @@ Tree Parser::run() {
 
 void Parser::fail() { throw std::runtime_error("the shader has syntax that is not known"); }
 
-std::string_view Parser::take() {
+std::string_view Parser::takeToken() {
   if (at_ >= tokens_.size()) fail();
   return tokens_[at_++];
 }
@@ -54,7 +54,7 @@ bool Parser::accept(std::string_view token) {
 void Parser::skipParentheses() {
   expect("(");
   for (int open = 1; open > 0;) {
-    const std::string_view token = take();
+    const std::string_view token = takeToken();
     open += token == "(" ? 1 : token == ")" ? -1 : 0;
   }
 }
@@ -63,7 +63,7 @@ Parser::Qualifiers Parser::qualifiers() {
   using Storage = Global::Storage;
   Qualifiers all;
   for (; isQualifier(peek());) {
-    const std::string_view word = take();
+    const std::string_view word = takeToken();
     if ((word == "layout" || word == "subroutine") && peek() == "(") skipParentheses();
     if (word == "uniform") all.storage = Storage::uniform;
     if (word == "attribute") all.storage = Storage::attribute;
@@ -79,7 +79,7 @@ Parser::Qualifiers Parser::qualifiers() {
 TypeName Parser::type() {
   TypeName result;
   if (accept("struct")) return structure();
-  result.name = take();
+  result.name = takeToken();
   if (!isName(result.name)) fail();
   sizes(result);
   return result;
@@ -94,7 +94,7 @@ void Parser::sizes(TypeName& of) {
 
 TypeName Parser::structure() {
   Struct made;
-  made.name = isName(peek()) ? take() : "struct ";
+  made.name = isName(peek()) ? takeToken() : "struct ";
   expect("{");
   while (!accept("}")) {
     qualifiers();
@@ -112,7 +112,7 @@ TypeName Parser::structure() {
 
 Variable Parser::variable(const TypeName& of) {
   Variable made;
-  made.type = of, made.name = take();
+  made.type = of, made.name = takeToken();
   if (!isName(made.name)) fail();
   std::vector<std::shared_ptr<const Expression>> inner = std::exchange(made.type.sizes, {});
   sizes(made.type);
@@ -123,7 +123,7 @@ Variable Parser::variable(const TypeName& of) {
 void Parser::global() {
   if (accept(";")) return;
   if (accept("precision")) {
-    while (!accept(";")) take();
+    while (!accept(";")) takeToken();
     return;
   }
   const Qualifiers how = qualifiers();
@@ -132,7 +132,7 @@ void Parser::global() {
     return declare(how, Global::Storage::attribute);
   if (isName(peek()) && peek(1) == "{" && peek() != "struct") return block(how);
   if (isName(peek()) && (peek(1) == ";" || peek(1) == ",")) {  // invariant gl_Position;
-    while (!accept(";")) take();
+    while (!accept(";")) takeToken();
     return;
   }
   declare(how, how.out ? Global::Storage::output : how.storage);
@@ -158,7 +158,7 @@ std::shared_ptr<const Expression> Parser::initial() {
 }
 
 void Parser::block(const Qualifiers& how) {
-  const std::string_view name = take();
+  const std::string_view name = takeToken();
   expect("{");
   std::vector<Variable> members;
   while (!accept("}")) {
@@ -190,9 +190,9 @@ void Parser::block(const Qualifiers& how) {
 
 void Parser::function(const TypeName& of) {
   Function made;
-  made.type = of, made.name = take();
+  made.type = of, made.name = takeToken();
   expect("(");
-  if (peek() == "void" && peek(1) == ")") take();
+  if (peek() == "void" && peek(1) == ")") takeToken();
   while (!accept(")")) {
     const Qualifiers how = qualifiers();
     Parameter parameter;

@@ -27,7 +27,7 @@ class Parser {
   std::string_view peek(size_t ahead = 0) const {
     return at_ + ahead < tokens_.size() ? tokens_[at_ + ahead] : std::string_view();
   }
-  std::string_view take();
+  std::string_view takeToken();
   bool accept(std::string_view token);
   void expect(std::string_view token) {
     if (!accept(token)) fail();

@@ -40,12 +40,12 @@ ExpressionPtr Parser::assignment() {
   }
   static constexpr std::array<std::string_view, 8> kBefore{"+", "-", "*", "/", "%", "&", "|", "^"};
   if (peek() == "=" && !(peek(1) == "=" && adjoin(0))) {
-    take();
+    takeToken();
     return node(Kind::assign, "", std::move(left), assignment());
   }
   if (std::ranges::find(kBefore, peek()) != kBefore.end() && peek(1) == "=" && adjoin(0)) {
-    const std::string_view op = take();
-    take();
+    const std::string_view op = takeToken();
+    takeToken();
     return node(Kind::assign, op, std::move(left), assignment());
   }
   return left;
@@ -103,7 +103,7 @@ ExpressionPtr Parser::postfix() {
       made = node(Kind::index, "[", std::move(made), expression());
       expect("]");
     } else if (accept(".")) {
-      const std::string_view field = take();
+      const std::string_view field = takeToken();
       if (!isName(field)) fail();
       if (accept("(")) {  // length()
         expect(")");
@@ -126,18 +126,18 @@ ExpressionPtr Parser::primary() {
     expect(")");
     return inner;
   }
-  const std::string_view word = take();
+  const std::string_view word = takeToken();
   if (isDigit(word[0]) || word[0] == '.') return node(Kind::number, word);
   if (!isName(word)) fail();
   if (peek() == "[" && (isBuiltInType(word) || structs_.contains(word))) {  // an array's constructor
-    while (!accept("]")) take();
+    while (!accept("]")) takeToken();
     if (peek() != "(") fail();
     skipParentheses();
     return node(Kind::call, "array()");
   }
   if (!accept("(")) return node(Kind::name, word);
   ExpressionPtr call = node(Kind::call, word);
-  if (peek() == "void" && peek(1) == ")") take();
+  if (peek() == "void" && peek(1) == ")") takeToken();
   while (!accept(")")) {
     addPart(*call, assignment());
     if (peek() != ")") expect(",");

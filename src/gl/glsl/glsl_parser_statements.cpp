@@ -50,7 +50,7 @@ StatementPtr Parser::statement() {
                                                                  {"continue", Statement::Kind::next},
                                                                  {"discard", Statement::Kind::discard}};
   if (const auto jump = jumps.find(word); jump != jumps.end()) {
-    take(), expect(";");
+    takeToken(), expect(";");
     return make(jump->second);
   }
   if (accept("return")) {
@@ -66,7 +66,7 @@ StatementPtr Parser::statement() {
 
 StatementPtr Parser::simple() {
   if (accept("precision")) {
-    while (peek() != ";") take();
+    while (peek() != ";") takeToken();
     return make(Statement::Kind::empty);
   }
   if (!isDeclaration()) {

@@ -30,7 +30,7 @@ class Preprocessor {
 
   Words run() {
     Words line;
-    for (std::string_view token = tokens_.next(); !token.empty(); token = tokens_.next()) {
+    for (std::string_view token = tokens_.nextToken(); !token.empty(); token = tokens_.nextToken()) {
       if (tokens_.isDirective()) {
         flush(line);
         directive();
@@ -52,14 +52,14 @@ class Preprocessor {
 
   Words restOfLine(std::string_view token) {
     Words line;
-    for (; !token.empty() && token != "\n"; token = tokens_.next()) line.push_back(token);
+    for (; !token.empty() && token != "\n"; token = tokens_.nextToken()) line.push_back(token);
     return line;
   }
 
   void directive() {
-    const std::string_view name = tokens_.next();
+    const std::string_view name = tokens_.nextToken();
     if (name.empty() || name == "\n") return;
-    std::string_view first = tokens_.next();
+    std::string_view first = tokens_.nextToken();
     if (name == "define" && isActive()) return define(first);
     const Words line = restOfLine(first);
     if (name == "ifdef" || name == "ifndef")
@@ -97,13 +97,14 @@ class Preprocessor {
 
   void define(std::string_view name) {
     Macro macro;
-    std::string_view token = tokens_.next();
+    std::string_view token = tokens_.nextToken();
     const bool adjoins = token == "(" && token.data() == name.data() + name.size();
     if (adjoins) {
       macro.function = true;
-      for (token = tokens_.next(); token != ")" && !token.empty() && token != "\n"; token = tokens_.next())
+      for (token = tokens_.nextToken(); token != ")" && !token.empty() && token != "\n";
+           token = tokens_.nextToken())
         if (token != ",") macro.parameters.push_back(token);
-      token = tokens_.next();
+      token = tokens_.nextToken();
     }
     macro.body = restOfLine(token);
     macros_[name] = std::move(macro);

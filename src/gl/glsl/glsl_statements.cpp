@@ -106,7 +106,7 @@ class Cutter {
         start_(code.size()) {}
 
   void cut() {
-    for (std::string_view t = tokens_.next(); !t.empty(); t = tokens_.next()) {
+    for (std::string_view t = tokens_.nextToken(); !t.empty(); t = tokens_.nextToken()) {
       if (ended_ && t != "else") finish();
       ended_ = false;
       if (isEmpty() && (t == ";" || t == "\n")) continue;
@@ -136,7 +136,7 @@ class Cutter {
   /// "#define name text": the space after the name distinguishes macros without arguments from those with.
   void addDirective() {
     int words = 0;
-    for (std::string_view t = tokens_.next(); !t.empty() && t != "\n"; t = tokens_.next())
+    for (std::string_view t = tokens_.nextToken(); !t.empty() && t != "\n"; t = tokens_.nextToken())
       add(t, ++words == 2 || (words == 3 && t != "("));
     finish();
   }

@@ -28,7 +28,7 @@ bool GlslTokens::skip() {
   return directive_;
 }
 
-std::string_view GlslTokens::next() {
+std::string_view GlslTokens::nextToken() {
   began_ = false;
   if (skip()) {
     directive_ = false;

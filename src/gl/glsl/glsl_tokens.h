@@ -13,8 +13,8 @@ class GlslTokens {
   explicit GlslTokens(std::string_view text) : text_(text) {}
 
   /// The next token; empty at the end. Valid as long as the text.
-  std::string_view next();
-  /// Whether the token that next() returned begins a preprocessor directive.
+  std::string_view nextToken();
+  /// Whether the token that nextToken() returned begins a preprocessor directive.
   bool isDirective() const { return began_; }
 
  private:

@@ -29,8 +29,8 @@ void appendWithoutComments(std::string_view text, std::string& out) {
 bool includesTexts(std::string_view text) {
   if (text.find("include") == std::string_view::npos) return false;
   GlslTokens tokens(text);
-  for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next())
-    if (tokens.isDirective() && tokens.next() == "include") return true;
+  for (std::string_view token = tokens.nextToken(); !token.empty(); token = tokens.nextToken())
+    if (tokens.isDirective() && tokens.nextToken() == "include") return true;
   return false;
 }
 
@@ -59,7 +59,7 @@ bool ProgramSource::isWhole(bool geometry) {
          (!geometry || has(GL_GEOMETRY_SHADER));
 }
 
-std::string ProgramSource::of(GLenum type) {
+std::string ProgramSource::textOf(GLenum type) {
   read();
   std::string text;
   for (const Shader& s : shaders_)

@@ -29,7 +29,7 @@ class ProgramSource {
   /// The type of each shader, and its text's digest (shader_digest.h).
   std::vector<std::pair<GLenum, Hash128>> digests();
   /// The texts of the shaders of one type, one after the other.
-  std::string of(GLenum type);
+  std::string textOf(GLenum type);
   /// Whether the texts of all shaders could be read, among them a vertex and a fragment shader and,
   /// if `geometry`, a geometry shader.
   bool isWhole(bool geometry);

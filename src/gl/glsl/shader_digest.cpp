@@ -11,7 +11,7 @@ namespace gluray::gl {
 Hash128 digestOf(std::string_view shader) {
   std::string tokens;
   GlslTokens read(shader);
-  for (std::string_view token = read.next(); !token.empty(); token = read.next())
+  for (std::string_view token = read.nextToken(); !token.empty(); token = read.nextToken())
     tokens.append(token).push_back(' ');
   return hashBytes(tokens.data(), tokens.size());
 }

@@ -213,7 +213,7 @@ void LayerDraws::giveUp() {
   if (!p_.pending.batch.empty() && p_.pending.batch.key().layers == BatchKey::Layers::peeled) {
     for (ProgramDraw& draw : p_.pending.batch.takeProgramDraws())
       target.surfaces.draws.push_back(std::move(draw));
-    snapshot = p_.pending.batch.take();
+    snapshot = p_.pending.batch.takeSnapshot();
   }
   if (snapshot) p_.counts.asRasterised(*snapshot, Reason::programPass);
   p_.pending.withdrawPeeled();

@@ -18,7 +18,7 @@ bool coversMost(const scene::Region& box, const scene::Region& drawn) {
 
 DrawnObjects::~DrawnObjects() { forget(); }
 
-bool DrawnObjects::look() noexcept {
+bool DrawnObjects::checkAsked() noexcept {
   const bool asked = shownFrames().wanted();
   if (asked == asked_) return false;
   if (!asked) forget();

@@ -22,7 +22,7 @@ class DrawnObjects {
 
   /// Call when a frame begins: looks whether somebody asks for what is drawn. While it is so, the ray tracer
   /// draws all frames. Returns whether that has changed.
-  bool look() noexcept;
+  bool checkAsked() noexcept;
   bool asked() const { return asked_; }
 
   /// Numbers the surfaces of a batch that is about to be traced.

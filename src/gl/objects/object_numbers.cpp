@@ -128,7 +128,7 @@ void ObjectNumbers::takeDrawnBefore(Batch& batch) {
   }
 }
 
-void ObjectNumbers::take(Batch& batch, size_t instance, size_t known) {
+void ObjectNumbers::takeNumber(Batch& batch, size_t instance, size_t known) {
   last_[known].taken = true;
   batch.at(instance).object.value = last_[known].number;
   batch.known[instance] = known;
@@ -147,7 +147,7 @@ void ObjectNumbers::takeByGeometry(Batch& batch) {
     std::sort(candidates.begin(), candidates.end());
     takeByPlace(batch, instances, candidates);
     for (size_t i = 0; i < std::min(instances.size(), candidates.size()); ++i)
-      take(batch, instances[i], candidates[i]);
+      takeNumber(batch, instances[i], candidates[i]);
   }
 }
 
@@ -179,7 +179,7 @@ void ObjectNumbers::takeByPlace(Batch& batch, std::vector<size_t>& instances,
     if (inWorld.size() > pairs.size()) pairs = std::move(inWorld);
   }
   for (const Pair& pair : pairs) {
-    take(batch, pair.instance, pair.known);
+    takeNumber(batch, pair.instance, pair.known);
     std::erase(instances, pair.instance), std::erase(candidates, pair.known);
   }
 }
@@ -228,7 +228,7 @@ void ObjectNumbers::alignGap(Batch& batch, size_t begin, size_t end, size_t firs
   for (const size_t i : now) traits.push_back(traitsOf(batch.at(i))), right.push_back(&traits.back());
   const std::vector<size_t> found = alignObjects(left, right);
   for (size_t i = 0; i < found.size(); ++i)
-    if (found[i] != kNoObject) take(batch, now[i], before[found[i]]);
+    if (found[i] != kNoObject) takeNumber(batch, now[i], before[found[i]]);
 }
 
 /// New objects get new numbers; all are remembered for the next frame.

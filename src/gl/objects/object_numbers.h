@@ -61,7 +61,7 @@ class ObjectNumbers {
   void takeGone(Batch& batch);
   void takeByOrder(Batch& batch);
   void alignGap(Batch& batch, size_t begin, size_t end, size_t first, size_t last);
-  void take(Batch& batch, size_t instance, size_t known);
+  void takeNumber(Batch& batch, size_t instance, size_t known);
   void finish(Batch& batch);
 
   std::vector<Known> last_, now_;  // in the order of drawing

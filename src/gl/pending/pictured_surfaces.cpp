@@ -190,7 +190,7 @@ void PicturedSurfaces::read(const BatchKey* beside) noexcept {
   try {
     const BatchKey key = batch_.key();
     if (beside && beside->framebuffer == key.framebuffer) takeCamera(*beside);
-    const scene::SnapshotPtr surfaces = batch_.take();
+    const scene::SnapshotPtr surfaces = batch_.takeSnapshot();
     if (const auto picture = pictureOf(key, *surfaces))
       p_.surfaces.views.traced(key, surfaces, picture);
     else

@@ -14,7 +14,7 @@ void Errors::set(GLenum error) {
   error_ = older != GL_NO_ERROR ? older : error;
 }
 
-GLenum Errors::take() {
+GLenum Errors::takeError() {
   const GLenum below = real_.GetError();
   return error_ != GL_NO_ERROR ? std::exchange(error_, GL_NO_ERROR) : below;
 }

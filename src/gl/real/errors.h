@@ -15,7 +15,7 @@ class Errors {
   /// Records `error` unless an earlier one, ours or the real OpenGL's, is pending.
   void set(GLenum error);
   /// Returns the pending error for glGetError and clears it.
-  GLenum take();
+  GLenum takeError();
   /// Call before queries that may raise errors: moves the program's pending error here.
   void keepPending() {
     if (const GLenum pending = real_.GetError()) set(pending);

@@ -43,7 +43,7 @@ inline CapturedVertices grid(uint32_t side, uint32_t weldFrom, SlotMask slots = 
   stream.begin(GL_TRIANGLES);
   sendGrid(stream, side);
   stream.end();
-  return stream.take();
+  return stream.takeRun();
 }
 
 /// The floats of all vertices in the order sent, through the indices if there are any.

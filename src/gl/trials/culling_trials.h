@@ -17,7 +17,7 @@ class CullingTrials {
   };
 
   /// How to make the next draw. `always`: culled, and nothing is measured.
-  Next next(bool always, TrialBudget& budget) {
+  Next nextDraw(bool always, TrialBudget& budget) {
     if (always) return {Way::culled, false};
     if (plain_ < 0) return {Way::plain, true};
     budget.earn(plain_, plain_);

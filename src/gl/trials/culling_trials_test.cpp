@@ -18,7 +18,7 @@ struct TriedMesh {
   int measured = 0;
 
   double draw(TrialBudget& budget) {
-    const CullingTrials::Next next = trials.next(false, budget);
+    const CullingTrials::Next next = trials.nextDraw(false, budget);
     const bool isCulled = next.way == DrawWay::culled && possible;
     const double took = isCulled ? culled : plain;
     measured += next.measured;

@@ -5,7 +5,7 @@
 
 namespace gluray::gl {
 
-FrameTrials::Way FrameTrials::next(bool always, const Load& last) {
+FrameTrials::Way FrameTrials::nextFrame(bool always, const Load& last) {
   closeAccounts(last);
   measured_ = running_ = over_ = charged_ = false;
   from_ = at_ = spent_ = gained_ = asked_ = unknown_ = forDraws_ = boxed_ = 0;

@@ -25,7 +25,7 @@ class FrameTrials {
   };
   /// A frame begins that makes small draws; `last`: what the one before has drawn. `always`: culled, and
   /// nothing is measured.
-  Way next(bool always, const Load& last);
+  Way nextFrame(bool always, const Load& last);
 
   // --- frames that are measured
   /// Whether the frame is to be measured: finish all, and call start() before its first small draw.

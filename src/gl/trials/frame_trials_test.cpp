@@ -59,7 +59,7 @@ class SimulatedProgram {
 
  private:
   void frame(const SimulatedScene& s) {
-    const FrameWay way = trials.next(false, last_);
+    const FrameWay way = trials.nextFrame(false, last_);
     ways.push_back(way), ++frames_;
     if (trials.isMeasured()) trials.start(now_);
     if (frames_ == 1) now_ += s.warming;
@@ -164,9 +164,9 @@ TEST(FrameTrials, GiveUpWhereContentsAlwaysChange) {
 TEST(FrameTrials, LeaveFewOrLightDrawsAlone) {
   FrameTrials trials;
   for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(trials.next(false, {20, 1e6, 20}), FrameWay::plain);
+    EXPECT_EQ(trials.nextFrame(false, {20, 1e6, 20}), FrameWay::plain);
     EXPECT_FALSE(trials.isMeasured());
-    EXPECT_EQ(trials.next(false, {1000, 1e4, 1000}), FrameWay::plain);
+    EXPECT_EQ(trials.nextFrame(false, {1000, 1e4, 1000}), FrameWay::plain);
     EXPECT_FALSE(trials.isMeasured());
   }
 }
@@ -174,7 +174,7 @@ TEST(FrameTrials, LeaveFewOrLightDrawsAlone) {
 TEST(FrameTrials, AlwaysCulledFramesNeverGiveUp) {
   FrameTrials trials;
   for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(trials.next(true, {1, 3, 1}), FrameWay::culled);
+    EXPECT_EQ(trials.nextFrame(true, {1, 3, 1}), FrameWay::culled);
     EXPECT_FALSE(trials.isMeasured());
     EXPECT_TRUE(trials.takes(0));
     trials.worked(1e9), trials.looked(1e9, 1e9);

@@ -66,7 +66,8 @@ void SurroundingsMaker::add(const scene::Snapshot& part, const glm::dmat4& eyeFr
   made_->shadings.insert(made_->shadings.end(), part.shadings.begin(), part.shadings.end());
 }
 
-std::shared_ptr<const scene::Surroundings> SurroundingsMaker::take(const glm::dmat4& viewFromWorld) {
+std::shared_ptr<const scene::Surroundings> SurroundingsMaker::takeSurroundings(
+    const glm::dmat4& viewFromWorld) {
   if (made_->instances.empty()) return nullptr;
   made_->viewFromWorld = viewFromWorld;
   return std::move(made_);

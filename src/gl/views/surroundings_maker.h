@@ -26,7 +26,7 @@ class SurroundingsMaker {
   /// Parts from here on were drawn in another frame than those before: equal places mean nothing.
   void nextFrame() { seen_.clear(); }
   /// Null where nothing was added.
-  std::shared_ptr<const scene::Surroundings> take(const glm::dmat4& viewFromWorld);
+  std::shared_ptr<const scene::Surroundings> takeSurroundings(const glm::dmat4& viewFromWorld);
 
  private:
   bool isNew(const scene::Instance&);

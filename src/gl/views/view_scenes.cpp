@@ -113,8 +113,8 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
       addLater(*last, now, movementOf(*last, epoch, now, s), first, s, maker);
     }
     const glm::dmat4 eyeFromView = *eyeFromEye(s, first) * first.eyeFromWorld;
-    return maker.take(eyeFromView == s.eyeFromWorld ? glm::dmat4(1)
-                                                    : glm::inverse(eyeFromView) * s.eyeFromWorld);
+    return maker.takeSurroundings(eyeFromView == s.eyeFromWorld ? glm::dmat4(1)
+                                                                : glm::inverse(eyeFromView) * s.eyeFromWorld);
   } catch (const std::exception&) {
     forget();
     log::once(log::Level::warning, "views",

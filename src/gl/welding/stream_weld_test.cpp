@@ -56,7 +56,7 @@ TEST_P(StreamWeld, IncompleteTrianglesAreDropped) {
       stream.begin(GL_TRIANGLES);
       for (int i = 0; i < 3; ++i) stream.vertexSlow(-7, static_cast<float>(i), 0, 1);
       stream.end();
-      const CapturedVertices c = stream.take();
+      const CapturedVertices c = stream.takeRun();
       ASSERT_EQ(c.primitives, (std::vector<Primitive>{{GL_TRIANGLES, 0, 6 * kSide * kSide + 3}}));
       ASSERT_EQ(c.indices.size(), 6u * kSide * kSide + 3);
       EXPECT_EQ(c.vertex(c.indices[6 * kSide * kSide])[0], -7);
@@ -72,7 +72,7 @@ TEST_P(StreamWeld, OtherFiguresFollow) {
     stream->begin(GL_TRIANGLE_STRIP), sendGrid(*stream, 3), stream->end();
     stream->begin(GL_TRIANGLES), sendGrid(*stream, kSide), stream->end();
   }
-  const CapturedVertices expected = plain.take(), got = welding.take();
+  const CapturedVertices expected = plain.takeRun(), got = welding.takeRun();
   EXPECT_LT(got.vertexCount, expected.vertexCount);
   EXPECT_EQ(got.primitives, expected.primitives);
   EXPECT_EQ(expanded(got), expanded(expected));
@@ -87,7 +87,7 @@ TEST_P(StreamWeld, ASlotSetLaterEndsTheWelding) {
   const float earlier[4] = {0, 0, 1, 0};
   stream.addSlot(kNormal, earlier);
   stream.begin(GL_TRIANGLES), sendGrid(stream, kSide), stream.end();
-  const CapturedVertices c = stream.take();
+  const CapturedVertices c = stream.takeRun();
   const uint32_t at = c.layout.offset[kNormal], half = 6 * kSide * kSide;
   ASSERT_EQ(c.indices.size(), 2u * half);
   for (uint32_t i = 0; i < half; ++i) {
@@ -154,7 +154,7 @@ TEST_P(StreamWeld, RunsCanBeReadWhileTheyArrive) {
     });
     stream.end();
     EXPECT_FALSE(stream.empty());
-    const CapturedVertices c = stream.take();
+    const CapturedVertices c = stream.takeRun();
     EXPECT_EQ(c.primitives, soup.primitives);
     EXPECT_EQ(c.vertexCount, (kSide + 1) * (kSide + 1));
     EXPECT_EQ(expanded(c), expanded(soup));

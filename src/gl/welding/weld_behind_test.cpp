@@ -37,7 +37,7 @@ CapturedVertices walk(Welding where, uint32_t seed) {
     }
     stream.end();
   }
-  return stream.take();
+  return stream.takeRun();
 }
 
 TEST(WeldBehind, GivesTheSameRunAsWeldingOnTheCallingThread) {
@@ -104,7 +104,7 @@ TEST(WeldBehind, LosesNothingIfMemoryIsShortForAWhile) {
       }
     });
     stream.end();
-    return failures == 1 && expanded(stream.take()) == expanded(soup) ? 7 : 1;
+    return failures == 1 && expanded(stream.takeRun()) == expanded(soup) ? 7 : 1;
   };
   EXPECT_EQ(inChild(shortOfMemory), 7);
 }

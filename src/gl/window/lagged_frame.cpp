@@ -55,7 +55,7 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
         p_.shadow.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
     lagged_ = std::move(frame);
-    p_.surfaces.traced(lagged_->key, p_.pending.batch.take());
+    p_.surfaces.traced(lagged_->key, p_.pending.batch.takeSnapshot());
     lagged_->draws = p_.pending.batch.takeProgramDraws();
     p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
   });

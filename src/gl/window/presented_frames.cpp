@@ -59,7 +59,8 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
       return false;
     }
     p_.pending.takeResult(result);
-    PresentedPicture::Waiting waiting{key, p_.pending.batch.take(), p_.pending.batch.takeProgramDraws()};
+    PresentedPicture::Waiting waiting{key, p_.pending.batch.takeSnapshot(),
+                                      p_.pending.batch.takeProgramDraws()};
     p_.surfaces.passes.flushed(waiting.snapshot);
     p_.surfaces.traced(key, waiting.snapshot);
     presented_.waiting = std::move(waiting);

@@ -72,7 +72,7 @@ bool mayBeControlled() noexcept { return g_live.load(std::memory_order_relaxed);
 void lookForHub(double now) noexcept {
   if (!mayBeControlled() || isForkedChild()) return;
   try {
-    link().link.look(now);
+    link().link.lookForHub(now);
   } catch (const std::exception&) {}  // out of memory: the next frame
 }
 

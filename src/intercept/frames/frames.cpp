@@ -32,7 +32,7 @@ void takePicture(Record& record, GLenum buffer) {
     size = {viewport[0] + viewport[2], viewport[1] + viewport[3]};
   }
   if (size.x > 0 && size.y > 0)
-    keepPicture(record.picture->take(record.context->real, buffer, size.x, size.y, framesEnded() + 1));
+    keepPicture(record.picture->readFrame(record.context->real, buffer, size.x, size.y, framesEnded() + 1));
 }
 
 /// Draws the HUD over the frame that is about to be shown, unless the program could notice it.

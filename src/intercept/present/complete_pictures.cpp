@@ -43,7 +43,7 @@ bool CompletePictures::mayMake(const scene::Snapshot& snapshot) const noexcept {
 std::shared_ptr<const Image> CompletePictures::traced(const scene::Snapshot& snapshot, bool finished) {
   if (unshown_ >= kMaxUnshown && unshown_ % kTrialEvery != 0) return nullptr;
   const frame::TracedPictures::Result result =
-      pictures_.of(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
+      pictures_.pictureOf(snapshot, {.mayRepeat = false, .missColor = 0, .finished = finished});
   return result.picture ? std::make_shared<const Image>(result.picture->image) : nullptr;
 }
 

@@ -21,7 +21,7 @@ class CompletePictures final : public gl::CompletePresenter {
 
   bool mayMake(const scene::Snapshot& snapshot) const noexcept override;
   void expect() noexcept override { isExpected_ = true, made_.reset(); }
-  std::shared_ptr<const Image> take() noexcept override {
+  std::shared_ptr<const Image> takePicture() noexcept override {
     isExpected_ = false;
     return std::exchange(made_, nullptr);
   }

@@ -4,12 +4,13 @@
 
 namespace gluray::present {
 
-const frame::LastPictures::Picture* PresentedPictures::of(const scene::Snapshot& snapshot,
-                                                          gl::PictureWish wish,
-                                                          std::optional<uint32_t> missColor,
-                                                          gl::PresentResult& result, std::string& why) {
+const frame::LastPictures::Picture* PresentedPictures::pictureOf(const scene::Snapshot& snapshot,
+                                                                 gl::PictureWish wish,
+                                                                 std::optional<uint32_t> missColor,
+                                                                 gl::PresentResult& result,
+                                                                 std::string& why) {
   frame::TracedPictures::Result got =
-      pictures.of(snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown});
+      pictures.pictureOf(snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown});
   result.cost = got.cost;
   result.passes = got.passes;
   result.noise = got.noise;

@@ -23,10 +23,10 @@ struct PresentedPictures {
   PresentedPictures(const frame::Tracer& with, Written onWritten)
       : tracer(with), pictures(with), written(std::move(onWritten)) {}
 
-  /// Pictures::of(); adds the cost to `result`. Null: tracing failed, with the reason in `why`.
-  const frame::LastPictures::Picture* of(const scene::Snapshot& snapshot, gl::PictureWish wish,
-                                         std::optional<uint32_t> missColor, gl::PresentResult& result,
-                                         std::string& why);
+  /// TracedPictures::pictureOf(); adds the cost to `result`. Null: tracing failed, with the reason in `why`.
+  const frame::LastPictures::Picture* pictureOf(const scene::Snapshot& snapshot, gl::PictureWish wish,
+                                                std::optional<uint32_t> missColor, gl::PresentResult& result,
+                                                std::string& why);
   const Features& features(const gl::RealGl& real);
   /// The write-back for pictures with such colours, made at the first call.
   WriteBack& writeBack(const gl::RealGl& real, WriteBack::Colors colors);

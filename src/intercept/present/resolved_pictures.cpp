@@ -21,7 +21,8 @@ PresentResult TracingPresenter::resolved(const gl::RealGl& real, const scene::Sn
   const scene::Snapshot& snapshot = *shared;
   PresentResult result;
   if (!shared_.tracer.resolve || !shared_.supported(real, result.why)) return result;
-  const frame::LastPictures::Picture* traced = shared_.of(snapshot, target.wish, {}, result, result.why);
+  const frame::LastPictures::Picture* traced =
+      shared_.pictureOf(snapshot, target.wish, {}, result, result.why);
   const Planes averages = Image::kPicture | Plane::centerDepth;  // through an open lens
   if (!traced || (traced->image.planes != Image::kPicture && !(traced->image.planes == averages)))
     return result;

@@ -13,8 +13,8 @@ namespace gluray::present {
 class ReusedPictures {
  public:
   /// A picture whose pixels have no meaning yet. Throws std::bad_alloc.
-  std::shared_ptr<scene::FramebufferPicture> take() {
-    std::unique_ptr<scene::FramebufferPicture> picture = unused_->take();
+  std::shared_ptr<scene::FramebufferPicture> takePicture() {
+    std::unique_ptr<scene::FramebufferPicture> picture = unused_->takePicture();
     if (!picture) picture = std::make_unique<scene::FramebufferPicture>();
     return {picture.release(), [to = unused_](scene::FramebufferPicture* left) { to->keep(left); }};
   }
@@ -25,7 +25,7 @@ class ReusedPictures {
     std::mutex mutex;
     std::vector<std::unique_ptr<scene::FramebufferPicture>> pictures;
     Unused() { pictures.reserve(kKept); }
-    std::unique_ptr<scene::FramebufferPicture> take() {
+    std::unique_ptr<scene::FramebufferPicture> takePicture() {
       const std::lock_guard lock(mutex);
       if (pictures.empty()) return nullptr;
       std::unique_ptr<scene::FramebufferPicture> picture = std::move(pictures.back());

@@ -27,7 +27,8 @@ PresentResult TracedLayers::trace(const scene::SnapshotPtr& snapshot,
                                   const gl::LayersTarget& target) noexcept {
   return resultOf([&] {
     PresentResult result;
-    const frame::LastPictures::Picture* traced = shared_.of(*snapshot, target.wish, 0u, result, result.why);
+    const frame::LastPictures::Picture* traced =
+        shared_.pictureOf(*snapshot, target.wish, 0u, result, result.why);
     if (!traced || !fills(traced->image, target)) return result;
     result.picture = traced->image.color;
     result.outcome = PresentResult::traced;
@@ -47,7 +48,7 @@ PresentResult TracedLayers::tracedOrRasterised(const gl::RealGl& real, const sce
   PresentResult result;
   const PendingErrors pending = takeErrors(real);
   const frame::LastPictures::Picture* traced =
-      snapshot ? shared_.of(*snapshot, target.wish, 0u, result, result.why) : nullptr;
+      snapshot ? shared_.pictureOf(*snapshot, target.wish, 0u, result, result.why) : nullptr;
   const double start = nowSeconds();
   const bool whole = traced && fills(traced->image, target);
   if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))

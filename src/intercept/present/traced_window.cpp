@@ -99,7 +99,7 @@ PresentResult TracedWindow::show(const gl::RealGl& real, const scene::SnapshotPt
     if (!pending.empty()) result.pendingError = pending.front();
     if (!background) return result;
     const frame::LastPictures::Picture* traced =
-        shared_.of(*snapshot, target.wish, background, result, result.why);
+        shared_.pictureOf(*snapshot, target.wish, background, result, result.why);
     if (!traced || traced->image.planes != Image::kPicture || traced->image.missColor != *background)
       return result;
     const double start = nowSeconds();

@@ -46,7 +46,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     const std::optional<uint32_t> under =
         target.cleared ? clearedObject_.bits(real, shared_.features(real), *target.cleared, pending)
                        : std::nullopt;
-    traced = shared_.of(snapshot, target.wish, under, result, why);
+    traced = shared_.pictureOf(snapshot, target.wish, under, result, why);
   }
   const double start = nowSeconds();
   const Way way = traced ? write(real, *traced, snapshot, target, pending, why) : Way::none;
@@ -76,7 +76,7 @@ scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const sc
                                                 PendingErrors& pending) {
   const scene::Snapshot& s = *catchers;
   pending = takeErrors(real);
-  const std::shared_ptr<scene::FramebufferPicture> picture = depths_.take();
+  const std::shared_ptr<scene::FramebufferPicture> picture = depths_.takePicture();
   if (!reader_.readDepth(real, s.region, picture->depths)) return catchers;
   picture->viewport = s.camera.viewport, picture->region = s.region;
   picture->depthNear = s.camera.depthNear, picture->depthFar = s.camera.depthFar;

@@ -39,7 +39,7 @@ const Session* readSession() {
   logs = true;
   settingsSource().watch([]() noexcept {
     const double now = nowSeconds();
-    live->look(now);
+    live->readIfChanged(now);
     if (const auto look = g_look.load(std::memory_order_acquire)) look(now);
   });
   g_liveSettings = live;

@@ -11,8 +11,8 @@ namespace gluray::render::bsdf {
 struct GgxAlbedo {
   float scale, bias;
   float white() const { return scale + bias; }  // f0 = 1
-  glm::vec3 of(const glm::vec3& f0) const { return f0 * scale + bias; }
-  float of(float f0) const { return f0 * scale + bias; }
+  glm::vec3 reflectance(const glm::vec3& f0) const { return f0 * scale + bias; }
+  float reflectance(float f0) const { return f0 * scale + bias; }
 };
 
 /// From a table, made at the first call.

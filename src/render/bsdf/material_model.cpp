@@ -19,7 +19,7 @@ const bsdf::Metal& metalOf(SurfaceMetal metal) {
 
 }  // namespace
 
-MaterialModel MaterialModel::of(const Settings& settings, float diagonal) {
+MaterialModel MaterialModel::fromSettings(const Settings& settings, float diagonal) {
   const auto& m = settings.material;
   MaterialModel model;
   model.kind = m.kind, model.metal = m.metal;

@@ -17,7 +17,7 @@ struct MaterialModel {
       0;  // eye space: light takes on the colour once on this way through glass; 0: at surfaces
 
   /// As the settings say for lit surfaces. `diagonal`: of the scene's bounds, eye space.
-  static MaterialModel of(const Settings&, float diagonal);
+  static MaterialModel fromSettings(const Settings&, float diagonal);
 
   bool isProgram() const { return kind == SurfaceMaterial::program; }
   bool isEmissive() const { return kind == SurfaceMaterial::emissive; }

@@ -224,7 +224,7 @@ std::vector<MaterialRule> readMaterialRules(const std::string& text, const Mater
 }
 
 std::vector<MaterialModel> materialsOf(const scene::Snapshot& snapshot, float diagonal) {
-  const MaterialModel everywhere = MaterialModel::of(snapshot.settings, diagonal);
+  const MaterialModel everywhere = MaterialModel::fromSettings(snapshot.settings, diagonal);
   std::vector<MaterialModel> models(scene::countAll(snapshot), everywhere);
   std::vector<MaterialRule> rules;
   if (!snapshot.settings.material.file.empty())

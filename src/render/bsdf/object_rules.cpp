@@ -22,23 +22,23 @@ ObjectRules::ObjectRules(const Settings& settings) {
   for (const auto& [unused, rule] : rules_) hide_ |= rule.hiddenFrom.value_or(0) != 0;
 }
 
-const ObjectRule* ObjectRules::of(const scene::Instance& instance) const {
+const ObjectRule* ObjectRules::ruleOf(const scene::Instance& instance) const {
   if (instance.ground || rules_.empty()) return nullptr;
   const auto found = rules_.find(instance.object.value);
   return found == rules_.end() ? nullptr : &found->second;
 }
 
 std::optional<uint8_t> ObjectRules::hiddenFrom(const scene::Instance& instance) const {
-  const ObjectRule* const rule = of(instance);
+  const ObjectRule* const rule = ruleOf(instance);
   return rule ? rule->hiddenFrom : std::nullopt;
 }
 
 std::optional<MaterialModel> ObjectRules::modelOf(const scene::Instance& instance, float diagonal) const {
-  const ObjectRule* const rule = of(instance);
+  const ObjectRule* const rule = ruleOf(instance);
   if (!rule || !rule->looks) return std::nullopt;
   Settings settings;
   settings.material = rule->material;
-  return MaterialModel::of(settings, diagonal);
+  return MaterialModel::fromSettings(settings, diagonal);
 }
 
 }  // namespace gluray::render

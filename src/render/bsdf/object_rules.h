@@ -22,7 +22,7 @@ class ObjectRules {
   std::optional<MaterialModel> modelOf(const scene::Instance&, float diagonal) const;
 
  private:
-  const ObjectRule* of(const scene::Instance&) const;
+  const ObjectRule* ruleOf(const scene::Instance&) const;
 
   std::unordered_map<uint32_t, ObjectRule> rules_;  // by object
   bool hide_ = false;

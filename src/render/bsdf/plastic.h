@@ -34,10 +34,13 @@ struct Plastic {
  private:
   /// What the coat reflects of light from one direction; what it lets through.
   float coat(float cosine) const {
-    return ggx.isSmooth() ? fresnelSchlick(cosine, glm::vec3(f0)).x : ggxAlbedo(cosine, ggx.alpha).of(f0);
+    return ggx.isSmooth() ? fresnelSchlick(cosine, glm::vec3(f0)).x
+                          : ggxAlbedo(cosine, ggx.alpha).reflectance(f0);
   }
   float below(float cosine) const { return 1 - coat(cosine); }
-  float coatMean() const { return ggx.isSmooth() ? f0 + (1 - f0) / 21 : ggxMeanAlbedo(ggx.alpha).of(f0); }
+  float coatMean() const {
+    return ggx.isSmooth() ? f0 + (1 - f0) / 21 : ggxMeanAlbedo(ggx.alpha).reflectance(f0);
+  }
   /// The share of samples that the coat gets.
   float coatShare(const glm::vec3& wo) const {
     const float shine = coat(wo.z), body = (1 - shine) * std::max({albedo.x, albedo.y, albedo.z});

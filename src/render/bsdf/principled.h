@@ -58,7 +58,9 @@ struct Principled {
   float glassShare() const { return (1 - metallic) * transmission; }
   Plastic plasticBody() const { return {color, 0.08f * specular, ggx}; }
   Dielectric glassBody() const { return {eta, ggx, color}; }
-  float coatOf(const glm::vec3& w) const { return coat * ggxAlbedo(std::abs(w.z), kCoat.alpha).of(kCoatF0); }
+  float coatOf(const glm::vec3& w) const {
+    return coat * ggxAlbedo(std::abs(w.z), kCoat.alpha).reflectance(kCoatF0);
+  }
   float underCoat(const glm::vec3& w) const { return coat == 0 ? 1 : 1 - coatOf(w); }
   /// The share of samples that the coat gets.
   float coatShare(const glm::vec3& wo) const { return coat == 0 ? 0 : std::clamp(coatOf(wo), 0.05f, 0.9f); }

@@ -20,7 +20,7 @@ struct LensShear {
   glm::dvec3 right{0}, up{0};  // radius of the lens, in the space of the points
   /// The same shear of the points of another space.
   LensShear in(const glm::dmat4& thisFromOther) const;
-  glm::dvec4 of(const glm::dvec4& p, double x, double y) const {
+  glm::dvec4 throughLens(const glm::dvec4& p, double x, double y) const {
     return p + glm::dvec4(glm::dot(along, p) * (x * right + y * up), 0);
   }
 };

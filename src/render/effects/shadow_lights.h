@@ -26,7 +26,7 @@ struct ShadowLights {
   int dome = -1;  // its row; -1: it has no shadow
   std::vector<Rows> rows;
   std::vector<uint32_t> rowsOfInstance;  // indices of `rows`
-  const Rows& of(uint32_t instance) const { return rows[rowsOfInstance[instance]]; }
+  const Rows& rowsOf(uint32_t instance) const { return rows[rowsOfInstance[instance]]; }
 };
 
 /// The frame's instances that show where a light at `light` (eye space) is, and so do not hide it. Sorted.

@@ -110,7 +110,7 @@ HWY_ATTR inline uint32_t litLanes(const Shadows& s, const AskedPoints& asked, in
   uint32_t lit = 0;
   for (uint32_t lanes = asked.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    lit |= (s.lights.of(asked.instance[i]).used >> row & 1) << i;
+    lit |= (s.lights.rowsOf(asked.instance[i]).used >> row & 1) << i;
   }
   return lit;
 }

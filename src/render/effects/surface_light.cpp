@@ -56,7 +56,7 @@ void SurfaceLight::locate(const ColoredHits& hits, AskedPoints& points) const no
 }
 
 bool SurfaceLight::replaces(uint32_t instance, uint32_t lanes, const Factors& factors) const noexcept {
-  const ShadowLights::Rows& used = lights_.of(instance);
+  const ShadowLights::Rows& used = lights_.rowsOf(instance);
   return isDomed(used) || hasAreas_ || (shadows_ && shows(lanes, used, factors));
 }
 
@@ -90,14 +90,14 @@ void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorR
 
 bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
   if (!replaces(hits.instance, hits.group.lanes, factors)) return false;
-  const ShadowLights::Rows& used = lights_.of(hits.instance);
+  const ShadowLights::Rows& used = lights_.rowsOf(hits.instance);
   shadeArriving(hits.surface, hits, factors, isDomed(used) ? dome_ : nullptr, rows);
   return true;
 }
 
 void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits, const Factors& factors,
                                  const scene::Dome* dome, ColorRows& rows) const {
-  Arrival arrival{lights_.of(hits.instance), factors, dome};
+  Arrival arrival{lights_.rowsOf(hits.instance), factors, dome};
   if (!hasAreas_) return shadeAgain(frame_, surface, hits, arrival, rows);
   const Relit& relit = *frame_.relit;
   const AreaLights areas{metric_, relit.sources, relit.firstSource[frame_.shadingOf(hits.instance)]};

@@ -12,12 +12,12 @@ struct Channels {
   UsedFactors used;
   int perLight() const { return used.colored ? 3 : 1; }
   int count() const { return (used.occlusion ? 1 : 0) + used.lights * perLight(); }
-  Row& of(Factors& factors, int channel) const {
+  Row& rowOf(Factors& factors, int channel) const {
     if (used.occlusion && channel-- == 0) return factors.occlusion;
     return factors.visibility[channel / perLight()][channel % perLight()];
   }
-  const Row& of(const Factors& factors, int channel) const {
-    return of(const_cast<Factors&>(factors), channel);
+  const Row& rowOf(const Factors& factors, int channel) const {
+    return rowOf(const_cast<Factors&>(factors), channel);
   }
   /// Copies the channels of grey light to its other rows.
   void spread(Factors& factors) const {

@@ -46,16 +46,17 @@ HWY_ATTR inline void storePixels(const MovingFrame& moving, uint32_t lanes, cons
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float depth =
         hn::Add(dot(splat(glm::vec3(space.depth)), load3(points.eye, i)), splat(space.depth.w));
-    const Float second = film.factors > 1 ? load(moving.channels.of(known.factors, 1) + i) : splat(0);
-    const FactorPixels packed{depth, load(known.samples + i), load(moving.channels.of(known.factors, 0) + i),
-                              second, load3(points.shading, i)};
+    const Float second = film.factors > 1 ? load(moving.channels.rowOf(known.factors, 1) + i) : splat(0);
+    const FactorPixels packed{depth, load(known.samples + i),
+                              load(moving.channels.rowOf(known.factors, 0) + i), second,
+                              load3(points.shading, i)};
     hn::Store(packed.word0(), WordTag(), word0 + i), hn::Store(packed.word1(), WordTag(), word1 + i);
   }
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     film.words[2 * size_t{pixels[i]}] = word0[i], film.words[2 * size_t{pixels[i]} + 1] = word1[i];
     for (int f = 2; f < film.factors; ++f)
-      film.setMore(f, pixels[i], moving.channels.of(known.factors, f)[i]);
+      film.setMore(f, pixels[i], moving.channels.rowOf(known.factors, f)[i]);
   }
 }
 
@@ -71,7 +72,7 @@ HWY_ATTR void traceWaiting(const Collector& c, WaitingPoints& waiting) {
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float before = load(waiting.samples + i), sum = hn::Add(before, added), share = hn::Div(added, sum);
     for (int f = 0; f < film.factors; ++f) {
-      const Float old = load(waiting.factors[f] + i), now = load(moving.channels.of(fresh, f) + i);
+      const Float old = load(waiting.factors[f] + i), now = load(moving.channels.rowOf(fresh, f) + i);
       store(hn::MulAdd(share, hn::Sub(now, old), old), waiting.factors[f] + i);
     }
     const Words samples = toWord(hn::Min(sum, splat(static_cast<float>(FactorFilm::kMaxSamples))));
@@ -104,7 +105,7 @@ HWY_ATTR inline void wait(const Collector& c, const ColoredHits& hits, const Sur
   to.asked.instance[at] = hits.instance, to.asked.place[at] = static_cast<uint32_t>(lane);
   to.pixel[at] = pixel, to.samples[at] = known.samples[lane];
   for (int f = 0; f < c.moving.film->factors; ++f)
-    to.factors[f][at] = c.moving.channels.of(known.factors, f)[lane];
+    to.factors[f][at] = c.moving.channels.rowOf(known.factors, f)[lane];
   if (to.count == kLanes) traceWaiting(c, to);
 }
 
@@ -117,7 +118,7 @@ HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
   } else {
     for (float& samples : known.samples) samples = 0;
     for (int f = 0; f < c.moving.channels.count(); ++f)
-      std::fill_n(c.moving.channels.of(known.factors, f), kLanes, 0.0f);
+      std::fill_n(c.moving.channels.rowOf(known.factors, f), kLanes, 0.0f);
   }
   alignas(64) uint32_t pixels[kLanes];
   pixelsOf(c.moving, hits, c.frame.snapshot->region, pixels);

@@ -16,10 +16,10 @@ class FilmSource : public TileSource {
   /// The frame's number among those of its view; `own`: as this process counts them. Processes that share one
   /// film have the same number.
   virtual uint32_t index(uint32_t own) const noexcept = 0;
-  /// The tile, from next(), has been collected. All tracing threads.
+  /// The tile, from nextTile(), has been collected. All tracing threads.
   virtual void collected(const FactorFilm& film, int tile, double seconds) noexcept = 0;
   /// Waits until all tiles have been collected, and fills in what other processes have. False: the frame is
-  /// given up. One thread, once next() has no more tiles.
+  /// given up. One thread, once nextTile() has no more tiles.
   virtual bool complete(FactorFilm& film) noexcept = 0;
   /// The next tile to colour, one that this process has collected; negative: there are no more. done() is
   /// called afterwards. All tracing threads.

@@ -256,7 +256,7 @@ HWY_ATTR inline void filterFactor(const UnpackedTile& tile, const FilmRow* facto
     const int lane = (row & 1) * 2 + (row & 2) * 4;
     for (int x = 0; x < kTileSize; x += 2)
       std::memcpy(
-          channels.of(out.packets[row / 4 * TileFactors::kColumns + x / 4], number) + lane + (x & 2) * 2,
+          channels.rowOf(out.packets[row / 4 * TileFactors::kColumns + x / 4], number) + lane + (x & 2) * 2,
           line + x, 8);
   }
 }

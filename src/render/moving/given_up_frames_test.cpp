@@ -17,7 +17,7 @@ class GivesUp final : public FilmSource {
     const Tiles tiles(image, kTileSize);
     left_ = tiles.columns * tiles.rows;
   }
-  int next() noexcept override { return --left_; }
+  int nextTile() noexcept override { return --left_; }
   void done(int, double, bool) noexcept override { ADD_FAILURE() << "no tile is coloured"; }
   uint32_t index(uint32_t own) const noexcept override { return own; }
   void collected(const FactorFilm&, int, double) noexcept override { ++tiles; }

@@ -108,7 +108,7 @@ HWY_ATTR inline void lookUp(const MovingFrame& moving, const Row (&point)[3], co
     const Float inverse = hn::IfThenElseZero(known, hn::Div(splat(1), hn::Max(weights, splat(0.05f))));
     store(hn::Min(hn::Mul(samples, inverse), splat(moving.mostSamples)), out.samples + i);
     for (int f = 0; f < moving.channels.count(); ++f)
-      store(hn::Mul(sums[f], inverse), moving.channels.of(out.factors, f) + i);
+      store(hn::Mul(sums[f], inverse), moving.channels.rowOf(out.factors, f) + i);
   }
 }
 

@@ -30,7 +30,7 @@ void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors
   now.film.resize(width, height, moving.channels.count());
   hits_.resize(width, height, frame.widestEdge > 0);
   now.space = FilmSpace(frame);
-  now.placement.take(snapshot);
+  now.placement.rememberScene(snapshot);
   moving.space = now.space, moving.film = &now.film, moving.hits = &hits_;
   moving.mostSamples = kMax;
   moving.earlier = nullptr;
@@ -45,7 +45,7 @@ size_t LightHistory::bytes() const {
   return frames_[0].film.bytes() + frames_[1].film.bytes() + hits_.bytes();
 }
 
-LightHistory& LightHistories::of(uint64_t view) {
+LightHistory& LightHistories::historyOf(uint64_t view) {
   for (auto it = views_.begin(); it != views_.end(); ++it) {
     if (it->view != view) continue;
     views_.splice(views_.begin(), views_, it);

@@ -48,7 +48,7 @@ class LightHistories {
  public:
   static constexpr size_t kMax = 4;
   /// Throws std::bad_alloc.
-  LightHistory& of(uint64_t view);
+  LightHistory& historyOf(uint64_t view);
   void clear() { views_.clear(); }
   size_t bytes() const;
 

@@ -8,7 +8,7 @@
 
 namespace gluray::render {
 
-void Placement::take(const scene::Snapshot& s) {
+void Placement::rememberScene(const scene::Snapshot& s) {
   eyeFromWorld = s.eyeFromWorld;
   objects.resize(scene::countAll(s));
   for (size_t i = 0; i < objects.size(); ++i) {

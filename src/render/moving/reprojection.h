@@ -20,7 +20,7 @@ struct Placement {
   glm::dmat4 eyeFromWorld{1};
 
   /// Throws std::bad_alloc.
-  void take(const scene::Snapshot&);
+  void rememberScene(const scene::Snapshot&);
 };
 
 struct Reprojection {

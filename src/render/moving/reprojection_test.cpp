@@ -38,7 +38,7 @@ struct Prepared {
     image.resize(kReprojectedSize, kReprojectedSize, 1);
     frame = std::make_unique<FrameData>(snapshot, world, image);
     space = FilmSpace(*frame);
-    placement.take(snapshot);
+    placement.rememberScene(snapshot);
   }
   Reprojection since(const Prepared& earlier) const {
     return {earlier.placement, earlier.space, placement, *frame};

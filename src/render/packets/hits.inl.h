@@ -27,8 +27,8 @@ inline bool isLeft(const FrameData& frame, uint32_t instance, uint32_t primitive
                    const Centers* centers, int lane, const LensPoints* lens = nullptr) {
   const Surface& surface = frame.surfaces[instance];
   if (lens) {
-    const glm::dvec4 viewer =
-        frame.lens->objects[instance].of(surface.depth.b, double{lens->x[lane]}, double{lens->y[lane]});
+    const glm::dvec4 viewer = frame.lens->objects[instance].throughLens(
+        surface.depth.b, double{lens->x[lane]}, double{lens->y[lane]});
     return surface.acceptsFrom(viewer, primitive, u, v);
   }
   const bool program = surface.lighting->shading->fragment.model != scene::FragmentShading::Model::off;

@@ -117,7 +117,7 @@ LastColors& lastColors() {
 
 }  // namespace
 
-std::shared_ptr<const PicturedColors> PicturedColors::of(const FrameData& frame) {
+std::shared_ptr<const PicturedColors> PicturedColors::create(const FrameData& frame) {
   const auto& around = frame.snapshot->surroundings;
   return around && !around->pictures.empty() ? lastColors().of(frame) : nullptr;
 }

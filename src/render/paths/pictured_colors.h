@@ -20,7 +20,7 @@ class PicturedColors {
  public:
   /// Null where the frame has no pictured surfaces. Those of the last scenes are kept. `frame`: its world
   /// holds the scene.
-  static std::shared_ptr<const PicturedColors> of(const FrameData& frame);
+  static std::shared_ptr<const PicturedColors> create(const FrameData& frame);
   explicit PicturedColors(const FrameData& frame);
 
   /// Whether this instance of the snapshot and its surroundings is pictured.

@@ -11,7 +11,7 @@ class TileSource {
   /// Called once, before all else: the image has its shape and keeps its place; its pixels are undefined.
   virtual void begin(const Image& image) noexcept = 0;
   /// The next tile to trace, an index of Tiles; negative: there are no more. May wait.
-  virtual int next() noexcept = 0;
+  virtual int nextTile() noexcept = 0;
   /// The tile's pixels are in the image. `seenThrough`: averages cannot be composited over the framebuffer,
   /// as far as this process has seen: the image must be traced anew without them.
   virtual void done(int tile, double seconds, bool seenThrough) noexcept = 0;

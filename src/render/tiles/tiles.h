@@ -33,7 +33,7 @@ struct Tiles {
   }
 };
 
-/// Calls work(index) for the tiles that next() gives, on all threads, until it gives a negative number.
+/// Calls work(index) for the tiles that nextTile() gives, on all threads, until it gives a negative number.
 template <class Next, class Work>
 void eachTileFrom(const char* name, const Next& next, const Work& work) {
   tbb::parallel_for(

@@ -21,7 +21,7 @@ class CollectedHits {
     } catch (const std::bad_alloc&) {}
   }
   /// Copies the n-th hit of each lane, except its distance, into the packet. Returns the lanes that have one.
-  uint32_t take(size_t n, accel::RayPacket& packet) const {
+  uint32_t copyHits(size_t n, accel::RayPacket& packet) const {
     uint32_t lanes = 0;
     for (int i = 0; i < accel::kLanes; ++i) {
       if (n >= of_[i].size()) continue;

@@ -84,7 +84,7 @@ HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& cente
   depthsOfHits(frame, hits, centers, work, least);
   accel::RayPacket best = work.packet;
   collectBehind(frame, least, behind, work);
-  for (size_t n = 0; (work.hits = behind.take(n, work.packet)) != 0; ++n) {
+  for (size_t n = 0; (work.hits = behind.copyHits(n, work.packet)) != 0; ++n) {
     fetchVertices(frame, work);
     depthsOfHits(frame, work.hits, centers, work, depth);
     for (uint32_t lanes = work.hits; lanes; lanes &= lanes - 1) {

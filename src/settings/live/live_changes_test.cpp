@@ -20,7 +20,7 @@ TEST_F(Live, LiveValuesOverrideFiles) {
   EXPECT_EQ(spp(), 8);
   EXPECT_TRUE(source_.current()->ao.enabled);
   write(sources_.userFile, "spp = 3\nthreads = 2\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 8);
   EXPECT_EQ(source_.current()->threads, 2);
   EXPECT_EQ(whyOf({{"spp", {}}}), "");
@@ -57,20 +57,20 @@ TEST_F(Live, ChangesMayWaitForAFrame) {
   const LiveSettings::Answer answer = live_.change(Changes{{"spp", "8"}}, 3);
   EXPECT_EQ(answer.why, "");
   source_.endFrame();
-  EXPECT_EQ(source_.take(version), nullptr);
+  EXPECT_EQ(source_.takeNewer(version), nullptr);
   EXPECT_EQ(spp(), 1);
   EXPECT_FALSE(live_.firstFrameWith(answer));
   write(sources_.userFile, "threads = 3\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(source_.current()->threads, 3);
   EXPECT_EQ(spp(), 1);
   source_.endFrame(), source_.beginFrame();
-  ASSERT_TRUE(source_.take(version));
+  ASSERT_TRUE(source_.takeNewer(version));
   EXPECT_EQ(spp(), 8);
   EXPECT_EQ(source_.current()->threads, 3) << "files that changed meanwhile count, too";
   EXPECT_EQ(live_.firstFrameWith(answer), 3u);
   write(sources_.userFile, "threads = 4\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 8);
   EXPECT_EQ(source_.current()->threads, 4);
 }
@@ -90,7 +90,7 @@ TEST_F(Live, ChangesThatWaitCountWithLaterOnes) {
   EXPECT_EQ(spp(), 8);
   EXPECT_EQ(source_.current()->ao.samples, 3);
   uint64_t version = 0;
-  source_.endFrame(), source_.take(version), source_.beginFrame();
+  source_.endFrame(), source_.takeNewer(version), source_.beginFrame();
   EXPECT_EQ(live_.firstFrameWith(waits), 2u);
   EXPECT_EQ(live_.firstFrameWith(answer), 2u);
   EXPECT_EQ(whyOf({{"spp", {}}}), "");
@@ -103,7 +103,7 @@ TEST_F(Live, FramesThatHaveBegunAreNotWaitedFor) {
   const LiveSettings::Answer answer = live_.change(Changes{{"spp", "8"}}, 5);
   EXPECT_EQ(spp(), 8);
   uint64_t version = 0;
-  source_.endFrame(), source_.take(version), source_.beginFrame();
+  source_.endFrame(), source_.takeNewer(version), source_.beginFrame();
   EXPECT_EQ(live_.firstFrameWith(answer), 11u);
 }
 
@@ -145,8 +145,8 @@ TEST_F(Live, FramesOfTwoContextsAndChangesOverlap) {
   const auto draw = [&] {
     uint64_t version = 0;
     while (!done) {
-      source_.endFrame(), source_.take(version);
-      source_.beginFrame(), source_.take(version);
+      source_.endFrame(), source_.takeNewer(version);
+      source_.beginFrame(), source_.takeNewer(version);
     }
   };
   std::thread one(draw), two(draw);

@@ -44,7 +44,7 @@ std::string whyNotLive(const Row& row) {
 
 }  // namespace
 
-LiveSettings::Stamp LiveSettings::Stamp::of(const std::string& file) {
+LiveSettings::Stamp LiveSettings::Stamp::stampOf(const std::string& file) {
   struct stat s {};
   if (file.empty() || stat(file.c_str(), &s) != 0) return {};
   return {static_cast<int64_t>(s.st_dev),
@@ -55,7 +55,8 @@ LiveSettings::Stamp LiveSettings::Stamp::of(const std::string& file) {
 }
 
 LiveSettings::Stamps LiveSettings::stamps() const {
-  return {Stamp::of(sources_.systemFile), Stamp::of(sources_.userFile), Stamp::of(sources_.projectFile)};
+  return {Stamp::stampOf(sources_.systemFile), Stamp::stampOf(sources_.userFile),
+          Stamp::stampOf(sources_.projectFile)};
 }
 
 /// Whether no file is being written: editors truncate a file or remove it before they write it.
@@ -78,7 +79,7 @@ Settings LiveSettings::withThreads(Settings settings) const {
   return settings;
 }
 
-Session LiveSettings::take(Session session) {
+Session LiveSettings::takeSession(Session session) {
   session.settings = withThreads(std::move(session.settings));
   if (session.settings != *source_.current()) source_.store(session.settings);
   started_ = true;
@@ -104,10 +105,10 @@ Session LiveSettings::start(Sources sources) {
     complain_(line);
   };
   files_ = readConfigFiles(sources_, report);
-  return take(layersOf(sources_, files_, report).session);
+  return takeSession(layersOf(sources_, files_, report).session);
 }
 
-void LiveSettings::look(double now) noexcept {
+void LiveSettings::readIfChanged(double now) noexcept {
   try {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock || !started_ || now < next_) return;
@@ -131,7 +132,7 @@ void LiveSettings::look(double now) noexcept {
                           withThreads(layersOf(*later_, files, note).session.settings)),
             ++revision_;
       else
-        take(std::move(layers.session));
+        takeSession(std::move(layers.session));
       files_ = std::move(files);
       for (std::string& line : mistakes) line = withoutLine(line);
       mistakes_ = std::move(mistakes);
@@ -148,7 +149,7 @@ struct LiveSettings::Next {
   std::string why;
 };
 
-LiveSettings::Next LiveSettings::next(std::span<const Change> changes) const {
+LiveSettings::Next LiveSettings::settingsAfter(std::span<const Change> changes) const {
   Next next{later_ ? *later_ : sources_, {}, {}, ""};
   auto& live = next.sources.live;
   for (const Change& c : changes) {
@@ -170,7 +171,7 @@ LiveSettings::Next LiveSettings::next(std::span<const Change> changes) const {
 LiveSettings::Answer LiveSettings::change(std::span<const Change> changes, uint64_t frame) {
   const std::lock_guard lock(mutex_);
   settle();
-  Next next = this->next(changes);
+  Next next = this->settingsAfter(changes);
   if (!next.why.empty()) return {std::move(next.why), 0, 0, {}};
   ++revision_;
   if (frame > source_.frame()) {
@@ -187,7 +188,7 @@ LiveSettings::Answer LiveSettings::change(std::span<const Change> changes, uint6
 std::string LiveSettings::whyNot(std::span<const Change> changes) {
   const std::lock_guard lock(mutex_);
   settle();
-  return next(changes).why;
+  return settingsAfter(changes).why;
 }
 
 std::optional<uint64_t> LiveSettings::firstFrameWith(const Answer& answer) const {

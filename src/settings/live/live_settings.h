@@ -27,7 +27,7 @@ class LiveSettings {
 
   /// Reads the files again if one has changed. Cheap: looks at most every kLookSeconds, less often where
   /// files are slow. If a file has a new mistake, all settings stay as they are until it is corrected.
-  void look(double now = nowSeconds()) noexcept;
+  void readIfChanged(double now = nowSeconds()) noexcept;
 
   /// A value that is set live; none: the other layers count again.
   struct Change {
@@ -72,16 +72,16 @@ class LiveSettings {
     int64_t device = 0, inode = 0, size = -1;   // size -1: there is none
     int64_t modified[2] = {}, changed[2] = {};  // seconds, nanoseconds
     bool operator==(const Stamp&) const = default;
-    static Stamp of(const std::string& file);
+    static Stamp stampOf(const std::string& file);
   };
   using Stamps = std::array<Stamp, 3>;
   using Lines = std::vector<std::string>;
   Stamps stamps() const;
   bool settled(const Stamps& now) const;
   bool isNew(const std::string& mistake) const;
-  Session take(Session session);
+  Session takeSession(Session session);
   struct Next;
-  Next next(std::span<const Change> changes) const;
+  Next settingsAfter(std::span<const Change> changes) const;
   void settle();
   Settings withThreads(Settings settings) const;
 
@@ -96,7 +96,7 @@ class LiveSettings {
   ConfigFiles files_;   // as they were read last without a new mistake
   Lines mistakes_;      // in them, without numbers of lines
   bool started_ = false;
-  Stamps read_, seen_;  // of the files that were read last; when look() looked last
+  Stamps read_, seen_;  // of the files that were read last; when readIfChanged() looked last
   double next_ = 0;     // seconds: no look before
 };
 

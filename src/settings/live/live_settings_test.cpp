@@ -16,14 +16,14 @@ TEST_F(Live, EditedFilesCountAtTheNextLook) {
   write(sources_.userFile, "spp = 2\n");
   EXPECT_EQ(live_.start(sources_).settings.spp, 2);
   write(sources_.userFile, "spp = 3\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 3);
   write(sources_.projectFile, "spp = 4\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 4);
   const uint64_t version = source_.version();
   write(sources_.projectFile, "spp = 4 # the same\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(source_.version(), version);
   EXPECT_EQ(complaints_, std::vector<std::string>{});
 }
@@ -32,16 +32,16 @@ TEST_F(Live, FilesThatAreBeingWrittenAreReadWhenTheyRest) {
   write(sources_.userFile, "spp = 2\n");
   live_.start(sources_);
   std::ofstream(sources_.userFile, std::ios::trunc).flush();
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 2) << "truncated";
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 1) << "it stays empty";
   write(sources_.userFile, "spp = 2\n");
-  look();
+  readWhenRested();
   std::filesystem::remove(sources_.userFile);
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 2) << "removed: another one may take its place";
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 1);
 }
 
@@ -49,17 +49,17 @@ TEST_F(Live, MistakesKeepTheLastSettings) {
   write(sources_.userFile, "spp = 2\nthreads = 3\n");
   live_.start(sources_);
   write(sources_.userFile, "spp = many\nthreads = 4\n");
-  look(), look();
+  readWhenRested(), readWhenRested();
   EXPECT_EQ(spp(), 2);
   ASSERT_EQ(complaints_.size(), 1u) << "once for each change of the file";
   EXPECT_NE(complaints_[0].find("all settings stay as they are"), std::string::npos) << complaints_[0];
   write(sources_.userFile, "spp = 0\nthreads = 4\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 2);
   EXPECT_EQ(source_.current()->threads, 3);
   EXPECT_EQ(complaints_.size(), 2u);
   write(sources_.userFile, "spp = 5\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 5);
 }
 
@@ -67,10 +67,10 @@ TEST_F(Live, MistakesFromTheStartDoNotMatter) {
   write(sources_.userFile, "spq = 2\n");
   live_.start(sources_);
   write(sources_.projectFile, "spp = 4\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 4);
   write(sources_.userFile, "# a line before it\nspq = 2\nthreads = 2\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(source_.current()->threads, 2);
   EXPECT_EQ(complaints_.size(), 3u) << "it is reported each time that files are read";
 }
@@ -79,7 +79,7 @@ TEST_F(Live, MistakesInFilesDoNotStopLiveChanges) {
   write(sources_.userFile, "spp = 2\n");
   live_.start(sources_);
   write(sources_.userFile, "spp = many\n");
-  look();
+  readWhenRested();
   EXPECT_EQ(whyOf({{"ao.samples", "2"}}), "");
   EXPECT_EQ(source_.current()->ao.samples, 2);
   EXPECT_EQ(spp(), 2);
@@ -88,23 +88,23 @@ TEST_F(Live, MistakesInFilesDoNotStopLiveChanges) {
 TEST_F(Live, LooksAreSeldom) {
   write(sources_.userFile, "spp = 2\n");
   live_.start(sources_);
-  look();
+  readWhenRested();
   write(sources_.userFile, "spp = 3\n");
   std::this_thread::sleep_for(std::chrono::milliseconds(25));
-  live_.look(now_ + 0.9 * LiveSettings::kLookSeconds);
+  live_.readIfChanged(now_ + 0.9 * LiveSettings::kLookSeconds);
   EXPECT_EQ(spp(), 2);
-  live_.look(now_ + 100);
+  live_.readIfChanged(now_ + 100);
   EXPECT_EQ(spp(), 3);
 }
 
 TEST_F(Live, FilesOfSlowWritersAreReadAtOnceWhenTheyRest) {
   write(sources_.userFile, "spp = 2\n");
   live_.start(sources_);
-  look();
+  readWhenRested();
   write(sources_.userFile, "spp = 3\n");
-  live_.look(now_ += 100);
+  live_.readIfChanged(now_ += 100);
   EXPECT_EQ(spp(), 2) << "written a moment ago";
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 3);
 }
 
@@ -112,11 +112,11 @@ TEST_F(Live, RightsCount) {
   live_.start(sources_);
   write(sources_.projectFile, "spp = 3\n");
   chmod(sources_.projectFile.c_str(), 0666);
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 1);
   EXPECT_EQ(complaints_.size(), 1u);
   chmod(sources_.projectFile.c_str(), 0644);
-  look();
+  readWhenRested();
   EXPECT_EQ(spp(), 3);
 }
 
@@ -128,7 +128,7 @@ TEST_F(Live, ManyThreadsMayLookAndChange) {
   });
   for (int i = 0; i < 200; ++i) {
     write(sources_.projectFile, "ao.samples = " + std::to_string(i + 1) + "\n");
-    live_.look(now_ += 1);
+    live_.readIfChanged(now_ += 1);
   }
   other.join();
   EXPECT_EQ(spp(), 200);

@@ -77,7 +77,7 @@ SettingsSource::Begun SettingsSource::begun() const noexcept {
   return now;
 }
 
-SettingsSource::Shared SettingsSource::take(uint64_t& version) noexcept {
+SettingsSource::Shared SettingsSource::takeNewer(uint64_t& version) noexcept {
   if (auto* const look = look_.load(std::memory_order_acquire)) look();
   const bool due = frame() >= laterFrame_.load(std::memory_order_acquire);
   if (!due && this->version() == version) return nullptr;

@@ -51,7 +51,7 @@ class SettingsSource {
   Begun begun() const noexcept;
   /// Call when a frame has been shown, and before the first clear of the next: looks, and returns the
   /// settings if their version is not `version`, which becomes theirs. Null: nothing new.
-  Shared take(uint64_t& version) noexcept;
+  Shared takeNewer(uint64_t& version) noexcept;
   /// The first frame that took this version or a later one; none: none of these has begun.
   std::optional<uint64_t> firstFrameWith(uint64_t version) const;
   /// The first frame that took the settings of this ticket; none: it has not begun.

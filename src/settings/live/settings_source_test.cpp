@@ -59,9 +59,9 @@ TEST(SettingsSource, FramesBeginWithAClearOrWhenTheOneBeforeIsShown) {
 TEST(SettingsSource, FramesThatTookAVersionAreKnown) {
   SettingsSource source;
   uint64_t version = 0;
-  const auto next = [&](uint64_t& of) { source.endFrame(), source.take(of); };
+  const auto next = [&](uint64_t& of) { source.endFrame(), source.takeNewer(of); };
   EXPECT_FALSE(source.firstFrameWith(1));
-  EXPECT_TRUE(source.take(version));
+  EXPECT_TRUE(source.takeNewer(version));
   EXPECT_FALSE(source.firstFrameWith(1)) << "it has not begun";
   source.beginFrame();
   EXPECT_EQ(source.firstFrameWith(1), 1u);
@@ -79,19 +79,19 @@ TEST(SettingsSource, FramesThatTookAVersionAreKnown) {
 TEST(SettingsSource, LaterSettingsCountInTheirFrame) {
   SettingsSource source;
   uint64_t version = 0;
-  source.take(version);
+  source.takeNewer(version);
   Settings next;
   next.spp = 4;
   const uint64_t ticket = source.storeAt(3, next);
   source.endFrame();
-  EXPECT_EQ(source.take(version), nullptr);
+  EXPECT_EQ(source.takeNewer(version), nullptr);
   EXPECT_FALSE(source.counts(ticket));
   Settings both = next;
   both.threads = 2, next.threads = 2, next.spp = 1;
   source.storeBoth(next, both);
-  EXPECT_EQ(source.take(version)->spp, 1);
+  EXPECT_EQ(source.takeNewer(version)->spp, 1);
   source.endFrame();
-  EXPECT_EQ(*source.take(version), both);
+  EXPECT_EQ(*source.takeNewer(version), both);
   source.beginFrame();
   EXPECT_EQ(source.firstFrameOfTicket(ticket), 3u);
   source.storeBoth(next, both);

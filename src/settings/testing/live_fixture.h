@@ -32,9 +32,9 @@ class Live : public testing::Test {
     chmod(file.c_str(), 0644);
   }
   /// Looks when the files have rested, as far as LiveSettings knows the time.
-  void look() {
+  void readWhenRested() {
     std::this_thread::sleep_for(std::chrono::milliseconds(25));
-    live_.look(now_ += 100);
+    live_.readIfChanged(now_ += 100);
   }
   int spp() const { return source_.current()->spp; }
   std::string whyOf(const Changes& changes) { return live_.change(changes).why; }

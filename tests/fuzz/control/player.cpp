@@ -40,7 +40,7 @@ void HubPlayer::feed(size_t peer, std::string_view bytes) {
   if (!one.open) return;
   if (!one.reader.add(bytes)) return disconnect(peer);
   while (one.open) {
-    const auto line = one.reader.next();
+    const auto line = one.reader.nextLine();
     if (!line) return;
     const control::Parsed parsed = control::parse(*line);
     if (!parsed.why.empty()) return disconnect(peer);
@@ -113,7 +113,7 @@ void HubPlayer::end() {
   for (int round = 0; round < kMaxRounds && waits(); ++round) wait(std::chrono::seconds(10));
   for (const auto& one : peers_)
     if (one->open) require(one->asked.empty(), "requests without an answer", json(one->asked));
-  require(hub_.next() > now_, "something is due that passed() does not do", json());
+  require(hub_.nextDue() > now_, "something is due that passed() does not do", json());
 }
 
 }  // namespace gluray::fuzz

@@ -82,7 +82,7 @@ class InstanceParts : public ::testing::TestWithParam<bool> {
       for (; first < end; ++first) run[first / 64] |= uint64_t{1} << (first & 63);
       gl::InstanceDraws draws(real, arrays, *units);
       units->forParts(run, [&](const gl::InstancePart& part) {
-        gl::drawReal(real, GL_TRIANGLES, draws.of(whole(), part)), ++parts;
+        gl::drawReal(real, GL_TRIANGLES, draws.elementsOf(whole(), part)), ++parts;
       });
     }
     EXPECT_GT(parts, units->units() / 6);

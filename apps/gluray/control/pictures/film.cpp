@@ -102,7 +102,7 @@ class FilmMaker {
         return pictureOf(hub_, program_, shot);
       if (std::chrono::duration<double>(steady_clock::now() - begin).count() > kLaterFrameSeconds)
         throw std::runtime_error("it shows no later frame");
-      hub_.client().next(kPauseSeconds);
+      hub_.client().awaitEvent(kPauseSeconds);
     }
     return std::nullopt;
   }

@@ -36,18 +36,18 @@ RefinedState::RefinedState(HubSession& hub, const RunningProgram& program, int64
   most_ = countIn(values, "refine.passes");
   noise_ = control::numberIn<double>(values, "noise", 0);
   hub.ask({{"type", "observe"}, {"program", numbersOf({program})}, {"what", {"state"}}, {"every", kEvery}});
-  before_ = countIn(next(kFirstSeconds), "passes");
+  before_ = countIn(awaitState(kFirstSeconds), "passes");
 }
 
-json RefinedState::next(double seconds) {
-  const json event = hub_.client().next(seconds);
+json RefinedState::awaitState(double seconds) {
+  const json event = hub_.client().awaitEvent(seconds);
   if (event.is_null() && !hub_.client().whyClosed().empty())
     throw std::runtime_error(hub_.client().whyClosed());
   return control::textIn(event, "what") == "state" ? event.value("state", json()) : json();
 }
 
 bool RefinedState::wait(std::optional<int64_t> frame, const std::function<bool()>& stopped) {
-  while (!hub_.client().next(0).is_null()) {  // states of earlier moments
+  while (!hub_.client().awaitEvent(0).is_null()) {  // states of earlier moments
   }
   const auto begin = steady_clock::now();
   auto progress = begin;
@@ -56,7 +56,7 @@ bool RefinedState::wait(std::optional<int64_t> frame, const std::function<bool()
   // While a new frame's picture has no passes, the state still has those of the picture before.
   bool own = !frame || before_ == 0;
   while (secondsSince(begin) < kMaxPassSeconds && secondsSince(progress) < patience && !stopped()) {
-    const json state = next(2 * kEvery);
+    const json state = awaitState(2 * kEvery);
     if (!state.is_object() || countIn(state, "frame") < frame.value_or(0)) continue;
     const int64_t now = countIn(state, "passes");
     if (now != passes) own = true, patience = kStall, progress = steady_clock::now();

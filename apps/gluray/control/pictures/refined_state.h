@@ -20,7 +20,7 @@ class RefinedState {
 
  private:
   /// The newest state; null: none came in that time.
-  nlohmann::json next(double seconds);
+  nlohmann::json awaitState(double seconds);
 
   HubSession& hub_;
   const int64_t passes_;

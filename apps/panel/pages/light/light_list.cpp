@@ -56,7 +56,7 @@ LightList::LightList(Controls& controls, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(message_);
   layout->addWidget(lights_, 1);
-  connect(&poll_, &Poll::answered, this, &LightList::take);
+  connect(&poll_, &Poll::answered, this, &LightList::receiveAnswer);
   connect(&poll_, &Poll::restarted, this, [this] { say(""); });
   say("");
 }
@@ -80,7 +80,7 @@ void LightList::say(const QString& line) {
   setRows(*lights_, {});
 }
 
-void LightList::take(const CallAnswer& answer) {
+void LightList::receiveAnswer(const CallAnswer& answer) {
   const json* const list = member(answer.value, "lights");
   if (!answer.why.empty()) return say(tr("No list of lights: %1").arg(QString::fromStdString(answer.why)));
   if (!list || !list->is_array()) return say(tr("The program's lights cannot be read."));

@@ -21,7 +21,7 @@ class LightList : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void take(const CallAnswer& answer);
+  void receiveAnswer(const CallAnswer& answer);
   void say(const QString& line);
 
   Poll poll_;

@@ -39,10 +39,10 @@ void LightDrag::ask() {
   if (underWay_ || !next_) return;
   underWay_ = true;
   controls_.call(program_, "highlight", argumentsOf(*std::exchange(next_, std::nullopt)), this,
-                 [this, drag = drag_](const CallAnswer& answer) { take(answer, drag); });
+                 [this, drag = drag_](const CallAnswer& answer) { receiveAnswer(answer, drag); });
 }
 
-void LightDrag::take(const CallAnswer& answer, uint64_t drag) {
+void LightDrag::receiveAnswer(const CallAnswer& answer, uint64_t drag) {
   underWay_ = false;
   if (drag != drag_) return ask();
   const Program* program = controls_.shown();

@@ -22,7 +22,7 @@ class LightDrag : public QObject {
 
  private:
   void ask();
-  void take(const CallAnswer& answer, uint64_t drag);
+  void receiveAnswer(const CallAnswer& answer, uint64_t drag);
   void finish();
 
   Controls& controls_;

@@ -26,7 +26,7 @@ void paintLabel(QPainter& painter, const QRectF& room, Qt::Alignment side, const
 
 }  // namespace
 
-const QImage& FittedImage::of(const QImage& picture, const QSize& dots) {
+const QImage& FittedImage::scaled(const QImage& picture, const QSize& dots) {
   if (picture.cacheKey() == key_ && dots == dots_) return fitted_;
   key_ = picture.cacheKey(), dots_ = dots;
   const bool larger = picture.width() > dots.width() && picture.height() > dots.height();
@@ -76,7 +76,7 @@ void LivePicture::paintEvent(QPaintEvent*) {
   if (room.isEmpty()) return paintNothing(tr("no picture"));
   QPainter painter(this);
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(room, fittedPicture_.of(picture(), dotsOf(room)));
+  painter.drawImage(room, fittedPicture_.scaled(picture(), dotsOf(room)));
   if (compares_) paintCompared(painter, room);
   if (!hasFocus()) return;
   painter.setPen(palette().color(QPalette::Highlight));
@@ -95,7 +95,7 @@ void LivePicture::paintCompared(QPainter& painter, const QRectF& room) {
   if (!other_.isNull()) {
     painter.save();
     painter.setClipRect(left);
-    painter.drawImage(room, fittedOther_.of(other_, dotsOf(room)));
+    painter.drawImage(room, fittedOther_.scaled(other_, dotsOf(room)));
     painter.restore();
   }
   painter.fillRect(QRectF(x - 1.5, room.top(), 3, room.height()), Qt::black);

@@ -10,7 +10,7 @@ namespace gluray::panel {
 /// painted.
 class FittedImage {
  public:
-  const QImage& of(const QImage& picture, const QSize& dots);
+  const QImage& scaled(const QImage& picture, const QSize& dots);
 
  private:
   QImage fitted_;

@@ -211,7 +211,7 @@ void ObjectEditor::change(const QObject* editor, const std::vector<std::string>&
 
 void ObjectEditor::send(const QObject* editor, std::vector<std::string> next, bool more) {
   if (objects_.empty()) return;
-  if (std::exchange(moved_, editor) != editor) movement_.next();
+  if (std::exchange(moved_, editor) != editor) movement_.beginNextMovement();
   const Value now = controls_.value(kSetting);
   if (movement_.send({{kSetting, next}}, more)) before_ = now;
   sent_ = std::move(next);

@@ -104,7 +104,8 @@ TEST_F(ObjectsPageTest, WhatAProgramRefusesIsNotShown) {
   auto& material = part<QComboBox>("object.material");
   material.setCurrentText("glass");
   emit material.activated(material.currentIndex());
-  program.take({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "the list is too long"}});
+  program.receiveMessage(
+      {{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "the list is too long"}});
   EXPECT_EQ(material.currentText(), "program");
 }
 

@@ -35,7 +35,7 @@ bool isNumeric(ObjectColumn column) {
 
 }  // namespace
 
-bool ObjectTable::take(const std::vector<DrawnObject>& objects) {
+bool ObjectTable::setObjects(const std::vector<DrawnObject>& objects) {
   const bool same =
       std::equal(objects.begin(), objects.end(), objects_.begin(), objects_.end(),
                  [](const DrawnObject& a, const DrawnObject& b) { return a.number == b.number; });

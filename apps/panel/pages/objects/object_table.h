@@ -17,7 +17,7 @@ class ObjectTable : public QAbstractTableModel {
   static constexpr int kSortRole = Qt::UserRole;
 
   /// Rows of the same objects stay where they are; otherwise the model is reset. Returns whether it is.
-  bool take(const std::vector<DrawnObject>& objects);
+  bool setObjects(const std::vector<DrawnObject>& objects);
   const DrawnObject& object(int row) const { return objects_[static_cast<size_t>(row)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -117,7 +117,7 @@ QString ObjectsPage::messageNow() const {
 void ObjectsPage::takeList() {
   const int scrolled = table_->verticalScrollBar()->value();
   marking_ = true;  // a reset clears the selection
-  const bool reset = rows_.take(list_.objects());
+  const bool reset = rows_.setObjects(list_.objects());
   marking_ = false;
   table_->setVisible(!list_.objects().empty());
   if (reset) table_->verticalScrollBar()->setValue(scrolled);

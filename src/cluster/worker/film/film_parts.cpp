@@ -8,7 +8,7 @@ FilmParts::FilmParts(int width, int height)
     : tiles_(width, height, render::kTileSize),
       ranks_(static_cast<size_t>(tiles_.columns) * static_cast<size_t>(tiles_.rows), kNobody) {}
 
-bool FilmParts::take(int rank, const FilmTile& tile) {
+bool FilmParts::addTile(int rank, const FilmTile& tile) {
   check(tile.shape);
   if (tile.shape.width != tiles_.width || tile.shape.height != tiles_.height || tile.tile < 0 ||
       static_cast<size_t>(tile.tile) >= ranks_.size())

@@ -14,7 +14,7 @@ class FilmParts {
   FilmParts(int width, int height);
 
   /// Puts a tile that `rank` has collected onto the film. False: it was there. Throws Malformed.
-  bool take(int rank, const FilmTile& tile);
+  bool addTile(int rank, const FilmTile& tile);
   /// Whether the rank has collected the tile and not coloured it.
   bool isAwaited(int rank, int tile) const;
   bool isAwaited(int rank) const;

@@ -15,7 +15,7 @@ class FilmTiles final : public render::FilmSource {
       : queue_(queue), store_(store), index_(index) {}
 
   void begin(const Image& image) noexcept override { queue_.begin(image); }
-  int next() noexcept override { return queue_.next(); }
+  int nextTile() noexcept override { return queue_.nextTile(); }
   void done(int tile, double seconds, bool seenThrough) noexcept override {
     queue_.done(tile, seconds, seenThrough);
   }

@@ -182,8 +182,8 @@ TEST(FilmParts, ComeTogether) {
   const render::FactorFilm film = filmOf(70, 40, 4);  // 3 x 2 tiles
   FilmParts parts(70, 40);
   for (int tile = 0; tile < 6; ++tile) {
-    EXPECT_TRUE(parts.take(tile % 2, tileOf(film, tile)));
-    EXPECT_FALSE(parts.take(1, tileOf(film, tile)));
+    EXPECT_TRUE(parts.addTile(tile % 2, tileOf(film, tile)));
+    EXPECT_FALSE(parts.addTile(1, tileOf(film, tile)));
   }
   EXPECT_EQ(parts.tilesOf(1), (std::vector<int32_t>{1, 3, 5}));
   EXPECT_FALSE(parts.isAwaited(1, 2));
@@ -204,11 +204,11 @@ TEST(FilmParts, ComeTogether) {
 TEST(FilmParts, OfOtherShapesAreRefused) {
   const render::FactorFilm film = filmOf(70, 40, 2);
   FilmParts parts(70, 40);
-  EXPECT_TRUE(parts.take(0, tileOf(film, 0)));
+  EXPECT_TRUE(parts.addTile(0, tileOf(film, 0)));
   const auto refused = [&](const auto& change) {
     FilmTile tile = tileOf(film, 1);
     change(tile);
-    EXPECT_THROW(parts.take(0, tile), Malformed);
+    EXPECT_THROW(parts.addTile(0, tile), Malformed);
   };
   refused([](FilmTile& t) { t.tile = 6; });
   refused([](FilmTile& t) { t.tile = -1; });
@@ -217,7 +217,7 @@ TEST(FilmParts, OfOtherShapesAreRefused) {
   refused([](FilmTile& t) { t.shape.width = 71; });
   refused([](FilmTile& t) { t.film.pop_back(); });
   refused([](FilmTile& t) { t.film.clear(); });
-  EXPECT_TRUE(parts.take(0, tileOf(film, 1)));
+  EXPECT_TRUE(parts.addTile(0, tileOf(film, 1)));
 }
 
 }  // namespace

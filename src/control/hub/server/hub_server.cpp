@@ -107,7 +107,7 @@ std::string HubServer::Parts::listen(const HubOptions& options) {
   directory = options.directory;
   here_ = tcp_ = nullptr;
   tcpPort = 0;
-  if (std::string why = place_.take(directory, otherHub); !why.empty()) return why;
+  if (std::string why = place_.lockPlace(directory, otherHub); !why.empty()) return why;
   std::string why;
   Descriptor tcp;
   if (!options.listen.empty()) {
@@ -269,7 +269,7 @@ void HubServer::Parts::withCore(Call call) {
 }
 
 void HubServer::Parts::rest() {
-  const HubTime next = core_.next();
+  const HubTime next = core_.nextDue();
   if (!running_ || next == timerAt_) return;
   timerAt_ = next;
   timer_.cancel();

@@ -92,11 +92,11 @@ TEST_F(HubServerTest, MessagesMayBeSplitAndJoined) {
   giveBytes(socket, R"({"type":"list","id":1}
 {"type":"list","id":2}
 {"type":"li)");
-  EXPECT_EQ(next(socket)["id"], 1);
-  EXPECT_EQ(next(socket)["id"], 2);
+  EXPECT_EQ(nextMessage(socket)["id"], 1);
+  EXPECT_EQ(nextMessage(socket)["id"], 2);
   for (const char c : std::string("st\",\"id\":3}\n"))
     giveBytes(socket, std::string(1, c)), io_.restart(), io_.poll();
-  EXPECT_EQ(next(socket)["id"], 3);
+  EXPECT_EQ(nextMessage(socket)["id"], 3);
 }
 
 TEST_F(HubServerTest, LinesThatAreTooLongOrWrongEndAConnection) {
@@ -116,7 +116,7 @@ TEST_F(HubServerTest, LinesThatAreTooLongOrWrongEndAConnection) {
   EXPECT_TRUE(
       until([&] { return send(socket, piece.data(), piece.size(), MSG_NOSIGNAL) < 0 && errno != EAGAIN; }));
   give(other, json{{"type", "list"}, {"id", 1}});
-  EXPECT_EQ(next(other)["programs"], json::array());
+  EXPECT_EQ(nextMessage(other)["programs"], json::array());
 }
 
 TEST_F(HubServerTest, AConnectionWithoutHelloIsClosed) {
@@ -148,7 +148,7 @@ TEST_F(HubServerTest, AnotherUserIsTurnedAway) {
   EXPECT_TRUE(until([&] { return waitpid(child, &status, WNOHANG) == child; }));
   EXPECT_EQ(WEXITSTATUS(status), 0) << "1: it was served, 3: it could not connect at all";
   give(mine, json{{"type", "list"}, {"id", 1}});
-  EXPECT_EQ(next(mine)["id"], 1);
+  EXPECT_EQ(nextMessage(mine)["id"], 1);
 }
 
 TEST_F(HubServerTest, TwoHundredProgramsAnswerOneRequest) {
@@ -167,12 +167,12 @@ TEST_F(HubServerTest, TwoHundredProgramsAnswerOneRequest) {
   const int asking = client();
   give(asking, json{{"type", "set"}, {"id", 1}, {"program", "all"}, {"values", {{"ao", true}}}});
   for (const int program : programs) {
-    EXPECT_EQ(next(program)["type"], "hello");
-    const json set = next(program);
+    EXPECT_EQ(nextMessage(program)["type"], "hello");
+    const json set = nextMessage(program);
     EXPECT_EQ(set["values"], (json{{"ao", true}}));
     give(program, json{{"type", "answer"}, {"id", set["id"]}, {"results", {{{"frame", 1}}}}});
   }
-  EXPECT_EQ(next(asking)["results"].size(), 200u);
+  EXPECT_EQ(nextMessage(asking)["results"].size(), 200u);
   close(programs[7]);
   sockets_.erase(std::find(sockets_.begin(), sockets_.end(), programs[7]));
   EXPECT_TRUE(until([&] { return hub_.programs() == 199; }));
@@ -194,7 +194,7 @@ TEST_F(HubServerTest, WithoutDescriptorsItWaitsAndGoesOn) {
   while (std::chrono::steady_clock::now() < end) rounds += io_.run_one_for(100ms);
   setrlimit(RLIMIT_NOFILE, &before);
   EXPECT_LT(rounds, 50u) << "it must not spin";
-  EXPECT_EQ(next(waiting)["type"], "hello");
+  EXPECT_EQ(nextMessage(waiting)["type"], "hello");
 }
 
 TEST_F(HubServerTest, AllowsManyConnections) {

@@ -37,7 +37,7 @@ TEST_F(HubServerTest, FilesOfProgramsAreReadWithCare) {
   start();
   EXPECT_EQ(woken, std::vector<std::string>{":7 77"});
   EXPECT_EQ(hub_.expected(), 1u);
-  const json hello = next(connectHere());
+  const json hello = nextMessage(connectHere());
   EXPECT_EQ(hello.value("expected", 0), 1);
   EXPECT_GE(hello.value("age", -1.0), 0);
   EXPECT_LT(hello.value("age", 60.0), 60);

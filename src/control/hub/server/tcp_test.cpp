@@ -41,11 +41,11 @@ struct HubTcp : HubServerTest {
   }
   /// Proves that it has the key, after the challenge.
   void proves(int socket) {
-    const json challenge = next(socket);
+    const json challenge = nextMessage(socket);
     ASSERT_EQ(challenge["type"], "challenge");
     give(socket, proof(challenge["nonce"]));
-    EXPECT_EQ(next(socket)["type"], "proof");
-    EXPECT_EQ(next(socket)["role"], "hub");
+    EXPECT_EQ(nextMessage(socket)["type"], "proof");
+    EXPECT_EQ(nextMessage(socket)["role"], "hub");
   }
   int connectTcp() {
     sockaddr_in address{};
@@ -87,18 +87,18 @@ TEST_F(HubTcp, ThoseWithTheKeyAreHeard) {
   ASSERT_GT(hub_.port(), 0);
   EXPECT_EQ(connectAsProgram(options_.keyFile), "");
   const int socket = connectTcp();
-  const json challenge = next(socket);
+  const json challenge = nextMessage(socket);
   EXPECT_EQ(challenge["type"], "challenge");
   const json sent = proof(challenge["nonce"]);
   // The hello in one packet with the proof: nothing of it is lost.
   giveBytes(socket, lineOf(sent) + lineOf(json{{"type", "hello"}, {"version", 1}, {"role", "client"}}) +
                         lineOf(json{{"type", "list"}, {"id", 1}}));
-  const json answer = next(socket);
+  const json answer = nextMessage(socket);
   EXPECT_EQ(answer, (json{{"type", "proof"},
                           {"mac", proofOf(key, Prover::hub, challenge["nonce"].get<std::string>(),
                                           sent["nonce"].get<std::string>())}}));
-  EXPECT_EQ(next(socket)["type"], "hello");
-  EXPECT_EQ(next(socket)["id"], 1);
+  EXPECT_EQ(nextMessage(socket)["type"], "hello");
+  EXPECT_EQ(nextMessage(socket)["id"], 1);
 }
 
 TEST_F(HubTcp, AHubMayStartAgainWithoutTcp) {
@@ -153,11 +153,11 @@ TEST_F(HubTcp, ADeadConnectionIsFoundAlsoWhileDataWaits) {
 TEST_F(HubTcp, AProofIsGoodOnce) {
   start();
   const int first = connectTcp();
-  const json sent = proof(next(first)["nonce"]);
+  const json sent = proof(nextMessage(first)["nonce"]);
   give(first, sent);
-  EXPECT_EQ(next(first)["type"], "proof");
+  EXPECT_EQ(nextMessage(first)["type"], "proof");
   const int second = connectTcp();
-  EXPECT_EQ(next(second)["type"], "challenge");
+  EXPECT_EQ(nextMessage(second)["type"], "challenge");
   give(second, sent);
   std::vector<json> said;
   EXPECT_TRUE(closes(second, &said));
@@ -167,7 +167,7 @@ TEST_F(HubTcp, AProofIsGoodOnce) {
 TEST_F(HubTcp, TheHubsOwnProofIsNoPeersProof) {
   start();
   const int socket = connectTcp();
-  const std::string nonce = next(socket)["nonce"].get<std::string>();
+  const std::string nonce = nextMessage(socket)["nonce"].get<std::string>();
   give(socket, json{{"type", "proof"}, {"nonce", nonce}, {"mac", proofOf(key, Prover::hub, nonce, nonce)}});
   EXPECT_TRUE(closes(socket));
 }
@@ -176,7 +176,7 @@ TEST_F(HubTcp, WhoeverGoesInTheMiddleIsForgiven) {
   start();
   for (int i = 0; i < 10; ++i) {
     const int socket = connectTcp();
-    EXPECT_EQ(next(socket)["type"], "challenge");
+    EXPECT_EQ(nextMessage(socket)["type"], "challenge");
     giveBytes(socket, R"({"type": "pro)");
     close(socket);
     sockets_.pop_back();
@@ -191,7 +191,7 @@ TEST_F(HubTcp, SilentConnectionsOfOneAddressKeepNobodyOut) {
   for (size_t i = 0; i < WaitingPeers::kMaxPerNetwork + 16; ++i) {
     silent.push_back(connectTcp(kSecond));
     ASSERT_GE(silent.back(), 0);
-    ASSERT_EQ(next(silent.back())["type"], "challenge") << i;
+    ASSERT_EQ(nextMessage(silent.back())["type"], "challenge") << i;
   }
   proves(connectTcp(kFirst));
   proves(connectTcp(kSecond));
@@ -208,7 +208,7 @@ TEST_F(HubTcp, SilentConnectionsOfManyAddressesKeepNobodyOut) {
   for (size_t i = 0; i < WaitingPeers::kMax + 16; ++i) {
     silent.push_back(connectTcp(static_cast<in_addr_t>(INADDR_LOOPBACK + 2 + i % 8)));
     ASSERT_GE(silent.back(), 0);
-    ASSERT_EQ(next(silent.back())["type"], "challenge") << i;
+    ASSERT_EQ(nextMessage(silent.back())["type"], "challenge") << i;
   }
   proves(connectTcp(INADDR_LOOPBACK));
   EXPECT_TRUE(closes(silent[0]));
@@ -220,7 +220,7 @@ TEST_F(HubTcp, AfterThreeWrongProofsAnAddressIsRefused) {
                                        lineOf({{"type", "proof"}, {"nonce", 1}, {"mac", nullptr}})};
   for (const std::string& bytes : wrong) {
     const int socket = connectTcp();
-    EXPECT_EQ(next(socket)["type"], "challenge");
+    EXPECT_EQ(nextMessage(socket)["type"], "challenge");
     giveBytes(socket, bytes);
     EXPECT_TRUE(closes(socket));
   }

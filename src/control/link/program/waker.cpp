@@ -47,7 +47,7 @@ void Waker::passed(double now) {
   if (step_ == Step::rest && wanted_) begin(now);
 }
 
-double Waker::next(double now) const {
+double Waker::nextDue(double now) const {
   if (step_ == Step::rest) return wanted_ ? now : std::numeric_limits<double>::infinity();
   return step_ == Step::wider ? due_ : std::min(due_, now + kPoll);
 }

@@ -27,7 +27,7 @@ class Waker {
   /// The program shall draw; passed() asks it to.
   void wake() noexcept { wanted_ = true; }
   void passed(double now);
-  double next(double now) const;
+  double nextDue(double now) const;
   /// Whether frames that are shown now may be for windows of another size.
   bool widens() const { return step_ == Step::wider; }
 

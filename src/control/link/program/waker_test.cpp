@@ -43,7 +43,7 @@ struct WakerTest : testing::Test {
     program.kind = kind, program.asked.clear();
     waker->wake();
     for (int i = 0; i < 100; ++i) waker->passed(now += 0.01);
-    EXPECT_GT(waker->next(now), now + 100) << "it rests";
+    EXPECT_GT(waker->nextDue(now), now + 100) << "it rests";
     return program.asked;
   }
   using Kind = SleepingProgram::Kind;

@@ -16,9 +16,9 @@ bool isFloats(const ArraySource& a) {
 
 }  // namespace
 
-std::shared_ptr<CulledMesh> CulledMesh::of(const RealGl& real, const ArraySource& positions, int components,
-                                           const ArrayState& arrays, const Assembly& assembly,
-                                           const Elements& e) {
+std::shared_ptr<CulledMesh> CulledMesh::create(const RealGl& real, const ArraySource& positions,
+                                               int components, const ArrayState& arrays,
+                                               const Assembly& assembly, const Elements& e) {
   if (!isFloats(positions)) return nullptr;
   std::shared_ptr<CulledMesh> mesh(new CulledMesh);
   const ArrayReader reader(real, positions);

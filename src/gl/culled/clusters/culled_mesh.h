@@ -22,9 +22,9 @@ namespace gluray::gl {
 class CulledMesh {
  public:
   /// `positions`: the array that gives them, of which `components` count. Nothing where they cannot be read.
-  static std::shared_ptr<CulledMesh> of(const RealGl& real, const ArraySource& positions, int components,
-                                        const ArrayState& arrays, const Assembly& assembly,
-                                        const Elements& elements);
+  static std::shared_ptr<CulledMesh> create(const RealGl& real, const ArraySource& positions, int components,
+                                            const ArrayState& arrays, const Assembly& assembly,
+                                            const Elements& elements);
 
   /// The same without positions, which takePositions() gives: clip coordinates.
   static std::shared_ptr<CulledMesh> withoutPositions(const RealGl& real, const ArrayState& arrays,

@@ -26,7 +26,7 @@ bool canBeCopied(const ShaderTexts& texts) {
   for (const ShaderTexts::Shader& shader : texts.shaders) {
     if (shader.type != GL_VERTEX_SHADER && shader.type != GL_FRAGMENT_SHADER) return false;
     GlslTokens tokens(shader.text);
-    for (std::string_view word = tokens.next(); !word.empty(); word = tokens.next())
+    for (std::string_view word = tokens.nextToken(); !word.empty(); word = tokens.nextToken())
       if (isUnlikely(word)) return false;
   }
   return true;

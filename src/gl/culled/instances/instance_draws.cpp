@@ -118,7 +118,7 @@ void InstanceDraws::moveTo(uint32_t first) {
   at_ = first;
 }
 
-Elements InstanceDraws::of(Elements elements, const InstancePart& part) {
+Elements InstanceDraws::elementsOf(Elements elements, const InstancePart& part) {
   elements.instances = static_cast<GLsizei>(part.count);
   if (byArrays_) return moveTo(part.first), elements;
   elements.baseInstance = units_.base() + part.first / units_.size();

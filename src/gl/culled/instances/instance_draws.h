@@ -28,7 +28,7 @@ class InstanceDraws {
   InstanceDraws& operator=(const InstanceDraws&) = delete;
 
   /// `elements` with only these instances, to be drawn before the next call.
-  Elements of(Elements elements, const InstancePart& part);
+  Elements elementsOf(Elements elements, const InstancePart& part);
 
  private:
   /// A vertex buffer binding, or an attribute with its array where OpenGL has no bindings.

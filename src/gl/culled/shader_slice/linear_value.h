@@ -100,7 +100,7 @@ struct Value {
       v.components.assign(static_cast<size_t>(shape.size()), Linear::unknown());
     return v;
   }
-  static Value of(const Linear& one, Shape::Base base = Shape::Base::floats) {
+  static Value fromLinear(const Linear& one, Shape::Base base = Shape::Base::floats) {
     Value v;
     v.shape = {base, 1, 1}, v.components = {one};
     return v;

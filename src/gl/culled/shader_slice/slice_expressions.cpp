@@ -20,12 +20,12 @@ Value literal(std::string_view text) {
   if (!hexadecimal && word.find_first_of(".eE") != word.npos) {
     const bool doubles = word.ends_with("lf") || word.ends_with("LF");
     const auto value = static_cast<double>(std::strtof(word.c_str(), nullptr));
-    return doubles ? Value() : Value::of(Linear::constant(value));
+    return doubles ? Value() : Value::fromLinear(Linear::constant(value));
   }
   if (word.ends_with("f") && !hexadecimal)
-    return Value::of(Linear::constant(static_cast<double>(std::strtof(word.c_str(), nullptr))));
-  return Value::of(Linear::constant(static_cast<double>(std::strtoll(word.c_str(), nullptr, 0))),
-                   Base::integers);
+    return Value::fromLinear(Linear::constant(static_cast<double>(std::strtof(word.c_str(), nullptr))));
+  return Value::fromLinear(Linear::constant(static_cast<double>(std::strtoll(word.c_str(), nullptr, 0))),
+                           Base::integers);
 }
 
 }  // namespace
@@ -66,7 +66,8 @@ Value SliceRun::evaluate(const Expression& e) {
 }
 
 Value SliceRun::name(std::string_view name) {
-  if (name == "true" || name == "false") return Value::of(Linear::constant(name == "true"), Base::booleans);
+  if (name == "true" || name == "false")
+    return Value::fromLinear(Linear::constant(name == "true"), Base::booleans);
   if (const Value* const value = find(name)) return *value;
   if (const auto uniform = uniformGlobals_.find(name); uniform != uniformGlobals_.end())
     return uniformValue(uniform->second->path, uniform->second->variable.type, 0, 0);
@@ -109,7 +110,8 @@ Value SliceRun::assign(const Expression& e) {
 Value SliceRun::step(const Expression& e, bool valueBefore) {
   const Value before = evaluate(*e.parts[0]);
   const Base base = before.components.empty() ? Base::opaque : before.shape.base;
-  const Value one = Value::of(Linear::constant(1), base == Base::integers ? Base::integers : Base::floats);
+  const Value one =
+      Value::fromLinear(Linear::constant(1), base == Base::integers ? Base::integers : Base::floats);
   const Value after = binaryOperator(e.text.substr(0, 1), before, one);
   store(*e.parts[0], after);
   return valueBefore ? before : after;
@@ -120,7 +122,8 @@ Value SliceRun::call(const Expression& e) {
   for (const ExpressionPtr& part : e.parts) arguments.push_back(evaluate(*part));
   if (e.text == "length()")
     return arguments[0].isArray
-               ? Value::of(Linear::constant(static_cast<double>(arguments[0].items.size())), Base::integers)
+               ? Value::fromLinear(Linear::constant(static_cast<double>(arguments[0].items.size())),
+                                   Base::integers)
                : Value();
   if (e.text == "array()") return {};
   if (const Shape shape = shapeOfType(e.text); shape.base != Base::opaque) return construct(shape, arguments);

@@ -20,7 +20,7 @@ Value dot(const Value& a, const Value& b) {
   Linear total = Linear::constant(0);
   for (size_t i = 0; i < a.components.size(); ++i)
     total = sum(total, product(a.components[i], b.components[i]));
-  return Value::of(total);
+  return Value::fromLinear(total);
 }
 
 Value cross(const Value& a, const Value& b) {
@@ -36,10 +36,10 @@ Value cross(const Value& a, const Value& b) {
 
 Value length(const Value& v) {
   const bool number = std::ranges::all_of(v.components, [](const Linear& l) { return rangeOf(l).number; });
-  if (!v.areConstants()) return Value::of(within({0, Range::kInfinity, number}));
+  if (!v.areConstants()) return Value::fromLinear(within({0, Range::kInfinity, number}));
   double squares = 0;
   for (const Linear& l : v.components) squares += l.value() * l.value();
-  return Value::of(computed(std::sqrt(squares), kRough, 1, v.components));
+  return Value::fromLinear(computed(std::sqrt(squares), kRough, 1, v.components));
 }
 
 Value normalize(const Value& v) {

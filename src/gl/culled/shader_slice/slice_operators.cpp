@@ -84,10 +84,10 @@ Linear compared(std::string_view op, const Linear& a, const Linear& b) {
 Value reduced(const Value& v, bool all) {
   bool unknown = false;
   for (const Linear& l : v.components) {
-    if (l.isConstant() && (l.value() != 0) != all) return Value::of(boolean(!all), Base::booleans);
+    if (l.isConstant() && (l.value() != 0) != all) return Value::fromLinear(boolean(!all), Base::booleans);
     unknown = unknown || !l.isConstant();
   }
-  return Value::of(unknown ? Linear::unknown() : boolean(all), Base::booleans);
+  return Value::fromLinear(unknown ? Linear::unknown() : boolean(all), Base::booleans);
 }
 
 Shape commonShape(const std::vector<Value>& values) {
@@ -105,7 +105,8 @@ Value binaryOperator(std::string_view op, const Value& a, const Value& b) {
   const Shape yes{Base::booleans, 1, 1};
   if (comparisons.contains(op)) {
     if (a.components.empty() || a.components.size() != b.components.size()) return Value::unknown(yes);
-    if (a.isScalar()) return Value::of(compared(op, a.components[0], b.components[0]), Base::booleans);
+    if (a.isScalar())
+      return Value::fromLinear(compared(op, a.components[0], b.components[0]), Base::booleans);
     Value same = valueOf({Base::booleans, 1, a.shape.size()}, {});
     for (size_t i = 0; i < a.components.size(); ++i)
       same.components.push_back(compared("==", a.components[i], b.components[i]));
@@ -114,10 +115,13 @@ Value binaryOperator(std::string_view op, const Value& a, const Value& b) {
   }
   if (op == "&&" || op == "||" || op == "^^") {
     const std::optional<bool> x = truth(a), y = truth(b);
-    if (op == "&&" && ((x && !*x) || (y && !*y))) return Value::of(boolean(false), Base::booleans);
-    if (op == "||" && ((x && *x) || (y && *y))) return Value::of(boolean(true), Base::booleans);
+    if (op == "&&" && ((x && !*x) || (y && !*y))) return Value::fromLinear(boolean(false), Base::booleans);
+    if (op == "||" && ((x && *x) || (y && *y))) return Value::fromLinear(boolean(true), Base::booleans);
     if (!x || !y) return Value::unknown(yes);
-    return Value::of(boolean(op == "&&" ? *x && *y : op == "||" ? *x || *y : *x != *y), Base::booleans);
+    return Value::fromLinear(boolean(op == "&&"   ? *x && *y
+                                     : op == "||" ? *x || *y
+                                                  : *x != *y),
+                             Base::booleans);
   }
   if (a.components.empty() || b.components.empty()) return {};
   const bool matrices = a.shape.isMatrix() || b.shape.isMatrix();

@@ -93,7 +93,8 @@ void FramePicture::written(const gl::RealGl& real, const Image& image) {
     }
 }
 
-Picture FramePicture::take(const gl::RealGl& real, GLenum buffer, int width, int height, uint64_t frame) {
+Picture FramePicture::readFrame(const gl::RealGl& real, GLenum buffer, int width, int height,
+                                uint64_t frame) {
   Picture picture;
   picture.frame = frame, picture.width = width, picture.height = height;
   {

@@ -33,7 +33,7 @@ class FramePicture {
   /// test.
   void written(const gl::RealGl& real, const Image& image);
   /// Call when the frame is complete and about to be shown: reads it from the window's `buffer`.
-  Picture take(const gl::RealGl& real, GLenum buffer, int width, int height, uint64_t frame);
+  Picture readFrame(const gl::RealGl& real, GLenum buffer, int width, int height, uint64_t frame);
 
  private:
   const Features& features(const gl::RealGl& real);
