@@ -34,7 +34,7 @@ class ScriptedDraw final : public gl::DrawRequest {
   Reason classifyMesh(const gl::KnownMesh&) override { return asked += "surface ", surface; }
   Reason trace(const gl::KnownMesh&) override { return asked += "trace ", join; }
   bool replace(Reason) override { return asked += "replace ", replaced; }
-  void meetPasses(Reason reason) override { asked += "passes ", met = reason; }
+  void meetPasses(gl::PrimitiveClass, Reason reason) override { asked += "passes ", met = reason; }
   Load load() override {
     asked += "load ";
     return {gl::DrawPath::arrays, gl::PrimitiveClass::surfaces, 7};
@@ -51,7 +51,7 @@ struct Expected {
 };
 
 std::vector<Expected> expectedDraws() {
-  const std::string rasterised = "replace passes load make";
+  const std::string rasterised = "replace load passes make";
   std::vector<Expected> all;
   const auto add = [&](const char* name, std::string asked, Fate fate, Reason counted) -> ScriptedDraw& {
     all.push_back({name, {}, std::move(asked), fate, counted});

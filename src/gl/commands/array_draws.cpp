@@ -1,19 +1,14 @@
-// Handlers of array draws, and array draws by fixed function.
+// Handlers of array draws, and what becomes of them.
 #include "gl/commands/array_draws.h"
 
-#include "base/clock.h"
-#include "base/timeline.h"
 #include "gl/arrays/array_indices.h"
-#include "gl/capture/vertex_attribute_calls.h"
-#include "gl/commands/fixed_arrays_draw.h"
+#include "gl/commands/program_arrays_draw.h"
 #include "gl/context/geometry_run.h"
 #include "gl/context/handlers.h"
 #include "gl/context/stub.h"
 #include "gl/real/extensions.h"
 
-#include <algorithm>
-#include <cstring>
-#include <span>
+#include <memory>
 
 namespace gluray::gl {
 
@@ -89,6 +84,18 @@ Fate drawByFixedFunction(Context& c, GLenum mode, const Elements& e) {
   c.immediate.closeRunIfOpen();
   c.shadow.refresh(kDrawGroups);  // the run may have set a material
   FixedArraysDraw request(c, mode, e);
+  return c.draws.submit(request);
+}
+
+Fate drawByProgram(Context& c, GLenum mode, const Elements& e) {
+  c.shadow.refresh(kProgramGroups);
+  c.immediate.closeRunIfOpen();
+  if (passOf(c.shadow.state.program) == Family::Pass::peelDepths &&
+      c.protect([&] { return c.layers.holdDepths(mode, e, trianglesOf(mode, e)); }))
+    return Fate::heldPass;
+  if (c.layers.drawsNothing()) return Fate::leftOutPass;
+  if (c.layers.asks() && c.protect([&] { return c.layers.holdLater(mode, e); })) return Fate::heldPeel;
+  ProgramArraysDraw request(c, mode, e);
   return c.draws.submit(request);
 }
 

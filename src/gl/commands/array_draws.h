@@ -45,7 +45,4 @@ void rememberUntraced(Context& c, GLenum mode, const Elements& elements);
 /// out, and nothing was done.
 bool drawUntraced(Context& c, GLenum mode, const Elements& elements);
 
-/// Draws with the current shader program.
-Fate drawByProgram(Context& c, GLenum mode, const Elements& elements);
-
 }  // namespace gluray::gl

@@ -27,8 +27,6 @@ Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
   return Reason::traced;
 }
 
-void FixedArraysDraw::meetPasses(Reason reason) { meetPasses(kindOf(mode_), reason); }
-
 void FixedArraysDraw::meetPasses(PrimitiveClass primitive, Reason reason) {
   c_.shadow.refresh(kModelview);
   if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.passUnseen(primitive, reason);

@@ -19,9 +19,7 @@ class FixedArraysDraw final : public DrawRequest {
   KnownMesh mesh() override;
   Reason classifyMesh(const KnownMesh& mesh) override;
   Reason trace(const KnownMesh& mesh) override;
-  void meetPasses(Reason reason) override;
-  /// The same for a draw that counts as one of these primitives.
-  void meetPasses(PrimitiveClass primitive, Reason reason);
+  void meetPasses(PrimitiveClass primitive, Reason reason) override;
   Load load() override;
   Fate make() override;
 

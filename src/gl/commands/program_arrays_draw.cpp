@@ -75,8 +75,7 @@ bool ProgramArraysDraw::replace(Reason reason) {
   return reason == Reason::programPass && c_.protect([&] { return c_.fullscreen.replace(mode_, elements_); });
 }
 
-void ProgramArraysDraw::meetPasses(Reason) {
-  const PrimitiveClass primitive = load().primitive;
+void ProgramArraysDraw::meetPasses(PrimitiveClass primitive, Reason) {
   if (c_.surfaces.objects.asked()) [[unlikely]]
     c_.protect([&] { c_.surfaces.objects.placed(placesOf(c_.shadow, elements_)); });
   c_.protect([&] {

@@ -14,7 +14,7 @@ class ProgramArraysDraw final : public DrawRequest {
   Reason classifyMesh(const KnownMesh& mesh) override;
   Reason trace(const KnownMesh& mesh) override;
   bool replace(Reason reason) override;
-  void meetPasses(Reason reason) override;
+  void meetPasses(PrimitiveClass primitive, Reason reason) override;
   Load load() override;
   Fate make() override;
 

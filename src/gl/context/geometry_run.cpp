@@ -163,9 +163,9 @@ class GeometryRun::RunDraw final : public DrawRequest {
     c_.counts.traced(DrawPath::list, run_.triangles_);
     return Reason::traced;
   }
-  void meetPasses(Reason reason) override {
+  void meetPasses(PrimitiveClass primitive, Reason reason) override {
     c_.raster.meetPasses(
-        run_.kind_, reason, [&] { return run_.sample(); },
+        primitive, reason, [&] { return run_.sample(); },
         [&]() -> const KnownMesh& { return run_.mesh(c_); });
   }
   Load load() override { return {DrawPath::list, run_.kind_, run_.triangles_}; }

@@ -128,9 +128,9 @@ class Immediate::RunDraw final : public DrawRequest {
     i_.p_.counts.traced(i_.path_, countTriangles(run_));
     return Reason::traced;
   }
-  void meetPasses(Reason reason) override {
+  void meetPasses(PrimitiveClass primitive, Reason reason) override {
     i_.p_.raster.meetPasses(
-        i_.class_, reason, [&] { return sampleTriangles(run_); }, [&] { return mesh(); });
+        primitive, reason, [&] { return sampleTriangles(run_); }, [&] { return mesh(); });
   }
   Load load() override { return {i_.path_, i_.class_, countTriangles(run_)}; }
   Fate make() override {

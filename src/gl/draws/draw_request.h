@@ -31,9 +31,10 @@ class DrawRequest {
   virtual Reason trace(const KnownMesh& mesh) = 0;
   /// Makes it in another way, because it is not traced for this reason. False: nothing was done.
   virtual bool replace(Reason) { return false; }
-  /// Holds it, which is rasterised for this reason, against other passes over the same surfaces.
-  virtual void meetPasses(Reason reason) = 0;
   virtual Load load() = 0;
+  /// Holds it, which counts as these primitives and is rasterised for this reason, against other passes over
+  /// the same surfaces.
+  virtual void meetPasses(PrimitiveClass primitive, Reason reason) = 0;
   /// Lets the real OpenGL make it.
   virtual Fate make() = 0;
 

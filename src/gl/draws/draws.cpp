@@ -20,8 +20,8 @@ Fate Draws::execute(const DrawPlan& plan, DrawRequest& draw) {
 
 Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
   if (draw.replace(reason)) return Fate::replaced;
-  draw.meetPasses(reason);
   const DrawRequest::Load load = draw.load();
+  draw.meetPasses(load.primitive, reason);
   p_.counts.rasterised(reason, load.path, load.primitive, load.triangles);
   p_.raster.before(load.primitive);
   p_.shadow.sendBuffers();
