@@ -15,7 +15,7 @@ import statistics
 import sys
 import tempfile
 
-from suites import micro
+from suites import micro, objects, shaders
 from support import machine, programs
 from support.display import display
 from support.options import Parser
@@ -24,7 +24,7 @@ from support.telling import status_of
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SUPPORT = ROOT / "bench" / "support"
 STREAMS = ROOT / "tests" / "streams"
-GROUPS = ["frames", "micro", "paraview", "multisampled", "small_scenes"]
+GROUPS = ["frames", "micro", "paraview", "multisampled", "small_scenes", "objects", "shaders"]
 PATHS = ["list", "elements", "vbo", "arrays", "immediate"]
 LOOKS = ["surface", "edges", "translucent", "summed"]
 
@@ -54,12 +54,13 @@ def arguments(argv):
 class Program:
     """A command whose frame times are measured under one build or the other."""
 
-    def __init__(self, name, command, read):
-        self.name, self.command, self.read = name, command, read
+    def __init__(self, name, command, read, settings=()):
+        self.name, self.command, self.read, self.settings = name, command, read, settings
 
     def measure(self, gluray, options):
         """{figure: milliseconds} of one run."""
-        line = [gluray, "--engine", "always", "--threads", options.threads, "--", *self.command]
+        settings = [word for setting in self.settings for word in ("--set", setting)]
+        line = [gluray, "--engine", "always", "--threads", options.threads, *settings, "--", *self.command]
         return self.read(programs.measure(line, {}))
 
 
@@ -115,6 +116,18 @@ def programs_of(options, folder):
     if "multisampled" in options.groups:
         for samples in (0, 4, 8):
             yield Program(f"VTK 1M, {samples} samples a pixel", ["/usr/bin/python3", SUPPORT / "vtk_still.py", 700, 20, samples], moving_and_unchanged)
+    culled = ["cull.draws=always"]
+    if "objects" in options.groups:
+        client = options.new / "bench" / "client" / "gluray-bench-objects"
+        programs.require(client)
+        for scene, words in objects.SCENES.items():
+            yield Program(f"objects {scene}", [client, "--rows", 23, "--frames", 20, *words], frame_and_first, culled)
+    if "shaders" in options.groups:
+        client = options.new / "bench" / "client" / "gluray-bench-client"
+        programs.require(client)
+        for scene, words in shaders.SCENES.items():
+            yield Program(f"shaders 1M {scene}", [client, "--triangles", 1, "--path", "shader", *words, "--frames", shaders.FRAMES[1], "--orbit",
+                                                  "--step", shaders.STEP, "--warm", 2], frame_and_first, culled)
     if "small_scenes" in options.groups and there("apitrace", "small_scenes"):
         sys.path.insert(0, str(STREAMS))
         import frame_times

@@ -1,12 +1,13 @@
-// Why a draw is rasterised by the real OpenGL instead of traced: the names that `--report` and `gluray
-// explain` print.
+// Why a draw is not traced, not culled or not lit: the names that `--report` and `gluray explain` print.
+// State that prevents the first may prevent the others, too.
 #pragma once
+#include <array>
 #include <string_view>
 
 namespace gluray::gl {
 
+/// Why the real OpenGL makes a draw.
 #define GLURAY_REASONS(X)                                                    \
-  X(traced, "traced")                                                        \
   X(points, "points")                                                        \
   X(lines, "lines")                                                          \
   X(lineStyle, "lines or points with a style that tubes and spheres lack")   \
@@ -57,47 +58,67 @@ namespace gluray::gl {
   X(evaluators, "evaluators")                                                \
   X(noGlsl, "real OpenGL lacks shaders for the write-back")                  \
   X(smallScene, "small scene: the real OpenGL is faster")                    \
-  X(fragmentDepth, "fragment shader that writes depth")                      \
-  X(primitiveNumbers, "shader that reads numbers of primitives or draws")    \
-  X(memoryWrites, "shader that writes memory")                               \
-  X(geometryShader, "geometry or tessellation shader, or layers")            \
-  X(noSource, "shader whose source is not known")                            \
-  X(positions, "positions that are no matrix times an attribute")            \
   X(instanced, "several instances, or a base instance")                      \
-  X(instanceNumbers, "shader that reads numbers of instances")               \
-  X(instanceArrays, "arrays of instances that cannot be drawn in parts")     \
-  X(indirect, "indirect draw whose commands are not known")                  \
-  X(mode, "primitives other than triangles")                                 \
-  X(offsetNearer, "polygon offset towards the viewer")                       \
-  X(drawBuffers, "several draw buffers")                                     \
-  X(unsteady, "vertices that have just changed")                             \
-  X(smallDraw, "draw too small to cull")                                     \
-  X(samplesInUse, "multisampled window that holds more than a clear")        \
-  X(mostShows, "draw of which most shows")                                   \
-  X(clipDistances, "clip planes or distances")                               \
-  X(leavesOut, "fragment shader that discards")                              \
-  X(notTheSame, "culled picture was not the same")                           \
   X(off, "switched off")                                                     \
   X(shortage, "memory or threads ran out")                                   \
   X(failure, "GLuRay failed and stepped aside")
 
-enum class Reason {
+/// Why it makes the draw whole, although parts of it may be hidden; beside the reasons above.
+#define GLURAY_CULL_REASONS(X)                                            \
+  X(fragmentDepth, "fragment shader that writes depth")                   \
+  X(primitiveNumbers, "shader that reads numbers of primitives or draws") \
+  X(memoryWrites, "shader that writes memory")                            \
+  X(geometryShader, "geometry or tessellation shader, or layers")         \
+  X(noSource, "shader whose source is not known")                         \
+  X(positions, "positions that are no matrix times an attribute")         \
+  X(instanceNumbers, "shader that reads numbers of instances")            \
+  X(instanceArrays, "arrays of instances that cannot be drawn in parts")  \
+  X(indirect, "indirect draw whose commands are not known")               \
+  X(mode, "primitives other than triangles")                              \
+  X(offsetNearer, "polygon offset towards the viewer")                    \
+  X(drawBuffers, "several draw buffers")                                  \
+  X(unsteady, "vertices that have just changed")                          \
+  X(smallDraw, "draw too small to cull")                                  \
+  X(samplesInUse, "multisampled window that holds more than a clear")     \
+  X(mostShows, "draw of which most shows")                                \
+  X(notTheSame, "culled picture was not the same")
+
+/// Why a draw that it made gets no light of ours; beside the reasons above.
+#define GLURAY_LIGHT_REASONS(X)                \
+  X(clipDistances, "clip planes or distances") \
+  X(leavesOut, "fragment shader that discards")
+
 #define X(name, text) name,
-  GLURAY_REASONS(X)
+/// Why a draw is rasterised by the real OpenGL instead of traced.
+enum class Reason { traced, GLURAY_REASONS(X) };
+/// Why a rasterised draw is not culled.
+enum class CullReason { culled, GLURAY_REASONS(X) GLURAY_CULL_REASONS(X) };
+/// Why a rasterised draw is not lit.
+enum class LightReason { lit, GLURAY_REASONS(X) GLURAY_CULL_REASONS(X) GLURAY_LIGHT_REASONS(X) };
 #undef X
-};
+
+/// What prevents tracing prevents culling; Reason::traced: nothing does.
+constexpr CullReason cullReason(Reason reason) { return static_cast<CullReason>(reason); }
+/// What prevents culling prevents light; CullReason::culled: nothing does.
+constexpr LightReason lightReason(CullReason reason) { return static_cast<LightReason>(reason); }
+constexpr LightReason lightReason(Reason reason) { return lightReason(cullReason(reason)); }
+
 #define X(name, text) +1
-inline constexpr int kReasonCount = 0 GLURAY_REASONS(X);
+inline constexpr int kReasonCount = 1 GLURAY_REASONS(X);
 #undef X
 
 /// The reason in plain words.
-constexpr std::string_view describe(Reason reason) {
-  constexpr std::string_view texts[] = {
+constexpr std::string_view describe(LightReason reason) {
 #define X(name, text) text,
-      GLURAY_REASONS(X)
+  constexpr std::array texts{"lit", GLURAY_REASONS(X) GLURAY_CULL_REASONS(X) GLURAY_LIGHT_REASONS(X)};
 #undef X
-  };
-  return texts[static_cast<int>(reason)];
+  return texts.at(static_cast<size_t>(reason));
+}
+constexpr std::string_view describe(CullReason reason) {
+  return reason == CullReason::culled ? "culled" : describe(lightReason(reason));
+}
+constexpr std::string_view describe(Reason reason) {
+  return reason == Reason::traced ? "traced" : describe(cullReason(reason));
 }
 
 }  // namespace gluray::gl

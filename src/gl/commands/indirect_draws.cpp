@@ -149,7 +149,7 @@ bool mayCull(Context& c) {
 
 /// Whether some of the draws are.
 bool isCulled(Context& c, const std::vector<Elements>& all) {
-  if (all.empty()) c.counts.notCulled(Reason::indirect);
+  if (all.empty()) c.counts.notCulled(CullReason::indirect);
   return std::ranges::any_of(all, [&](const Elements& e) { return c.culled.isLarge(e); });
 }
 

@@ -33,17 +33,18 @@ bool isClipped(const ShadowState& shadow) {
 
 /// Whether the draw may have written less than colours and depth. Fragments that it left out are found by
 /// their depth, unless the framebuffer is multisampled.
-Reason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
-  if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return Reason::instanced;
-  if (const Reason reason = cullableState(shadow, mode); reason != Reason::traced) return reason;
+LightReason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
+  if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return LightReason::instanced;
+  if (const CullReason reason = cullableState(shadow, mode); reason != CullReason::culled)
+    return lightReason(reason);
   const RasterState& raster = shadow.state.raster;
-  if (raster.isReversed()) return Reason::depthFunc;
-  if (!raster.colorWrites.all()) return Reason::colorMask;
+  if (raster.isReversed()) return LightReason::depthFunc;
+  if (!raster.colorWrites.all()) return LightReason::colorMask;
   const bool stippled = raster.butDepthFunc == Reason::polygonStipple;
   if (shadow.state.target.samples > 1 && (stippled || raster.alphaTest != scene::AlphaTest{}))
-    return stippled ? Reason::polygonStipple : Reason::alphaTest;
-  if (shadow.state.target.encodes) return Reason::framebuffer;
-  return isClipped(shadow) ? Reason::clipDistances : Reason::traced;
+    return stippled ? LightReason::polygonStipple : LightReason::alphaTest;
+  if (shadow.state.target.encodes) return LightReason::framebuffer;
+  return isClipped(shadow) ? LightReason::clipDistances : LightReason::lit;
 }
 
 /// Matte, without lights of its own: the setting lights adds them. Dark, so that lights do not add up to more
@@ -98,31 +99,34 @@ void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFr
   c.filler.settleFailure();
 }
 
-Reason light(Context& c, GLenum mode, const Elements& e) {
+LightReason light(Context& c, GLenum mode, const Elements& e) {
   ShadowState& shadow = c.shadow;
-  if (const Reason reason = litState(shadow, mode, e); reason != Reason::traced) return reason;
-  if (!c.pending.canTrace()) return Reason::noGlsl;
+  if (const LightReason reason = litState(shadow, mode, e); reason != LightReason::lit) return reason;
+  if (!c.pending.canTrace()) return LightReason::noGlsl;
   CulledDraws::Source from;
-  if (const Reason reason = c.culled.source(mode, e, from); reason != Reason::traced) return reason;
-  if (!from.position.terms.empty()) return Reason::instanced;
-  if (from.program && from.program->discards() && shadow.state.target.samples > 1) return Reason::leavesOut;
+  if (const CullReason reason = c.culled.source(mode, e, from); reason != CullReason::culled)
+    return lightReason(reason);
+  if (!from.position.terms.empty()) return LightReason::instanced;
+  if (from.program && from.program->discards() && shadow.state.target.samples > 1)
+    return LightReason::leavesOut;
   const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();
-  if (!from.positions->enabled || restarts) return Reason::arrayState;
+  if (!from.positions->enabled || restarts) return LightReason::arrayState;
   ArrayState positions;
   positions.vertex = *from.positions;
   positions.vertex.size = std::min(from.positions->size, from.components);
   positions.elements = from.arrays->elements;
-  if (foreignReason(positions) != Reason::traced) return Reason::foreignBuffer;
+  if (foreignReason(positions) != Reason::traced) return LightReason::foreignBuffer;
   const KnownMesh known = meshOf(c, positions, mode, e);
-  if (known.homogeneous || !known.mesh) return Reason::homogeneous;
-  if (known.mesh->triangleCount == 0) return Reason::traced;
-  if (isFarAway(*known.mesh)) return Reason::farAway;
+  if (known.homogeneous || !known.mesh) return LightReason::homogeneous;
+  if (known.mesh->triangleCount == 0) return LightReason::lit;
+  if (isFarAway(*known.mesh)) return LightReason::farAway;
   const glm::dmat4& matrix = from.matrix.clipFromObject;
-  if (!isInvertible(matrix)) return Reason::singularMatrix;
+  if (!isInvertible(matrix)) return LightReason::singularMatrix;
   const glm::ivec4& viewport = shadow.state.viewport;
-  if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, {viewport.z, viewport.w})) return Reason::tooLarge;
+  if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, {viewport.z, viewport.w}))
+    return LightReason::tooLarge;
   addSurface(c, known.mesh, matrix);
-  return Reason::traced;
+  return LightReason::lit;
 }
 
 }  // namespace

@@ -47,8 +47,9 @@ void Decisions::draw(Reason reason, DrawPath path, PrimitiveClass primitive, uin
   write(std::move(line) & (reason == Reason::traced ? "->" : "-> rasterised:") & describe(reason));
 }
 
-void Decisions::detail(std::string_view what, Reason reason) {
-  write(std::string("draw") & draws_ & what & describe(reason));
+void Decisions::detail(std::string_view what, std::string_view why) {
+  std::string line = std::string("draw") & draws_ & what;
+  write(why.empty() ? std::move(line) : std::move(line) & why);
 }
 
 void Decisions::batch(const BatchKey& key, size_t instances, Reason reason) {

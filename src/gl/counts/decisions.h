@@ -19,8 +19,8 @@ class Decisions {
   void command(const char* name) noexcept { command_ = name; }
   /// A draw was counted. `state`: as DrawKinds::record() returns it.
   void draw(Reason reason, DrawPath path, PrimitiveClass primitive, uint64_t triangles, uint32_t state);
-  /// What else became of the draw: it was culled, lit ... or, with the reason, not.
-  void detail(std::string_view what, Reason reason);
+  /// What else became of the draw: it was culled, lit ... or not, and why.
+  void detail(std::string_view what, std::string_view why = {});
   /// The draws of a batch are presented: traced, or, for any other reason, made by the real OpenGL.
   void batch(const BatchKey& key, size_t instances, Reason reason);
   /// A batch was presented. `known`: its picture was shown before.

@@ -17,23 +17,24 @@ void DrawCounts::culled(uint64_t leftOut) {
   if (!kinds()) [[likely]]
     return;
   kinds()->culled(leftOut);
-  if (decisions()) decisions()->detail("culled", Reason::traced);
+  if (decisions()) decisions()->detail("culled");
 }
 
-void DrawCounts::notCulled(Reason reason) {
+void DrawCounts::notCulled(CullReason reason) {
   if (!kinds()) [[likely]]
     return;
   kinds()->notCulled(reason);
-  if (decisions()) decisions()->detail("not culled:", reason);
+  if (decisions()) decisions()->detail("not culled:", describe(reason));
 }
 
-void DrawCounts::lit(Reason reason) {
-  if (reason == Reason::traced)
+void DrawCounts::lit(LightReason reason) {
+  const bool lit = reason == LightReason::lit;
+  if (lit)
     ++statistics.drawsLit;
   else if (kinds()) [[unlikely]]
     kinds()->notLit(reason);
   if (decisions()) [[unlikely]]
-    decisions()->detail(reason == Reason::traced ? "lit" : "not lit:", reason);
+    decisions()->detail(lit ? "lit" : "not lit:", lit ? std::string_view() : describe(reason));
 }
 
 void DrawCounts::traced(DrawPath path, uint64_t triangles, uint64_t sent) {
@@ -47,7 +48,7 @@ void DrawCounts::traced(DrawPath path, uint64_t triangles, uint64_t sent) {
 
 void DrawCounts::asRasterised(const scene::Snapshot& snapshot, Reason reason) {
   if (decisions()) [[unlikely]]
-    decisions()->detail("and its batch: rasterised after all:", reason);
+    decisions()->detail("and its batch: rasterised after all:", describe(reason));
   uint64_t triangles = 0;
   for (const scene::Instance& instance : snapshot.instances) triangles += instance.mesh->triangleCount;
   const uint64_t draws = std::min<uint64_t>(snapshot.instances.size(), statistics.drawsTraced);

@@ -36,9 +36,9 @@ class DrawCounts {
   /// The draw counted last by rasterised() was made without so many of its triangles, which cannot be seen.
   void culled(uint64_t leftOut);
   /// Why it was not, where it was large enough.
-  void notCulled(Reason reason);
-  /// A rasterised draw was lit (Reason::traced), or why not.
-  void lit(Reason reason);
+  void notCulled(CullReason reason);
+  /// A rasterised draw was lit (LightReason::lit), or why not.
+  void lit(LightReason reason);
   /// Moves the snapshot's instances from traced to rasterised: the real OpenGL drew them after all.
   void asRasterised(const scene::Snapshot& snapshot, Reason reason);
   /// Adds to the frame's load. rasterised() and traced() call it; so does the end of a primitive that was

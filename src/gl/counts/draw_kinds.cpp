@@ -173,14 +173,14 @@ void DrawKinds::culled(uint64_t leftOut) noexcept {
   if (last_ && !closed_) ++last_->culled, last_->leftOut += leftOut;
 }
 
-void DrawKinds::notCulled(Reason reason) noexcept {
+void DrawKinds::notCulled(CullReason reason) noexcept {
   const std::lock_guard lock(mutex_);
   try {
     if (!closed_) ++notCulled_[reason];
   } catch (...) {}  // not counted
 }
 
-void DrawKinds::notLit(Reason reason) noexcept {
+void DrawKinds::notLit(LightReason reason) noexcept {
   const std::lock_guard lock(mutex_);
   try {
     if (!closed_) ++notLit_[reason];
@@ -202,12 +202,12 @@ KindTable DrawKinds::kinds() const {
   return kinds_;
 }
 
-std::map<Reason, uint64_t> DrawKinds::notCulled() const {
+std::map<CullReason, uint64_t> DrawKinds::notCulled() const {
   const std::lock_guard lock(mutex_);
   return notCulled_;
 }
 
-std::map<Reason, uint64_t> DrawKinds::notLit() const {
+std::map<LightReason, uint64_t> DrawKinds::notLit() const {
   const std::lock_guard lock(mutex_);
   return notLit_;
 }

@@ -110,9 +110,9 @@ class DrawKinds {
   /// The draw recorded last was made without so many of its triangles.
   void culled(uint64_t leftOut) noexcept;
   /// Why it was not, where it was large enough.
-  void notCulled(Reason reason) noexcept;
+  void notCulled(CullReason reason) noexcept;
   /// Why a rasterised draw got no light, where settings ask for it.
-  void notLit(Reason reason) noexcept;
+  void notLit(LightReason reason) noexcept;
   /// Adds triangles to the draw recorded last.
   void addTriangles(uint64_t triangles) noexcept;
   /// Stops recording for good.
@@ -120,9 +120,9 @@ class DrawKinds {
 
   KindTable kinds() const;
   /// Large draws that were not culled, by reason.
-  std::map<Reason, uint64_t> notCulled() const;
+  std::map<CullReason, uint64_t> notCulled() const;
   /// Draws that got no light, by reason.
-  std::map<Reason, uint64_t> notLit() const;
+  std::map<LightReason, uint64_t> notLit() const;
   TargetTable targets() const;
   ProgramTable programs() const;
 
@@ -134,7 +134,8 @@ class DrawKinds {
   };
   mutable std::mutex mutex_;
   KindTable kinds_;
-  std::map<Reason, uint64_t> notCulled_, notLit_;
+  std::map<CullReason, uint64_t> notCulled_;
+  std::map<LightReason, uint64_t> notLit_;
   TargetTable targets_;
   ProgramTable programs_;
   std::vector<Open> open_;

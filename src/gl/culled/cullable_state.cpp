@@ -33,40 +33,41 @@ bool hasOtherPrograms(const ShadowState& shadow) {
 
 }  // namespace
 
-Reason hideableState(const ShadowState& shadow, GLenum mode, bool& isTested) {
+CullReason hideableState(const ShadowState& shadow, GLenum mode, bool& isTested) {
   const RasterState& raster = shadow.state.raster;
   const RealGl& real = shadow.real;
   isTested = isOn(real, GL_DEPTH_TEST) && (raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL ||
                                            raster.depthFunc == GL_EQUAL || raster.isReversed());
-  if (!isMode(mode, shadow.info.core)) return Reason::mode;
-  if (shadow.activeQueries > 0) return Reason::query;
-  if (!shadow.info.core && integer(real, GL_RENDER_MODE) != GL_RENDER) return Reason::renderMode;
-  if (isOn(real, GL_STENCIL_TEST)) return Reason::stencil;
-  if (raster.program == 0 && hasOtherPrograms(shadow)) return Reason::program;
-  if (const Reason rare = rareReason(real, shadow.state.rare); rare != Reason::traced) return rare;
+  if (!isMode(mode, shadow.info.core)) return CullReason::mode;
+  if (shadow.activeQueries > 0) return CullReason::query;
+  if (!shadow.info.core && integer(real, GL_RENDER_MODE) != GL_RENDER) return CullReason::renderMode;
+  if (isOn(real, GL_STENCIL_TEST)) return CullReason::stencil;
+  if (raster.program == 0 && hasOtherPrograms(shadow)) return CullReason::program;
+  if (const Reason rare = rareReason(real, shadow.state.rare); rare != Reason::traced)
+    return cullReason(rare);
   std::array<GLint, 2> polygons{GL_FILL, GL_FILL};
   real.GetIntegerv(GL_POLYGON_MODE, polygons.data());
-  if (polygons[0] != GL_FILL || polygons[1] != GL_FILL) return Reason::polygonMode;
-  if (isOn(real, GL_POLYGON_SMOOTH)) return Reason::polygonSmooth;
-  if (shadow.state.target.samples > 1 && !raster.multisample) return Reason::multisampleState;
-  return offsetsNearer(raster) ? Reason::offsetNearer : Reason::traced;
+  if (polygons[0] != GL_FILL || polygons[1] != GL_FILL) return CullReason::polygonMode;
+  if (isOn(real, GL_POLYGON_SMOOTH)) return CullReason::polygonSmooth;
+  if (shadow.state.target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
+  return offsetsNearer(raster) ? CullReason::offsetNearer : CullReason::culled;
 }
 
-Reason cullableState(const ShadowState& shadow, GLenum mode) {
+CullReason cullableState(const ShadowState& shadow, GLenum mode) {
   const State& state = shadow.state;
   const RasterState& raster = state.raster;
   const RealGl& real = shadow.real;
-  if (!isMode(mode, shadow.info.core)) return Reason::mode;
-  if (shadow.activeQueries > 0) return Reason::query;
+  if (!isMode(mode, shadow.info.core)) return CullReason::mode;
+  if (shadow.activeQueries > 0) return CullReason::query;
   // A stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
-  if (reason != Reason::traced && reason != Reason::polygonStipple) return reason;
+  if (reason != Reason::traced && reason != Reason::polygonStipple) return cullReason(reason);
   // Without multisampling all samples of a pixel may take a depth from anywhere in it, outside the triangle.
-  if (state.target.samples > 1 && !raster.multisample) return Reason::multisampleState;
+  if (state.target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
   if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)
-    return state.target.reason;
-  if (offsetsNearer(raster)) return Reason::offsetNearer;
-  return hasMoreDrawBuffers(real) ? Reason::drawBuffers : Reason::traced;
+    return cullReason(state.target.reason);
+  if (offsetsNearer(raster)) return CullReason::offsetNearer;
+  return hasMoreDrawBuffers(real) ? CullReason::drawBuffers : CullReason::culled;
 }
 
 bool hasByteColors(const ShadowState& shadow) {
@@ -77,10 +78,10 @@ bool hasByteColors(const ShadowState& shadow) {
   return glm::ivec3(bits) == glm::ivec3(8) && (bits.a == 8 || bits.a == 0);
 }
 
-Reason cullableBlending(const ShadowState& shadow, bool opaque) {
-  if (!isOn(shadow.real, GL_BLEND)) return Reason::traced;
+CullReason cullableBlending(const ShadowState& shadow, bool opaque) {
+  if (!isOn(shadow.real, GL_BLEND)) return CullReason::culled;
   // Colours that are floats may be infinite: then 0 times what was there is no number.
-  return opaque && !shadow.state.target.wideColors ? Reason::traced : Reason::blend;
+  return opaque && !shadow.state.target.wideColors ? CullReason::culled : CullReason::blend;
 }
 
 }  // namespace gluray::gl

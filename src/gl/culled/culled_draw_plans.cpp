@@ -17,21 +17,21 @@ constexpr int kSteadyFrames = 3;       // with the same data, before clusters ar
 
 }  // namespace
 
-Reason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
+CullReason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   ShadowState& shadow = p_.shadow;
   found.mode = mode, found.elements = e;
-  if (const Reason reason = cullableState(shadow, mode); reason != Reason::traced) return reason;
+  if (const CullReason reason = cullableState(shadow, mode); reason != CullReason::culled) return reason;
   mapWindow(found);
-  if (found.region.width <= 0 || found.region.height <= 0) return Reason::smallDraw;
-  if (!choosePlace(found)) return Reason::samplesInUse;
+  if (found.region.width <= 0 || found.region.height <= 0) return CullReason::smallDraw;
+  if (!choosePlace(found)) return CullReason::samplesInUse;
   Source from;
-  const Reason reason = source(mode, e, from);
-  if (reason == Reason::positions && shadow.state.raster.program != 0) return planFeedback(found);
-  if (reason != Reason::traced) return reason;
-  if (found.samples > 1 && from.program && from.program->usesCentroids()) return Reason::multisampleState;
+  const CullReason reason = source(mode, e, from);
+  if (reason == CullReason::positions && shadow.state.raster.program != 0) return planFeedback(found);
+  if (reason != CullReason::culled) return reason;
+  if (found.samples > 1 && from.program && from.program->usesCentroids()) return CullReason::multisampleState;
   found.program = from.program, found.matrix = from.matrix;
   if (e.repeats() > 1 || e.baseInstance != 0 || !from.position.terms.empty())
-    if (const Reason reason = planInstances(from, found); reason != Reason::traced) return reason;
+    if (const CullReason reason = planInstances(from, found); reason != CullReason::culled) return reason;
   return planMesh(from, found);
 }
 
@@ -42,43 +42,46 @@ bool CulledDraws::choosePlace(Plan& plan) const {
 }
 
 bool CulledDraws::takesParts() {
-  return p_.shadow.state.raster.program != 0 && programInUse().reason() == Reason::traced;
+  return p_.shadow.state.raster.program != 0 && programInUse().reason() == CullReason::culled;
 }
 
-Reason CulledDraws::source(GLenum mode, const Elements& e, Source& found) {
+CullReason CulledDraws::source(GLenum mode, const Elements& e, Source& found) {
   if (p_.shadow.state.raster.program != 0) return sourceOfProgram(mode, e, found);
-  return p_.shadow.info.core ? Reason::program : sourceOfFixedFunction(found);
+  return p_.shadow.info.core ? CullReason::program : sourceOfFixedFunction(found);
 }
 
-Reason CulledDraws::blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
-                               const Elements& e) {
+CullReason CulledDraws::blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
+                                   const Elements& e) {
   ShadowState& shadow = p_.shadow;
   const Opacity opacity = program.opacity(shadow.real, shadow.info.core, varyings);
-  if (const Reason reason = cullableBlending(shadow, opacity.opaque); reason != Reason::traced) return reason;
-  if (opacity.exact) return Reason::traced;
+  if (const CullReason reason = cullableBlending(shadow, opacity.opaque); reason != CullReason::culled)
+    return reason;
+  if (opacity.exact) return CullReason::culled;
   shadow.errors.keepPending();  // finding out whether colours are replaced takes errors
   const bool replaces = hasByteColors(shadow) && p_.pending.presenter.reader().replacesColors(shadow.real) &&
                         constants_.areOnes(shadow, program.known().program, opacity.ones, mode, e);
-  return replaces ? Reason::traced : Reason::blend;
+  return replaces ? CullReason::culled : CullReason::blend;
 }
 
-Reason CulledDraws::sourceOfProgram(GLenum mode, const Elements& e, Source& found) {
+CullReason CulledDraws::sourceOfProgram(GLenum mode, const Elements& e, Source& found) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = programInUse();
-  if (program.reason() != Reason::traced) return program.reason();
+  if (program.reason() != CullReason::culled) return program.reason();
   const bool core = shadow.info.core;
   const bool blends = isOn(shadow.real, GL_BLEND);
   const InstanceAttributes instances = instanceAttributes(program.known().program, shadow.attributes);
   Varyings varyings;
   std::optional<LinearPosition> position =
       program.position(shadow.real, core, instances, blends ? &varyings : nullptr);
-  if (!position) return Reason::positions;
+  if (!position) return CullReason::positions;
   if (blends)
-    if (const Reason reason = blendingOf(program, varyings, mode, e); reason != Reason::traced) return reason;
+    if (const CullReason reason = blendingOf(program, varyings, mode, e); reason != CullReason::culled)
+      return reason;
   found.program = &program, found.matrix = {position->clipFromAttribute, position->magnitudes};
   found.components = position->components, found.position = std::move(*position);
-  return findPositions(program, found.position.attribute, found.arrays, found.positions) ? Reason::traced
-                                                                                         : Reason::arrayState;
+  return findPositions(program, found.position.attribute, found.arrays, found.positions)
+             ? CullReason::culled
+             : CullReason::arrayState;
 }
 
 bool CulledDraws::findPositions(CulledProgram& program, const std::string& attribute,
@@ -95,14 +98,14 @@ bool CulledDraws::findPositions(CulledProgram& program, const std::string& attri
   return positions != nullptr;
 }
 
-Reason CulledDraws::sourceOfFixedFunction(Source& found) {
-  const Reason reason = cullableBlending(p_.shadow, false);
-  return reason == Reason::traced ? placeByFixedFunction(found) : reason;
+CullReason CulledDraws::sourceOfFixedFunction(Source& found) {
+  const CullReason reason = cullableBlending(p_.shadow, false);
+  return reason == CullReason::culled ? placeByFixedFunction(found) : reason;
 }
 
-Reason CulledDraws::placeByFixedFunction(Source& found) {
+CullReason CulledDraws::placeByFixedFunction(Source& found) {
   const ShadowState& shadow = p_.shadow;
-  if (fixedDiffers_) return Reason::notTheSame;
+  if (fixedDiffers_) return CullReason::notTheSame;
   glm::dmat4 projection(1), modelview(1);
   shadow.real.GetDoublev(GL_PROJECTION_MATRIX, glm::value_ptr(projection));
   shadow.real.GetDoublev(GL_MODELVIEW_MATRIX, glm::value_ptr(modelview));
@@ -112,10 +115,10 @@ Reason CulledDraws::placeByFixedFunction(Source& found) {
   };
   found.matrix = {projection * modelview, absolute(projection) * absolute(modelview)};
   found.arrays = &shadow.arrays, found.positions = &shadow.arrays.vertex;
-  return Reason::traced;
+  return CullReason::culled;
 }
 
-Reason CulledDraws::planMesh(const Source& from, Plan& found) {
+CullReason CulledDraws::planMesh(const Source& from, Plan& found) {
   ShadowState& shadow = p_.shadow;
   const GLenum mode = found.mode;
   const Elements& e = found.elements;
@@ -125,42 +128,42 @@ Reason CulledDraws::planMesh(const Source& from, Plan& found) {
   const bool inBuffers = positions.buffer && (!e.type || arrays.elements);
   // The program's memory is hashed at each draw, which must not slow down what is not worth culling.
   const bool always = shadow.settings.cull.draws == Culling::always;
-  if (!positions.enabled || (!inBuffers && !always)) return Reason::arrayState;
+  if (!positions.enabled || (!inBuffers && !always)) return CullReason::arrayState;
   ArrayState content;
   content.vertex = positions, content.vertex.size = std::min(positions.size, components);
   content.elements = arrays.elements;
-  if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
-  if (foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
+  if (arrays.reason == Reason::deletedBuffer) return CullReason::deletedBuffer;
+  if (foreignReason(content) != Reason::traced) return CullReason::foreignBuffer;
   const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
-  if (assembly.restart && !inBuffers) return Reason::arrayState;
+  if (assembly.restart && !inBuffers) return CullReason::arrayState;
   const Hash128 name = assembly.added(contentOf(shadow.real, content, mode, e));
   return planClusters(
       name, [&] { return CulledMesh::create(shadow.real, positions, components, content, assembly, e); },
       found);
 }
 
-Reason CulledDraws::planClusters(const Hash128& name,
-                                 const std::function<std::shared_ptr<CulledMesh>()>& make, Plan& found) {
+CullReason CulledDraws::planClusters(const Hash128& name,
+                                     const std::function<std::shared_ptr<CulledMesh>()>& make, Plan& found) {
   const bool always = p_.shadow.settings.cull.draws == Culling::always;
   if (!meshes_.contains(name)) forgetOld();
   Known& known = meshes_[name];
   if (known.frames == 0 || known.lastFrame != p_.clock.frame) ++known.frames;
   known.lastFrame = p_.clock.frame;
-  if (!always && known.frames < kSteadyFrames) return Reason::unsteady;
+  if (!always && known.frames < kSteadyFrames) return CullReason::unsteady;
   if (!known.mesh && !known.refused) {
     known.mesh = make();
     known.refused = !known.mesh;
   }
-  if (known.refused) return Reason::arrayState;
-  if (known.different) return Reason::notTheSame;
+  if (known.refused) return CullReason::arrayState;
+  if (known.different) return CullReason::notTheSame;
   prepare(known.mesh);
-  if (building_ == known.mesh || !known.mesh->isBuilt()) return Reason::smallDraw;
+  if (building_ == known.mesh || !known.mesh->isBuilt()) return CullReason::smallDraw;
   known.mesh->forgetPositions();
   found.mesh = known.mesh, found.known = &known;
   found.byClusters = found.units && areFewAndLarge(*found.units, *found.mesh);
   if (found.together() && !found.byClusters) return found.apart;
   found.history = &historyOf(known, found);
-  return Reason::traced;
+  return CullReason::culled;
 }
 
 /// Has the clusters built; with cull = always at once, so that the first frame is culled, too.

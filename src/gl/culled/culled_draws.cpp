@@ -87,11 +87,11 @@ bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void(
   return p_.failsafe.protect([&] {
     Plan found;
     placed_ = false;
-    const Reason why = plan(mode, e, found);
-    if (why != Reason::traced) return p_.counts.notCulled(why), false;
+    const CullReason why = plan(mode, e, found);
+    if (why != CullReason::culled) return p_.counts.notCulled(why), false;
     if (first) first();
     if (first && !choosePlace(found))
-      return drawWhole(found), p_.counts.notCulled(Reason::samplesInUse), true;
+      return drawWhole(found), p_.counts.notCulled(CullReason::samplesInUse), true;
     p_.shadow.errors.keepPending();  // what reads pixels takes errors
     if (settings.cull.verify > 0 && p_.clock.frame % static_cast<uint64_t>(settings.cull.verify) == 0)
       return drawVerified(found);
@@ -110,7 +110,7 @@ void CulledDraws::drawTried(const Plan& plan) {
   };
   const double start = finished();
   const bool wanted = next.way == CullingTrials::Way::culled, culled = wanted && drawCulled(plan);
-  if (!culled) drawWhole(plan), p_.counts.notCulled(Reason::mostShows);
+  if (!culled) drawWhole(plan), p_.counts.notCulled(CullReason::mostShows);
   const double seconds = finished() - start;
   if (next.measured && wanted)
     history.trials.tookCulled(culled, seconds, trials_);
@@ -179,7 +179,7 @@ void CulledDraws::isDifferent(const Plan& plan) {
 
 void CulledDraws::refuseDifferent(CulledProgram* program) {
   if (program)
-    program->refuse(Reason::notTheSame);
+    program->refuse(CullReason::notTheSame);
   else
     fixedDiffers_ = true;
   log::write(log::Level::warning, std::string("culled draws ") +

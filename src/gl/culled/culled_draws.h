@@ -71,14 +71,14 @@ class CulledDraws {
     LinearPosition position;                 // by a program
     CulledProgram* program = nullptr;        // null: fixed function
   };
-  /// Finds it for draws with the current state. Reason::traced, or why it is not known, or why what is hidden
-  /// at the end shows.
-  Reason source(GLenum mode, const Elements& elements, Source& source);
+  /// Finds it for draws with the current state. CullReason::culled, or why it is not known, or why what is
+  /// hidden at the end shows.
+  CullReason source(GLenum mode, const Elements& elements, Source& source);
 
   /// What is known of the program in use, which there must be.
   CulledProgram& programInUse();
-  /// Where fixed function puts vertices. Reason::traced, or why such draws are whole.
-  Reason placeByFixedFunction(Source& source);
+  /// Where fixed function puts vertices. CullReason::culled, or why such draws are whole.
+  CullReason placeByFixedFunction(Source& source);
   /// The array that an attribute of a program is read from. False: there is none.
   bool findPositions(CulledProgram& program, const std::string& attribute, const ArrayState*& arrays,
                      const ArraySource*& positions);
@@ -120,12 +120,12 @@ class CulledDraws {
     Known* known = nullptr;
     History* history = nullptr;
     ClipMatrix matrix;
-    std::optional<InstanceUnits> units;  // nothing: clusters of the mesh are the parts
-    std::optional<Instances> instances;  // where units are; nothing: `feedback` says so
-    bool byClusters = false;             // parts are clusters of each unit, else units
-    Reason apart = Reason::traced;       // why instances cannot be drawn without the others:
+    std::optional<InstanceUnits> units;     // nothing: clusters of the mesh are the parts
+    std::optional<Instances> instances;     // where units are; nothing: `feedback` says so
+    bool byClusters = false;                // parts are clusters of each unit, else units
+    CullReason apart = CullReason::culled;  // why instances cannot be drawn without the others:
     /// Then parts are clusters, which are drawn in all instances if they show in any.
-    bool together() const { return apart != Reason::traced; }
+    bool together() const { return apart != CullReason::culled; }
     scene::Region region;  // pixels that may be drawn
     WindowMapping window;
     int samples = 1;         // of a pixel
@@ -134,20 +134,22 @@ class CulledDraws {
     bool reversed = false;                 // larger depths are nearer: `window` maps to 1 - depth
   };
 
-  /// Why the draw is not culled, or Reason::traced.
-  Reason plan(GLenum mode, const Elements& elements, Plan& plan);
-  Reason sourceOfProgram(GLenum mode, const Elements& elements, Source& source);
-  /// Why what is hidden at the end shows by blending, or Reason::traced.
-  Reason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode, const Elements& elements);
-  Reason sourceOfFixedFunction(Source& source);
-  Reason planInstances(const Source& source, Plan& plan);
-  /// Finds which instances can be drawn without the others. Reason::traced, or why nothing can be left out.
-  Reason planUnits(const CulledProgram& program, Plan& plan);
-  Reason planMesh(const Source& source, Plan& plan);
+  /// Why the draw is not culled, or CullReason::culled.
+  CullReason plan(GLenum mode, const Elements& elements, Plan& plan);
+  CullReason sourceOfProgram(GLenum mode, const Elements& elements, Source& source);
+  /// Why what is hidden at the end shows by blending, or CullReason::culled.
+  CullReason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
+                        const Elements& elements);
+  CullReason sourceOfFixedFunction(Source& source);
+  CullReason planInstances(const Source& source, Plan& plan);
+  /// Finds which instances can be drawn without the others. CullReason::culled, or why nothing can be left
+  /// out.
+  CullReason planUnits(const CulledProgram& program, Plan& plan);
+  CullReason planMesh(const Source& source, Plan& plan);
   /// For programs whose positions are not known without running them.
-  Reason planFeedback(Plan& plan);
-  Reason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
-                      Plan& plan);
+  CullReason planFeedback(Plan& plan);
+  CullReason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
+                          Plan& plan);
   /// Moves the clusters to where this draw's vertices are. False: that is not known.
   bool placeClusters(const Plan& plan);
   static bool areFewAndLarge(const InstanceUnits& units, const CulledMesh& mesh);

@@ -19,35 +19,35 @@ namespace {
 /// Words whose values are others where a draw is made in parts, and outputs that depth tests depend on.
 struct Obstacle {
   std::string_view word;
-  Reason reason;
+  CullReason reason;
 };
 constexpr std::array kObstacles{
-    Obstacle{"gl_FragDepth", Reason::fragmentDepth},
-    Obstacle{"gl_FragDepthEXT", Reason::fragmentDepth},
-    Obstacle{"gl_FragStencilRefARB", Reason::stencil},
-    Obstacle{"gl_PrimitiveID", Reason::primitiveNumbers},
-    Obstacle{"gl_BaseVertex", Reason::primitiveNumbers},
-    Obstacle{"gl_BaseVertexARB", Reason::primitiveNumbers},
-    Obstacle{"gl_DrawID", Reason::primitiveNumbers},
-    Obstacle{"gl_DrawIDARB", Reason::primitiveNumbers},
-    Obstacle{"gl_SampleMask", Reason::multisampleState},
-    Obstacle{"gl_SampleMaskIn", Reason::multisampleState},
-    Obstacle{"post_depth_coverage", Reason::multisampleState},
-    Obstacle{"early_fragment_tests", Reason::fragmentDepth},  // discarded fragments write depth
-    Obstacle{"gl_LastFragData", Reason::blend},
-    Obstacle{"gl_LastFragColorARM", Reason::blend},
-    Obstacle{"gl_Layer", Reason::geometryShader},
-    Obstacle{"gl_ViewportIndex", Reason::geometryShader},
-    Obstacle{"gl_ViewportMask", Reason::geometryShader},
+    Obstacle{"gl_FragDepth", CullReason::fragmentDepth},
+    Obstacle{"gl_FragDepthEXT", CullReason::fragmentDepth},
+    Obstacle{"gl_FragStencilRefARB", CullReason::stencil},
+    Obstacle{"gl_PrimitiveID", CullReason::primitiveNumbers},
+    Obstacle{"gl_BaseVertex", CullReason::primitiveNumbers},
+    Obstacle{"gl_BaseVertexARB", CullReason::primitiveNumbers},
+    Obstacle{"gl_DrawID", CullReason::primitiveNumbers},
+    Obstacle{"gl_DrawIDARB", CullReason::primitiveNumbers},
+    Obstacle{"gl_SampleMask", CullReason::multisampleState},
+    Obstacle{"gl_SampleMaskIn", CullReason::multisampleState},
+    Obstacle{"post_depth_coverage", CullReason::multisampleState},
+    Obstacle{"early_fragment_tests", CullReason::fragmentDepth},  // discarded fragments write depth
+    Obstacle{"gl_LastFragData", CullReason::blend},
+    Obstacle{"gl_LastFragColorARM", CullReason::blend},
+    Obstacle{"gl_Layer", CullReason::geometryShader},
+    Obstacle{"gl_ViewportIndex", CullReason::geometryShader},
+    Obstacle{"gl_ViewportMask", CullReason::geometryShader},
 };
 
-Reason obstacleIn(std::string_view text) {
+CullReason obstacleIn(std::string_view text) {
   GlslTokens tokens(text);
   for (std::string_view word = tokens.nextToken(); !word.empty(); word = tokens.nextToken()) {
     const auto found = std::ranges::find(kObstacles, word, &Obstacle::word);
     if (found != kObstacles.end()) return found->reason;
   }
-  return Reason::traced;
+  return CullReason::culled;
 }
 
 bool hasWord(std::string_view text, std::initializer_list<std::string_view> wanted) {
@@ -78,16 +78,16 @@ CulledProgram::CulledProgram(const RealGl& real, std::shared_ptr<const KnownProg
   reason_ = check(real);
 }
 
-Reason CulledProgram::check(const RealGl& real) {
+CullReason CulledProgram::check(const RealGl& real) {
   const Program& program = known_->program;
-  if (!program.linked) return Reason::program;
-  if (program.geometryShader || program.tessellation) return Reason::geometryShader;
-  if (program.writes) return Reason::memoryWrites;
+  if (!program.linked) return CullReason::program;
+  if (program.geometryShader || program.tessellation) return CullReason::geometryShader;
+  if (program.writes) return CullReason::memoryWrites;
   ProgramSource source(real, program);
-  if (!source.isWhole(false)) return Reason::noSource;
+  if (!source.isWhole(false)) return CullReason::noSource;
   const std::string vertex = source.textOf(GL_VERTEX_SHADER), fragment = source.textOf(GL_FRAGMENT_SHADER);
   for (const std::string* text : {&vertex, &fragment})
-    if (const Reason reason = obstacleIn(*text); reason != Reason::traced) return reason;
+    if (const CullReason reason = obstacleIn(*text); reason != CullReason::culled) return reason;
   discards_ = hasWord(fragment, {"discard"});
   for (const std::string* text : {&vertex, &fragment}) {
     usesCentroids_ = usesCentroids_ || hasWord(*text, {"centroid", "interpolateAtCentroid"});
@@ -97,13 +97,13 @@ Reason CulledProgram::check(const RealGl& real) {
   }
   slice_.emplace(vertex), alpha_.emplace(fragment);
   why_ = slice_->why();
-  return why_.empty() ? Reason::traced : Reason::positions;
+  return why_.empty() ? CullReason::culled : CullReason::positions;
 }
 
 std::optional<LinearPosition> CulledProgram::position(const RealGl& real, bool core,
                                                       const InstanceAttributes& instances,
                                                       Varyings* varyings) {
-  if (reason_ != Reason::traced) return std::nullopt;
+  if (reason_ != CullReason::culled) return std::nullopt;
   return slice_->evaluate(CurrentUniforms(real, known_->program, core), why_, instances, varyings);
 }
 
@@ -114,7 +114,7 @@ Opacity CulledProgram::opacity(const RealGl& real, bool core, Varyings varyings)
 }
 
 bool CulledProgram::placedPosition(const RealGl& real, bool core, PlacedPosition& found) {
-  if (reason_ != Reason::traced) return false;
+  if (reason_ != CullReason::culled) return false;
   if (!positions_) positions_.emplace(*slice_);
   return positions_->find(CurrentUniforms(real, known_->program, core), found);
 }

@@ -21,8 +21,8 @@ class CulledProgram {
   /// Reads the program's source.
   CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known);
 
-  /// Why its draws cannot be culled, whatever its uniforms are; Reason::traced: they may be.
-  Reason reason() const { return reason_; }
+  /// Why its draws cannot be culled, whatever its uniforms are; CullReason::culled: they may be.
+  CullReason reason() const { return reason_; }
   /// The same in words for the user, more precisely; may be empty.
   const std::string& why() const { return why_; }
   /// With the current values of its uniforms. `instances`: its attributes that have one value for an
@@ -44,20 +44,20 @@ class CulledProgram {
   /// Whether its shaders read numbers of instances, which are others where instances are left out.
   bool numbersInstances() const { return numbersInstances_; }
   /// It is not culled from now on.
-  void refuse(Reason reason) { reason_ = reason; }
+  void refuse(CullReason reason) { reason_ = reason; }
   /// Whether nothing else knows the program any more.
   bool isForgotten() const { return known_.use_count() == 1; }
   const KnownProgram& known() const { return *known_; }
 
  private:
-  Reason check(const RealGl& real);
+  CullReason check(const RealGl& real);
 
   std::shared_ptr<const KnownProgram> known_;
   PositionFeedback feedback_;
   std::optional<PositionSlice> slice_;
   std::optional<AlphaSlice> alpha_;
   std::optional<PlacedPositions> positions_;
-  Reason reason_ = Reason::traced;
+  CullReason reason_ = CullReason::culled;
   bool discards_ = false;
   bool usesCentroids_ = false;
   bool numbersInstances_ = false;

@@ -19,25 +19,26 @@ bool areAllInBuffers(const ArrayState& arrays) {
 
 }  // namespace
 
-Reason CulledDraws::planFeedback(Plan& found) {
+CullReason CulledDraws::planFeedback(Plan& found) {
   ShadowState& shadow = p_.shadow;
   const Elements& e = found.elements;
   CulledProgram& program = programInUse();
-  if (found.samples > 1 && program.usesCentroids()) return Reason::multisampleState;
+  if (found.samples > 1 && program.usesCentroids()) return CullReason::multisampleState;
   if (isOn(shadow.real, GL_BLEND))
-    if (const Reason reason = blendingOf(program, {}, found.mode, e); reason != Reason::traced) return reason;
+    if (const CullReason reason = blendingOf(program, {}, found.mode, e); reason != CullReason::culled)
+      return reason;
   shadow.refresh(kFixedArrays);
   const ArrayState& arrays = shadow.attributes;
-  if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
+  if (arrays.reason == Reason::deletedBuffer) return CullReason::deletedBuffer;
   if (!areAllInBuffers(arrays) || !areAllInBuffers(shadow.arrays) || (e.type && !arrays.elements))
-    return Reason::arrayState;
+    return CullReason::arrayState;
   ArrayState content;
   content.elements = arrays.elements;
-  if (e.type && foreignReason(content) != Reason::traced) return Reason::foreignBuffer;
+  if (e.type && foreignReason(content) != Reason::traced) return CullReason::foreignBuffer;
   shadow.errors.keepPending();
   found.program = &program, found.feedback = &program.feedback();
   if (e.repeats() > 1)
-    if (const Reason reason = planUnits(program, found); reason != Reason::traced) return reason;
+    if (const CullReason reason = planUnits(program, found); reason != CullReason::culled) return reason;
   const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, found.mode, e);
   const auto make = [&]() -> std::shared_ptr<CulledMesh> {
     auto mesh = CulledMesh::withoutPositions(shadow.real, content, assembly, e);
@@ -51,13 +52,15 @@ Reason CulledDraws::planFeedback(Plan& found) {
   // Where vertices are may change in every frame; which primitives they form does not.
   const auto known = reinterpret_cast<uintptr_t>(&program.known());
   const Hash128 order = contentOf(shadow.real, content, found.mode, e);
-  const Reason reason = planClusters(hashBytes(&known, sizeof known, assembly.added(order)), make, found);
+  const CullReason reason = planClusters(hashBytes(&known, sizeof known, assembly.added(order)), make, found);
   // A copy of the program is linked when it is first needed.
-  if (reason == Reason::arrayState && !program.feedback().works(shadow.real)) return Reason::positions;
-  if (reason != Reason::traced) return reason;
+  if (reason == CullReason::arrayState && !program.feedback().works(shadow.real))
+    return CullReason::positions;
+  if (reason != CullReason::culled) return reason;
   const CulledMesh& mesh = *found.mesh;
-  return PositionFeedback::isPossible(mesh.firstVertex(), mesh.endVertex(), e.repeats()) ? Reason::traced
-                                                                                         : Reason::positions;
+  return PositionFeedback::isPossible(mesh.firstVertex(), mesh.endVertex(), e.repeats())
+             ? CullReason::culled
+             : CullReason::positions;
 }
 
 bool CulledDraws::placeClusters(const Plan& plan) {

@@ -19,38 +19,39 @@ constexpr uint32_t kFewUnits = 64, kLargeMesh = 256;  // clusters
 
 }  // namespace
 
-Reason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
+CullReason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
   const ArrayState& arrays = p_.shadow.attributes;
   found.apart = findUnits(p_.shadow.real, arrays, found.elements, found.units);
-  if (found.apart == Reason::deletedBuffer) return found.apart;
-  if (program.numbersInstances()) found.apart = Reason::instanceNumbers;
+  if (found.apart == CullReason::deletedBuffer) return found.apart;
+  if (program.numbersInstances()) found.apart = CullReason::instanceNumbers;
   // With numbers of instances each of them may be elsewhere, if positions are fed back.
   if (program.numbersInstances() && found.feedback)
     found.units = InstanceUnits(found.elements.baseInstance, found.elements.repeats(), {});
   const bool large = static_cast<uint32_t>(found.elements.count) >= kLargeMesh * Clusters::kPrimitives;
-  return found.together() && !(large && found.units->units() <= kFewUnits) ? found.apart : Reason::traced;
+  return found.together() && !(large && found.units->units() <= kFewUnits) ? found.apart : CullReason::culled;
 }
 
 /// A single instance is a draw of its own, whose clusters are culled.
-Reason CulledDraws::planInstances(const Source& from, Plan& found) {
+CullReason CulledDraws::planInstances(const Source& from, Plan& found) {
   const RealGl& real = p_.shadow.real;
   const ArrayState& arrays = p_.shadow.attributes;
   const Elements& e = found.elements;
-  if (!from.program) return Reason::instanced;
+  if (!from.program) return CullReason::instanced;
   if (e.repeats() > 1)
-    if (const Reason reason = planUnits(*from.program, found); reason != Reason::traced) return reason;
+    if (const CullReason reason = planUnits(*from.program, found); reason != CullReason::culled)
+      return reason;
   const InstanceUnits units = found.units ? *found.units : InstanceUnits(e.baseInstance, 1, {});
   std::vector<Instances::Column> columns;
   const Program& program = from.program->known().program;
   p_.shadow.errors.keepPending();
   const auto fractions = [&] { return fractions_.areSymmetric(real, p_.shadow.info.core); };
-  const Reason reason = instanceColumns(real, program, arrays, from.position, units, fractions, columns);
-  if (reason != Reason::traced) return reason;
+  const CullReason reason = instanceColumns(real, program, arrays, from.position, units, fractions, columns);
+  if (reason != CullReason::culled) return reason;
   Instances instances(from.position, std::move(columns), units);
-  if (found.units) return found.instances.emplace(std::move(instances)), Reason::traced;
+  if (found.units) return found.instances.emplace(std::move(instances)), CullReason::culled;
   const std::optional<ClipMatrix> only = instances.matrix(0);
   if (only) found.matrix = *only;
-  return only ? Reason::traced : Reason::instanceArrays;
+  return only ? CullReason::culled : CullReason::instanceArrays;
 }
 
 /// Few instances of large meshes are culled by their clusters.

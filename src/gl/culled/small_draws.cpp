@@ -125,7 +125,7 @@ void SmallDraws::readCommon(GLenum mode) {
   mode_ = mode;
   common_ = {};
   common_.reason = hideableState(shadow, mode, common_.isTested);
-  if (common_.reason != Reason::traced) return;
+  if (common_.reason != CullReason::culled) return;
   const State& state = shadow.state;
   const glm::ivec4 v = state.viewport, scissor = scissorBox(shadow.real);
   common_.samples = state.target.samples;
@@ -138,7 +138,7 @@ void SmallDraws::readCommon(GLenum mode) {
   common_.seen = clipped(lower, upper);
   common_.drawn =
       clipped(glm::max(lower, corner), glm::min(upper, corner + glm::ivec2(scissor.z, scissor.w)));
-  if (common_.drawn.width <= 0 || common_.drawn.height <= 0) common_.reason = Reason::smallDraw;
+  if (common_.drawn.width <= 0 || common_.drawn.height <= 0) common_.reason = CullReason::smallDraw;
   WindowMapping& window = common_.window;
   window.viewport = glm::dvec4(v.x - common_.seen.x, v.y - common_.seen.y, v.z, v.w);
   window.sampleReach = common_.samples > 1 ? 0.5 : 0;
@@ -150,7 +150,7 @@ void SmallDraws::readCommon(GLenum mode) {
 bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
   ShadowState& shadow = p_.shadow;
   if (shadow.readBack & kCommonGroups || mode != mode_) readCommon(mode);
-  if (common_.reason != Reason::traced || shadow.activeQueries > 0) return false;
+  if (common_.reason != CullReason::culled || shadow.activeQueries > 0) return false;
   candidate.vertices = kVerticesOfDraw + e.count;
   const ArrayState* arrays = nullptr;
   const ArraySource* positions = nullptr;
@@ -159,7 +159,7 @@ bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
     if (!findByProgram(candidate, arrays, positions, components)) return false;
   } else {
     CulledDraws::Source from;
-    if (shadow.info.core || p_.culled.placeByFixedFunction(from) != Reason::traced) return false;
+    if (shadow.info.core || p_.culled.placeByFixedFunction(from) != CullReason::culled) return false;
     candidate.matrix = from.matrix;
     arrays = from.arrays, positions = from.positions, components = from.components;
   }
@@ -170,7 +170,7 @@ bool SmallDraws::findByProgram(Candidate& candidate, const ArrayState*& arrays, 
                                int& components) {
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = p_.culled.programInUse();
-  if (program.reason() != Reason::traced) return false;
+  if (program.reason() != CullReason::culled) return false;
   shadow.refresh(kAttributes);
   if (isInstanced(shadow.attributes)) return false;
   PlacedPosition placed;

@@ -69,9 +69,9 @@ class SmallDraws {
   };
   /// What draws have in common until state changes.
   struct Common {
-    Reason reason = Reason::traced;  // why draws are not left out
-    scene::Region drawn, seen;       // pixels that draws may change; the same without scissor test
-    WindowMapping window;            // relative to the lower corner of `seen`
+    CullReason reason = CullReason::culled;  // why draws are not left out
+    scene::Region drawn, seen;               // pixels that draws may change; the same without scissor test
+    WindowMapping window;                    // relative to the lower corner of `seen`
     int samples = 1;
     bool reversed = false;
     bool isTested = false;  // depths decide whether they show

@@ -80,8 +80,8 @@ struct Totals {
   int contexts = 0;
   // Only for `gluray explain`:
   gl::KindTable kinds;
-  std::map<gl::Reason, uint64_t> notCulled;  // large draws
-  std::map<gl::Reason, uint64_t> notLit;
+  std::map<gl::CullReason, uint64_t> notCulled;  // large draws
+  std::map<gl::LightReason, uint64_t> notLit;
   gl::TargetTable targets;
   gl::ProgramTable programs;
   std::vector<ContextSummary> list;

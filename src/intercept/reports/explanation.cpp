@@ -51,7 +51,8 @@ json kindsOf(const gl::KindTable& table) {
 }
 
 /// Numbers of draws by reason.
-json byReason(const std::map<gl::Reason, uint64_t>& counts) {
+template <class Why>
+json byReason(const std::map<Why, uint64_t>& counts) {
   json all = json::object();
   for (const auto& [reason, count] : counts) all[std::string(gl::describe(reason))] = count;
   return all;

@@ -73,7 +73,7 @@ class InstanceParts : public ::testing::TestWithParam<bool> {
     gl::ArrayState arrays;
     gl::readAttributes(real, group, nullptr, arrays);
     std::optional<gl::InstanceUnits> units;
-    ASSERT_EQ(gl::findUnits(real, arrays, whole(), units), gl::Reason::traced);
+    ASSERT_EQ(gl::findUnits(real, arrays, whole(), units), gl::CullReason::culled);
     std::mt19937 random(seed);
     size_t parts = 0;
     for (uint32_t first = 0; first < units->units();) {
@@ -131,16 +131,16 @@ TEST_P(InstanceParts, AreNotMadeWhereArraysCannotBeginLater) {
     return gl::findUnits(by, arrays, all, units);
   };
   sendPlaces({1, 1});
-  EXPECT_EQ(reasonOf(older, countOf(swarm_)), gl::Reason::traced);
-  EXPECT_EQ(reasonOf(older, countOf(swarm_) + 1), gl::Reason::instanceArrays);
-  EXPECT_EQ(reasonOf(real, countOf(swarm_) + 1), gl::Reason::traced);
+  EXPECT_EQ(reasonOf(older, countOf(swarm_)), gl::CullReason::culled);
+  EXPECT_EQ(reasonOf(older, countOf(swarm_) + 1), gl::CullReason::instanceArrays);
+  EXPECT_EQ(reasonOf(real, countOf(swarm_) + 1), gl::CullReason::culled);
   const auto tint = static_cast<GLuint>(real.GetAttribLocation(program_, "tint"));
   GLuint packed = 0;
   real.GenBuffers(1, &packed), real.BindBuffer(GL_ARRAY_BUFFER, packed);
   real.BufferData(GL_ARRAY_BUFFER, 4 * countOf(swarm_), nullptr, GL_STATIC_DRAW);
   real.VertexAttribPointer(tint, 4, GL_INT_2_10_10_10_REV, GL_TRUE, 0, nullptr);
-  EXPECT_EQ(reasonOf(older, countOf(swarm_)), gl::Reason::instanceArrays);
-  EXPECT_EQ(reasonOf(real, countOf(swarm_)), gl::Reason::traced);
+  EXPECT_EQ(reasonOf(older, countOf(swarm_)), gl::CullReason::instanceArrays);
+  EXPECT_EQ(reasonOf(real, countOf(swarm_)), gl::CullReason::culled);
 }
 
 INSTANTIATE_TEST_SUITE_P(Arrays, InstanceParts, ::testing::Bool());

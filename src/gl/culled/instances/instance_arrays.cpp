@@ -52,27 +52,27 @@ InstanceAttributes instanceAttributes(const Program& program, const ArrayState& 
   return names;
 }
 
-Reason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
-                       const LinearPosition& position, const InstanceUnits& units,
-                       const std::function<bool()>& fractions, std::vector<Instances::Column>& columns) {
-  if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
+CullReason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
+                           const LinearPosition& position, const InstanceUnits& units,
+                           const std::function<bool()>& fractions, std::vector<Instances::Column>& columns) {
+  if (arrays.reason == Reason::deletedBuffer) return CullReason::deletedBuffer;
   const std::bitset<256> used = numbersIn(position);
   int first = 1;
   for (const InstanceColumn& column : position.columns) {
     bool any = false;
     for (int r = 0; r < column.rows; ++r) any = any || used[static_cast<size_t>(first + r)];
     const auto attribute = program.attributes.find(column.attribute);
-    if (any && attribute == program.attributes.end()) return Reason::instanceArrays;
+    if (any && attribute == program.attributes.end()) return CullReason::instanceArrays;
     const ArraySource* const array =
         any ? arrayOf(arrays, attribute->second.location + column.column) : nullptr;
     if (any && (!array || !isRead(*array, fractions)))
-      return array && isForeign(*array) ? Reason::foreignBuffer : Reason::instanceArrays;
+      return array && isForeign(*array) ? CullReason::foreignBuffer : CullReason::instanceArrays;
     if (any) columns.push_back({ArrayReader(real, *array), first, column.rows, isSignedFraction(*array)});
     if (any && units.endElement(std::max(array->divisor, 1u)) > columns.back().array.available())
-      return Reason::instanceArrays;
+      return CullReason::instanceArrays;
     first += column.rows;
   }
-  return Reason::traced;
+  return CullReason::culled;
 }
 
 }  // namespace gluray::gl

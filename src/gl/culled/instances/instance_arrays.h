@@ -28,10 +28,10 @@ const ArraySource* arrayOf(const ArrayState& arrays, GLint location);
 /// Attributes of the program all of whose columns come from arrays with a divisor.
 InstanceAttributes instanceAttributes(const Program& program, const ArrayState& arrays);
 
-/// Finds the arrays of the numbers that `position` depends on. Reason::traced, or why they cannot be read.
-/// `fractions`: whether signed fractions of bytes and shorts can be (SignedFractions); asked if needed.
-Reason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
-                       const LinearPosition& position, const InstanceUnits& units,
-                       const std::function<bool()>& fractions, std::vector<Instances::Column>& columns);
+/// Finds the arrays of the numbers that `position` depends on. CullReason::culled, or why they cannot be
+/// read. `fractions`: whether signed fractions of bytes and shorts can be (SignedFractions); asked if needed.
+CullReason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
+                           const LinearPosition& position, const InstanceUnits& units,
+                           const std::function<bool()>& fractions, std::vector<Instances::Column>& columns);
 
 }  // namespace gluray::gl

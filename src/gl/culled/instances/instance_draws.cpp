@@ -44,19 +44,19 @@ bool isByArrays(const RealGl& real, const InstanceUnits& units) {
 
 }  // namespace
 
-Reason findUnits(const RealGl& real, const ArrayState& arrays, const Elements& e,
-                 std::optional<InstanceUnits>& units) {
-  if (arrays.reason == Reason::deletedBuffer) return Reason::deletedBuffer;
+CullReason findUnits(const RealGl& real, const ArrayState& arrays, const Elements& e,
+                     std::optional<InstanceUnits>& units) {
+  if (arrays.reason == Reason::deletedBuffer) return CullReason::deletedBuffer;
   std::vector<uint32_t> divisors;
   forEnabled(arrays, [&](const ArraySource& a) {
     if (a.divisor != 0) divisors.push_back(a.divisor);
   });
   units.emplace(e.baseInstance, e.repeats(), std::move(divisors));
-  if (!isByArrays(real, *units)) return Reason::traced;
+  if (!isByArrays(real, *units)) return CullReason::culled;
   bool can = true;
   forEnabled(arrays,
              [&](const ArraySource& a) { can = can && (a.divisor == 0 || canBegin(real, a, *units)); });
-  return can ? Reason::traced : Reason::instanceArrays;
+  return can ? CullReason::culled : CullReason::instanceArrays;
 }
 
 InstanceDraws::InstanceDraws(const RealGl& real, const ArrayState& arrays, const InstanceUnits& units)

@@ -13,10 +13,10 @@
 
 namespace gluray::gl {
 
-/// Finds the units of a draw's instances. Reason::traced, or why some of them cannot be drawn without the
+/// Finds the units of a draw's instances. CullReason::culled, or why some of them cannot be drawn without the
 /// others.
-Reason findUnits(const RealGl& real, const ArrayState& arrays, const Elements& elements,
-                 std::optional<InstanceUnits>& units);
+CullReason findUnits(const RealGl& real, const ArrayState& arrays, const Elements& elements,
+                     std::optional<InstanceUnits>& units);
 
 /// While it lives, parts of a draw can be made; then the arrays are as they were.
 class InstanceDraws {
