@@ -3,14 +3,11 @@
 // trace them. So the picture waits: when the program resolves it, only its pixels are written, to their
 // destination. Its samples are written only if anything else uses the framebuffer. Owned by ResolveDraws.
 #pragma once
-#include "gl/batch/batch.h"
-#include "gl/batch/program_draw.h"
-#include "scene/snapshot.h"
+#include "gl/batch/held_batch.h"
 
 #include <glm/glm.hpp>
 
 #include <optional>
-#include <vector>
 
 namespace gluray::gl {
 
@@ -37,9 +34,7 @@ struct UnresolvedPicture {
   /// The one batch that was drawn into it since.
   struct Waiting {
     Cleared cleared;
-    BatchKey key;
-    scene::SnapshotPtr snapshot;
-    std::vector<ProgramDraw> draws;
+    HeldBatch batch;
     bool traced = false;  // its picture is traced already
   };
   Cleared cleared;

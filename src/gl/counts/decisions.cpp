@@ -52,9 +52,9 @@ void Decisions::detail(std::string_view what, std::string_view why) {
   write(why.empty() ? std::move(line) : std::move(line) & why);
 }
 
-void Decisions::batch(const BatchKey& key, size_t instances, Reason reason) {
+void Decisions::batch(const BatchKey& key, size_t instances, std::string_view how) {
   write(std::string("batch") & ++batches_ & nameOf(key.layers) & "instances" & instances & "framebuffer" &
-        key.framebuffer & "->" & describe(reason));
+        key.framebuffer & "->" & how);
 }
 
 void Decisions::presented(const PresentResult& result, bool known) {

@@ -21,8 +21,9 @@ class Decisions {
   void draw(Reason reason, DrawPath path, PrimitiveClass primitive, uint64_t triangles, uint32_t state);
   /// What else became of the draw: it was culled, lit ... or not, and why.
   void detail(std::string_view what, std::string_view why = {});
-  /// The draws of a batch are presented: traced, or, for any other reason, made by the real OpenGL.
-  void batch(const BatchKey& key, size_t instances, Reason reason);
+  /// The draws of a batch are presented: `how` is "traced", or why the real OpenGL makes them, or where the
+  /// traced picture goes in place of the framebuffer.
+  void batch(const BatchKey& key, size_t instances, std::string_view how);
   /// A batch was presented. `known`: its picture was shown before.
   void presented(const PresentResult& result, bool known);
 

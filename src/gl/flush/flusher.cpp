@@ -46,7 +46,7 @@ void Flusher::presentBatch(Reason reason) {
   const scene::SnapshotPtr snapshot = p_.pending.batch.takeSnapshot();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
   if (p_.counts.decisions()) [[unlikely]]
-    p_.counts.decisions()->batch(key, snapshot->instances.size(), reason);
+    p_.counts.decisions()->batch(key, snapshot->instances.size(), describe(reason));
   p_.shadow.syncCurrent();
   p_.surfaces.passes.flushed(rasterise || factors ? nullptr : snapshot);
   if (rasterise) p_.counts.asRasterised(*snapshot, reason);
@@ -68,7 +68,6 @@ void Flusher::presentBatch(Reason reason) {
   p_.cleared.wrote(key.framebuffer, result.uploaded);
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
   p_.resolves.cleanIs({});
-  p_.shadow.latch.restore(p_.shadow.real);
   p_.pending.takeResult(result);
   if (p_.counts.kinds()) [[unlikely]]
     p_.counts.kinds()->exclude(nowSeconds() - start);

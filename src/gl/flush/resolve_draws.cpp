@@ -119,11 +119,7 @@ bool ResolveDraws::hold() {
   const UnresolvedPicture::Cleared kept = cleared;
   settleAll();
   p_.pending.surround();
-  UnresolvedPicture::Waiting waiting{kept, key, p_.pending.batch.takeSnapshot(),
-                                     p_.pending.batch.takeProgramDraws()};
-  p_.surfaces.passes.flushed(waiting.snapshot);
-  p_.surfaces.traced(waiting.key, waiting.snapshot);
-  p_.pending.unresolved.waiting = std::move(waiting);
+  p_.pending.unresolved.waiting.emplace(UnresolvedPicture::Waiting{kept, p_.pending.hold("until resolved")});
   return true;
 }
 
@@ -132,7 +128,7 @@ void ResolveDraws::settle() {
   if (!p_.pending.unresolved.waiting) return;
   UnresolvedPicture::Waiting waiting = std::move(*p_.pending.unresolved.waiting);
   p_.pending.unresolved.waiting.reset();
-  p_.pending.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), waiting.traced);
+  p_.pending.presentLate(std::move(waiting.batch), waiting.traced);
 }
 
 void ResolveDraws::settleAll() {
@@ -166,13 +162,12 @@ bool ResolveDraws::into(ResolveTarget& target) {
   UnresolvedPicture::Waiting& waiting = *p_.pending.unresolved.waiting;
   target.core = p_.shadow.info.core;
   target.how.background = waiting.cleared.background;
-  target.how.farthest = farthestHit(waiting.key.depthFunc, waiting.cleared.depthResolution);
+  target.how.farthest = farthestHit(waiting.batch.key.depthFunc, waiting.cleared.depthResolution);
   target.wish = p_.clock.wish(waiting.traced);
   p_.shadow.errors.keepPending();
   p_.cleared.forget();
-  const PresentResult result = p_.pending.presenter.resolve(p_.shadow.real, waiting.snapshot, target);
-  p_.shadow.latch.restore(p_.shadow.real);
-  if (result.outcome != PresentResult::traced) return false;
+  const PresentResult result = p_.pending.presenter.resolve(p_.shadow.real, waiting.batch.snapshot, target);
+  if (result.outcome != PresentResult::traced) return p_.shadow.latch.restore(p_.shadow.real), false;
   p_.pending.takeResult(result, waiting.traced);
   waiting.traced = true;
   noteUse(Quirk::softwareResolve);
@@ -191,7 +186,7 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
     return false;
   const UniformReader uniforms(known.program, *p_.shadow.state.program.uniforms);
   const int samples = static_cast<int>(uniforms.number(family.passSamples, 0));
-  if (samples != waiting.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
+  if (samples != waiting.batch.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
   const GLint active = integer(p_.shadow.real, GL_ACTIVE_TEXTURE);
   p_.shadow.real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(uniforms.integer(family.passInput)));
   const auto bound = static_cast<GLuint>(integer(p_.shadow.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));

@@ -38,7 +38,7 @@ class ResolveDraws {
   bool any() const { return p_.pending.unresolved.any(); }
   /// Whether one of the waiting picture's draws reads `buffer` as a texture.
   bool readsBuffer(GLuint buffer) const {
-    return waits() && gl::readsBuffer(p_.pending.unresolved.waiting->draws, buffer);
+    return waits() && p_.pending.unresolved.waiting->batch.readsBuffer(buffer);
   }
   /// Takes the pending batch, which then waits to be resolved. False: it must not wait.
   bool hold();

@@ -31,29 +31,37 @@ bool PendingBatch::canTrace() {
   return *supported_;
 }
 
-void PendingBatch::presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot,
-                               std::vector<ProgramDraw> draws, bool known) {
+HeldBatch PendingBatch::hold(std::string_view where) {
+  HeldBatch held{batch.key(), batch.takeSnapshot(), batch.takeProgramDraws()};
+  if (p_.counts.decisions()) [[unlikely]]
+    p_.counts.decisions()->batch(held.key, held.snapshot->instances.size(), where);
+  p_.surfaces.passes.flushed(held.snapshot);
+  p_.surfaces.traced(held.key, held.snapshot);
+  return held;
+}
+
+void PendingBatch::presentLate(HeldBatch held, bool known) {
   const RealGl& real = p_.shadow.real;
   const bool isShort = addressSpaceIsShort();
   const PresentResult result = [&] {
-    const DrawBinding binding(real, key.framebuffer);
-    return presenter.present(real, snapshot,
-                             {.depthFunc = key.depthFunc,
+    const DrawBinding binding(real, held.key.framebuffer);
+    return presenter.present(real, held.snapshot,
+                             {.depthFunc = held.key.depthFunc,
                               .core = p_.shadow.info.core,
                               .rasterise = isShort,
-                              .programDraws = std::move(draws),
+                              .programDraws = std::move(held.draws),
                               .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
   }();
-  p_.shadow.latch.restore(real);
   takeResult(result, known);
   if (result.outcome == PresentResult::traced) return;
   const bool costsFrames = isShort && result.outcome == PresentResult::rasterised;
   const scene::Loss loss = costsFrames ? scene::Loss::frames : result.loss();
-  p_.counts.asRasterised(*snapshot, reasonOf(loss));
+  p_.counts.asRasterised(*held.snapshot, reasonOf(loss));
   p_.failsafe.fail(loss, costsFrames ? kAddressSpaceIsShort : result.reason());
 }
 
 void PendingBatch::takeResult(const PresentResult& result, bool known) {
+  p_.shadow.latch.restore(p_.shadow.real);
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   p_.clock.drawn();
   if (p_.counts.decisions()) [[unlikely]]

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"
+#include "gl/batch/held_batch.h"
 #include "gl/batch/presenter.h"
 #include "gl/batch/unresolved_picture.h"
 #include "gl/clock/frame_clock.h"
@@ -14,7 +15,7 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
+#include <string_view>
 
 namespace gluray::gl {
 
@@ -57,11 +58,14 @@ class PendingBatch {
   void surround();
   /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
   void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }
-  /// Presents a delayed snapshot into the framebuffer of `key`. `known`: its picture is traced already. The
-  /// real OpenGL draws it where limits of address space leave too little for compiling what writes pictures.
-  void presentLate(const BatchKey& key, const scene::SnapshotPtr& snapshot, std::vector<ProgramDraw> draws,
-                   bool known);
-  /// Adds a result to the statistics. `known`: the picture was shown before, elsewhere.
+  /// Takes the batch, which is or will be traced, out before it is in its framebuffer. Call surround()
+  /// before. `where`: what shows it, for the log.
+  HeldBatch hold(std::string_view where);
+  /// Presents it into its framebuffer. `known`: its picture is traced already. The real OpenGL draws it where
+  /// limits of address space leave too little for compiling what writes pictures.
+  void presentLate(HeldBatch held, bool known);
+  /// Call after each presentation: restores what it changed of the current material, and adds its result to
+  /// the statistics. `known`: the picture was shown before, elsewhere.
   void takeResult(const PresentResult& result, bool known = false);
 
  private:

@@ -44,19 +44,20 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
     if (refusal != LagRefusal::none) return;
     p_.shadow.errors.keepPending();
     p_.pending.surround();
-    LaggedFrame frame{p_.pending.batch.key(), p_.pending.batch.pending(), {}, window, {}, 1, {}};
+    LaggedFrame frame{{}, window, {}, 1, {}};
+    const GLenum depthFunc = p_.pending.batch.key().depthFunc;
     const glm::ivec2 size = window.overdue.size;
     if (window.show && mayShowDirectly() && contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) {
       p_.shadow.refresh(kTarget);
       frame.cleared = p_.cleared.target();
-      frame.farthest = farthestHit(frame.key.depthFunc, p_.shadow.state.target.depthResolution);
+      frame.farthest = farthestHit(depthFunc, p_.shadow.state.target.depthResolution);
     }
-    refusal = p_.pending.presenter.window().traceAhead(
-        p_.shadow.real, frame.snapshot, {frame.key.depthFunc, frame.cleared, frame.farthest, window.overdue});
+    refusal =
+        p_.pending.presenter.window().traceAhead(p_.shadow.real, p_.pending.batch.pending(),
+                                                 {depthFunc, frame.cleared, frame.farthest, window.overdue});
     if (refusal != LagRefusal::none) return;
+    frame.batch = p_.pending.hold("ahead");
     lagged_ = std::move(frame);
-    p_.surfaces.traced(lagged_->key, p_.pending.batch.takeSnapshot());
-    lagged_->draws = p_.pending.batch.takeProgramDraws();
     p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
   });
   return refusal;
@@ -67,21 +68,19 @@ bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
   const PresentResult result = p_.pending.presenter.window().show(
-      p_.shadow.real, frame.snapshot,
+      p_.shadow.real, frame.batch.snapshot,
       {*frame.cleared, frame.farthest, p_.shadow.info.core, {}, frame.window.show});
-  p_.shadow.latch.restore(p_.shadow.real);
-  if (result.outcome != PresentResult::traced) return false;
+  if (result.outcome != PresentResult::traced) return p_.shadow.latch.restore(p_.shadow.real), false;
   p_.pending.takeResult(result);
   noteUse(Quirk::softwareShow);
   return true;
 }
 
 PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
-  const PresentResult result = p_.pending.presenter.present(p_.shadow.real, frame.snapshot,
-                                                            {.depthFunc = frame.key.depthFunc,
+  const PresentResult result = p_.pending.presenter.present(p_.shadow.real, frame.batch.snapshot,
+                                                            {.depthFunc = frame.batch.key.depthFunc,
                                                              .core = p_.shadow.info.core,
-                                                             .programDraws = std::move(frame.draws)});
-  p_.shadow.latch.restore(p_.shadow.real);
+                                                             .programDraws = std::move(frame.batch.draws)});
   p_.pending.takeResult(result);
   frame.window.swap();
   return result;
@@ -90,7 +89,7 @@ PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
 void WindowFrames::showLagged() {
   if (!lagged_) return;
   noteBegin();
-  const timeline::Span span("show lagged", lagged_->snapshot->instances.size());
+  const timeline::Span span("show lagged", lagged_->batch.snapshot->instances.size());
   LaggedFrame frame = std::move(*lagged_);
   lagged_.reset();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;

@@ -2,10 +2,8 @@
 // one, and shown when the program next touches the window. Until then the back buffer lacks only its traced
 // part. Owned by WindowFrames, GL thread.
 #pragma once
-#include "gl/batch/batch.h"
+#include "gl/batch/held_batch.h"
 #include "gl/batch/presenter.h"
-#include "gl/batch/program_draw.h"
-#include "scene/snapshot.h"
 
 #include <cstdint>
 #include <functional>
@@ -23,9 +21,7 @@ struct LagWindow {
 };
 
 struct LaggedFrame {
-  BatchKey key;
-  scene::SnapshotPtr snapshot;
-  std::vector<ProgramDraw> draws;
+  HeldBatch batch;
   LagWindow window;
   std::optional<ClearedTarget> cleared;  // the window's clear, if it holds nothing else
   float farthest = 1;                    // with `cleared`: hits beyond this window depth are invisible

@@ -43,27 +43,23 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     p_.shadow.refresh(kTarget);
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
-    const BatchKey key = p_.pending.batch.key();
     p_.shadow.syncCurrent();
     p_.pending.surround();
-    const ShowTarget target{*p_.cleared.target(),
-                            farthestHit(key.depthFunc, p_.shadow.state.target.depthResolution),
-                            p_.shadow.info.core, p_.clock.wish(), show};
+    const ShowTarget target{
+        *p_.cleared.target(),
+        farthestHit(p_.pending.batch.key().depthFunc, p_.shadow.state.target.depthResolution),
+        p_.shadow.info.core, p_.clock.wish(), show};
     const PresentResult result =
         p_.pending.presenter.window().show(p_.shadow.real, p_.pending.batch.pending(), target);
-    p_.shadow.latch.restore(p_.shadow.real);
     if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced picture is known
+      p_.shadow.latch.restore(p_.shadow.real);
       p_.counts.statistics.buildSeconds += result.cost.buildSeconds;
       p_.counts.statistics.traceSeconds += result.cost.traceSeconds;
       presented_.pause = kPause;
       return false;
     }
     p_.pending.takeResult(result);
-    PresentedPicture::Waiting waiting{key, p_.pending.batch.takeSnapshot(),
-                                      p_.pending.batch.takeProgramDraws()};
-    p_.surfaces.passes.flushed(waiting.snapshot);
-    p_.surfaces.traced(key, waiting.snapshot);
-    presented_.waiting = std::move(waiting);
+    presented_.waiting = p_.pending.hold("in the window");
     presented_.window = &window;
     p_.cleared.forget();
     noteUse(Quirk::softwareShow);
@@ -125,10 +121,10 @@ void WindowFrames::settle() {
   showLagged();
   makeClear();
   if (!presented_.waiting) return;
-  PresentedPicture::Waiting waiting = std::move(*presented_.waiting);
+  HeldBatch waiting = std::move(*presented_.waiting);
   presented_.waiting.reset();
   if (++presented_.inVain >= kMaxVainFrames) presented_.inVain = 0, presented_.pause = kPause;
-  p_.pending.presentLate(waiting.key, waiting.snapshot, std::move(waiting.draws), true);
+  p_.pending.presentLate(std::move(waiting), true);
 }
 
 void WindowFrames::meetDraw() {
@@ -143,13 +139,13 @@ void WindowFrames::settleInWindow() {
 }
 
 bool WindowFrames::readsImages() const {
-  return (presented_.waiting && gl::readImages(presented_.waiting->draws)) ||
-         (lagged_ && gl::readImages(lagged_->draws));
+  return (presented_.waiting && presented_.waiting->readsImages()) ||
+         (lagged_ && lagged_->batch.readsImages());
 }
 
 bool WindowFrames::readsBuffer(GLuint buffer) const {
-  return (presented_.waiting && gl::readsBuffer(presented_.waiting->draws, buffer)) ||
-         (lagged_ && gl::readsBuffer(lagged_->draws, buffer));
+  return (presented_.waiting && presented_.waiting->readsBuffer(buffer)) ||
+         (lagged_ && lagged_->batch.readsBuffer(buffer));
 }
 
 }  // namespace gluray::gl

@@ -4,23 +4,15 @@
 // the back buffer first. The clear itself is held back, too, because such frames hide it. Owned by
 // WindowFrames, GL thread.
 #pragma once
-#include "gl/batch/batch.h"
-#include "gl/batch/program_draw.h"
+#include "gl/batch/held_batch.h"
 #include "gl/batch/window_presenter.h"
-#include "scene/snapshot.h"
 
 #include <optional>
-#include <vector>
 
 namespace gluray::gl {
 
 struct PresentedPicture {
-  struct Waiting {
-    BatchKey key;
-    scene::SnapshotPtr snapshot;
-    std::vector<ProgramDraw> draws;
-  };
-  std::optional<Waiting> waiting;
+  std::optional<HeldBatch> waiting;
   /// A clear of the whole back buffer that is not made yet; `waiting` and the pending batch lie over it.
   std::optional<WindowClear> clear;
   ShownWindow* window = nullptr;  // that the last picture was shown in
