@@ -45,6 +45,7 @@ namespace gluray::gl {
   X(multisampleState, "multisample coverage state")                          \
   X(homogeneous, "homogeneous vertices (w is not 1)")                        \
   X(farAway, "vertices farther away than rays reach")                        \
+  X(farFromOrigin, "vertices so far from their origin that rounding shows")  \
   X(tooLarge, "triangles too large or small for the precision of rays")      \
   X(singularMatrix, "matrix without inverse")                                \
   X(untraceable, "surface that rays cannot meet")                            \

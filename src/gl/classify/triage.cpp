@@ -172,10 +172,11 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
   if (isFarAway(*known.mesh)) return Reason::farAway;
   const State& state = p_.shadow.state;
   const glm::dmat4 clipFromObject = state.projection * state.modelview;
+  const glm::ivec2 size(state.viewport.z, state.viewport.w);
+  if (RayPrecision::isFarFromOrigin(*known.mesh, clipFromObject, size)) return Reason::farFromOrigin;
   if (scene::isSolid(known.mesh->shape)) return ofSolids(*known.mesh, materials);
   SurfaceHistory& surfaces = p_.surfaces;
-  if (surfaces.precision.isTooLarge(*known.mesh, clipFromObject, {state.viewport.z, state.viewport.w}))
-    return Reason::tooLarge;
+  if (surfaces.precision.isTooLarge(*known.mesh, clipFromObject, size)) return Reason::tooLarge;
   if (surfaces.passes.several(known.mesh->geometryId) ||
       surfaces.passes.meetsRasterised(*known.mesh, state.modelview, state.target.framebuffer, isPushedBack()))
     return Reason::passes;

@@ -123,8 +123,9 @@ LightReason light(Context& c, GLenum mode, const Elements& e) {
   const glm::dmat4& matrix = from.matrix.clipFromObject;
   if (!isInvertible(matrix)) return LightReason::singularMatrix;
   const glm::ivec4& viewport = shadow.state.viewport;
-  if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, {viewport.z, viewport.w}))
-    return LightReason::tooLarge;
+  const glm::ivec2 size(viewport.z, viewport.w);
+  if (RayPrecision::isFarFromOrigin(*known.mesh, matrix, size)) return LightReason::farFromOrigin;
+  if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, size)) return LightReason::tooLarge;
   addSurface(c, known.mesh, matrix);
   return LightReason::lit;
 }

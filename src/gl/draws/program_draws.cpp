@@ -118,9 +118,12 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (offsetsProgramDepth(p_.shadow.state, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.state.program;
   const glm::ivec4& viewport = p_.shadow.state.viewport;
-  if (p_.shadow.attributes.instanceTransform.empty() &&
-      p_.surfaces.precision.isTooLarge(*known.mesh, program.clipFromObject, {viewport.z, viewport.w}))
-    return Reason::tooLarge;
+  if (p_.shadow.attributes.instanceTransform.empty()) {  // otherwise triageInstances() looks at each
+    const glm::ivec2 size(viewport.z, viewport.w);
+    if (RayPrecision::isFarFromOrigin(*known.mesh, program.clipFromObject, size))
+      return Reason::farFromOrigin;
+    if (p_.surfaces.precision.isTooLarge(*known.mesh, program.clipFromObject, size)) return Reason::tooLarge;
+  }
   const bool solid = scene::isSolid(known.mesh->shape);
   if (solid && isParallel(program.clipFromObject) && isFlat(*known.mesh, program.clipFromObject))
     return Reason::flat;

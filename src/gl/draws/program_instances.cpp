@@ -54,6 +54,8 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
                                 unlessOpaque() != Reason::traced;
   if (const RasterState& raster = p_.shadow.state.raster; elements.repeats() != 1 && isBlended(mesh))
     return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
+  const glm::dmat4& clipFromObject = p_.shadow.state.program.clipFromObject;
+  const glm::ivec4& viewport = p_.shadow.state.viewport;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
@@ -61,9 +63,10 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
     const auto m = readers.matrix(elements, i);
     if (!m) return Reason::arrayState;
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
+    if (RayPrecision::isFarFromOrigin(mesh, clipFromObject, {viewport.z, viewport.w}, glm::dmat4(*m)))
+      return Reason::farFromOrigin;
     // Edges are painted in the window: the same condition as in triageAlways().
-    if (p_.shadow.state.program.triangleEdges &&
-        !isBeforeViewer(mesh, p_.shadow.state.program.clipFromObject * glm::dmat4(*m)))
+    if (p_.shadow.state.program.triangleEdges && !isBeforeViewer(mesh, clipFromObject * glm::dmat4(*m)))
       return Reason::program;
     if (glm::mat3(*m) != glm::mat3(0) && !scene::isPlaceable(*m)) return Reason::singularMatrix;
   }

@@ -29,11 +29,26 @@ double nearestViewW(const glm::dmat4& clipFromObject) {
   return most > 0 && std::isfinite(most) ? 1 / most : 0;
 }
 
-/// Lower bound of clip w of the mesh's visible points; 0 if unknown.
-double nearestW(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
-  const glm::dvec3 lower(mesh.lower), upper(mesh.upper), row = rowOf(clipFromObject, 3);
-  const double middle = glm::dot(row, 0.5 * (lower + upper)) + clipFromObject[3][3];
-  return std::max(middle - glm::dot(glm::abs(row), 0.5 * (upper - lower)), nearestViewW(clipFromObject));
+struct Box {
+  glm::dvec3 middle, half;
+};
+
+/// Lower bound of clip w of the box's visible points; 0 if unknown.
+double nearestW(const Box& box, const glm::dmat4& clipFromObject) {
+  const glm::dvec3 row = rowOf(clipFromObject, 3);
+  const double middle = glm::dot(row, box.middle) + clipFromObject[3][3];
+  return std::max(middle - glm::dot(glm::abs(row), box.half), nearestViewW(clipFromObject));
+}
+
+Box boxOf(const scene::Mesh& mesh) {
+  const glm::dvec3 lower(mesh.lower), upper(mesh.upper);
+  return {0.5 * (lower + upper), 0.5 * (upper - lower)};
+}
+
+Box placed(const Box& box, const glm::dmat4& matrix) {
+  Box result{glm::dvec3(matrix * glm::dvec4(box.middle, 1)), glm::dvec3(0)};
+  for (int c = 0; c < 3; ++c) result.half += glm::abs(glm::dvec3(matrix[c])) * box.half[c];
+  return result;
 }
 
 /// A triangle that is clipped by six planes, each of which adds at most one corner.
@@ -76,13 +91,28 @@ bool isBeyondFloats(const scene::Mesh& mesh) {
 
 }  // namespace
 
+bool RayPrecision::isFarFromOrigin(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
+                                   glm::ivec2 viewport, const glm::dmat4& objectFromMesh) {
+  constexpr double kFar = 8;  // half diagonals
+  const Box box = placed(boxOf(mesh), objectFromMesh);
+  if (!(glm::length(box.middle) > kFar * glm::length(box.half))) return false;
+  // A clip coordinate is a sum of products, each of which is rounded.
+  const auto summed = [&](int row) {
+    return glm::dot(glm::abs(rowOf(clipFromObject, row)), glm::abs(box.middle)) +
+           std::abs(clipFromObject[3][row]);
+  };
+  const double w = summed(3);
+  const double rounded = 0.5 * std::max((summed(0) + w) * viewport.x, (summed(1) + w) * viewport.y);
+  return !(kRounding * rounded < kMaxPixels * nearestW(box, clipFromObject));
+}
+
 bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject,
                               glm::ivec2 viewport) {
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
   if (isBeyondFloats(mesh)) return true;
   const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // pixels of error where w is 1
   const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMaxPixels * w); };
-  const double least = nearestW(mesh, clipFromObject);
+  const double least = nearestW(boxOf(mesh), clipFromObject);
   if (!tooLarge(glm::length(glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower)), least)) return false;
   for (const Large& large : largestOf(mesh)) {
     if (!tooLarge(large.size, least)) return false;  // the rest are smaller

@@ -19,6 +19,13 @@ class RayPrecision {
   /// largest triangles.
   bool isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport);
 
+  /// Whether the mesh is so far from the origin of its space that the roundings of single precision move it
+  /// by a tenth of a pixel or more: OpenGL transforms its vertices with such roundings, and rays meet them
+  /// with others. `objectFromMesh` places the mesh (an instance); `clipFromObject` is what the program
+  /// multiplies the placed vertices by.
+  static bool isFarFromOrigin(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport,
+                              const glm::dmat4& objectFromMesh = glm::dmat4(1));
+
   static constexpr size_t kMaxExamined = 64;
 
  private:

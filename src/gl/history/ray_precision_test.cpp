@@ -34,6 +34,34 @@ TEST(RayPrecision, MeshesBeyondTheRangeOfFloatsAreMissed) {
   for (const double size : {1e-20, 1e-13, 1e12, 1e20}) EXPECT_TRUE(isRefused(size)) << size;
 }
 
+/// A triangle of unit size at (far, far, 0), which the matrix brings back to the middle.
+TEST(RayPrecision, RoundingsOfFarVerticesShowInTheWindow) {
+  const auto isFar = [&](double far, double scale) {
+    const auto at = static_cast<float>(far);
+    const scene::MeshPtr mesh = test::meshOf({{at - 1, at, 0}, {at + 1, at, 0}, {at, at + 1, 0}});
+    const glm::dmat4 matrix = glm::scale(kParallel, glm::dvec3(scale));
+    return RayPrecision::isFarFromOrigin(*mesh, glm::translate(matrix, {-far, -far, 0}), kRaysViewport);
+  };
+  EXPECT_FALSE(isFar(0, 1));
+  EXPECT_FALSE(isFar(1e3, 1));
+  for (const double far : {1e6, 4e6, 1e7}) EXPECT_TRUE(isFar(far, 1)) << far;
+  EXPECT_FALSE(isFar(1e6, 1e-3)) << "a thousandth of the size has a thousandth of the error";
+  // A surface that reaches from its origin to there is judged by its size (isTooLarge).
+  const scene::MeshPtr wide = test::meshOf({{0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e6f, 0}});
+  EXPECT_FALSE(RayPrecision::isFarFromOrigin(*wide, kParallel, kRaysViewport));
+}
+
+TEST(RayPrecision, InstancesThatArePlacedFarAwayAreRoundedThere) {
+  const scene::MeshPtr mesh = square(1);
+  const auto isFar = [&](double far) {
+    const glm::dmat4 placed = glm::translate(glm::dmat4(1), {far, 0, 0});
+    return RayPrecision::isFarFromOrigin(*mesh, glm::inverse(placed) * glm::dmat4(1), kRaysViewport, placed);
+  };
+  EXPECT_FALSE(isFar(0));
+  EXPECT_FALSE(isFar(100));
+  EXPECT_TRUE(isFar(1e6));
+}
+
 TEST(RayPrecision, DependsOnTheNearestVisiblePoint) {
   RayPrecision precision;
   const glm::dmat4 projection = glm::perspective(0.8, 1.5, 0.1, 1e7);
