@@ -116,6 +116,7 @@ struct Mesh {
   Attribute triangleNumbers;
   glm::vec3 lower{0}, upper{0};          // bounds of the finite vertices, object space
   bool opaqueColors = true;              // every vertex colour has alpha 1 (or there are none)
+  bool moderate = true;                  // no normal, colour or texture coordinate is NaN or beyond 1e15
   size_t sizeBytes = 0;                  // memory this mesh owns, without the program's buffers
   std::shared_ptr<Residence> residence;  // null: the arrays are in memory
 

@@ -62,10 +62,11 @@ void Encoding::writePage(const scene::Mesh& mesh) {
 }
 
 void Encoding::write(const scene::Mesh& mesh) {
-  // Neither the identity of the geometry nor the bytes that it takes: the receiver has its own.
+  // Neither the identity of the geometry nor the bytes that it takes: the receiver has its own. Meshes that
+  // are not moderate are never traced.
   auto& [geometryId, shape, triangleCount, vertexCount, positions, indices, radii, axes, ends, radius,
          normals, colors, texcoords, texcoordsAbove, secondaryColors, fogCoords, materials, triangleNumbers,
-         lower, upper, opaqueColors, sizeBytes, residence] = mesh;
+         lower, upper, opaqueColors, moderate, sizeBytes, residence] = mesh;
   (*this)(residence != nullptr);
   if (residence) return writePage(mesh);
   (*this)(shape, triangleCount, vertexCount, radius, lower, upper, opaqueColors);

@@ -3,6 +3,7 @@
 #include "parallel/loops.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -50,11 +51,45 @@ Hash128 geometryIdentity(const scene::Mesh& mesh) {
   return identityOf(hashes, mesh.triangleCount);
 }
 
+uint32_t componentsOf(scene::Format format) {
+  switch (format) {
+    case scene::Format::float1: return 1;
+    case scene::Format::float2: return 2;
+    case scene::Format::float3: return 3;
+    case scene::Format::float4: return 4;
+    default: return 0;
+  }
+}
+
 bool allOpaque(const scene::Attribute& colors, uint32_t count) {
   if (!colors || colors.format == scene::Format::float3) return true;
   for (uint32_t i = 0; i < count; ++i)
     if (scene::fetch(colors, i).a != 1.0f) return false;
   return true;
+}
+
+/// Whether no component of the elements is NaN, infinite, or so large that its square may be.
+bool isModerate(const scene::Attribute& a, size_t count) {
+  constexpr uint32_t kMagnitude = 0x7fffffffu, kLimit = std::bit_cast<uint32_t>(1e15f);
+  const uint32_t components = componentsOf(a.format);
+  if (components == 0) return true;
+  const auto largest = [&](size_t first, size_t last, uint32_t most) {
+    for (size_t i = first; i < last; ++i) {
+      const auto* bits = reinterpret_cast<const uint32_t*>(a.data + i * a.stride);
+      for (uint32_t c = 0; c < components; ++c) most = std::max(most, bits[c] & kMagnitude);
+    }
+    return most;
+  };
+  const auto larger = [](uint32_t x, uint32_t y) { return std::max(x, y); };
+  return reducePieces(count, kBoundsGrain, uint32_t{0}, largest, larger) <= kLimit;
+}
+
+bool areModerate(const scene::Mesh& mesh) {
+  const size_t count = mesh.vertexCount;
+  for (const scene::Attribute* a :
+       {&mesh.normals, &mesh.colors, &mesh.texcoords, &mesh.secondaryColors, &mesh.fogCoords, &mesh.axes})
+    if (!isModerate(*a, count)) return false;
+  return std::ranges::all_of(mesh.texcoordsAbove, [&](const auto& a) { return isModerate(a, count); });
 }
 
 }  // namespace
@@ -71,6 +106,7 @@ void finishMesh(scene::Mesh& mesh, const SurfaceFacts* facts) {
   if (bounds.lower.x <= bounds.upper.x) mesh.lower = bounds.lower, mesh.upper = bounds.upper;
   mesh.geometryId = known ? facts->identity : geometryIdentity(mesh);
   mesh.opaqueColors = allOpaque(mesh.colors, mesh.vertexCount);
+  mesh.moderate = areModerate(mesh);
 }
 
 }  // namespace gluray::gl

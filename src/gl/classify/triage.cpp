@@ -170,6 +170,7 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
   if (known.homogeneous) return Reason::homogeneous;
   if (!known.mesh) return Reason::lines;  // with adjacent vertices
   if (isFarAway(*known.mesh)) return Reason::farAway;
+  if (!known.mesh->moderate) return Reason::notFinite;
   const State& state = p_.shadow.state;
   const glm::dmat4 clipFromObject = state.projection * state.modelview;
   const glm::ivec2 size(state.viewport.z, state.viewport.w);

@@ -115,6 +115,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (known.mesh->shape == scene::Shape::sticks && !showsSticks(p_.shadow.real, p_.shadow.state, *known.mesh))
     return Reason::program;
   if (isFarAway(*known.mesh)) return Reason::farAway;
+  if (!known.mesh->moderate) return Reason::notFinite;
   if (offsetsProgramDepth(p_.shadow.state, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.state.program;
   const glm::ivec4& viewport = p_.shadow.state.viewport;

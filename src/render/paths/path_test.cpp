@@ -137,6 +137,26 @@ TEST(Path, PhongSurfacesOfProgramsAreAsBrightAsTheirLocalLook) {
   expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
 }
 
+// A program whose only light is at the viewer gives its normals' matrix alone.
+TEST(Path, LightsAtTheViewerTurnWithTheNormalsOfPrograms) {
+  scene::Snapshot s = test::pathView({test::ballMesh(60)});
+  s.settings.environment.strength = 0;
+  s.settings.path.depth = 1, s.settings.path.samples = 64;
+  s.shadings[0].fragment.model = scene::FragmentShading::Model::phong;
+  s.shadings[0].fragment.lights.resize(1);
+  s.shadings[0].fragment.lights[0].kind = scene::FragmentLight::headlight;
+  s.instances[0].materials[0].front.ambient = {0, 0, 0, 1};
+  s.instances[0].lightingFromObject = glm::mat4(1);
+  for (const glm::dvec3 axis : {glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0), glm::dvec3(1, 2, 3)}) {
+    s.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), 1.8, glm::normalize(axis));
+    s.instances[0].eyeFromObject = s.eyeFromWorld;
+    s.instances[0].normalMatrix = glm::mat3(s.eyeFromWorld);
+    const auto lit = radiances(s);
+    expectEqualPictures(lit, radiances(localLook(s)), 2e-3f);
+    EXPECT_GT(lit.at(16, 16).g, 0.95f) << "what faces the viewer is lit";
+  }
+}
+
 TEST(Path, HighlightsAreThoseOfTheLocalLook) {
   scene::Snapshot s = test::pathView({test::ballMesh(60)});
   s.settings.environment.strength = 0;

@@ -1,6 +1,7 @@
 #include "render/paths/shading_lights.h"
 
 #include "render/lights/relit.h"
+#include "render/local/lighting_space.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +73,7 @@ ShadingLights::ShadingLights(const FrameData& frame)
       counts_[i] = static_cast<uint32_t>(frame.relit->firstSource[frame.shadingOf(i)]);
     if (program)
       lightingFromEye_[i] =
-          glm::mat4(glm::dmat4(instance->lightingFromObject) * glm::inverse(instance->eyeFromObject));
+          glm::mat4(glm::inverse(eyeFromLighting(*instance, *lighting.shading, frame.eyeRays.step)));
   }
 }
 
