@@ -36,7 +36,14 @@ uint64_t newNumber() {
 
 }  // namespace
 
-BatchKey Batch::keyOf(const State& state) {
+scene::PolygonOffset Batch::offsetOf(const PixelState& state) {
+  const RasterState& raster = state.raster;
+  if (!raster.offsetFill) return {};
+  return {raster.offsetFactor, raster.offsetUnits, state.target.offsetUnit, false, state.target.depthFloats};
+}
+
+BatchKey Batch::keyOf(const PixelState& state, const glm::dmat4& projection) {
+  const ViewportState& viewport = state.viewport;
   BatchKey key;
   key.framebuffer = state.target.framebuffer;
   key.drawBuffer = state.target.drawBuffer;
@@ -45,40 +52,38 @@ BatchKey Batch::keyOf(const State& state) {
   key.multisample = state.raster.multisample;
   key.colorWrites = state.raster.colorWrites;
   key.encodes = state.target.encodes;
-  key.projection = state.projection;
-  key.viewport = state.viewport;
-  key.depthNear = state.depthNear, key.depthFar = state.depthFar;
+  key.projection = projection;
+  key.viewport = viewport.box;
+  key.depthNear = viewport.depthNear, key.depthFar = viewport.depthFar;
   constexpr int kLargest = 16384;  // no framebuffer is larger: limits the picture's size for absurd viewports
-  key.region = intersect(state.viewport, {0, 0, kLargest, kLargest});
+  key.region = intersect(viewport.box, {0, 0, kLargest, kLargest});
   if (state.raster.scissorTest) {
     const scene::Region& r = key.region;
-    key.region = intersect({r.x, r.y, r.width, r.height}, state.scissor);
+    key.region = intersect({r.x, r.y, r.width, r.height}, viewport.scissor);
   }
-  if (state.raster.offsetFill)
-    key.offset = {state.raster.offsetFactor, state.raster.offsetUnits, state.target.offsetUnit, false,
-                  state.target.depthFloats};
+  key.offset = offsetOf(state);
   return key;
 }
 
-void Batch::start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame,
-                  scene::LightSampling::Mode mode) {
+void Batch::start(const BatchKey& key, const TargetState& target, const glm::dmat4& modelview,
+                  const Settings& settings, uint64_t frame, scene::LightSampling::Mode mode) {
   key_ = key;
   instancesAt_.clear();
   snapshot_ = memory_.make();
   snapshot_->frame = frame;
-  snapshot_->view = viewOf(key, state.target);
+  snapshot_->view = viewOf(key, target);
   snapshot_->number = newNumber();
   snapshot_->settings = settings;
   snapshot_->lightSampling.mode = mode;
-  snapshot_->camera = {state.projection, state.viewport, state.depthNear, state.depthFar};
+  snapshot_->camera = {key.projection, key.viewport, key.depthNear, key.depthFar};
   // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.
-  if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = state.viewport.y + state.viewport.w;
-  snapshot_->eyeFromWorld = state.modelview;
-  worldFromEye_ = glm::inverse(state.modelview);
+  if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = key.viewport.y + key.viewport.w;
+  snapshot_->eyeFromWorld = modelview;
+  worldFromEye_ = glm::inverse(modelview);
   snapshot_->region = key.region;
   snapshot_->polygonOffset = key.offset;
   snapshot_->encodes = key.encodes;
-  snapshot_->wideColors = state.target.wideColors || key.encodes;
+  snapshot_->wideColors = target.wideColors || key.encodes;
   snapshot_->colorWrites = key.colorWrites;
   snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
   if (key.layers == BatchKey::Layers::drawn) {
@@ -89,26 +94,26 @@ void Batch::start(const BatchKey& key, const State& state, const Settings& setti
     snapshot_->layers = std::move(layers);
   }
   drawn_ = 0;
-  if (key.layers == BatchKey::Layers::factors) return startFactors(state);
+  if (key.layers == BatchKey::Layers::factors) return startFactors(target);
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane is enough.
   if (key.multisample) {
-    snapshot_->samples = state.target.samples;
-    snapshot_->samplePositions = state.target.samplePositions;
+    snapshot_->samples = target.samples;
+    snapshot_->samplePositions = target.samplePositions;
   } else {
     snapshot_->samplePositions = {glm::vec2(0.5f)};
   }
 }
 
 /// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
-void Batch::startFactors(const State& state) {
-  const float slope = state.target.samples > 1 ? scene::kCatcherSlopeToSamples : scene::kCatcherSlope;
+void Batch::startFactors(const TargetState& target) {
+  const float slope = target.samples > 1 ? scene::kCatcherSlopeToSamples : scene::kCatcherSlope;
   constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
   snapshot_->catches = true;
   snapshot_->view ^= kOther;  // what earlier frames know of light is that of the same surfaces
   snapshot_->samplePositions = {glm::vec2(0.5f)};
   const scene::PolygonOffset& own = key_.offset;
-  snapshot_->polygonOffset = {own.factor + slope, own.units + scene::kCatcherUnits, state.target.offsetUnit,
-                              false, state.target.depthFloats};
+  snapshot_->polygonOffset = {own.factor + slope, own.units + scene::kCatcherUnits, target.offsetUnit, false,
+                              target.depthFloats};
   Settings& settings = snapshot_->settings;
   settings.camera.aperture = settings.camera.fNumber = 0;  // the framebuffer's surfaces are sharp
   settings.spp = 1;

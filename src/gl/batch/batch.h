@@ -52,10 +52,13 @@ class Batch {
   scene::Snapshot& unnumbered() { return *snapshot_; }
 
   /// The key of draws in this state. Its region is empty if they could draw no pixel.
-  static BatchKey keyOf(const State& state);
+  static BatchKey keyOf(const PixelState& state, const glm::dmat4& projection);
+  /// The polygon offset of draws in this state.
+  static scene::PolygonOffset offsetOf(const PixelState& state);
 
-  /// Begins a batch; must be empty().
-  void start(const BatchKey& key, const State& state, const Settings& settings, uint64_t frame,
+  /// Begins a batch; must be empty(). `modelview`: of its first surface, with the projection of `key`.
+  void start(const BatchKey& key, const TargetState& target, const glm::dmat4& modelview,
+             const Settings& settings, uint64_t frame,
              scene::LightSampling::Mode mode = scene::LightSampling::Mode::full);
   /// Makes all surfaces of the batch layers. Call before adding the first one.
   void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
@@ -93,7 +96,7 @@ class Batch {
   std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 
  private:
-  void startFactors(const State& state);
+  void startFactors(const TargetState& target);
 
   std::shared_ptr<scene::Snapshot> snapshot_;
   glm::dmat4 worldFromEye_{1};  // of snapshot_

@@ -15,15 +15,23 @@ scene::Instance instanceOf(uint64_t geometry, double x = 0) {
   return instance;
 }
 
-State stateWith(GLenum depthFunc) {
-  State state;
-  state.viewport = {0, 0, 100, 50};
+struct DrawState {
+  TargetState target;
+  RasterState raster;
+  ViewportState viewport;
+  glm::dmat4 projection{1};
+  BatchKey key() const { return Batch::keyOf({target, raster, viewport}, projection); }
+};
+
+DrawState stateWith(GLenum depthFunc) {
+  DrawState state;
+  state.viewport.box = {0, 0, 100, 50};
   state.raster.depthFunc = depthFunc;
   return state;
 }
 
 struct Started : Batch {
-  explicit Started(const State& state) { start(keyOf(state), state, {}, 1); }
+  explicit Started(const DrawState& state) { start(state.key(), state.target, glm::dmat4(1), {}, 1); }
 };
 
 TEST(Batch, LaterOfTwoEqualSurfacesWinsUnderLequalAndEarlierUnderLess) {
@@ -54,7 +62,7 @@ TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
 
 TEST(Batch, ViewsAreOfTheirContextAndWindow) {
   const auto viewOf = [](uint64_t context, uintptr_t window, GLuint framebuffer) {
-    State state = stateWith(GL_LESS);
+    DrawState state = stateWith(GL_LESS);
     state.target.context = context, state.target.drawable = window, state.target.framebuffer = framebuffer;
     Started batch(state);
     batch.add(instanceOf(1), {});
@@ -80,26 +88,26 @@ TEST(Batch, SharesEqualShadings) {
 }
 
 TEST(Batch, RegionIsViewportAndScissorWithinLimits) {
-  State state = stateWith(GL_LESS);
-  EXPECT_EQ(Batch::keyOf(state).region, (scene::Region{0, 0, 100, 50}));
+  DrawState state = stateWith(GL_LESS);
+  EXPECT_EQ(state.key().region, (scene::Region{0, 0, 100, 50}));
   state.raster.scissorTest = true;
-  state.scissor = {90, -5, 100, 10};
-  EXPECT_EQ(Batch::keyOf(state).region, (scene::Region{90, 0, 10, 5}));
-  state.scissor = {200, 0, 10, 10};
-  EXPECT_EQ(Batch::keyOf(state).region.width, 0);
+  state.viewport.scissor = {90, -5, 100, 10};
+  EXPECT_EQ(state.key().region, (scene::Region{90, 0, 10, 5}));
+  state.viewport.scissor = {200, 0, 10, 10};
+  EXPECT_EQ(state.key().region.width, 0);
   state.raster.scissorTest = false;
-  state.viewport = {-2000000000, 0, 2147483647, 2147483647};
-  EXPECT_LE(Batch::keyOf(state).region.width, 16384);
+  state.viewport.box = {-2000000000, 0, 2147483647, 2147483647};
+  EXPECT_LE(state.key().region.width, 16384);
 }
 
 TEST(Batch, StateChangesGiveAnotherKey) {
-  const State base = stateWith(GL_LESS);
-  State offset = base, range = base, projection = base;
+  const DrawState base = stateWith(GL_LESS);
+  DrawState offset = base, range = base, projection = base;
   offset.raster.offsetFill = true, offset.raster.offsetFactor = 1;
-  range.depthFar = 0.5f;
+  range.viewport.depthFar = 0.5f;
   projection.projection[0][0] = 2;
-  for (const State* s : {&offset, &range, &projection}) EXPECT_FALSE(Batch::keyOf(*s) == Batch::keyOf(base));
-  EXPECT_TRUE(Batch::keyOf(stateWith(GL_LESS)) == Batch::keyOf(base));
+  for (const DrawState* s : {&offset, &range, &projection}) EXPECT_FALSE(s->key() == base.key());
+  EXPECT_TRUE(stateWith(GL_LESS).key() == base.key());
 }
 
 }  // namespace

@@ -114,9 +114,9 @@ ProgramDraw captureBuiltInDraw(const RealGl& real, const KnownProgram& known,
   ProgramDraw draw = captureInputs(real, known.program, uniforms);
   auto inputs = std::make_shared<BuiltInInputs>();
   inputs->instance = std::move(instance);
-  State state;
-  readMaterial(real, state);
-  inputs->instance.materials = {state.material};
+  scene::MaterialPair material;
+  readMaterial(real, material);
+  inputs->instance.materials = {material};
   for (GLuint i = 0; i < lightsOf(*known.family); ++i)
     inputs->state.lights.push_back(readLight(real, GL_LIGHT0 + i));
   real.GetFloatv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(inputs->state.globalAmbient));

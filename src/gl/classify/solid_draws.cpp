@@ -37,7 +37,7 @@ double stretchOf(const glm::dmat4& eyeFromObject) {
   return std::cbrt(std::abs(glm::determinant(glm::dmat3(eyeFromObject))));
 }
 
-void setSize(const ShadowState& shadow, scene::Shape shape, const glm::dmat4& eyeFromObject,
+void setSize(ShadowState& shadow, scene::Shape shape, const glm::dmat4& eyeFromObject,
              scene::Impostors& look) {
   const bool points = shape == scene::Shape::balls;
   const Settings& s = shadow.settings;
@@ -45,7 +45,7 @@ void setSize(const ShadowState& shadow, scene::Shape shape, const glm::dmat4& ey
       static_cast<float>(double{points ? s.points.radius : s.lines.radius} * stretchOf(eyeFromObject));
   const float asked = points ? s.points.size : s.lines.width;
   const float pixels = asked > 0 ? asked : programSize(shadow.real, shadow.info.core, points);
-  look.size = glm::vec2(2 * pixels) / glm::vec2(shadow.state.viewport.z, shadow.state.viewport.w);
+  look.size = glm::vec2(2 * pixels) / glm::vec2(shadow.viewport().box.z, shadow.viewport().box.w);
 }
 
 /// The viewer, in homogeneous coordinates of eye space: where lines of sight meet.
@@ -75,50 +75,49 @@ bool isParallel(const glm::dmat4& clipFromEye) {
   return clipFromEye[0].w == 0 && clipFromEye[1].w == 0 && clipFromEye[2].w == 0;
 }
 
-Reason solidReason(const ShadowState& shadow, PrimitiveClass kind) {
-  const State& state = shadow.state;
-  if (state.raster.reason != Reason::traced && !isOfPolygons(state.raster.reason)) return state.raster.reason;
+Reason solidReason(ShadowState& shadow, PrimitiveClass kind) {
+  const RasterState& raster = shadow.raster();
+  if (raster.reason != Reason::traced && !isOfPolygons(raster.reason)) return raster.reason;
   const RealGl& real = shadow.real;
   const bool points = kind == PrimitiveClass::points;
-  const bool blends = state.raster.unlessOpaque != Reason::traced;
+  const bool blends = raster.unlessOpaque != Reason::traced;
   if (blends && isOn(real, points ? GL_POINT_SMOOTH : GL_LINE_SMOOTH)) return Reason::blend;
   if (!points && isOn(real, GL_LINE_STIPPLE)) return Reason::lineStyle;
   const bool ownSize = points && shadow.settings.points.size == 0 && shadow.settings.points.radius == 0;
   if (ownSize && isAttenuated(real)) return Reason::lineStyle;
-  if (!state.textures.empty() || (state.shading.colorSum && !state.shading.lighting))
+  if (!shadow.fixedTextures().empty() || (shadow.shading().colorSum && !shadow.shading().lighting))
     return Reason::lineStyle;
   return Reason::traced;
 }
 
-void makeSolid(const ShadowState& shadow, scene::Instance& instance, scene::Shading& shading) {
-  const State& state = shadow.state;
+void makeSolid(ShadowState& shadow, scene::Instance& instance, scene::Shading& shading) {
   scene::Impostors& look = instance.impostors;
   setSize(shadow, instance.mesh->shape, instance.eyeFromObject, look);
-  look.parallelView = isParallel(state.projection);
+  look.parallelView = isParallel(shadow.projection());
   look.unlit = !shading.lighting;
   for (const glm::dvec4& plane : instance.clipPlanes)
     look.centerPlanes.emplace_back(plane * instance.eyeFromObject);
   instance.clipPlanes.clear();
   instance.cull = scene::CullFace::none;
   instance.lightingFromObject = glm::mat4(instance.eyeFromObject);
-  if (look.unlit) lightFromViewer(state.projection, instance, shading);
+  if (look.unlit) lightFromViewer(shadow.projection(), instance, shading);
 }
 
-Reason programSolidReason(const ShadowState& shadow, PrimitiveClass kind) {
-  const State& state = shadow.state;
-  if (state.raster.reason != Reason::traced && !isOfPolygons(state.raster.reason)) return state.raster.reason;
+Reason programSolidReason(ShadowState& shadow, PrimitiveClass kind) {
+  const RasterState& raster = shadow.raster();
+  if (raster.reason != Reason::traced && !isOfPolygons(raster.reason)) return raster.reason;
   const RealGl& real = shadow.real;
   const bool points = kind == PrimitiveClass::points;
-  const bool blends = state.raster.unlessOpaque != Reason::traced;
+  const bool blends = raster.unlessOpaque != Reason::traced;
   const bool compatible = !shadow.info.core;
   if (blends && (points ? compatible && isOn(real, GL_POINT_SMOOTH) : isOn(real, GL_LINE_SMOOTH)))
     return Reason::blend;
   if (!points && compatible && isOn(real, GL_LINE_STIPPLE)) return Reason::lineStyle;
   const bool ownSize = points && shadow.settings.points.size == 0 && shadow.settings.points.radius == 0;
   if (ownSize && isOn(real, GL_PROGRAM_POINT_SIZE)) return Reason::lineStyle;
-  const scene::Shading& shading = state.program.shading;
+  const scene::Shading& shading = shadow.program().shading;
   if (!shading.textures.empty() || shading.fragment.edges ||
-      shadow.attributes.shape != scene::Shape::triangles || !shadow.attributes.instanceTransform.empty())
+      shadow.attributes().shape != scene::Shape::triangles || !shadow.attributes().instanceTransform.empty())
     return Reason::lineStyle;
   return Reason::traced;
 }
@@ -134,8 +133,8 @@ glm::dmat4 eyeOf(const ProgramState& program) {
 
 }  // namespace
 
-void makeProgramSolid(const ShadowState& shadow, scene::Instance& instance) {
-  const ProgramState& program = shadow.state.program;
+void makeProgramSolid(ShadowState& shadow, scene::Instance& instance) {
+  const ProgramState& program = shadow.program();
   const glm::dmat4 eyeFromObject = eyeOf(program);
   scene::Impostors& look = instance.impostors;
   look = {};

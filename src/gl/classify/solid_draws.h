@@ -12,15 +12,15 @@ namespace gluray::gl {
 bool isParallel(const glm::dmat4& clipFromEye);
 
 /// Why lines or points of fixed function cannot become solids in the current state, or Reason::traced.
-Reason solidReason(const ShadowState& shadow, PrimitiveClass kind);
+Reason solidReason(ShadowState& shadow, PrimitiveClass kind);
 
 /// Completes the instance and shading of a fixed-function draw of solids: their size and, unless the program
 /// lights them, a light at the viewer that shows their shape.
-void makeSolid(const ShadowState& shadow, scene::Instance& instance, scene::Shading& shading);
+void makeSolid(ShadowState& shadow, scene::Instance& instance, scene::Shading& shading);
 
 /// The same two for draws of the current shader program. Programs that light lines give them normals: the
 /// solid's own normals replace those.
-Reason programSolidReason(const ShadowState& shadow, PrimitiveClass kind);
-void makeProgramSolid(const ShadowState& shadow, scene::Instance& instance);
+Reason programSolidReason(ShadowState& shadow, PrimitiveClass kind);
+void makeProgramSolid(ShadowState& shadow, scene::Instance& instance);
 
 }  // namespace gluray::gl

@@ -71,9 +71,9 @@ Reason Triage::ofContext() const {
   if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
-  const State& state = p_.shadow.state;
-  if (state.target.reason != Reason::traced) return state.target.reason;
-  return state.raster.reason == Reason::renderMode ? Reason::renderMode : Reason::traced;
+  if (const Reason reason = p_.shadow.target().reason; reason != Reason::traced) return reason;
+  // Draws by untraced programs, which programs make by the thousand, have not read it back.
+  return p_.shadow.lastRaster().reason == Reason::renderMode ? Reason::renderMode : Reason::traced;
 }
 
 Reason Triage::ofPictures(bool large) const {
@@ -84,75 +84,78 @@ Reason Triage::ofPictures(bool large) const {
 
 Reason Triage::classify(PrimitiveClass kind) const {
   if (const Reason reason = ofContext(); reason != Reason::traced) return reason;
-  const State& state = p_.shadow.state;
+  const RasterState& raster = p_.shadow.raster();
   const bool solid = drawsSolids(p_.shadow.settings, kind);
   if (kind == PrimitiveClass::points && !solid) return Reason::points;
   if (kind == PrimitiveClass::lines && !solid) return Reason::lines;
   // Fixed function clamps colours to [0, 1].
-  if (state.target.wideColors && state.raster.program == 0) return Reason::framebuffer;
+  if (p_.shadow.target().wideColors && raster.program == 0) return Reason::framebuffer;
   if (solid) {
     if (const Reason reason = solidReason(p_.shadow, kind); reason != Reason::traced) return reason;
-  } else if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) {
-    return state.raster.reason;
+  } else if (raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) {
+    return raster.reason;
   }
-  if (state.raster.program != 0) return solid ? Reason::program : ofProgram();
-  if (state.raster.firstVertexProvokes && !state.shading.smooth) return Reason::provokingVertex;
-  if (state.textureReason != Reason::traced) return state.textureReason;
-  if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
+  if (raster.program != 0) return solid ? Reason::program : ofProgram();
+  if (raster.firstVertexProvokes && !p_.shadow.shading().smooth) return Reason::provokingVertex;
+  if (const Reason reason = p_.shadow.textureReason(); reason != Reason::traced) return reason;
+  if (!p_.shadow.modelviewIsInvertible() || !p_.shadow.projectionIsInvertible())
+    return Reason::singularMatrix;
   return ofPictures(false);
 }
 
 /// The program in use may be one that computes what a family describes from gl_Vertex and other inputs of
 /// fixed function. These are read anew for each draw.
 Reason Triage::ofProgram() const {
-  if (readsBuiltIns(p_.shadow.state.program)) p_.shadow.touch(kProgram);
-  p_.shadow.refresh(kProgram | kProgramTextures);
-  const State& state = p_.shadow.state;
-  const ProgramState& program = state.program;
+  ShadowState& shadow = p_.shadow;
+  if (!shadow.isDirty(kProgram | kProgramTextures) && readsBuiltIns(shadow.program())) shadow.touch(kProgram);
+  shadow.refresh(kProgram | kProgramTextures);
+  const ProgramState& program = shadow.program();
+  const RasterState& raster = shadow.raster();
   if (!program.known || !readsBuiltIns(program)) {
     const bool told = program.known && program.reason != Reason::traced;
     return told ? program.reason : Reason::program;
   }
   if (program.reason != Reason::traced) return program.reason;
-  if (state.raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return state.raster.reason;
-  if (state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  if (raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return raster.reason;
+  if (raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   // Only where alpha is clamped to 1 it is that of the colour.
-  if (state.target.wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
-  if (!state.clipPlanes.empty()) return Reason::program;
-  if (!state.modelviewInvertible || !state.projectionInvertible) return Reason::singularMatrix;
+  if (shadow.target().wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
+  if (!shadow.clipPlanes().empty()) return Reason::program;
+  if (!shadow.modelviewIsInvertible() || !shadow.projectionIsInvertible()) return Reason::singularMatrix;
   return ofPictures(false);
 }
 
 bool Triage::isOpaqueByProgram(const scene::Mesh& mesh) const {
-  p_.shadow.state.program.color = glm::make_vec4(p_.shadow.current[kColor]);
-  return drawsOpaque(p_.shadow.state.program, mesh);
+  return drawsOpaque(p_.shadow.program(), mesh, glm::make_vec4(p_.shadow.current[kColor]));
 }
 
 Reason Triage::ofProgramsMesh(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
-  const State& state = p_.shadow.state;
+  const ProgramState& program = p_.shadow.program();
   if (!materials.empty()) return Reason::program;  // programs see them as uniforms
-  if (!hasDefinedColors(mesh, state.program)) return Reason::programValue;
-  const scene::Shading& shading = state.program.shading;
+  if (!hasDefinedColors(mesh, program)) return Reason::programValue;
+  const scene::Shading& shading = program.shading;
   if (!shading.textures.empty() && !hasPlainTexcoords(mesh, p_.shadow.current[kTexCoord0]))
     return Reason::programValue;
-  if (shading.fog.mode != scene::Fog::off && state.program.known->family->fog.absolute &&
-      !isBeforeViewersPlane(mesh, state.modelview))
+  if (shading.fog.mode != scene::Fog::off && program.known->family->fog.absolute &&
+      !isBeforeViewersPlane(mesh, p_.shadow.modelview()))
     return Reason::programValue;
   if (isOpaqueByProgram(mesh)) return Reason::traced;
-  if (state.program.known->family->opaqueColors) return Reason::programValue;
-  return p_.layers.mayBeDrawn() ? Reason::traced : state.raster.unlessOpaque;
+  if (program.known->family->opaqueColors) return Reason::programValue;
+  return p_.layers.mayBeDrawn() ? Reason::traced : p_.shadow.raster().unlessOpaque;
 }
 
 Reason Triage::classify(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
   Reason reason = whereEverythingIsTraced(known, materials);
-  const State& state = p_.shadow.state;
+  ShadowState& shadow = p_.shadow;
   const auto meetsSampled = [&] {
     return !scene::isSolid(known.mesh->shape) &&
-           p_.surfaces.passes.meetsSampled(*known.mesh, state.modelview, state.target.framebuffer,
+           p_.surfaces.passes.meetsSampled(*known.mesh, shadow.modelview(), shadow.target().framebuffer,
                                            isPushedBack());
   };
   if (reason == Reason::traced && meetsSampled()) reason = Reason::passes;
-  const auto place = [&] { return placeOf(state.projection * state.modelview, Batch::keyOf(state).offset); };
+  const auto place = [&] {
+    return placeOf(shadow.projection() * shadow.modelview(), Batch::offsetOf(shadow.pixelState()));
+  };
   if (reason == Reason::traced && p_.surfaces.coplanar.meets(known.mesh, place()))
     reason = Reason::coincident;
   if (reason != Reason::traced) return reason;
@@ -171,46 +174,49 @@ Reason Triage::whereEverythingIsTraced(const KnownMesh& known,
   if (!known.mesh) return Reason::lines;  // with adjacent vertices
   if (isFarAway(*known.mesh)) return Reason::farAway;
   if (!known.mesh->moderate) return Reason::notFinite;
-  const State& state = p_.shadow.state;
-  const glm::dmat4 clipFromObject = state.projection * state.modelview;
-  const glm::ivec2 size(state.viewport.z, state.viewport.w);
+  ShadowState& shadow = p_.shadow;
+  const glm::dmat4 clipFromObject = shadow.projection() * shadow.modelview();
+  const glm::ivec4& viewport = shadow.viewport().box;
+  const glm::ivec2 size(viewport.z, viewport.w);
   if (RayPrecision::isFarFromOrigin(*known.mesh, clipFromObject, size)) return Reason::farFromOrigin;
   if (scene::isSolid(known.mesh->shape)) return ofSolids(*known.mesh, materials);
   SurfaceHistory& surfaces = p_.surfaces;
   if (surfaces.precision.isTooLarge(*known.mesh, clipFromObject, size)) return Reason::tooLarge;
   if (surfaces.passes.several(known.mesh->geometryId) ||
-      surfaces.passes.meetsRasterised(*known.mesh, state.modelview, state.target.framebuffer, isPushedBack()))
+      surfaces.passes.meetsRasterised(*known.mesh, shadow.modelview(), shadow.target().framebuffer,
+                                      isPushedBack()))
     return Reason::passes;
   if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
-  if (state.raster.program != 0) return ofProgramsMesh(*known.mesh, materials);
-  if (state.raster.unlessOpaque == Reason::traced && state.raster.alphaTest == scene::AlphaTest{})
-    return Reason::traced;
+  const RasterState& raster = shadow.raster();
+  if (raster.program != 0) return ofProgramsMesh(*known.mesh, materials);
+  if (raster.unlessOpaque == Reason::traced && raster.alphaTest == scene::AlphaTest{}) return Reason::traced;
   if (isOpaque(*known.mesh, materials)) return Reason::traced;
-  if (state.raster.unlessOpaque != Reason::traced && !p_.layers.mayBeDrawn())
-    return state.raster.unlessOpaque;
+  if (raster.unlessOpaque != Reason::traced && !p_.layers.mayBeDrawn()) return raster.unlessOpaque;
   // OpenGL tests alpha once a pixel, at its centre; with `--shading sample` we test once a sample.
-  const bool perSample = state.raster.multisample && state.target.samples > 1;
+  const bool perSample = raster.multisample && shadow.target().samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;
 }
 
 Reason Triage::ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
-  const State& state = p_.shadow.state;
+  ShadowState& shadow = p_.shadow;
+  const RasterState& raster = shadow.raster();
   // Plans and menus: whether lines lie before or behind others of their depth depends on the order of
   // drawing.
-  if (isParallel(state.projection) && isFlat(mesh, state.projection * state.modelview)) return Reason::flat;
-  const bool tested = state.raster.alphaTest != scene::AlphaTest{};
-  if (tested && state.raster.multisample && state.target.samples > 1) return Reason::alphaTest;
-  return isOpaque(mesh, materials) ? Reason::traced : state.raster.unlessOpaque;
+  if (isParallel(shadow.projection()) && isFlat(mesh, shadow.projection() * shadow.modelview()))
+    return Reason::flat;
+  const bool tested = raster.alphaTest != scene::AlphaTest{};
+  if (tested && raster.multisample && shadow.target().samples > 1) return Reason::alphaTest;
+  return isOpaque(mesh, materials) ? Reason::traced : raster.unlessOpaque;
 }
 
 SurfacePlace Triage::placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const {
-  const State& state = p_.shadow.state;
-  offset.resolution = state.target.depthResolution;
-  return {state.target.framebuffer, state.viewport, clipFromObject, offset};
+  const TargetState& target = p_.shadow.target();
+  offset.resolution = target.depthResolution;
+  return {target.framebuffer, p_.shadow.viewport().box, clipFromObject, offset};
 }
 
 bool Triage::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
-  const RasterState& raster = p_.shadow.state.raster;
+  const RasterState& raster = p_.shadow.raster();
   if (scene::isSolid(mesh.shape)) return false;
   if (raster.reason != Reason::traced) return true;
   if (raster.unlessOpaque == Reason::traced) return false;
@@ -218,26 +224,26 @@ bool Triage::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>&
 }
 
 bool Triage::isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
-  const State& state = p_.shadow.state;
-  const bool vertices = !usesVertexAlpha(state.shading) ||
-                        (mesh.colors ? mesh.opaqueColors : p_.shadow.current[kColor][3] >= 1.0f);
-  const auto opaque = [&](const scene::MaterialPair& m) { return gl::isOpaque(state.shading, m); };
-  return vertices && opaque(state.material) &&
-         std::all_of(
-             materials.begin(), materials.end(),
-             [&](const MaterialChange& change) { return opaque(change.appliedTo(state.material)); }) &&
-         keepOpaque(state.textures);
+  const scene::Shading& shading = p_.shadow.shading();
+  const scene::MaterialPair& material = p_.shadow.material();
+  const bool vertices =
+      !usesVertexAlpha(shading) || (mesh.colors ? mesh.opaqueColors : p_.shadow.current[kColor][3] >= 1.0f);
+  const auto opaque = [&](const scene::MaterialPair& m) { return gl::isOpaque(shading, m); };
+  return vertices && opaque(material) &&
+         std::all_of(materials.begin(), materials.end(),
+                     [&](const MaterialChange& change) { return opaque(change.appliedTo(material)); }) &&
+         keepOpaque(p_.shadow.fixedTextures());
 }
 
 bool Triage::meetsDepth(PrimitiveClass kind) const {
-  const RasterState& raster = p_.shadow.state.raster;
+  const RasterState& raster = p_.shadow.raster();
   const bool tested = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                       raster.depthFunc != GL_ALWAYS && raster.depthFunc != GL_NEVER;
   return kind == PrimitiveClass::surfaces && tested && !p_.failsafe.gone();
 }
 
 bool Triage::leavesDepth(PrimitiveClass kind) const {
-  const RasterState& raster = p_.shadow.state.raster;
+  const RasterState& raster = p_.shadow.raster();
   const bool drawn = raster.reason != Reason::renderMode && raster.reason != Reason::noDepthTest &&
                      raster.depthFunc != GL_EQUAL && raster.depthFunc != GL_NEVER;
   return kind == PrimitiveClass::surfaces && drawn && raster.writesDepth && !p_.failsafe.gone() &&
@@ -245,7 +251,7 @@ bool Triage::leavesDepth(PrimitiveClass kind) const {
 }
 
 bool Triage::isPushedBack() const {
-  const RasterState& raster = p_.shadow.state.raster;
+  const RasterState& raster = p_.shadow.raster();
   const scene::PolygonOffset offset{.factor = raster.offsetFactor, .units = raster.offsetUnits};
   return raster.offsetFill && raster.reason != Reason::polygonMode && offset.pushesBack();
 }

@@ -37,7 +37,7 @@ class Triage {
   /// for draws that are too large for the real OpenGL: call it again for these, with `large`.
   Reason ofPictures(bool large) const;
   /// Why a draw of fixed function's vertices, by fixed function or by a program, cannot be traced now, if it
-  /// is of this primitive class, or Reason::traced. Call refresh(kDrawGroups) before.
+  /// is of this primitive class, or Reason::traced.
   Reason classify(PrimitiveClass kind) const;
   /// The same for a surface with this mesh, after classify(kind).
   Reason classify(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);

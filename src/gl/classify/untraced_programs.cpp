@@ -9,13 +9,12 @@
 namespace gluray::gl {
 
 GLuint UntracedPrograms::nameInUse() const {
-  return shadow_.dirty & kRaster ? shadow_.program.name() : shadow_.state.raster.program;
+  return shadow_.isDirty(kRaster) ? shadow_.currentProgram.name() : shadow_.raster().program;
 }
 
 bool UntracedPrograms::isPipeline() {
   if (nameInUse() != 0) return false;
-  if (!shadow_.state.rare.asked) shadow_.refresh(kTarget);
-  return programPipeline(shadow_.real, shadow_.state.rare.pipelines) != 0;
+  return programPipeline(shadow_.real, shadow_.rare().pipelines) != 0;
 }
 
 Reason UntracedPrograms::inUse() {

@@ -31,7 +31,7 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
 
 DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& e) {
   const uint64_t impostors = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
-  if (c.shadow.program.drawsImpostors(mode)) return {pathOf(e), PrimitiveClass::surfaces, impostors};
+  if (c.shadow.currentProgram.drawsImpostors(mode)) return {pathOf(e), PrimitiveClass::surfaces, impostors};
   return {pathOf(e), kindOf(mode), trianglesOf(mode, e)};
 }
 

@@ -34,18 +34,18 @@ constexpr GLsizei kSmall = 192;  // most vertices of a draw that joins a run ins
 
 /// Records a draw in a list. Its arrays are read now, as display lists demand (GL 2.1, 5.4).
 Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
-  c.shadow.refresh(kFixedArrays);
   // Without a position array the draw may use the current position: the real OpenGL decides.
-  if (e.instances >= 0 || c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced ||
-      mode > GL_POLYGON || !c.shadow.arrays.vertex.enabled) {
+  if (e.instances >= 0 || c.shadow.arrays().others || c.shadow.arrays().reason != Reason::traced ||
+      mode > GL_POLYGON || !c.shadow.arrays().vertex.enabled) {
     c.shadow.sendBuffers();
     return c.lists.recordFragment([&] { drawReal(c.real, mode, e); }), Fate::recordedBelow;
   }
   if (e.count <= kSmall)
-    return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e)), Fate::joinedRun;
+    return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays(), e), pathOf(e)),
+           Fate::joinedRun;
   std::unique_ptr<ListOp> op;
   const Reason captured = c.failsafe.attempt([&] {
-    CapturedVertices run = capture(c.real, c.shadow.arrays, mode, e);
+    CapturedVertices run = capture(c.real, c.shadow.arrays(), mode, e);
     if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.shadow.sharedGroup);
     return Reason::traced;
   });
@@ -61,11 +61,11 @@ namespace {
 
 /// Adds a small draw to the open run of vertices, if it can be traced. False: nothing was done.
 bool joinsRun(Context& c, GLenum mode, const Elements& e) {
-  const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays.reason == Reason::traced &&
-                     c.shadow.arrays.vertex.enabled;
+  const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays().reason == Reason::traced &&
+                     c.shadow.arrays().vertex.enabled;
   if (!plain || e.count > kSmall || c.triage.classify(classOf(mode)) != Reason::traced) return false;
   const Reason joined = c.failsafe.attempt([&] {
-    c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays, e), pathOf(e));
+    c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays(), e), pathOf(e));
     return Reason::traced;
   });
   return joined == Reason::traced;
@@ -90,7 +90,7 @@ Fate drawByFixedFunction(Context& c, GLenum mode, const Elements& e) {
 Fate drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.shadow.refresh(kProgramGroups);
   c.immediate.closeRunIfOpen();
-  if (passOf(c.shadow.state.program) == Family::Pass::peelDepths &&
+  if (passOf(c.shadow.program()) == Family::Pass::peelDepths &&
       c.protect([&] { return c.layers.holdDepths(mode, e, trianglesOf(mode, e)); }))
     return Fate::heldPass;
   if (c.layers.drawsNothing()) return Fate::leftOutPass;
@@ -112,8 +112,7 @@ Fate draw(Context& c, GLenum mode, const Elements& e) {
   }
   c.passthrough.works();
   if (drawUntraced(c, mode, e)) return Fate::untraced;
-  c.shadow.refresh(kRaster);
-  const bool program = c.shadow.state.raster.program != 0 || c.info().core;
+  const bool program = c.shadow.raster().program != 0 || c.info().core;
   return program ? drawByProgram(c, mode, e) : drawByFixedFunction(c, mode, e);
 }
 

@@ -19,9 +19,8 @@ void blit(Context& c, Blit b) {
                       c.shadow.settings.quirks.has(Quirk::softwareDepthBlit) && c.shadow.activeQueries == 0 &&
                       c.shadow.isSoftwareBelow();
   if (copies) {
-    if (!c.shadow.state.rare.asked) c.shadow.refresh(kTarget);
     c.errors.keepPending();
-    const DebugSilence silence(real, c.shadow.state.rare.debugOutput);
+    const DebugSilence silence(real, c.shadow.rare().debugOutput);
     if (isDepthCopy(real, c.shadow.images, b, c.shadow.group.stencilsSet) && copyDepth(real, b)) {
       b.mask &= ~GLbitfield{GL_DEPTH_BUFFER_BIT};
       noteUse(Quirk::softwareDepthBlit);

@@ -81,14 +81,14 @@ namespace {
 /// Sends single vertices of the enabled arrays through attribute calls.
 class ElementSender {
  public:
-  explicit ElementSender(const ShadowState& s)
-      : normal_(s.real, s.arrays.normal),
-        color_(s.real, s.arrays.color),
-        secondaryColor_(s.real, s.arrays.secondaryColor),
-        fogCoord_(s.real, s.arrays.fogCoord),
-        texcoord_(s.real, s.arrays.texcoord),
-        vertex_(s.real, s.arrays.vertex) {
-    for (const ArraySource& source : s.arrays.texcoordsAbove) texcoordsAbove_.emplace_back(s.real, source);
+  ElementSender(const RealGl& real, const ArrayState& arrays)
+      : normal_(real, arrays.normal),
+        color_(real, arrays.color),
+        secondaryColor_(real, arrays.secondaryColor),
+        fogCoord_(real, arrays.fogCoord),
+        texcoord_(real, arrays.texcoord),
+        vertex_(real, arrays.vertex) {
+    for (const ArraySource& source : arrays.texcoordsAbove) texcoordsAbove_.emplace_back(real, source);
   }
 
   void operator()(uint32_t i) const {
@@ -121,9 +121,8 @@ void arrayElement(Context& c, GLint i) {
     c.shadow.sendBuffers();
     return c.real.ArrayElement(i);
   }
-  c.shadow.refresh(kFixedArrays);
   // We do not read these arrays: the real OpenGL takes over the primitive.
-  if (c.shadow.arrays.others || c.shadow.arrays.reason != Reason::traced) {
+  if (c.shadow.arrays().others || c.shadow.arrays().reason != Reason::traced) {
     if (!c.immediate.insideBegin() && c.lists.compiling()) {
       c.shadow.sendBuffers();
       return c.lists.recordFragment([&] { c.real.ArrayElement(i); });
@@ -135,13 +134,13 @@ void arrayElement(Context& c, GLint i) {
     c.touch(kCurrent);
     return c.real.ArrayElement(i);
   }
-  const ElementSender send(c.shadow);
+  const ElementSender send(c.real, c.shadow.arrays());
   send(static_cast<uint32_t>(i));
 }
 
 void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, DrawPath path) {
   // Array draws leave the current attributes unchanged.
-  const SlotMask slots = slotsOf(p_.shadow.arrays) & ~bit(kPosition);
+  const SlotMask slots = slotsOf(p_.shadow.arrays()) & ~bit(kPosition);
   SlotValues before = p_.shadow.current.all();
   for (int s = kNormal; s < kSlotCount; ++s)
     if (slots & bit(static_cast<Slot>(s)))
@@ -149,7 +148,7 @@ void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, Dr
                   sizeOf(static_cast<Slot>(s)) * 4);
   begin(mode);
   if (stream_.empty()) path_ = path;
-  const ElementSender send(p_.shadow);
+  const ElementSender send(p_.shadow.real, p_.shadow.arrays());
   for (const uint32_t i : vertices) send(i);
   end();
   for (int s = kNormal; s < kSlotCount; ++s)

@@ -7,33 +7,31 @@
 namespace gluray::gl {
 
 bool FixedArraysDraw::hasKnownVertices() const {
-  return c_.shadow.arrays.vertex.enabled && elements_.instances < 0;
+  return c_.shadow.arrays().vertex.enabled && elements_.instances < 0;
 }
 
 Reason FixedArraysDraw::classifyState() {
   if (!hasKnownVertices()) return Reason::arrayState;
   if (mode_ > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
   const Reason reason = c_.triage.classify(classOf(mode_));
-  return reason == Reason::traced ? c_.shadow.arrays.reason : reason;
+  return reason == Reason::traced ? c_.shadow.arrays().reason : reason;
 }
 
-KnownMesh FixedArraysDraw::mesh() { return meshOf(c_, c_.shadow.arrays, mode_, elements_); }
+KnownMesh FixedArraysDraw::mesh() { return meshOf(c_, c_.shadow.arrays(), mode_, elements_); }
 
 Reason FixedArraysDraw::classifyMesh(const KnownMesh& mesh) { return c_.triage.classify(mesh, {}); }
 
 Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
-  c_.filler.add(mesh.mesh, slotsOf(c_.shadow.arrays), {});
+  c_.filler.add(mesh.mesh, slotsOf(c_.shadow.arrays()), {});
   c_.counts.traced(pathOf(elements_), mesh.mesh->triangleCount);
   return Reason::traced;
 }
 
 void FixedArraysDraw::meetPasses(PrimitiveClass primitive, Reason reason) {
-  c_.shadow.refresh(kModelview);
   if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.passUnseen(primitive, reason);
-  c_.shadow.refresh(kFixedArrays);
-  if (!c_.shadow.arrays.vertex.enabled || c_.shadow.arrays.reason != Reason::traced) return;
+  if (!c_.shadow.arrays().vertex.enabled || c_.shadow.arrays().reason != Reason::traced) return;
   c_.raster.meetPasses(
-      primitive, reason, [&] { return sampleTriangles(c_.real, c_.shadow.arrays, mode_, elements_); },
+      primitive, reason, [&] { return sampleTriangles(c_.real, c_.shadow.arrays(), mode_, elements_); },
       [&] { return mesh(); });
 }
 

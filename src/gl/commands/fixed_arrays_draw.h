@@ -14,7 +14,6 @@ class FixedArraysDraw final : public DrawRequest {
   FixedArraysDraw(Context& context, GLenum mode, const Elements& elements)
       : c_(context), mode_(mode), elements_(elements) {}
 
-  /// Call refresh(kDrawGroups | kFixedArrays) before.
   Reason classifyState() override;
   KnownMesh mesh() override;
   Reason classifyMesh(const KnownMesh& mesh) override;

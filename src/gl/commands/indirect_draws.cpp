@@ -122,7 +122,7 @@ std::vector<Elements> readCommands(Context& c, const IndirectDraws& d) {
 /// What the draws are; none where their arrays are not in buffers.
 std::optional<std::vector<Elements>> describe(Context& c, const IndirectDraws& d) {
   c.shadow.refresh(kProgramGroups);
-  if (!readsBuffers(c.shadow.attributes, d)) return std::nullopt;
+  if (!readsBuffers(c.shadow.attributes(), d)) return std::nullopt;
   return readCommands(c, d);
 }
 
@@ -133,7 +133,7 @@ bool mayMeetPasses(Context& c) {
 }
 
 void meetPasses(Context& c, GLenum mode, const std::vector<Elements>& all) {
-  if (c.shadow.state.raster.program == 0) return;
+  if (c.shadow.raster().program == 0) return;
   c.protect([&] {
     for (const Elements& e : all)
       if (e.count > 0 && e.instances > 0) c.programs.meetPasses(kindOf(mode), mode, e);

@@ -9,7 +9,7 @@ namespace gluray::gl {
 namespace {
 
 Reason classifyPass(Context& c, PrimitiveClass primitive) {
-  switch (layersOf(c.shadow.state.program)) {
+  switch (layersOf(c.shadow.program())) {
     case BatchKey::Layers::peeled: return c.layers.triagePeel(primitive);
     case BatchKey::Layers::summed: return c.layers.triageSum(primitive);
     case BatchKey::Layers::none:
@@ -26,28 +26,28 @@ ProgramArraysDraw::ProgramArraysDraw(Context& context, GLenum mode, const Elemen
       mode_(mode),
       elements_(elements),
       fixed_(context, mode, elements),
-      takesFixed_(readsBuiltIns(context.shadow.state.program)),
-      sentBillboards_(context.shadow.attributes.sentBillboards &&
+      takesFixed_(readsBuiltIns(context.shadow.program())),
+      sentBillboards_(context.shadow.attributes().sentBillboards &&
                       (mode == GL_TRIANGLES || mode == GL_QUADS)) {}
 
 Reason ProgramArraysDraw::classifyState() {
   if (takesFixed_) {
     c_.shadow.refresh(kDrawGroups | kFixedArrays);
     // Attribute 0 takes the place of gl_Vertex.
-    return c_.shadow.attributes.generic.empty() ? fixed_.classifyState() : Reason::arrayState;
+    return c_.shadow.attributes().generic.empty() ? fixed_.classifyState() : Reason::arrayState;
   }
   if (mode_ > GL_POLYGON) return Reason::program;
-  const bool impostors = sentBillboards_ || c_.shadow.program.drawsImpostors(mode_);
+  const bool impostors = sentBillboards_ || c_.shadow.currentProgram.drawsImpostors(mode_);
   Reason reason = classifyPass(c_, impostors ? PrimitiveClass::surfaces : classOf(mode_));
   if (reason == Reason::traced && impostors) reason = c_.programs.triageImpostors();
   if (reason != Reason::traced) return reason;
   // A program that expects impostors draws surfaces in a way that is unknown.
-  const bool odd = !impostors && c_.shadow.attributes.shape != scene::Shape::triangles;
+  const bool odd = !impostors && c_.shadow.attributes().shape != scene::Shape::triangles;
   return odd ? Reason::program : Reason::traced;
 }
 
 KnownMesh ProgramArraysDraw::mesh() {
-  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.attributes, mode_, elements_);
+  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.attributes(), mode_, elements_);
 }
 
 uint64_t ProgramArraysDraw::shown(const KnownMesh& known) const {

@@ -6,7 +6,6 @@ namespace gluray::gl {
 
 class ProgramArraysDraw final : public DrawRequest {
  public:
-  /// Call refresh(kProgramGroups) before.
   ProgramArraysDraw(Context& context, GLenum mode, const Elements& elements);
 
   Reason classifyState() override;

@@ -24,8 +24,8 @@ bool isWanted(const Settings& settings) {
   return settings.light.rasterised && settings.look == Look::program && scene::wantsLight(settings);
 }
 
-bool isClipped(const ShadowState& shadow) {
-  if (!shadow.state.clipPlanes.empty()) return true;
+bool isClipped(ShadowState& shadow) {
+  if (!shadow.clipPlanes().empty()) return true;
   for (GLenum i = 0; i < kClipDistances; ++i)
     if (isOn(shadow.real, GL_CLIP_DISTANCE0 + i)) return true;
   return false;
@@ -33,17 +33,17 @@ bool isClipped(const ShadowState& shadow) {
 
 /// Whether the draw may have written less than colours and depth. Fragments that it left out are found by
 /// their depth, unless the framebuffer is multisampled.
-LightReason litState(const ShadowState& shadow, GLenum mode, const Elements& e) {
+LightReason litState(ShadowState& shadow, GLenum mode, const Elements& e) {
   if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return LightReason::instanced;
   if (const CullReason reason = cullableState(shadow, mode); reason != CullReason::culled)
     return lightReason(reason);
-  const RasterState& raster = shadow.state.raster;
+  const RasterState& raster = shadow.raster();
   if (raster.isReversed()) return LightReason::depthFunc;
   if (!raster.colorWrites.all()) return LightReason::colorMask;
   const bool stippled = raster.butDepthFunc == Reason::polygonStipple;
-  if (shadow.state.target.samples > 1 && (stippled || raster.alphaTest != scene::AlphaTest{}))
+  if (shadow.target().samples > 1 && (stippled || raster.alphaTest != scene::AlphaTest{}))
     return stippled ? LightReason::polygonStipple : LightReason::alphaTest;
-  if (shadow.state.target.encodes) return LightReason::framebuffer;
+  if (shadow.target().encodes) return LightReason::framebuffer;
   return isClipped(shadow) ? LightReason::clipDistances : LightReason::lit;
 }
 
@@ -73,22 +73,20 @@ std::optional<BatchKey> likelyKey(const PendingBatch& pending, bool paths) {
 
 void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject) {
   const bool paths = scene::wantsPaths(c.shadow.settings);
-  State& state = c.shadow.state;
-  state.projection = clipFromObject;
-  c.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
-  BatchKey key = Batch::keyOf(state);
+  BatchKey key = Batch::keyOf(c.shadow.pixelState(), clipFromObject);
   key.layers = BatchKey::Layers::factors;
   key.depthFunc = GL_LEQUAL;
   c.filler.clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0) return;
   const std::optional<BatchKey> there = likelyKey(c.pending, paths);
-  c.filler.factor(clipFromObject, reachOf(*mesh), there ? &*there : nullptr, key, !paths);
-  if (!paths && !c.filler.open(key)) return;
+  const glm::dmat4 modelview =
+      c.filler.factor(clipFromObject, reachOf(*mesh), there ? &*there : nullptr, key, !paths);
+  if (!paths && !c.filler.open(key, modelview)) return;
   scene::Instance instance;
   instance.mesh = mesh;
-  instance.eyeFromObject = state.modelview;
-  instance.cull = state.raster.cull;
-  instance.frontFaceCcw = state.raster.frontFaceCcw;
+  instance.eyeFromObject = modelview;
+  instance.cull = c.shadow.raster().cull;
+  instance.frontFaceCcw = c.shadow.raster().frontFaceCcw;
   scene::Shading shading;
   if (paths) {
     makeUnlit(instance, shading);
@@ -107,8 +105,7 @@ LightReason light(Context& c, GLenum mode, const Elements& e) {
   if (const CullReason reason = c.culled.source(mode, e, from); reason != CullReason::culled)
     return lightReason(reason);
   if (!from.position.terms.empty()) return LightReason::instanced;
-  if (from.program && from.program->discards() && shadow.state.target.samples > 1)
-    return LightReason::leavesOut;
+  if (from.program && from.program->discards() && shadow.target().samples > 1) return LightReason::leavesOut;
   const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();
   if (!from.positions->enabled || restarts) return LightReason::arrayState;
   ArrayState positions;
@@ -122,7 +119,7 @@ LightReason light(Context& c, GLenum mode, const Elements& e) {
   if (isFarAway(*known.mesh)) return LightReason::farAway;
   const glm::dmat4& matrix = from.matrix.clipFromObject;
   if (!isInvertible(matrix)) return LightReason::singularMatrix;
-  const glm::ivec4& viewport = shadow.state.viewport;
+  const glm::ivec4& viewport = shadow.viewport().box;
   const glm::ivec2 size(viewport.z, viewport.w);
   if (RayPrecision::isFarFromOrigin(*known.mesh, matrix, size)) return LightReason::farFromOrigin;
   if (c.surfaces.precision.isTooLarge(*known.mesh, matrix, size)) return LightReason::tooLarge;

@@ -14,9 +14,9 @@ namespace {
 constexpr size_t kMaxMatrices = 8;
 
 /// The identity, and the values of the program's matrices of four columns and rows.
-std::vector<glm::mat4> matricesOf(const ShadowState& shadow) {
+std::vector<glm::mat4> matricesOf(ShadowState& shadow) {
   std::vector<glm::mat4> matrices{glm::mat4(1)};
-  const ProgramState& state = shadow.state.program;
+  const ProgramState& state = shadow.program();
   if (!state.known) return matrices;
   const UniformValuesPtr values =
       state.uniforms ? state.uniforms : readUniforms(shadow.real, state.known->program);
@@ -54,10 +54,10 @@ glm::ivec4 rectangleOf(const std::vector<glm::vec4>& points, const glm::ivec4& v
   return {from, to - from};
 }
 
-std::vector<glm::ivec4> placesOf(const ShadowState& shadow, const Elements& e) {
+std::vector<glm::ivec4> placesOf(ShadowState& shadow, const Elements& e) {
   std::vector<glm::ivec4> places;
   const bool quad = !e.type && e.instances < 0 && (e.count == 4 || e.count == 6);
-  if (!quad || shadow.state.target.framebuffer != 0) return places;
+  if (!quad || shadow.target().framebuffer != 0) return places;
   const std::vector<glm::mat4> matrices = matricesOf(shadow);
   const auto add = [&](const ArraySource& source) {
     if (!source.enabled || !isReadable(source) || source.size < 2 || isForeign(source)) return;
@@ -71,13 +71,13 @@ std::vector<glm::ivec4> placesOf(const ShadowState& shadow, const Elements& e) {
         reader.read(first + i, p);
         points.push_back(matrix * glm::vec4(p[0], p[1], p[2], p[3]));
       }
-      const glm::ivec4 place = rectangleOf(points, shadow.state.viewport);
+      const glm::ivec4 place = rectangleOf(points, shadow.viewport().box);
       if (place.z > 0 && std::find(places.begin(), places.end(), place) == places.end())
         places.push_back(place);
     }
   };
-  shadow.attributes.forEach(add);
-  for (const ArraySource& source : shadow.attributes.generic) add(source);
+  shadow.attributes().forEach(add);
+  for (const ArraySource& source : shadow.attributes().generic) add(source);
   return places;
 }
 

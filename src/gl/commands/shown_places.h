@@ -13,8 +13,8 @@ namespace gluray::gl {
 /// Rectangles of the window that a draw of a shader program may fill: x and y from the lower left corner,
 /// width and height in pixels. One for each of its arrays, as it is and moved by each of its matrices, if
 /// that gives the corners of a rectangle. Empty for draws of other than four or six vertices, and into
-/// framebuffer objects. Requires refresh(kProgramGroups).
-std::vector<glm::ivec4> placesOf(const ShadowState& shadow, const Elements& elements);
+/// framebuffer objects.
+std::vector<glm::ivec4> placesOf(ShadowState& shadow, const Elements& elements);
 
 /// The rectangle that four or six points fill, each of which is at one of its corners; {0, 0, 0, 0}: none.
 /// Points are in clip space.

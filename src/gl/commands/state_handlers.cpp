@@ -202,8 +202,7 @@ Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer) {
     return static_cast<GLuint>(integer(c.real, binding)) == framebuffer;
   };
   const bool draws = target != GL_READ_FRAMEBUFFER, reads = target != GL_DRAW_FRAMEBUFFER;
-  const bool bound = c.shadow.state.rare.framebufferObjects &&
-                     (!draws || isBound(GL_DRAW_FRAMEBUFFER_BINDING)) &&
+  const bool bound = c.shadow.rare().framebufferObjects && (!draws || isBound(GL_DRAW_FRAMEBUFFER_BINDING)) &&
                      (!reads || isBound(GL_READ_FRAMEBUFFER_BINDING));
   return bound ? Context::Flush::none : Context::Flush::leave;
 }

@@ -22,8 +22,7 @@ bool isUntraced(Context& c) {
 bool mayReadFixedVertices(Context& c) {
   if (c.untraced.inUse() != Reason::traced) return c.untraced.readsFixedVertices();
   if (c.info().core) return false;
-  c.shadow.refresh(kFixedArrays);
-  return c.shadow.arrays.vertex.enabled;
+  return c.shadow.arrays().vertex.enabled;
 }
 
 }  // namespace
@@ -40,7 +39,7 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
     const Reason ofProgram = inUse == Reason::traced ? Reason::program : inUse;  // a pipeline has no program
     const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? ofProgram : ofContext;
     c.counts.rasterised(reason, path, kindOf(mode), triangles);
-    if (mayReadFixedVertices(c)) c.surfaces.passes.rasterisedFixedUnseen(depthPlaceOf(c.shadow.state));
+    if (mayReadFixedVertices(c)) c.surfaces.passes.rasterisedFixedUnseen(depthPlaceOf(c.shadow));
   });
   c.raster.before(kindOf(mode));
   c.shadow.sendBuffers();
@@ -49,7 +48,7 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
 void rememberUntraced(Context& c, GLenum mode, const Elements& e) {
   if (mode > GL_POLYGON) return;
   const uint64_t count = countTriangles(mode, static_cast<uint64_t>(e.count));
-  c.protect([&] { c.surfaces.passes.rasterisedUnseen(depthPlaceOf(c.shadow.state), count); });
+  c.protect([&] { c.surfaces.passes.rasterisedUnseen(depthPlaceOf(c.shadow), count); });
 }
 
 bool drawUntraced(Context& c, GLenum mode, const Elements& e) {

@@ -59,7 +59,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       errors(realGl, beginEnd),
       failsafe([this] { drawHeld(); }),
       settings(info),
-      shadow(realGl, std::move(group), info, settings.now(), errors, failsafe),
+      shadow(realGl, beginEnd, std::move(group), info, settings.now(), errors, failsafe),
       clock(shadow.info, settings.now()),
       counts(shadow, clock),
       cleared(shadow, clock, failsafe),
@@ -89,7 +89,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       attribStack({shadow, flusher, cleared, lists}),
       unknownCalls_(kCommandCount) {
   static std::atomic<uint64_t> contexts{0};
-  shadow.state.target.context = ++contexts;
+  shadow.setContextNumber(++contexts);
   ++shadow.group.contexts;
   setSharedThreads(settings.now().threads);
   attention.update();
@@ -167,8 +167,7 @@ void Context::prepareToForward(Flush how) noexcept {
 void Context::makeCurrent(uintptr_t drawable) {
   noteThread();
   t_thread.context = this;
-  shadow.state.target.drawable = drawable;
-  shadow.dirty = kAllGroups;  // the thread or the drawable may have changed
+  shadow.madeCurrent(drawable);
   filler.forgetDrawable();
   immediate.forgetAnswer();
   attention.update();

@@ -147,9 +147,9 @@ void FrameEnds::endDepths() {
   SurfaceHistory& surfaces = p_.surfaces;
   if (!surfaces.passes.remembers() && surfaces.coplanar.empty()) return surfaces.passes.clear();
   const RealGl& real = p_.shadow.real;
-  if (!clearsInFull(real, p_.shadow.state.rare, GL_DEPTH_BUFFER_BIT)) return;
+  if (!clearsInFull(real, p_.shadow.rare(), GL_DEPTH_BUFFER_BIT)) return;
   const glm::ivec4 box = scissorBox(real);
-  const bool objects = p_.shadow.state.rare.framebufferObjects;
+  const bool objects = p_.shadow.rare().framebufferObjects;
   const DepthClear depth{objects ? drawFramebuffer(real) : 0, {box.x, box.y, box.z, box.w}};
   surfaces.passes.clear(depth);
   surfaces.coplanar.clear(depth);
@@ -179,7 +179,7 @@ void FrameEnds::cleared(GLbitfield mask) {
 void FrameEnds::endViews(GLbitfield mask) {
   const RealGl& real = p_.shadow.real;
   const auto clears = [&](GLbitfield bit) {
-    return (mask & bit) && clearsInFull(real, p_.shadow.state.rare, bit);
+    return (mask & bit) && clearsInFull(real, p_.shadow.rare(), bit);
   };
   const bool depth = clears(GL_DEPTH_BUFFER_BIT), color = clears(GL_COLOR_BUFFER_BIT);
   if (!depth && !color) return;
@@ -217,8 +217,7 @@ void FrameEnds::showFront() {
   Statistics& statistics = p_.counts.statistics;
   if (!info.frameEnded || statistics.frames > 0) return;
   if (draws() == drawsInFront_) return;
-  p_.shadow.refresh(kTarget);
-  const TargetState& target = p_.shadow.state.target;
+  const TargetState& target = p_.shadow.target();
   if (target.framebuffer != 0 || !isFront(target.drawBuffer)) return;
   drawsInFront_ = draws();
   if (info.frameEnding) info.frameEnding();
@@ -230,8 +229,7 @@ void FrameEnds::showFront() {
 /// back before, or all of it was rasterised.
 void FrameEnds::showDrawn() {
   if (!p_.clock.choice.drawn()) return;
-  p_.shadow.refresh(kTarget);
-  if (p_.shadow.state.target.framebuffer != 0)
+  if (p_.shadow.target().framebuffer != 0)
     return p_.counts.work() != workForgotten_ ? endFrameInPlace() : void();
   endFrame();
 }

@@ -64,7 +64,7 @@ bool isTexel(const glm::vec4& texel, const scene::Region& region) {
 
 bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
   ShadowState& shadow = p_.shadow;
-  const Family::Pass pass = passOf(shadow.state.program);
+  const Family::Pass pass = passOf(shadow.program());
   const bool resolving = pass == Family::Pass::resolve;
   if (!resolving && pass != Family::Pass::fxaa) return false;
   const QuirkSet& quirks = shadow.settings.quirks;
@@ -72,7 +72,7 @@ bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
       quirks.has(resolving ? Quirk::softwareResolve : Quirk::softwareFxaa) && shadow.isSoftwareBelow();
   const bool smooth = !resolving && p_.cleared.antialiased().copied() && quirks.has(Quirk::sppFxaa);
   if (!(instead || smooth) || p_.failsafe.aside() || shadow.activeQueries > 0) return false;
-  const glm::ivec4& viewport = shadow.state.viewport;
+  const glm::ivec4& viewport = shadow.viewport().box;
   const scene::Region region{viewport.x, viewport.y, viewport.z, viewport.w};
   const GLuint texture = wholeTarget(mode, elements, region);
   if (texture == 0) return false;
@@ -82,14 +82,14 @@ bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
 GLuint FullscreenPasses::wholeTarget(GLenum mode, const Elements& elements,
                                      const scene::Region& region) const {
   const RealGl& real = p_.shadow.real;
-  const State& state = p_.shadow.state;
-  const TargetState& target = state.target;
+  const TargetState& target = p_.shadow.target();
+  const ViewportState& viewport = p_.shadow.viewport();
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return 0;
   const bool whole = target.framebuffer != 0 && target.samples == 1 && region.x >= 0 && region.y >= 0 &&
                      region.width > 0 && region.height > 0;
-  const bool open = !state.raster.scissorTest || state.scissor == state.viewport;
-  if (!whole || !open || !writesThrough(real, state.rare) ||
-      !coversViewport(real, p_.shadow.attributes, mode, elements))
+  const bool open = !p_.shadow.raster().scissorTest || viewport.scissor == viewport.box;
+  if (!whole || !open || !writesThrough(real, p_.shadow.rare()) ||
+      !coversViewport(real, p_.shadow.attributes(), mode, elements))
     return 0;
   const auto ask = [&](GLenum name) {
     return attachmentValue(real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, name);
@@ -103,23 +103,24 @@ GLuint FullscreenPasses::wholeTarget(GLenum mode, const Elements& elements,
 
 bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& region, bool instead) {
   const RealGl& real = p_.shadow.real;
-  const State& state = p_.shadow.state;
-  const KnownProgram& known = *state.program.known;
+  const ProgramState& program = p_.shadow.program();
+  const TargetState& target = p_.shadow.target();
+  const KnownProgram& known = *program.known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
-  if (!sampler || !state.program.uniforms) return false;
-  const UniformReader uniforms(known.program, *state.program.uniforms);
+  if (!sampler || !program.uniforms) return false;
+  const UniformReader uniforms(known.program, *program.uniforms);
   const GLint unit = uniforms.integer(family.passInput), active = integer(real, GL_ACTIVE_TEXTURE);
   p_.shadow.errors.keepPending();
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   const bool sampled = isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0;
   const auto input = static_cast<GLuint>(integer(real, GL_TEXTURE_BINDING_2D));
   const bool plain =
-      !sampled && isPlainInput(real, state.rare, {region.width, region.height}) && input != attachment;
+      !sampled && isPlainInput(real, p_.shadow.rare(), {region.width, region.height}) && input != attachment;
   real.ActiveTexture(static_cast<GLenum>(active));
   if (!plain) return false;
   if (p_.pending.batch.empty() &&
-      p_.cleared.antialiased().isCopy(input, region, state.target.framebuffer, state.target.drawBuffer))
+      p_.cleared.antialiased().isCopy(input, region, target.framebuffer, target.drawBuffer))
     return noteUse(Quirk::sppFxaa), true;  // the pass would only copy smooth pixels onto themselves
   if (!instead || !(family.passTexel.empty() || isTexel(uniforms.vector(family.passTexel), region)))
     return false;

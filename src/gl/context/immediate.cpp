@@ -59,13 +59,14 @@ void Immediate::attribute(Slot slot, const float* values) {
     sendAttribute(p_.shadow.real, slot, values);
     if (p_.beginEnd.fragment) return;
     p_.shadow.current.keep(slot, values);
-    return noteColor(slot);
+    if (slot == kColor) p_.shadow.colorSet();
+    return;
   }
   if (takesSlot(slot)) {
     if (!stream_.has(slot)) addSlotToRun(slot);
     return stream_.set(slot, values);
   }
-  if (p_.shadow.dirty & kCurrent) p_.shadow.refresh(kCurrent);
+  p_.shadow.refresh(kCurrent);
   // An equal colour counts too: the material may have changed in between.
   if (slot != kColor && std::memcmp(p_.shadow.current[slot], values, sizeOf(slot) * sizeof(float)) == 0)
     return;
@@ -75,13 +76,7 @@ void Immediate::attribute(Slot slot, const float* values) {
 void Immediate::setCurrent(Slot slot, const float* values) {
   if (p_.shadow.current.anyDrawn()) p_.shadow.current.send(p_.shadow.real);
   p_.shadow.current.set(slot, values);
-  noteColor(slot);
-}
-
-/// GL_COLOR_MATERIAL: the material follows the colour.
-void Immediate::noteColor(Slot slot) {
-  if (slot == kColor && p_.shadow.state.shading.colorMaterial != scene::ColorMaterial{})
-    p_.shadow.dirty |= kMaterial;
+  if (slot == kColor) p_.shadow.colorSet();
 }
 
 /// Whether values of the slot go into a run. Rather than rewriting many vertices for a slot that they lack,
@@ -188,7 +183,7 @@ bool Immediate::askCanBegin(GLenum mode) {
 /// The answer is kept until a command comes that may change it: a draw of no vertices makes Mesa draw all
 /// primitives before it, one by one.
 bool Immediate::canBegin(GLenum mode) {
-  if (p_.shadow.state.target.framebuffer == 0 && p_.shadow.state.raster.program == 0) return true;
+  if (p_.shadow.target().framebuffer == 0 && p_.shadow.raster().program == 0) return true;
   if (mode == canBegin_) return true;
   const bool can = askCanBegin(mode);
   canBegin_ = can && !p_.lists.compiling() && !p_.lists.calling() ? mode : kNoMode;
@@ -233,7 +228,7 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
   if (p_.clock.passesThrough() && !p_.lists.compiling() && !open_) {
     if (!insideBegin()) p_.shadow.syncCurrent();
-    p_.shadow.dirty |= kMaterial;
+    p_.shadow.touch(kMaterial);
     if (!insideBegin() && !p_.lists.calling() && !refused) p_.shadow.latch.sent(face, pname, params);
     return p_.shadow.real.Materialfv(face, pname, params);  // raises the errors
   }
@@ -245,15 +240,15 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   if (p_.lists.compiling() && p_.beginEnd.inside == Inside::captured && !known)
     return p_.lists.misuse(GL_INVALID_ENUM);
   if (p_.shadow.info.off || p_.beginEnd.inside == Inside::rasterised || !known) {
-    if (!p_.beginEnd.fragment) p_.shadow.dirty |= kMaterial;
+    if (!p_.beginEnd.fragment) p_.shadow.touch(kMaterial);
     return p_.shadow.real.Materialfv(face, pname, params);
   }
   if (refused) return p_.lists.misuse(GL_INVALID_VALUE);
   // Programs have materials as uniforms, one for all vertices of a run.
-  if (open_ && !insideBegin() && p_.shadow.state.raster.program != 0) closeRun();
+  if (open_ && !insideBegin() && p_.shadow.raster().program != 0) closeRun();
   if (!takesSlot(kMaterialNumber)) {
     p_.shadow.syncCurrent();
-    p_.shadow.dirty |= kMaterial;
+    p_.shadow.touch(kMaterial);
     if (!p_.lists.calling()) p_.shadow.latch.sent(face, pname, params);
     return p_.shadow.real.Materialfv(face, pname, params);
   }
@@ -273,7 +268,7 @@ void Immediate::rasterElement(GLint i) {
 }
 
 const float* Immediate::current(Slot slot) {
-  if (p_.shadow.dirty & kCurrent && !p_.clock.passesThrough()) p_.shadow.refresh(kCurrent);
+  if (!p_.clock.passesThrough()) p_.shadow.refresh(kCurrent);
   if ((open_ || p_.lists.compiling()) && stream_.has(slot)) return stream_.get(slot);
   if (p_.clock.passesThrough()) {
     p_.shadow.current.read(p_.shadow.real, slot);

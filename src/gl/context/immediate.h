@@ -95,7 +95,6 @@ class Immediate {
 
   /// Sets a current value that the real OpenGL does not have yet.
   void setCurrent(Slot slot, const float* values);
-  void noteColor(Slot slot);
   bool canBegin(GLenum mode);
   bool askCanBegin(GLenum mode);
   void recordMisuse();

@@ -97,7 +97,7 @@ void Immediate::keepRunValues() {
     p_.shadow.current.send(p_.shadow.real);
     sendMaterial(p_.shadow.real, *last);
     if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real);
-    p_.shadow.dirty |= kMaterial;
+    p_.shadow.touch(kMaterial);
   }
 }
 

@@ -52,8 +52,7 @@ void PassthroughFrames::set(bool passthrough) {
 bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
   if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
   p_.cleared.forget();
-  const uint32_t needed = p_.counts.kinds() ? kViewport | kTarget : kViewport;
-  if (p_.shadow.dirty & needed) p_.shadow.refresh(needed);
+  p_.shadow.refresh(p_.counts.kinds() ? kViewport | kTarget : kViewport);
   EngineChoice& choice = p_.clock.choice;
   // Nothing (a glBegin whose vertices will follow) is never too large.
   if (triangles > 0 && kind == PrimitiveClass::surfaces &&

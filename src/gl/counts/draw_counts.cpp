@@ -5,9 +5,9 @@
 namespace gluray::gl {
 
 void DrawCounts::explain(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
-  const auto& program = shadow_.programInUse();
-  const uint32_t state = kinds()->record(shadow_.real, shadow_.state.target, reason, path, kind, triangles,
-                                         program, shadow_.state.program.why);
+  const ProgramState& program = shadow_.programInUse();
+  const uint32_t state = kinds()->record(shadow_.real, shadow_.target(), reason, path, kind, triangles,
+                                         program.known, program.why);
   if (decisions()) decisions()->draw(reason, path, kind, triangles, state);
 }
 

@@ -39,13 +39,12 @@ bool ConstantAttributes::isOne(ShadowState& shadow, const Program& program, cons
   std::array<GLfloat, 4> current{};
   const auto c = static_cast<size_t>(of.component);
   if (of.attribute == "gl_Color") {
-    shadow.refresh(kFixedArrays);
-    if (shadow.arrays.color.enabled) return isOne(shadow, shadow.arrays.color, of.component, mode, e);
+    if (shadow.arrays().color.enabled) return isOne(shadow, shadow.arrays().color, of.component, mode, e);
     return shadow.real.GetFloatv(GL_CURRENT_COLOR, current.data()), current[c] == 1;
   }
   const ProgramAttribute* const attribute = program.attribute(of.attribute);
   if (!attribute || attribute->location < 0) return false;
-  if (const ArraySource* const array = arrayOf(shadow.attributes, attribute->location))
+  if (const ArraySource* const array = arrayOf(shadow.attributes(), attribute->location))
     return isOne(shadow, *array, of.component, mode, e);
   // Attribute 0 is the vertex itself where there is fixed function.
   if (attribute->location == 0 && !shadow.info.core) return false;
@@ -61,10 +60,10 @@ bool ConstantAttributes::isOne(ShadowState& shadow, const ArraySource& array, in
   if (!isReadable(array) || isForeign(array)) return false;
   ArrayState content;
   content.vertex = array;
-  content.elements = shadow.attributes.elements;
+  content.elements = shadow.attributes().elements;
   if (foreignReason(content) != Reason::traced) return false;
   const std::optional<uint32_t> restart =
-      assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e).restart;
+      assemblyOf(shadow.real, shadow.raster().firstVertexProvokes, mode, e).restart;
   const int64_t form[] = {component,   array.divisor,       e.baseInstance,
                           e.repeats(), restart.has_value(), restart.value_or(0)};
   const Hash128 name = hashBytes(form, sizeof form, contentOf(shadow.real, content, mode, e));

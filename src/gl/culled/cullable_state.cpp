@@ -24,17 +24,17 @@ bool offsetsNearer(const RasterState& raster) {
 }
 
 /// Whether something else than fixed function draws while no program is in use.
-bool hasOtherPrograms(const ShadowState& shadow) {
+bool hasOtherPrograms(ShadowState& shadow) {
   const RealGl& real = shadow.real;
-  if (programPipeline(real, shadow.state.rare.pipelines) != 0) return true;
-  return shadow.state.rare.assemblyPrograms &&
+  if (programPipeline(real, shadow.rare().pipelines) != 0) return true;
+  return shadow.rare().assemblyPrograms &&
          (isOn(real, GL_VERTEX_PROGRAM_ARB) || isOn(real, GL_FRAGMENT_PROGRAM_ARB));
 }
 
 }  // namespace
 
-CullReason hideableState(const ShadowState& shadow, GLenum mode, bool& isTested) {
-  const RasterState& raster = shadow.state.raster;
+CullReason hideableState(ShadowState& shadow, GLenum mode, bool& isTested) {
+  const RasterState& raster = shadow.raster();
   const RealGl& real = shadow.real;
   isTested = isOn(real, GL_DEPTH_TEST) && (raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL ||
                                            raster.depthFunc == GL_EQUAL || raster.isReversed());
@@ -43,19 +43,18 @@ CullReason hideableState(const ShadowState& shadow, GLenum mode, bool& isTested)
   if (!shadow.info.core && integer(real, GL_RENDER_MODE) != GL_RENDER) return CullReason::renderMode;
   if (isOn(real, GL_STENCIL_TEST)) return CullReason::stencil;
   if (raster.program == 0 && hasOtherPrograms(shadow)) return CullReason::program;
-  if (const Reason rare = rareReason(real, shadow.state.rare); rare != Reason::traced)
-    return cullReason(rare);
+  if (const Reason rare = rareReason(real, shadow.rare()); rare != Reason::traced) return cullReason(rare);
   std::array<GLint, 2> polygons{GL_FILL, GL_FILL};
   real.GetIntegerv(GL_POLYGON_MODE, polygons.data());
   if (polygons[0] != GL_FILL || polygons[1] != GL_FILL) return CullReason::polygonMode;
   if (isOn(real, GL_POLYGON_SMOOTH)) return CullReason::polygonSmooth;
-  if (shadow.state.target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
+  if (shadow.target().samples > 1 && !raster.multisample) return CullReason::multisampleState;
   return offsetsNearer(raster) ? CullReason::offsetNearer : CullReason::culled;
 }
 
-CullReason cullableState(const ShadowState& shadow, GLenum mode) {
-  const State& state = shadow.state;
-  const RasterState& raster = state.raster;
+CullReason cullableState(ShadowState& shadow, GLenum mode) {
+  const RasterState& raster = shadow.raster();
+  const TargetState& target = shadow.target();
   const RealGl& real = shadow.real;
   if (!isMode(mode, shadow.info.core)) return CullReason::mode;
   if (shadow.activeQueries > 0) return CullReason::query;
@@ -63,25 +62,25 @@ CullReason cullableState(const ShadowState& shadow, GLenum mode) {
   const Reason reason = raster.butDepthFunc;
   if (reason != Reason::traced && reason != Reason::polygonStipple) return cullReason(reason);
   // Without multisampling all samples of a pixel may take a depth from anywhere in it, outside the triangle.
-  if (state.target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
-  if (state.target.reason != Reason::traced && state.target.reason != Reason::framebuffer)
-    return cullReason(state.target.reason);
+  if (target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
+  if (target.reason != Reason::traced && target.reason != Reason::framebuffer)
+    return cullReason(target.reason);
   if (offsetsNearer(raster)) return CullReason::offsetNearer;
   return hasMoreDrawBuffers(real) ? CullReason::drawBuffers : CullReason::culled;
 }
 
-bool hasByteColors(const ShadowState& shadow) {
-  const TargetState& target = shadow.state.target;
+bool hasByteColors(ShadowState& shadow) {
+  const TargetState& target = shadow.target();
   if (target.reason != Reason::traced || target.wideColors || target.encodes) return false;
-  if (shadow.state.rare.fixedFunction) return target.eightBits;
+  if (shadow.rare().fixedFunction) return target.eightBits;
   const glm::ivec4 bits = colorBits(shadow.real, target.drawBuffer);
   return glm::ivec3(bits) == glm::ivec3(8) && (bits.a == 8 || bits.a == 0);
 }
 
-CullReason cullableBlending(const ShadowState& shadow, bool opaque) {
+CullReason cullableBlending(ShadowState& shadow, bool opaque) {
   if (!isOn(shadow.real, GL_BLEND)) return CullReason::culled;
   // Colours that are floats may be infinite: then 0 times what was there is no number.
-  return opaque && !shadow.state.target.wideColors ? CullReason::culled : CullReason::blend;
+  return opaque && !shadow.target().wideColors ? CullReason::culled : CullReason::blend;
 }
 
 }  // namespace gluray::gl

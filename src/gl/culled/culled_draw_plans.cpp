@@ -26,7 +26,7 @@ CullReason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
   if (!choosePlace(found)) return CullReason::samplesInUse;
   Source from;
   const CullReason reason = source(mode, e, from);
-  if (reason == CullReason::positions && shadow.state.raster.program != 0) return planFeedback(found);
+  if (reason == CullReason::positions && shadow.raster().program != 0) return planFeedback(found);
   if (reason != CullReason::culled) return reason;
   if (found.samples > 1 && from.program && from.program->usesCentroids()) return CullReason::multisampleState;
   found.program = from.program, found.matrix = from.matrix;
@@ -38,15 +38,15 @@ CullReason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
 bool CulledDraws::choosePlace(Plan& plan) const {
   plan.rehearsed = plan.samples > 1 && !before_.isClear(plan.region);
   // A copy of a window may have its samples elsewhere in the pixels.
-  return !plan.rehearsed || p_.shadow.state.target.framebuffer != 0;
+  return !plan.rehearsed || p_.shadow.target().framebuffer != 0;
 }
 
 bool CulledDraws::takesParts() {
-  return p_.shadow.state.raster.program != 0 && programInUse().reason() == CullReason::culled;
+  return p_.shadow.raster().program != 0 && programInUse().reason() == CullReason::culled;
 }
 
 CullReason CulledDraws::source(GLenum mode, const Elements& e, Source& found) {
-  if (p_.shadow.state.raster.program != 0) return sourceOfProgram(mode, e, found);
+  if (p_.shadow.raster().program != 0) return sourceOfProgram(mode, e, found);
   return p_.shadow.info.core ? CullReason::program : sourceOfFixedFunction(found);
 }
 
@@ -69,7 +69,7 @@ CullReason CulledDraws::sourceOfProgram(GLenum mode, const Elements& e, Source& 
   if (program.reason() != CullReason::culled) return program.reason();
   const bool core = shadow.info.core;
   const bool blends = isOn(shadow.real, GL_BLEND);
-  const InstanceAttributes instances = instanceAttributes(program.known().program, shadow.attributes);
+  const InstanceAttributes instances = instanceAttributes(program.known().program, shadow.attributes());
   Varyings varyings;
   std::optional<LinearPosition> position =
       program.position(shadow.real, core, instances, blends ? &varyings : nullptr);
@@ -88,13 +88,12 @@ bool CulledDraws::findPositions(CulledProgram& program, const std::string& attri
                                 const ArrayState*& arrays, const ArraySource*& positions) {
   ShadowState& shadow = p_.shadow;
   if (attribute == "gl_Vertex") {
-    shadow.refresh(kFixedArrays);
-    arrays = &shadow.arrays, positions = &shadow.arrays.vertex;
+    arrays = &shadow.arrays(), positions = &shadow.arrays().vertex;
     return true;
   }
   const ProgramAttribute* found = program.known().program.attribute(attribute);
-  arrays = &shadow.attributes;
-  positions = found ? arrayOf(shadow.attributes, found->location) : nullptr;
+  arrays = &shadow.attributes();
+  positions = found ? arrayOf(shadow.attributes(), found->location) : nullptr;
   return positions != nullptr;
 }
 
@@ -104,7 +103,7 @@ CullReason CulledDraws::sourceOfFixedFunction(Source& found) {
 }
 
 CullReason CulledDraws::placeByFixedFunction(Source& found) {
-  const ShadowState& shadow = p_.shadow;
+  ShadowState& shadow = p_.shadow;
   if (fixedDiffers_) return CullReason::notTheSame;
   glm::dmat4 projection(1), modelview(1);
   shadow.real.GetDoublev(GL_PROJECTION_MATRIX, glm::value_ptr(projection));
@@ -114,7 +113,7 @@ CullReason CulledDraws::placeByFixedFunction(Source& found) {
     return m;
   };
   found.matrix = {projection * modelview, absolute(projection) * absolute(modelview)};
-  found.arrays = &shadow.arrays, found.positions = &shadow.arrays.vertex;
+  found.arrays = &shadow.arrays(), found.positions = &shadow.arrays().vertex;
   return CullReason::culled;
 }
 
@@ -134,7 +133,7 @@ CullReason CulledDraws::planMesh(const Source& from, Plan& found) {
   content.elements = arrays.elements;
   if (arrays.reason == Reason::deletedBuffer) return CullReason::deletedBuffer;
   if (foreignReason(content) != Reason::traced) return CullReason::foreignBuffer;
-  const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
+  const Assembly assembly = assemblyOf(shadow.real, shadow.raster().firstVertexProvokes, mode, e);
   if (assembly.restart && !inBuffers) return CullReason::arrayState;
   const Hash128 name = assembly.added(contentOf(shadow.real, content, mode, e));
   return planClusters(
@@ -177,27 +176,28 @@ void CulledDraws::prepare(const std::shared_ptr<CulledMesh>& mesh) {
 }
 
 void CulledDraws::mapWindow(Plan& found) const {
-  const State& state = p_.shadow.state;
-  const glm::ivec4 v = state.viewport, scissor = scissorBox(p_.shadow.real);
+  const ViewportState& viewport = p_.shadow.viewport();
+  const TargetState& target = p_.shadow.target();
+  const glm::ivec4 v = viewport.box, scissor = scissorBox(p_.shadow.real);
   glm::ivec2 lower = glm::max(glm::ivec2(v.x, v.y), glm::ivec2(scissor.x, scissor.y));
   glm::ivec2 upper = glm::min(glm::ivec2(v.x + v.z, v.y + v.w),
                               glm::ivec2(scissor.x, scissor.y) + glm::ivec2(scissor.z, scissor.w));
-  found.samples = state.target.samples;
+  found.samples = target.samples;
   // Mesa (22.3) draws samples of up to one pixel beside the scissor box.
   if (found.samples > 1) lower -= 1, upper += 1;
   lower = glm::max(lower, glm::ivec2(0));
-  if (state.target.size.x > 0) upper = glm::min(upper, state.target.size);
+  if (target.size.x > 0) upper = glm::min(upper, target.size);
   found.region = {lower.x, lower.y, upper.x - lower.x, upper.y - lower.y};
   found.window.viewport = glm::dvec4(v.x - lower.x, v.y - lower.y, v.z, v.w);
-  found.window.depthNear = state.depthNear, found.window.depthFar = state.depthFar;
+  found.window.depthNear = viewport.depthNear, found.window.depthFar = viewport.depthFar;
   found.window.sampleReach = found.samples > 1 ? 0.5 : 0;  // anywhere in the pixel
-  found.reversed = state.raster.isReversed();
+  found.reversed = p_.shadow.raster().isReversed();
   if (!found.reversed) return;
-  found.window.depthNear = 1 - state.depthNear, found.window.depthFar = 1 - state.depthFar;
+  found.window.depthNear = 1 - viewport.depthNear, found.window.depthFar = 1 - viewport.depthFar;
 }
 
 CulledProgram& CulledDraws::programInUse() {
-  const std::shared_ptr<const KnownProgram>& known = p_.shadow.programInUse();
+  const std::shared_ptr<const KnownProgram>& known = p_.shadow.programInUse().known;
   std::unique_ptr<CulledProgram>& program = programs_[known.get()];
   if (!program) program = std::make_unique<CulledProgram>(p_.shadow.real, known);
   return *program;

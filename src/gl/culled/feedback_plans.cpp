@@ -27,10 +27,9 @@ CullReason CulledDraws::planFeedback(Plan& found) {
   if (isOn(shadow.real, GL_BLEND))
     if (const CullReason reason = blendingOf(program, {}, found.mode, e); reason != CullReason::culled)
       return reason;
-  shadow.refresh(kFixedArrays);
-  const ArrayState& arrays = shadow.attributes;
+  const ArrayState& arrays = shadow.attributes();
   if (arrays.reason == Reason::deletedBuffer) return CullReason::deletedBuffer;
-  if (!areAllInBuffers(arrays) || !areAllInBuffers(shadow.arrays) || (e.type && !arrays.elements))
+  if (!areAllInBuffers(arrays) || !areAllInBuffers(shadow.arrays()) || (e.type && !arrays.elements))
     return CullReason::arrayState;
   ArrayState content;
   content.elements = arrays.elements;
@@ -39,7 +38,7 @@ CullReason CulledDraws::planFeedback(Plan& found) {
   found.program = &program, found.feedback = &program.feedback();
   if (e.repeats() > 1)
     if (const CullReason reason = planUnits(program, found); reason != CullReason::culled) return reason;
-  const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, found.mode, e);
+  const Assembly assembly = assemblyOf(shadow.real, shadow.raster().firstVertexProvokes, found.mode, e);
   const auto make = [&]() -> std::shared_ptr<CulledMesh> {
     auto mesh = CulledMesh::withoutPositions(shadow.real, content, assembly, e);
     const auto take = [&](const std::byte* positions) { mesh->takePositions(positions); };

@@ -20,7 +20,7 @@ constexpr uint32_t kFewUnits = 64, kLargeMesh = 256;  // clusters
 }  // namespace
 
 CullReason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
-  const ArrayState& arrays = p_.shadow.attributes;
+  const ArrayState& arrays = p_.shadow.attributes();
   found.apart = findUnits(p_.shadow.real, arrays, found.elements, found.units);
   if (found.apart == CullReason::deletedBuffer) return found.apart;
   if (program.numbersInstances()) found.apart = CullReason::instanceNumbers;
@@ -34,7 +34,7 @@ CullReason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
 /// A single instance is a draw of its own, whose clusters are culled.
 CullReason CulledDraws::planInstances(const Source& from, Plan& found) {
   const RealGl& real = p_.shadow.real;
-  const ArrayState& arrays = p_.shadow.attributes;
+  const ArrayState& arrays = p_.shadow.attributes();
   const Elements& e = found.elements;
   if (!from.program) return CullReason::instanced;
   if (e.repeats() > 1)
@@ -78,7 +78,7 @@ CulledDraws::History& CulledDraws::historyOf(Known& known, const Plan& plan) {
   if (!plan.units) return known.alone;
   const uint64_t form[] = {plan.elements.baseInstance};
   Hash128 arrays = hashBytes(form, sizeof form);
-  for (const ArraySource& array : p_.shadow.attributes.generic) {
+  for (const ArraySource& array : p_.shadow.attributes().generic) {
     if (array.divisor == 0) continue;
     const uint64_t identity[] = {static_cast<uint64_t>(array.location),
                                  array.buffer ? array.buffer->serial() : 0,
@@ -132,7 +132,7 @@ uint64_t CulledDraws::primitivesIn(const Plan& plan, const std::vector<uint64_t>
 void CulledDraws::drawParts(const Plan& plan, const std::vector<uint64_t>& parts) {
   const CulledMesh& mesh = *plan.mesh;
   if (!plan.units || plan.together()) return drawClusters(mesh, parts, plan.elements);
-  InstanceDraws draws(p_.shadow.real, p_.shadow.attributes, *plan.units);
+  InstanceDraws draws(p_.shadow.real, p_.shadow.attributes(), *plan.units);
   if (plan.byClusters)
     return forClustersOfInstances(plan, parts, [&](uint32_t unit, std::span<const uint64_t> clusters) {
       const bool any = std::ranges::any_of(clusters, [](uint64_t word) { return word != 0; });

@@ -42,7 +42,7 @@ class OnlyScissor {
 
 bool RestorePoint::isClear(const scene::Region& region) const {
   const std::optional<ClearedTarget>& below = raster_.clearBelow();
-  const TargetState& target = shadow_.state.target;
+  const TargetState& target = shadow_.target();
   // With GL_FRAMEBUFFER_SRGB a clear may have been made before it was switched.
   return below && below->framebuffer == target.framebuffer && !target.encodes &&
          contains(below->region, region);
@@ -52,7 +52,7 @@ bool RestorePoint::keep(const scene::Region& region) {
   region_ = region;
   clear_ = isClear(region) ? raster_.clearBelow() : std::nullopt;
   if (clear_) return true;
-  return shadow_.state.target.samples == 1 && pending_.presenter.reader().keep(shadow_.real, region);
+  return shadow_.target().samples == 1 && pending_.presenter.reader().keep(shadow_.real, region);
 }
 
 void RestorePoint::putBack() {

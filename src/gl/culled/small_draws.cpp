@@ -100,7 +100,7 @@ void SmallDraws::beginFrame() {
   buildSeconds_ = 0;
   seen_.any = false, drawn_.clear();
   if (!culls_) return;
-  p_.shadow.readBack |= kCommonGroups;
+  commonIsOld_ = true;
   turn_ += !settles_ ? 1 : trials.takes(0) ? kOfSweep : 0;
   forgetOld();
   if (settles_) return;
@@ -118,21 +118,23 @@ void SmallDraws::beginEpoch() {
   lookedAt_ = p_.shadow.info.clock();
 }
 
-/// Changes of the state that it depends on are noted in ShadowState::readBack.
+/// Changes of the state that it depends on are noted in ShadowState::wasReadBack().
 void SmallDraws::readCommon(GLenum mode) {
   ShadowState& shadow = p_.shadow;
-  shadow.readBack &= ~kCommonGroups;
+  shadow.forgetReadBack(kCommonGroups);
+  commonIsOld_ = false;
   mode_ = mode;
   common_ = {};
   common_.reason = hideableState(shadow, mode, common_.isTested);
   if (common_.reason != CullReason::culled) return;
-  const State& state = shadow.state;
-  const glm::ivec4 v = state.viewport, scissor = scissorBox(shadow.real);
-  common_.samples = state.target.samples;
+  const ViewportState& viewport = shadow.viewport();
+  const TargetState& target = shadow.target();
+  const glm::ivec4 v = viewport.box, scissor = scissorBox(shadow.real);
+  common_.samples = target.samples;
   const int beside = common_.samples > 1 ? 1 : 0;  // samples beside the scissor box (CulledDraws::mapWindow)
   const auto clipped = [&](glm::ivec2 lower, glm::ivec2 upper) {
     lower = glm::max(lower - beside, glm::ivec2(0)), upper += beside;
-    return between(lower, state.target.size.x > 0 ? glm::min(upper, state.target.size) : upper);
+    return between(lower, target.size.x > 0 ? glm::min(upper, target.size) : upper);
   };
   const glm::ivec2 lower(v.x, v.y), upper(v.x + v.z, v.y + v.w), corner(scissor.x, scissor.y);
   common_.seen = clipped(lower, upper);
@@ -142,20 +144,20 @@ void SmallDraws::readCommon(GLenum mode) {
   WindowMapping& window = common_.window;
   window.viewport = glm::dvec4(v.x - common_.seen.x, v.y - common_.seen.y, v.z, v.w);
   window.sampleReach = common_.samples > 1 ? 0.5 : 0;
-  window.depthNear = state.depthNear, window.depthFar = state.depthFar;
-  common_.reversed = state.raster.isReversed();
+  window.depthNear = viewport.depthNear, window.depthFar = viewport.depthFar;
+  common_.reversed = shadow.raster().isReversed();
   if (common_.reversed) window.depthNear = 1 - window.depthNear, window.depthFar = 1 - window.depthFar;
 }
 
 bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
   ShadowState& shadow = p_.shadow;
-  if (shadow.readBack & kCommonGroups || mode != mode_) readCommon(mode);
+  if (commonIsOld_ || shadow.wasReadBack(kCommonGroups) || mode != mode_) readCommon(mode);
   if (common_.reason != CullReason::culled || shadow.activeQueries > 0) return false;
   candidate.vertices = kVerticesOfDraw + e.count;
   const ArrayState* arrays = nullptr;
   const ArraySource* positions = nullptr;
   int components = 4;
-  if (shadow.state.raster.program != 0) {
+  if (shadow.raster().program != 0) {
     if (!findByProgram(candidate, arrays, positions, components)) return false;
   } else {
     CulledDraws::Source from;
@@ -171,8 +173,7 @@ bool SmallDraws::findByProgram(Candidate& candidate, const ArrayState*& arrays, 
   ShadowState& shadow = p_.shadow;
   CulledProgram& program = p_.culled.programInUse();
   if (program.reason() != CullReason::culled) return false;
-  shadow.refresh(kAttributes);
-  if (isInstanced(shadow.attributes)) return false;
+  if (isInstanced(shadow.attributes())) return false;
   PlacedPosition placed;
   if (!program.placedPosition(shadow.real, shadow.info.core, placed)) return false;
   candidate.program = &program, candidate.matrix = placed.matrix;
@@ -190,7 +191,7 @@ bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arra
   content.vertex = positions, content.vertex.size = std::min(positions.size, components);
   content.elements = arrays.elements;
   if (foreignReason(content) != Reason::traced) return false;
-  const Assembly assembly = assemblyOf(shadow.real, shadow.state.raster.firstVertexProvokes, mode, e);
+  const Assembly assembly = assemblyOf(shadow.real, shadow.raster().firstVertexProvokes, mode, e);
   if (assembly.restart && !inBuffers) return false;
   Known& known = meshes_[assembly.added(contentOf(shadow.real, content, mode, e))];
   if (known.frames == 0) ++waiting_;

@@ -116,6 +116,7 @@ class SmallDraws {
   uint64_t epoch_ = 0;                 // of the depths since which draws are counted
   GLenum mode_ = 0;                    // that common_ was read for
   Common common_;
+  bool commonIsOld_ = true;  // common_, from an earlier frame
   Seen seen_;
   std::vector<Candidate> drawn_;  // since the last look
   double lookedAt_ = 0;           // seconds

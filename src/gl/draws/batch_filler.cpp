@@ -15,7 +15,7 @@ void BatchFiller::clampToTarget(scene::Region& region) {
   const auto exceeds = [&](glm::ivec2 size) {
     return region.x + region.width > size.x || region.y + region.height > size.y;
   };
-  const TargetState& target = p_.shadow.state.target;
+  const TargetState& target = p_.shadow.target();
   const auto& askForSize = p_.shadow.info.drawableSize;
   glm::ivec2 size = target.size;
   if (target.framebuffer == 0) {
@@ -32,64 +32,62 @@ void BatchFiller::clampToTarget(scene::Region& region) {
   region.height = std::max(0, std::min(region.y + region.height, size.y) - region.y);
 }
 
-bool BatchFiller::open(const BatchKey& key) {
+bool BatchFiller::open(const BatchKey& key, const glm::dmat4& modelview) {
   if (key.region.width <= 0 || key.region.height <= 0) return false;
   Batch& batch = p_.pending.batch;
-  if (!batch.empty() && !(batch.key() == key && batch.takes(p_.shadow.state.modelview))) p_.flusher.flush();
+  if (!batch.empty() && !(batch.key() == key && batch.takes(modelview))) p_.flusher.flush();
   if (!batch.empty()) return true;
   p_.flusher.settleBelow(key.samples);
-  batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
+  batch.start(key, p_.shadow.target(), modelview, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
   return true;
 }
 
-void BatchFiller::factor(const glm::dmat4& clipFromObject, const glm::dvec3& reach, const BatchKey* there,
-                         BatchKey& key, bool flushes) {
+glm::dmat4 BatchFiller::factor(const glm::dmat4& clipFromObject, const glm::dvec3& reach,
+                               const BatchKey* there, BatchKey& key, bool flushes) {
   if (there) {
     if (isAffine(glm::inverse(there->projection) * clipFromObject, reach)) key.projection = there->projection;
     if (flushes && !(*there == key)) p_.flusher.flush();
   }
-  State& state = p_.shadow.state;
-  state.projection = key.projection;
-  state.modelview = glm::inverse(state.projection) * clipFromObject;
-  state.modelview /= state.modelview[3][3];  // homogeneous: maps to the same points
-  for (int c = 0; c < 4; ++c) state.modelview[c][3] = c == 3 ? 1.0 : 0.0;
+  glm::dmat4 modelview = glm::inverse(key.projection) * clipFromObject;
+  modelview /= modelview[3][3];  // homogeneous: maps to the same points
+  for (int c = 0; c < 4; ++c) modelview[c][3] = c == 3 ? 1.0 : 0.0;
+  return modelview;
 }
 
 scene::Instance BatchFiller::instanceOf(const scene::MeshPtr& mesh, SlotMask slots,
                                         const std::vector<MaterialChange>& materials) const {
-  const State& state = p_.shadow.state;
-  const auto value = [&](Slot slot) { return p_.shadow.current[slot]; };
+  ShadowState& shadow = p_.shadow;
+  const auto value = [&](Slot slot) { return shadow.current[slot]; };
   scene::Instance instance;
   instance.mesh = mesh;
-  instance.eyeFromObject = state.modelview;
+  instance.eyeFromObject = shadow.modelview();
   if (!(slots & bit(kColor))) instance.color = glm::make_vec4(value(kColor));
   if (!(slots & bit(kNormal))) instance.normal = glm::make_vec3(value(kNormal));
   instance.secondaryColor = glm::make_vec3(value(kSecondaryColor));
   instance.fogCoord = *value(kFogCoord);
   if (!(slots & bit(kTexCoord0))) instance.texcoord = glm::make_vec4(value(kTexCoord0));
-  for (const scene::Texture& texture : state.textures) {
+  for (const scene::Texture& texture : shadow.fixedTextures()) {
     const auto slot = texCoordSlot(texture.unit);
     if (texture.unit == 0 || (slots & bit(slot))) continue;
     instance.texcoordsAbove.resize(texture.unit, glm::vec4(0, 0, 0, 1));
     instance.texcoordsAbove.back() = glm::make_vec4(value(slot));
   }
   instance.materials.reserve(materials.size() + 1);
-  instance.materials.push_back(state.material);
-  for (const MaterialChange& change : materials)
-    instance.materials.push_back(change.appliedTo(state.material));
-  instance.cull = state.raster.cull;
-  instance.frontFaceCcw = state.raster.frontFaceCcw;
-  instance.clipPlanes = state.clipPlanes;
+  const scene::MaterialPair& material = shadow.material();
+  instance.materials.push_back(material);
+  for (const MaterialChange& change : materials) instance.materials.push_back(change.appliedTo(material));
+  instance.cull = shadow.raster().cull;
+  instance.frontFaceCcw = shadow.raster().frontFaceCcw;
+  instance.clipPlanes = shadow.clipPlanes();
   return instance;
 }
 
 scene::Shading BatchFiller::shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const {
-  const State& state = p_.shadow.state;
-  scene::Shading shading = state.shading;
-  shading.textures = state.textures;
-  shading.alphaTest = state.raster.alphaTest;
+  scene::Shading shading = p_.shadow.shading();
+  shading.textures = p_.shadow.fixedTextures();
+  shading.alphaTest = p_.shadow.raster().alphaTest;
   shading.alphaTest.asBytes =
-      shading.alphaTest.function != scene::AlphaTest::always && state.target.eightBits;
+      shading.alphaTest.function != scene::AlphaTest::always && p_.shadow.target().eightBits;
   // Without colours or materials at its vertices the surface has the current material, however that was set.
   if (p_.shadow.latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   return shading;
@@ -97,26 +95,26 @@ scene::Shading BatchFiller::shadingOf(SlotMask slots, const std::vector<Material
 
 void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
                       const std::vector<MaterialChange>& materials) {
-  BatchKey key = Batch::keyOf(p_.shadow.state);
+  BatchKey key = Batch::keyOf(p_.shadow.pixelState(), p_.shadow.projection());
   clampToTarget(key.region);
   if (mesh->triangleCount == 0) return;
-  const bool program = p_.shadow.state.raster.program != 0;
+  const bool program = p_.shadow.raster().program != 0;
   const bool layer = p_.triage.isLayer(*mesh, materials);
   if (layer)
     p_.layers.describe(key, program ? BatchKey::DrawnBy::builtIns : BatchKey::DrawnBy::fixedFunction);
   if (program) return addByProgram(key, mesh, slots);
   if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
-  if (!open(key)) return;
+  if (!open(key, p_.shadow.modelview())) return;
   p_.pending.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
   if (!layer || key.blending.writesDepth)
-    p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
-                             depthPlaceOf(p_.shadow.state), p_.triage.isPushedBack());
+    p_.surfaces.passes.drawn(mesh, p_.shadow.modelview(), MultipassSurfaces::How::pending,
+                             depthPlaceOf(p_.shadow), p_.triage.isPushedBack());
   settleFailure();
 }
 
 void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, SlotMask slots) {
-  if (!open(key)) return;
-  const ProgramState& program = p_.shadow.state.program;
+  if (!open(key, p_.shadow.modelview())) return;
+  const ProgramState& program = p_.shadow.program();
   scene::Instance instance = instanceOf(mesh, slots, {});
   ProgramDraw kept = captureBuiltInDraw(p_.shadow.real, *program.known, program.uniforms, instance);
   instance.materials = {program.material};
@@ -125,15 +123,15 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
   p_.pending.batch.add(std::move(instance), program.shading);
   p_.pending.batch.keep(std::move(kept));
   if (key.layers == BatchKey::Layers::none || key.blending.writesDepth)
-    p_.surfaces.passes.drawn(mesh, p_.shadow.state.modelview, MultipassSurfaces::How::pending,
-                             depthPlaceOf(p_.shadow.state), p_.triage.isPushedBack());
+    p_.surfaces.passes.drawn(mesh, p_.shadow.modelview(), MultipassSurfaces::How::pending,
+                             depthPlaceOf(p_.shadow), p_.triage.isPushedBack());
   settleFailure();
 }
 
 void BatchFiller::addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
                             const std::vector<MaterialChange>& materials) {
   key.offset = {};  // of polygons
-  if (!open(key)) return;
+  if (!open(key, p_.shadow.modelview())) return;
   scene::Instance instance = instanceOf(mesh, slots, materials);
   scene::Shading shading = shadingOf(slots, materials);
   makeSolid(p_.shadow, instance, shading);

@@ -29,15 +29,16 @@ class BatchFiller {
   /// attributes that its vertices have. `materials`: those that its vertices select beside the current one.
   void add(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
 
-  /// Opens a batch for `key`, and flushes a pending one of another key. False: the draw covers no pixel.
-  bool open(const BatchKey& key);
+  /// Opens a batch for `key`, and flushes a pending one of another key, or of a world that has no place for
+  /// `modelview`. False: the draw covers no pixel.
+  bool open(const BatchKey& key, const glm::dmat4& modelview);
   /// Prepares a draw that gives one matrix, the product of all, and opens no batch yet: chooses a projection
-  /// for `key`, that of the batch `there` if the rest is affine within `reach`, flushes a pending batch that
-  /// has another key, if `flushes`, and sets the state's projection and modelview. A batch has one
-  /// projection, and projections that are factored out differ by rounding from draw to draw. `there`: null if
-  /// there is none.
-  void factor(const glm::dmat4& clipFromObject, const glm::dvec3& reach, const BatchKey* there, BatchKey& key,
-              bool flushes = true);
+  /// for `key`, that of the batch `there` if the rest is affine within `reach`, and flushes a pending batch
+  /// that has another key, if `flushes`. Returns the rest, the modelview matrix. A batch has one projection,
+  /// and projections that are factored out differ by rounding from draw to draw. `there`: null if there is
+  /// none.
+  glm::dmat4 factor(const glm::dmat4& clipFromObject, const glm::dvec3& reach, const BatchKey* there,
+                    BatchKey& key, bool flushes = true);
   /// Clips the region to the draw framebuffer.
   void clampToTarget(scene::Region& region);
   /// The context may have another drawable now.

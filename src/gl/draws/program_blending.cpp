@@ -8,9 +8,9 @@
 namespace gluray::gl {
 
 Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
-  const ProgramState& program = p_.shadow.state.program;
-  const RasterState& raster = p_.shadow.state.raster;
-  const bool opaque = drawsOpaque(program, mesh);
+  const ProgramState& program = p_.shadow.program();
+  const RasterState& raster = p_.shadow.raster();
+  const bool opaque = drawsOpaque(program, mesh, program.color);
   if (!opaque && program.known->family->opaqueColors) return Reason::programValue;
   const bool solid = scene::isSolid(mesh.shape);
   if (opaque && (solid || raster.reason == Reason::traced)) return Reason::traced;
@@ -23,21 +23,22 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
 }
 
 Reason ProgramDraws::unlessOpaque() const {
-  const bool never = p_.shadow.state.program.known->family->opaqueColors;
-  return never ? Reason::programValue : p_.shadow.state.raster.unlessOpaque;
+  const bool never = p_.shadow.program().known->family->opaqueColors;
+  return never ? Reason::programValue : p_.shadow.raster().unlessOpaque;
 }
 
 bool ProgramDraws::mayBeBlended() const {
-  const ArrayState& arrays = p_.shadow.attributes;
+  const ArrayState& arrays = p_.shadow.attributes();
   const bool instanced = !arrays.instanceTransform.empty() || arrays.instanceColor.enabled;
-  return !instanced && layersOf(p_.shadow.state.program) == BatchKey::Layers::none && p_.layers.mayBeDrawn();
+  return !instanced && layersOf(p_.shadow.program()) == BatchKey::Layers::none && p_.layers.mayBeDrawn();
 }
 
 bool ProgramDraws::isBlended(const scene::Mesh& mesh) const {
-  const RasterState& raster = p_.shadow.state.raster;
+  const RasterState& raster = p_.shadow.raster();
   if (scene::isSolid(mesh.shape) || !mayBeBlended()) return false;
   if (raster.reason != Reason::traced) return true;
-  return raster.unlessOpaque != Reason::traced && !drawsOpaque(p_.shadow.state.program, mesh);
+  const ProgramState& program = p_.shadow.program();
+  return raster.unlessOpaque != Reason::traced && !drawsOpaque(program, mesh, program.color);
 }
 
 }  // namespace gluray::gl

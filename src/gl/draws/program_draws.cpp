@@ -14,71 +14,69 @@
 namespace gluray::gl {
 
 Reason ProgramDraws::triageImpostors() {
-  p_.shadow.attributes.impostorRadius = p_.shadow.state.program.impostorRadius;
-  if (p_.shadow.attributes.shape == scene::Shape::triangles) return Reason::traced;
-  p_.shadow.attributes.impostorCaps = p_.shadow.state.program.impostorCaps;
-  if (p_.shadow.attributes.sentBillboards &&
-      (p_.shadow.state.depthNear != 0 || p_.shadow.state.depthFar != 1))
+  p_.shadow.shareImpostorValues();
+  if (p_.shadow.attributes().shape == scene::Shape::triangles) return Reason::traced;
+  if (p_.shadow.attributes().sentBillboards &&
+      (p_.shadow.viewport().depthNear != 0 || p_.shadow.viewport().depthFar != 1))
     return Reason::program;
   // Boxes cut off samples of pixels whose centre shows the stick, each program's in its own way.
-  if (p_.shadow.attributes.shape == scene::Shape::sticks && p_.shadow.state.target.samples > 1)
+  if (p_.shadow.attributes().shape == scene::Shape::sticks && p_.shadow.target().samples > 1)
     return Reason::program;
   // Culling may remove billboards, which have two sides, but neither points nor both sides of boxes.
-  if (p_.shadow.attributes.shape != scene::Shape::beads &&
-      p_.shadow.attributes.shape != scene::Shape::sticks &&
-      p_.shadow.state.raster.cull != scene::CullFace::none)
+  if (p_.shadow.attributes().shape != scene::Shape::beads &&
+      p_.shadow.attributes().shape != scene::Shape::sticks &&
+      p_.shadow.raster().cull != scene::CullFace::none)
     return Reason::program;
-  if (scene::isInWindow(p_.shadow.attributes.shape))
-    return readPixelImpostors(p_.shadow.real, p_.shadow.info.core, p_.shadow.attributes.shape,
-                              p_.shadow.state);
+  if (scene::isInWindow(p_.shadow.attributes().shape)) return readPixelImpostors(p_.shadow);
   return Reason::traced;
 }
 
 Reason ProgramDraws::triage(PrimitiveClass kind) {
   if (const Reason reason = p_.triage.ofContext(); reason != Reason::traced) return reason;
   // The program's reason tells the user more than the kind of primitive.
-  if (p_.shadow.state.program.reason != Reason::traced) return p_.shadow.state.program.reason;
+  if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   const bool solid = drawsSolids(p_.shadow.settings, kind);
-  if (!solid && p_.shadow.state.program.known->family->onlySolids) return Reason::program;
+  if (!solid && p_.shadow.program().known->family->onlySolids) return Reason::program;
   if (kind == PrimitiveClass::points && !solid) return Reason::points;
   if (kind == PrimitiveClass::lines && !solid) return Reason::lines;
   if (solid) {
-    if (layersOf(p_.shadow.state.program) != BatchKey::Layers::none) return Reason::lines;
+    if (layersOf(p_.shadow.program()) != BatchKey::Layers::none) return Reason::lines;
     if (const Reason reason = programSolidReason(p_.shadow, kind); reason != Reason::traced) return reason;
-  } else if (p_.shadow.state.raster.reason != Reason::traced && !mayBeBlended()) {
-    return p_.shadow.state.raster.reason;
+  } else if (p_.shadow.raster().reason != Reason::traced && !mayBeBlended()) {
+    return p_.shadow.raster().reason;
   }
-  if (p_.shadow.state.raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
+  if (p_.shadow.raster().alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   // Their colours may pass through gl_FrontColor.
-  if (ProgramState& program = p_.shadow.state.program;
-      !p_.shadow.info.core && program.known->family->clampedColors) {
-    program.why = builtInColorObstacle(p_.shadow.real, *program.known->family);
-    if (!program.why.empty()) return Reason::programValue;
+  if (const Family& family = *p_.shadow.program().known->family;
+      !p_.shadow.info.core && family.clampedColors) {
+    p_.shadow.setProgramWhy(builtInColorObstacle(p_.shadow.real, family));
+    if (!p_.shadow.program().why.empty()) return Reason::programValue;
   }
-  if (p_.shadow.state.program.known->program.blocks)
-    p_.shadow.dirty |= kProgram;  // we do not track changes of uniform buffers
-  if (!p_.shadow.info.core && !p_.shadow.state.clipPlanes.empty())
+  if (p_.shadow.program().known->program.blocks)
+    p_.shadow.expire(kProgram);  // we do not track changes of uniform buffers
+  if (!p_.shadow.info.core && !p_.shadow.clipPlanes().empty())
     return Reason::program;  // programs compute clip distances in unknown ways
-  if (p_.shadow.attributes.reason != Reason::traced) return p_.shadow.attributes.reason;
+  if (p_.shadow.attributes().reason != Reason::traced) return p_.shadow.attributes().reason;
   return p_.triage.ofPictures(false);
 }
 
 namespace {
 
 /// The depth offset of the program's draws: the program's own or, if it does not write depth, OpenGL's.
-scene::PolygonOffset offsetOf(const State& state, scene::Shape shape) {
-  const ProgramState& program = state.program;
+scene::PolygonOffset offsetOf(ShadowState& shadow, scene::Shape shape) {
+  const ProgramState& program = shadow.program();
   if (scene::isSolid(shape)) return {};
   if (program.depthOffset != scene::PolygonOffset{}) return program.depthOffset;
-  return shape == scene::Shape::triangles ? Batch::keyOf(state).offset : scene::PolygonOffset{};
+  return shape == scene::Shape::triangles ? Batch::offsetOf(shadow.pixelState()) : scene::PolygonOffset{};
 }
 
 /// Whether a polygon offset is on while the program writes depth itself or draws layers.
-bool offsetsProgramDepth(const State& state, scene::Shape shape) {
-  const RasterState& raster = state.raster;
+bool offsetsProgramDepth(ShadowState& shadow, scene::Shape shape) {
+  const RasterState& raster = shadow.raster();
+  const ProgramState& program = shadow.program();
   if (!raster.offsetFill || (raster.offsetFactor == 0 && raster.offsetUnits == 0)) return false;
   return shape == scene::Shape::triangles &&
-         (state.program.shading.fragment.writesDepth || layersOf(state.program) != BatchKey::Layers::none);
+         (program.shading.fragment.writesDepth || layersOf(program) != BatchKey::Layers::none);
 }
 
 /// Whether the contents of some buffer of the arrays cannot be read.
@@ -91,14 +89,14 @@ bool haveUnreadableBuffers(const ArrayState& arrays) {
 
 Reason ProgramDraws::triage(const KnownMesh& known, uint64_t load) {
   Reason reason = triageAlways(known);
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   if (layersOf(program) == BatchKey::Layers::peeled)
     return reason == Reason::traced ? p_.triage.ofPictures(true) : reason;
   const bool single = reason == Reason::traced && layersOf(program) == BatchKey::Layers::none &&
-                      p_.shadow.attributes.instanceTransform.empty();
-  if (single && p_.surfaces.coplanar.meets(
-                    known.mesh,
-                    p_.triage.placeOf(program.clipFromObject, offsetOf(p_.shadow.state, known.mesh->shape))))
+                      p_.shadow.attributes().instanceTransform.empty();
+  if (single &&
+      p_.surfaces.coplanar.meets(
+          known.mesh, p_.triage.placeOf(program.clipFromObject, offsetOf(p_.shadow, known.mesh->shape))))
     reason = Reason::coincident;
   if (reason != Reason::traced) return reason;
   if (isBlended(*known.mesh))
@@ -111,15 +109,16 @@ Reason ProgramDraws::triage(const KnownMesh& known, uint64_t load) {
 Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (known.homogeneous) return Reason::homogeneous;
   if (!known.mesh)  // billboards that are not whole; lines with adjacent vertices
-    return p_.shadow.attributes.sentBillboards ? Reason::arrayState : Reason::lines;
-  if (known.mesh->shape == scene::Shape::sticks && !showsSticks(p_.shadow.real, p_.shadow.state, *known.mesh))
+    return p_.shadow.attributes().sentBillboards ? Reason::arrayState : Reason::lines;
+  if (known.mesh->shape == scene::Shape::sticks &&
+      !showsSticks(p_.shadow.real, p_.shadow.program(), *known.mesh))
     return Reason::program;
   if (isFarAway(*known.mesh)) return Reason::farAway;
   if (!known.mesh->moderate) return Reason::notFinite;
-  if (offsetsProgramDepth(p_.shadow.state, known.mesh->shape)) return Reason::program;
-  const ProgramState& program = p_.shadow.state.program;
-  const glm::ivec4& viewport = p_.shadow.state.viewport;
-  if (p_.shadow.attributes.instanceTransform.empty()) {  // otherwise triageInstances() looks at each
+  if (offsetsProgramDepth(p_.shadow, known.mesh->shape)) return Reason::program;
+  const ProgramState& program = p_.shadow.program();
+  if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise triageInstances() looks at each
+    const glm::ivec4& viewport = p_.shadow.viewport().box;
     const glm::ivec2 size(viewport.z, viewport.w);
     if (RayPrecision::isFarFromOrigin(*known.mesh, program.clipFromObject, size))
       return Reason::farFromOrigin;
@@ -140,7 +139,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   // Triangles with growing edges are enlarged in the window, without bound near the viewer's plane, and the
   // enlarged part has another slope than the triangle. Behind the viewer, distances to edges are undefined.
   const bool tilted =
-      offsetOf(p_.shadow.state, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
+      offsetOf(p_.shadow, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
     return Reason::program;
   if (layersOf(program) != BatchKey::Layers::none) return Reason::traced;
@@ -149,34 +148,34 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
 
 bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
   return p_.surfaces.passes.several(mesh.geometryId) ||
-         p_.surfaces.passes.meetsRasterised(depthPlaceOf(p_.shadow.state), mesh,
-                                            p_.shadow.state.program.clipFromObject,
-                                            offsetOf(p_.shadow.state, mesh.shape).pushesBack());
+         p_.surfaces.passes.meetsRasterised(depthPlaceOf(p_.shadow), mesh, p_.shadow.program().clipFromObject,
+                                            offsetOf(p_.shadow, mesh.shape).pushesBack());
 }
 
-/// Prepares batch, camera and matrix for the current program's instance. Placed::nowhere: it covers no pixel.
-ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach) {
+/// Prepares batch, camera and `modelview` for the current program's instance. Placed::nowhere: it covers no
+/// pixel.
+ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach,
+                                                glm::dmat4& modelview) {
   const scene::Shape shape = mesh.shape;
-  const ProgramState& program = p_.shadow.state.program;
-  p_.shadow.state.projection = program.eyeFromObject
-                                   ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
-                                   : program.clipFromObject;
-  BatchKey key = Batch::keyOf(p_.shadow.state);
-  key.layers = layersOf(p_.shadow.state.program);
+  const ProgramState& program = p_.shadow.program();
+  const glm::dmat4 projection = program.eyeFromObject
+                                    ? program.clipFromObject * glm::inverse(*program.eyeFromObject)
+                                    : program.clipFromObject;
+  BatchKey key = Batch::keyOf(p_.shadow.pixelState(), projection);
+  key.layers = layersOf(program);
   const bool blended = isBlended(mesh);
   if (blended) p_.layers.describe(key, BatchKey::DrawnBy::arrays);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
-  key.offset = peeled ? scene::PolygonOffset{} : offsetOf(p_.shadow.state, shape);
+  key.offset = peeled ? scene::PolygonOffset{} : offsetOf(p_.shadow, shape);
   p_.filler.clampToTarget(key.region);
-  p_.shadow.dirty |= kModelview | kProjection;  // fixed function's values are overwritten
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
   const BatchKey* there = !p_.pending.batch.empty() ? &p_.pending.batch.key()
                           : peeled                  ? p_.layers.tracedKey()
                                                     : nullptr;
-  p_.filler.factor(program.clipFromObject, reach, there, key, !peeled);
+  modelview = p_.filler.factor(program.clipFromObject, reach, there, key, !peeled);
   if (key.layers != BatchKey::Layers::none && !blended)
-    return p_.layers.start(key) ? Placed::inBatch : Placed::otherCamera;
-  p_.filler.open(key);
+    return p_.layers.start(key, modelview) ? Placed::inBatch : Placed::otherCamera;
+  p_.filler.open(key, modelview);
   return Placed::inBatch;
 }
 
@@ -187,32 +186,32 @@ std::vector<std::vector<Triangle>> ProgramDraws::sampleArrays(GLenum mode, const
       return;
     ArrayState positions;
     positions.vertex = source;
-    positions.elements = p_.shadow.attributes.elements;
+    positions.elements = p_.shadow.attributes().elements;
     samples.push_back(sampleTriangles(p_.shadow.real, positions, mode, elements));
   };
-  sample(p_.shadow.attributes.vertex);
-  for (const ArraySource& source : p_.shadow.attributes.generic) sample(source);
+  sample(p_.shadow.attributes().vertex);
+  for (const ArraySource& source : p_.shadow.attributes().generic) sample(source);
   return samples;
 }
 
 void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements) {
   if (mode < GL_TRIANGLES || mode > GL_POLYGON || !p_.triage.meetsDepth(kind)) return;
-  const uint32_t framebuffer = p_.shadow.state.target.framebuffer;
+  const uint32_t framebuffer = p_.shadow.target().framebuffer;
   const uint64_t count = countTriangles(mode, static_cast<uint64_t>(elements.count));
   const bool meets = p_.surfaces.passes.anyByProgram(framebuffer, count),
              leaves = integer(p_.shadow.real, GL_DEPTH_WRITEMASK) != 0;
-  if (!(meets || leaves) || haveUnreadableBuffers(p_.shadow.attributes)) return;
-  const ProgramState& program = p_.shadow.state.program;
+  if (!(meets || leaves) || haveUnreadableBuffers(p_.shadow.attributes())) return;
+  const ProgramState& program = p_.shadow.program();
   const bool placed = program.known && program.known->family && program.reason == Reason::traced;
-  const bool pushedBack = offsetOf(p_.shadow.state, p_.shadow.attributes.shape).pushesBack();
-  if (meets) p_.flusher.settleBelow(p_.shadow.state.target.samples);
+  const bool pushedBack = offsetOf(p_.shadow, p_.shadow.attributes().shape).pushesBack();
+  if (meets) p_.flusher.settleBelow(p_.shadow.target().samples);
   const glm::dmat4* matrix = placed ? &program.clipFromObject : nullptr;
   for (std::vector<Triangle>& samples : sampleArrays(mode, elements)) {
     if (meets)
       p_.raster.rasteriseMet(
           p_.surfaces.passes.meetsProgram(framebuffer, samples, count, matrix, pushedBack));
     if (leaves)
-      p_.surfaces.passes.rasterisedByProgram(depthPlaceOf(p_.shadow.state), count, std::move(samples), matrix,
+      p_.surfaces.passes.rasterisedByProgram(depthPlaceOf(p_.shadow), count, std::move(samples), matrix,
                                              pushedBack);
   }
 }
@@ -220,11 +219,11 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
 namespace {
 
 /// The mesh as the program in use draws it.
-scene::Instance instanceOf(const scene::MeshPtr& mesh, const ShadowState& shadow) {
-  const ProgramState& program = shadow.state.program;
+scene::Instance instanceOf(const scene::MeshPtr& mesh, const glm::dmat4& modelview, ShadowState& shadow) {
+  const ProgramState& program = shadow.program();
   scene::Instance instance;
   instance.mesh = mesh;
-  instance.eyeFromObject = shadow.state.modelview;
+  instance.eyeFromObject = modelview;
   instance.lightingFromObject = glm::mat4(program.eyeFromObject.value_or(glm::dmat4(1)));
   instance.normalMatrix = program.normalMatrix;
   instance.color = program.color;
@@ -237,11 +236,10 @@ scene::Instance instanceOf(const scene::MeshPtr& mesh, const ShadowState& shadow
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
   instance.impostors = program.impostors;
-  if (mesh->shape == scene::Shape::triangles)
-    instance.cull = shadow.state.raster.cull;  // points have no faces
+  if (mesh->shape == scene::Shape::triangles) instance.cull = shadow.raster().cull;  // points have no faces
   if (scene::isSolid(mesh->shape)) makeProgramSolid(shadow, instance);
-  instance.frontFaceCcw = shadow.state.raster.frontFaceCcw;
-  const glm::dmat4 objectFromEye = glm::inverse(shadow.state.modelview);
+  instance.frontFaceCcw = shadow.raster().frontFaceCcw;
+  const glm::dmat4 objectFromEye = glm::inverse(modelview);
   if (!scene::isSolid(mesh->shape))
     for (const glm::dvec4& plane : program.clipPlanes) instance.clipPlanes.push_back(plane * objectFromEye);
   return instance;
@@ -251,15 +249,16 @@ scene::Instance instanceOf(const scene::MeshPtr& mesh, const ShadowState& shadow
 
 Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements) {
   const bool many =
-      !p_.shadow.attributes.instanceTransform.empty() || p_.shadow.attributes.instanceColor.enabled;
+      !p_.shadow.attributes().instanceTransform.empty() || p_.shadow.attributes().instanceColor.enabled;
   const glm::dvec3 reach = many ? reachOfInstances(*mesh, elements) : reachOf(*mesh);
   if (mesh->triangleCount == 0) return Reason::traced;
-  if (const Placed placed = preparePlace(*mesh, reach); placed != Placed::inBatch)
+  glm::dmat4 modelview(1);
+  if (const Placed placed = preparePlace(*mesh, reach, modelview); placed != Placed::inBatch)
     return placed == Placed::nowhere ? Reason::traced : Reason::programPass;
-  const ProgramState& program = p_.shadow.state.program;
-  scene::Instance instance = instanceOf(mesh, p_.shadow);
+  const ProgramState& program = p_.shadow.program();
+  scene::Instance instance = instanceOf(mesh, modelview, p_.shadow);
   ProgramDraw kept = captureProgramDraw(p_.shadow.real, program.known->program, program.uniforms,
-                                        p_.shadow.attributes, mode, elements);
+                                        p_.shadow.attributes(), mode, elements);
   if (many) {
     addInstancesOf(instance, program.shading, elements);
   } else {
@@ -268,8 +267,7 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
     const bool seenAgain = key.layers == BatchKey::Layers::none ||
                            (key.layers == BatchKey::Layers::drawn && key.blending.writesDepth);
     if (seenAgain && mesh->shape == scene::Shape::triangles)
-      p_.surfaces.passes.drawnByProgram(mesh, p_.shadow.state.modelview, program.clipFromObject,
-                                        depthPlaceOf(p_.shadow.state),
+      p_.surfaces.passes.drawnByProgram(mesh, modelview, program.clipFromObject, depthPlaceOf(p_.shadow),
                                         p_.pending.batch.key().offset.pushesBack());
   }
   p_.pending.batch.keep(std::move(kept));

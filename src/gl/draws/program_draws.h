@@ -32,8 +32,8 @@ class ProgramDraws {
   };
   explicit ProgramDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current program cannot be traced now, or Reason::traced. Call
-  /// refresh(kProgramGroups) before. `load`: triangles that the real OpenGL would draw.
+  /// Why a surface of the current program cannot be traced now, or Reason::traced. `load`: triangles that the
+  /// real OpenGL would draw.
   Reason triage(PrimitiveClass kind);
   Reason triage(const KnownMesh& mesh, uint64_t load);
   /// The same for further conditions of impostors, and of the instances of a draw.
@@ -59,7 +59,7 @@ class ProgramDraws {
   /// A sample of triangles from each array that may hold positions.
   std::vector<std::vector<Triangle>> sampleArrays(GLenum mode, const Elements& elements) const;
   enum class Placed { nowhere, inBatch, otherCamera };
-  Placed preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach);
+  Placed preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach, glm::dmat4& modelview);
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   Parts p_;

@@ -48,14 +48,14 @@ struct InstanceReaders {
 }  // namespace
 
 Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& elements) const {
-  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
-  const bool mayBeTranslucent = layersOf(p_.shadow.state.program) == BatchKey::Layers::none &&
-                                readers.color.enabled() && p_.shadow.attributes.instanceColor.size == 4 &&
+  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes());
+  const bool mayBeTranslucent = layersOf(p_.shadow.program()) == BatchKey::Layers::none &&
+                                readers.color.enabled() && p_.shadow.attributes().instanceColor.size == 4 &&
                                 unlessOpaque() != Reason::traced;
-  if (const RasterState& raster = p_.shadow.state.raster; elements.repeats() != 1 && isBlended(mesh))
+  if (const RasterState& raster = p_.shadow.raster(); elements.repeats() != 1 && isBlended(mesh))
     return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
-  const glm::dmat4& clipFromObject = p_.shadow.state.program.clipFromObject;
-  const glm::ivec4& viewport = p_.shadow.state.viewport;
+  const glm::dmat4& clipFromObject = p_.shadow.program().clipFromObject;
+  const glm::ivec4& viewport = p_.shadow.viewport().box;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     float color[4] = {0, 0, 0, 1};
     if (mayBeTranslucent && readOfInstance(readers.color, elements, i, color) && color[3] < 1)
@@ -66,7 +66,7 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
     if (RayPrecision::isFarFromOrigin(mesh, clipFromObject, {viewport.z, viewport.w}, glm::dmat4(*m)))
       return Reason::farFromOrigin;
     // Edges are painted in the window: the same condition as in triageAlways().
-    if (p_.shadow.state.program.triangleEdges && !isBeforeViewer(mesh, clipFromObject * glm::dmat4(*m)))
+    if (p_.shadow.program().triangleEdges && !isBeforeViewer(mesh, clipFromObject * glm::dmat4(*m)))
       return Reason::program;
     if (glm::mat3(*m) != glm::mat3(0) && !scene::isPlaceable(*m)) return Reason::singularMatrix;
   }
@@ -74,7 +74,7 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
 }
 
 glm::dvec3 ProgramDraws::reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const {
-  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
+  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes());
   const glm::dvec3 own = reachOf(mesh);
   glm::dvec3 reach(0);
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
@@ -88,7 +88,7 @@ glm::dvec3 ProgramDraws::reachOfInstances(const scene::Mesh& mesh, const Element
 
 void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
                                   const Elements& elements) {
-  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes);
+  const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes());
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const auto own = readers.matrix(elements, i);
     if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // shrunk to a point: invisible

@@ -10,7 +10,7 @@ namespace gluray::gl {
 
 RasterDraws::Needs RasterDraws::needsOf(PrimitiveClass kind, Reason reason) const {
   Needs needs;
-  needs.meets = p_.triage.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.state.modelview);
+  needs.meets = p_.triage.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.modelview());
   if (!p_.triage.leavesDepth(kind)) return needs;
   // One pass of several, or a surface that other frames trace.
   needs.mesh = reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene;
@@ -21,7 +21,7 @@ RasterDraws::Needs RasterDraws::needsOf(PrimitiveClass kind, Reason reason) cons
 }
 
 bool RasterDraws::hasFixedVertices() const {
-  const GLuint program = p_.shadow.state.raster.program;
+  const GLuint program = p_.shadow.raster().program;
   return program == 0 ||
          p_.failsafe.protect([&] { return readsFixedVertices(p_.shadow.recognise(program)->program); });
 }
@@ -34,32 +34,27 @@ void RasterDraws::passUnseen(PrimitiveClass kind, Reason reason) {
   if (needsOf(kind, reason).unseen) leaveUnseen();
 }
 
-DepthPlace RasterDraws::depthPlace() const {
-  p_.shadow.refresh(kTarget | kViewport);
-  return depthPlaceOf(p_.shadow.state);
-}
-
 void RasterDraws::leave(std::vector<Triangle> triangles) {
-  p_.surfaces.passes.rasterisedFixed(p_.shadow.state.modelview, std::move(triangles), depthPlace(),
+  p_.surfaces.passes.rasterisedFixed(p_.shadow.modelview(), std::move(triangles), depthPlaceOf(p_.shadow),
                                      p_.triage.isPushedBack());
 }
 
 void RasterDraws::leaveUnseen() {
-  p_.failsafe.protect([&] { p_.surfaces.passes.rasterisedFixedUnseen(depthPlace()); });
+  p_.failsafe.protect([&] { p_.surfaces.passes.rasterisedFixedUnseen(depthPlaceOf(p_.shadow)); });
 }
 
 void RasterDraws::remember(const KnownMesh& known) {
   if (known.mesh)
-    p_.surfaces.passes.drawn(known.mesh, p_.shadow.state.modelview, MultipassSurfaces::How::rasterised,
-                             depthPlace(), p_.triage.isPushedBack());
+    p_.surfaces.passes.drawn(known.mesh, p_.shadow.modelview(), MultipassSurfaces::How::rasterised,
+                             depthPlaceOf(p_.shadow), p_.triage.isPushedBack());
 }
 
 void RasterDraws::meet(std::span<const Triangle> triangles) {
   p_.failsafe.protect([&] {
-    const State& state = p_.shadow.state;
-    p_.flusher.settleBelow(state.target.samples);
+    p_.flusher.settleBelow(p_.shadow.target().samples);
     const bool pushedBack = p_.triage.isPushedBack();
-    rasteriseMet(p_.surfaces.passes.meets(state.modelview, triangles, depthPlace().framebuffer, pushedBack));
+    rasteriseMet(p_.surfaces.passes.meets(p_.shadow.modelview(), triangles,
+                                          depthPlaceOf(p_.shadow).framebuffer, pushedBack));
   });
 }
 
@@ -83,13 +78,12 @@ void RasterDraws::before(PrimitiveClass kind) {
   // The pending batch was just found to be coplanar with this draw: rasterise both.
   if (p_.surfaces.coplanar.takeFound() && !batch.empty() &&
       (batch.key().layers == BatchKey::Layers::none || batch.key().layers == BatchKey::Layers::drawn) &&
-      batch.key().framebuffer == p_.shadow.state.target.framebuffer)
+      batch.key().framebuffer == p_.shadow.target().framebuffer)
     p_.failsafe.protect([&] { p_.flusher.present(Reason::coincident); });
   if (p_.resolves.any()) p_.failsafe.protect([&] { p_.resolves.meetRasterDraw(); });
   if (p_.layers.pending()) p_.failsafe.protect([&] { p_.layers.meetRasterDraw(); });
   if (!batch.empty()) {
-    p_.shadow.refresh(kRaster);
-    const RasterState& raster = p_.shadow.state.raster;
+    const RasterState& raster = p_.shadow.raster();
     // Lines and points on a surface have its depth: order decides, unless the surface was pushed back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch.key().offset == scene::PolygonOffset{};
     // Summed layers round as floats, and drawn layers blend, in drawing order.
@@ -109,8 +103,8 @@ void RasterDraws::before(PrimitiveClass kind) {
 }
 
 void RasterDraws::noteDepths() {
-  const RasterState& raster = p_.shadow.state.raster;
-  if (p_.shadow.dirty & kRaster) return p_.cleared.forget();
+  if (p_.shadow.isDirty(kRaster)) return p_.cleared.forget();
+  const RasterState& raster = p_.shadow.raster();
   const bool writes = raster.writesDepth && raster.butDepthFunc != Reason::noDepthTest;
   const bool keeps = !writes || raster.depthFunc == GL_EQUAL || raster.depthFunc == GL_NEVER;
   const bool smaller = raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL;

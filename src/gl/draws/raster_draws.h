@@ -76,7 +76,6 @@ class RasterDraws {
   void remember(const KnownMesh& known);
   void leave(std::vector<Triangle> triangles);
   void leaveUnseen();
-  DepthPlace depthPlace() const;
   /// Which way the next draw may change depths.
   void noteDepths();
 

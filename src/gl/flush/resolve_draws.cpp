@@ -74,10 +74,9 @@ UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
       p_.shadow.activeQueries > 0 || p_.shadow.group.contexts != 1 ||
       !p_.shadow.settings.quirks.has(Quirk::softwareResolve) || !p_.shadow.isSoftwareBelow())
     return {};
-  p_.shadow.refresh(kTarget);
-  const TargetState& target = p_.shadow.state.target;
+  const TargetState& target = p_.shadow.target();
   if (target.framebuffer == 0 || target.samples <= 1 || target.reason != Reason::traced ||
-      target.wideColors || !clearsAll(p_.shadow.real, p_.shadow.state.rare))
+      target.wideColors || !clearsAll(p_.shadow.real, p_.shadow.rare()))
     return {};
   for (const GLenum size : {GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE})
     if (attachmentValue(p_.shadow.real, GL_DRAW_FRAMEBUFFER, target.drawBuffer, size) != 8) return {};
@@ -100,8 +99,7 @@ void ResolveDraws::clears(const UnresolvedPicture::Cleared& cleared) {
     p_.pending.unresolved.waiting.reset();  // the clear hides it
     return;
   }
-  p_.shadow.refresh(kTarget);
-  if (p_.shadow.state.target.samples > 1) settleAll();
+  if (p_.shadow.target().samples > 1) settleAll();
 }
 
 bool ResolveDraws::hold() {
@@ -143,9 +141,9 @@ void ResolveDraws::meetBlit() {
 }
 
 bool ResolveDraws::readsSamples() {
-  const GLuint name = p_.shadow.state.raster.program;
-  if (name == 0) return programPipeline(p_.shadow.real, p_.shadow.state.rare.pipelines) != 0;
-  const Program& program = p_.shadow.program.known(name)->program;
+  const GLuint name = p_.shadow.raster().program;
+  if (name == 0) return programPipeline(p_.shadow.real, p_.shadow.rare().pipelines) != 0;
+  const Program& program = p_.shadow.currentProgram.known(name)->program;
   return program.writes || std::any_of(program.uniforms.begin(), program.uniforms.end(),
                                        [](const auto& u) { return isSampledPerSample(u.second.type); });
 }
@@ -154,7 +152,7 @@ void ResolveDraws::meetRasterDraw() {
   p_.pending.unresolved.cleared = {};
   if (!p_.pending.unresolved.waiting) return;
   p_.shadow.refresh(kTarget | kRaster);
-  if (p_.shadow.state.target.samples > 1 || readsSamples()) settleAll();
+  if (p_.shadow.target().samples > 1 || readsSamples()) settleAll();
 }
 
 bool ResolveDraws::into(ResolveTarget& target) {
@@ -179,12 +177,11 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
     return false;
   const glm::ivec2 size(region.width, region.height);
   const UnresolvedPicture::Waiting& waiting = *p_.pending.unresolved.waiting;
-  const KnownProgram& known = *p_.shadow.state.program.known;
+  const KnownProgram& known = *p_.shadow.program().known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
-  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !p_.shadow.state.program.uniforms)
-    return false;
-  const UniformReader uniforms(known.program, *p_.shadow.state.program.uniforms);
+  if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !p_.shadow.program().uniforms) return false;
+  const UniformReader uniforms(known.program, *p_.shadow.program().uniforms);
   const int samples = static_cast<int>(uniforms.number(family.passSamples, 0));
   if (samples != waiting.batch.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
   const GLint active = integer(p_.shadow.real, GL_ACTIVE_TEXTURE);
@@ -230,8 +227,7 @@ bool ResolveDraws::byBlit(const Blit& b) {
       (b.filter != GL_NEAREST && (b.filter != GL_LINEAR || depths)))
     return false;
   const UnresolvedPicture::Cleared& cleared = waiting->cleared;
-  p_.shadow.refresh(kTarget);
-  const TargetState& target = p_.shadow.state.target;
+  const TargetState& target = p_.shadow.target();
   const bool usable = target.reason == Reason::traced || (target.reason == Reason::noDepthBuffer && !depths);
   if (!usable || target.samples > 1 || target.wideColors || target.framebuffer == cleared.framebuffer ||
       (depths && target.framebuffer == 0) || !cleared.covers(to))
@@ -240,7 +236,7 @@ bool ResolveDraws::byBlit(const Blit& b) {
       static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER)) != cleared.drawBuffer)
     return false;
   p_.shadow.errors.keepPending();
-  const DebugSilence silence(p_.shadow.real, p_.shadow.state.rare.debugOutput);
+  const DebugSilence silence(p_.shadow.real, p_.shadow.rare().debugOutput);
   const glm::ivec2 size = sizeOf(p_.shadow.real, cleared.color);  // the same as of its depth
   if (size.x < to.z || size.y < to.w) return false;
   const glm::ivec4 open = scissorBox(p_.shadow.real);
@@ -254,8 +250,7 @@ bool ResolveDraws::byBlit(const Blit& b) {
 }
 
 bool ResolveDraws::blitsSamples() {
-  p_.shadow.refresh(kTarget);
-  if (p_.shadow.state.target.samples > 1) return true;
+  if (p_.shadow.target().samples > 1) return true;
   if (integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
   const UnresolvedPicture::Cleared& cleared = p_.pending.unresolved.waiting->cleared;
   const auto buffer = static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER));

@@ -11,16 +11,15 @@ namespace gluray::gl {
 void ClearedFramebuffers::clear(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   const RealGl& real = shadow_.real;
-  const RareState& rare = shadow_.state.rare;
   forgetClear();
   if (mask & GL_COLOR_BUFFER_BIT && samplesPerPixel(shadow_.settings) > 1 && !clock_.passesThrough())
-    antialiased_.clear(real, rare);
+    antialiased_.clear(real, shadow_.rare());
   if ((mask & kBoth) != kBoth || clock_.passesThrough() || failsafe_.aside() || shadow_.activeQueries > 0 ||
       !shadow_.isSoftwareBelow())
     return;
   const GLuint framebuffer = drawFramebuffer(real);
   const Quirk use = framebuffer == 0 ? Quirk::softwareShow : Quirk::softwarePut;
-  if (!shadow_.settings.quirks.has(use) || !clearsAll(real, rare)) return;
+  if (!shadow_.settings.quirks.has(use) || !clearsAll(real, shadow_.rare())) return;
   const glm::ivec4 box = scissorBox(real);
   ClearedTarget cleared{framebuffer, {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());

@@ -86,16 +86,15 @@ void ComposedViews::drop() noexcept {
 bool ComposedViews::isCandidate() {
   if (p_.failsafe.aside() || p_.shadow.activeQueries > 0 || draws_ >= kMaxDraws) return false;
   p_.shadow.refresh(kRaster | kTarget | kViewport);
-  const State& state = p_.shadow.state;
-  return state.viewport == pictures_.front().key.viewport && state.target.samples == 1 &&
-         state.raster.colorWrites.all() && !isOn(p_.shadow.real, GL_DEPTH_TEST);
+  return p_.shadow.viewport().box == pictures_.front().key.viewport && p_.shadow.target().samples == 1 &&
+         p_.shadow.raster().colorWrites.all() && !isOn(p_.shadow.real, GL_DEPTH_TEST);
 }
 
 void ComposedViews::drawing() noexcept {
   withMemory([&] {
     if (!isCandidate()) return;
     ++draws_;
-    framebuffer_ = p_.shadow.state.target.framebuffer;
+    framebuffer_ = p_.shadow.target().framebuffer, drawBuffer_ = p_.shadow.target().drawBuffer;
     drawn_ = read(before_) && presenter_.complete().keep(p_.shadow.real, region_, Copy::beforeDraw);
   });
 }
@@ -124,8 +123,7 @@ void ComposedViews::show() {
   p_.cleared.forget();
   const bool averages =
       std::ranges::all_of(pictures_, [](const Complete& one) { return one.image->isAverages(); });
-  if (averages && isEven(before_))
-    p_.cleared.holdsAntialiased(framebuffer_, p_.shadow.state.target.drawBuffer, region_);
+  if (averages && isEven(before_)) p_.cleared.holdsAntialiased(framebuffer_, drawBuffer_, region_);
   pictures_.clear();
 }
 

@@ -66,6 +66,7 @@ class ComposedViews {
   int draws_ = 0;                   // that were looked at for pictures_
   bool drawn_ = false;              // a draw that could have composed the pictures has begun
   GLuint framebuffer_ = 0;          // of that draw
+  GLenum drawBuffer_ = 0;           // the same
   std::vector<uint32_t> before_, colors_;
 };
 

@@ -1,13 +1,16 @@
 #include "gl/history/depth_history.h"
 
 #include "gl/batch/clears.h"
-#include "gl/state/state.h"
+#include "gl/shadow/shadow_state.h"
 
 #include <algorithm>
 
 namespace gluray::gl {
 
-DepthPlace depthPlaceOf(const State& state) { return {state.target.framebuffer, state.viewport}; }
+DepthPlace depthPlaceOf(ShadowState& shadow) {
+  shadow.refresh(kTarget | kViewport);
+  return {shadow.target().framebuffer, shadow.viewport().box};
+}
 
 bool DepthClear::removes(const DepthPlace& place) const {
   if (place.framebuffer != framebuffer) return false;

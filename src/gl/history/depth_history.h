@@ -10,7 +10,7 @@
 
 namespace gluray::gl {
 
-struct State;
+class ShadowState;
 
 /// The framebuffer and viewport that a surface is drawn into.
 struct DepthPlace {
@@ -19,8 +19,8 @@ struct DepthPlace {
   bool operator==(const DepthPlace&) const = default;
 };
 
-/// The one of a draw in this state, whose target and viewport were read.
-DepthPlace depthPlaceOf(const State& state);
+/// The one of a draw in the current state.
+DepthPlace depthPlaceOf(ShadowState& shadow);
 
 /// A clear of all depths of `framebuffer` in `box`.
 struct DepthClear {

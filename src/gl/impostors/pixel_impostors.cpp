@@ -1,7 +1,6 @@
 #include "gl/impostors/pixel_impostors.h"
 
 #include "gl/real/state_queries.h"
-#include "gl/state/state.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -13,24 +12,27 @@ namespace gluray::gl {
 namespace {
 
 /// Reads the point size. Points must be squares of the set size, with point coordinates from the upper left.
-Reason readPointSize(const RealGl& real, bool core, State& state) {
+Reason readPointSize(ShadowState& shadow) {
+  const RealGl& real = shadow.real;
+  const bool core = shadow.info.core;
   if (isOn(real, GL_PROGRAM_POINT_SIZE)) return Reason::points;
   // Implementations differ in the point coordinates of multisampled points (Mesa 22: a pixel lower).
-  if (state.target.samples > 1) return Reason::points;
+  if (shadow.target().samples > 1) return Reason::points;
   if (!core && (isOn(real, GL_POINT_SMOOTH) || !isOn(real, GL_POINT_SPRITE))) return Reason::points;
   if (integer(real, GL_POINT_SPRITE_COORD_ORIGIN) != GL_UPPER_LEFT) return Reason::points;
   GLfloat size = 1, range[2] = {1, 1};
   real.GetFloatv(GL_POINT_SIZE, &size);
   real.GetFloatv(core ? GL_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE, range);
   size = std::clamp(size, range[0], range[1]);
-  state.program.impostors.size = glm::vec2(2 * size) / glm::vec2(state.viewport.z, state.viewport.w);
+  const glm::ivec4& viewport = shadow.viewport().box;
+  shadow.setImpostorSize(glm::vec2(2 * size) / glm::vec2(viewport.z, viewport.w));
   return Reason::traced;
 }
 
 /// Whether the depth that the program computes for them is that of round shapes under its projection.
-bool depthFits(const State& state) {
-  const scene::Impostors& f = state.program.impostors;
-  const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);
+bool depthFits(const ProgramState& program) {
+  const scene::Impostors& f = program.impostors;
+  const glm::dmat4 rows = glm::transpose(program.clipFromObject);
   const glm::dvec3 z(rows[2]), w(rows[3]);
   const bool parallel = w == glm::dvec3(0);
   if (parallel != f.parallelView || !(f.bulge >= 0 && f.bulge < 0.4f) || !(f.depthBias <= 0)) return false;
@@ -43,25 +45,28 @@ bool depthFits(const State& state) {
 
 /// Splats may be moved only by a depth bias towards the viewer: a billboard of constant depth has no slope
 /// for a polygon offset.
-Reason checkSplats(const State& state) {
-  const scene::Impostors& f = state.program.impostors;
-  const glm::dmat4 rows = glm::transpose(state.program.clipFromObject);
+Reason checkSplats(const ProgramState& program, const RasterState& raster) {
+  const scene::Impostors& f = program.impostors;
+  const glm::dmat4 rows = glm::transpose(program.clipFromObject);
   const bool parallel = glm::dvec3(rows[3]) == glm::dvec3(0);
   const bool sane = f.size.x != 0 && f.size.y != 0 && std::isfinite(f.size.x + f.size.y);
-  return parallel == f.parallelView && sane && f.depthBias <= 0 && !state.raster.offsetFill ? Reason::traced
-                                                                                            : Reason::program;
+  return parallel == f.parallelView && sane && f.depthBias <= 0 && !raster.offsetFill ? Reason::traced
+                                                                                      : Reason::program;
 }
 
 }  // namespace
 
-Reason readPixelImpostors(const RealGl& real, bool core, scene::Shape shape, State& state) {
-  if (state.depthNear != 0 || state.depthFar != 1) return Reason::program;
-  if (shape == scene::Shape::splats) return checkSplats(state);
-  if (!depthFits(state)) return Reason::program;
-  if (shape == scene::Shape::beads) return readPointSize(real, core, state);
-  const glm::vec2 size = state.program.impostors.size;
+Reason readPixelImpostors(ShadowState& shadow) {
+  const ViewportState& viewport = shadow.viewport();
+  const ProgramState& program = shadow.program();
+  const scene::Shape shape = shadow.attributes().shape;
+  if (viewport.depthNear != 0 || viewport.depthFar != 1) return Reason::program;
+  if (shape == scene::Shape::splats) return checkSplats(program, shadow.raster());
+  if (!depthFits(program)) return Reason::program;
+  if (shape == scene::Shape::beads) return readPointSize(shadow);
+  const glm::vec2 size = program.impostors.size;
   if (!(size.x > 0 && size.y > 0) || !std::isfinite(size.x + size.y)) return Reason::program;
-  return state.raster.offsetFill ? Reason::program : Reason::traced;
+  return shadow.raster().offsetFill ? Reason::program : Reason::traced;
 }
 
 }  // namespace gluray::gl

@@ -2,15 +2,12 @@
 // depend on. Called by ProgramDraws, GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
-#include "gl/real/real.h"
-#include "scene/mesh.h"
+#include "gl/shadow/shadow_state.h"
 
 namespace gluray::gl {
 
-struct State;
-
-/// Completes state.program.impostors for a draw of such impostors of `shape`. Returns why they cannot be
-/// traced, or Reason::traced. `core`: the context has no fixed function.
-Reason readPixelImpostors(const RealGl& real, bool core, scene::Shape shape, State& state);
+/// Completes the impostors of the program in use (ShadowState::setImpostorSize) for a draw of its attributes.
+/// Returns why they cannot be traced, or Reason::traced.
+Reason readPixelImpostors(ShadowState& shadow);
 
 }  // namespace gluray::gl

@@ -9,7 +9,7 @@
 
 namespace gluray::gl {
 
-struct State;
+struct ProgramState;
 
 /// Whether a draw of this mode covers a square (`directions` 2) or each side of a box (3) exactly once, with
 /// all triangles turned alike. `corners`: bit d of a corner says on which side it is in direction d.
@@ -22,6 +22,6 @@ KnownMesh buildSentImpostors(const RealGl& real, const ArrayState& arrays, GLenu
 
 /// Whether the program's boxes show all of these sticks in the current view: those that reach from before
 /// the viewer to behind do not.
-bool showsSticks(const RealGl& real, const State& state, const scene::Mesh& mesh);
+bool showsSticks(const RealGl& real, const ProgramState& program, const scene::Mesh& mesh);
 
 }  // namespace gluray::gl

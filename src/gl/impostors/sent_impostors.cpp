@@ -2,8 +2,8 @@
 #include "gl/arrays/array_indices.h"
 #include "gl/capture/mesh_builder.h"
 #include "gl/impostors/sent_billboards.h"
+#include "gl/program_state/program_state.h"
 #include "gl/real/state_queries.h"
-#include "gl/state/state.h"
 
 #include <glm/glm.hpp>
 
@@ -205,8 +205,7 @@ struct ZRange {
 
 }  // namespace
 
-bool showsSticks(const RealGl& real, const State& state, const scene::Mesh& mesh) {
-  const ProgramState& program = state.program;
+bool showsSticks(const RealGl& real, const ProgramState& program, const scene::Mesh& mesh) {
   if (!program.eyeFromObject) return false;
   const glm::dmat4& eye = *program.eyeFromObject;
   const glm::dmat4 rows = glm::transpose(eye);

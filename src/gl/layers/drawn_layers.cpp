@@ -44,15 +44,15 @@ scene::Region united(const scene::Region& a, const scene::Region& b) {
 }  // namespace
 
 bool LayerDraws::mayBeDrawn() const {
-  return p_.shadow.state.raster.layers.has_value() && p_.shadow.state.target.blendable;
+  return p_.shadow.raster().layers.has_value() && p_.shadow.target().blendable;
 }
 
 void LayerDraws::describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const {
   key.layers = BatchKey::Layers::drawn;
   key.drawnBy = drawnBy;
-  key.blending = *p_.shadow.state.raster.layers;
-  key.blending.hasAlpha = p_.shadow.state.target.alpha;
-  key.depthSteps = p_.shadow.state.target.depthSteps;
+  key.blending = *p_.shadow.raster().layers;
+  key.blending.hasAlpha = p_.shadow.target().alpha;
+  key.depthSteps = p_.shadow.target().depthSteps;
 }
 
 bool LayerDraws::leavesDrawn(uint64_t triangles) {
@@ -62,7 +62,7 @@ bool LayerDraws::leavesDrawn(uint64_t triangles) {
   }
   drawn_.triangles += triangles;
   const uint64_t number = p_.counts.statistics.drawsTraced + p_.counts.statistics.drawsRasterised;
-  const scene::Blending& blending = *p_.shadow.state.raster.layers;
+  const scene::Blending& blending = *p_.shadow.raster().layers;
   if (drawn_.runs == 0 || number != drawnLast_ + 1 || !(blending == drawnBy_)) ++drawn_.runs;
   drawnLast_ = number, drawnBy_ = blending;
   return p_.clock.leavesLayers(

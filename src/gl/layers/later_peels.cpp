@@ -79,7 +79,7 @@ void LayerDraws::ask(PresentResult& result) {
 /// Whether the current draw belongs to the first peel, a part of which was traced early because the program
 /// linked a shader program in between.
 bool LayerDraws::joinsFirstPeel() const {
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   if (!peeling_.target.later.empty() || p_.shadow.activeQueries > 0 ||
       passOf(program) != Family::Pass::peel || program.reason != Reason::traced)
     return false;
@@ -96,16 +96,16 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   glm::ivec4 now(0);
   p_.shadow.real.GetIntegerv(GL_VIEWPORT, &now.x);
   const glm::ivec4 box = scissorBox(p_.shadow.real);
-  const bool known = p_.shadow.state.program.known &&
-                     (p_.shadow.activeQueries == 1 ? isInBuffers(p_.shadow.attributes, elements)
-                                                   : p_.shadow.attributes.reason == Reason::traced);
+  const bool known = p_.shadow.program().known &&
+                     (p_.shadow.activeQueries == 1 ? isInBuffers(p_.shadow.attributes(), elements)
+                                                   : p_.shadow.attributes().reason == Reason::traced);
   const bool open = now == viewport &&
                     contains({box.x, box.y, box.z, box.w}, {viewport.x, viewport.y, viewport.z, viewport.w});
   p_.shadow.errors.keepPending();
   if (open && blendsRest()) {
     peeling_.usual = peeling_.peel;
     if (!traceAgain(peeling_.peel) || !showWaiting()) return false;
-    peeling_.emptied = inputTexture(p_.shadow.real, p_.shadow.state.program);
+    peeling_.emptied = inputTexture(p_.shadow.real, p_.shadow.program());
     return true;
   }
   if (known && open && (p_.shadow.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
@@ -115,7 +115,7 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
 }
 
 bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   if (p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peel || !program.uniforms ||
       !peelsIntoAll())
     return false;
@@ -128,13 +128,13 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
     if (input == peeling_.input || result == peeling_.target.result) return false;
     ++peeling_.peel;
     peeling_.input = input, peeling_.target.result = result, peeling_.blended = false;
-    later.push_back({.outputs = std::move(outputs), .viewport = p_.shadow.state.viewport});
+    later.push_back({.outputs = std::move(outputs), .viewport = p_.shadow.viewport().box});
   } else if (peeling_.peel == 1 || input != peeling_.input || later.back().clear ||
              later.back().outputs != outputs) {
     return false;
   }
   later.back().draws.push_back(captureProgramDraw(p_.shadow.real, program.known->program, program.uniforms,
-                                                  p_.shadow.attributes, mode, elements));
+                                                  p_.shadow.attributes(), mode, elements));
   return true;
 }
 
@@ -142,15 +142,15 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
 bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   const auto pixels = surelyWritten(peeling_.counts, peeling_.peel);
   if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED ||
-      !putsOver(p_.shadow.real, p_.shadow.state.rare))
+      !putsOver(p_.shadow.real, p_.shadow.rare()))
     return false;
   HeldPass pass{.outputs = outputsOf(p_.shadow),
                 .viewport = peeling_.target.depths.viewport,
                 .blend = HeldPass::Blend::over};
   if (pass.outputs.size() != 1 || pass.outputs[0].texture == peeling_.behind) return false;
-  const Program& program = p_.shadow.state.program.known->program;
+  const Program& program = p_.shadow.program().known->program;
   pass.draws.push_back(captureProgramDraw(p_.shadow.real, program, readUniforms(p_.shadow.real, program),
-                                          p_.shadow.attributes, mode, elements));
+                                          p_.shadow.attributes(), mode, elements));
   if (!reads(pass.draws[0], peeling_.behind) ||
       !p_.pending.presenter.layers().countPixels(p_.shadow.real, pass, peeling_.behind, peeling_.target.size,
                                                  *pixels))
@@ -162,9 +162,9 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
 
 /// Whether the current draw blends the layers that the newest peel has left over its farthest layers.
 bool LayerDraws::blendsRest() const {
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   if (!peeling_.blended || p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
-      !putsOver(p_.shadow.real, p_.shadow.state.rare) ||
+      !putsOver(p_.shadow.real, p_.shadow.rare()) ||
       outputsOf(p_.shadow) != peeling_.target.later.back().outputs)
     return false;
   const GLuint input = inputTexture(p_.shadow.real, program);
@@ -175,7 +175,7 @@ bool LayerDraws::blendsRest() const {
 
 bool LayerDraws::drawsNothing() {
   if (!peeling_.emptied) return false;
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   const bool rest = p_.shadow.activeQueries == 0 && passOf(program) == Family::Pass::peelRest;
   if (!rest || inputTexture(p_.shadow.real, program) != peeling_.emptied) peeling_.emptied = 0;
   return peeling_.emptied != 0;
@@ -210,7 +210,7 @@ bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
     const scene::Region all{0, 0, peeling_.target.size.x, peeling_.target.size.y};
     held = mask == GL_COLOR_BUFFER_BIT && p_.shadow.activeQueries == 0 && peeling_.blended &&
            !pass.outputs.empty() && contains({box.x, box.y, box.z, box.w}, all) &&
-           clearsInFull(p_.shadow.real, p_.shadow.state.rare, mask);
+           clearsInFull(p_.shadow.real, p_.shadow.rare(), mask);
     if (!held) return giveUp();
     p_.shadow.real.GetFloatv(GL_COLOR_CLEAR_VALUE, &pass.clear->x);
     peeling_.target.later.push_back(std::move(pass));

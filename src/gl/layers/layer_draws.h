@@ -32,14 +32,15 @@ class LayerDraws {
   explicit LayerDraws(const Parts& parts) : p_(parts) {}
 
   /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Any later
-  /// rasterised draw makes us give up (meetRasterDraw()). Call refresh(kProgramGroups) before.
+  /// rasterised draw makes us give up (meetRasterDraw()).
   Reason triagePeel(PrimitiveClass kind);
   /// The same for surfaces that are summed.
   Reason triageSum(PrimitiveClass kind);
   /// Holds back a draw of the depth pass before the first peel. False: not held; draw it.
   bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
-  /// Begins a batch of layers, or reopens the pending or traced one. False: another key, or no depth to read.
-  bool start(const BatchKey& key);
+  /// Begins a batch of layers, whose first surface has this modelview matrix, or reopens the pending or
+  /// traced one. False: another key, or no depth to read.
+  bool start(const BatchKey& key, const glm::dmat4& modelview);
 
   /// Whether draws are held back, or more surfaces may join those traced.
   bool pending() const { return peeling_.stage != Peeling::Stage::none; }
@@ -89,8 +90,8 @@ class LayerDraws {
  private:
   bool peelsIntoAll() const;
   bool beginHolding();
-  bool startPeeled(const BatchKey& key);
-  bool startSums(const BatchKey& key);
+  bool startPeeled(const BatchKey& key, const glm::dmat4& modelview);
+  bool startSums(const BatchKey& key, const glm::dmat4& modelview);
   bool mayAsk() const;
   bool joinsFirstPeel() const;
   void ask(PresentResult& result);

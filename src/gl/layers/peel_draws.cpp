@@ -32,28 +32,28 @@ BatchKey::Layers layersOf(const ProgramState& program) {
   }
 }
 
-bool LayerDraws::start(const BatchKey& key) {
-  return key.layers == BatchKey::Layers::peeled ? startPeeled(key) : startSums(key);
+bool LayerDraws::start(const BatchKey& key, const glm::dmat4& modelview) {
+  return key.layers == BatchKey::Layers::peeled ? startPeeled(key, modelview) : startSums(key, modelview);
 }
 
 /// Whether draws now fill a framebuffer object of the viewport's size and keep the largest values (GL_MAX).
 bool LayerDraws::peelsIntoAll() const {
   const bool open =
-      !p_.shadow.state.raster.scissorTest || p_.shadow.state.scissor == p_.shadow.state.viewport;
-  return open && p_.shadow.state.target.framebuffer != 0 && p_.shadow.state.target.samples == 1 &&
-         p_.shadow.state.viewport.x == 0 && p_.shadow.state.viewport.y == 0 &&
-         p_.shadow.state.viewport.z > 0 && p_.shadow.state.viewport.w > 0 &&
-         keepsLargest(p_.shadow.real, p_.shadow.state.rare);
+      !p_.shadow.raster().scissorTest || p_.shadow.viewport().scissor == p_.shadow.viewport().box;
+  return open && p_.shadow.target().framebuffer != 0 && p_.shadow.target().samples == 1 &&
+         p_.shadow.viewport().box.x == 0 && p_.shadow.viewport().box.y == 0 &&
+         p_.shadow.viewport().box.z > 0 && p_.shadow.viewport().box.w > 0 &&
+         keepsLargest(p_.shadow.real, p_.shadow.rare());
 }
 
 bool LayerDraws::beginHolding() {
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   const GLint unit = inputUnit(program);
   if (unit < 0 || !peelsIntoAll() || !peeling_.mayBegin()) return false;
   LayersTarget target;
   target.depths.outputs = outputsOf(p_.shadow);
-  target.depths.viewport = p_.shadow.state.viewport;
-  target.size = {p_.shadow.state.viewport.z, p_.shadow.state.viewport.w};
+  target.depths.viewport = p_.shadow.viewport().box;
+  target.size = {p_.shadow.viewport().box.z, p_.shadow.viewport().box.w};
   target.opaqueDepth = inputTexture(p_.shadow.real, program);
   const GLuint found = outputOf(p_.shadow.real, *program.known, target.depths.outputs);
   if (found == 0 || target.opaqueDepth == 0 ||
@@ -79,7 +79,7 @@ bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t tria
   if (p_.failsafe.aside() || p_.shadow.info.off || p_.shadow.activeQueries > 0 ||
       !p_.shadow.settings.quirks.has(Quirk::depthPeeling) || !p_.pending.canTrace())
     return false;
-  if (p_.shadow.attributes.reason != Reason::traced || !p_.shadow.state.program.uniforms) return false;
+  if (p_.shadow.attributes().reason != Reason::traced || !p_.shadow.program().uniforms) return false;
   p_.shadow.errors.keepPending();
   if (peeling_.stage == Stage::surfaces || peeling_.stage == Stage::peels) {
     p_.flush.flushBatch();
@@ -87,25 +87,25 @@ bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t tria
   }
   if (peeling_.stage == Stage::none) {
     if (p_.clock.leavesAlone(triangles, p_.shadow.viewportPixels()) || !beginHolding()) return false;
-  } else if (!peelsIntoAll() || peeling_.target.depths.viewport != p_.shadow.state.viewport ||
+  } else if (!peelsIntoAll() || peeling_.target.depths.viewport != p_.shadow.viewport().box ||
              peeling_.depthsFound !=
-                 outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputsOf(p_.shadow))) {
+                 outputOf(p_.shadow.real, *p_.shadow.program().known, outputsOf(p_.shadow))) {
     return false;
   }
-  const ProgramState& program = p_.shadow.state.program;
+  const ProgramState& program = p_.shadow.program();
   peeling_.target.depths.draws.push_back(captureProgramDraw(
-      p_.shadow.real, program.known->program, program.uniforms, p_.shadow.attributes, mode, elements));
+      p_.shadow.real, program.known->program, program.uniforms, p_.shadow.attributes(), mode, elements));
   return true;
 }
 
 Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
   // The program's reason tells the user more than the kind of primitive.
-  if (p_.shadow.state.program.reason != Reason::traced) return p_.shadow.state.program.reason;
+  if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
-  if (p_.shadow.attributes.reason != Reason::traced) return p_.shadow.attributes.reason;
-  if (!p_.shadow.info.core && !p_.shadow.state.clipPlanes.empty()) return Reason::program;
-  if (p_.shadow.state.program.known->program.blocks) p_.shadow.dirty |= kProgram;
+  if (p_.shadow.attributes().reason != Reason::traced) return p_.shadow.attributes().reason;
+  if (!p_.shadow.info.core && !p_.shadow.clipPlanes().empty()) return Reason::program;
+  if (p_.shadow.program().known->program.blocks) p_.shadow.expire(kProgram);
   p_.shadow.errors.keepPending();
   return Reason::traced;
 }
@@ -115,9 +115,9 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (peeling_.stage == Stage::none || p_.shadow.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  if (inputTexture(p_.shadow.real, p_.shadow.state.program) != peeling_.depthsFound)
+  if (inputTexture(p_.shadow.real, p_.shadow.program()) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
-  if (!peelsIntoAll() || p_.shadow.state.viewport != peeling_.target.depths.viewport)
+  if (!peelsIntoAll() || p_.shadow.viewport().box != peeling_.target.depths.viewport)
     return Reason::programPass;
   LayersTarget& target = peeling_.target;
   // Labels turn with the viewer: they would be new meshes in every frame.
@@ -126,23 +126,24 @@ Reason LayerDraws::triagePeel(PrimitiveClass kind) {
   };
   if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
   std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow);
-  const GLuint result = outputOf(p_.shadow.real, *p_.shadow.state.program.known, outputs);
+  const GLuint result = outputOf(p_.shadow.real, *p_.shadow.program().known, outputs);
   if (result == 0 || (peeling_.stage == Stage::surfaces && result != target.result))
     return Reason::programPass;
   target.result = result;
   target.surfaces.outputs = std::move(outputs);
-  target.surfaces.viewport = p_.shadow.state.viewport;
+  target.surfaces.viewport = p_.shadow.viewport().box;
   peeling_.stage = Stage::surfaces;
   return Reason::traced;
 }
 
-bool LayerDraws::startPeeled(const BatchKey& key) {
+bool LayerDraws::startPeeled(const BatchKey& key, const glm::dmat4& modelview) {
   if (!p_.pending.batch.empty()) return p_.pending.batch.key() == key;
   if (peeling_.traced) {
     if (!(peeling_.tracedKey == key)) return false;
     p_.pending.batch.resume(key, *peeling_.traced);
   } else {
-    p_.pending.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
+    p_.pending.batch.start(key, p_.shadow.target(), modelview, p_.shadow.settings, p_.clock.frame,
+                           p_.pending.begin());
     p_.pending.batch.seeThrough(peeling_.layers);
   }
   return true;

@@ -18,18 +18,18 @@ Reason LayerDraws::triageSum(PrimitiveClass kind) {
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
   if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
-  const TargetState& target = p_.shadow.state.target;
+  const TargetState& target = p_.shadow.target();
   if (target.framebuffer == 0 || target.samples > 1 ||
-      !addsUp(p_.shadow.real, p_.shadow.state.rare, p_.shadow.state.raster))
+      !addsUp(p_.shadow.real, p_.shadow.rare(), p_.shadow.raster()))
     return Reason::programPass;
-  const Family& family = *p_.shadow.state.program.known->family;
-  if (p_.shadow.real.GetFragDataLocation(p_.shadow.state.program.known->program.name,
+  const Family& family = *p_.shadow.program().known->family;
+  if (p_.shadow.real.GetFragDataLocation(p_.shadow.program().known->program.name,
                                          family.passOutput.c_str()) != 1)
     return Reason::programPass;
   return p_.pending.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
-bool LayerDraws::startSums(const BatchKey& key) {
+bool LayerDraws::startSums(const BatchKey& key, const glm::dmat4& modelview) {
   if (!p_.pending.batch.empty()) return true;
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::sums;
@@ -41,11 +41,11 @@ bool LayerDraws::startSums(const BatchKey& key) {
       return false;
     // A layer at the opaque depth must pass GL_LEQUAL and fail GL_LESS, however depths were rounded. The
     // margin exceeds half a depth step, because floats near 1 are no finer than that.
-    const float margin =
-        p_.shadow.state.target.depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
+    const float margin = p_.shadow.target().depthResolution * (key.depthFunc == GL_LEQUAL ? 0.75f : -0.75f);
     for (float& depth : layers->opaqueDepth) depth += margin;
   }
-  p_.pending.batch.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
+  p_.pending.batch.start(key, p_.shadow.target(), modelview, p_.shadow.settings, p_.clock.frame,
+                         p_.pending.begin());
   p_.pending.batch.seeThrough(std::move(layers));
   return true;
 }

@@ -124,7 +124,8 @@ void leaveSurfaces(const scene::Snapshot& surfaces, scene::FramebufferPicture& p
 void PicturedSurfaces::add(const BatchKey& key, scene::Instance instance, scene::Shading shading,
                            const Batch& pending) {
   if (!batch_.empty() && !(batch_.key() == key)) collect(pending);
-  if (batch_.empty()) batch_.start(key, p_.shadow.state, p_.shadow.settings, p_.clock.frame);
+  if (batch_.empty())
+    batch_.start(key, p_.shadow.target(), instance.eyeFromObject, p_.shadow.settings, p_.clock.frame);
   batch_.add(std::move(instance), std::move(shading));
 }
 

@@ -135,14 +135,14 @@ Reason ProgramReader::readTextures() {
   return Reason::traced;
 }
 
-bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh) {
+bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
   if (program.material.front.diffuse.a < 1) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
-  if (program.overridden && !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1)) return false;
+  if (program.overridden && !(mesh.colors ? mesh.opaqueColors : color.a >= 1)) return false;
   if (f.color == Color::vertices && !f.ignoresAlpha && !program.instanceColors &&
-      !(mesh.colors ? mesh.opaqueColors : program.color.a >= 1))
+      !(mesh.colors ? mesh.opaqueColors : color.a >= 1))
     return false;
   if (f.color == Color::map && !f.map.front().image->opaque) return false;
   if (f.color == Color::perTriangle && !program.opaqueTriangleColors) return false;

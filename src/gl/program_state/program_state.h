@@ -56,8 +56,8 @@ inline Reason reasonWithoutFamily(const KnownProgram& known) {
   return known.unknownCode ? Reason::programCode : Reason::program;
 }
 
-/// Whether the program's surface of this mesh has no alpha below 1.
-bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh);
+/// Whether the program's surface of this mesh has no alpha below 1. `color`: of a mesh without colours.
+bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color);
 
 /// Why fixed function's state keeps draws with gl_FrontColor from being traced; empty: nothing does. Not for
 /// core profiles.

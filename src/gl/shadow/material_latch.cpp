@@ -21,12 +21,12 @@ void MaterialLatch::letGo(const RealGl& real) const {
 void MaterialLatch::restore(const RealGl& real) const {
   if (!on_ || (!waiting_.front && !waiting_.back)) return;
   letGo(real);
-  State now;
+  scene::MaterialPair now;
   readMaterial(real, now);
   // Parameters that GL_COLOR_MATERIAL has replaced since then must keep their values.
   MaterialChange again = waiting_;
-  again.front &= sameParameters(again.values.front, now.material.front);
-  again.back &= sameParameters(again.values.back, now.material.back);
+  again.front &= sameParameters(again.values.front, now.front);
+  again.back &= sameParameters(again.values.back, now.back);
   if (again.front || again.back) noteUse(Quirk::materialLatch);
   sendMaterial(real, again);
 }

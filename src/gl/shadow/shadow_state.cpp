@@ -1,5 +1,6 @@
 #include "gl/shadow/shadow_state.h"
 
+#include "gl/basics/affine.h"
 #include "gl/basics/failsafe.h"
 #include "gl/capture/solid_settings.h"
 #include "gl/real/errors.h"
@@ -19,9 +20,9 @@ bool isSoftware(const RealGl& real) {
 
 }  // namespace
 
-ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> shareGroup,
-                         const ContextInfo& contextInfo, const Settings& ofFrame, Errors& contextErrors,
-                         Failsafe& failsafe)
+ShadowState::ShadowState(const RealGl& realGl, const BeginEnd& beginEnd,
+                         std::shared_ptr<ShareGroup> shareGroup, const ContextInfo& contextInfo,
+                         const Settings& ofFrame, Errors& contextErrors, Failsafe& failsafe)
     : real(realGl),
       sharedGroup(std::move(shareGroup)),
       group(*sharedGroup),
@@ -32,84 +33,116 @@ ShadowState::ShadowState(const RealGl& realGl, std::shared_ptr<ShareGroup> share
       images(group.deletedImages),
       latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
       textures(group),
-      program(real, group, info),
-      failsafe_(failsafe) {}
+      currentProgram(real, group, info),
+      beginEnd_(beginEnd),
+      failsafe_(failsafe),
+      readable_(info.core ? kAllGroups & ~kFixedFunction : uint32_t{kAllGroups}),
+      dirty_(readable_) {}
 
 bool ShadowState::isSoftwareBelow() {
   if (!softwareBelow_) softwareBelow_ = isSoftware(real);
   return *softwareBelow_;
 }
 
-void ShadowState::refresh(uint32_t groups) noexcept {
-  const uint32_t stale = dirty & (info.core ? groups & ~kFixedFunction : groups);
-  if (stale) failsafe_.protect([&] { read(stale); });
+void ShadowState::madeCurrent(uintptr_t drawable) {
+  target_.drawable = drawable;
+  touch(kAllGroups);
+}
+
+void ShadowState::shareImpostorValues() {
+  attributes_.impostorRadius = program_.impostorRadius;
+  if (attributes_.shape != scene::Shape::triangles) attributes_.impostorCaps = program_.impostorCaps;
+}
+
+void ShadowState::readBack(uint32_t groups) noexcept {
+  if (beginEnd_.realIsInside()) return;
+  const uint32_t stale = (dirty_ | expired_) & groups;
+  // If reading fails, the next refresh() tries again, but no accessor does until then.
+  expired_ |= stale, dirty_ &= ~stale;
+  failsafe_.protect([&] {
+    read(stale);
+    expired_ &= ~stale, dirty_ &= ~stale;
+    readBack_ |= stale;
+  });
+}
+
+void ShadowState::readRare() {
+  rare_ = readRareState(real);
+  rare_.fogsWholeSum = rare_.fogsWholeSum && settings.quirks.has(Quirk::fogSum);
+  rare_.fixedFunction = !info.core;
+}
+
+void ShadowState::askRare() noexcept {
+  if (asksRare_ || beginEnd_.realIsInside()) return;
+  asksRare_ = true;  // a failure has pending draws drawn, which may ask
+  failsafe_.protect([&] {
+    errors.keepPending();
+    readRare();
+    while (real.GetError() != GL_NO_ERROR) {}
+  });
+  asksRare_ = false;
 }
 
 void ShadowState::read(uint32_t stale) {
   // A query that the real OpenGL refuses sets an error; the program must see only its own errors.
   errors.keepPending();
-  if (!state.rare.asked) {
-    state.rare = readRareState(real);
-    state.rare.fogsWholeSum = state.rare.fogsWholeSum && settings.quirks.has(Quirk::fogSum);
-  }
-  state.rare.fixedFunction = !info.core;
+  if (!rare_.asked) readRare();
   if (stale & kCurrent) current.read(real);
   syncCurrent();
-  if (stale & kModelview) readModelview(real, state);
-  if (stale & kProjection) readProjection(real, state);
-  if (stale & kViewport) readViewport(real, state);
-  if (stale & kRaster) readRaster(real, state);
-  if (stale & kLighting) readLighting(real, state);
+  if (stale & kModelview) {
+    modelview_ = readMatrix(real, GL_MODELVIEW_MATRIX);
+    modelviewInvertible_ = isInvertible(modelview_);
+  }
+  if (stale & kProjection) {
+    projection_ = readMatrix(real, GL_PROJECTION_MATRIX);
+    projectionInvertible_ = isInvertible(projection_);
+  }
+  if (stale & kViewport) readViewport(real, viewport_);
+  if (stale & kRaster) readRaster(real, rare_, raster_, shading_.fog);
+  if (stale & kLighting) readLighting(real, rare_, shading_);
   // Colours sent while lighting was off changed the material without setting kMaterial.
-  const bool recolored = (stale & kLighting) && state.shading.colorMaterial != scene::ColorMaterial{};
+  const bool recolored = (stale & kLighting) && shading_.colorMaterial != scene::ColorMaterial{};
   if ((stale & kMaterial) || recolored) {
-    readMaterial(real, state);
+    readMaterial(real, material_);
     latch.drawn();
   } else if (stale & kCurrent) {
     latch.restore(real);
   }
-  if (stale & kFixedTextures) state.textureReason = textures.read(real, state.rare, state.textures);
-  if (stale & kClip) readClipPlanes(real, state);
-  if (stale & kTarget) readTarget(real, images, state);
-  if (stale & kFixedArrays) readArrays(real, group, arrays), attachments.check(arrays);
+  if (stale & kFixedTextures) textureReason_ = textures.read(real, rare_, fixedTextures_);
+  if (stale & kClip) clipPlanes_ = readClipPlanes(real);
+  if (stale & kTarget) readTarget(real, rare_, images, target_);
+  if (stale & kFixedArrays) readArrays(real, group, arrays_), attachments.check(arrays_);
   if (stale & (kProgram | kProgramTextures)) readProgramInUse();
   if (stale & kAttributes) {
-    readAttributes(real, group, state.program.known.get(), attributes);
-    attachments.check(attributes);
+    readAttributes(real, group, program_.known.get(), attributes_);
+    attachments.check(attributes_);
   }
   while (real.GetError() != GL_NO_ERROR) {}
-  dirty &= ~stale;
-  readBack |= stale;
 }
 
 std::shared_ptr<const KnownProgram> ShadowState::recognise(GLuint name) {
   if (auto known = group.recognised(name)) return known;
   errors.keepPending();
-  auto known = program.known(name);
+  auto known = currentProgram.known(name);
   while (real.GetError() != GL_NO_ERROR) {}
   return known;
 }
 
 void ShadowState::readProgramInUse() {
-  ProgramState& inUse = state.program;
-  const GLuint name = program.name();
+  ProgramState& inUse = program_;
+  const GLuint name = currentProgram.name();
   const auto before = inUse.known;
-  inUse.known = name ? program.known(name) : nullptr;
-  if (inUse.known != before) dirty |= kAttributes;
+  inUse.known = name ? currentProgram.known(name) : nullptr;
+  if (inUse.known != before) touch(kAttributes);
   if (!inUse.known) {
     inUse.reason = Reason::program;
     return;
   }
-  readProgram(real, group, state.rare, textures, inUse, drawsAnySolids(settings));
+  readProgram(real, group, rare_, textures, inUse, drawsAnySolids(settings));
   // A deleted program lives only while it is in use. OtherProgram cannot hold it in each version of OpenGL.
   GLint deleted = 0;
   real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
   if (deleted) inUse.reason = Reason::program;
-}
-
-const std::shared_ptr<const KnownProgram>& ShadowState::programInUse() {
-  refresh(kProgram);
-  return state.program.known;
 }
 
 void ShadowState::sendBuffers() {
@@ -117,18 +150,16 @@ void ShadowState::sendBuffers() {
     if (buffer) buffer->sendTo(real);
   };
   if (!group.anyBuffersHeldBack()) return;
-  refresh(kRaster);
-  const bool programs = state.raster.program != 0 || info.core;
-  refresh(programs ? kProgram | kAttributes : uint32_t{kFixedArrays});
-  const ArrayState& used = programs ? attributes : arrays;
+  const bool programs = raster().program != 0 || info.core;
+  if (programs) refresh(kProgram | kAttributes);
+  const ArrayState& used = programs ? attributes() : arrays();
   used.forEach([&](const ArraySource& source) { send(source.buffer); });
   for (const ArraySource& source : used.generic) send(source.buffer);
   send(used.elements);
   // Fixed-function arrays may feed programs that use built-in attributes.
   if (programs && info.core) return;
-  if (programs) refresh(kFixedArrays);
-  if (programs) arrays.forEach([&](const ArraySource& source) { send(source.buffer); });
-  if (!arrays.others || programs) return;
+  if (programs) return arrays().forEach([&](const ArraySource& source) { send(source.buffer); });
+  if (!used.others) return;
   for (const auto& buffer : group.buffers.all()) send(buffer);
 }
 

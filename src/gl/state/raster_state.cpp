@@ -131,37 +131,35 @@ scene::CullFace readCull(const RealGl& real) {
 
 }  // namespace
 
-void readRaster(const RealGl& real, State& state) {
-  RasterState& raster = state.raster;
+void readRaster(const RealGl& real, const RareState& has, RasterState& raster, scene::Fog& fog) {
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.unlessOpaque = Reason::traced;
   raster.colorWrites = {};
   raster.program = isPresent(real.UseProgram) ? static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM)) : 0;
-  raster.reason = fragmentReason(real, state.rare, raster);
+  raster.reason = fragmentReason(real, has, raster);
   // A draw that tests and writes depth, and replaces colour, is depth-merged with pending traced surfaces.
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND) && raster.writesDepth;
   // Programs of a pipeline are not inspected: they may write memory, where the order of draws matters.
-  if (raster.program == 0 && raster.reason == Reason::program &&
-      programPipeline(real, state.rare.pipelines) != 0)
+  if (raster.program == 0 && raster.reason == Reason::program && programPipeline(real, has.pipelines) != 0)
     raster.orderFree = false;
   const bool blended = raster.reason == Reason::depthMask || raster.reason == Reason::blend ||
                        (raster.reason == Reason::traced && raster.unlessOpaque != Reason::traced);
   const bool open = raster.butDepthFunc == Reason::traced;
-  const Reason polygon = blended || open ? polygonReason(real, state.rare) : Reason::traced;
+  const Reason polygon = blended || open ? polygonReason(real, has) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
   if (open && polygon != Reason::traced) raster.butDepthFunc = polygon;
   raster.layers =
       blended && polygon == Reason::traced ? readBlending(real, raster.writesDepth) : std::nullopt;
   raster.firstVertexProvokes =
-      state.rare.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
+      has.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
   raster.multisample = isOn(real, GL_MULTISAMPLE);
-  if (state.rare.fixedFunction) {
+  if (has.fixedFunction) {
     raster.alphaTest = readAlphaTest(real);
-    state.shading.fog = readFog(real, state.rare);
+    fog = readFog(real, has);
   }
   raster.cull = readCull(real);
   raster.frontFaceCcw = integer(real, GL_FRONT_FACE) == GL_CCW;

@@ -1,6 +1,5 @@
 #include "gl/state/state.h"
 
-#include "gl/basics/affine.h"
 #include "gl/real/state_queries.h"
 
 #include <GL/gl.h>
@@ -10,15 +9,6 @@
 #include <cmath>
 
 namespace gluray::gl {
-namespace {
-
-glm::dmat4 matrix(const RealGl& real, GLenum name) {
-  glm::dmat4 m(1);
-  real.GetDoublev(name, glm::value_ptr(m));
-  return m;
-}
-
-}  // namespace
 
 uint32_t groupsOfCapability(GLenum capability) {
   if (capability >= GL_LIGHT0 && capability <= GL_LIGHT0 + 31) return kLighting;
@@ -54,22 +44,18 @@ uint32_t groupsOfCapability(GLenum capability) {
   }
 }
 
-void readModelview(const RealGl& real, State& state) {
-  state.modelview = matrix(real, GL_MODELVIEW_MATRIX);
-  state.modelviewInvertible = isInvertible(state.modelview);
+glm::dmat4 readMatrix(const RealGl& real, GLenum name) {
+  glm::dmat4 m(1);
+  real.GetDoublev(name, glm::value_ptr(m));
+  return m;
 }
 
-void readProjection(const RealGl& real, State& state) {
-  state.projection = matrix(real, GL_PROJECTION_MATRIX);
-  state.projectionInvertible = isInvertible(state.projection);
-}
-
-void readViewport(const RealGl& real, State& state) {
-  real.GetIntegerv(GL_VIEWPORT, &state.viewport.x);
-  real.GetIntegerv(GL_SCISSOR_BOX, &state.scissor.x);
+void readViewport(const RealGl& real, ViewportState& viewport) {
+  real.GetIntegerv(GL_VIEWPORT, &viewport.box.x);
+  real.GetIntegerv(GL_SCISSOR_BOX, &viewport.scissor.x);
   GLfloat range[2] = {0, 1};
   real.GetFloatv(GL_DEPTH_RANGE, range);
-  state.depthNear = range[0], state.depthFar = range[1];
+  viewport.depthNear = range[0], viewport.depthFar = range[1];
 }
 
 namespace {
@@ -110,8 +96,7 @@ scene::Light readLight(const RealGl& real, GLenum name) {
   return light;
 }
 
-void readLighting(const RealGl& real, State& state) {
-  scene::Shading& shading = state.shading;
+void readLighting(const RealGl& real, const RareState& has, scene::Shading& shading) {
   shading.lighting = isOn(real, GL_LIGHTING);
   shading.smooth = integer(real, GL_SHADE_MODEL) == GL_SMOOTH;
   shading.lights.clear();
@@ -120,7 +105,7 @@ void readLighting(const RealGl& real, State& state) {
   // Normals also enter generated texture coordinates.
   shading.normalize = isOn(real, GL_NORMALIZE);
   shading.rescaleNormal = isOn(real, GL_RESCALE_NORMAL);
-  shading.colorSum = !shading.lighting && state.rare.secondaryColor && isOn(real, GL_COLOR_SUM);
+  shading.colorSum = !shading.lighting && has.secondaryColor && isOn(real, GL_COLOR_SUM);
   if (!shading.lighting) return;
   shading.twoSided = integer(real, GL_LIGHT_MODEL_TWO_SIDE) != 0;
   shading.localViewer = integer(real, GL_LIGHT_MODEL_LOCAL_VIEWER) != 0;
@@ -134,7 +119,7 @@ void readLighting(const RealGl& real, State& state) {
   }
 }
 
-void readMaterial(const RealGl& real, State& state) {
+void readMaterial(const RealGl& real, scene::MaterialPair& material) {
   const auto read = [&](GLenum face, scene::Material& m) {
     real.GetMaterialfv(face, GL_AMBIENT, glm::value_ptr(m.ambient));
     real.GetMaterialfv(face, GL_DIFFUSE, glm::value_ptr(m.diffuse));
@@ -142,20 +127,21 @@ void readMaterial(const RealGl& real, State& state) {
     real.GetMaterialfv(face, GL_EMISSION, glm::value_ptr(m.emission));
     real.GetMaterialfv(face, GL_SHININESS, &m.shininess);
   };
-  read(GL_FRONT, state.material.front);
-  read(GL_BACK, state.material.back);
+  read(GL_FRONT, material.front);
+  read(GL_BACK, material.back);
 }
 
-void readClipPlanes(const RealGl& real, State& state) {
-  state.clipPlanes.clear();
+std::vector<glm::dvec4> readClipPlanes(const RealGl& real) {
+  std::vector<glm::dvec4> planes;
   const GLint count = integer(real, GL_MAX_CLIP_PLANES);
   for (GLint i = 0; i < count; ++i) {
     const auto name = static_cast<GLenum>(GL_CLIP_PLANE0 + i);
     if (!isOn(real, name)) continue;
     glm::dvec4 plane(0);
     real.GetClipPlane(name, glm::value_ptr(plane));
-    state.clipPlanes.push_back(plane);
+    planes.push_back(plane);
   }
+  return planes;
 }
 
 }  // namespace gluray::gl

@@ -1,8 +1,7 @@
-// The GL state that draws depend on. The real OpenGL keeps the state (every state call is forwarded at once);
-// this is a copy in groups. A draw that needs a group reads it back if calls have touched it. GL thread.
+// The GL state that draws depend on, in groups, and the functions that read it back from the real OpenGL.
+// ShadowState keeps the copies. GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
-#include "gl/program_state/program_state.h"
 #include "gl/real/extensions.h"
 #include "gl/real/real.h"
 #include "gl/state/attached_images.h"
@@ -94,31 +93,31 @@ struct TargetState {
   uintptr_t drawable = 0;
 };
 
-struct State {
-  RareState rare;
-  glm::dmat4 modelview{1}, projection{1};
-  bool modelviewInvertible = true, projectionInvertible = true;
-  glm::ivec4 viewport{0, 0, 1, 1}, scissor{0, 0, 1, 1};
+struct ViewportState {
+  glm::ivec4 box{0, 0, 1, 1};      // x, y, width, height
+  glm::ivec4 scissor{0, 0, 1, 1};  // the same; counts while RasterState::scissorTest is on
   float depthNear = 0, depthFar = 1;
-  RasterState raster;
-  scene::Shading shading;  // without textures and alpha test
-  scene::MaterialPair material;
-  Reason textureReason = Reason::traced;
-  std::vector<scene::Texture> textures;  // of the enabled units
-  std::vector<glm::dvec4> clipPlanes;    // eye space, enabled ones
-  TargetState target;
-  ProgramState program;  // where raster.program is not 0
 };
 
-void readModelview(const RealGl& real, State& state);
-void readProjection(const RealGl& real, State& state);
-void readViewport(const RealGl& real, State& state);
-void readRaster(const RealGl& real, State& state);
-void readLighting(const RealGl& real, State& state);
-void readMaterial(const RealGl& real, State& state);
+/// What decides which pixels a draw may change, and how. Refers to the state it was made from.
+struct PixelState {
+  const TargetState& target;
+  const RasterState& raster;
+  const ViewportState& viewport;
+};
+
+/// GL_MODELVIEW_MATRIX or GL_PROJECTION_MATRIX.
+glm::dmat4 readMatrix(const RealGl& real, GLenum name);
+void readViewport(const RealGl& real, ViewportState& viewport);
+/// `fog` is read where `has` says that there is fixed function.
+void readRaster(const RealGl& real, const RareState& has, RasterState& raster, scene::Fog& fog);
+/// Reads all of `shading` but fog, textures and alpha test.
+void readLighting(const RealGl& real, const RareState& has, scene::Shading& shading);
+void readMaterial(const RealGl& real, scene::MaterialPair& material);
 /// Light `name`, on or off.
 scene::Light readLight(const RealGl& real, GLenum name);
-void readClipPlanes(const RealGl& real, State& state);
-void readTarget(const RealGl& real, AttachedImages& images, State& state);
+/// Those that are enabled, in eye space.
+std::vector<glm::dvec4> readClipPlanes(const RealGl& real);
+void readTarget(const RealGl& real, const RareState& has, AttachedImages& images, TargetState& target);
 
 }  // namespace gluray::gl

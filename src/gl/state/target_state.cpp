@@ -79,16 +79,15 @@ bool keepsFloats(const RealGl& real, GLuint framebuffer) {
 
 }  // namespace
 
-void readTarget(const RealGl& real, AttachedImages& images, State& state) {
-  TargetState& target = state.target;
+void readTarget(const RealGl& real, const RareState& has, AttachedImages& images, TargetState& target) {
   target.size = {0, 0};
   target.reason = Reason::traced;
   target.eightBits = target.blendable = false;
-  const bool objects = state.rare.framebufferObjects;
+  const bool objects = has.framebufferObjects;
   target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));
   target.samples = std::max(1, integer(real, GL_SAMPLES));
-  target.encodes = state.rare.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
+  target.encodes = has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB);
   target.samplePositions.assign(static_cast<size_t>(target.samples), glm::vec2(0.5f));
   if (!isSingleDrawBuffer(target.drawBuffer)) target.reason = Reason::drawBuffer;
   if (target.framebuffer != 0) {
@@ -97,17 +96,17 @@ void readTarget(const RealGl& real, AttachedImages& images, State& state) {
     if (hasMoreDrawBuffers(real)) target.reason = Reason::drawBuffer;
     target.size = attachmentSize(real, images, target.drawBuffer);
   }
-  const GLint depthBits = gl::depthBits(real, state.rare.fixedFunction);
+  const GLint depthBits = gl::depthBits(real, has.fixedFunction);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
   // OpenGL leaves the unit to the implementation. Mesa's drivers and rasterizers take two depth steps.
   target.offsetUnit = std::ldexp(2.0f, -std::max(depthBits, 1));
   target.depthFloats = target.wideColors = false;
   if (target.reason != Reason::traced) return;
   target.depthFloats = depthBits > 0 && keepsFloats(real, target.framebuffer);
-  const Colors colors = colorsOf(real, target, state.rare.fixedFunction);
+  const Colors colors = colorsOf(real, target, has.fixedFunction);
   target.wideColors = colors == Colors::floats;
   target.depthSteps = target.depthFloats ? 0 : std::ldexp(1.0, depthBits) - 1;
-  readColorBits(real, state.rare.fixedFunction, target);
+  readColorBits(real, has.fixedFunction, target);
   if (depthBits == 0)
     target.reason = Reason::noDepthBuffer;
   else if (colors == Colors::others)

@@ -48,9 +48,8 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
     const GLenum depthFunc = p_.pending.batch.key().depthFunc;
     const glm::ivec2 size = window.overdue.size;
     if (window.show && mayShowDirectly() && contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) {
-      p_.shadow.refresh(kTarget);
       frame.cleared = p_.cleared.target();
-      frame.farthest = farthestHit(depthFunc, p_.shadow.state.target.depthResolution);
+      frame.farthest = farthestHit(depthFunc, p_.shadow.target().depthResolution);
     }
     refusal =
         p_.pending.presenter.window().traceAhead(p_.shadow.real, p_.pending.batch.pending(),
@@ -118,7 +117,7 @@ bool WindowFrames::clearsLater(GLbitfield mask) {
   if (!lagged_ && !lacks()) return false;
   if (!p_.pending.batch.empty() || mask == 0 || mask & ~kClears || p_.clock.passesThrough() ||
       p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
-      !clearsWindow(p_.shadow.real, p_.shadow.state.rare, mask))
+      !clearsWindow(p_.shadow.real, p_.shadow.rare(), mask))
     return false;
   if (!lagged_) return holdsClear(mask);
   if (lagged_->clears.size() >= kMaxClears) return false;

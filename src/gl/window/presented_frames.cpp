@@ -40,15 +40,14 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     if (p_.pending.batch.empty() || !p_.cleared.target()) return false;  // tracing has failed
     // The pixels of a clear are read from the back buffer.
     if (!p_.pending.presenter.window().knowsClear(*p_.cleared.target())) makeClear();
-    p_.shadow.refresh(kTarget);
+    const float depthResolution = p_.shadow.target().depthResolution;
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
     p_.shadow.syncCurrent();
     p_.pending.surround();
-    const ShowTarget target{
-        *p_.cleared.target(),
-        farthestHit(p_.pending.batch.key().depthFunc, p_.shadow.state.target.depthResolution),
-        p_.shadow.info.core, p_.clock.wish(), show};
+    const ShowTarget target{*p_.cleared.target(),
+                            farthestHit(p_.pending.batch.key().depthFunc, depthResolution),
+                            p_.shadow.info.core, p_.clock.wish(), show};
     const PresentResult result =
         p_.pending.presenter.window().show(p_.shadow.real, p_.pending.batch.pending(), target);
     if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced picture is known
@@ -112,7 +111,7 @@ void WindowFrames::clears(GLbitfield mask) {
   if (!lacks() || drawFramebuffer(p_.shadow.real) != 0) return;
   meetNewSize();
   if (presented_.losesStencil(mask) || (mask & kBoth) != kBoth || isOn(p_.shadow.real, GL_SCISSOR_TEST) ||
-      !clearsAll(p_.shadow.real, p_.shadow.state.rare))
+      !clearsAll(p_.shadow.real, p_.shadow.rare()))
     return settle();
   presented_.hide();
 }
@@ -134,8 +133,7 @@ void WindowFrames::meetDraw() {
 
 void WindowFrames::settleInWindow() {
   if (!lacks()) return;
-  p_.shadow.refresh(kTarget);
-  if (p_.shadow.state.target.framebuffer == 0) settle();
+  if (p_.shadow.target().framebuffer == 0) settle();
 }
 
 bool WindowFrames::readsImages() const {
