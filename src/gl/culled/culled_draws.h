@@ -13,7 +13,6 @@
 #include "gl/culled/culled_program.h"
 #include "gl/culled/feedback/position_feedback.h"
 #include "gl/culled/instances/instances.h"
-#include "gl/culled/instances/signed_fractions.h"
 #include "gl/culled/restore_point.h"
 #include "gl/culled/small_draws.h"
 #include "gl/pending/pending_batch.h"
@@ -210,7 +209,6 @@ class CulledDraws {
   std::unordered_map<const KnownProgram*, std::unique_ptr<CulledProgram>> programs_;
   std::unordered_map<Hash128, Known> meshes_;
   ConstantAttributes constants_;
-  SignedFractions fractions_;
   BackgroundJob job_;
   std::shared_ptr<CulledMesh> building_;
   bool placed_ = false;  // what is drawn now

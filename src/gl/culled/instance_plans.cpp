@@ -44,7 +44,9 @@ CullReason CulledDraws::planInstances(const Source& from, Plan& found) {
   std::vector<Instances::Column> columns;
   const Program& program = from.program->known().program;
   p_.shadow.errors.keepPending();
-  const auto fractions = [&] { return fractions_.areSymmetric(real, p_.shadow.info.core); };
+  const auto fractions = [&] {
+    return p_.shadow.fractions.areSymmetric(real, p_.shadow.info.core).value_or(false);
+  };
   const CullReason reason = instanceColumns(real, program, arrays, from.position, units, fractions, columns);
   if (reason != CullReason::culled) return reason;
   Instances instances(from.position, std::move(columns), units);

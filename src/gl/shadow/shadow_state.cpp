@@ -83,6 +83,11 @@ void ShadowState::askRare() noexcept {
   asksRare_ = false;
 }
 
+void ShadowState::checkArrays(ArrayState& arrays) {
+  attachments.check(arrays);
+  if (fractions.apply(real, info.core, arrays)) latch.restore(real);
+}
+
 void ShadowState::read(uint32_t stale) {
   // A query that the real OpenGL refuses sets an error; the program must see only its own errors.
   errors.keepPending();
@@ -111,11 +116,11 @@ void ShadowState::read(uint32_t stale) {
   if (stale & kFixedTextures) textureReason_ = textures.read(real, rare_, fixedTextures_);
   if (stale & kClip) clipPlanes_ = readClipPlanes(real);
   if (stale & kTarget) readTarget(real, rare_, images, target_);
-  if (stale & kFixedArrays) readArrays(real, group, arrays_), attachments.check(arrays_);
+  if (stale & kFixedArrays) readArrays(real, group, arrays_), checkArrays(arrays_);
   if (stale & (kProgram | kProgramTextures)) readProgramInUse();
   if (stale & kAttributes) {
     readAttributes(real, group, program_.known.get(), attributes_);
-    attachments.check(attributes_);
+    checkArrays(attributes_);
   }
   while (real.GetError() != GL_NO_ERROR) {}
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/arrays/attachments.h"
+#include "gl/arrays/signed_fractions.h"
 #include "gl/capture/current_values.h"
 #include "gl/clock/context_info.h"
 #include "gl/program_state/current_program.h"
@@ -45,6 +46,7 @@ class ShadowState {
   MaterialLatch latch;
   TextureCache textures;
   CurrentProgram currentProgram;
+  SignedFractions fractions;
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: query the real OpenGL
 
@@ -150,6 +152,7 @@ class ShadowState {
   void readBack(uint32_t groups) noexcept;
   void read(uint32_t stale);
   void readProgramInUse();
+  void checkArrays(ArrayState& arrays);
   void askRare() noexcept;
   void readRare();
 

@@ -1,7 +1,7 @@
 // A draw of instances made in parts by the real OpenGL has the picture of the whole draw to the bit, with a
 // base instance, with vertex buffer bindings, and without both. State is as before.
+#include "gl/arrays/signed_fractions.h"
 #include "gl/culled/instances/instance_draws.h"
-#include "gl/culled/instances/signed_fractions.h"
 #include "gl/program_state/program_state.h"
 #include "gl/sharing/share_group.h"
 #include "tests/reference/culled/swarm.h"

@@ -1,11 +1,12 @@
-#include "gl/culled/instances/signed_fractions.h"
+#include "gl/arrays/signed_fractions.h"
 
-#include "gl/culled/feedback/feedback_stage.h"
 #include "gl/glsl/build_program.h"
+#include "gl/glsl/feedback_stage.h"
 #include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -111,12 +112,12 @@ class TrialArrays {
   std::array<GLuint, 2> buffers_{};
 };
 
-bool tried(const RealGl& real, bool core) {
+std::optional<bool> tryOut(const RealGl& real, bool core) {
   const GLuint program = trialProgram(real, core);
-  if (program == 0) return false;
+  if (program == 0) return std::nullopt;
   const std::vector<Element> elements = allElements();
   const auto bytes = static_cast<GLsizeiptr>(elements.size() * sizeof(Fed));
-  bool same = false;
+  std::optional<bool> same;
   {
     const TrialArrays arrays(real, elements, bytes);
     const FeedbackStage stage(real, program, arrays.feedback());
@@ -126,7 +127,7 @@ bool tried(const RealGl& real, bool core) {
     real.EndTransformFeedback();
     const MappedFeedback mapped(real, bytes);
     const auto* const fed = static_cast<const Fed*>(mapped.data());
-    same = fed && areSame({fed, elements.size()}, elements);
+    if (fed) same = areSame({fed, elements.size()}, elements);
   }
   real.DeleteProgram(program);
   return same;
@@ -134,18 +135,35 @@ bool tried(const RealGl& real, bool core) {
 
 }  // namespace
 
-bool SignedFractions::areSymmetric(const RealGl& real, bool core) {
-  if (symmetric_) return *symmetric_;
-  symmetric_ = false;
-  if (!hasFeedbackObjects(real) || !isPresent(real.BindVertexArray)) return false;
+std::optional<bool> SignedFractions::areSymmetric(const RealGl& real, bool core) {
+  if (tried_) return symmetric_;
+  tried_ = true;
+  if (!hasFeedbackObjects(real) || !isPresent(real.BindVertexArray)) return std::nullopt;
   if (integer(real, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0 || isOn(real, GL_RASTERIZER_DISCARD)) {
-    symmetric_.reset();  // later
-    return false;
+    tried_ = false;  // later
+    return std::nullopt;
   }
-  const bool same = tried(real, core);
+  const std::optional<bool> same = tryOut(real, core);
   bool failed = false;
   while (real.GetError() != GL_NO_ERROR) failed = true;
-  return *(symmetric_ = same && !failed);
+  if (!failed) symmetric_ = same;
+  return symmetric_;
+}
+
+bool SignedFractions::apply(const RealGl& real, bool core, ArrayState& arrays) {
+  const bool knew = tried_;
+  const auto set = [&](ArraySource& a) {
+    if (!a.enabled || !a.normalized || (a.type != GL_BYTE && a.type != GL_SHORT && a.type != GL_INT)) return;
+    if (const std::optional<bool> symmetric = areSymmetric(real, core)) a.symmetric = *symmetric;
+  };
+  for (ArraySource* a :
+       {&arrays.vertex, &arrays.normal, &arrays.color, &arrays.secondaryColor, &arrays.fogCoord,
+        &arrays.texcoord, &arrays.radius, &arrays.axis, &arrays.instanceColor})
+    set(*a);
+  for (auto* many :
+       {&arrays.texcoordsAbove, &arrays.generic, &arrays.instanceTransform, &arrays.instanceNormal})
+    std::ranges::for_each(*many, set);
+  return tried_ && !knew;
 }
 
 }  // namespace gluray::gl
