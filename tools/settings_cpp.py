@@ -70,6 +70,7 @@ def structs(rows: list[Row]) -> str:
     switches = tuple(f"{r.name}." for r in own if r.heads)
     changed = [f"{'.'.join(r.path)} != initial.{'.'.join(r.path)}" for r in own if r.changes == "picture" and (r.alone or not r.name.startswith(switches))]
     body = "    const Settings initial;\n    return " + " ||\n           ".join(changed) + ";" if changed else "    return false;"
+    reset = "\n".join(f"    same.{'.'.join(r.path)} = initial.{'.'.join(r.path)};" for r in own if r.changes == "picture")
     return f"""{HEADER}#pragma once
 #include "settings/quirks.h"
 
@@ -87,6 +88,13 @@ struct Settings {{
   /// Whether a setting has a value under which the real OpenGL would not show the same picture.
   bool changesPicture() const {{
 {body}
+  }}
+  /// The same, but for those: under it pictures are the real OpenGL's.
+  Settings withoutPictureChanges() const {{
+    const Settings initial;
+    Settings same = *this;
+{reset}
+    return same;
   }}
 }};
 

@@ -74,6 +74,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
   snapshot_->view = viewOf(key, target);
   snapshot_->number = newNumber();
   snapshot_->settings = settings;
+  undithered_ = false;
   snapshot_->lightSampling.mode = mode;
   snapshot_->camera = {key.projection, key.viewport, key.depthNear, key.depthFar};
   // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.
@@ -175,6 +176,15 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
 bool Batch::takes(const glm::dmat4& eyeFromObject) const {
   return eyeFromObject == snapshot_->eyeFromWorld ||
          scene::isPlaceable(glm::mat4(worldFromEye_ * eyeFromObject));
+}
+
+bool Batch::holdsData() const {
+  if (!undithered_ || key_.layers != BatchKey::Layers::none || (key_.samples > 1 && key_.multisample))
+    return false;
+  using Model = scene::FragmentShading::Model;
+  return std::ranges::all_of(snapshot_->shadings, [](const scene::Shading& s) {
+    return s.fragment.model == Model::unlit || (s.fragment.model == Model::off && !s.lighting);
+  });
 }
 
 scene::SnapshotPtr Batch::takeSnapshot() {

@@ -70,6 +70,14 @@ class Batch {
   void surround(std::shared_ptr<const scene::Surroundings> surroundings) {
     snapshot_->surroundings = std::move(surroundings);
   }
+  /// Colours are not dithered (GL_DITHER).
+  void setUndithered() { undithered_ = true; }
+  /// Whether its pixels are data to the program rather than a picture: surfaces of one colour each, without
+  /// light, blending, dither or antialiasing, such as the numbers of objects that a program reads to find
+  /// what is under the pointer.
+  bool holdsData() const;
+  /// Has it traced as if no setting changed pictures.
+  void dropPictureChanges() { snapshot_->settings = snapshot_->settings.withoutPictureChanges(); }
   /// Sets which frame of its view it belongs to.
   void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
   void setLightMode(scene::LightSampling::Mode mode) { snapshot_->lightSampling.mode = mode; }
@@ -103,6 +111,7 @@ class Batch {
   BatchKey key_;
   std::vector<ProgramDraw> programDraws_;
   uint32_t drawn_ = 0;  // calls of add(): counts replaced instances, too
+  bool undithered_ = false;
   SnapshotMemory memory_;
   std::pmr::unsynchronized_pool_resource blocks_;  // reused: thousands of small allocations a frame
   std::pmr::unordered_multimap<Hash128, size_t> instancesAt_{&blocks_};  // geometry and place -> instances

@@ -29,6 +29,9 @@ class FrameClock {
   bool measured() const { return choice.wantsStop(); }
   /// The program reads what flushes write until it is false again.
   bool reads = false;
+  /// Flushes write what somebody is about to see until it is false again: a swap, or glFlush of a window with
+  /// one buffer.
+  bool shows = false;
   /// `known`: the picture was shown before, elsewhere.
   PictureWish wish(bool known = false) const { return {known || !measured(), reads && !animates_}; }
   /// For a picture that the window shows already: reads find it there (FinishedRead).

@@ -3,6 +3,7 @@
 #include "gl/basics/affine.h"
 #include "gl/classify/solid_draws.h"
 #include "gl/layers/layer_draws.h"
+#include "gl/real/state_queries.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -39,6 +40,7 @@ bool BatchFiller::open(const BatchKey& key, const glm::dmat4& modelview) {
   if (!batch.empty()) return true;
   p_.flusher.settleBelow(key.samples);
   batch.start(key, p_.shadow.target(), modelview, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
+  if (p_.shadow.settings.changesPicture() && !isOn(p_.shadow.real, GL_DITHER)) batch.setUndithered();
   return true;
 }
 

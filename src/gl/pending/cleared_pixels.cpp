@@ -44,6 +44,8 @@ std::optional<scene::Backdrop> backdropWhere(const std::vector<uint32_t>& colors
 
 void PendingBatch::surround() {
   pictured.collect(batch);
+  const bool isSeen = p_.clock.shows || (batch.key().framebuffer == 0 && !p_.clock.reads);
+  if (!isSeen && batch.holdsData()) batch.dropPictureChanges();
   if (batch.key().layers != BatchKey::Layers::factors)
     p_.surfaces.objects.number(batch.key(), batch.unnumbered());
   const uint64_t frame = p_.surfaces.views.frameOf(batch.key(), batch.waiting());
