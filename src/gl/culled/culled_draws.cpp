@@ -184,7 +184,7 @@ void CulledDraws::refuseDifferent(CulledProgram* program) {
     fixedDiffers_ = true;
   log::write(log::Level::warning, std::string("culled draws ") +
                                       (program ? "of a shader program" : "by fixed function") +
-                                      " were not the same as whole ones: from now on they are made whole");
+                                      " differ from complete draws: GLuRay does not cull them any more");
 }
 
 bool CulledDraws::read(const Plan& plan, Pixels& pixels) {
