@@ -65,7 +65,7 @@ class Observers {
   };
   void wished(uint64_t program, uint64_t client);
   void ask(uint64_t program, std::vector<uint64_t> clients);
-  Wish together(uint64_t program) const;
+  Wish combinedWish(uint64_t program) const;
   void listIsDue(uint64_t client, Client& state);
   void sendList(uint64_t client, Client& state);
   void sendEvent(uint64_t client, Client& state, uint64_t program, const PeerLink::Line& line);

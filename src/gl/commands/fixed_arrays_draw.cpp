@@ -29,7 +29,7 @@ Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
 
 void FixedArraysDraw::meetPasses(PrimitiveClass primitive, Reason reason) {
   c_.shadow.refresh(kModelview);
-  if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.passUnseen(primitive, reason);
+  if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.noteUnsampledDraw(primitive, reason);
   c_.shadow.refresh(kFixedArrays);
   if (!c_.shadow.arrays.vertex.enabled || c_.shadow.arrays.reason != Reason::traced) return;
   c_.raster.meetPasses(

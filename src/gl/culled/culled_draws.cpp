@@ -72,7 +72,7 @@ bool CulledDraws::isLarge(const Elements& e) const {
 
 CulledDraws::Part CulledDraws::mayLeaveOut(const Elements& e) {
   if (!isActive()) return Part::nothing;
-  if (isLarge(e)) return Part::some;
+  if (isLarge(e)) return Part::clusters;
   return small_.isOn() ? Part::whole : Part::nothing;
 }
 
@@ -168,11 +168,11 @@ bool CulledDraws::drawVerified(const Plan& plan) {
   before_.putBack();
   drawWhole(plan);
   if (!isRead || !read(plan, whole) || culled == whole) return true;
-  isDifferent(plan);
+  markDifferent(plan);
   return true;
 }
 
-void CulledDraws::isDifferent(const Plan& plan) {
+void CulledDraws::markDifferent(const Plan& plan) {
   if (!plan.program) plan.known->different = true;
   refuseDifferent(plan.program);
 }

@@ -52,8 +52,9 @@ class CulledDraws {
         small_({parts.shadow, parts.clock, parts.counts, parts.pending, parts.cleared, *this}) {}
   ~CulledDraws();
 
-  /// What draw() may leave out of a draw, depending on the state. If nothing, call count() in its place.
-  enum class Part : uint8_t { nothing, whole, some };  // whole: a small draw, or nothing of it
+  /// What draw() may skip of a draw in the current state: nothing; the whole draw, which is small; or
+  /// clusters of its triangles or instances. For `nothing`, call count() instead of draw().
+  enum class Part : uint8_t { nothing, whole, clusters };
   Part mayLeaveOut(const Elements& elements);
   bool mayCull(const Elements& elements) { return mayLeaveOut(elements) != Part::nothing; }
   void count(const Elements& elements);
@@ -123,9 +124,9 @@ class CulledDraws {
     std::optional<InstanceUnits> units;     // nothing: clusters of the mesh are the parts
     std::optional<Instances> instances;     // where units are; nothing: `feedback` says so
     bool byClusters = false;                // parts are clusters of each unit, else units
-    CullReason apart = CullReason::culled;  // why instances cannot be drawn without the others:
-    /// Then parts are clusters, which are drawn in all instances if they show in any.
-    bool together() const { return apart != CullReason::culled; }
+    CullReason apart = CullReason::culled;  // reason why instances cannot be drawn separately
+    /// Whether a cluster that is visible in any instance is drawn in all instances.
+    bool drawsAllInstances() const { return apart != CullReason::culled; }
     scene::Region region;  // pixels that may be drawn
     WindowMapping window;
     int samples = 1;         // of a pixel
@@ -172,7 +173,7 @@ class CulledDraws {
   bool rehearse(const Plan& plan, std::vector<uint64_t>& visible);
   bool isSame(const Plan& plan, const std::vector<uint64_t>& visible);
   /// The draw was not the same as a whole one.
-  void isDifferent(const Plan& plan);
+  void markDifferent(const Plan& plan);
   /// So many of its primitives were drawn.
   void countLeft(const Plan& plan, uint64_t drawn);
   void drawWhole(const Plan& plan) { drawReal(p_.shadow.real, plan.mode, plan.elements); }

@@ -45,7 +45,7 @@ class RasterDraws {
   template <class Sample, class MeshOf>
   void meetPasses(PrimitiveClass kind, Reason reason, const Sample& sample, const MeshOf& meshOf) {
     const Needs needs = needsOf(kind, reason);
-    if (needs.unseen) leaveUnseen();
+    if (needs.unsampled) addUnsampledFixedDraw();
     if (!needs.any()) return;
     p_.failsafe.protect([&] {
       std::vector<Triangle> triangles;
@@ -55,18 +55,18 @@ class RasterDraws {
       if (needs.leaves) leave(std::move(triangles));
     });
   }
-  /// The same for a surface whose vertices are not looked at.
-  void passUnseen(PrimitiveClass kind, Reason reason);
+  /// The same for a draw whose triangles are not sampled.
+  void noteUnsampledDraw(PrimitiveClass kind, Reason reason);
   /// Has the real OpenGL draw the depth of the traced surfaces that were found to have another pass.
   void rasteriseMet(MultipassSurfaces::Meeting meeting);
 
  private:
   /// What is done with a surface that is rasterised.
   struct Needs {
-    bool meets = false;   // it is held against earlier surfaces
-    bool mesh = false;    // later surfaces are held against its mesh
-    bool leaves = false;  // or against a sample of its triangles
-    bool unseen = false;  // or coincide with it in any case
+    bool meets = false;      // it is compared with earlier surfaces
+    bool mesh = false;       // later surfaces are compared with its mesh
+    bool leaves = false;     // later surfaces are compared with a sample of its triangles
+    bool unsampled = false;  // later surfaces count as coincident with it
     bool any() const { return meets || mesh || leaves; }
   };
   Needs needsOf(PrimitiveClass kind, Reason reason) const;
@@ -75,7 +75,7 @@ class RasterDraws {
   void meet(std::span<const Triangle> triangles);
   void remember(const KnownMesh& known);
   void leave(std::vector<Triangle> triangles);
-  void leaveUnseen();
+  void addUnsampledFixedDraw();
   DepthPlace depthPlace() const;
   /// Which way the next draw may change depths.
   void noteDepths();
