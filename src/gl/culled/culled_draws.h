@@ -1,6 +1,5 @@
-// Draws that are not traced, made by the real OpenGL without what cannot be seen (adr/0064): by shader
-// programs, and by fixed function. A part of each
-// Context, GL thread.
+// Culls draws that are not traced: the real OpenGL draws only the triangles and instances that may be visible
+// (adr/0064), by shader programs or fixed function. A part of each Context, GL thread.
 #pragma once
 #include "base/background_job.h"
 #include "base/hash.h"
@@ -58,9 +57,9 @@ class CulledDraws {
   Part mayLeaveOut(const Elements& elements);
   bool mayCull(const Elements& elements) { return mayLeaveOut(elements) != Part::nothing; }
   void count(const Elements& elements);
-  /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
-  /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn,
-  /// and it is to be made. Never throws. `first` is called before anything is drawn.
+  /// Makes a rasterised draw of the current shader program, or of fixed function if there is none. Call
+  /// RasterDraws::before() and ShadowState::sendBuffers() first. Returns false if nothing was drawn: the
+  /// caller then makes the draw. Never throws. `first` is called before anything is drawn.
   bool draw(GLenum mode, const Elements& elements, const std::function<void()>& first = {}) noexcept;
 
   /// Where a draw's vertices come from, and the matrix that puts them into clip space.
@@ -72,32 +71,33 @@ class CulledDraws {
     LinearPosition position;                 // by a program
     CulledProgram* program = nullptr;        // null: fixed function
   };
-  /// Finds it for draws with the current state. CullReason::culled, or why it is not known, or why what is
-  /// hidden at the end shows.
+  /// Finds the source of draws with the current state. Returns CullReason::culled, or the reason why the
+  /// source is unknown or why hidden triangles affect the picture.
   CullReason source(GLenum mode, const Elements& elements, Source& source);
 
-  /// What is known of the program in use, which there must be.
+  /// The current shader program; requires one.
   CulledProgram& programInUse();
-  /// Where fixed function puts vertices. CullReason::culled, or why such draws are whole.
+  /// Finds the transform of fixed function. Returns CullReason::culled, or the reason why such draws cannot
+  /// be culled.
   CullReason placeByFixedFunction(Source& source);
-  /// The array that an attribute of a program is read from. False: there is none.
+  /// Finds the array of a program's attribute. Returns false if there is none.
   bool findPositions(CulledProgram& program, const std::string& attribute, const ArrayState*& arrays,
                      const ArraySource*& positions);
-  /// A draw of the program, or by fixed function if null, showed and was to be left out: such draws are whole
-  /// from now on, with one line in the log.
+  /// Reports that a culled draw of the program (null: fixed function) was visible: stops culling such draws,
+  /// and logs one line.
   void refuseDifferent(CulledProgram* program);
 
   /// Whether the settings and the real OpenGL allow culled draws.
   bool isActive() const;
-  /// Whether draws of the current shader program may be made in parts, whatever its uniforms are.
+  /// Whether draws of the current shader program may be split, for all values of uniforms.
   bool takesParts();
   /// Whether the draw has enough vertices to be culled.
   bool isLarge(const Elements& elements) const;
 
  private:
-  /// What is remembered of draws that have the same parts: clusters, or units of instances.
+  /// History of draws with equal parts: clusters, or units of instances.
   struct History {
-    std::vector<uint64_t> visible;  // parts that showed last; empty: not known
+    std::vector<uint64_t> visible;  // parts that were visible last; empty: unknown
     bool byClusters = false;        // as Plan has it
     CullingTrials trials;
     Hash128 arrays;          // that give instances their values
@@ -112,7 +112,7 @@ class CulledDraws {
     bool refused = false;            // its positions cannot be read
     bool different = false;          // a picture was not the same, without a shader program
   };
-  /// What a draw needs, found before anything is drawn.
+  /// Data of a draw, found before anything is drawn.
   struct Plan {
     GLenum mode = GL_TRIANGLES;
     Elements elements;
@@ -187,7 +187,8 @@ class CulledDraws {
   bool read(const Plan& plan, Pixels& pixels);
   /// The farthest depth of each pixel's samples.
   bool readFarthest(const Plan& plan);
-  /// Reads the depth of the region and finds what may show. False: it cannot be read.
+  /// Reads the depth of the region and finds the parts that may be visible. Returns false if depth cannot be
+  /// read.
   bool findVisible(const Plan& plan, std::vector<uint64_t>& visible);
   void drawParts(const Plan& plan, const std::vector<uint64_t>& parts);
   /// `as`: whose instances are drawn.
@@ -202,7 +203,7 @@ class CulledDraws {
     for (uint32_t unit = 0; unit < plan.units->units(); ++unit)
       each(unit, std::span(parts).subspan(words * unit, words));
   }
-  /// Whether a pixel of these parts has the very depth that is there: then the order of drawing decides.
+  /// Whether a pixel of these parts has exactly the framebuffer's depth, so that the drawing order decides.
   bool meetsEqual(const Plan& plan, const std::vector<uint64_t>& parts);
 
   Parts p_;

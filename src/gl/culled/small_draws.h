@@ -1,6 +1,5 @@
-// Small draws that are not traced, left out as a whole where they cannot show: they lie outside of the view,
-// or behind depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL
-// thread.
+// Skips small draws that are not traced as a whole if they are certainly invisible: outside of the view, or
+// behind depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/basics/reasons.h"
@@ -43,12 +42,12 @@ class SmallDraws {
   };
   explicit SmallDraws(const Parts& parts) : p_(parts) {}
 
-  /// Whether draws may be left out in this frame.
+  /// Whether draws may be skipped in this frame.
   bool isOn();
-  /// Counts a draw that is made without asking leavesOut(), while !isOn().
+  /// Counts a draw while !isOn(), when leavesOut() is not called.
   void count(const Elements& elements);
-  /// Whether the draw, which is rasterised, cannot show: then it is counted and need not be made. Call
-  /// RasterDraws::before() and ShadowState::sendBuffers() before. May throw std::bad_alloc.
+  /// Whether a rasterised draw is certainly invisible: then it is counted, and the caller skips it. First
+  /// call RasterDraws::before() and ShadowState::sendBuffers() before. May throw std::bad_alloc.
   bool leavesOut(GLenum mode, const Elements& elements);
 
  private:

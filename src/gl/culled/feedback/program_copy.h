@@ -1,5 +1,5 @@
-// A copy of a program of the program under observation that feeds back gl_Position. GL thread, context
-// current.
+// A copy of one of the host's shader programs, changed to capture gl_Position by transform feedback. GL
+// thread, context current.
 #pragma once
 #include "gl/glsl/program.h"
 #include "gl/real/real.h"

@@ -1,4 +1,4 @@
-// Between which numbers a value of a shader lies, whatever its vertices, pixels and textures are. Any thread.
+// Conservative interval bounds of a shader value, for any input. Any thread.
 #pragma once
 #include <limits>
 
