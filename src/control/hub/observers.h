@@ -1,5 +1,5 @@
-// Which client observes which programs: asks programs for what any client wants, and passes events on. On the
-// hub's thread.
+// Tracks which clients observe which programs: subscribes to programs for the combined wishes of all clients,
+// and forwards events. On the hub's thread.
 #pragma once
 #include "control/hub/newest.h"
 #include "control/hub/programs.h"

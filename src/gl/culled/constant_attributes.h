@@ -1,5 +1,5 @@
-// Whether components of vertex attributes are 1 at all vertices of a draw. A part of CulledDraws, GL thread,
-// context current.
+// Tests whether components of vertex attributes are 1 at all vertices of a draw. A part of CulledDraws, GL
+// thread, context current.
 #pragma once
 #include "base/hash.h"
 #include "gl/culled/shader_slice/position_slice.h"

@@ -1,4 +1,4 @@
-// Whether a draw may be made in parts, as far as the state of OpenGL decides. GL thread, context current.
+// Tests whether OpenGL's state permits culling a draw. GL thread, context current.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/shadow/shadow_state.h"

@@ -1,5 +1,5 @@
-// Whether the draws of a shader program can be culled, and where it puts its vertices. GL thread, context
-// current.
+// Tests whether the draws of a shader program can be culled, and finds its vertex transform. GL thread,
+// context current.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/culled/feedback/position_feedback.h"

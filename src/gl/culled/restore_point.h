@@ -1,4 +1,4 @@
-// The pixels that a draw may change, as they were before it. A part of CulledDraws, GL thread.
+// Saves and restores the pixels that a draw may change. A part of CulledDraws, GL thread.
 #pragma once
 #include "gl/draws/raster_draws.h"
 #include "gl/pending/pending_batch.h"

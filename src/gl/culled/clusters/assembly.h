@@ -1,4 +1,4 @@
-// How the real OpenGL makes separate primitives of the vertices of a draw. GL thread.
+// Primitive assembly: maps the vertices of a draw to separate primitives. GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/real/elements.h"

@@ -1,4 +1,5 @@
-// Whether boxes of positions may show in front of a depth picture, as one matrix places them. Any thread.
+// Tests whether bounding boxes, transformed by a matrix, may be visible in front of a depth picture. Any
+// thread.
 #pragma once
 #include "gl/culled/clusters/depth_pyramid.h"
 

@@ -1,6 +1,6 @@
-// Clusters: a few neighbouring primitives of a draw and the box around them, in groups with boxes of their
-// own, and which of them may show in front of a depth picture. Loops run in the shared arena. Any thread, one
-// at a time for each object.
+// Clusters: a few neighbouring primitives of a draw with a bounding box, in groups with boxes of their own.
+// Finds the clusters that may be visible in front of a depth picture. Loops run in the shared arena. Any
+// thread, one at a time for each object.
 #pragma once
 #include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/clusters/depth_pyramid.h"

@@ -1,5 +1,5 @@
-// Where the triangles of each instance of a draw are whose positions were fed back, in clip space: clusters
-// of each unit of instances, and which units may show in front of a depth picture. Loops run in the shared
+// Bounds of instances whose positions were captured by transform feedback, in clip space: clusters of each
+// unit of instances. Finds the units that may be visible in front of a depth picture. Loops run in the shared
 // arena. A part of CulledMesh, GL thread.
 #pragma once
 #include "gl/culled/clusters/clusters.h"

@@ -1,4 +1,4 @@
-// Transform feedback of our own, beside that of the program. GL thread, context current.
+// GLuRay's own transform feedback, which preserves the program's. GL thread, context current.
 #pragma once
 #include "gl/real/other_program.h"
 #include "gl/real/real.h"

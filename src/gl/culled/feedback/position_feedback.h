@@ -1,5 +1,5 @@
-// Where a program's vertex shader puts the vertices of a draw, whatever it computes: the real OpenGL runs the
-// shader, and feeds gl_Position back. One per program. GL thread, context current.
+// Captures the positions of a draw for any vertex shader: the real OpenGL runs the shader, and transform
+// feedback captures gl_Position. One per program. GL thread, context current.
 #pragma once
 #include "gl/culled/feedback/program_copy.h"
 #include "gl/real/elements.h"

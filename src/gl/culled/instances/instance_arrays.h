@@ -1,5 +1,5 @@
-// The arrays that give instances their values, and which attributes they feed. A part of CulledDraws, GL
-// thread, context current.
+// The arrays with instance attributes, and the attributes that read them. A part of CulledDraws, GL thread,
+// context current.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/basics/reasons.h"

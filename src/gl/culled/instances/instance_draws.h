@@ -1,4 +1,4 @@
-// Draws of some instances of a draw, by a base instance, or by arrays that begin with later elements. A part
+// Draws a range of a draw's instances, with a base instance, or with array pointers to later elements. A part
 // of CulledDraws, GL thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"

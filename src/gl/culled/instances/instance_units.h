@@ -1,5 +1,5 @@
-// The instances of a draw in units, and how some of them are drawn without the others: element numbers of
-// their arrays. Calls no OpenGL. A part of a plan of CulledDraws, GL thread.
+// Groups the instances of a draw into units that can be drawn separately, by element numbers of their arrays.
+// Calls no OpenGL. A part of a plan of CulledDraws, GL thread.
 #pragma once
 #include <algorithm>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// Whether the real OpenGL reads signed fractions of vertex arrays as ArrayReader does. A part of CulledDraws,
-// GL thread, context current.
+// Tests whether the real OpenGL converts signed normalised integers of vertex arrays like ArrayReader. A part
+// of CulledDraws, GL thread, context current.
 #pragma once
 #include "gl/real/real.h"
 

@@ -1,5 +1,5 @@
-// Values of an abstract run of a shader: numbers that are linear in the components of one vertex attribute,
-// with factors that are polynomials in numbers that each instance has; or not known. Any thread.
+// Values in the abstract interpretation of a shader: linear in the components of one vertex attribute, with
+// coefficients that are polynomials in instance attributes; or unknown. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/value_range.h"
 

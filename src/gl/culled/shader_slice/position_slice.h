@@ -1,6 +1,6 @@
-// Where a vertex shader puts its vertices, if that is a matrix times one attribute, which may depend on
-// attributes of the instance, and whether a fragment shader's alpha is 1: follows what these depend on with
-// the current values of uniforms. Any thread.
+// Evaluates gl_Position of a vertex shader if it is a matrix, which may depend on instance attributes, times
+// one attribute; and tests whether a fragment shader's alpha is 1. Interprets the statements on which these
+// depend, with the current values of uniforms. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-// GLSL's own functions that work component by component, on linear values and on ranges. Any thread.
+// GLSL's component-wise built-in functions on linear values and on ranges. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/linear_value.h"
 

@@ -1,4 +1,4 @@
-// GLSL's own functions and operators on linear values. Any thread.
+// GLSL's built-in functions and operators on linear values. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/linear_value.h"
 

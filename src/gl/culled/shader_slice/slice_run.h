@@ -1,4 +1,4 @@
-// An abstract run of a vertex or fragment shader with the current values of its uniforms. Any thread.
+// Abstract interpretation of a vertex or fragment shader with the current values of its uniforms. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/linear_value.h"
 #include "gl/culled/shader_slice/position_slice.h"

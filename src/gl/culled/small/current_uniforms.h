@@ -1,4 +1,4 @@
-// The values that the uniforms of a program have now, read one by one. GL thread, context current.
+// Reads the current values of a program's uniforms one by one. GL thread, context current.
 #pragma once
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/glsl/program.h"

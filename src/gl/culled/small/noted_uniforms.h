@@ -1,5 +1,5 @@
-// Which uniforms a run of a shader has read, with their values: while these are the same, another run finds
-// the same. GL thread, context current.
+// Records the uniforms that an interpretation of a shader has read, with their values. While the values stay
+// equal, the result stays valid. GL thread, context current.
 #pragma once
 #include "gl/culled/small/current_uniforms.h"
 

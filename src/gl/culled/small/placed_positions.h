@@ -1,6 +1,5 @@
-// Where a program puts its vertices, found for many draws that differ in the values of some uniforms: the
-// vertex shader runs with these as unknown numbers, once. A part of CulledProgram, GL thread, context
-// current.
+// Computes a program's vertex transform for many draws that differ in some uniforms: interprets the vertex
+// shader once, with these uniforms as variables. A part of CulledProgram, GL thread, context current.
 #pragma once
 #include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/shader_slice/position_slice.h"
