@@ -62,12 +62,12 @@ class CulledDraws {
   /// caller then makes the draw. Never throws. `first` is called before anything is drawn.
   bool draw(GLenum mode, const Elements& elements, const std::function<void()>& first = {}) noexcept;
 
-  /// Where a draw's vertices come from, and the matrix that puts them into clip space.
+  /// Source of a draw's vertices, and the matrix to clip space.
   struct Source {
     const ArrayState* arrays = nullptr;
     const ArraySource* positions = nullptr;  // one of `arrays`
     int components = 4;                      // of these that count
-    ClipMatrix matrix;                       // without what numbers of the instance add
+    ClipMatrix matrix;                       // without the terms of instance attributes
     LinearPosition position;                 // by a program
     CulledProgram* program = nullptr;        // null: fixed function
   };
@@ -121,8 +121,8 @@ class CulledDraws {
     Known* known = nullptr;
     History* history = nullptr;
     ClipMatrix matrix;
-    std::optional<InstanceUnits> units;     // nothing: clusters of the mesh are the parts
-    std::optional<Instances> instances;     // where units are; nothing: `feedback` says so
+    std::optional<InstanceUnits> units;     // none: parts are clusters of the mesh
+    std::optional<Instances> instances;     // bounds of units; none: from `feedback`
     bool byClusters = false;                // parts are clusters of each unit, else units
     CullReason apart = CullReason::culled;  // reason why instances cannot be drawn separately
     /// Whether a cluster that is visible in any instance is drawn in all instances.
@@ -130,34 +130,34 @@ class CulledDraws {
     scene::Region region;  // pixels that may be drawn
     WindowMapping window;
     int samples = 1;         // of a pixel
-    bool rehearsed = false;  // what shows is found in a copy of the framebuffer, which cannot be put back
-    PositionFeedback* feedback = nullptr;  // gives positions, which are clip coordinates; null: arrays do
+    bool rehearsed = false;  // visibility is found in a copy of the framebuffer, which cannot be restored
+    PositionFeedback* feedback = nullptr;  // source of positions, which are clip coordinates; null: arrays
     bool reversed = false;                 // larger depths are nearer: `window` maps to 1 - depth
   };
 
-  /// Why the draw is not culled, or CullReason::culled.
+  /// Plans a draw. Returns CullReason::culled, or the reason why the draw is not culled.
   CullReason plan(GLenum mode, const Elements& elements, Plan& plan);
   CullReason sourceOfProgram(GLenum mode, const Elements& elements, Source& source);
-  /// Why what is hidden at the end shows by blending, or CullReason::culled.
+  /// Returns the reason why hidden surfaces affect the picture through blending, or CullReason::culled.
   CullReason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
                         const Elements& elements);
   CullReason sourceOfFixedFunction(Source& source);
   CullReason planInstances(const Source& source, Plan& plan);
-  /// Finds which instances can be drawn without the others. CullReason::culled, or why nothing can be left
-  /// out.
+  /// Finds the instances that can be drawn separately. Returns CullReason::culled, or the reason why nothing
+  /// can be skipped.
   CullReason planUnits(const CulledProgram& program, Plan& plan);
   CullReason planMesh(const Source& source, Plan& plan);
-  /// For programs whose positions are not known without running them.
+  /// Plans a draw of a program whose positions need transform feedback.
   CullReason planFeedback(Plan& plan);
   CullReason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
                           Plan& plan);
-  /// Moves the clusters to where this draw's vertices are. False: that is not known.
+  /// Updates the clusters for this draw's positions. Returns false if these are unknown.
   bool placeClusters(const Plan& plan);
   static bool areFewAndLarge(const InstanceUnits& units, const CulledMesh& mesh);
   History& historyOf(Known& known, const Plan& plan);
   History& historyOf(Known& known, const Hash128& arrays);
   void mapWindow(Plan& plan) const;
-  /// Decides whether what shows is found in a copy. False: nowhere.
+  /// Decides whether visibility is found in a copy of the framebuffer. Returns false if it cannot be found.
   bool choosePlace(Plan& plan) const;
   void prepare(const std::shared_ptr<CulledMesh>& mesh);
   void forgetOld();
@@ -167,21 +167,21 @@ class CulledDraws {
   /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
   /// copied.
   bool drawCulled(const Plan& plan);
-  /// The same with what shows found in a copy of the framebuffer. If `verified`, compares what this and the
-  /// whole draw make of copies; where they differ the whole draw is made.
+  /// Like drawCulled(), with visibility found in a copy of the framebuffer. If `verified`, compares the
+  /// results of this and of the whole draw in copies, and makes the whole draw if they differ.
   bool drawRehearsed(const Plan& plan, bool verified);
   bool rehearse(const Plan& plan, std::vector<uint64_t>& visible);
   bool isSame(const Plan& plan, const std::vector<uint64_t>& visible);
-  /// The draw was not the same as a whole one.
+  /// Records that a culled draw differed from the whole draw.
   void markDifferent(const Plan& plan);
-  /// So many of its primitives were drawn.
+  /// Counts the primitives that were skipped; `drawn`: number of drawn primitives.
   void countLeft(const Plan& plan, uint64_t drawn);
   void drawWhole(const Plan& plan) { drawReal(p_.shadow.real, plan.mode, plan.elements); }
   bool drawVerified(const Plan& plan);
-  /// All that the region shows, to be compared.
+  /// All pixels of the region, for comparison.
   struct Pixels {
     std::vector<float> depths;
-    std::vector<uint32_t> colors;  // with several samples: of them all, depths, too
+    std::vector<uint32_t> colors;  // multisampled: colours and depths of all samples
     bool operator==(const Pixels&) const = default;
   };
   bool read(const Plan& plan, Pixels& pixels);
@@ -191,12 +191,12 @@ class CulledDraws {
   /// read.
   bool findVisible(const Plan& plan, std::vector<uint64_t>& visible);
   void drawParts(const Plan& plan, const std::vector<uint64_t>& parts);
-  /// `as`: whose instances are drawn.
+  /// `as`: the draw's instances.
   void drawClusters(const CulledMesh& mesh, std::span<const uint64_t> clusters, const Elements& as);
   static uint64_t primitivesIn(const Plan& plan, const std::vector<uint64_t>& parts);
   static void findClustersOfInstances(const Plan& plan, const DepthPyramid& pyramid,
                                       std::vector<uint64_t>& visible);
-  /// Calls each(unit, its clusters), where all parts are.
+  /// Calls each(unit, clusters) for all units of `parts`.
   template <class Each>
   static void forClustersOfInstances(const Plan& plan, const std::vector<uint64_t>& parts, const Each& each) {
     const size_t words = plan.mesh->clusters().words();

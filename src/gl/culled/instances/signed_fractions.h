@@ -9,8 +9,9 @@ namespace gluray::gl {
 
 class SignedFractions {
  public:
-  /// Versions and drivers of OpenGL differ. Found out by a draw when first asked: whether all signed bytes
-  /// and shorts but the lowest ones are c / (2^(b-1) - 1), GL 4.2's equation 2.2. No error may be pending.
+  /// Whether all signed bytes and shorts except the lowest are converted to c / (2^(b-1) - 1), GL 4.2's
+  /// equation 2.2. Versions and drivers of OpenGL differ, so the first call tests it by a draw. No error may
+  /// be pending.
   bool areSymmetric(const RealGl& real, bool core);
 
  private:
