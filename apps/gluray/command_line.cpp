@@ -15,46 +15,46 @@ const char* const kExamples = R"(
 Examples:
   gluray glxgears
   gluray osgviewer head.obj
-  gluray --report run.json -- meshlab model.ply    report what was traced when the program ends
+  gluray --report run.json -- meshlab model.ply    write a report of what was traced
   gluray --off osgviewer head.obj                  the real OpenGL, for comparison
   gluray --threads 4 --bvh least paraview          four threads, least memory
-  gluray explain --html page.html glxgears         what was traced, what was not and why
-  gluray doctor osgviewer                          check, without starting it, whether it will be traced
+  gluray explain --html page.html glxgears         which draws were traced, and why others were not
+  gluray doctor osgviewer                          check whether it can be traced, without starting it
 
 Commands, each with its own --help:
   gluray run PROGRAM       the same as gluray PROGRAM
-  gluray explain PROGRAM   a table of what the program drew; with --html a page of pictures too
-  gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine has and lacks;
-                           with --job what the hosts of a job of workers have and lack
-  gluray quirks            workarounds for single OpenGL implementations, and how to switch them
-  gluray settings          all settings, their values and origins
-  gluray get NAME          the value of a setting; with --why the values of all layers
-  gluray presets           sets of settings by name, and what is in them
+  gluray explain PROGRAM   a table of the program's draws; with --html also a page with pictures
+  gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine supports;
+                           with --job the ranks and hosts of a gluray-worker job
+  gluray quirks            workarounds for OpenGL implementations, and how to switch them
+  gluray settings          all settings with their values and where these come from
+  gluray get NAME          the value of a setting; with --why its value in each layer
+  gluray presets           named sets of settings and their contents
 
-Commands for programs that run:
+Commands for running programs:
   gluray panel             a window with all programs and their settings
-  gluray list              the programs
+  gluray list              all running programs
   gluray set NAME=VALUE    change settings; also: gluray unset NAME, gluray preset NAME
-  gluray undo              take the last change back; gluray redo makes it again
+  gluray undo              undo the last change; gluray redo repeats it
   gluray get --live NAME   the value of a setting in the running programs
-  gluray watch             print settings that change, programs that come and go
+  gluray watch             print changes of settings, and programs that start or end
   gluray shot FILE.png     save the picture of a program's window
-  gluray film FILE.png     save its next frames as numbered pictures
-  gluray hub               pass messages between programs and those who control them
+  gluray film FILE.png     save the next frames of a window as numbered pictures
+  gluray hub               pass messages between running programs and these commands
 
-Commands for what they draw:
-  gluray objects           the objects: shape, color, material
-  gluray pick X Y          the object at a point of the window
-  gluray material 3 glass  what single objects are made of; --hide hides them
-  gluray light             the lights; gluray light azimuth=30 changes them
-  gluray camera            the cameras; gluray camera focus X Y focuses on a surface
+Commands for the scenes of running programs:
+  gluray objects           list the objects with shape, color and material
+  gluray pick X Y          print the object at a point of the window
+  gluray material 3 glass  change the material of single objects; --hide hides them
+  gluray light             list the lights; gluray light azimuth=30 changes them
+  gluray camera            list the cameras; gluray camera focus X Y focuses on a surface
 
 After a run:
-  gluray timeline FILE     what each thread did in a run with --timeline FILE
+  gluray timeline FILE     print the work of each thread in a run with --timeline FILE
 
-A program whose name is a command, such as watch: gluray run watch, or gluray -- watch.
-The exit code is the program's;
-127: program not found, 126: it cannot be executed, 2: wrong usage.)";
+To start a program whose name is a command, such as watch: gluray run watch, or gluray -- watch.
+The exit code is that of the program;
+127: program not found, 126: program cannot be executed, 2: wrong usage.)";
 
 void addExplainOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--frames", line.frames, "End the program after N frames")
@@ -63,11 +63,11 @@ void addExplainOptions(CLI::App& app, CommandLine& line) {
       ->capture_default_str();
   app.add_option(
          "--html", line.html,
-         "Write a page to FILE that shows the last frame with and without GLuRay, the difference, and which\n"
-         "pixels were traced. The program is run a second time for it, without GLuRay")
+         "Write an HTML page to FILE with the last frame with and without GLuRay, the difference, and the\n"
+         "traced pixels. This runs the program a second time, without GLuRay")
       ->type_name("FILE");
   app.add_option("--rest", line.restSeconds,
-                 "End the program when it has drawn and then shows nothing new for S seconds; 0: never")
+                 "End the program when it has drawn, and then shows no new frame for S seconds; 0: never")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S")
       ->capture_default_str();
@@ -82,8 +82,7 @@ void addJobOption(CLI::App& app, CommandLine& line) {
     line.job = names.empty() || names[0].empty() ? "job" : names[0];
   };
   app.add_option_function<std::vector<std::string>>(
-         "--job", take,
-         "Check the running job of gluray-worker with this name [job] instead: its ranks and their hosts")
+         "--job", take, "Check the ranks and hosts of the running gluray-worker job NAME [job] instead")
       ->expected(0, 1)
       ->type_name("[NAME]");
 }
@@ -95,7 +94,7 @@ void addProfileOption(CLI::App& app, CommandLine& line) {
 void addListOptions(CLI::App& app, CommandLine& line) {
   app.add_option("--why", line.why, "Show one setting and the value from each layer (file, environment ...)")
       ->type_name("NAME");
-  app.add_flag("--changed", line.changed, "Leave out settings with their built-in values");
+  app.add_flag("--changed", line.changed, "Omit settings that have their built-in values");
   addProfileOption(app, line);
 }
 
@@ -103,7 +102,7 @@ void addOptions(CLI::App& app, CommandLine& line) {
   app.add_option(
          "--door", line.door,
          "How GLuRay sees OpenGL calls: vendor (through libglvnd), preload (LD_PRELOAD; for OSMesa and\n"
-         "bundled OpenGL libraries), or auto, which picks what the program needs")
+         "bundled OpenGL libraries), or auto, which chooses what the program needs")
       ->check(CLI::IsMember({"auto", "vendor", "preload"}))
       ->capture_default_str();
   addSettingOptions(app, line.settings, line.command == Command::explain);
@@ -130,32 +129,32 @@ bool namesCommand(int argc, char** argv, Command& command) {
 }
 
 void describeTimeline(CLI::App& app, CommandLine& line) {
-  app.description("Prints what each thread did in a run with --timeline FILE, and draws it.");
+  app.description("Prints the work of each thread in a run with --timeline FILE, and draws a chart of it.");
   app.name("gluray timeline");
   app.add_option("FILE", line.program, "A file written by --timeline")->required()->expected(1);
   app.add_option("-o", line.chart, "Draw a chart (SVG): the whole run, and a close-up of some frames")
       ->type_name("CHART.svg");
-  app.add_option("--from", line.from, "The close-up begins here [in the middle of the run]")
+  app.add_option("--from", line.from, "Start of the close-up [in the middle of the run]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("MS");
-  app.add_option("--to", line.to, "The close-up ends here [some frames later]")
+  app.add_option("--to", line.to, "End of the close-up [some frames later]")
       ->check(CLI::NonNegativeNumber)
       ->type_name("MS");
 }
 
 void describeHub(CLI::App& app, CommandLine& line) {
   app.description(
-      "Runs the hub, through which running programs are controlled, until it is interrupted.\n"
-      "gluray panel and gluray set have a hub of their own where none runs.");
+      "Runs the hub that connects running programs with the commands that control them, until interrupted.\n"
+      "If no hub runs, gluray panel and gluray set run one themselves.");
   app.name("gluray hub");
-  auto* key = app.add_option("--key", line.hub.key, "The key file that other machines must have, too");
+  auto* key = app.add_option("--key", line.hub.key, "Key file; other machines need the same one");
   key->type_name("FILE");
-  app.add_option("--listen", line.hub.listen, "Listen for other machines on this address, too")
+  app.add_option("--listen", line.hub.listen, "Also listen for other machines on this address")
       ->needs(key)
       ->type_name("HOST:PORT");
-  app.add_option("--new-key", line.hub.newKey, "Write a new key to FILE and end")->type_name("FILE");
+  app.add_option("--new-key", line.hub.newKey, "Write a new key to FILE and exit")->type_name("FILE");
   app.add_flag("--with-parent", line.hub.withParent,
-               "End when standard input does, such as a pipe whose other side ends");
+               "Exit at the end of standard input, such as when the parent closes a pipe");
 }
 
 /// Adds the options and the help text of the command in `line`.
@@ -173,17 +172,16 @@ void describe(CLI::App& app, CommandLine& line) {
       break;
     case Command::explain:
       app.description(
-          "Runs an OpenGL program and prints a table of its draws: each kind, whether it was traced, and why "
-          "not.");
+          "Runs an OpenGL program and prints a table of the kinds of its draws: traced or not, and why.");
       app.name("gluray explain");
       usage("options] [--] PROGRAM [ARGUMENTS...");
       addExplainOptions(app, line);
       break;
     case Command::doctor:
       app.description(
-          "Checks this machine and a program, or a running job of workers, one line each, and names a fix "
-          "where\n"
-          "something is missing.\n"
+          "Checks this machine and a program, or a running job of workers. Prints a line for each check, and "
+          "a\n"
+          "fix for each problem.\n"
           "Exit code 0: all is well, 1: it works with limitations, 2: it will not work.");
       app.name("gluray doctor");
       usage("options] [--] [PROGRAM");
@@ -195,24 +193,24 @@ void describe(CLI::App& app, CommandLine& line) {
       usage("options");
       return;
     case Command::settings:
-      app.description("Lists all settings with their values and origins.");
+      app.description("Lists all settings with their values and where these come from.");
       app.name("gluray settings");
       usage("options");
       addListOptions(app, line);
       break;
     case Command::get:
       app.description(
-          "Prints the values of settings, as a program that starts now would get them, or with -p or --live\n"
-          "those of running programs.");
+          "Prints the settings that a program started now would have, or with -p or --live those of running\n"
+          "programs.");
       app.name("gluray get");
-      app.add_option("NAME", line.names, "Settings; none: all that differ from their built-in values");
+      app.add_option("NAME", line.names, "Settings [all that differ from their built-in values]");
       app.add_flag("--why", line.layers, "Show the value from each layer (file, preset, environment ...)");
-      app.add_flag("--live", line.control.live, "Ask all running programs, rather than the files");
+      app.add_flag("--live", line.control.live, "Print the values of all running programs");
       addProgramOptions(app, line.control, true);
       addProfileOption(app, line);
       break;
     case Command::presets:
-      app.description("Lists the presets: sets of settings that --preset NAME chooses.");
+      app.description("Lists the presets, the sets of settings for --preset NAME.");
       app.name("gluray presets");
       app.add_option("NAME", line.names, "Show the values of these presets");
       break;

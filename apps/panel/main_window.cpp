@@ -201,7 +201,7 @@ void MainWindow::makePresets() {
   presets_->setAccessibleName(tr("Preset"));
   presets_->setMinimumContentsLength(12);
   presets_->addItem(QString::fromUtf8(kNoPreset.data()));
-  presets_->setItemData(0, tr("What files and options say."), Qt::ToolTipRole);
+  presets_->setItemData(0, tr("No preset: the values from files and options."), Qt::ToolTipRole);
   const Sources sources = sourcesOfProcess();
   for (const Preset& preset : presetsOf(readConfigFiles(sources, [](const std::string&) {}))) {
     presets_->addItem(QString::fromStdString(preset.name));

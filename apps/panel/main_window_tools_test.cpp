@@ -37,7 +37,7 @@ TEST_F(WindowToolsTest, AClickInThePictureSelectsTheObject) {
   program.values["pick"] = {{"object", nullptr}};
   QTest::mouseClick(&picture_, Qt::LeftButton, {}, picture_.pictureRect().center().toPoint());
   ASSERT_TRUE(program.until([&] { return table->selectionModel()->selectedRows().isEmpty(); }));
-  EXPECT_EQ(status(), "Nothing that GLuRay traces is there.");
+  EXPECT_EQ(status(), "There is no traced object at this point.");
 }
 
 TEST_F(WindowToolsTest, ALineOfAToolStaysWhenARequestIsCarriedOut) {

@@ -114,18 +114,20 @@ int main(int argc, char** argv) {
       "Traces pictures for programs started with gluray --workers JOB.\n"
       "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");
   Options options;
-  app.add_option("--job", options.job, "name of the job, which programs give as --workers")
+  app.add_option("--job", options.job, "name of the job; programs use it as --workers NAME")
       ->capture_default_str();
-  app.add_option("--threads", options.threads, "threads of each rank; 0: the machine's, shared by its ranks")
+  app.add_option("--threads", options.threads,
+                 "threads of each rank; 0: the cores of the machine, shared by its ranks")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  app.add_option("--memory", options.memory,
-                 "of each rank, as 4GB; larger geometry comes in pages; 0: what is free, shared by the ranks")
+  app.add_option(
+         "--memory", options.memory,
+         "memory limit of each rank, such as 4GB; larger geometry is paged; 0: most of the free memory")
       ->transform(CLI::AsSizeValue(false))
       ->capture_default_str();
-  app.add_option("--mpi", options.mpi, "openmpi, mpich, none, or a library; auto: that of the launcher")
+  app.add_option("--mpi", options.mpi, "openmpi, mpich, none, or a library; auto: the launcher's MPI")
       ->capture_default_str();
-  app.add_flag("--quiet", options.quiet, "no messages but errors");
+  app.add_flag("--quiet", options.quiet, "print errors only");
   app.set_version_flag("--version", "gluray-worker " GLURAY_VERSION);
   CLI11_PARSE(app, argc, argv);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = true; });

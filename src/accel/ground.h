@@ -1,5 +1,5 @@
-// The ground as rays from the viewer meet it: also before the near and behind the far plane, which programs
-// set around their own scene. Rays that leave surfaces meet it as any other instance. Owned by World.
+// Intersects primary rays with the ground, also in front of the near plane and behind the far plane, which
+// programs fit to their own scene. For secondary rays the ground is an ordinary instance. Owned by World.
 #pragma once
 #include "accel/rays/ray_packet.h"
 #include "scene/snapshot.h"
@@ -16,10 +16,10 @@ class Ground {
   /// None, unless one of the snapshot's own instances is the ground (Instance::ground).
   explicit Ground(const scene::Snapshot&);
   bool exists() const { return instance_ != kNoHit; }
-  /// Extends a box in world space to hold it.
+  /// Extends a box in world space by the ground.
   void extend(glm::vec3& lower, glm::vec3& upper) const;
-  /// Replaces the hits of valid lanes where the ground lies before them; those of a catcher only where there
-  /// is none. A ray that begins at its start (tNear = 0) comes from the viewer.
+  /// Replaces the hits of valid lanes if the ground is nearer; a catcher replaces only misses. A ray with
+  /// tNear = 0 starts at the viewer.
   void intersect(const int32_t* valid, RayPacket&) const noexcept;
 
  private:

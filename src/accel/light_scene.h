@@ -1,5 +1,5 @@
-// What rays that leave surfaces meet: the instances of a snapshot and those of its surroundings, over the
-// same BLASes. Owned by World, updated between frames, read by any number of tracing threads.
+// The scene of secondary rays: the instances of a snapshot and of its surroundings, over shared BLASes. Owned
+// by World, updated between frames, read by any number of tracing threads.
 #pragma once
 #include "accel/placement.h"
 #include "accel/rays/ray_kind.h"
@@ -16,21 +16,22 @@ class LightScene {
  public:
   explicit LightScene(const Device& device) : device_(device) {}
 
-  /// Replaces the contents: `drawn`, one for each instance of the snapshot, and `around`, one for each of its
-  /// surroundings. Instances are left out for rays that they are hidden from. True if it built. Throws Error;
-  /// it is empty then.
+  /// Replaces the contents by `drawn`, one for each instance of the snapshot, and `around`, one for each of
+  /// its surroundings. Omits instances for the kinds of rays that they are hidden from. Returns whether it
+  /// built. Throws Error; the scene is then empty.
   bool update(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn, std::vector<PlacedBlas> around,
               const HiddenFrom& hidden = {});
-  /// The snapshot has no surroundings, so that light meets what the snapshot draws. Gives memory back where
-  /// later ones will have none either.
+  /// For a snapshot without surroundings: secondary rays then use the scene of primary rays. Frees memory if
+  /// later snapshots will have no surroundings either.
   void clear(const scene::Snapshot&);
-  /// Lets all contents go. True if there were any.
+  /// Releases all contents. Returns whether there were any.
   bool release();
 
-  /// Null: light meets what the viewer's rays meet. Not of RayKind::camera.
+  /// Null: secondary rays use the scene of primary rays. Not for RayKind::camera.
   RTCSceneTy* scene(RayKind kind) const { return scenes_[indexOf(kind)]; }
   bool exists() const { return scenes_[0] != nullptr; }
-  /// Of all instances but the ground, in the space of Surroundings::viewFromWorld. Only where it exists().
+  /// Bounds of all instances except the ground, in the space of Surroundings::viewFromWorld. Requires
+  /// exists().
   const Bounds& bounds() const { return bounds_; }
 
  private:
@@ -39,7 +40,7 @@ class LightScene {
   bool updateOne(const scene::Snapshot&, size_t kind, std::vector<PlacedBlas>);
 
   const Device& device_;
-  std::array<std::optional<Tlas>, kKinds> tlas_;  // made at first use; kinds that meet the same share one
+  std::array<std::optional<Tlas>, kKinds> tlas_;  // made at first use; kinds with equal instances share one
   std::array<RTCSceneTy*, kKinds> scenes_{};
   Bounds bounds_;
 };

@@ -1,4 +1,5 @@
-// Where structures are placed in the world, as World and its light need it. Private to accel/, one thread.
+// Compares placements of structures, and computes their bounds, for World and LightScene. Private to accel/,
+// one thread.
 #pragma once
 #include "accel/rays/bounds.h"
 #include "accel/tlas.h"
@@ -9,12 +10,12 @@
 
 namespace gluray::accel {
 
-/// Whether a TLAS may stay as it is for instances that a camera sees: the structures are the same, and
-/// transforms are equal up to the rounding of float matrices.
+/// Whether a TLAS is still valid for these instances: equal structures, and transforms that are equal up to
+/// the rounding of float matrices.
 bool stayPlaced(const glm::dmat4& eyeFromWorld, const Tlas&, const std::vector<PlacedBlas>& placed);
 
 Bounds boundsOf(RTCSceneTy*);
-/// The box in another space around the boxes of instances.
+/// Bounding box of the instances' boxes in another space.
 Bounds boundsIn(const glm::dmat4& spaceFromWorld, const std::vector<PlacedBlas>&);
 
 }  // namespace gluray::accel

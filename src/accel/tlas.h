@@ -26,15 +26,15 @@ class Tlas {
   Tlas(const Tlas&) = delete;
   Tlas& operator=(const Tlas&) = delete;
 
-  /// Replaces the contents by `instances`; hits report indices into it. Does nothing if it holds them
-  /// already. True if it built. Throws Error; the next call then rebuilds from scratch.
-  /// `eyeFromWorld`: the camera of the snapshot that they are instances of.
+  /// Replaces the contents by `instances`; hits report indices into it. Does nothing if the contents are
+  /// equal. Returns whether it built. Throws Error; the next call then rebuilds from scratch. `eyeFromWorld`:
+  /// camera of the instances' snapshot.
   bool update(std::vector<PlacedBlas> instances, const glm::dmat4& eyeFromWorld);
-  /// Lets all instances go. True if there were any.
+  /// Releases all instances. Returns whether there were any.
   bool clear();
   /// The current contents; empty if unknown (after an error).
   const std::vector<PlacedBlas>& held() const { return held_; }
-  /// The camera of the update that placed them.
+  /// Camera of the update that set the contents.
   const glm::dmat4& heldFrom() const { return heldFrom_; }
   RTCSceneTy* scene() const { return scene_; }
 

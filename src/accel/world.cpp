@@ -141,7 +141,8 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
     if (!cache_.thriftHelps(meshes, quality)) throw;
   }
   log::once(log::Level::warning, "thrift",
-            "memory has run out: large meshes are traced in coarser structures (see --bvh), somewhat slower");
+            "out of memory: large meshes get smaller acceleration structures (see --bvh), which are somewhat "
+            "slower to trace");
   return cache_.get(meshes, quality, true);
 }
 
@@ -164,8 +165,8 @@ bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<Place
     return light_.update(snapshot, drawn, std::move(around), hidden);
   } catch (const std::exception& e) {
     log::once(log::Level::warning, "surroundings",
-              std::string("surfaces light only those that are drawn with them (") + e.what() +
-                  "): free memory, or switch the effects of light off");
+              std::string("light effects act only between surfaces that are drawn together (") + e.what() +
+                  "): free memory, or switch the light effects off");
     return false;
   }
 }

@@ -36,10 +36,10 @@ class World {
   explicit World(size_t idleBudgetBytes = size_t{512} << 20, FreeMemory = freeMemory);
 
   /// Replaces the contents by the snapshot's instances and builds missing structures. Throws Error or
-  /// std::bad_alloc: then nothing may be traced until an update succeeds. Rays from the viewer meet these
-  /// instances alone; occluded() and intersectBounced() also meet the snapshot's surroundings, whose
-  /// instances have the numbers that follow. Surroundings that cannot be built are left out. Rays do not meet
-  /// what is hidden from them. No BLAS depends on that.
+  /// std::bad_alloc: then nothing may be traced until an update succeeds. Primary rays hit only these
+  /// instances. occluded() and intersectBounced() also hit the snapshot's surroundings, whose instances have
+  /// the following numbers. Surroundings that cannot be built are omitted. Rays do not hit instances in
+  /// `hidden`; BLASes do not depend on `hidden`.
   UpdateStatistics update(const scene::Snapshot&, Arena&, const HiddenFrom& hidden = {});
 
   /// Finds the nearest hit of each lane with valid[i] = -1 (others 0). `valid` is aligned to 64 bytes; the
@@ -55,14 +55,14 @@ class World {
   void intersectNext(const int32_t* valid, RayPacket&, NextHits&, const ImpostorQuery* impostors,
                      Coherence coherence = Coherence::coherent) const noexcept;
 
-  /// Nearest hits of rays from anywhere, which see impostors as solids (impostors/solid.h) and meet the
-  /// surroundings. Otherwise as intersect(); of triangles at one place any is hit.
+  /// Finds the nearest hits of secondary rays, which hit impostors as solids (impostors/solid.h), and the
+  /// surroundings. Otherwise like intersect(), but reports any of coincident triangles.
   void intersectBounced(const int32_t* valid, RayPacket&) const noexcept;
 
-  /// Bit i: something lies on ray i, of the lanes with valid[i] = -1 (others 0), an array aligned to 64
-  /// bytes. Both sides of surfaces block, culled or not; impostors block as solids. Surfaces that `filter`
-  /// refuses do not; null: all do. Rays whose origin or direction is not finite or beyond what Embree takes,
-  /// and those without length, meet nothing. `kind`: shadow or occlusion.
+  /// Returns bit i if a surface blocks ray i, for lanes with valid[i] = -1 (others 0). `valid` is aligned to
+  /// 64 bytes. Both sides of surfaces block, culled or not; impostors block as solids. Surfaces that `filter`
+  /// rejects do not block; null: all block. Rays without length, or with values that are not finite or exceed
+  /// Embree's range, hit nothing. `kind`: shadow or occlusion.
   uint32_t occluded(const int32_t* valid, OcclusionRays&, const OccluderFilter* filter = nullptr,
                     RayKind kind = RayKind::shadow) const noexcept;
 
@@ -70,7 +70,7 @@ class World {
   bool mayCoincide() const { return mayCoincide_; }
   /// True if there is nothing to hit.
   bool empty() const { return scene_ == nullptr && !ground_.exists(); }
-  /// Whether rays from the viewer may meet impostors.
+  /// Whether primary rays may hit impostors.
   bool hasImpostors() const { return hasImpostors_; }
   const PlacedImpostors& impostorsOf(uint32_t instance) const { return impostors_[instance]; }
   /// Bytes of all structures at present.
@@ -78,20 +78,21 @@ class World {
   size_t cachedBlases() const { return cache_.size(); }
   /// Whether a full-quality BLAS is being built in the background.
   bool refining() const { return cache_.refining(); }
-  /// Whether the next update() will install one.
+  /// Whether the next update() will install a finished full-quality BLAS.
   bool refined() const { return cache_.refined(); }
-  /// Bounding box of what the viewer may see, without the ground, world space. Only where not empty().
+  /// Bounding box of the instances for primary rays, without the ground, world space. Requires !empty().
   glm::vec3 lower() const { return lower_; }
   glm::vec3 upper() const { return upper_; }
-  /// The same with the ground.
+  /// That bounding box, including the ground.
   Bounds seenBounds() const {
     Bounds bounds{lower_, upper_};
     ground_.extend(bounds.lower, bounds.upper);
     return bounds;
   }
-  /// The same without it of all that light meets, in the space of Surroundings::viewFromWorld.
+  /// Bounding box of the scene of secondary rays without the ground, in the space of
+  /// Surroundings::viewFromWorld.
   Bounds lightBounds() const { return light_.exists() ? light_.bounds() : Bounds{lower_, upper_}; }
-  /// Of meshes that are loaded when rays meet them. Any thread.
+  /// Cache of the pages of meshes. Any thread.
   PageCache& pages() const { return pages_; }
   /// The longest triangle edge of a mesh, object space; 0 for impostors. Computed once per mesh.
   float longestEdge(const scene::Mesh& mesh) const { return sizes_.longestEdge(mesh); }
@@ -125,7 +126,7 @@ class World {
   bool apart_ = false;                     // the TLAS holds no triangles that may coincide
   uint64_t tlasUsed_ = 0, lightUsed_ = 0;  // BlasCache::frames() at the last use of their contents
   DrawOrder order_;
-  std::vector<PlacedImpostors> impostors_;  // per instance; empty where all are triangles
+  std::vector<PlacedImpostors> impostors_;  // per instance; empty if all are triangles
   bool hasImpostors_ = false;               // some of the snapshot's own instances are
   bool hasPixelImpostors_ = false;          // some have a size in pixels
   glm::vec3 lower_{0}, upper_{0};

@@ -1,4 +1,4 @@
-// Work that needs more stack than small threads of programs have. Any thread.
+// Runs work that needs more stack than a program's threads may have. Any thread.
 #pragma once
 #include <cstddef>
 #include <optional>

@@ -1,5 +1,5 @@
-// Pixels that show traced pictures which get better: a window while its program draws nothing, or what a
-// program reads. Made on a GL thread, implemented by intercept/; used by one thread at a time.
+// Access to pixels whose traced pictures are refined: a window while its program is idle, or a framebuffer
+// that a program reads. Made on a GL thread, implemented by intercept/; used by one thread at a time.
 #pragma once
 #include <cstdint>
 #include <vector>

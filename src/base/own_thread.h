@@ -1,4 +1,4 @@
-// Starts threads of ours inside the program. Any thread.
+// Starts GLuRay's own threads inside the program. Any thread.
 #pragma once
 #include <pthread.h>
 

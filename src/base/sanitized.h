@@ -1,5 +1,5 @@
-// For tests: sanitizers make code ten times slower. What only counts many samples leaves it to the release
-// suite; the same code runs under sanitizers in other tests.
+// For tests: skips statistical tests with many samples under sanitizers, which make code ten times slower.
+// Other tests run the same code under sanitizers.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)

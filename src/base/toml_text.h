@@ -1,4 +1,4 @@
-// TOML from files of the user. Any thread.
+// Parses the user's TOML files. Any thread.
 #pragma once
 #include <toml++/toml.h>
 

@@ -1,4 +1,4 @@
-// Why there is no connection to the hub, for those that try again. Any thread.
+// Reasons of failed connections to the hub, for retries. Any thread.
 #pragma once
 
 namespace gluray::control {

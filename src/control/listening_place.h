@@ -1,5 +1,4 @@
-// Where a process listens in the runtime directory: the lock that only one process holds, and the socket. On
-// any one thread.
+// A listening socket in the runtime directory, with a lock that only one process can hold. On any one thread.
 #pragma once
 #include <string>
 #include <utility>

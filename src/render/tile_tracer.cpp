@@ -180,8 +180,8 @@ bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Aren
       if (traced != Traced::seenThrough) return traced == Traced::whole;
       if (isComposed(snapshot))
         log::once(log::Level::info, "not composed",
-                  "the program gives opaque surfaces an alpha that is no opacity: its views keep their own "
-                  "background and show no catcher");
+                  "the program writes an alpha below 1 for opaque surfaces: GLuRay shows neither background "
+                  "nor shadow catcher in its views");
     }
     shapeImage(snapshot, image, false);
     return traceTiles(snapshot, world, image, options) != Traced::interrupted;

@@ -12,11 +12,11 @@
 
 namespace gluray::render {
 
-/// Whether the snapshot's settings ask for more than the local look.
+/// Whether the snapshot's settings use light effects.
 bool hasLight(const scene::Snapshot&);
 
-/// Sets every pixel of the snapshot's region to a miss, as the null renderer does. `image` takes the region's
-/// shape.
+/// Sets every pixel of the snapshot's region to a miss, as the null renderer does. Resizes `image` to the
+/// region.
 void clearImage(const scene::Snapshot&, Image& image);
 
 class RemoteSurfaces;
@@ -26,22 +26,22 @@ struct TraceOptions {
   LightHistories* histories = nullptr;  // null: earlier frames are not used
   MovingRays rays;
   Interrupt interrupt = {};  // of all other frames
-  // Null: this process traces all tiles. Otherwise those that it hands out, moving frames like others unless
-  // it is `film`, too.
+  // Null: this process traces all tiles. Otherwise it traces the tiles of this source; moving frames are
+  // traced as such only if the source is also `film`.
   TileSource* source = nullptr;
   FilmSource* film = nullptr;
-  // Null: all surfaces of the view are here. Only with a source, and where the settings ask for light.
+  // Null: this process has all surfaces of the view. Only with a source and with light effects.
   RemoteSurfaces* remote = nullptr;
-  // With remote surfaces: called when the picture is whole, before other processes get their last answers;
-  // `seconds`: since all processes had begun.
+  // With remote surfaces: called when the picture is complete, before other processes get their last answers;
+  // `seconds`: time since all processes began.
   std::function<void(double seconds)> traced = {};
-  bool averages = true;  // pixels average several samples where settings ask for it; only false with a source
+  bool averages = true;  // pixels may average several samples; false only with a source
 };
 
-/// Computes colour and window depth of every pixel of the snapshot's region, for the instances that `world`
-/// holds. `image` takes the region's shape, one plane per sample. Throws std::runtime_error if a matrix
-/// cannot be inverted, std::bad_alloc. False: interrupted; the image is then undefined.
-/// With a source, images of averages that cannot be composited are not traced anew.
+/// Computes colour and window depth of every pixel of the snapshot's region, for the instances in `world`.
+/// Resizes `image` to the region, with one plane per sample. Throws std::runtime_error if a matrix cannot be
+/// inverted, std::bad_alloc. Returns false if interrupted; the image is then undefined. With a source, images
+/// of averages that cannot be composited are not traced again.
 bool traceImage(const scene::Snapshot&, const accel::World& world, Arena&, Image& image,
                 const TraceOptions& = {});
 

@@ -1,4 +1,4 @@
-// When the surroundings of tiles are finished. Any thread.
+// Tracks when a tile and all its neighbours are finished. Any thread.
 #pragma once
 #include "render/tiles/tiles.h"
 
@@ -18,7 +18,7 @@ class TilesAround {
     for (int y = 0; y < tiles_.rows; ++y)
       for (int x = 0; x < tiles_.columns; ++x) around(x, y, [&](int, int) { ++counterOf(x, y); });
   }
-  /// Calls ready(tile) for each tile that waited for this one alone. Any thread.
+  /// Marks a tile as finished, and calls ready(tile) for each tile that waited only for this one. Any thread.
   template <class Ready>
   void finish(const Tile& tile, const Ready& ready) {
     around(tile.x0 / kTileSize, tile.y0 / kTileSize, [&](int x, int y) {

@@ -92,8 +92,9 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   try {
     history.begin(frame, *factors, moving);
   } catch (const std::bad_alloc&) {
-    log::once(log::Level::warning, "moving light",
-              "no memory to smooth the light of moving frames: they take all samples and are slower");
+    log::once(
+        log::Level::warning, "moving light",
+        "out of memory: frames with light effects trace all samples while the camera moves, and are slower");
     histories.clear();
     return false;
   }

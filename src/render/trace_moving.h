@@ -1,5 +1,5 @@
-// Traces frames of animations: factors of light first, then the colours of the hits, once these are smooth.
-// Called by traceImage().
+// Traces frames of animations: first the factors of light, which are then filtered, and finally the colours
+// of hits. Called by traceImage().
 #pragma once
 #include "render/frame_data/frame_data.h"
 #include "render/moving/film_source.h"
@@ -8,14 +8,14 @@
 namespace gluray::render {
 
 /// Whether the frame is one of an animation (scene::LightSampling::Mode::moving) whose pixels have one
-/// nearest hit each, so that factors can be smoothed.
+/// nearest hit each, so that factors can be filtered.
 bool isMoving(const FrameData&);
 
 class FilmSource;
 
-/// Traces all factors, smooths them, and then colours the hits. `kept`: what earlier frames left; null:
-/// nothing. `source`: hands out the tiles; null: this process traces all of them. False, with nothing traced,
-/// if the settings ask for no factors or there is no memory.
+/// Traces all factors, filters them, and then colours the hits. `kept`: history of earlier frames; null:
+/// none. `source`: hands out the tiles; null: this process traces all of them. Returns false, with nothing
+/// traced, if the settings use no factors or memory is short.
 bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&, FilmSource* source);
 
 }  // namespace gluray::render

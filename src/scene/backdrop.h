@@ -1,5 +1,4 @@
-// What shows where a view has no surface (setting `background`): which pixels may show it. Made by gl/batch,
-// immutable.
+// Pixels that may show the background (setting `background`). Made by gl/batch, immutable.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,8 +6,8 @@
 namespace gluray::scene {
 
 struct Backdrop {
-  /// One a pixel of the snapshot's region, bottom row first; 0: the program drew something there. Empty: all
-  /// pixels hold what they were cleared to.
+  /// One per pixel of the snapshot's region, bottom row first; 0: the program has drawn into the pixel.
+  /// Empty: all pixels have their clear values.
   std::vector<uint8_t> isClear;
   bool operator==(const Backdrop&) const = default;
 };

@@ -1,10 +1,10 @@
-// Which effects of light the settings ask for. Any thread.
+// Tests settings for light effects. Any thread.
 #pragma once
 #include "settings/settings.h"
 
 namespace gluray::scene {
 
-/// Whether paths take the place of the local look.
+/// Whether path tracing replaces the local look.
 inline bool wantsPaths(const Settings& s) {
   return s.integrator == LightIntegrator::path || s.integrator == LightIntegrator::whitted;
 }
@@ -14,10 +14,9 @@ inline bool wantsOcclusion(const Settings& s) {
 inline bool wantsShadows(const Settings& s) {
   return !wantsPaths(s) && s.shadows.enabled && s.shadows.strength > 0;
 }
-/// Whether colours depend on rays between surfaces: on other surfaces, and on samples, whose noise passes
-/// reduce.
+/// Whether colours depend on secondary rays, and so on other surfaces and on noisy samples.
 inline bool wantsLight(const Settings& s) { return wantsPaths(s) || wantsOcclusion(s) || wantsShadows(s); }
-/// Whether scenes get a ground. A catcher shows what light does; without any there is nothing to show.
+/// Whether scenes get a ground. A catcher needs a light effect.
 inline bool wantsGround(const Settings& s) {
   if (s.look == Look::honest) return false;
   return s.ground.kind == GroundKind::plane || (s.ground.kind == GroundKind::catcher && wantsLight(s));

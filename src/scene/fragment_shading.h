@@ -43,7 +43,7 @@ struct HeightColors {
   bool operator==(const HeightColors&) const = default;
 };
 
-/// What changes towards silhouettes, by a weight that is x^2 + y^2 of the normal, to a power above 0.
+/// Changes towards silhouettes, with the weight x^2 + y^2 of the normal to a power above 0.
 struct Rim {
   bool on = false;
   bool mixes = true;  // colours are mixed with `color`
@@ -60,7 +60,7 @@ struct FragmentShading {
   enum class Specular : uint8_t { reflect, half, ofLight };
   enum class Normals : uint8_t { vertices, triangles, perTriangle };
   enum class Color : uint8_t { material, vertices, map, perTriangle, height };
-  /// Where vertex normals are made unit length: after interpolation, before (in the program's eye space), or
+  /// Where vertex normals are normalised: after interpolation, before it (in the program's eye space), or
   /// both.
   enum class UnitNormals : uint8_t { pixels, vertices, both };
 

@@ -1,5 +1,5 @@
-// What a framebuffer shows of surfaces that the real OpenGL has drawn (docs/adr/0074): the colours that other
-// surfaces reflect. Made by gl/pending/pictured_surfaces, shared, immutable.
+// Framebuffer pixels of surfaces that the real OpenGL has drawn (docs/adr/0074), for reflection by other
+// surfaces. Made by gl/pending/pictured_surfaces, shared, immutable.
 #pragma once
 #include "base/hash.h"
 #include "scene/snapshot.h"
@@ -12,18 +12,18 @@
 namespace gluray::scene {
 
 struct FramebufferPicture {
-  static constexpr float kNothing = 2;  // a depth: none of the surfaces is there
+  static constexpr float kNothing = 2;  // depth of pixels that show none of the surfaces
 
   glm::ivec4 viewport{0, 0, 1, 1};
   float depthNear = 0, depthFar = 1;  // glDepthRange
-  Region region;                      // of the pixels; empty where the surfaces lie outside the view
-  PolygonOffset offset;               // that the surfaces were drawn with; `resolution`: a step of depth
+  Region region;                      // of the pixels; empty if the surfaces lie outside of the view
+  PolygonOffset offset;               // of the surfaces' draws; `resolution`: one step of depth
   std::vector<uint32_t> colors;       // RGBA8 as stored, red in the lowest byte; bottom row first
   std::vector<float> depths;          // of the same pixels, window depths, or kNothing
-  Hash128 content;                    // of all the above
+  Hash128 content;                    // hash of all members above
 };
 
-/// Where a surface is in such a picture.
+/// Maps a surface to such a picture.
 struct Pictured {
   static constexpr uint32_t kNone = ~0u;
   uint32_t picture = kNone;      // index into Surroundings::pictures; kNone: the surface is not pictured

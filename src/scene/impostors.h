@@ -1,6 +1,6 @@
-// Parameters of impostors: spheres, discs and cylinders that a fragment program cuts out of flat billboards,
-// and points and lines of a width in pixels that it draws as if they were round. Geometry is in scene/mesh.h;
-// centres, radii and axes act in the space of Instance::lightingFromObject.
+// Parameters of impostors: spheres, discs and cylinders that a fragment program draws on flat billboards, and
+// points and lines with a width in pixels that it shades as round. Geometry is in scene/mesh.h; centres,
+// radii and axes act in the space of Instance::lightingFromObject.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -52,7 +52,7 @@ struct Impostors {
   // Balls and capsules, round in lighting space. Their radius there; 0: half of `size` at each vertex's
   // distance from the viewer. They exist where no `centerPlanes` cut their points and lines away.
   float radius = 0;
-  bool unlit = false;  // the program draws them without light: the light that shades them is not its own
+  bool unlit = false;  // the program draws them without lighting: GLuRay's own light shades them
 
   // Sticks: whether ends that are marked as round are, and how the colours of two halves change: smoothly
   // around the middle, over twice the share clamp(-halvesBlend * z, 0, 0.5) of the length, by the z of the

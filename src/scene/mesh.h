@@ -57,9 +57,9 @@ inline glm::vec4 fetch(const Attribute& a, uint32_t i) {
 /// cylinders are round in the space of Instance::lightingFromObject and have one vertex, their centre. Beads
 /// (one vertex) and tubes (a line between two) have a size in pixels. Splats (one vertex with a radius) are
 /// ellipses in the window. Balls (one vertex) and capsules (the convex hull of balls about the ends of a
-/// line) are the points and lines of programs that draw them flat: they are solid, and every ray meets them
-/// where they are. Sticks (a line between two vertices, with a radius) are cylinders around the line, round
-/// in the space of Instance::lightingFromObject, whose ends are open, flat or round (StickEnd).
+/// line) replace flat points and lines of programs: they are solid for all rays. Sticks (a line between two
+/// vertices, with a radius) are cylinders around the line, round in the space of
+/// Instance::lightingFromObject, whose ends are open, flat or round (StickEnd).
 enum class Shape : uint8_t {
   triangles,
   spheres,
@@ -85,7 +85,7 @@ constexpr bool isInWindow(Shape shape) { return isSizedInPixels(shape) || shape 
 
 /// Bits of Mesh::ends.
 enum StickEnd : uint32_t {
-  kClosedEnd = 1,  // otherwise nothing is visible there
+  kClosedEnd = 1,  // otherwise the end is open
   kRoundEnd = 2,   // closed by half a ball, where Impostors::roundEnds allows it; otherwise flat
   kTwoHalves = 4,  // of the first vertex: colours change in the middle, otherwise they are interpolated
 };
@@ -112,7 +112,7 @@ struct Mesh {
   Attribute secondaryColors;              // float3 or float4
   Attribute fogCoords;                    // float1
   Attribute materials;                    // uint32: index into the instance's materials
-  // Of a page: uint32 for each triangle, its number in the mesh that the page is a part of.
+  // Of a page: uint32 per triangle, its number in the whole mesh.
   Attribute triangleNumbers;
   glm::vec3 lower{0}, upper{0};          // bounds of the finite vertices, object space
   bool opaqueColors = true;              // every vertex colour has alpha 1 (or there are none)

@@ -1,5 +1,5 @@
-// Where the arrays of a mesh are while they are not in memory: a part of a scene larger than memory, a page,
-// is loaded when a ray meets its bounds. Implemented by cluster/pages, called by accel/pages.
+// Loads the arrays of a page, a part of a mesh larger than memory, when a ray hits its bounds. Implemented by
+// cluster/pages, called by accel/pages.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -10,23 +10,23 @@ namespace gluray::scene {
 class Residence {
  public:
   virtual ~Residence() = default;
-  /// Fills the mesh's arrays, whose places never change. May wait. False: they cannot be had. Any thread, one
-  /// at a time for each mesh.
+  /// Fills the mesh's arrays, whose addresses never change. May wait. Returns false if they cannot be loaded.
+  /// Any thread, one at a time for each mesh.
   virtual bool load() noexcept = 0;
-  /// The loaded arrays are of no use: say why to whoever traces.
+  /// Reports to the tracer that the loaded arrays are unusable, with the reason.
   virtual void fail(const char* why) noexcept = 0;
-  /// Gives the memory of the arrays back; they read as zeros until load().
+  /// Frees the memory of the arrays; they read as zeros until load().
   virtual void drop() noexcept = 0;
   /// Bytes of the arrays.
   virtual size_t bytes() const noexcept = 0;
-  /// Object space; bounds of what rays may hit.
+  /// Bounds of the whole mesh for rays, object space.
   struct Whole {
     glm::vec3 lower{0}, upper{0};
     float longestEdge = 0;
   };
-  /// Of the mesh that this is the first page of; null: it is a later page.
+  /// The whole mesh, if this is its first page; otherwise null.
   virtual const Whole* whole() const noexcept = 0;
-  /// Bytes that the arrays and structures of all such meshes may take.
+  /// Maximum bytes for the arrays and structures of all pages.
   virtual size_t budget() const noexcept = 0;
 };
 

@@ -90,7 +90,7 @@ struct Shading {
   bool operator==(const Shading&) const = default;
 };
 
-/// Whether a shader program shades it, not fixed function.
+/// Whether a shader program shades it instead of fixed function.
 inline bool isProgram(const Shading& s) { return s.fragment.model != FragmentShading::Model::off; }
 /// Whether lights act on it.
 inline bool isLit(const Shading& s) {

@@ -1,5 +1,5 @@
-// Everything that one flush needs, frozen. The GL thread builds it and gives it away; it is immutable and
-// needs no lock. Unchanged meshes are shared with earlier snapshots.
+// All data of one flush, frozen. The GL thread builds it and hands it over; it is immutable and needs no
+// lock. Unchanged meshes are shared with earlier snapshots.
 #pragma once
 #include "scene/blending.h"
 #include "scene/impostors.h"
@@ -56,8 +56,8 @@ struct ColorWrites {
   bool operator==(const ColorWrites&) const = default;
 };
 
-/// Which object of the program an instance is (gl/objects), from 1; 0: not known. Two instances that differ
-/// in this alone are equal: rules by object stand in the settings.
+/// Number of the program's object that the instance belongs to (gl/objects), from 1; 0: unknown. Ignored in
+/// comparisons of instances, because rules by object are settings.
 struct ObjectNumber {
   uint32_t value = 0;
   bool operator==(const ObjectNumber&) const { return true; }
@@ -96,7 +96,7 @@ struct Instance {
   CullFace cull = CullFace::none;
   bool frontFaceCcw = true;            // GL_CCW is front
   std::vector<glm::dvec4> clipPlanes;  // eye space; keeps points p with dot(plane, p) >= 0 for every plane
-  bool ground = false;                 // the setting `ground` added it: it does not count as the scene's
+  bool ground = false;                 // added by the setting `ground`; not part of the scene's bounds
   bool operator==(const Instance&) const = default;
 };
 
@@ -130,24 +130,24 @@ struct Layers {
   bool operator==(const Layers&) const = default;
 };
 
-/// What the setting `ground` adds to a batch.
+/// Use of the ground in a batch (setting `ground`).
 enum class GroundUse : uint8_t {
   none,
-  around,  // it blocks and reflects the batch's light; another batch of the view shows it
+  around,  // the ground blocks and reflects the batch's light; another batch of the view draws it
   drawn,
 };
 
 struct Backdrop;
 struct Surroundings;
 
-/// One batch, traced at once and written to one framebuffer.
+/// One batch, which is traced together and written to one framebuffer.
 struct Snapshot {
   uint64_t frame = 0;  // counts the program's frames, from 1
   uint64_t view = 0;   // equal in all snapshots that show the same part of the same framebuffer
-  // Counts the view's frames: a frame begins with the first tracing after its colours were cleared. Also
-  // where a program never swaps. 0: no setting asks for light.
+  // Counts the view's frames, also without swaps: a frame begins with the first tracing after its colours
+  // were cleared. 0: no light effects.
   uint64_t viewFrame = 0;
-  uint64_t number = 0;  // which snapshot of the process it is; passes over it have the same number
+  uint64_t number = 0;  // number of the snapshot in the process; equal for all its passes
   LightSampling lightSampling;
   Camera camera;
   glm::dmat4 eyeFromWorld{1};
@@ -163,19 +163,19 @@ struct Snapshot {
   bool laterWins = false;  // GL_LEQUAL: of coincident surfaces the last drawn is visible; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
-  std::shared_ptr<const Surroundings> surroundings;  // null: nothing else blocks or reflects light
+  std::shared_ptr<const Surroundings> surroundings;  // null: no other surfaces block or reflect light
   GroundUse ground = GroundUse::none;
-  // Its surfaces are in the framebuffer already. The picture shows black with the share of light as opacity
-  // that other surfaces take from them; nothing without an effect of light.
+  // The surfaces are already in the framebuffer. The picture is black, with the fraction of blocked light as
+  // opacity; empty without light effects.
   bool catches = false;
-  std::shared_ptr<const Backdrop> backdrop;  // null: pixels of misses keep what the framebuffer holds
+  std::shared_ptr<const Backdrop> backdrop;  // null: pixels of misses keep the framebuffer's content
   Settings settings;
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
-/// Whether the settings `ground` or `background` add anything to it.
+/// Whether it has a ground or a background of the settings.
 inline bool hasScenery(const Snapshot& s) { return s.ground != GroundUse::none || s.backdrop; }
-/// Whether its picture shows it.
+/// Whether its picture shows the ground or the background.
 inline bool showsScenery(const Snapshot& s) { return s.ground == GroundUse::drawn || s.backdrop; }
 
 }  // namespace gluray::scene

@@ -1,5 +1,5 @@
-// What surrounds a batch: the other surfaces of its view, which the batch does not draw but which block and
-// reflect its light. Made by gl/views/view_scenes, shared, immutable.
+// The surroundings of a batch: other surfaces of its view, which block and reflect the batch's light. Made by
+// gl/views/view_scenes, shared, immutable.
 #pragma once
 #include "scene/effects.h"
 #include "scene/framebuffer_picture.h"
@@ -16,21 +16,20 @@ namespace gluray::scene {
 
 struct Surroundings {
   std::vector<Shading> shadings;
-  /// In the eye space and the world of the snapshot that they surround; Instance::shading is an index into
-  /// `shadings` above. Where instances are numbered, they come after those of the snapshot.
+  /// In the eye space and the world of the snapshot; Instance::shading is an index into `shadings` above.
+  /// Numbers of instances follow those of the snapshot.
   std::vector<Instance> instances;
-  std::vector<uint8_t> blended;  // one an instance; not 0: the program blends it, so that its alpha counts
-  glm::dmat4 viewFromWorld{1};   // to the world of the view's first batch, from that of the snapshot
-  /// One an instance, or fewer where the rest is not pictured: surfaces whose colours are those of a picture.
+  std::vector<uint8_t> blended;  // one per instance; not 0: blended, so that its alpha counts
+  glm::dmat4 viewFromWorld{1};   // from the snapshot's world to the world of the view's first batch
+  /// Surfaces whose colours come from a picture: one per instance; missing entries are not pictured.
   std::vector<Pictured> pictured;
   std::vector<std::shared_ptr<const FramebufferPicture>> pictures;
-  /// Of catchers (Snapshot::catches): the depths that the framebuffer has where they are traced, without
-  /// colours. Null: not known.
+  /// For Snapshot::catches: the framebuffer's depths, without colours. Null: unknown.
   std::shared_ptr<const FramebufferPicture> framebuffer;
   bool operator==(const Surroundings&) const = default;
 };
 
-/// Whether two surroundings picture their surfaces alike, in framebuffers of the same depths.
+/// Whether two surroundings have equal pictures of their surfaces, and equal framebuffer depths.
 inline bool isSamePictured(const Surroundings& a, const Surroundings& b) {
   if (!a.framebuffer != !b.framebuffer) return false;
   if (a.framebuffer && a.framebuffer != b.framebuffer && a.framebuffer->depths != b.framebuffer->depths)
@@ -40,8 +39,7 @@ inline bool isSamePictured(const Surroundings& a, const Surroundings& b) {
          std::equal(a.pictures.begin(), a.pictures.end(), b.pictures.begin(), b.pictures.end(), alike);
 }
 
-/// Whether the settings ask for light that other surfaces block or reflect, or for a ground below them all.
-/// Snapshots have surroundings only then.
+/// Whether snapshots need surroundings: for light effects between surfaces, or for a ground.
 inline bool needsSurroundings(const Settings& settings) {
   return wantsLight(settings) || wantsGround(settings);
 }
@@ -55,12 +53,12 @@ inline const Instance& instanceOf(const Snapshot& s, size_t i) {
   const size_t drawn = s.instances.size();
   return i < drawn ? s.instances[i] : s.surroundings->instances[i - drawn];
 }
-/// Its shading.
+/// Shading of instance `i`.
 inline const Shading& shadingOf(const Snapshot& s, size_t i) {
   const std::vector<Shading>& all = i < s.instances.size() ? s.shadings : s.surroundings->shadings;
   return all[instanceOf(s, i).shading];
 }
-/// Whether the program blends it.
+/// Whether instance `i` is blended.
 inline bool isBlended(const Snapshot& s, size_t i) {
   const size_t drawn = s.instances.size();
   return i < drawn ? s.layers != nullptr : s.surroundings->blended[i - drawn] != 0;

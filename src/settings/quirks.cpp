@@ -73,7 +73,7 @@ void noteUse(Quirk quirk) noexcept {
   if (g_uses[static_cast<size_t>(quirk)].fetch_add(1, std::memory_order_relaxed) != 0) return;
   try {
     log::write(log::Level::info, "quirk " + std::string(describe(quirk).name) +
-                                     " is at work: " + std::string(describe(quirk).reason));
+                                     " is active: " + std::string(describe(quirk).reason));
   } catch (...) {  // the log line is lost
   }
 }

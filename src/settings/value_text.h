@@ -9,7 +9,8 @@
 
 namespace gluray {
 
-// Each returns an empty line, or the allowed values and leaves `value` unchanged.
+// Each returns an error message that lists the allowed values, or an empty string. On an error `value` is
+// unchanged.
 std::string readText(const Row& row, std::string_view text, bool& value);
 std::string readText(const Row& row, std::string_view text, int& value);
 std::string readText(const Row& row, std::string_view text, float& value);

@@ -51,7 +51,7 @@ class Cli(CliCase):
         self.output("set", "spp=4")
         self.assertEqual(self.output("undo", "-p", "paraview"), "paraview (4242): spp = 1 from frame 1042\n")
         self.assertEqual(json.loads(self.output("redo", "-p", "1", "--json"))[0]["values"], {"spp": 4})
-        self.assertEqual(self.failure("redo", "-p", "1"), "paraview (4242): there is nothing to make again")
+        self.assertEqual(self.failure("redo", "-p", "1"), "paraview (4242): there is nothing to redo")
 
     def test_programs_are_named_by_number_process_and_name(self):
         hub, *_ = self.two()

@@ -84,7 +84,7 @@ class FakeProgram:
 
     def step(self, source, target, side):
         if not source:
-            return {"why": "there is nothing to undo" if side == 0 else "there is nothing to make again"}
+            return {"why": "there is nothing to undo" if side == 0 else "there is nothing to redo"}
         step = source.pop()
         target.append(step)
         return {"frame": self.frame, "values": self.changed(self.live, step[side])}

@@ -43,11 +43,11 @@ def problems_of(gluray, door, program, case):
                           "--report", report.name, "--", program, case], GLURAY_LOG=log.name, GLURAY_LOG_LEVEL="info")
             return got
         without, real = traced("off"), run([program, case])[0]
-        if b"software-show is at work" in log.read():
+        if b"software-show is active" in log.read():
             yield "the quirk is off and at work"
         shown = traced("on")
         log.seek(0)
-        if b"software-show is at work" not in log.read():
+        if b"software-show is active" not in log.read():
             yield "the quirk has done nothing"
         if case == "unchanged" and json.loads(pathlib.Path(report.name).read_text())["repeated"] < 2:
             yield "frames in which nothing changes are traced again"

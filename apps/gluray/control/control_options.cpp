@@ -30,29 +30,30 @@ void addHubOptions(CLI::App& app, ControlOptions& options, bool settingsHaveOpti
   const Row* row = findSetting("hub");
   const bool there = settingsHaveOptions && row && !row->option.empty();  // --hub and --hub-key
   if (!there)
-    app.add_option("--hub", options.hub, "Reach the hub of another machine by TCP [setting hub]")
+    app.add_option("--hub", options.hub, "Connect by TCP to the hub on another machine [setting hub]")
         ->type_name("HOST:PORT");
   app.add_option(there ? "--key" : "--key,--hub-key", options.keyFile,
-                 "The file with the hub's key [setting hub-key]")
+                 "File with the key of the hub [setting hub-key]")
       ->type_name("FILE");
 }
 
 void describeSet(CLI::App& app, ControlOptions& options) {
-  app.description("Changes settings of running programs. `gluray undo` takes it back.");
-  app.add_option("SETTING", options.values,
-                 "NAME=VALUE: a setting and its value; nothing after the sign means the empty text");
-  app.add_option("--reset", options.resets, "Give the setting the value that files, variables ... say")
+  app.description("Changes settings of running programs. `gluray undo` undoes the change.");
+  app.add_option("SETTING", options.values, "NAME=VALUE: a setting and its value; NAME= sets the empty text");
+  app.add_option("--reset", options.resets,
+                 "Reset the setting to its value from files, variables and options")
       ->allow_extra_args(false)
       ->type_name("NAME");
 }
 
 void describeWatch(CLI::App& app, CommandLine& line) {
   app.description(
-      "Prints what happens in running programs: settings that change, programs that come and go. Ends with\n"
-      "Ctrl+C. JSON: an object a line.");
-  app.add_option("NAME", line.names, "Settings to watch; none: all");
-  app.add_flag("--state", line.control.state,
-               "Each second and program: frames a second, triangles, traced share, memory, noise");
+      "Prints changes of settings in running programs, and programs that start or end, until Ctrl+C.\n"
+      "With --json, each line is an object.");
+  app.add_option("NAME", line.names, "Settings to watch [all]");
+  app.add_flag(
+      "--state", line.control.state,
+      "Also print frame rate, triangles, traced share, memory and noise of each program every second");
   app.add_option("--seconds", line.control.seconds, "End after S seconds [never]")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("S");
@@ -86,23 +87,23 @@ bool describeControl(CLI::App& app, CommandLine& line) {
     case Command::list: app.description("Lists the programs that run under GLuRay."); break;
     case Command::set: describeSet(app, options); break;
     case Command::unset:
-      app.description("Gives settings of running programs the values that files, variables ... say.");
+      app.description(
+          "Resets settings of running programs to their values from files, variables and options.");
       app.add_option("NAME", options.resets, "Settings")->required();
       break;
     case Command::preset:
       app.description("Applies a preset to running programs; `gluray presets` lists them.");
       app.add_option("NAME", options.preset, "The preset's name, or none")->required();
       break;
-    case Command::undo: app.description("Takes back the last change of running programs' settings."); break;
-    case Command::redo: app.description("Makes the change again that was taken back last."); break;
+    case Command::undo: app.description("Undoes the last change of settings in running programs."); break;
+    case Command::redo: app.description("Repeats the change that was undone last."); break;
     case Command::watch: describeWatch(app, line); break;
     case Command::panel:
       app.description("Opens a window that shows running programs and changes their settings.");
       break;
     case Command::shot:
-      app.description(
-          "Saves the picture that a running program's window shows. Replaces PNG files, no others.");
-      app.add_option("FILE", options.file, "The picture: a name that ends in .png")->required();
+      app.description("Saves the picture in the window of a running program. Overwrites PNG files only.");
+      app.add_option("FILE", options.file, "Name of the picture, ending in .png")->required();
       break;
     default: describeSceneCommand(app, line); break;
   }

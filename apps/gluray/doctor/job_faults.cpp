@@ -139,7 +139,7 @@ void findMemory(const std::map<std::string, RankList>& hosts, Diagnosis& diagnos
       diagnosis.limited("memory",
                         available + ", " + inGigabytes(shareOf(ranks)) +
                             " GB for each rank; on other hosts each rank has up to " + inGigabytes(most) +
-                            " GB. Each rank holds all of the geometry, so the least decides",
+                            " GB. Each rank holds all of the geometry, so the smallest one is the limit",
                         ranks.size() > 1 ? "fewer ranks on the host, or leave it out" : "leave the host out");
   }
 }

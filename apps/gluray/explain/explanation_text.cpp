@@ -101,7 +101,7 @@ std::string contextLines(const json& contexts) {
            text(c, "version") + ", " + text(c, "renderer") + ": " + grouped(number(c, "frames")) +
            " frames, " + grouped(number(c, "traced")) + " draws traced, " + grouped(number(c, "rasterised")) +
            " rasterised" +
-           (text(c, "profile") != "ES" ? "" : "; left to the real OpenGL as a whole and not counted") + "\n";
+           (text(c, "profile") != "ES" ? "" : "; the real OpenGL draws all of it, not counted") + "\n";
   return all;
 }
 
@@ -159,7 +159,7 @@ std::string heading(const json& report) {
 std::string walkedPastLines(const json& report) {
   const std::string driver = printable(report.value("walkedPast", std::string()));
   if (driver.empty()) return "";
-  return "\ncalls that go past GLuRay\n" +
+  return "\ncalls that bypass GLuRay\n" +
          wrapped(
              "the dynamic linker finds the driver's gl functions first (" + driver +
                  "): libraries that are loaded later call the driver, GLuRay does not see these calls, and "
@@ -189,9 +189,9 @@ std::string lightLine(const json& report) {
   const auto passes = light.value("passes", uint64_t{0}), idlePasses = idle.value("passes", uint64_t{0});
   const auto refused = idle.value("refused", uint64_t{0});
   if (passes + idlePasses + refused == 0) return "";
-  return "  light: " + grouped(passes) + " passes" + noise(light) + "; while the program drew nothing " +
+  return "  light: " + grouped(passes) + " passes" + noise(light) + "; while the program was idle " +
          grouped(idlePasses) + " passes over " + grouped(idle.value("frames", uint64_t{0})) + " frames, " +
-         grouped(idle.value("finished", uint64_t{0})) + " finished, " + grouped(refused) + " left alone" +
+         grouped(idle.value("finished", uint64_t{0})) + " finished, " + grouped(refused) + " not refined" +
          noise(idle) + "\n";
 }
 

@@ -31,7 +31,7 @@ struct TriangleRun {
   uint32_t first, end;
 };
 
-/// The rays that hit a triangle, among one vector of consecutive rays that starts at ray `first`.
+/// The rays that hit a triangle, in one vector of consecutive rays that starts at ray `first`.
 struct MetTriangle {
   uint32_t triangle;
   unsigned first;

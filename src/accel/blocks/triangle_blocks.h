@@ -20,7 +20,7 @@ class TriangleBlocks {
  public:
   enum class Aim : uint8_t {
     memory,  // few, large blocks: least memory
-    speed    // small blocks: rays cost as much as with single triangles; the boxes are kept for the build
+    speed    // small blocks: rays cost as much as with single triangles; boxes stay in memory for the build
   };
 
   /// Reads all triangles, with the threads of the current arena. Throws std::bad_alloc.

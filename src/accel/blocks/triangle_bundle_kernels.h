@@ -9,8 +9,8 @@ namespace gluray::accel {
 
 /// Up to kBlocks triangle blocks that are near each other. Block b holds the triangles
 /// [first + offset[b], first + offset[b] + count[b]). Its box reaches from base + lower * step to
-/// base + upper * step along each axis; blocks that do not exist have lower > upper. Memory that the first
-/// picture touches costs it more time than decoding does.
+/// base + upper * step along each axis; blocks that do not exist have lower > upper. Decoding is cheaper than
+/// touching more memory for the first picture.
 struct TriangleBundle {
   static constexpr uint32_t kBlocks = 8;
   float base[3], step[3];
@@ -21,8 +21,8 @@ struct TriangleBundle {
 };
 static_assert(sizeof(TriangleBundle) == 104);
 
-/// As meetTriangles() and occludeTriangles(), for the blocks whose boxes the rays meet. `mesh`: its arrays;
-/// the range is not used.
+/// As meetTriangles() and occludeTriangles(), for the blocks whose boxes the rays hit. `mesh`: the mesh's
+/// arrays; its range is ignored.
 void meetBundle(const TriangleBundle&, const TriangleRun& mesh, const PacketRows&, const HitNames&, Chooser,
                 const void* query);
 void occludeBundle(const TriangleBundle&, const TriangleRun& mesh, const PacketRows&, Chooser,

@@ -34,7 +34,7 @@ class TriangleBundles {
   /// Predicts pay() from a sample of kSampled triangles. False for smaller meshes and for impostors.
   /// checkArrays() (blas.h) must accept the mesh.
   static bool likely(const scene::Mesh&);
-  /// Whether bundles hold so many triangles that they need less memory and time than triangle blocks.
+  /// Whether the bundles are full enough to need less memory and time than triangle blocks.
   bool pay() const;
   /// The bounding box of all blocks.
   Box boxOf(uint32_t bundle) const;

@@ -15,24 +15,24 @@ class PageCache;
 
 /// Builds each (geometry, quality) once and keeps it while it is used. Idle structures stay while they and
 /// the arrays they keep alive fit into `idleBudgetBytes`. Beyond it, the least recently used are freed first.
-/// Those of the previous batch, and those that were freed too early before, are freed last; they may exceed
-/// the budget while as much memory is free. With quality `automatic`, fast structures are replaced by full
-/// ones, built in the background, where build_plan.h finds that worthwhile.
+/// Structures of the previous batch, and structures that were once freed too early, are freed last; they may
+/// exceed the budget if the machine has as much free memory. With quality `automatic`, fast structures are
+/// replaced by full ones, built in the background, where build_plan.h finds that worthwhile.
 class BlasCache {
  public:
-  /// `pages`: of meshes that are loaded when rays meet them; must outlive all structures.
+  /// `pages`: cache of meshes that are loaded on demand; must outlive all structures.
   BlasCache(const Device&, PageCache& pages, size_t idleBudgetBytes, FreeMemory);
 
-  /// Begins a batch of the program's frame of this number: structures not requested from now on are idle. A
-  /// full structure that is ready replaces the fast one it was built for.
+  /// Begins a batch of the program's frame `frame`: structures that are not requested from now on are idle. A
+  /// finished full structure replaces the fast structure of its mesh.
   void beginBatch(uint64_t frame);
   /// Returns the structures for `wanted`, in the same order (null where a mesh has no triangles). Builds
   /// missing ones with the threads of the current arena. Throws Error or std::bad_alloc; structures built by
   /// then stay in the cache. `thrifty`: new structures take as little memory as possible, whatever the
   /// quality.
   std::vector<BlasPtr> get(const std::vector<Geometry>& wanted, BvhQuality, bool thrifty = false);
-  /// The same for geometry that is met but not drawn: structures are used, or built where they are missing,
-  /// but that says nothing about what will be drawn, so that neither later builds nor refits change.
+  /// Like get(), for geometry that only secondary rays hit. Builds missing structures, but does not count as
+  /// use for the decisions about later builds and refits.
   std::vector<BlasPtr> aside(const std::vector<Geometry>& wanted, BvhQuality);
   /// Whether `thrifty` would change any structure that is still missing.
   bool thriftHelps(const std::vector<Geometry>& wanted, BvhQuality) const;
@@ -91,8 +91,9 @@ class BlasCache {
   uint64_t frame_ = 0, frames_ = 0;  // the program's frame number, and how often it has changed
   uint64_t builds_ = 0, refits_ = 0, refinements_ = 0;
   Deformations deformations_;
-  std::array<Hash128, 64> left_{};   // the last geometries whose structures were refitted to other positions
-  std::array<Hash128, 64> freed_{};  // the last geometries whose structures were freed soon after use
+  std::array<Hash128, 64>
+      left_{};  // geometries whose structures were refitted to other positions most recently
+  std::array<Hash128, 64> freed_{};  // geometries whose structures were freed soon after use most recently
   size_t freedCount_ = 0;
   Key refining_{};   // key of the structure that the background job builds
   BlasPtr refined_;  // that structure

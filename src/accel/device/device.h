@@ -26,9 +26,9 @@ class Device {
   std::string version() const;
   /// Bytes that Embree, and our own leaves (HeldBytes), hold for acceleration structures at present.
   static size_t bytes();
-  /// bytes() without all that BehindScopes have counted. Only differences of two calls have a meaning: the
-  /// growth that no such scope caused. What a scope allocated may be freed outside it, so that this falls
-  /// below 0.
+  /// bytes() without the bytes counted by BehindScopes. Only the difference of two calls is meaningful: the
+  /// growth outside of such scopes. May be negative, because memory of a scope may be freed outside of the
+  /// scope.
   static ptrdiff_t bytesOfFrames();
   /// Throws Error("WHAT: reason") if a call of this thread failed since the last check. A lack of memory
   /// costs frames.
@@ -39,7 +39,7 @@ class Device {
   int packetWidth_ = 4;
 };
 
-/// Memory of ours that counts as the device's for as long as this exists.
+/// Counts memory of our own as the device's during its lifetime.
 class HeldBytes {
  public:
   HeldBytes() = default;
@@ -61,7 +61,7 @@ void failNextCommits(int count, int after = 0);
 /// Requested failures that have not happened yet.
 int commitsStillToFail();
 
-/// Counts the Embree memory that its thread allocates during its lifetime separately: for background builds.
+/// During its lifetime, counts the Embree memory that its thread allocates separately, for background builds.
 class BehindScope {
  public:
   BehindScope();

@@ -96,8 +96,8 @@ class PacketQuery {
 #endif
 };
 
-// Queries within a query, for callbacks whose rays go on in another scene: the same context, lanes and layout
-// as the callback's. `valid` is aligned to 64 bytes.
+// Nested queries, for callbacks that forward rays to another scene. Context, lanes and layout are those of
+// the callback. `valid` is aligned to 64 bytes.
 #if GLURAY_EMBREE_MAJOR >= 4
 inline void intersectWithin(RtcQueryContext* context, RTCScene scene, unsigned count, const int* valid,
                             RTCRayHitN* rays) {

@@ -1,4 +1,4 @@
-// How far impostors reach about their centres: what the bounding boxes in their BLAS are made of. Any thread.
+// Extents of impostors around their centres, for the bounding boxes in their BLAS. Any thread.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -19,10 +19,10 @@ struct ImpostorReach {
 ImpostorReach reachOf(const scene::Instance&, const scene::Camera&);
 
 /// Extent of an instance's beads or tubes about their points and lines, in object space; valid for every
-/// camera that is not nearer.
+/// camera that is at least as far away.
 ImpostorReach reachInPixels(const scene::Instance&, const scene::Camera&);
 
-/// The same for splats, in proportion to their radius.
+/// Extent of splats, in proportion to their radius.
 ImpostorReach reachOfSplats(const scene::Instance&, const scene::Camera&);
 
 /// Rounds up to a power of 2^(1/64), so that small rounding differences seldom change the result.

@@ -1,6 +1,6 @@
-// Beads, tubes and splats (scene/impostors.h): points and lines of a width in pixels that a fragment program
-// draws as if they were round, and ellipses. Coverage, normals and depths equal the program's. accel/
-// intersects them, render/ shades them. Any thread.
+// Beads, tubes and splats (scene/impostors.h): points and lines with a width in pixels that a fragment
+// program shades as round, and ellipses. Coverage, normals and depths equal the program's. accel/ intersects
+// them, render/ shades them. Any thread.
 #pragma once
 #include "accel/impostors/placed_impostors.h"
 

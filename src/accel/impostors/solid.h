@@ -1,6 +1,5 @@
-// Impostors as the solids that they stand for, met by rays from anywhere: shadows, occlusion and reflections
-// see them so. Rays from the viewer see what programs draw instead (impostors.h, pixel_impostor.h). Any
-// thread.
+// Impostors as solids, for secondary rays: shadows, occlusion and reflections. Primary rays hit what programs
+// draw instead (impostors.h, pixel_impostor.h). Any thread.
 #pragma once
 #include "accel/impostors/placed_impostors.h"
 
@@ -26,12 +25,12 @@ struct SolidHit {
 ///   sphere    its sphere, if the program shows it
 ///   disc      the disc that faces the viewer, from both sides
 ///   cylinder  with both of its ends
-///   bead      the sphere as wide as the point is in the window
-///   tube      the cone between two such spheres about the line's ends, and the spheres
+///   bead      the sphere with the point's width in the window
+///   tube      the convex hull of two such spheres at the line's ends
 ///   ball, capsule  themselves
 ///   stick     itself; open ends are closed
 ///   splat     the ball that the program flattens into an ellipse
-/// Nothing where the ray misses it or the instance's planes cut it away. Computed in double precision: radii
+/// None if the ray misses it or the instance's clip planes cut it away. Computed in double precision: radii
 /// and distances may differ by any factor.
 std::optional<SolidHit> meetSolid(const PlacedImpostors&, uint32_t primitive, const ObjectRay&);
 

@@ -1,4 +1,4 @@
-// Quick answers about rays and solids in single precision, which are right wherever they are given. Any
+// Conservative intersection of rays and solids in single precision: definite hits and misses are exact. Any
 // thread.
 #pragma once
 #include "accel/impostors/placed_impostors.h"
@@ -14,14 +14,13 @@ namespace gluray::accel {
 struct RoundHull {
   glm::vec3 end[2];
   float radius[2];
-  bool whole = true;  // the solid fills it
+  bool whole = true;  // the solid equals the hull
 };
 
-/// The hull that an impostor is for rays from anywhere (solid.h); nothing for other solids and for those that
-/// do not exist.
+/// The hull of an impostor's solid (solid.h); none if the solid is not such a hull or does not exist.
 std::optional<RoundHull> hullOf(const PlacedImpostors&, uint32_t primitive);
 
-/// What meetSolid() would say; lanes in neither are open, because rounding could decide.
+/// Definite results of meetSolid(). Lanes in neither set are undecided, because rounding could decide.
 struct SolidGuess {
   uint32_t misses = 0, hits = 0;  // bit i: lane i
 };

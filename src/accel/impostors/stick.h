@@ -22,27 +22,26 @@ struct Stick {
   glm::vec3 middle() const { return 0.5f * (end[0] + end[1]); }
 };
 
-/// Returns which of `lanes` (bit i: lane i) see the stick, and sets their t: where they enter the mantle or
-/// pass a closed end from outside. A point before the near plane or beyond the far plane is not seen, and
-/// hides nothing: there is a hole.
+/// Returns which of `lanes` (bit i: lane i) hit the stick, and sets their t: the point where the ray enters
+/// the mantle or a closed end. Points in front of the near plane or beyond the far plane do not count, so
+/// that the stick has a hole there.
 uint32_t meet(const Stick&, const ImpostorRays&, uint32_t lanes, float (&t)[kLanes]);
 
-/// What a line of sight sees of a stick.
+/// The visible point of a stick on a line of sight.
 struct StickPoint {
   glm::dvec3 point;
   glm::vec3 normal;  // unit, outwards
-  double share;      // place along the axis where the line enters the endless cylinder, within [0, 1]
+  double share;      // position along the axis where the line enters the infinite cylinder, clamped to [0, 1]
   double enterZ;     // z of that point
 };
-/// `dir`: unit length, away from the viewer. A line that misses the stick gets a point nearby.
+/// `dir`: unit length, away from the viewer. For a line that misses the stick, returns a nearby point.
 StickPoint see(const Stick&, const glm::dvec3& org, const glm::dvec3& dir);
 
 struct StickHit {
   double t;
   glm::dvec3 normal;  // outwards, not of unit length
 };
-/// The nearest point of the stick with t in [tNear, tFar] for a ray from anywhere, which open ends stop as
-/// flat ones do.
+/// The nearest hit with t in [tNear, tFar] for secondary rays, for which open ends count as flat ends.
 std::optional<StickHit> meetSolid(const Stick&, const glm::dvec3& org, const glm::dvec3& dir, double tNear,
                                   double tFar);
 

@@ -24,7 +24,8 @@ bool machineReportsFreePages() noexcept {
       if (!reportsFreePages(firstWord(entry.path() / "device"), firstWord(entry.path() / "features")))
         continue;
       log::once(log::Level::info, "huge pages",
-                "this virtual machine reports free pages: large structures are built in small pages");
+                "this virtual machine reports free pages to its host: large acceleration structures use "
+                "small memory pages");
       return true;
     }
   } catch (...) {  // no virtio here

@@ -37,8 +37,8 @@ void checkArrays(const scene::Mesh&);
 class Blas;
 using BlasPtr = std::shared_ptr<Blas>;
 
-/// Primitives that Embree knows by callbacks alone. `data`: what the callbacks get as geometryUserPtr; the
-/// structure keeps it alive.
+/// Primitives that Embree accesses only through callbacks. `data`: passed to the callbacks as
+/// geometryUserPtr; the structure keeps it alive.
 struct UserPrimitives {
   uint32_t count = 0;
   std::shared_ptr<void> data;
@@ -62,20 +62,20 @@ class Blas {
   /// Refits `from`, made by createToRefit(), to the positions of a mesh of the same topology: build()
   /// finishes it. `from` is unusable afterwards.
   static BlasPtr createRefitted(Blas& from, const scene::Mesh&);
-  /// A structure of primitives that stand for the mesh, which is not read.
+  /// A structure of primitives that replace the mesh, whose arrays are not read.
   Blas(const Device&, const scene::Mesh&, UserPrimitives);
   ~Blas();
   Blas(const Blas&) = delete;
   Blas& operator=(const Blas&) = delete;
 
-  /// Builds with the threads of the current arena. Throws Error; the structure is then unusable. Leaves out
+  /// Builds with the threads of the current arena. Throws Error; the structure is then unusable. Omits
   /// triangles with a vertex that is not finite.
   void build();
-  /// As build(), in the background: on the calling thread alone, in an arena of one thread. Stops and throws
+  /// Like build(), in the background: only on the calling thread, in an arena of one thread. Stops and throws
   /// soon after `cancelled` becomes true.
   void buildBehind(const std::atomic<bool>& cancelled);
-  /// A structure that is prepared and built by the calling thread alone, whatever arena it is in: meanwhile
-  /// it runs none of that arena's tasks. Throws Error.
+  /// Prepares and builds a structure only on the calling thread, without running other tasks of its arena
+  /// meanwhile. Throws Error.
   static BlasPtr buildAlone(const Device&, IotaIndices&, const Geometry&, BvhQuality);
 
   RTCSceneTy* scene() const { return scene_.get(); }

@@ -45,7 +45,8 @@ class Deformations {
   /// The step for a mesh whose positions changed. `spread`: Blas::spreadIn of the earlier structure; 0: it
   /// cannot be refitted.
   Step stepFor(const scene::Mesh& mesh, double spread);
-  /// Positions returned whose structure was refitted to others: the animation repeats. Pauses refits.
+  /// Reports that positions have returned whose structure was refitted to other positions, because the
+  /// animation repeats. Pauses refits.
   void comesAround(const scene::Mesh& mesh);
 
  private:

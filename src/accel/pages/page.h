@@ -1,5 +1,5 @@
-// A page: a mesh whose arrays are loaded, and whose structure is built, when a ray meets its bounds. Owned by
-// the Blas that stands for it; entered on tracing threads.
+// A page: a mesh whose arrays are loaded, and whose acceleration structure is built, when a ray hits its
+// bounds. Owned by the Blas that represents it; entered on tracing threads.
 #pragma once
 #include "accel/meshes/blas.h"
 #include "accel/rays/bounds.h"
@@ -24,13 +24,14 @@ class Page {
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
-  /// Of all hits, object space.
+  /// Bounds of all hits, object space.
   Bounds bounds() const { return {mesh_.lower, mesh_.upper}; }
-  /// The same, and some roundings around it.
+  /// The bounds, enlarged by the rounding error of single precision.
   const Bounds& widened() const { return widened_; }
-  /// The box of the mesh that it is the first page of; null: it is a later one.
+  /// The box of the whole mesh, if this is its first page; otherwise null.
   const scene::Residence::Whole* whole() const { return mesh_.residence->whole(); }
-  /// The structure of its triangles, which stays until leave(); null: it cannot be had. May wait for it.
+  /// Returns the structure of its triangles, which stays until leave(); null if it cannot be loaded. May wait
+  /// for it.
   RTCSceneTy* enter() noexcept;
   void leave() noexcept { users_.fetch_sub(1); }
 
@@ -38,13 +39,13 @@ class Page {
   friend class PageCache;
   enum class State : uint8_t {
     absent,
-    coming,  // some thread loads it
+    coming,  // a thread is loading it
     ready,
-    leaving,  // the cache looks whether it is in use
+    leaving,  // the cache is checking whether it is in use
   };
 
   PageCache& cache_;
-  scene::Mesh mesh_;  // positions and indices alone
+  scene::Mesh mesh_;  // only positions and indices
   const Bounds widened_;
   std::atomic<State> state_{State::absent};
   std::atomic<uint32_t> users_{0};
@@ -53,7 +54,7 @@ class Page {
   BlasPtr blas_;
   size_t bytes_ = 0;        // of arrays and structure, while it is ready
   bool loaded_ = false;     // the arrays are in memory
-  uint64_t retiredAt_ = 0;  // since when only readers of hits may need the arrays; 0: not so
+  uint64_t retiredAt_ = 0;  // time since when only readers of hits may need the arrays; 0: other uses
 };
 
 }  // namespace gluray::accel

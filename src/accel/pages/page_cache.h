@@ -1,5 +1,5 @@
-// Which pages are in memory: those that rays have met last, within the budget of their residences. Owned by
-// World; tracing threads.
+// Keeps the most recently used pages in memory, within the budget of their residences. Owned by World;
+// tracing threads.
 #pragma once
 #include "accel/device/device.h"
 #include "accel/meshes/iota_indices.h"
@@ -16,8 +16,8 @@
 
 namespace gluray::accel {
 
-/// The structure of a page is freed while no ray is in it; its arrays stay until no reader is left that may
-/// hold a hit on it. What readers have met at the same time may exceed the budget.
+/// A page's structure may be freed while no ray is in it. Its arrays stay while a reader may hold a hit on
+/// it. Pages that readers use at the same time may exceed the budget.
 class PageCache {
  public:
   explicit PageCache(const Device& device) : device_(device) {}
@@ -42,7 +42,7 @@ class PageCache {
   };
 
   uint64_t loads() const { return loads_; }  // since the start
-  /// Bytes of arrays and structures in memory, and the most there ever were.
+  /// Bytes of arrays and structures in memory, and their peak.
   size_t bytes() const { return bytes_; }
   size_t mostBytes() const { return mostBytes_; }
 
@@ -52,10 +52,10 @@ class PageCache {
   /// Throws std::bad_alloc.
   void add(Page& page);
   void remove(Page& page);
-  /// Loads the page for a thread that enters it. Null: it cannot be had.
+  /// Loads the page for a thread that enters it. Null if it cannot be loaded.
   RTCSceneTy* load(Page& page) noexcept;
   bool build(Page& page, Lock& lock);
-  /// Frees pages that are not in use, those that were met longest ago first, until the others take `most`.
+  /// Frees unused pages, least recently used first, until the others take at most `most` bytes.
   void makeRoom(size_t most) noexcept;
   bool retire(Page& page) noexcept;
   void drop(Page& page) noexcept;
@@ -73,7 +73,7 @@ class PageCache {
 
   std::mutex mutex_;
   std::condition_variable came_;
-  // With room for all pages: nothing is allocated while a thread waits for a page that comes.
+  // Reserved for all pages, so that nothing is allocated while a thread waits for a page.
   std::vector<Page*> ready_, retired_;
   std::vector<std::pair<uint64_t, Page*>> byUse_;  // of makeRoom()
   std::multiset<uint64_t> readers_;                // by the clock of their start

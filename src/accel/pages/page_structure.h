@@ -1,5 +1,5 @@
-// The structure that stands for a page: one box, in which the page's own structure is built when a ray meets
-// it. Called by BlasCache, between frames.
+// The structure that represents a page: one box. The page's own structure is built when a ray hits the box.
+// Called by BlasCache, between frames.
 #pragma once
 #include "accel/meshes/blas.h"
 #include "scene/mesh.h"

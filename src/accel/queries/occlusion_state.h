@@ -1,4 +1,4 @@
-// What a query for occlusion carries into Embree's callbacks. Private to accel/; lives as long as one query.
+// State that an occlusion query passes to Embree's callbacks. Private to accel/; lives as long as one query.
 #pragma once
 #include "accel/impostors/placed_impostors.h"
 #include "accel/rays/occlusion.h"
@@ -6,11 +6,11 @@
 namespace gluray::accel {
 
 struct OcclusionState {
-  const OccluderFilter* filter;      // null: everything blocks
-  uint32_t aloneIndex;               // the instance of hits that name none
-  const PlacedImpostors* impostors;  // by instance; null where there are none
+  const OccluderFilter* filter;      // null: all surfaces block
+  uint32_t aloneIndex;               // the instance of hits without an instance
+  const PlacedImpostors* impostors;  // by instance; null without impostors
 
-  /// `inside`: the instance that Embree names, which is none for a lone mesh.
+  /// `inside`: instance reported by Embree, kNoHit for a single mesh without TLAS.
   uint32_t instanceOf(uint32_t inside) const { return inside == kNoHit ? aloneIndex : inside; }
   bool blocks(const Occluder& occluder) const { return !filter || filter->blocks(occluder); }
 };

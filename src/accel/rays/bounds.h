@@ -1,10 +1,10 @@
-// A box along the axes of its space. Any thread.
+// An axis-aligned bounding box. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 
 namespace gluray::accel {
 
-/// Empty where some side has a negative length.
+/// Empty if a side has a negative length.
 struct Bounds {
   glm::vec3 lower{0}, upper{0};
   bool empty() const { return !(lower.x <= upper.x && lower.y <= upper.y && lower.z <= upper.z); }

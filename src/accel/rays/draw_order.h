@@ -9,7 +9,7 @@ namespace gluray::accel {
 /// Decides which of several coincident surfaces is visible.
 struct DrawOrder {
   std::vector<uint32_t> ranks;  // drawing order, one per Snapshot::instances
-  // The same: Mesh::triangleNumbers. Empty where no mesh is a page.
+  // Mesh::triangleNumbers, one per Snapshot::instances. Empty if no mesh is a page.
   std::vector<const uint32_t*> numbers;
   bool laterWins = false;
   uint64_t rankOf(uint32_t instance, uint32_t primitive) const {

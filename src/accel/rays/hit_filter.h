@@ -1,4 +1,4 @@
-// Which hits count. render/ implements filters and gives them to World's queries; tracing threads.
+// Filter callback for hits. render/ implements filters and passes them to World's queries; tracing threads.
 #pragma once
 #include <cstdint>
 
@@ -8,7 +8,7 @@ namespace gluray::accel {
 class HitFilter {
  public:
   virtual ~HitFilter() = default;
-  /// False: the ray ignores this hit and goes on. Barycentric u, v as in RayPacket.
+  /// Returns false if the ray ignores this hit and continues. Barycentric u, v as in RayPacket.
   virtual bool accepts(uint32_t instance, uint32_t primitive, float u, float v, int lane) const noexcept = 0;
 };
 

@@ -22,7 +22,7 @@ class NextHits {
   bool full(int lane) const { return counts_[lane] == kMax; }
 
   /// Makes later queries skip the lane's hits. Returns the tNear for the next query: slightly less than the
-  /// last hit's distance, because more hits may lie there, up to rounding. Only where full.
+  /// last hit's distance, because more hits may lie there, up to rounding. Requires full().
   float passOn(int lane) {
     constexpr float kBefore = 1 - 0x1p-20f;
     const float from = hits_[lane][kMax - 1].distance * kBefore;

@@ -1,5 +1,5 @@
-// Rays that ask whether anything lies between two points: the packet, and what decides which surfaces count.
-// render/ fills a packet and gives it to World::occluded; any thread.
+// Occlusion rays: the packet, and the filter of surfaces. render/ fills a packet and passes it to
+// World::occluded; any thread.
 #pragma once
 #include "accel/rays/ray_packet.h"
 
@@ -9,7 +9,7 @@
 
 namespace gluray::accel {
 
-/// A packet of rays org + t*dir, t in [tNear, tFar], world space. Lengths of `dir` are free; t is in units of
+/// A packet of rays org + t*dir, t in [tNear, tFar], world space. `dir` may have any length; t is in units of
 /// it. The layout is that of Embree's packet, which is read and written in place.
 struct alignas(64) OcclusionRays {
   float orgX[kLanes], orgY[kLanes], orgZ[kLanes], tNear[kLanes];
@@ -18,7 +18,7 @@ struct alignas(64) OcclusionRays {
   uint32_t mask[kLanes], id[kLanes], flags[kLanes];
 };
 
-/// A surface that a ray meets on its way.
+/// A surface that a ray hits.
 struct Occluder {
   uint32_t instance, primitive;
   float u, v;       // of triangles: barycentric, as in RayPacket
@@ -31,7 +31,7 @@ struct Occluder {
 class OccluderFilter {
  public:
   virtual ~OccluderFilter() = default;
-  /// False: the ray goes on as if nothing were there.
+  /// Returns false if the ray continues through the surface.
   virtual bool blocks(const Occluder&) const noexcept = 0;
 };
 

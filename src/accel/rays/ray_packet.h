@@ -8,8 +8,8 @@ namespace gluray::accel {
 constexpr int kLanes = 16;                // rays in a packet
 constexpr uint32_t kNoHit = 0xFFFFFFFFu;  // value of `geometry` where the ray hit nothing
 
-/// Whether the rays of a packet go much the same way. Embree traces coherent packets as a whole; of rays that
-/// differ that costs half of the speed.
+/// Whether the rays of a packet have similar directions. Embree traces coherent packets as a whole, which
+/// halves the speed for incoherent rays.
 enum class Coherence : bool { coherent, incoherent };
 
 /// A packet of rays org + t*dir, t in (tNear, tFar]. `dir` may have any length; t is in units of it.
@@ -38,8 +38,8 @@ struct alignas(64) PixelRays {
 };
 
 /// Rays against impostors (scene/impostors.h): shader programs compute them at pixel centres, for the samples
-/// that their billboards cover. Without either, rays meet impostors as solids (impostors/solid.h), as do rays
-/// through a lens.
+/// that their billboards cover. Without centers and samples, rays hit impostors as solids
+/// (impostors/solid.h), as do rays through a lens.
 struct ImpostorQuery {
   const PixelRays* centers = nullptr;  // through the centres of the rays' pixels
   const PixelRays* samples = nullptr;  // the packet's rays

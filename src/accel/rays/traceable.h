@@ -1,4 +1,4 @@
-// Which rays Embree takes. Any thread.
+// Tests whether Embree can trace a ray. Any thread.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 namespace gluray::accel {
 
-/// Whether lane i holds a ray that Embree traces; it aborts the process where an active lane holds anything
-/// else. `Rays`: RayPacket or OcclusionRays.
+/// Whether lane i has a ray that Embree can trace. Embree aborts the process if an active lane has any other
+/// ray. `Rays`: RayPacket or OcclusionRays.
 template <class Rays>
 bool isTraceable(const Rays& r, int i) {
   constexpr float kLargest = 1e18f;

@@ -1,5 +1,5 @@
-// Checks that arrays of programs are what their names say. It has a thread of its own: many gigabytes take
-// seconds, in which the worker's main thread must say that it is at work. Its calls: the main thread.
+// Checks arrays of programs against their names (content hashes), on a thread of its own: many gigabytes take
+// seconds, in which the worker's main thread must send signs of life. Called on the main thread.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/ranks/outbox.h"
@@ -16,15 +16,15 @@ namespace gluray::cluster {
 
 class ArrayIntake {
  public:
-  /// Puts arrays into `store` for the head `self`, with up to `threads` threads, and sends ArrayChecked to
-  /// that rank. All must outlive it.
+  /// Stores checked arrays in `store` for the head `self`, using up to `threads` threads, and sends
+  /// ArrayChecked to that rank. All must outlive it.
   ArrayIntake(ArrayStore& store, Outbox& outbox, int self, int threads);
-  /// Drops what has not been checked.
+  /// Discards unchecked arrays.
   ~ArrayIntake();
   ArrayIntake(const ArrayIntake&) = delete;
   ArrayIntake& operator=(const ArrayIntake&) = delete;
 
-  /// `number`: of the check, for ArrayChecked.
+  /// `number`: number of the check, for ArrayChecked.
   void add(uint64_t number, const Hash128& name, Array array);
 
  private:

@@ -1,4 +1,4 @@
-// The arrays that a worker has, for the snapshots of all programs. Any thread.
+// A worker's arrays, for the snapshots of all programs. Any thread.
 #pragma once
 #include "cluster/stream/shared_arrays.h"
 
@@ -15,13 +15,14 @@ namespace gluray::cluster {
 
 class ArrayStore {
  public:
-  /// Keeps the array until each head (a rank) has forgotten it as often as it has put it here. Puts and
-  /// forgets of a head may come in any order: a broadcast takes longer than a message.
+  /// Keeps the array until each head (a rank) has called forget() as often as put(). Calls for a head may
+  /// come in any order, because a broadcast takes longer than a message.
   void put(int head, const Hash128& name, Array array);
   void forget(int head, const std::vector<Hash128>& names);
-  /// None: it is not here. What has been forgotten is found while somebody has it.
+  /// Returns the array; null if it is unknown. A forgotten array is found while someone still owns it.
   Array find(const Hash128& name) const;
-  /// Waits until find() finds all, or `stop`; looks at `stop` when wake() is called. True: all are here.
+  /// Waits until find() finds all arrays, or `stop` returns true; checks `stop` after wake(). Returns whether
+  /// all were found.
   bool waitFor(const std::vector<Hash128>& names, const std::function<bool()>& stop);
   void wake();
   size_t bytes() const;
@@ -31,7 +32,7 @@ class ArrayStore {
     Array array;
     std::map<int, int> uses;  // by head: puts without forgets; never 0
   };
-  /// True: no head uses it any more.
+  /// Returns true if no head uses it any more.
   static bool change(Kept& kept, int head, int by);
   mutable std::mutex mutex_;
   std::condition_variable more_;
@@ -43,7 +44,7 @@ class ArrayStore {
   void remember(const Hash128& name, const Array& array);
   Array findLocked(const Hash128& name) const;
   std::unordered_map<Hash128, Forgotten> forgotten_;
-  size_t forgottenAtMost_ = 64;  // entries, before those that are gone are removed
+  size_t forgottenAtMost_ = 64;  // number of entries at which expired ones are removed
 };
 
 }  // namespace gluray::cluster

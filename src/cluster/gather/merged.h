@@ -1,4 +1,4 @@
-// Snapshots of a view that the ranks of a sort-last program gather. Any thread.
+// Merges the snapshots of a view from the ranks of a sort-last program. Any thread.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -7,9 +7,8 @@
 
 namespace gluray::cluster {
 
-/// Adds the surfaces of `parts`, which other ranks draw into the same view, to `whole`: as if the program had
-/// drawn them after its own, part by part. All have the same eye space. Throws Malformed where they are not
-/// seen by one camera; `whole` is undefined then.
+/// Appends the surfaces of `parts`, the other ranks' snapshots of the same view, to `whole`, in order. All
+/// have the same eye space. Throws Malformed if their cameras differ; `whole` is then undefined.
 void merge(const std::vector<std::shared_ptr<scene::Snapshot>>& parts, scene::Snapshot& whole);
 
 }  // namespace gluray::cluster

@@ -107,7 +107,7 @@ PartGatherer::Share PartGatherer::meet(const TraceRequest& request, double now) 
   state_ = State::meeting;
   if (meetings_.awaits(now)) return Share::awaited;
   for (const int rank : meetings_.newlyLate())
-    say_(peerName(rank) + " draws nothing here: the picture is that of the others");
+    say_(peerName(rank) + " draws nothing here: the picture has only the data of the other ranks");
   const std::vector<int> peers = peersHere(now);
   if (const std::string why = whyNot(peers); !why.empty()) {
     if (std::exchange(saidWhy_, why) != why) say_(why + ": each rank traces its own part");
@@ -134,7 +134,7 @@ PartGatherer::Share PartGatherer::collect(const TraceRequest& request, double no
     all = all && isSilent(rank, now);
     if (!isSilent(rank, now)) continue;
     meetings_.fail(rank);
-    say_(peerName(rank) + " does not give its surfaces: it traces them alone");
+    say_(peerName(rank) + " does not send its surfaces: it traces them itself");
   }
   if (!all) return Share::awaited;
   state_ = State::tracing;

@@ -1,7 +1,7 @@
-// Brings the parts that the ranks of a sort-last program have of a view together, for one of these ranks: it
-// gathers the parts of the others and gives them the picture that its program shows, or gives its own part to
-// the rank that gathers and gets that picture, or traces its part alone. What was decided for a snapshot
-// holds for all passes over it. The worker's main thread.
+// Gathers the parts of a view from the ranks of a sort-last program, for one of these ranks. The rank either
+// gathers the parts of the others and sends them the picture that its program shows, or sends its part to the
+// gathering rank and receives that picture, or traces only its own part. The decision for a snapshot holds
+// for all its passes. The worker's main thread.
 #pragma once
 #include "cluster/gather/part_meetings.h"
 #include "cluster/messages/part_messages.h"
@@ -27,32 +27,33 @@ class PartGatherer {
   /// `self`: this rank, of the program's `ranks`. `say`: one line for the user.
   PartGatherer(const Hash128& program, int self, int ranks, Send send, Say say);
 
-  /// The program asks for a picture whose parts are to be gathered, or that blends.
+  /// The program requests a picture whose parts are to be gathered, or that blends.
   void begin(const TraceRequest& request, double now);
   enum class Share : uint8_t {
-    awaited,  // not known yet
-    whole,    // the picture of all parts()
-    shown,    // picture(): another rank has made it
-    own,      // the part alone
+    awaited,  // undecided
+    whole,    // this rank traces all parts()
+    shown,    // another rank has made picture()
+    own,      // this rank traces only its own part
   };
-  /// Which share of the picture of the view is the rank's. `request`: that of begin().
+  /// Decides the rank's share of the view's picture. `request`: that of begin().
   Share findShare(const TraceRequest& request, double now);
   /// Parts of other ranks, for Share::whole.
   const std::vector<PartGiven>& parts() const { return decided_[current_].parts; }
-  /// Why the last part that was not gathered was not; empty: there was no reason that lasts.
+  /// Reason why the last part was not gathered; empty: no lasting reason.
   const std::string& whyOwn() const { return saidWhy_; }
-  /// For Share::shown; null: it is kept no longer.
+  /// For Share::shown; null if it is no longer stored.
   const PartPicture* picture();
-  /// Whether a part of the whole is gone or has come late: its picture must end, and findShare() decides
-  /// anew.
+  /// Whether a part of the picture has disappeared or arrived late: then the picture must end, and
+  /// findShare() decides again.
   bool isLost() const { return state_ == State::tracing && lost_; }
-  /// The whole has been traced; not `traced`: it has not.
+  /// Ends tracing of all parts; `traced`: it succeeded.
   void end(bool traced, double now);
-  /// The program sends geometry.
+  /// The program is sending geometry.
   void comes(double now);
-  /// Work on a picture of the program goes on.
+  /// Work on a picture of the program continues.
   void atWork(double now);
-  /// The program shows the picture of a snapshot whose parts were traced here: gives it to their ranks.
+  /// The program shows the picture of a snapshot whose parts this rank traced: sends it to the ranks of the
+  /// parts.
   void show(uint64_t number, const PartPicture& picture);
 
   void joins(int rank);
@@ -65,13 +66,13 @@ class PartGatherer {
   void receive(PartPicture picture, double now);
   void receive(const PartGone& gone, double now);
   void receive(const PartAtWork& work, double now);
-  /// Says to peers that work goes on. Call ten times a second or more.
+  /// Sends signs of life to peers. Call at least ten times a second.
   void tick(double now);
 
  private:
   enum class State : uint8_t {
     idle,
-    meeting,     // who draws a part of the view?
+    meeting,     // finds the ranks with a part of the view
     collecting,  // waits for parts
     given,       // waits for PartDone or PartPicture
     following,   // waits for another picture of a part that was given
@@ -83,15 +84,15 @@ class PartGatherer {
     Share share = Share::own;
     std::vector<PartGiven> parts;
   };
-  /// The last picture of parts that was made here.
+  /// The last gathered picture that this rank made.
   struct Made {
     uint64_t number = 0, round = 0;  // of the snapshot; of this rank
-    std::vector<int> ranks;          // that have given parts
-    bool isOwed = false;             // the program has not shown it, or adds passes
-    double since = 0;                // when the program last had something traced for it
-    PartPicture shown;               // without pixels: it never did
+    std::vector<int> ranks;          // that sent parts
+    bool isOwed = false;             // the program has not shown it yet, or more passes follow
+    double since = 0;                // time of the program's last request for it
+    PartPicture shown;               // without pixels: never shown
   };
-  /// The last picture that shows parts given by this rank.
+  /// The last picture of another rank with this rank's part.
   struct Theirs {
     uint64_t number = 0;  // of the snapshot
     bool isNew = false;   // picture() has not returned it
@@ -127,19 +128,19 @@ class PartGatherer {
   const Send send_;
   const Say say_;
   PartMeetings meetings_;
-  std::vector<double> heard_;  // when each peer said something
+  std::vector<double> heard_;  // time of each peer's last message
   State state_ = State::idle;
   PartHere own_;                       // of the current picture; its round rises with each
-  bool isOpen_ = false;                // peers have been told of it, and not that it is over
+  bool isOpen_ = false;                // announced to peers, and not closed yet
   uint64_t number_ = 0;                // of its snapshot
   std::map<int, PartGiven> given_;     // to this rank, for the current picture
-  std::map<int, uint64_t> refusedBy_;  // rounds of peers that do not take the current part
+  std::map<int, uint64_t> refusedBy_;  // rounds of peers that refused the current part
   int to_ = -1;                        // the rank that has our part
   uint64_t toRound_ = 0;               // its round
   bool isShown_ = false;               // it has answered with the picture
   Made made_;
   Theirs theirs_;
-  bool lost_ = false;             // the parts of the whole are not those that belong to it
+  bool lost_ = false;             // the gathered parts have changed
   std::vector<Decided> decided_;  // the last ones
   size_t current_ = 0;            // index into decided_, once it is decided
   double said_ = 0, saidComes_ = 0;

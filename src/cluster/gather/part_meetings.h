@@ -1,7 +1,7 @@
-// Which peers draw a part of the view that this rank draws, in the scene that it waits for. Ranks count
-// neither views nor scenes alike, because a rank draws nothing where its data lie outside of a view. But they
-// compose each view before they go on to the next one: peers that wait at the same time, with the same camera
-// and viewport, wait for the same picture. The worker's main thread.
+// Finds the peers with a part of this rank's current view. Ranks have different counts of views and scenes,
+// because a rank draws nothing if its data lie outside of a view. But they composite each view before they
+// continue with the next one: peers that wait at the same time, with the same camera and viewport, wait for
+// the same picture. The worker's main thread.
 #pragma once
 #include "cluster/messages/part_messages.h"
 
@@ -21,38 +21,38 @@ class PartMeetings {
 
   void joins(int rank);
   void leaves(int rank);
-  /// The peer's program sends geometry: a scene comes.
+  /// The peer's program is sending geometry, so that a scene will follow.
   void comes(int rank, double now) { at(rank).comesAt = now; }
-  /// The peer waits for the picture of this scene, now.
+  /// The peer now waits for the picture of this scene.
   void opens(const PartHere& part);
-  /// It does not any more.
+  /// The peer no longer waits.
   void closes(int rank) { at(rank).isOpen = false; }
-  /// The peer has not answered: it is left out until it opens another scene.
+  /// The peer has not answered: ignores it until it opens another scene.
   void fail(int rank) { closes(rank); }
-  /// Of this rank, which waits for the picture of its part of a view.
+  /// This rank's part of a view, for whose picture it waits.
   struct Scene {
     PartHere part;
     uint64_t view = 0;    // equal for all scenes of one view of this rank's program
-    Hash128 data;         // changes with what the program draws, the camera excepted
-    bool moving = false;  // a frame of an animation: better soon than with all parts
+    Hash128 data;         // hash of the program's draws without the camera
+    bool moving = false;  // a frame of an animation: does not wait for late parts
   };
   void begin(const Scene& own, double now);
 
   enum class State : uint8_t {
     awaited,
     here,    // waits for the picture of its part of the same view
-    absent,  // draws nothing of it, as far as is known
+    absent,  // probably has no part of it
   };
   State stateOf(int rank, double now);
-  /// Whether some peer is awaited.
+  /// Whether a peer is awaited.
   bool awaits(double now);
   /// Peers with a part, in order.
   std::vector<int> here(double now);
-  /// Of a peer that is here.
+  /// Part of a peer that is here.
   const PartHere& partOf(int rank) const { return at(rank).part; }
-  /// Whether it shows what this rank shows in this rank's eye space.
+  /// Whether the peer has this rank's eye space.
   bool hasOurEyeSpace(int rank) const;
-  /// Whether some peer waits for a picture.
+  /// Whether any peer waits for a picture.
   bool someWait() const;
   /// Peers that have become late since the last call.
   std::vector<int> newlyLate();
@@ -60,15 +60,15 @@ class PartMeetings {
 
  private:
   using Corners = std::array<glm::dvec3, 8>;
-  /// What is known of a peer in one view of this rank.
+  /// History of a peer in one view of this rank.
   struct Habit {
-    std::optional<Corners> box;  // of its last part that was met, in this rank's world
-    bool late = false;           // was awaited in vain, and has drawn nothing since
+    std::optional<Corners> box;  // bounds of its last part, in this rank's world
+    bool late = false;           // timed out, and has drawn nothing since
     bool told = false;           // newlyLate() has returned it
-    bool wasInView = false;      // the box, when it was found late
+    bool wasInView = false;      // whether the box was in view at the timeout
     Hash128 data;                // of this rank, at the last begin()
     uint32_t changes = 0;        // of these data since it was last awaited
-    uint32_t pause = 1;          // changes until a late one is awaited again
+    uint32_t pause = 1;          // changes until a late peer is awaited again
   };
   struct Peer {
     PartHere part;  // the last one
@@ -76,9 +76,9 @@ class PartMeetings {
     double comesAt = -1e9;
     bool hasLeft = false;
     bool hasDrawn = false, hasBeenLate = false;
-    bool drawsOutside = false;  // also where its data lie outside of the view
+    bool drawsOutside = false;  // draws even if its data lie outside of the view
     bool skipsOutside = false;
-    int64_t ahead = 0;    // its count of frames, less ours
+    int64_t ahead = 0;    // its frame count minus ours
     int alike = 0;        // meetings in a row with that difference
     double patience = 0;  // seconds for which the current scene of this rank waits for it
     bool met = false;     // in that scene

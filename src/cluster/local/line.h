@@ -1,6 +1,6 @@
 // The connection between a program and a worker of its machine: messages with a type and, if wanted, a file
-// descriptor, over a socket of the Unix domain. It breaks when the host program closes the socket's
-// descriptor, and then leaves alone whatever has its number. One thread at each end.
+// descriptor, over a socket of the Unix domain. It breaks if the host program closes the socket's descriptor,
+// and does not touch another file with the same number. One thread at each end.
 #pragma once
 #include "cluster/local/sealed_memory.h"
 
@@ -24,15 +24,15 @@ class Line {
 
   explicit Line(Descriptor socket) : socket_(std::move(socket)) {}
 
-  /// Blocks while the other end reads slowly, `timeoutMs` at most. False: the other end is gone or too slow;
-  /// the line is then of no more use. `attached`: -1: none.
+  /// Blocks while the other end reads slowly, at most `timeoutMs`. Returns false if the other end is gone or
+  /// too slow; the connection is then unusable. `attached`: -1: none.
   bool send(uint16_t type, std::span<const std::byte> body, int attached, int timeoutMs);
 
-  /// The next message, if the whole of it has arrived. Never blocks.
+  /// Returns the next message if it has arrived completely. Never blocks.
   std::optional<Message> receive();
-  /// Waits for it; none also where it has not arrived in time.
+  /// Waits for the next message; none on a timeout.
   std::optional<Message> receive(int timeoutMs);
-  /// The other end is gone, or says what is no message: nothing more arrives.
+  /// Whether the other end is gone or has sent an invalid message: nothing more arrives.
   bool isBroken() const { return broken_; }
   int descriptor() const { return socket_.get(); }
 
@@ -46,12 +46,12 @@ class Line {
 
   bool ready(short events, int64_t deadlineMs) const;
   bool sendAll(const std::byte* bytes, size_t size, int attached, int64_t deadlineMs);
-  /// Reads what is there, up to `size` bytes in all. True: `got` equals `size`.
+  /// Reads available bytes, up to `size` in total. Returns whether `got` equals `size`.
   bool receiveMore(std::byte* bytes, size_t size, size_t& got);
 
   Descriptor socket_;
   bool broken_ = false;
-  // Of the message that arrives.
+  // Header of the incoming message.
   Head head_;
   size_t headBytes_ = 0, bodyBytes_ = 0;
   Message message_;

@@ -1,5 +1,5 @@
-// Memory that processes of one machine share and nobody can change any more: arrays go from the program to
-// workers without another copy. Any thread.
+// Immutable shared memory: arrays pass from the program to workers on the same machine without a copy. Any
+// thread.
 #pragma once
 #include "cluster/stream/shared_arrays.h"
 #include "control/descriptor.h"
@@ -11,13 +11,13 @@ namespace gluray::cluster {
 
 using control::Descriptor;
 
-/// New memory of `bytes` bytes and kArrayPadding zeros, which `fill` writes; sealed afterwards. Throws
-/// std::system_error where there is none.
+/// Allocates `bytes` bytes and kArrayPadding zeros, lets `fill` write the bytes, and seals the memory. Throws
+/// std::system_error on failure.
 Descriptor sealedMemory(size_t bytes, const std::function<void(std::byte*)>& fill);
 
-/// Maps memory that another process has sealed, or copies it where it is small. Throws Malformed where it is
-/// not sealed, because its sender could change it while it is read, or cut it off, or where it does not hold
-/// `bytes` bytes; std::system_error.
+/// Maps memory that another process has sealed, or copies it if it is small. Throws Malformed if it does not
+/// have `bytes` bytes, or is not sealed, because the sender could then change or truncate it;
+/// std::system_error.
 Array mapSealed(const Descriptor& memory, size_t bytes);
 
 /// Memory of `bytes` bytes that one process writes and another reads; its size is sealed.
@@ -28,8 +28,8 @@ struct WrittenMemory {
 };
 /// Throws std::system_error.
 WrittenMemory writtenMemory(size_t bytes);
-/// Maps another process's for reading. Throws Malformed where its size is another one, or not sealed: its
-/// writer could cut it off; std::system_error.
+/// Maps the memory of another process for reading. Throws Malformed if its size differs or is not sealed,
+/// because the writer could truncate it; std::system_error.
 std::shared_ptr<const std::byte> mapWritten(const Descriptor& memory, size_t bytes);
 
 }  // namespace gluray::cluster

@@ -1,5 +1,5 @@
-// Messages as bytes: their members are named by fields() and written by the archives of cluster/stream. A
-// message is a struct with a number, kType. Any thread.
+// Serialises messages: fields() lists their members, and the archives of cluster/stream write them. A message
+// is a struct with a number, kType. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "base/image.h"
@@ -61,7 +61,7 @@ class ReadMessage : public ReadArchive<ReadMessage> {
   ByteReader& in() { return in_; }
 };
 
-/// The members alone.
+/// Serialises the members only.
 template <class M>
 std::vector<std::byte> encoded(const M& message) {
   WriteMessage archive;
@@ -78,7 +78,7 @@ M decoded(std::span<const std::byte> bytes) {
   return message;
 }
 
-/// With its number in front, as ranks send it.
+/// Serialises the number and the members, for messages between ranks.
 template <class M>
 std::vector<std::byte> forRanks(const M& message) {
   WriteMessage archive;

@@ -1,14 +1,14 @@
-// What the ranks of a job of workers say about themselves and their hosts. Any thread.
+// Messages with properties of the ranks of a job of workers, and of their hosts. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
 
 namespace gluray::cluster {
 
-/// A rank's process and its host. Texts are empty and sizes 0 where the host does not tell.
+/// A rank's process and its host. Unknown texts are empty and unknown sizes 0.
 struct RankFacts {
   int32_t rank = 0;
   bool answered = false;  // in time; otherwise only `rank` is known
-  std::string version;    // of GLuRay; where it is not the head's, all below is unknown
+  std::string version;    // of GLuRay; if it differs from the head's, all members below are unknown
   std::string mpi;        // Ranks::implementation()
   std::string host;
   int32_t rankHere = 0, ranksHere = 1;     // among the job's ranks on the host

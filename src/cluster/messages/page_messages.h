@@ -1,4 +1,4 @@
-// How ranks get the pages of large meshes from the rank that has the geometry. Any thread.
+// Messages that transfer pages of large meshes from the rank with the geometry. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
 
@@ -15,7 +15,7 @@ struct PageWanted {
 struct PageGiven {
   static constexpr uint16_t kType = 14;
   Hash128 id;
-  std::vector<std::byte> bytes;  // empty: the owner does not have it any more
+  std::vector<std::byte> bytes;  // empty: the owner no longer has it
 };
 /// From a worker's page maker to the rank itself: a program's snapshot in pages.
 struct PagesMade {

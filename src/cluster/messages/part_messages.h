@@ -1,11 +1,11 @@
-// How the ranks of a sort-last program, peers, bring the parts of a view together: the lowest rank that draws
-// it gathers those of the others. All go from worker to worker. Any thread.
+// Messages that gather the parts of a view from the ranks of a sort-last program (peers): the lowest rank
+// that draws the view gathers the parts of the others. Sent between workers. Any thread.
 #pragma once
 #include "cluster/messages/peer_messages.h"
 
 namespace gluray::cluster {
 
-/// What a rank shows, as far as parts must agree in it.
+/// Properties of a rank's view in which parts must agree.
 struct PartView {
   uint64_t frame = 0;  // Snapshot::frame
   glm::ivec4 viewport{0};
@@ -22,18 +22,18 @@ struct PartHere {
   bool isAnswer = false;  // to a PartHere of this view: the sender still waits
   PartView view;
 };
-/// It waits no longer.
+/// The sender no longer waits.
 struct PartOver {
   static constexpr uint16_t kType = 66;
   PeerAddress address;
-  std::vector<int32_t> with;  // ranks whose parts the sender's picture shows, too
+  std::vector<int32_t> with;  // ranks whose parts are in the sender's picture
 };
-/// The sender's program sends geometry: a part comes.
+/// The sender's program is sending geometry, so that a part will follow.
 struct PartComes {
   static constexpr uint16_t kType = 67;
   PeerAddress address;
 };
-/// To the lowest rank: the sender's part belongs to its picture.
+/// To the lowest rank: the sender's part, for the receiver's picture.
 struct PartGiven {
   static constexpr uint16_t kType = 61;
   PeerAddress address;
@@ -42,7 +42,7 @@ struct PartGiven {
   std::vector<Hash128> arrays;  // that the snapshot names
   std::vector<std::byte> snapshot;
 };
-/// Answers PartGiven: the part belongs to no picture of the sender.
+/// Answers PartGiven: the sender does not use the part.
 struct PartDone {
   static constexpr uint16_t kType = 62;
   PeerAddress address;
@@ -53,18 +53,18 @@ struct PartPicture {
   static constexpr uint16_t kType = 65;
   PeerAddress address;
   uint64_t round = 0;      // of PartGiven
-  bool finished = false;   // it will not become better
+  bool finished = false;   // no further passes
   uint32_t missColor = 0;  // Image::missColor
   ImageShape shape;
   LayerCounts layers;
   std::vector<std::byte> pixels;  // of planesIn(shape)
 };
-/// The sender takes back the part that it has given.
+/// The sender withdraws its part.
 struct PartGone {
   static constexpr uint16_t kType = 63;
   PeerAddress address;
 };
-/// The sender waits for others, or is at work on parts.
+/// Sign of life: the sender waits for others, or works on parts.
 struct PartAtWork {
   static constexpr uint16_t kType = 64;
   PeerAddress address;

@@ -1,5 +1,4 @@
-// What the ranks of a sort-last program, peers, ask each other about their surfaces: their workers speak for
-// them. All go from worker to worker. Any thread.
+// Occlusion queries between the ranks of a sort-last program (peers), sent between their workers. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
 #include "scene/snapshot.h"
@@ -22,13 +21,13 @@ struct PeerJoins {
   static constexpr uint16_t kType = 20;
   PeerAddress address;  // `to` has no meaning
 };
-/// To all workers: it does not any more.
+/// To all workers: the sender no longer traces for this rank.
 struct PeerLeaves {
   static constexpr uint16_t kType = 21;
   PeerAddress address;
 };
-/// The sender has this scene from now on, answers queries about it, and looks for the scenes of others that
-/// show the same view of the same frame.
+/// From now on, the sender has this scene, answers queries about it, and searches for scenes of other ranks
+/// in the same view and frame.
 struct SceneHeld {
   static constexpr uint16_t kType = 22;
   PeerAddress address;
@@ -56,7 +55,7 @@ struct OcclusionReplies {
   bool refused = false;  // the scene is gone
   std::vector<std::byte> answers;
 };
-/// The sender has its picture: it asks nothing more in this round.
+/// The sender has its picture, and sends no more queries in this round.
 struct DoneAsking {
   static constexpr uint16_t kType = 25;
   PeerAddress address;
@@ -67,7 +66,7 @@ struct SceneComes {
   PeerAddress address;
   glm::ivec4 viewport{0};
 };
-/// The sender is at work on queries.
+/// Sign of life: the sender works on queries.
 struct StillHere {
   static constexpr uint16_t kType = 26;
   PeerAddress address;

@@ -1,4 +1,4 @@
-// What a program and a worker of its machine say to each other, over a Line. Any thread.
+// Messages between a program and a worker on its machine, over a Line. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
 #include "cluster/messages/fact_messages.h"
@@ -13,7 +13,7 @@ struct Hello {
   std::string version;  // of GLuRay
   std::string program;
   int32_t process = 0;
-  // Of its MPI job, whose other ranks hold other parts of the scene; one rank: it has none.
+  // Its MPI job, whose other ranks have other parts of the scene; one rank: no MPI job.
   std::string mpiJob;
   int32_t rank = 0, ranks = 1;
 };
@@ -23,7 +23,7 @@ struct ArrayComes {
   Hash128 name;
   uint64_t bytes = 0;
 };
-/// No later snapshot names these, unless they come again.
+/// Later snapshots do not use these arrays, unless they are sent again.
 struct ArraysGo {
   static constexpr uint16_t kType = 3;
   std::vector<Hash128> names;
@@ -42,7 +42,7 @@ struct TraceRequest {
   bool moving = false;      // a frame of an animation with light
   float fps = 24;           // frames a second that such frames aim at
   bool layered = false;     // Snapshot::layers is there
-  bool meetsPeers = false;  // light that falls on it may be blocked by surfaces of the program's other ranks
+  bool meetsPeers = false;  // surfaces of the program's other ranks may block its light
   ViewName shown;           // of such light
   // The parts of other ranks belong to the picture, too (setting gather).
   bool gathers = false;
@@ -57,17 +57,17 @@ struct Cancel {
   static constexpr uint16_t kType = 5;
   uint64_t id = 0;
 };
-/// What the program shows of its last gathered picture, once all passes over it are made. Its pixels, of
-/// planesIn(shape), are attached, in sealed memory.
+/// The program's displayed picture of its last gathered snapshot, after all passes. The pixels, as in
+/// planesIn(shape), are attached in sealed memory.
 struct PictureShown {
   static constexpr uint16_t kType = 6;
   uint64_t number = 0;     // TraceRequest::number
-  bool finished = false;   // no passes make it better
+  bool finished = false;   // no further passes
   uint32_t missColor = 0;  // Image::missColor
   ImageShape shape;
   LayerCounts layers;
 };
-/// The job's ranks and their hosts are asked for.
+/// Requests the properties of the job's ranks and hosts.
 struct JobQuestion {
   static constexpr uint16_t kType = 50;
 };
@@ -76,15 +76,15 @@ struct JobQuestion {
 
 struct Welcome {
   static constexpr uint16_t kType = 101;
-  std::string refusal;             // why it traces nothing for this program; empty: it does
+  std::string refusal;             // reason for refusing this program; empty: accepted
   int32_t ranks = 1, threads = 1;  // of the job
 };
-/// It is at work on the picture.
+/// Sign of life: the worker works on the picture.
 struct AtWork {
   static constexpr uint16_t kType = 102;
   uint64_t id = 0;
 };
-/// Attached memory in which pictures of at most so many bytes come from now on.
+/// Attached memory for all further pictures of at most so many bytes.
 struct PictureMemory {
   static constexpr uint16_t kType = 103;
   uint64_t bytes = 0;
@@ -94,9 +94,9 @@ struct PictureDone {
   uint64_t id = 0;
   bool whole = false;  // false: cancelled, or `error` says why
   bool improves = false;
-  bool gathered = false;  // it shows the surfaces of other ranks, too
+  bool gathered = false;  // it also shows the surfaces of other ranks
   std::string error;
-  std::string note;  // why it does not show the surfaces of other ranks, which it should; may be empty
+  std::string note;  // reason if expected surfaces of other ranks are missing; may be empty
   ImageShape shape;
   LayerCounts layers;
   scene::TraceCost cost;

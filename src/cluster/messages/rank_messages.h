@@ -1,12 +1,12 @@
-// What the ranks of a job of workers say to each other. Of a program's pictures, the rank that it is
-// connected to is the head. Any thread.
+// Messages between the ranks of a job of workers. A program's head is the rank that the program is connected
+// to. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
 #include "cluster/stream/film_pixels.h"
 
 namespace gluray::cluster {
 
-/// To rank 0, before all else. Number and members stay as they are, so that other versions understand them.
+/// First message, to rank 0. Its number and members never change, so that all versions understand it.
 struct RankHello {
   static constexpr uint16_t kType = 0x4848;  // in both byte orders
   static constexpr uint32_t kOrder = 0x01020304;
@@ -18,7 +18,7 @@ struct RankHello {
 struct AllAreAlike {
   static constexpr uint16_t kType = 10;
 };
-/// To a head: what it has broadcast so far is here.
+/// To a head: all its broadcasts so far have arrived.
 struct CaughtUp {
   static constexpr uint16_t kType = 12;
 };
@@ -29,32 +29,32 @@ struct ArrayChecked {
   Hash128 name;
   bool isRight = false;
 };
-/// To rank 0, which orders the broadcasts of the job: the sender has an array for all.
+/// To rank 0, which orders the broadcasts of the job: the sender requests a broadcast of an array.
 struct TurnWanted {
   static constexpr uint16_t kType = 1;
   Hash128 name;
   uint64_t bytes = 0;
 };
-/// From rank 0 to all: the next broadcast is this one.
+/// From rank 0 to all: the next broadcast.
 struct Turn {
   static constexpr uint16_t kType = 2;
   int32_t root = 0;
   Hash128 name;
   uint64_t bytes = 0;
 };
-/// From a head to all: its programs' snapshots do not name these any more.
+/// From a head to all: snapshots of its programs no longer use these arrays.
 struct Forget {
   static constexpr uint16_t kType = 3;
   std::vector<Hash128> names;
 };
-/// How to trace a frame of an animation, whose light is smoothed across tiles and ranks.
+/// Parameters of a frame of an animation, whose light is filtered across tiles and ranks.
 struct FilmOrder {
-  bool moving = false;      // else the rest has no meaning
+  bool moving = false;      // otherwise the other members are unused
   uint32_t index = 0;       // render::FilmSource::index
   int32_t raysOfPixel = 1;  // render::MovingRays
   bool quarter = false;
 };
-/// From a head: a picture to take part in.
+/// From a head: request to trace a share of a picture.
 struct TraceOrder {
   static constexpr uint16_t kType = 4;
   uint64_t id = 0;          // of the head's pictures
@@ -73,7 +73,7 @@ struct MoreTiles {
   uint64_t id = 0;
   std::vector<int32_t> tiles;
 };
-/// From a head: nothing more of this picture is to be traced.
+/// From a head: stop tracing this picture.
 struct EndOfPicture {
   static constexpr uint16_t kType = 6;
   uint64_t id = 0;
@@ -105,7 +105,7 @@ struct FilmComes {
   Hash128 name;                 // of the array that holds the film
   std::vector<std::byte> film;  // if it is not broadcast
 };
-/// To a head, after the end of the picture, or before where it cannot be traced.
+/// To a head, after the end of the picture, or earlier if it cannot be traced.
 struct Finished {
   static constexpr uint16_t kType = 8;
   uint64_t id = 0;
@@ -114,7 +114,7 @@ struct Finished {
   LayerCounts layers;
   scene::TraceCost cost;
 };
-/// To a head, while one of its pictures is at work.
+/// Sign of life to a head while one of its pictures is being traced.
 struct Alive {
   static constexpr uint16_t kType = 9;
   int32_t threads = 1;

@@ -3,8 +3,8 @@
 
 namespace gluray::cluster {
 
-/// Equal in programs and workers that understand each other. There are no older versions that are understood:
-/// a worker of another version traces other pictures.
+/// Protocol version, equal in compatible programs and workers. Other versions are never compatible, because a
+/// worker of another version traces different pictures.
 const char* version();
 
 }  // namespace gluray::cluster

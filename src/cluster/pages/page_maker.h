@@ -1,5 +1,6 @@
-// Cuts the large meshes of a program's snapshots into pages, and gives these to the ranks that need them. Its
-// calls: the main thread. It has two threads of its own: cutting takes seconds, in which ranks want pages.
+// Divides the large meshes of a program's snapshots into pages, and sends pages to the ranks that need them.
+// Called on the main thread. It has two threads of its own, because dividing takes seconds, in which ranks
+// request pages.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/messages/page_messages.h"
@@ -26,7 +27,7 @@ class PageMaker {
  public:
   /// Sends PagesMade to `self`, this rank. `threads`: that cut meshes. All must outlive it.
   PageMaker(ArrayStore& store, Outbox& outbox, int self, int threads);
-  /// Drops what has not been done.
+  /// Discards unfinished jobs.
   ~PageMaker();
   PageMaker(const PageMaker&) = delete;
   PageMaker& operator=(const PageMaker&) = delete;
@@ -52,9 +53,9 @@ class PageMaker {
   void cutAll();
   void giveAll();
   void cut(const Job& job);
-  /// The meshes of the snapshot that are worth it, in pages.
+  /// Divides the large meshes of the snapshot into pages.
   std::vector<MeshPtr> divide(scene::Snapshot& snapshot, const Job& job);
-  /// The same for these instances. Returns which of the former ones each is now a part of.
+  /// Divides these instances. Returns for each new instance the index of its former instance.
   std::vector<size_t> divide(std::vector<scene::Instance>& instances,
                              const std::vector<scene::Shading>& shadings, const Job& job,
                              std::vector<MeshPtr>& meshes);

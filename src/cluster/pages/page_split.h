@@ -1,5 +1,4 @@
-// Cuts a mesh into pages: triangles that lie near each other, which do not depend on the order in which the
-// program made them.
+// Divides a mesh into pages of neighbouring triangles, independent of the order of the program's triangles.
 #pragma once
 #include "scene/mesh.h"
 #include "scene/residence.h"
@@ -13,7 +12,7 @@ namespace gluray::cluster {
 struct PageRange {
   size_t first = 0;  // in PageTable::triangles
   uint32_t count = 0;
-  uint32_t vertices = 0;         // that its triangles have, each once
+  uint32_t vertices = 0;         // number of different vertices of its triangles
   glm::vec3 lower{1}, upper{0};  // of what rays may hit, object space; lower > upper: nothing
 };
 

@@ -133,7 +133,7 @@ bool PageStore::fetch(const PageName& name, std::byte* to, size_t bytes) {
   if (stops()) return false;
   failed_ = true;
   failure_ = "rank " + std::to_string(name.owner) +
-             (ended ? " does not have the geometry any more" : " does not give its geometry");
+             (ended ? " no longer has the geometry" : " does not send its geometry");
   return false;
 }
 

@@ -1,4 +1,4 @@
-// The pages that this rank traces in: gets them from their owners when rays meet them.
+// The pages of this rank's pictures; fetches them from their owners when rays hit them.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/messages/page_messages.h"
@@ -24,8 +24,8 @@ class PageStore final : public PageSource {
   /// Owners read gigabytes of programs between messages.
   static constexpr std::chrono::milliseconds kPatience{10'000};
 
-  /// `memory`: bytes that arrays, pages and structures may take. `patience`: how long an owner may take to
-  /// give a page. `say`: one line for the user, any thread. All must outlive it.
+  /// `memory`: maximum bytes of arrays, pages and structures. `patience`: timeout for fetching a page. `say`:
+  /// one line for the user, any thread. All must outlive it.
   PageStore(const ArrayStore& arrays, Outbox& outbox, size_t memory,
             std::function<void(const std::string&)> say, std::chrono::milliseconds patience = kPatience);
 
@@ -34,11 +34,12 @@ class PageStore final : public PageSource {
   void limit(PageResidence& page, const PageLimits& limits) override;
 
   // The tracing thread.
-  /// A picture begins. Threads that wait for pages end when `stop`, which is looked at when wake() is called.
+  /// Begins a picture. Threads that wait for pages stop when `stop` returns true; `stop` is checked after
+  /// wake().
   void begin(std::function<bool()> stop);
-  /// Whether pages are missing: no tile that was traced since then is right. Any thread.
+  /// Whether pages are missing, so that tiles traced since then are wrong. Any thread.
   bool hasFailed() const { return failed_; }
-  /// It has ended. Why pages were missing; empty: none were, or it was stopped.
+  /// Ends the picture. Returns the reason why pages were missing; empty: none, or stopped.
   std::string end();
 
   // The main thread.
@@ -49,7 +50,7 @@ class PageStore final : public PageSource {
 
  private:
   class Fetched;
-  /// Waits for the page's bytes. False: they do not come.
+  /// Waits for the page's bytes. Returns false if they cannot be fetched.
   bool fetch(const PageName& name, std::byte* to, size_t bytes);
   void fail(const char* why) noexcept;
 
@@ -66,7 +67,7 @@ class PageStore final : public PageSource {
   std::mutex mutex_;
   PageTraffic traffic_;
   std::unordered_map<Hash128, std::weak_ptr<Fetched>> pages_;
-  size_t pagesAtMost_ = 64;  // before those that are gone are removed
+  size_t pagesAtMost_ = 64;  // number of entries at which expired ones are removed
   std::condition_variable came_;
   std::unordered_multimap<Hash128, Awaited*> awaited_;
   std::function<bool()> stop_;

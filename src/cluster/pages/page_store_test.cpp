@@ -128,7 +128,7 @@ TEST_F(StoredPage, ThatComesOverAndOverIsReported) {
   }
   EXPECT_EQ(said_, "");
   EXPECT_EQ(store_.end(), "");
-  EXPECT_NE(said_.find("each part was fetched 5 times"), std::string::npos) << said_;
+  EXPECT_NE(said_.find("each page was fetched 5 times"), std::string::npos) << said_;
 }
 
 class PageOfASilentOwner : public StoredPage {
@@ -139,7 +139,7 @@ class PageOfASilentOwner : public StoredPage {
 TEST_F(PageOfASilentOwner, FailsThePicture) {
   std::future<bool> loaded = load();
   EXPECT_FALSE(loaded.get());
-  EXPECT_EQ(store_.end(), "rank 3 does not give its geometry");
+  EXPECT_EQ(store_.end(), "rank 3 does not send its geometry");
   store_.receivePage({kId, indices({0, 1, 2, 2, 1, 3})});  // too late: nobody waits
 }
 

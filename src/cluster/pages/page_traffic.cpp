@@ -28,9 +28,9 @@ void PageTraffic::fetched(const Hash128& page, size_t bytes) {
 std::string PageTraffic::end(size_t memory) {
   if (fetches_ < kOverAndOver * pages_.size() || bytes_ < 2 * reported_ || pages_.empty()) return {};
   reported_ = bytes_;
-  return "pictures are slow: the rays of one met about " + inGigabytes(bytes_ * (1 + kStructure)) +
-         " of geometry and structures here, and " + inGigabytes(memory) +
-         " are free for them, so that each part was fetched " + std::to_string(fetches_ / pages_.size()) +
+  return "pictures are slow: the rays of one picture hit about " + inGigabytes(bytes_ * (1 + kStructure)) +
+         " of geometry and structures on this rank, but only " + inGigabytes(memory) +
+         " are free for them, so each page was fetched " + std::to_string(fetches_ / pages_.size()) +
          " times; give ranks more memory (--memory), or start more ranks";
 }
 

@@ -1,5 +1,5 @@
-// Whether a rank fetches the pages of one picture over and over, because its memory is too small for what the
-// rays meet. One object for each rank; not thread-safe.
+// Detects that a rank fetches the same pages repeatedly within one picture, because its memory is too small.
+// One object for each rank; not thread-safe.
 #pragma once
 #include "base/hash.h"
 
@@ -14,10 +14,10 @@ class PageTraffic {
  public:
   /// A picture begins.
   void begin();
-  /// A page of so many bytes has come.
+  /// Reports a fetched page of so many bytes.
   void fetched(const Hash128& page, size_t bytes);
-  /// The picture has ended. One line for the user if its pages came several times, unless a picture that met
-  /// half as much or more was reported before; else empty. `memory`: bytes that pages may take.
+  /// Ends the picture. Returns one line for the user if its pages were fetched several times, unless an
+  /// earlier report had at least half as many bytes; otherwise empty. `memory`: maximum bytes of pages.
   std::string end(size_t memory);
 
  private:

@@ -17,11 +17,10 @@ std::string pictureOf(PageTraffic& traffic, uint64_t pages, int times) {
 
 TEST(PageTraffic, IsReportedWherePagesComeOverAndOver) {
   PageTraffic traffic;
-  EXPECT_EQ(
-      pictureOf(traffic, 10, 7),
-      "pictures are slow: the rays of one met about 4.0 GB of geometry and structures here, and 0.5 GB are "
-      "free for "
-      "them, so that each part was fetched 7 times; give ranks more memory (--memory), or start more ranks");
+  EXPECT_EQ(pictureOf(traffic, 10, 7),
+            "pictures are slow: the rays of one picture hit about 4.0 GB of geometry and structures on this "
+            "rank, but only 0.5 GB are free for them, so each page was fetched 7 times; give ranks more "
+            "memory (--memory), or start more ranks");
 }
 
 TEST(PageTraffic, IsNotReportedWherePagesComeOnceOrTwice) {

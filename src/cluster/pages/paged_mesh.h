@@ -1,4 +1,4 @@
-// A mesh cut into pages, and the arrays that an instance has for its triangles. Immutable; any thread.
+// A mesh divided into pages, with the per-triangle arrays of its instance. Immutable; any thread.
 #pragma once
 #include "base/hash.h"
 #include "cluster/pages/page_split.h"
@@ -15,9 +15,9 @@ namespace gluray::cluster {
 
 class PagedMesh {
  public:
-  /// Whether the instance's mesh can be cut into pages.
+  /// Whether the instance's mesh can be divided into pages.
   static bool fits(const scene::Instance& instance, const scene::Shading& shading);
-  /// Of the content of the instance's arrays, and of what else its pages depend on. `owner`: this rank.
+  /// Hash of the instance's arrays and all other inputs of its pages. `owner`: this rank.
   static Hash128 idOf(const scene::Instance& instance, uint32_t mostTriangles, int owner, ArrayNames& names);
   /// With the threads of the current arena. Throws std::bad_alloc.
   PagedMesh(const Hash128& id, const scene::Instance& instance, uint32_t mostTriangles, int owner);

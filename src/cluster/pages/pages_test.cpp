@@ -161,7 +161,7 @@ TEST_F(Pages, ThatComeOverAndOverAreReported) {
   test::WorkerJob job(folder_.directory(), 1, "job", 300'000);
   test::Program program(folder_.directory());
   expectSame(program.picture(s), expectedPicture(s));
-  EXPECT_NE(job.said().find("each part was fetched"), std::string::npos) << job.said();
+  EXPECT_NE(job.said().find("each page was fetched"), std::string::npos) << job.said();
 }
 
 /// Parts of the ranks of a sort-last program, each part larger than the memory of a rank.

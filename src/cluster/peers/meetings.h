@@ -1,6 +1,6 @@
-// Which peers hold a part of the view that a rank traces. Ranks count frames on their own: where their counts
-// differ, by a constant, it is found out. Peers that draw nothing, or do not answer, are waited for once. One
-// thread at a time.
+// Finds the peers with a part of the view that a rank traces. Ranks count frames independently; the constant
+// differences of their counts are determined. Peers that draw nothing, or do not answer, are awaited once.
+// One thread at a time.
 #pragma once
 #include "cluster/messages/peer_messages.h"
 
@@ -14,39 +14,39 @@ namespace gluray::cluster {
 
 class Meetings {
  public:
-  /// Seconds until a rank goes on without a peer.
+  /// Seconds until a rank continues without a peer.
   static constexpr double kPatience = 1;
-  /// Seconds between the signs of a peer that is at work.
+  /// Seconds between signs of life of a working peer.
   static constexpr double kSayEvery = 0.2;
 
   Meetings(int self, int ranks) : self_(self), ranks_(ranks) {}
 
   void joins(int rank) { at(rank) = {}; }
   void leaves(int rank);
-  /// The peer builds a scene of that view: it is awaited as long as it says so.
+  /// The peer is building a scene of this view, and is awaited while it reports that.
   void comes(int rank, const glm::ivec4& viewport, double now);
   /// The peer has this scene now.
   void holds(const SceneHeld& scene);
-  /// The peer has the picture of its scene: it waits for nobody.
+  /// The peer has the picture of its scene, and no longer waits.
   void ends(int rank) { at(rank).waits = false; }
-  /// The rank itself has this scene now, and meets those that show the same view.
+  /// The rank itself has this scene now; matches it with scenes of the same view.
   void begin(const SceneHeld& own, double now);
   /// The picture is there.
   void end() { ended_ = arrivals_; }
-  /// The peer has not answered: it is left out until it has another scene.
+  /// The peer has not answered: ignores it until it has another scene.
   void fail(int rank) { at(rank).failed = at(rank).late = true; }
 
   enum class State : uint8_t {
     awaited,
-    here,    // holds a part of the view
-    absent,  // draws nothing of it, as far as is known
+    here,    // has a part of the view
+    absent,  // probably has no part of it
   };
   State stateOf(int rank, double now);
-  /// Whether the peer holds the view and the frame that the rank holds.
+  /// Whether the peer has the same view and frame as the rank.
   bool holdsTheSame(int rank) const;
   /// Whether some peer is awaited.
   bool awaits(double now);
-  /// Of a peer that is here.
+  /// Scene of a peer that is here.
   const SceneHeld& sceneOf(int rank) const { return *peers_.at(rank).scene; }
   /// From the peer's eye space to the rank's own.
   glm::dmat4 eyeFromPeer(int rank) const;
@@ -62,8 +62,8 @@ class Meetings {
     double comesAt = 0;
     uint64_t arrival = 0;    // when the scene came, counted in arrivals
     bool waits = false;      // for the picture of the scene
-    int64_t ahead = 0;       // its count of frames, less ours
-    int64_t swapsAhead = 0;  // the same of swaps
+    int64_t ahead = 0;       // its frame count minus ours
+    int64_t swapsAhead = 0;  // its swap count minus ours
     bool metBefore = false;  // so that both are known
     bool late = false, failed = false, told = false;
   };

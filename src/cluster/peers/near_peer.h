@@ -1,5 +1,5 @@
-// A peer whose surfaces may lie in the way of a rank's rays: which rays it is asked about, and how. Made when
-// a picture begins, read by all tracing threads.
+// A peer whose surfaces may block a rank's rays: selects the rays to query, and transforms them. Made when a
+// picture begins, read by all tracing threads.
 #pragma once
 #include "cluster/messages/peer_messages.h"
 #include "cluster/peers/query_stream.h"
@@ -16,12 +16,12 @@ class NearPeer {
 
   int rank() const { return rank_; }
   uint64_t round() const { return round_; }
-  /// Of its surfaces, in the space of the rank's own viewFromWorld; to the bit as the peer has them where
-  /// both have one space.
+  /// Bounds of its surfaces, in the space of the rank's own viewFromWorld; equal to the peer's bounds to the
+  /// bit if both spaces are equal.
   const accel::Bounds& bounds() const { return bounds_; }
-  /// Those of `lanes` whose rays may meet its surfaces.
+  /// The subset of `lanes` whose rays may hit its surfaces.
   uint32_t mayMeet(const accel::OcclusionRays& rays, uint32_t lanes) const;
-  /// The query as the peer gets it: in its own world.
+  /// The query in the peer's world space.
   QueryPacket packetOf(const render::RemoteQuery& query, uint32_t lanes) const;
 
  private:

@@ -1,6 +1,6 @@
-// Whether the parts of a view that ranks hold have moved against each other, or changed, since the moving
-// frame before (scene::LightSampling::Mode::moving): then what light was there counts less. One thread at a
-// time.
+// Detects whether the ranks' parts of a view have moved relative to each other, or changed, since the
+// previous moving frame (scene::LightSampling::Mode::moving), so that the light history gets less weight. One
+// thread at a time.
 #pragma once
 #include "render/moving/reprojection.h"
 
@@ -12,21 +12,21 @@
 
 namespace gluray::cluster {
 
-/// What other ranks must know of a rank's surfaces in a view to notice that these move or change.
+/// State of a rank's surfaces in a view, from which other ranks detect motion and changes.
 struct PartState {
   int rank = 0;
-  uint64_t changes = 0;          // rises when its surfaces change, or move against each other
+  uint64_t changes = 0;          // increases when its surfaces change, or move relative to each other
   glm::dmat4 eyeFromLargest{1};  // of the surface with most triangles; of others as this rank sees it
 };
 
 class PartChanges {
  public:
-  /// This rank's surfaces in a view that begins; `frame` null: it has none. Throws std::bad_alloc.
+  /// Begins a view with this rank's surfaces; `frame` null: none. Throws std::bad_alloc.
   PartState show(const scene::Snapshot& snapshot, const render::FrameData* frame);
-  /// Of the view that began last: whether anything is different since the last keep(). `parts`: this
-  /// rank's, then those of the others that hold surfaces, in this rank's eye space.
+  /// Whether the current view has changed since the last keep(). `parts`: the state of this rank, followed by
+  /// those of other ranks with surfaces, in this rank's eye space.
   bool changed(std::vector<PartState> parts);
-  /// The moving frame is whole.
+  /// The moving frame is complete.
   void keep() { view().kept = now_; }
 
  private:

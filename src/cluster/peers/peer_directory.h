@@ -1,4 +1,4 @@
-// Which worker traces for which rank of which sort-last program. Any thread.
+// Maps the ranks of sort-last programs to workers. Any thread.
 #pragma once
 #include "base/hash.h"
 
@@ -11,7 +11,7 @@ namespace gluray::cluster {
 
 class PeerDirectory {
  public:
-  /// True: this was not known.
+  /// Returns true if the entry is new.
   bool add(const Hash128& program, int rank, int worker) {
     const std::lock_guard lock(mutex_);
     int& known = workers_[program].try_emplace(rank, -1).first->second;

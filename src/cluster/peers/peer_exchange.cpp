@@ -139,7 +139,8 @@ void PeerExchange::close() {
 void PeerExchange::drop(int rank, const std::string& why) {
   meetings_.fail(rank);
   again_ = true;
-  say_(peerName(rank) + " " + why + ": its surfaces give no light and no shadow until it draws again");
+  say_(peerName(rank) + " " + why +
+       ": its surfaces have no light effects on other ranks until it draws again");
   changed_.notify_all();
 }
 

@@ -1,7 +1,6 @@
-// The light of a sort-last program's pictures on one rank: asks peers about rays that may meet their
-// surfaces, and answers theirs. Tiles that must ask are traced twice: first all their queries are collected,
-// then they get the answers. Messages come on the worker's main thread; one thread traces, with those of its
-// renderer.
+// Exchanges occlusion queries with peers for the pictures of one rank of a sort-last program. Tiles with
+// queries are traced twice: first to collect all queries, then with the answers. Messages arrive on the
+// worker's main thread; one thread traces, with the threads of its renderer.
 #pragma once
 #include "cluster/messages/peer_messages.h"
 #include "cluster/messages/program_messages.h"
@@ -43,24 +42,24 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   void receive(const OcclusionReplies& replies, double now);
   void receive(const DoneAsking& done, double now);
   void receive(const StillHere& here, double now);
-  /// The program wants a picture: what is held ends as soon as peers have their answers, or at once if it is
-  /// of the same view. `shown`: that view, if surfaces of peers may block its light.
+  /// The program requests a picture: the current scene ends as soon as peers have their answers, or at once
+  /// if it is of the same view. `shown`: that view, if surfaces of peers may block its light.
   void announce(const std::optional<ViewName>& shown);
-  /// Says to peers that work goes on. Call ten times a second or more.
+  /// Sends signs of life to peers. Call at least ten times a second.
   void tick(double now);
-  /// The program does not want its picture any more.
+  /// The program has cancelled its picture.
   void cancel();
-  /// Nothing is traced any more.
+  /// Ends all tracing.
   void close();
 
   // The tracing thread.
-  /// What announce() announced begins. `traced` is called when the picture is whole. `meets`: surfaces of
+  /// Begins the picture of announce(). `traced` is called when the picture is complete. `meets`: surfaces of
   /// peers may block its light.
   void start(bool averages, bool meets, std::function<void()> traced);
-  /// Whether the picture must be traced anew: without a peer that is gone, or without averages.
+  /// Whether the picture must be traced again: without a lost peer, or without averages.
   bool again() const { return again_; }
   bool averages() const { return averages_; }
-  /// The scene is gone. Call when tracing has ended, whatever happened.
+  /// Releases the scene. Call when tracing has ended, also after failures.
   void finish() noexcept;
 
   void begin(const Image& image) noexcept override;
@@ -100,7 +99,7 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   bool isSilent(int rank, double now) const;
   size_t nearOf(int rank) const;  // near_.size(): none
   void sendQueries(int tile, TileRecord& record, double now);
-  /// Answers one peer's queries, without the lock. False: there are none.
+  /// Answers one peer's queries, without the lock. Returns false if there are none.
   bool answersOne(Lock& lock) noexcept;
   void answer(const OcclusionQueries& queries) const noexcept;
   void answerAll(std::deque<OcclusionQueries> queries) const;
@@ -118,11 +117,11 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Meetings meetings_;
-  std::vector<bool> asking_;   // peers that may ask about the scene held
-  std::vector<double> heard_;  // when each peer said something
+  std::vector<bool> asking_;   // peers that may send queries about the current scene
+  std::vector<double> heard_;  // time of each peer's last message
   std::deque<OcclusionQueries> queries_;
   SceneHeld scene_;                                     // the last one; its round rises with each
-  bool held_ = false;                                   // it is there, or comes
+  bool held_ = false;                                   // the scene exists, or is being built
   size_t announced_ = 0, started_ = 0, cancelled_ = 0;  // counts of pictures
   std::optional<ViewName> coming_;                      // whose scene is built
   double saidComing_ = 0, saidHere_ = 0;

@@ -47,7 +47,7 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
   setScene(scene);
   while (!isCancelled() && !closed_ && meetings_.awaits(nowSeconds())) changed_.wait_for(lock, kLook);
   for (const int rank : meetings_.newlyLate())
-    say_(peerName(rank) + " draws nothing here: light and shadow come from the others");
+    say_(peerName(rank) + " draws nothing here: only the other ranks contribute to light effects");
   addNear();
 }
 

@@ -1,5 +1,5 @@
-// Occlusion queries and their answers as bytes, without loss: packets of rays in the order in which they are
-// asked. Origins that repeat, as those of several samples at one point do, are written once. Any thread.
+// Lossless serialisation of occlusion queries and answers: packets of rays in the order of the queries.
+// Repeated origins, such as those of several samples at one point, are written once. Any thread.
 #pragma once
 #include "accel/rays/occlusion.h"
 #include "accel/rays/ray_kind.h"
@@ -15,7 +15,7 @@
 
 namespace gluray::cluster {
 
-/// Rays of one packet, of the lanes in `lanes`.
+/// Rays of one packet, for the lanes in `lanes`.
 struct QueryPacket {
   uint32_t lanes = 0;
   accel::RayKind kind = accel::RayKind::occlusion;  // or shadow
@@ -39,7 +39,7 @@ class QueryWriter {
 class QueryReader {
  public:
   explicit QueryReader(std::span<const std::byte> bytes) : in_(bytes) {}
-  /// False: there are no more. Sets tNear to 0. Throws Malformed.
+  /// Returns false if there are no more packets. Sets tNear to 0. Throws Malformed.
   bool nextPacket(QueryPacket& packet);
 
  private:
@@ -48,11 +48,11 @@ class QueryReader {
   std::array<glm::vec3, accel::kLanes> origins_;
 };
 
-/// Of one packet of queries.
+/// Answer to one packet of queries.
 struct AnswerPacket {
   uint32_t blocked = 0;
-  uint32_t partly = 0;                           // lanes of which a part passes, neither nothing nor all
-  std::array<glm::vec3, accel::kLanes> through;  // what passes, of these lanes
+  uint32_t partly = 0;                           // lanes with partial transmittance
+  std::array<glm::vec3, accel::kLanes> through;  // transmittance of these lanes
 };
 
 class AnswerWriter {
@@ -67,7 +67,7 @@ class AnswerWriter {
 class AnswerReader {
  public:
   explicit AnswerReader(std::span<const std::byte> bytes) : in_(bytes) {}
-  /// The answers to the next packet, which asked for `lanes`. Throws Malformed.
+  /// Reads the answer to the next packet, whose query had `lanes`. Throws Malformed.
   AnswerPacket nextPacket(uint32_t lanes);
   bool atEnd() const { return in_.left() == 0; }
 

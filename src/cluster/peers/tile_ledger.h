@@ -1,5 +1,5 @@
-// The tiles of a picture whose queries go to peers: which are still to be traced, wait for answers, or have
-// theirs. Guarded by its owner, except that one thread uses the record of a tile it traces.
+// State of the tiles of a picture with queries to peers: untraced, waiting for answers, or answered. Guarded
+// by its owner, except that the thread that traces a tile uses the tile's record.
 #pragma once
 #include "cluster/peers/tile_record.h"
 
@@ -13,19 +13,19 @@ namespace gluray::cluster {
 
 class TileLedger {
  public:
-  /// Forgets all. `peers`: that may be asked.
+  /// Resets all tiles. `peers`: number of peers for queries.
   void reset(std::vector<int> tiles, size_t peers);
   struct Work {
     int tile = -1;  // none
     TileRecord* record = nullptr;
   };
-  /// The next tile to trace: rather one with answers than a new one.
+  /// Returns the next tile to trace; tiles with answers come before new ones.
   Work takeWork();
-  /// Its pixels are final.
+  /// Marks the tile's pixels as final.
   void finish(int tile);
-  /// It waits for so many answers.
+  /// Marks the tile as waiting for so many answers.
   void wait(int tile, size_t answers) { at_.at(tile).missing = answers; }
-  /// An answer of a peer. True: it was the tile's last one that was missing. Throws Malformed.
+  /// Records a peer's answer. Returns true if it was the tile's last missing answer. Throws Malformed.
   bool answer(int tile, int peer, std::span<const std::byte> answers);
   bool isDone() const { return left_ == 0; }
 

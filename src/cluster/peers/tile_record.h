@@ -1,6 +1,5 @@
-// The occlusion queries of one tile, in the order in which tracing it asks them. The first time they are
-// recorded, and what may meet surfaces of peers is written down for these; the second time the answers are
-// given. One thread at a time.
+// The occlusion queries of one tile, in tracing order. The first trace records them, and stores the rays that
+// may hit surfaces of peers. The second trace replays the answers. One thread at a time.
 #pragma once
 #include "cluster/peers/query_stream.h"
 #include "render/remote/remote_surfaces.h"
@@ -15,28 +14,28 @@ namespace gluray::cluster {
 
 class TileRecord {
  public:
-  /// One more query; `blocked` here. Returns its number.
+  /// Adds a query with the lanes `blocked` in this process. Returns its number.
   size_t add(uint32_t blocked);
-  /// Query `number` as `peer` (a number below peers) gets it.
+  /// Adds query `number` for `peer` (an index below `peers`), in the peer's space.
   void ask(size_t number, int peer, const QueryPacket& packet);
-  /// Whether any peer is asked.
+  /// Whether there are queries to any peer.
   bool asks() const;
   size_t peers() const { return asked_.size(); }
-  /// Bytes for a peer; empty: it is not asked. Once.
+  /// Returns the bytes for a peer; empty: no queries. Call once.
   std::vector<std::byte> queriesFor(int peer) {
     return asked_[static_cast<size_t>(peer)].queries.takeBytes();
   }
   size_t raysFor(int peer) const { return asked_[static_cast<size_t>(peer)].queries.rays(); }
-  /// Throws Malformed where they are not the answers to what it was asked.
+  /// Throws Malformed if the answers do not match the queries.
   void answer(int peer, std::span<const std::byte> bytes);
 
-  /// From now on queries are repeated.
+  /// Starts the replay: queries are repeated from now on.
   void replay();
   bool replays() const { return replays_; }
-  /// The lanes that are blocked, of the next query. False, and the next one stays: parts pass, so that the
-  /// query must be made again.
+  /// Sets the blocked lanes of the next query. Returns false, and stays at this query, if surfaces are
+  /// translucent, so that the query must be made again.
   bool recall(uint32_t& blocked);
-  /// The same after the query was made again: multiplies what passes.
+  /// Like recall(), after the query was made again: multiplies the transmittance.
   uint32_t combine(uint32_t blocked, render::Passing passing);
 
   explicit TileRecord(size_t peers) : asked_(peers) {}

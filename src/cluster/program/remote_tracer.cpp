@@ -51,7 +51,7 @@ void RemoteTracer::tell(const std::string& why) {
   if (why == told_ && !traced_) return;
   told_ = why;
   traced_ = false;
-  say_("workers = " + job_ + ": " + why + "; this process traces until they do");
+  say_("workers = " + job_ + ": " + why + "; this process traces in the meantime");
 }
 
 bool RemoteTracer::leavesOut(const scene::Snapshot& snapshot) const {
@@ -61,8 +61,8 @@ bool RemoteTracer::leavesOut(const scene::Snapshot& snapshot) const {
 void RemoteTracer::leaveSceneryOut() noexcept {
   if (toldOfScenery_.exchange(true)) return;
   say_(
-      "gather: ground and background are left out: no picture of all ranks' data, drawn over an even "
-      "background and composed by one of the ranks that draw, was found in a framebuffer");
+      "gather: ground and background are left out: no framebuffer of a rank that draws holds the composited "
+      "picture of all ranks over a uniform background");
 }
 
 bool RemoteTracer::isGathered(const scene::Snapshot& snapshot) noexcept {

@@ -1,4 +1,4 @@
-// Pictures by a job of workers, in place of this process's renderer. Any thread.
+// Traces pictures on a job of workers instead of this process's renderer. Any thread.
 #pragma once
 #include "cluster/program/worker_link.h"
 #include "frame/tracing/tracer.h"
@@ -11,15 +11,16 @@
 
 namespace gluray::cluster {
 
-/// Gives one picture at a time to the workers. Where no worker answers, this process traces; it says so once,
-/// and looks for workers again.
+/// Sends one picture at a time to the workers. If no worker answers, this process traces, logs one line, and
+/// keeps looking for workers.
 class RemoteTracer {
  public:
   /// `here`: traces in this process. `say`: one line for the user.
   RemoteTracer(std::string directory, std::string job, MpiPlace place, frame::TraceBehind here,
                std::function<void(const std::string&)> say);
 
-  /// As frame::Trace and frame::TraceBehind. `stop` null: in front of calls that may be stopped.
+  /// Implements frame::Trace and frame::TraceBehind. `stop` null: with priority over calls that may be
+  /// stopped.
   bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
              const std::function<bool()>& stop) noexcept;
   /// As frame::Shown.
@@ -44,7 +45,7 @@ class RemoteTracer {
   void tell(const std::string& why);
   bool traceAll(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                 const std::function<bool()>& stop) noexcept;
-  /// Whether trace() leaves out what shows outside of all ranks' data.
+  /// Whether trace() omits ground and background.
   bool leavesOut(const scene::Snapshot& snapshot) const;
 
   const std::string job_;
@@ -52,7 +53,7 @@ class RemoteTracer {
   const frame::TraceBehind here_;
   const std::function<void(const std::string&)> say_;
   std::mutex mutex_;
-  std::atomic<int> wanted_{0};  // calls in front that wait or trace
+  std::atomic<int> wanted_{0};  // priority calls that wait or trace
   std::atomic<bool> improves_{false};
   WorkerLink link_;
   bool traced_ = false;   // the last picture came from workers

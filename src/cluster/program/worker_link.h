@@ -12,10 +12,10 @@
 
 namespace gluray::cluster {
 
-/// Where a program stands among the ranks of its MPI job.
+/// A program's place among the ranks of its MPI job.
 struct MpiPlace {
-  int onMachine = 0;  // its number among those of its machine
-  std::string job;    // empty: it is no MPI program
+  int onMachine = 0;  // its number among the ranks on its machine
+  std::string job;    // empty: not an MPI program
   int rank = 0, ranks = 1;
 };
 
@@ -25,28 +25,29 @@ class WorkerLink {
   /// program's place.
   WorkerLink(std::string directory, std::string job, MpiPlace place);
 
-  /// Connects where it is not connected. False: no worker traces for this program at present; why() says why.
-  /// The first attempt waits for the worker's welcome, later ones do not.
+  /// Connects if necessary. Returns false if no worker traces for this program at present; why() returns the
+  /// reason. The first attempt waits for the worker's welcome, later ones do not.
   bool isReady(double now);
   const std::string& why() const { return why_; }
   int ranks() const { return ranks_; }
 
-  /// Whether pictures of the snapshot depend on nothing else: false where surfaces of the program's other
-  /// ranks belong to them or block their light.
+  /// Whether pictures of the snapshot are independent of the program's other ranks, whose surfaces may belong
+  /// to them or block their light.
   bool standsAlone(const scene::Snapshot& snapshot) const;
-  /// Whether the last picture of the snapshot showed surfaces of other ranks, too: then this process must not
-  /// trace it.
+  /// Whether the last picture of the snapshot also showed surfaces of other ranks, so that this process must
+  /// not trace it.
   bool isGathered(const scene::Snapshot& snapshot) const;
   /// Whether another rank's process makes that picture.
   bool isMadeElsewhere(const scene::Snapshot& snapshot) const {
     return isGathered(snapshot) && elsewhere_ == snapshot.number;
   }
-  /// Tells what this process shows of a gathered picture. False: the connection has failed.
+  /// Sends the displayed picture of a gathered snapshot. Returns false if the connection has failed.
   bool show(const scene::Snapshot& snapshot, const Image& image, bool finished);
-  /// Sends the snapshot and those of its arrays that the worker lacks. False: the connection has failed.
+  /// Sends the snapshot and its arrays that the worker lacks. Returns false if the connection has failed.
   bool ask(const scene::Snapshot& snapshot, uint32_t missColor);
   enum class Came : uint8_t { nothing, sign, picture, failure };
-  /// Waits for what the worker says of the picture. `failure`: it has said nothing for long, or is gone.
+  /// Waits for the worker's messages about the picture. `failure`: the worker is silent for too long, or
+  /// gone.
   Came wait(int timeoutMs, double now);
   /// After Came::picture.
   const PictureDone& picture() const { return picture_; }

@@ -1,4 +1,4 @@
-// Where the workers of a job listen on their machine. Any thread.
+// Socket names of a job's workers on a machine. Any thread.
 #pragma once
 #include "cluster/local/line.h"
 
@@ -9,10 +9,10 @@ namespace gluray::cluster {
 
 /// "worker-JOB.PLACE": the stem of the names of a worker's files in the runtime directory.
 std::string workerPlace(const std::string& job, int place);
-/// Why no job may have this name; empty: it may.
+/// Reason why a job name is invalid; empty: valid.
 std::string whyNoJobName(const std::string& job);
-/// A connection to the worker of the job whose socket is in `directory`; of several, that of the place
-/// `onMachine`. None: `why` says in one line why not and what to do.
+/// Connects to the worker of the job whose socket is in `directory`; if there are several, to the one at
+/// `onMachine`. None on failure, with the reason and a remedy in one line in `why`.
 std::optional<Line> lineToWorker(const std::string& directory, const std::string& job, int onMachine,
                                  std::string& why);
 

@@ -1,5 +1,5 @@
-// The processes of a job of workers, and the messages between them: what workers need of MPI. Implemented by
-// MPI (mpi_ranks.cpp), by a process alone, and for tests by threads. One thread uses it.
+// Message passing between the processes of a job of workers. Implemented with MPI (mpi_ranks.cpp), for a
+// single process, and for tests with threads. One thread uses it.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ struct RankMessage {
   std::vector<std::byte> bytes;
 };
 
-/// The job cannot go on: MPI reports a failure.
+/// The job cannot continue, because MPI reports a failure.
 class RanksFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -37,17 +37,17 @@ class Ranks {
   /// Never blocks. Messages from one rank to another arrive in the order in which they were sent. A rank may
   /// send to itself.
   virtual void send(int to, std::vector<std::byte> message) = 0;
-  /// The next message that has arrived; none: there is none.
+  /// Returns the next message; none if none has arrived.
   virtual std::optional<RankMessage> receive() = 0;
   /// Copies `bytes` of rank `root` to all others, which have as many. All ranks call it, in the same order.
   /// Never blocks; the memory must stay until `done` is called, by progress().
   virtual void broadcast(int root, std::span<std::byte> bytes, std::function<void()> done) = 0;
-  /// Goes on with what has begun.
+  /// Progresses pending operations.
   virtual void progress() = 0;
-  /// Whether something has begun that progress() must go on with.
+  /// Whether operations are pending.
   virtual bool busy() const = 0;
-  /// Ends all processes of the job, where MPI can: this one fails, and the others would wait for it. May not
-  /// return.
+  /// Ends all processes of the job if MPI supports it, after a failure of this process for which the others
+  /// would wait. May not return.
   virtual void endJob() noexcept {}
 };
 

@@ -1,4 +1,4 @@
-// The tiles that a head has given this rank of one picture, and the way of the traced ones back. Any thread.
+// Queue of the tiles of a picture that a head has assigned to this rank; sends traced tiles back. Any thread.
 #pragma once
 #include "cluster/messages/rank_messages.h"
 #include "cluster/ranks/outbox.h"
@@ -21,13 +21,13 @@ class TileQueue final : public render::TileSource {
   TileQueue(int head, uint64_t id, Outbox& outbox) : head_(head), id_(id), outbox_(outbox) {}
 
   void add(const std::vector<int32_t>& tiles);
-  /// Threads that wait for tiles end.
+  /// Closes the queue; waiting threads return.
   void close();
   bool isClosed() const { return closed_.load(std::memory_order_relaxed); }
 
-  /// Of a moving frame: no tiles come any more.
+  /// For a moving frame: no more tiles follow.
   void filmComes(FilmComes comes);
-  /// Waits until it comes. Nothing: the queue has been closed.
+  /// Waits for the film. None if the queue was closed.
   std::optional<FilmComes> waitForFilm();
   /// Sends the tile of a moving frame.
   void collected(const render::FactorFilm& film, int tile, double seconds) noexcept;
@@ -35,7 +35,7 @@ class TileQueue final : public render::TileSource {
   void begin(const Image& image) noexcept override { image_ = &image; }
   int nextTile() noexcept override;
   void done(int tile, double seconds, bool seenThrough) noexcept override;
-  /// done() of all tiles of an image that was traced at once.
+  /// Calls done() for all tiles of an image that was traced as a whole.
   void doneAll(const Image& image, double seconds);
 
  private:

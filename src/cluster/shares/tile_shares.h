@@ -1,42 +1,42 @@
-// Which rank traces which tiles of a picture: shares of equal cost, as measured in the frame before, and what
-// is left of them to those that are done first.
+// Distributes the tiles of a picture over ranks: shares of equal cost, as measured in the previous frame,
+// with work stealing by ranks that finish first.
 #pragma once
 #include <cstddef>
 #include <vector>
 
 namespace gluray::cluster {
 
-/// A rank that may take part.
+/// A rank that may trace.
 struct Tracer {
   int threads = 1;
-  float speed = 1;  // tiles' cost that a thread traces in a unit of time, relative to the others
+  float speed = 1;  // relative speed of a thread, in tile cost per time
   bool here = true;
 };
 
-/// The tiles of one picture. A rank's share is one run of neighbouring tiles. It gets a part of it at once
-/// and more when it has traced most of that; a rank whose share is used up takes from the end of the largest
-/// rest. One thread.
+/// The tiles of one picture. A rank's share is one run of neighbouring tiles. It gets a part of its share at
+/// once, and more when it has traced most of that. A rank that has used up its share steals from the end of
+/// the largest remainder. One thread.
 class TileShares {
  public:
   /// `costs`: of each tile, any unit, > 0. Tiles with `wanted` 0 are not traced; null: all are.
   TileShares(const std::vector<float>& costs, const std::vector<unsigned char>* wanted,
              const std::vector<Tracer>& tracers);
 
-  /// Tiles that the rank gets now; none: it has enough, or nothing is left.
+  /// Returns more tiles for the rank; none if it has enough, or nothing is left.
   std::vector<int> more(int rank);
-  /// A rank has traced the tile. False: it had been traced already, or it is none.
+  /// A rank has traced the tile. Returns false if the tile was already traced, or does not exist.
   bool finish(int tile);
-  /// The rank is gone: others get what it has not traced.
+  /// The rank is gone: reassigns its untraced tiles.
   void drop(int rank);
-  /// The rank is slow: others get what it has not traced, and it gets nothing until resume(). What it traces
-  /// all the same counts.
+  /// The rank is slow: reassigns its untraced tiles, and assigns it none until resume(). Tiles that it still
+  /// traces count.
   void giveBack(int rank);
   void resume(int rank) { ranks_[static_cast<size_t>(rank)].paused = false; }
   /// Whether the rank could trace more than it has.
   bool isIdle(int rank) const;
   /// Whether all tiles have been traced.
   bool done() const { return left_ == 0; }
-  /// Tiles that the rank has got and not traced.
+  /// Number of assigned, untraced tiles of the rank.
   size_t pending(int rank) const { return ranks_[static_cast<size_t>(rank)].pending; }
 
  private:

@@ -1,5 +1,5 @@
-// Writes and reads the plain values of messages, in this machine's byte order: both ends have the same
-// (checked when they meet). Any thread.
+// Writes and reads the plain values of messages, in this machine's byte order, which the handshake checks to
+// be equal at both ends. Any thread.
 #pragma once
 #include <cstddef>
 #include <cstring>
@@ -11,7 +11,7 @@
 
 namespace gluray::cluster {
 
-/// A message that no sender of this version makes.
+/// An invalid message.
 class Malformed : public std::runtime_error {
  public:
   explicit Malformed(const std::string& what) : std::runtime_error("malformed message: " + what) {}
@@ -30,7 +30,7 @@ class ByteWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Throws Malformed where a message ends too early.
+/// Throws Malformed if a message ends too early.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -41,8 +41,8 @@ class ByteReader {
     std::memcpy(&value, readBytes(sizeof value).data(), sizeof value);
     return value;
   }
-  /// Number of elements that follow, each of which takes at least `least` bytes: longer lists than what
-  /// is left are refused before memory is allocated for them.
+  /// Reads the number of following elements of at least `least` bytes each. Rejects lists that are longer
+  /// than the rest of the message before memory is allocated.
   size_t count(size_t least);
   size_t left() const { return bytes_.size(); }
 

@@ -1,4 +1,4 @@
-// Which values the enumerations of scenes have: what comes from outside is checked. Any thread.
+// Ranges of the enumerations of scenes, to check untrusted values. Any thread.
 #pragma once
 #include "scene/failure.h"
 #include "scene/snapshot.h"
@@ -7,7 +7,7 @@
 
 namespace gluray::cluster {
 
-/// The last enumerator; the first is 0, and none is left out between them.
+/// The last enumerator; enumerators are contiguous from 0.
 template <class E>
 inline constexpr E kLast = E::no_range_is_known;
 

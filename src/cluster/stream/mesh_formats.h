@@ -1,4 +1,4 @@
-// Which formats the arrays of a mesh may have. Any thread.
+// Checks the formats of a mesh's arrays. Any thread.
 #pragma once
 #include "cluster/stream/page_layout.h"
 #include "scene/mesh.h"
@@ -13,9 +13,9 @@ inline constexpr std::initializer_list<scene::Format> kColorFormats = {
 inline constexpr std::initializer_list<scene::Format> kTexcoordFormats = {
     scene::Format::float1, scene::Format::float2, scene::Format::float3, scene::Format::float4};
 
-/// Throws Malformed where the attribute exists and has none of these.
+/// Throws Malformed if the attribute is present and has none of these formats.
 void checkFormat(const scene::Attribute& attribute, std::initializer_list<scene::Format> formats);
-/// Throws Malformed where a page cannot have these arrays, whose content is not there yet.
+/// Throws Malformed if a page cannot have arrays of these formats. The content is not loaded yet.
 void checkPageFormats(const scene::Mesh& page, const TriangleArrays& ofTriangles);
 /// Largest of `count` elements of an array of uint32; 0 if there are none.
 uint32_t largest(const scene::Attribute& attribute, uint32_t count);

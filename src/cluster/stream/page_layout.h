@@ -1,5 +1,5 @@
-// Pages in messages: parts of large meshes whose arrays do not come before the snapshot, but when a ray meets
-// their bounds. All arrays of a page lie in one piece of memory. Any thread.
+// Pages in messages: parts of large meshes whose arrays are sent when a ray hits their bounds, not before the
+// snapshot. All arrays of a page are in one block of memory. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -24,7 +24,7 @@ struct PageName {
 /// Instance::triangleColors, triangleNormals and triangleEdges.
 using TriangleArrays = std::array<scene::Attribute, 3>;
 
-/// The residence of a page. Where it is made to be sent, nothing loads it.
+/// The residence of a page. The sender's residence is never loaded.
 class PageResidence : public scene::Residence {
  public:
   explicit PageResidence(PageName name) : name(std::move(name)) {}
@@ -59,7 +59,7 @@ size_t pageBytes(const scene::Mesh& mesh, const TriangleArrays& ofTriangles);
 /// Places the arrays of these formats into pageBytes() bytes, which `owner` keeps alive.
 void layOut(scene::Mesh& mesh, TriangleArrays& ofTriangles, const std::shared_ptr<std::byte>& memory);
 
-/// What loading checks, as pages may come from anywhere.
+/// Limits that loading checks, because pages are untrusted.
 struct PageLimits {
   scene::Attribute indices, materials;
   uint32_t corners = 0, vertices = 0;
@@ -71,11 +71,12 @@ class PageSource {
   virtual ~PageSource() = default;
   struct Made {
     std::shared_ptr<PageResidence> page;
-    std::shared_ptr<std::byte> memory;  // of its arrays: zeros until it is loaded
+    std::shared_ptr<std::byte> memory;  // for its arrays: zeros until it is loaded
   };
-  /// The same page for the same `identity`, of name and formats, while it lives. Throws std::bad_alloc.
+  /// Returns the same page for the same `identity` (hash of name and formats) while it exists. Throws
+  /// std::bad_alloc.
   virtual Made make(const Hash128& identity, const PageName& name, size_t bytes) = 0;
-  /// Before the page is loaded.
+  /// Sets the limits of a page. Call before the page is loaded.
   virtual void limit(PageResidence& page, const PageLimits& limits) = 0;
 };
 

@@ -1,6 +1,6 @@
-// The members of what snapshots are made of, for whoever writes and reads them: fields(archive, value) calls
-// archive(member, ...) with all of them. Structured bindings name them, so that a member that is added and
-// not named here is an error of the compiler. Any thread.
+// Lists the members of all types in snapshots for serialisation: fields(archive, value) calls archive(member,
+// ...) with all members. Structured bindings name them, so that a new member that is not listed here is a
+// compiler error. Any thread.
 #pragma once
 #include "scene/backdrop.h"
 #include "scene/snapshot.h"

@@ -1,4 +1,5 @@
-// The settings of a snapshot: those that differ from their defaults, in the order of the table. Any thread.
+// Serialises the settings of a snapshot that differ from their defaults, in the order of the table. Any
+// thread.
 #pragma once
 #include "cluster/stream/byte_stream.h"
 #include "settings/settings.h"
@@ -6,7 +7,7 @@
 namespace gluray::cluster {
 
 void writeSettings(ByteWriter& out, const Settings& settings);
-/// Throws Malformed where a value is not allowed.
+/// Throws Malformed if a value is invalid.
 Settings readSettings(ByteReader& in);
 
 }  // namespace gluray::cluster

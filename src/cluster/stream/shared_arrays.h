@@ -1,5 +1,5 @@
-// Arrays that scenes share from frame to frame: attributes of meshes and texels. They go by the hash of their
-// content, so that each is sent once.
+// Arrays that scenes share across frames: attributes of meshes, and texels. They are identified by the hash
+// of their content, so that each is sent once.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -14,25 +14,25 @@
 
 namespace gluray::cluster {
 
-/// Elements of the sender's, which need not lie side by side. `owner` keeps them alive.
+/// A sender's array, whose elements need not be contiguous. `owner` keeps them alive.
 struct ArraySource {
-  Hash128 name;  // of the content as copyTo() has it
+  Hash128 name;  // hash of the content as written by copyTo()
   std::shared_ptr<const void> owner;
   const std::byte* data = nullptr;
   uint32_t count = 0, stride = 0, element = 0;  // stride and element: bytes
   size_t bytes() const { return size_t{count} * element; }
-  /// Copies bytes() bytes: the elements side by side.
+  /// Copies the elements contiguously, bytes() bytes.
   void copyTo(std::byte* to) const;
 };
 
 /// The receiver's copy, and kArrayPadding readable bytes behind it.
 struct Array {
-  std::shared_ptr<const void> owner;  // null: not known
+  std::shared_ptr<const void> owner;  // null: unknown
   std::span<const std::byte> bytes;
 };
 constexpr size_t kArrayPadding = 16;  // as scene/mesh.h promises
 Array makeArray(std::span<const std::byte> content);
-/// An array of so many bytes, which the caller fills.
+/// A new array of so many bytes, which the caller fills.
 struct ArrayRoom {
   std::shared_ptr<std::byte[]> memory;
   size_t bytes = 0;
@@ -40,10 +40,10 @@ struct ArrayRoom {
   Array array() const { return {memory, {memory.get(), bytes}}; }
 };
 ArrayRoom arrayRoom(size_t bytes);
-/// The same of a source.
+/// Copies a source into a new array.
 Array makeArray(const ArraySource& source);
 
-/// Array of a name. Any thread.
+/// Finds the array of a name. Any thread.
 using FindArray = std::function<Array(const Hash128& name)>;
 
 /// Bytes of an element.
@@ -58,14 +58,15 @@ constexpr uint32_t bytesOf(scene::Format format) {
   }
 }
 
-/// Names arrays, and remembers the names while the arrays live: each is hashed once. One thread.
+/// Names arrays by content, and caches the names while the arrays exist, so that each is hashed once. One
+/// thread.
 class ArrayNames {
  public:
   /// Of `count` elements from the first one on. `owner` must not be null, and the elements never change while
   /// it lives.
   ArraySource named(const std::shared_ptr<const void>& owner, const std::byte* data, uint32_t count,
                     uint32_t stride, uint32_t element);
-  /// Forgets arrays that are gone. Call now and then.
+  /// Removes expired arrays. Call occasionally.
   void forgetGone();
   size_t size() const { return known_.size(); }
 

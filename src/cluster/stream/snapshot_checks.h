@@ -1,11 +1,11 @@
-// What tracing relies on in snapshots that come from elsewhere. Any thread.
+// Checks untrusted snapshots for the invariants of tracing. Any thread.
 #pragma once
 #include "scene/snapshot.h"
 
 namespace gluray::cluster {
 
-/// Throws Malformed where sizes and indices do not fit each other. Meshes, images and settings have been
-/// checked before.
+/// Throws Malformed if sizes or indices are inconsistent. Meshes, images and settings have been checked
+/// before.
 void check(const scene::Snapshot& snapshot);
 
 }  // namespace gluray::cluster

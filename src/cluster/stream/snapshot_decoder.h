@@ -1,5 +1,5 @@
-// Reads the snapshots that SnapshotEncoder writes. What it reads may come from anywhere: all that tracing
-// relies on is checked.
+// Reads the snapshots of SnapshotEncoder. The input is untrusted: the decoder checks all invariants of
+// tracing.
 #pragma once
 #include "cluster/stream/byte_stream.h"
 #include "cluster/stream/page_layout.h"
@@ -15,7 +15,7 @@
 
 namespace gluray::cluster {
 
-/// Meshes and images of earlier snapshots, which later ones share while their content is the same.
+/// Meshes and images of earlier snapshots, which later snapshots share if the content is equal.
 class DecodedParts {
  public:
   struct Mesh {
@@ -24,19 +24,18 @@ class DecodedParts {
   };
   std::unordered_map<Hash128, Mesh> meshes;
   std::unordered_map<Hash128, std::weak_ptr<const scene::TextureImage>> images;
-  /// Forgets what is gone.
+  /// Removes expired entries.
   void forgetGone();
 };
 
 /// One thread.
 class SnapshotDecoder {
  public:
-  /// `pages`: for snapshots with pages; null: such are Malformed.
+  /// `pages`: for snapshots with pages; null: these are Malformed.
   explicit SnapshotDecoder(FindArray arrays, PageSource* pages = nullptr)
       : arrays_(std::move(arrays)), pages_(pages) {}
 
-  /// Throws Malformed where the message is none of SnapshotEncoder or names arrays that are not known;
-  /// std::bad_alloc.
+  /// Throws Malformed if the message is invalid or uses unknown arrays; std::bad_alloc.
   std::shared_ptr<scene::Snapshot> decode(std::span<const std::byte> message);
 
  private:

@@ -1,5 +1,5 @@
-// Writes snapshots for other processes. Arrays stand in them by name (arrays.h): whoever sends the message
-// sends those first that the receiver lacks.
+// Writes snapshots for other processes. Snapshots contain arrays by name: the sender first sends the arrays
+// that the receiver lacks.
 #pragma once
 #include "cluster/stream/shared_arrays.h"
 #include "scene/snapshot.h"
@@ -9,13 +9,13 @@
 
 namespace gluray::cluster {
 
-/// A message that SnapshotDecoder reads, and the arrays that it names, each once.
+/// A message for SnapshotDecoder, and the arrays that it uses, each once.
 struct EncodedSnapshot {
   std::vector<std::byte> message;
   std::vector<ArraySource> arrays;
 };
 
-/// Remembers arrays from snapshot to snapshot. One thread.
+/// Caches the names of arrays between snapshots. One thread.
 class SnapshotEncoder {
  public:
   /// Throws std::bad_alloc.

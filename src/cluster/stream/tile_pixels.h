@@ -1,5 +1,4 @@
-// The pixels of one tile as bytes: pictures that several processes trace come together tile by tile. Any
-// thread.
+// Serialises the pixels of one tile, for pictures that several processes trace. Any thread.
 #pragma once
 #include "base/image.h"
 #include "cluster/stream/byte_stream.h"
@@ -24,7 +23,7 @@ inline ImageShape shapeOf(const Image& image) {
   return {image.width, image.height, image.samples, image.planes};
 }
 void write(ByteWriter& out, const ImageShape& shape);
-/// Throws Malformed where no image has this shape.
+/// Throws Malformed if the shape is invalid.
 ImageShape readShape(ByteReader& in);
 
 /// The planes of an image of some shape, wherever they are; null where the shape has none.
@@ -42,7 +41,7 @@ void copyTile(const PlanePointers& from, const PlanePointers& to, const ImageSha
               const render::Tile& tile);
 /// The tile's pixels of all planes and samples.
 std::vector<std::byte> packTile(const Image& image, const render::Tile& tile);
-/// Throws Malformed where `bytes` are not of packTile() for a tile of this size and shape.
+/// Throws Malformed if `bytes` are not from packTile() for a tile of this size and shape.
 void unpackTile(std::span<const std::byte> bytes, const ImageShape& shape, const PlanePointers& to,
                 const render::Tile& tile);
 

@@ -23,7 +23,7 @@ class ConnectedProgram {
 
   Line& line() { return line_; }
   bool isGone() const { return gone_ || line_.isBroken(); }
-  /// Closes the connection at the next occasion.
+  /// Closes the connection at the next opportunity.
   void end() { gone_ = true; }
 
   template <class M>
@@ -31,18 +31,18 @@ class ConnectedProgram {
     if (!line_.send(M::kType, encoded(message), attached, kPatienceMs)) gone_ = true;
   }
 
-  uint64_t peer = 0;  // its number in PeerPrograms; 0: it is a program of one process
-  std::string name;   // for messages to the user; empty: it has not said hello
+  uint64_t peer = 0;  // its number in PeerPrograms; 0: a program with one process
+  std::string name;   // for messages to the user; empty: before its hello
   std::unordered_set<Hash128> arrays;
   std::vector<Hash128> newArrays;  // since the last request
   std::optional<TraceRequest> request;
   using Share = PartGatherer::Share;
-  Share share = Share::whole;  // of the picture, that is this rank's; programs of one process: the whole
+  Share share = Share::whole;  // this rank's share of the picture; whole for programs with one process
   bool isGathering() const { return share == Share::awaited; }
-  /// Its picture is wanted and not begun.
+  /// Whether its picture is requested but not begun.
   bool isWaiting() const { return isGathering() || paging.job != 0; }
   bool isWhole() const { return share == Share::whole; }
-  /// Makes `memory` large enough for a picture, and says so.
+  /// Enlarges `memory` for a picture, and announces it to the program.
   void makeRoom(size_t bytes) {
     if (bytes <= memory.bytes) return;
     memory = writtenMemory(bytes);
@@ -59,7 +59,7 @@ class ConnectedProgram {
   };
   Paging paging;
   std::optional<TraceRequest> paged;  // `request`, its geometry in pages
-  /// What of its geometry the picture of all ranks shows.
+  /// The request with its geometry for gathered pictures.
   const TraceRequest& given() const { return paged ? *paged : *request; }
   std::optional<Picture> picture;
   WrittenMemory memory;

@@ -31,7 +31,7 @@ void Head::makePages(ConnectedProgram& program, double now) {
   if (paging.number == 0) {
     paging.number = ++lastPaging_;
     say_(program.name +
-         ": its geometry is larger than the memory of a rank, which gets the parts that rays meet");
+         ": its geometry is larger than the memory of a rank, so ranks fetch only the parts that rays hit");
   }
   paging.job = ++lastPaging_;
   paging.cancelled = std::make_shared<std::atomic<bool>>(false);

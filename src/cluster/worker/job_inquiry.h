@@ -1,5 +1,5 @@
-// Questions about the job: a head asks all ranks for their facts and answers its program; each rank answers
-// heads. The worker's main thread.
+// Queries about the job: a head requests the properties of all ranks and answers its program; each rank
+// answers heads. The worker's main thread.
 #pragma once
 #include "cluster/ranks/ranks.h"
 #include "cluster/worker/connected_program.h"
@@ -11,19 +11,19 @@ namespace gluray::cluster {
 
 class JobInquiry {
  public:
-  /// `threads`: with which this rank traces. `ranks` must outlive it.
+  /// `threads`: tracing threads of this rank. `ranks` must outlive it.
   JobInquiry(Ranks& ranks, int threads) : ranks_(ranks), threads_(threads) {}
 
-  /// Asks all ranks. The program gets JobFacts when all have answered, or after two seconds. An earlier
-  /// question of the program is dropped.
+  /// Queries all ranks. Sends JobFacts to the program when all have answered, or after two seconds. Drops an
+  /// earlier query of the program.
   void ask(ConnectedProgram& program, double now);
   /// The program is gone.
   void forget(const ConnectedProgram& program);
-  /// As the rank that is asked.
+  /// Handles a query as a rank.
   void receive(int head, const FactsWanted& wanted);
-  /// As the head. Throws Malformed.
+  /// Handles an answer as the head. Throws Malformed.
   void receive(int rank, const FactsGiven& given);
-  /// Ends questions that are overdue. Call ten times a second or more.
+  /// Ends overdue queries. Call at least ten times a second.
   void tick(double now);
 
  private:

@@ -1,5 +1,4 @@
-// A rank as one of those that trace pictures for the heads of the job, itself included. The worker's main
-// thread.
+// A rank as a tracer for the heads of the job, including itself. The worker's main thread.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/messages/rank_messages.h"
@@ -17,7 +16,7 @@ namespace gluray::cluster {
 
 class Member {
  public:
-  /// `threads`: with which this rank traces. All must outlive it.
+  /// `threads`: tracing threads of this rank. All must outlive it.
   Member(Ranks& ranks, ArrayStore& store, Outbox& outbox, PageStore& pages, int threads);
   ~Member();
   Member(const Member&) = delete;
@@ -28,10 +27,10 @@ class Member {
   void receive(int head, FilmComes film);
   void receive(int head, const EndOfPicture& end);
   void receive(int head, const Forget& forget);
-  /// As the rank that orders broadcasts.
+  /// Handles a request as the rank that orders broadcasts.
   void receive(int root, const TurnWanted& wanted);
   void receive(const Turn& turn);
-  /// Says to heads that their pictures are at work. Call ten times a second or more.
+  /// Sends signs of life to the heads of its pictures. Call at least ten times a second.
   void tick(double now);
   bool isBusy() const { return !queues_.empty(); }
 
@@ -45,7 +44,7 @@ class Member {
   const int threads_;
   TracingThread tracing_;
   std::map<Key, std::shared_ptr<TileQueue>> queues_;
-  std::map<int, int> incoming_;  // by head: broadcasts that have not come to their end
+  std::map<int, int> incoming_;  // by head: number of incomplete broadcasts
   double saidAlive_ = 0;
 };
 

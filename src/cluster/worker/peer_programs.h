@@ -1,5 +1,5 @@
-// The programs of this worker that are ranks of sort-last programs: each has a thread that traces its
-// pictures and an exchange with its peers. The worker's main thread.
+// The ranks of sort-last programs that this worker serves: each has a tracing thread and an exchange with its
+// peers. The worker's main thread.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/gather/part_gatherer.h"
@@ -23,7 +23,7 @@ class PeerPrograms {
  public:
   using Say = PeerExchange::Say;  // any thread
 
-  /// `threads`: that trace each program's pictures. All must outlive it.
+  /// `threads`: tracing threads for each program. All must outlive it.
   PeerPrograms(Ranks& ranks, ArrayStore& store, Outbox& outbox, int threads, Say say);
   ~PeerPrograms();
   PeerPrograms(const PeerPrograms&) = delete;
@@ -33,11 +33,12 @@ class PeerPrograms {
   uint64_t add(const Hash128& program, int rank, int ranks);
   void remove(uint64_t number);
   void trace(uint64_t number, TraceOrder order, const ViewName& shown);
-  /// Nothing more of the picture is to be traced.
+  /// Ends tracing of the picture.
   void end(uint64_t number, uint64_t picture);
-  /// Who brings together the parts of a view, for that rank.
+  /// The gatherer of that rank.
   PartGatherer& gatherer(uint64_t number) { return *locals_.at(number).gatherer; }
-  /// A message of rank `from` of the job. False: it is none for this. Throws Malformed.
+  /// Handles a message of rank `from` of the job. Returns false if it is for another receiver. Throws
+  /// Malformed.
   bool receive(int from, uint16_t type, std::span<const std::byte> body, double now);
   void tick(double now);
   bool isBusy() const;

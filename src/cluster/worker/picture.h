@@ -1,5 +1,5 @@
-// A picture that a program asked for, at the head: who traces which of its tiles, and the pixels that come
-// back. The worker's main thread.
+// A requested picture at the head: distributes its tiles over ranks, and collects their pixels. The worker's
+// main thread.
 #pragma once
 #include "cluster/local/sealed_memory.h"
 #include "cluster/messages/program_messages.h"
@@ -16,12 +16,12 @@ namespace gluray::cluster {
 
 class Picture {
  public:
-  /// How its tiles come.
+  /// How its tiles are traced.
   enum class Kind {
-    alone,  // all from this rank
+    alone,  // all on this rank
     shared,
     paged,   // the geometry is in pages
-    moving,  // first onto the film, then with their colours, from the same rank
+    moving,  // first collected on the film, then coloured by the same rank
   };
   /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown.
   Picture(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
@@ -31,20 +31,20 @@ class Picture {
   Kind kind() const { return kind_; }
   bool averages() const { return averages_; }
   bool takesPart(int rank) const { return here_[static_cast<size_t>(rank)]; }
-  /// Whether the rank took part in the beginning.
+  /// Whether the rank was involved at the start.
   bool asks(int rank) const { return asked_[static_cast<size_t>(rank)]; }
 
   /// Tiles that the rank gets now.
   std::vector<int> more(int rank) { return shares_.more(rank); }
   size_t pending(int rank) const { return shares_.pending(rank); }
-  /// Puts the tile into `memory`, which it makes large enough (`grew`). Throws Malformed where the tile does
-  /// not fit the picture; std::system_error.
+  /// Writes the tile into `memory`, which it enlarges if necessary (`grew`). Throws Malformed if the tile
+  /// does not fit the picture; std::system_error.
   void addTile(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now);
-  /// The same of a moving picture's film.
+  /// Adds a tile to a moving picture's film.
   void addTile(int rank, const FilmTile& tile, double now);
   void finished(int rank, const Finished& result);
   void drop(int rank);
-  /// Hits of a moving picture are lost: it must be traced anew.
+  /// Whether hits of a moving picture are lost, so that it must be traced again.
   bool isLost() const { return lost_; }
   /// Whether all tiles of a moving picture have been collected and the ranks do not have the film yet.
   bool isCollected() const { return film_ && shares_.done() && !film_->isColored() && !film_->isGiven(); }
@@ -52,18 +52,17 @@ class Picture {
   Array giveFilm(double now);
   bool hasFilm() const { return film_ && film_->isGiven(); }
   std::vector<int32_t> toColor(int rank) const { return film_->tilesOf(rank); }
-  /// Others take over what ranks have had for long without a result, once nothing else is left. Returns these
-  /// ranks.
+  /// Reassigns the tiles of slow ranks once no other tiles are left. Returns these ranks.
   std::vector<int> passOnSlow(double now);
 
-  /// Averages cannot be composited: the picture must be traced anew without them.
+  /// Whether averages cannot be composited, so that the picture must be traced again without them.
   bool isSeenThrough() const { return seenThrough_; }
   bool isTraced() const { return shares_.done() && (!film_ || film_->isColored()); }
-  /// Whether all that the program gets has come.
+  /// Whether all tiles have arrived.
   bool isDone() const;
-  /// Why it cannot be done; empty: it can.
+  /// Reason of a failure; empty: none.
   const std::string& error() const { return error_; }
-  /// What the program gets.
+  /// Result for the program.
   PictureDone result(double now) const;
   /// Seconds by tile, as measured now or before.
   const std::vector<float>& costs() const { return costs_; }

@@ -1,4 +1,4 @@
-// What a head knows of the ranks of its job. The worker's main thread.
+// A head's view of the state of the ranks of its job. The worker's main thread.
 #pragma once
 #include "cluster/shares/tile_shares.h"
 
@@ -15,12 +15,12 @@ class RankStates {
 
   /// A result came from the rank, or it has caught up with the broadcasts.
   void heard(int rank, double now) { at(rank).heard = now, at(rank).late = false; }
-  /// The rank says that it is there.
+  /// A sign of life of the rank.
   void isThere(int rank, double now) { at(rank).heard = now; }
-  /// The rank is left out until it is heard.
+  /// Excludes the rank until it is heard.
   void setLate(int rank) { at(rank).late = true; }
   void setThreads(int rank, int threads) { at(rank).threads = threads; }
-  /// Something was asked of the rank, from which nothing was awaited before.
+  /// A request was sent to a rank that had no open requests.
   void asked(int rank, double now) { at(rank).heard = now; }
   /// Whether a sign of the rank is overdue.
   bool isOverdue(int rank, double now) const {
@@ -35,7 +35,7 @@ class RankStates {
     for (const State& state : states_) sum += state.threads;
     return sum;
   }
-  /// Who may take part in a picture; `alone`: nobody but this rank.
+  /// Ranks for tracing a picture; `alone`: only this rank.
   std::vector<Tracer> tracers(bool alone) const {
     std::vector<Tracer> all;
     for (int rank = 0; rank < size(); ++rank) {

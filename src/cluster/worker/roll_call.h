@@ -1,5 +1,5 @@
-// Whether all ranks of a job are of one version, before programs may come: ranks of two versions would not
-// understand each other. The worker's main thread.
+// Checks that all ranks of a job have the same version, before programs may connect. The worker's main
+// thread.
 #pragma once
 #include "cluster/ranks/ranks.h"
 
@@ -13,15 +13,15 @@ namespace gluray::cluster {
 
 class RollCall {
  public:
-  /// Says to rank 0 which version this rank is of. Both must outlive it. `say`: one line for the user.
+  /// Sends this rank's version to rank 0. Both must outlive it. `say`: one line for the user.
   RollCall(Ranks& ranks, std::string version, std::function<void(const std::string&)> say);
 
-  /// As rank 0. Throws RanksFailed, with a line for the user, where that rank is of another version.
+  /// As rank 0. Throws RanksFailed, with a line for the user, if that rank has another version.
   void takeHello(int from, std::span<const std::byte> body);
-  /// From rank 0: all ranks are of one version.
+  /// From rank 0: all ranks have the same version.
   void takeEnd() { isOver_ = true; }
   bool isOver() const { return isOver_; }
-  /// As rank 0: names ranks that have said nothing for long, once. Call ten times a second or more.
+  /// As rank 0: logs silent ranks once. Call at least ten times a second.
   void tick(double now);
 
  private:

@@ -25,11 +25,11 @@ class TracingThread {
     std::shared_ptr<TileQueue> tiles;  // whoever closes it calls store.wake(), too
   };
 
-  /// `threads`: that trace; 0: as many as the process may use. `peers`: null, or those of the program whose
-  /// pictures these are. `pages`: null: snapshots have none. All must outlive it.
+  /// `threads`: tracing threads; 0: all that the process may use. `peers`: exchange with the program's peers;
+  /// may be null. `pages`: null: snapshots have no pages. All must outlive it.
   TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers = nullptr,
                 PageStore* pages = nullptr);
-  /// Waits for the picture that is being traced. All queues must be closed.
+  /// Waits for the current picture. All queues must be closed.
   ~TracingThread();
   TracingThread(const TracingThread&) = delete;
   TracingThread& operator=(const TracingThread&) = delete;

@@ -22,13 +22,14 @@ class Worker {
   /// `memory`: bytes that geometry and its structures may take; larger geometry comes in pages.
   Worker(Ranks& ranks, int threads, size_t memory, control::Descriptor listening, Head::Say say);
 
-  /// Until all ranks are known to be of this version, and programs may come, or `stop`. Throws RanksFailed.
+  /// Runs until all ranks have confirmed this version, so that programs may connect, or until `stop`. Throws
+  /// RanksFailed.
   void meet(const std::atomic<bool>& stop);
-  /// Until `stop`, which is looked at ten times a second. Throws RanksFailed.
+  /// Runs until `stop`, which it checks ten times a second. Throws RanksFailed.
   void run(const std::atomic<bool>& stop);
 
  private:
-  /// Handles what has come. False: nothing has.
+  /// Handles messages that have arrived. Returns false if there were none.
   bool handleArrivals();
   void goOn();
   void handle(const RankMessage& message, double now);

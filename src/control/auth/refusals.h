@@ -1,5 +1,5 @@
-// Addresses that failed to prove that they know the key: three failures within a minute, and an address is
-// refused for a minute. On the hub's thread.
+// Blocks addresses after failed authentication: three failures within a minute block an address for a minute.
+// On the hub's thread.
 #pragma once
 #include <array>
 #include <chrono>

@@ -1,5 +1,5 @@
-// Bounds connections over TCP that have not proved yet that they know the key: an address that opens many
-// cannot keep others out. No sockets. On the hub's thread.
+// Limits unauthenticated TCP connections, so that an address with many connections cannot block others. No
+// sockets. On the hub's thread.
 #pragma once
 #include <cstddef>
 #include <cstdint>

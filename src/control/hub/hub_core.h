@@ -1,5 +1,5 @@
-// The hub without sockets and clocks: who is connected, and what is passed to whom
-// (docs/control-protocol.md). HubServer calls it, on its thread.
+// The hub without sockets and clocks: tracks connections and routes messages (docs/control-protocol.md).
+// HubServer calls it, on its thread.
 #pragma once
 #include "control/hub/requests.h"
 

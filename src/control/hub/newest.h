@@ -1,5 +1,5 @@
-// Events of which a client needs only the newest: kept while it reads slowly, and no more often than it
-// asked. On the hub's thread.
+// Keeps only the newest event of each kind for a slow client, and limits the event rate to the client's wish.
+// On the hub's thread.
 #pragma once
 #include "control/hub/peers.h"
 

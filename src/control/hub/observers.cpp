@@ -38,7 +38,7 @@ Wish Observers::Client::wishOf(uint64_t program) const {
   return all.value_or(Wish{});
 }
 
-Wish Observers::together(uint64_t program) const {
+Wish Observers::combinedWish(uint64_t program) const {
   Wish wish;
   for (const auto& [connection, client] : clients_) wish.add(client.wishOf(program));
   return wish;
@@ -70,7 +70,8 @@ void Observers::wished(uint64_t program, uint64_t client) {
   if (!wish.thumbnail) state.newest.forget({program, "thumbnail"});
   if (wish.settings) return ask(program, {client});
   const auto last = asked_.find(program);
-  if (last == asked_.end() ? !wish.empty() : !(last->second == together(program))) return ask(program, {});
+  if (last == asked_.end() ? !wish.empty() : !(last->second == combinedWish(program)))
+    return ask(program, {});
   // The program sends no thumbnail because of this client.
   if (const auto known = thumbnails_.find(program); wish.thumbnail && known != thumbnails_.end())
     state.newest.offer({program, "thumbnail"}, known->second, wish.every, questions_.now(), slow(client),
@@ -81,7 +82,7 @@ void Observers::wished(uint64_t program, uint64_t client) {
 void Observers::ask(uint64_t program, std::vector<uint64_t> clients) {
   const Program* entry = programs_.find(program);
   if (!entry || entry->speaker() == 0) return;
-  const Wish wish = together(program);
+  const Wish wish = combinedWish(program);
   asked_[program] = wish;
   if (!wish.thumbnail) thumbnails_.erase(program);
   json message{{"type", "observe"}, {"what", wordsOf(wish)}};
@@ -102,7 +103,7 @@ void Observers::speakerCame(uint64_t program) {
     client.told.erase(program);
     if (client.wishOf(program).settings) clients.push_back(connection);
   }
-  if (!together(program).empty()) ask(program, std::move(clients));
+  if (!combinedWish(program).empty()) ask(program, std::move(clients));
 }
 
 void Observers::event(const Program& program, const json& message) {
@@ -113,7 +114,7 @@ void Observers::event(const Program& program, const json& message) {
   std::string text = lineOf(copy);
   if (!whyUnfit(text).empty()) return;
   const auto line = std::make_shared<const std::string>(std::move(text));
-  if (*what == "thumbnail" && together(program.number).thumbnail) thumbnails_[program.number] = line;
+  if (*what == "thumbnail" && combinedWish(program.number).thumbnail) thumbnails_[program.number] = line;
   for (auto& [number, client] : clients_) {
     const uint64_t connection = number;
     Client& observer = client;
@@ -141,7 +142,8 @@ void Observers::programEnded(uint64_t program) {
 void Observers::clientEnded(uint64_t client) {
   if (clients_.erase(client) == 0) return;
   for (const auto& [number, program] : programs_.all())
-    if (const auto last = asked_.find(number); last != asked_.end() && !(last->second == together(number)))
+    if (const auto last = asked_.find(number);
+        last != asked_.end() && !(last->second == combinedWish(number)))
       ask(number, {});
 }
 

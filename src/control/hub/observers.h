@@ -1,5 +1,5 @@
-// Which client observes which programs: asks programs for what any client wants, and passes events on. On the
-// hub's thread.
+// Tracks which clients observe which programs: subscribes to programs for the combined wishes of all clients,
+// and forwards events. On the hub's thread.
 #pragma once
 #include "control/hub/newest.h"
 #include "control/hub/programs.h"
@@ -65,7 +65,7 @@ class Observers {
   };
   void wished(uint64_t program, uint64_t client);
   void ask(uint64_t program, std::vector<uint64_t> clients);
-  Wish together(uint64_t program) const;
+  Wish combinedWish(uint64_t program) const;
   void listIsDue(uint64_t client, Client& state);
   void sendList(uint64_t client, Client& state);
   void sendEvent(uint64_t client, Client& state, uint64_t program, const PeerLink::Line& line);

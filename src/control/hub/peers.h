@@ -1,5 +1,5 @@
-// The hub's connections and what it says over them. No sockets: whoever owns them gives functions. On the
-// hub's thread.
+// The hub's connections and the messages to them. No sockets: their owner passes functions. On the hub's
+// thread.
 #pragma once
 #include <nlohmann/json.hpp>
 

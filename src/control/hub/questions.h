@@ -1,4 +1,4 @@
-// What the hub has asked programs and waits for. On the hub's thread.
+// The hub's pending requests to programs. On the hub's thread.
 #pragma once
 #include "control/hub/peers.h"
 

@@ -76,7 +76,7 @@ std::string ChangeRequests::read(const std::string& type, const json& message, C
   }
   const bool undo = type == "undo";
   if ((undo ? history_.undoSteps() : history_.redoSteps()) == 0)
-    return undo ? "there is nothing to undo" : "there is nothing to make again";
+    return undo ? "there is nothing to undo" : "there is nothing to redo";
   change.kind = undo ? Kind::undo : Kind::redo;
   change.changes = undo ? history_.undoing() : history_.redoing();
   return "";

@@ -1,5 +1,5 @@
-// Events that the hub has asked for: the program's state, and settings that change; and what it asks for of
-// thumbnails. Control thread; times in seconds.
+// The hub's subscriptions: the program's state, changes of settings, and thumbnails. Control thread; times in
+// seconds.
 #pragma once
 #include "control/link/picture_requests.h"
 #include "control/link/program/controlled_program.h"

@@ -100,7 +100,7 @@ struct ProgramLink::Serving {
                        [this](const std::string& why) {
                          timer.cancel();
                          wake.close();
-                         log::write(log::Level::debug, "the hub has gone: " + why);
+                         log::write(log::Level::debug, "the hub has disconnected: " + why);
                        },
                        {}});
     side->begin(nowSeconds());

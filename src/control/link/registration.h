@@ -1,4 +1,4 @@
-// The file by which a hub that starts knows of a program that is not connected: programs/PID in the runtime
+// The file that tells a starting hub about a program that is not connected: programs/PID in the runtime
 // directory (docs/control-protocol.md). Any thread.
 #pragma once
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Members of messages, read from peers that nobody trusts. Any thread.
+// Reads members of untrusted messages. Any thread.
 #pragma once
 #include <nlohmann/json.hpp>
 

@@ -34,7 +34,7 @@ std::vector<uint8_t> hitPixels(const Image& image) {
 void logUnfinished(const std::string& why) noexcept {
   try {
     log::once(log::Level::warning, "finishing",
-              "cannot finish a picture that is read: " + why + "; it keeps its noise");
+              "cannot finish a picture that the program reads: " + why + "; it keeps its noise");
   } catch (const std::exception&) {}
 }
 

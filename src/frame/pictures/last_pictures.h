@@ -1,5 +1,5 @@
-// Cache of the last traced pictures, for frames in which nothing changes: programs redraw for an expose
-// event, a cursor, a screenshot. GL thread, one per context.
+// Cache of the last traced pictures, for unchanged frames: programs redraw after expose events, or for a
+// cursor or a screenshot. GL thread, one per context.
 #pragma once
 #include "base/image.h"
 #include "frame/refinement/refinement.h"
@@ -21,33 +21,33 @@ class LastPictures {
   struct Picture {
     Image image;
     uint64_t id = 0;  // unique; never 0 for a traced picture
-    // Of pictures with light: their passes so far, and whether more would not make them better.
+    // For pictures with light: their refinement, and whether it is complete.
     std::unique_ptr<Refinement> refinement;
     bool refined = false;
-    bool moving = false;  // few rays, smoothed: a frame of an animation
+    bool moving = false;  // a frame of an animation: few rays, filtered
   };
   enum class Of : uint8_t {
     equalSnapshot,
-    thisSnapshot,  // the one with its number
+    thisSnapshot,  // the snapshot with its number
   };
   /// The picture of an equal earlier snapshot, with misses in `missColor` if given; null: none. Valid until
   /// makeRoom().
   Picture* findPicture(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor = {},
                        Of which = Of::equalSnapshot) noexcept;
-  /// Null: it was replaced.
+  /// Null if it was replaced.
   Picture* withId(uint64_t id) noexcept {
     for (Entry& entry : entries_)
       if (entry.picture.id == id) return &entry.picture;
     return nullptr;
   }
-  /// The picture shows nothing from now on; its memory serves the next one.
+  /// Invalidates the picture; its memory is reused for the next one.
   void drop(const Picture& picture) noexcept {
     for (Entry& entry : entries_)
       if (&entry.picture == &picture) entry.whole = false, entry.used = 0;
   }
   /// Gives a picture a new id, because its pixels change.
   void renew(Picture& picture) noexcept { picture.id = ++ids_; }
-  /// Frees the passes of pictures of this view; 0: of all.
+  /// Frees the refinement of this view's pictures; 0: of all pictures.
   void forgetPasses(uint64_t view = 0) noexcept;
   /// Memory for a new picture; replaces the least recently used one.
   Picture& makeRoom() noexcept;

@@ -23,7 +23,7 @@ class TracedPictures {
     bool repeated = false;                           // from an earlier frame
     scene::TraceCost cost;
     std::string why;  // one line, if tracing failed
-    // Of pictures with light: passes traced now, and the estimated noise; infinite: not known.
+    // For pictures with light: passes traced in this call, and estimated noise; infinite: unknown.
     uint32_t passes = 0;
     double noise = std::numeric_limits<double>::infinity();
   };
@@ -31,20 +31,20 @@ class TracedPictures {
   struct Wish {
     bool mayRepeat = true;              // an earlier frame's picture
     std::optional<uint32_t> missColor;  // the colour of misses, if it matters
-    bool finished = false;              // light only with as little noise as the settings want
-    bool asShown = false;               // an earlier frame's picture with the noise that it had
+    bool finished = false;              // light only at the noise of the settings
+    bool asShown = false;               // an earlier frame's picture without further refinement
   };
 
   explicit TracedPictures(Tracer tracer) : tracer_(std::move(tracer)) {}
 
-  /// The picture of `snapshot`. Finished, too, if its light is sampled in full. Others are one pass at first;
-  /// each time that they are asked for again, they get more, for a limited time.
+  /// Returns the picture of `snapshot`. A picture that is not yet finished starts with one pass, and gets
+  /// more passes for a limited time in each further call.
   Result pictureOf(const scene::Snapshot& snapshot, const Wish& wish);
   /// Whether an earlier frame's picture is available.
   bool knows(const scene::Snapshot& snapshot, std::optional<uint32_t> missColor) noexcept {
     return lastOf(snapshot, missColor) || recolorable(snapshot);
   }
-  /// Pictures of pictureOf() that were written.
+  /// The pictures of this frame that were written.
   FramePictures& frame() { return frame_; }
   /// Starts tracing ahead: see TraceAhead::start().
   bool startAhead(scene::SnapshotPtr snapshot, uint32_t missColor, TraceAhead::Late late);

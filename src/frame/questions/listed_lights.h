@@ -17,19 +17,18 @@ struct ListedLight {
   enum class From : uint8_t { program, rig, file };
   std::string name;  // "key", "program 1"
   From from = From::program;
-  bool dome = false;           // light from all sides; the source's colour is the sky's
-  bool followsViewer = false;  // a light of a program at the viewer
-  scene::LightSource source;   // in the axes that the viewer sees: x right, y up, z towards the viewer
-  std::optional<glm::dvec2>
-      angles;  // azimuth and elevation by the axes of the rig, where there is a direction
+  bool dome = false;                 // light from all sides; `source` has the sky's colour
+  bool followsViewer = false;        // a program's headlight
+  scene::LightSource source;         // in the camera's axes: x right, y up, z towards the viewer
+  std::optional<glm::dvec2> angles;  // azimuth and elevation in the rig's axes, if it has a direction
 };
 
-/// Those that shine on the first lit surfaces of the view's snapshots: the program's, or in their place the
-/// rig's, and those of lights.file. Throws std::runtime_error where a matrix cannot be inverted.
+/// Lists the lights of the first lit surfaces of the view's snapshots: the program's lights or the rig that
+/// replaces them, and the lights of lights.file. Throws std::runtime_error if a matrix cannot be inverted.
 std::vector<ListedLight> listLights(const scene::Snapshot&);
 
-/// Values of lights.azimuth and lights.elevation with which the key light's highlight is at a point. `normal`
-/// is of unit length; both in eye space.
+/// Returns lights.azimuth and lights.elevation for which the key light's highlight is at `point`. `normal`
+/// has unit length; both in eye space.
 glm::dvec2 anglesOfHighlight(const scene::Snapshot&, const glm::dvec3& point, const glm::dvec3& normal);
 
 }  // namespace gluray::frame

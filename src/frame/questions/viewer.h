@@ -1,4 +1,4 @@
-// A snapshot's camera as users describe cameras, and the axes that they see. Any thread.
+// Camera parameters of a snapshot for users: position, axes, field of view. Any thread.
 #pragma once
 #include "render/lights/rig.h"
 #include "scene/snapshot.h"
@@ -7,10 +7,10 @@
 
 namespace gluray::frame {
 
-/// The viewer of a snapshot, whatever its projection. Eye space.
+/// The viewer of a snapshot with any projection. Eye space.
 class Viewer {
  public:
-  /// Throws std::runtime_error where a matrix cannot be inverted.
+  /// Throws std::runtime_error if a matrix cannot be inverted.
   explicit Viewer(const scene::Snapshot&);
   /// Right and up in the window, front towards the viewer.
   const render::Directions& axes() const { return axes_; }
@@ -21,12 +21,12 @@ class Viewer {
   glm::dvec3 directionFrom(const glm::dvec3& point) const;
   /// Of a point from the viewer; in parallel projections from the near plane.
   double distanceOf(const glm::dvec3& point) const;
-  /// Where rays begin: the viewpoint; in parallel projections the middle of the near plane.
+  /// The viewpoint; in parallel projections the centre of the near plane.
   glm::dvec3 position() const;
   double near() const, far() const;  // distances from position() along the axis
-  /// Degrees between the window's lower and upper side; 0 in parallel projections.
+  /// Vertical field of view in degrees; 0 in parallel projections.
   double angle() const;
-  /// Height of what the window shows at distance near().
+  /// Height of the view volume at distance near().
   double height() const;
 
  private:
@@ -38,7 +38,7 @@ class Viewer {
   render::Directions axes_;
 };
 
-/// What is known of a view's camera, in world space.
+/// A view's camera, in world space.
 struct CameraDescription {
   bool perspective = true;
   double angle = 0, height = 0;  // degrees of perspectives; height of parallel projections
@@ -47,7 +47,7 @@ struct CameraDescription {
 };
 CameraDescription describeCamera(const scene::Snapshot&);
 
-/// Unit vector of the world, from one of eye space.
+/// Transforms a direction from eye space to a unit vector in world space.
 glm::dvec3 worldDirection(const scene::Snapshot&, const glm::dvec3& eye);
 glm::dvec3 worldPoint(const scene::Snapshot&, const glm::dvec3& eye);
 

@@ -78,7 +78,7 @@ bool smoothByLibrary(const Refinement& refinement, const Settings& settings, siz
   std::string why;
   if (!smoothByOidn(refinement, settings, out, first, colors, why)) {
     log::once(log::Level::warning, "oidn",
-              "denoise=oidn: " + why + "; pictures are smoothed by GLuRay's filter");
+              "denoise=oidn: " + why + "; GLuRay's filter denoises pictures instead");
     return false;
   }
   const float target = settings.noise;
@@ -129,7 +129,7 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
 
 void logNoFilter(const std::string& why) noexcept {
   try {
-    log::once(log::Level::warning, "denoise", "cannot smooth a picture: " + why + "; it keeps its noise");
+    log::once(log::Level::warning, "denoise", "cannot denoise a picture: " + why + "; it keeps its noise");
   } catch (const std::exception&) {}
 }
 

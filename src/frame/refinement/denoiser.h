@@ -1,4 +1,4 @@
-// Smooths the noise of refined pictures (setting denoise). Any thread.
+// Denoises refined pictures (setting denoise). Any thread.
 #pragma once
 #include "base/image.h"
 #include "frame/refinement/refinement.h"
@@ -9,14 +9,14 @@
 
 namespace gluray::frame {
 
-/// Keeps what a pass of the mode reflectance or geometry found. Throws std::bad_alloc.
+/// Stores the guides of a pass of the mode reflectance or geometry. Throws std::bad_alloc.
 void keepGuides(scene::LightSampling::Mode mode, const Image& pass, LightGuides& guides);
 
-/// Smooths the colours of `out`, which shows the mean of the passes. False: it failed, and some pixels may be
-/// smoothed, others not.
+/// Denoises the colours of `out`, the mean of the passes. Returns false on failure; some pixels may then be
+/// denoised, others not.
 bool denoise(const Refinement&, const Settings&, Image& out) noexcept;
 
-/// Says once that pictures are not smoothed.
+/// Logs once that pictures are not denoised.
 void logNoFilter(const std::string& why) noexcept;
 
 }  // namespace gluray::frame

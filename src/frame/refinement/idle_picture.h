@@ -1,5 +1,5 @@
-// The pictures of one frame that a window shows, refined step by step. Used by one thread at a time: the
-// refining thread, or the GL thread while that one is stopped.
+// Refines the pictures of one frame in its window step by step. Used by one thread at a time: the refining
+// thread, or the GL thread while the refining thread is stopped.
 #pragma once
 #include "base/idle_window.h"
 #include "base/image.h"
@@ -27,8 +27,8 @@ struct IdlePicture {
   glm::ivec2 corner{0}, size{0};                // pixels of the framebuffer
   std::vector<uint32_t> colors;                 // RGBA8; of a multisampled framebuffer, the first samples
   std::optional<scene::Resolve> resolve;        // of a multisampled framebuffer, how its samples became these
-  std::unique_ptr<Refinement> refinement = {};  // passes so far; null: none
-  // One a pixel, 0 or 1: whole bytes, because they are written in every frame.
+  std::unique_ptr<Refinement> refinement = {};  // null: no passes yet
+  // One per pixel, 0 or 1, as bytes for fast writing in every frame.
   std::vector<uint8_t> mixed = {};  // pixels whose samples differ; empty: none
   std::vector<uint8_t> hits = {};   // pixels that show surfaces; empty: all
 
@@ -37,44 +37,45 @@ struct IdlePicture {
   scene::Region region() const { return {corner.x, corner.y, size.x, size.y}; }
 };
 
-/// An anti-aliasing pass of the program that GLuRay made over pictures of the frame.
+/// An anti-aliasing pass of the program that GLuRay computed over pictures of the frame.
 struct IdleFxaa {
   scene::Fxaa how;
   scene::Region region;  // of the framebuffer
   Settings settings;
   std::vector<uint32_t> before;  // RGBA8 of the region
-  std::vector<bool> seen = {};   // pixels where the window shows what the pass made of them
+  std::vector<bool> seen = {};   // pixels of the window that show the result of the pass
 };
 
-/// Where the written colours of one picture are seen in the window, and what they become.
+/// The pixels of a window that show a frame's pictures, and their refinement.
 class IdleFrame {
  public:
   IdleFrame(std::vector<IdlePicture> pictures, std::shared_ptr<IdleWindow> window,
             std::vector<IdleFxaa> passes = {});
-  /// Reads the window. False: that is not possible, or it has changed since the last step.
+  /// Reads the window. Returns false if that is not possible, or if the window has changed since the last
+  /// step.
   bool readWindow() noexcept;
-  /// The same pictures, for another window. It has their passes until takeBack().
+  /// Makes a frame with the same pictures for another window, which owns their refinement until takeBack().
   std::unique_ptr<IdleFrame> lend(std::shared_ptr<IdleWindow> window);
   void takeBack(IdleFrame& lent) noexcept;
   enum class Step { more, done, failed };
   struct Done {
     bool traced = false, shown = false;
     scene::TraceCost cost;  // of all steps
-    std::string why;        // the last one failed: one line; empty: it was stopped, or the window has changed
+    std::string why;        // one line if the last step failed; empty: stopped, or the window has changed
   };
-  /// Traces one pass over the picture with the fewest, if the window shows it and it is not finished, and
-  /// shows it if it is much better. `trace` may stop early and return false. Throws std::bad_alloc.
+  /// Traces one pass of the visible, unfinished picture with the fewest passes, and shows the result if it is
+  /// much better. `trace` may stop early and return false. Throws std::bad_alloc.
   Step step(const Tracer& tracer, const Trace& trace, Done& done);
-  /// Whether the window was found to show none of the pictures as they were written.
+  /// Whether the window shows none of the pictures unchanged.
   bool refused() const;
   bool looked() const;  // for any of the pictures
   bool hasWindow() const { return window_ != nullptr; }
-  /// Where the pictures are in their framebuffer.
+  /// Framebuffer regions of the pictures.
   std::vector<scene::Region> regions() const;
   bool has(uint64_t id) const;
-  /// Of its noisiest picture; infinite: not known yet.
+  /// Noise of the noisiest picture; infinite: not known yet.
   double noise() const;
-  /// Hands over the passes of the picture of this id.
+  /// Hands over the refinement of the picture with this id.
   std::unique_ptr<Refinement> takePasses(uint64_t id) noexcept;
 
  private:
@@ -83,7 +84,7 @@ class IdleFrame {
     std::unique_ptr<Refinement> refinement;
     std::unique_ptr<Refiner> refiner;
     Image image, pixels;            // the refined picture; the same resolved, if it has samples
-    std::vector<uint32_t> visible;  // pixels of the window in which the picture is seen
+    std::vector<uint32_t> visible;  // pixels of the window that show the picture
     std::vector<uint32_t> at;       // their places in the picture
     uint32_t shownPasses = 0;
     bool looked = false;  // `visible` is known
@@ -96,7 +97,7 @@ class IdleFrame {
 
   std::shared_ptr<IdleWindow> window_;
   WindowPixels shown_, next_;
-  WindowPixels under_, nextUnder_;  // the same before anti-aliasing
+  WindowPixels under_, nextUnder_;  // window pixels before anti-aliasing
   std::vector<IdleFxaa> passes_;    // those whose result the window shows
   bool undone_ = false;             // under_ is known
   std::vector<bool> taken_;         // pixels of the window in which a picture is seen

@@ -1,4 +1,4 @@
-// What filters of light know of a picture's pixels beside their colours. Plain data.
+// Guides of a picture's pixels for denoising. Plain data.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace gluray::frame {
 
-/// Packed (render/film/wavelet.h). Empty: not known.
+/// Packed (render/film/wavelet.h). Empty: no guides.
 struct LightGuides {
-  static constexpr size_t kBytes = 14;  // a pixel
+  static constexpr size_t kBytes = 14;  // bytes per pixel
 
   std::vector<uint32_t> reflectance, normal;
   std::vector<uint16_t> facing;

@@ -9,9 +9,9 @@
 
 namespace gluray::frame {
 
-/// Smooths the plane of `image` that begins at pixel `first`: writes its RGB, row by row, to `out`. Colours
-/// are those of displays, 0 .. 1. False with a reason, also where GLuRay is built without the library. Throws
-/// std::bad_alloc.
+/// Denoises the plane of `image` that begins at pixel `first`: writes its RGB, row by row, to `out`. Colours
+/// are display values, 0 .. 1. Returns false with a reason on failure, also if GLuRay was built without the
+/// library. Throws std::bad_alloc.
 bool smoothByOidn(const Refinement&, const Settings&, const Image& image, size_t first,
                   std::vector<float>& out, std::string& why);
 

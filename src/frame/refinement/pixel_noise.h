@@ -1,4 +1,4 @@
-// The noise of single pixels is known badly: means over neighbours. Any thread.
+// Averages noise estimates over neighbours, because estimates of single pixels are inaccurate. Any thread.
 #pragma once
 #include "base/image.h"
 #include "render/film/wavelet.h"
@@ -10,8 +10,8 @@
 
 namespace gluray::frame {
 
-/// Root mean square over the 3 x 3 pixels about pixel (x, y) that a ray hit. `noise` is that of the image's
-/// pixels (Refinement::pixelNoise); `first`: the index of the plane's first pixel.
+/// Root mean square over those of the 3 x 3 pixels around (x, y) that have a hit. `noise` is that of the
+/// image's pixels (Refinement::pixelNoise); `first`: the index of the plane's first pixel.
 inline float noiseAbout(const std::vector<uint16_t>& noise, const Image& image, size_t first, int x, int y) {
   double sum = 0;
   int count = 0;

@@ -1,5 +1,5 @@
-// The mean of many passes over one snapshot whose samples of light differ, and an estimate of its noise. Used
-// by one thread at a time.
+// Mean of many passes of one snapshot with different light samples, and an estimate of its noise. Used by one
+// thread at a time.
 #pragma once
 #include "base/image.h"
 #include "frame/refinement/light_guides.h"
@@ -12,11 +12,11 @@
 
 namespace gluray::frame {
 
-/// Running means of all passes, and of the first 1, 2, 4, 8 ... of them: in these the samples are well
-/// distributed, and in the rest, too, once there are as many, so that their difference tells the noise of the
-/// mean. The variance of single passes, or of even and odd ones, would be too large, because their samples
-/// complete each other. A value that is equal in all passes is kept to the bit. Values that are not finite do
-/// not count. The same passes give the same bits, whatever the number of threads.
+/// Running means of all passes, and of the first 1, 2, 4, 8 ... of them: the samples of such a first part are
+/// well distributed, and so are those of the rest once it is as large, so that the difference of both means
+/// estimates the noise of the mean. The variance of single passes, or of even and odd passes, would be too
+/// large, because their samples are complementary. A value that is equal in all passes is kept to the bit.
+/// Values that are not finite are ignored. Equal passes give equal bits for any number of threads.
 class Refinement {
  public:
   using Tiles = std::vector<uint8_t>;  // a byte each, row by row, as scene::LightSampling::tiles
@@ -31,31 +31,31 @@ class Refinement {
   /// floats if `wide`. All else is copied from `pass`.
   void show(const Image& pass, bool wide, Image& out) const;
 
-  /// Leaves out tiles from the next pass on: those with no more noise than `least` that have no noisier
-  /// neighbour. Tiles that are left out once stay so: their passes are fewer, and their noise counts as it
-  /// is. Only after as many passes as give a good estimate.
+  /// Excludes tiles from later passes whose noise, and that of all neighbours, is at most `least`. Excluded
+  /// tiles stay excluded and keep their noise. Does nothing until there are enough passes for a good
+  /// estimate.
   void leaveOut(double least);
-  /// The tiles that the next pass traces; null: all.
+  /// Tiles of the next pass; null: all.
   std::shared_ptr<const Tiles> tiles() const { return tiles_; }
-  /// Tiles that all passes have traced together.
+  /// Total number of tiles traced in all passes.
   uint64_t tracedTiles() const { return tracedTiles_; }
 
   /// From the first pass on, add() keeps the noise of each pixel.
   void keepNoise() { keepsNoise_ = passes_ == 0 || keepsNoise_; }
-  /// The pictures show shares of light as alphas (scene::Snapshot::catches): their noise is that of alpha.
+  /// Measures the noise of alpha, for pictures whose alpha is a fraction of light (scene::Snapshot::catches).
   /// Call before add().
   void judgeAlpha() { judgesAlpha_ = true; }
   /// Estimated standard error of each pixel, render::kNoiseOne being 1; empty before the second pass, and
   /// where it is not kept.
   const std::vector<uint16_t>& pixelNoise() const { return pixelNoise_; }
   const std::vector<float>& mean() const { return mean_; }
-  LightGuides guides;  // for filters
+  LightGuides guides;  // for denoising
 
   size_t bytes() const {
     return 4 * (mean_.capacity() + half_.capacity()) + 2 * pixelNoise_.capacity() + guides.bytes();
   }
-  /// Memory for the passes of so many pixels, an image with wide colours included; `filtered`: with guides
-  /// and the noise of each pixel.
+  /// Memory for refining so many pixels, including an image with wide colours; `filtered`: with guides and
+  /// the noise of each pixel.
   static size_t bytesFor(size_t pixels, bool filtered = false) {
     return pixels * (4 * (4 + 3 + 4 + 1) + (filtered ? sizeof(uint16_t) + LightGuides::kBytes : 0));
   }
@@ -71,7 +71,8 @@ class Refinement {
   bool isQuiet(int x, int y, double least) const;
 
   std::vector<float> mean_;  // four a pixel
-  std::vector<float> half_;  // three a pixel: the mean of the first halfPasses_, of what noise is judged by
+  std::vector<float>
+      half_;  // three per pixel: mean over the first halfPasses_ of the values whose noise is estimated
   std::vector<uint16_t> pixelNoise_;
   std::vector<Tile> sums_;
   int columns_ = 0, rows_ = 0;  // of tiles

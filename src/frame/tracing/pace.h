@@ -1,17 +1,17 @@
-// Chooses how many rays moving frames take, so that they come as often as the setting fps asks. Called by
-// frame::Renderer, for each view on its own; times are handed in.
+// Chooses the number of rays of moving frames to reach the frame rate of the setting fps. Called by
+// frame::Renderer, separately for each view; the caller passes times.
 #pragma once
 #include "render/moving/moving_frame.h"
 
 namespace gluray::frame {
 
-/// Goes to fewer rays when frames are too slow, and to more when it expects these to be fast enough. Each
-/// time that more rays proved too slow, it waits longer before it tries them again.
+/// Reduces the rays if frames are too slow, and increases them if the expected time is short enough. Each
+/// time that more rays were too slow, it waits longer before it tries again.
 class Pace {
  public:
   /// Rays of the next frame.
   render::MovingRays rays() const;
-  /// A frame with these rays took so many seconds, without building structures; `target`: seconds.
+  /// Reports the time of a frame with these rays in seconds, without building structures; `target`: seconds.
   void took(double seconds, double target);
 
  private:
@@ -22,7 +22,7 @@ class Pace {
   int level_ = kFirst;
   int slow_ = 0, fast_ = 0;  // frames in a row
   int patience_ = kPatience;
-  bool tried_ = false;  // the last step was one up
+  bool tried_ = false;  // the last step was an increase
 };
 
 }  // namespace gluray::frame

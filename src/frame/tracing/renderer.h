@@ -23,8 +23,8 @@ namespace gluray::frame {
 /// Renders one snapshot at a time; other threads wait. Keeps acceleration structures between frames.
 class Renderer {
  public:
-  /// Whose threads trace: those that all renderers of the process share, or its own, so that a picture may
-  /// wait for that of another renderer.
+  /// Threads that trace: shared by all renderers of the process, or its own, so that a picture may wait for
+  /// another renderer's picture.
   enum class Threads : bool { shared, own };
   explicit Renderer(Threads = Threads::shared);
   ~Renderer();
@@ -34,28 +34,28 @@ class Renderer {
   /// The process's renderer, made at the first call. Never destroyed: hosts call us while they exit.
   static Renderer& shared();
 
-  /// Traces `snapshot` into `image`, which takes the region's shape. False on any failure, with one line in
-  /// `error` and what is lost in `cost.loss`; the image is then undefined. Any thread.
+  /// Traces `snapshot` into `image`, which is resized to the region. Returns false on failure, with one line
+  /// in `error` and the loss in `cost.loss`; the image is then undefined. Any thread.
   bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
               std::string& error) noexcept;
 
-  /// The same behind all other calls: stops at the next tile when `stop` says so, or when another thread
-  /// wants the renderer. False without an error: stopped; the image is undefined.
+  /// Like render(), with the lowest priority: stops at the next tile if `stop` returns true or another thread
+  /// needs the renderer. Returns false without an error if stopped; the image is then undefined.
   bool renderBehind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                     const std::function<bool()>& stop) noexcept;
 
   /// Traces the tiles that `source` hands out, for a picture that several processes trace together.
-  /// `averages` false: pixels hold one sample, whatever settings ask for.
+  /// `averages` false: one sample per pixel, regardless of settings.
   bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                    render::TileSource& source, bool averages) noexcept;
 
-  /// The same for a frame of an animation (scene::LightSampling::Mode::moving), whose light is smoothed with
-  /// what is known of the view's earlier frames.
+  /// Like renderTiles(), for a frame of an animation (scene::LightSampling::Mode::moving), whose light is
+  /// filtered with the view's earlier frames.
   bool renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                     render::FilmSource& source, bool averages, const render::MovingRays& rays) noexcept;
 
-  /// Traces the picture of this process's part of a view: `remote` are the other parts, which block its
-  /// light. Settings ask for light. Frames of animations are smoothed with earlier ones of this part.
+  /// Traces the picture of this process's part of a view, with light effects. `remote`: the other parts,
+  /// which block light. Frames of animations are filtered with earlier frames of this part.
   bool renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                   render::FilmSource& source, bool averages, render::RemoteSurfaces& remote) noexcept;
 

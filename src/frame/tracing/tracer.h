@@ -1,4 +1,4 @@
-// The functions that presenters call to make pictures of snapshots. Any thread.
+// Functions for presenters to trace snapshots. Any thread.
 #pragma once
 #include "base/image.h"
 #include "scene/fxaa.h"
@@ -12,12 +12,12 @@
 
 namespace gluray::frame {
 
-/// Traces a snapshot. False with one line of reason on failure; never throws. frame::Renderer::render in the
-/// engine. Any thread.
+/// Traces a snapshot. Returns false with a one-line reason on failure; never throws. frame::Renderer::render
+/// in the engine. Any thread.
 using Trace = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error)>;
 
-/// The same behind all other pictures, until `stop` says so. False without an error: stopped, or another
-/// picture came first. frame::Renderer::renderBehind in the engine.
+/// Traces a snapshot with the lowest priority, until `stop` returns true. Returns false without an error if
+/// stopped or preempted. frame::Renderer::renderBehind in the engine.
 using TraceBehind = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error,
                                        const std::function<bool()>& stop)>;
 
@@ -34,24 +34,25 @@ using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const
 /// frame::Renderer::improves in the engine.
 using Improves = std::function<bool()>;
 
-/// Whether the picture of a snapshot depends on nothing else. False where other processes hold surfaces of
-/// the view: a later snapshot that is equal may have another picture. Never throws.
+/// Whether equal snapshots have equal pictures. False if other processes have surfaces of the view. Never
+/// throws.
 using StandsAlone = std::function<bool(const scene::Snapshot&)>;
 
-/// Hears of each new picture that is shown, after all passes. `finished`: no more passes make it better.
-/// Never throws.
+/// Called for each new picture that is shown, after its passes. `finished`: no further passes follow. Never
+/// throws.
 using Shown = std::function<void(const scene::Snapshot&, const Image&, bool finished)>;
 
-/// For MPI programs that compose the pictures of their ranks: ground and background, which pictures of
-/// trace() lack where they show what several ranks draw. Functions never throw.
+/// Ground and background for MPI programs that composite the pictures of their ranks. Pictures of trace()
+/// that show the data of several ranks lack both. Functions never throw.
 struct Scenery {
-  // Whether the last picture is of this snapshot, shows what several ranks draw, and was made for this one.
+  // Whether the last picture is of this snapshot, shows the data of several ranks, and was made for this
+  // rank.
   std::function<bool(const scene::Snapshot&)> isGathered;
-  Trace trace;                     // traces the snapshot with all that it holds
-  std::function<void()> leaveOut;  // the program's picture stays without
+  Trace trace;                     // traces the snapshot with ground and background
+  std::function<void()> leaveOut;  // reports that the program's picture lacks both
 };
 
-/// All of them; an empty function is skipped.
+/// All functions; empty functions are skipped.
 struct Tracer {
   Trace trace;
   Antialias antialias = {};

@@ -1,6 +1,6 @@
-// Records when buffers were attached to vertex array objects. A deleted buffer lives on in those that are not
-// bound (OpenGL 4.6, 5.1.2 and 5.1.3), and the name that the real OpenGL reports for it may belong to another
-// one by then. GL threads.
+// Records when buffers were attached to vertex array objects. A deleted buffer stays alive in vertex array
+// objects that are not bound (OpenGL 4.6, 5.1.2 and 5.1.3), and the name that the real OpenGL reports for it
+// may belong to another one by then. GL threads.
 #pragma once
 #include "gl/sharing/deleted_buffers.h"
 

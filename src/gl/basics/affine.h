@@ -1,4 +1,4 @@
-// Tests on matrices: whether they are affine or invertible, and where they put meshes' bounds. Any thread.
+// Tests whether matrices are affine or invertible, and transforms bounds of meshes. Any thread.
 #pragma once
 #include "scene/mesh.h"
 

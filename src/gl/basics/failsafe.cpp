@@ -19,12 +19,11 @@ void Failsafe::fail(scene::Loss loss, const char* why) noexcept {
       if (!gone_ && pause_ == 0)
         pause_ = nextPause_, since_ = 0, nextPause_ = std::min(2 * nextPause_, kMaxPause);
       if (!gone_ && !std::exchange(told_, true))
-        log::write(
-            log::Level::warning,
-            std::string("the real OpenGL draws some frames, because memory or threads ran out: ") + why);
+        log::write(log::Level::warning,
+                   std::string("out of memory or threads, so the real OpenGL draws some frames: ") + why);
     } else if (!std::exchange(gone_, true)) {
       log::write(log::Level::warning,
-                 std::string("stepping aside, the program draws as without GLuRay from here on: ") + why);
+                 std::string("GLuRay is disabled, and the real OpenGL draws everything from now on: ") + why);
     }
     drawHeld_();
   } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices

@@ -1,6 +1,6 @@
-// Complete pictures of MPI programs: gathered pictures with the ground and the background, which the pictures
-// that the ranks show lack, and with whole edges (adr/0089). Implemented in intercept/present/. GL thread,
-// context current.
+// Presents complete pictures of MPI programs: gathered pictures with ground and background, which the ranks'
+// own pictures lack, and with smooth edges at the ranks' borders (adr/0089). Implemented in
+// intercept/present/. GL thread, context current.
 #pragma once
 #include "base/image.h"
 #include "gl/real/real.h"

@@ -1,5 +1,5 @@
-// Reads the framebuffer's depth and colours for layers that are traced over it, and prepares what the program
-// reads. Implemented in intercept/present/. GL thread, context current; restores all state.
+// Reads the framebuffer's depth and colours for traced layers, and prepares reads of the program. Implemented
+// in intercept/present/. GL thread, context current; restores all state.
 #pragma once
 #include "gl/batch/present_result.h"
 #include "gl/real/real.h"

@@ -1,4 +1,4 @@
-// Why a frame that could lag (docs/adr/0023) was shown at once.
+// Reasons why a frame was shown at once although frame lag is on (docs/adr/0023).
 #pragma once
 
 #include <cstdint>

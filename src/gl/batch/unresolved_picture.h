@@ -1,6 +1,6 @@
-// A picture for a multisampled framebuffer that is not written yet. Programs clear such a framebuffer, draw
-// into it and resolve it; a software OpenGL takes longer to write and average the samples than we take to
-// trace them. So the picture waits: when the program resolves it, only its pixels are written, to their
+// A picture for a multisampled framebuffer that has not been written yet. Programs clear such a framebuffer,
+// draw into it and resolve it; a software OpenGL takes longer to write and average the samples than we take
+// to trace them. So the picture waits: when the program resolves it, only its pixels are written, to their
 // destination. Its samples are written only if anything else uses the framebuffer. Owned by ResolveDraws.
 #pragma once
 #include "gl/batch/held_batch.h"

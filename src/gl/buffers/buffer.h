@@ -1,6 +1,7 @@
 // Buffer objects. Our copy is the primary one: meshes read it in place, and the real OpenGL gets it when it
-// needs it. GL threads: contexts of several threads may draw from a buffer at once, and each sends what
-// others hold back; programs must synchronise changes of contents with their use, as OpenGL demands.
+// needs it. GL threads: contexts of several threads may draw from a buffer at once, and each sends updates
+// that others have held back. Programs must synchronise changes of contents with their use, as OpenGL
+// requires.
 #pragma once
 #include "gl/real/real.h"
 

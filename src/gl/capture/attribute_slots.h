@@ -1,4 +1,4 @@
-// The per-vertex attributes of OpenGL as numbered slots: what a captured vertex may carry.
+// OpenGL's per-vertex attributes as numbered slots of captured vertices.
 #pragma once
 #include <array>
 #include <bit>

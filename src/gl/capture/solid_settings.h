@@ -1,4 +1,4 @@
-// Whether settings turn lines and points into solids: tubes and spheres.
+// Tests whether settings replace lines and points by solids: tubes and spheres.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "settings/settings.h"

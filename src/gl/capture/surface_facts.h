@@ -1,4 +1,4 @@
-// What the corners of triangles tell of a mesh: its identity and bounds. Computed by mesh_builder from
+// Computes the identity and bounds of a mesh from the corners of its triangles. Computed by mesh_builder from
 // arrays, or by VertexStream while the corners are sent and still in the caches. One thread at a time.
 #pragma once
 #include "base/hash.h"

@@ -1,4 +1,5 @@
-// The settings of a frame: taken when it begins, constant until it ends. A part of each Context, GL thread.
+// The settings of a frame: read when the frame begins, constant until it ends. A part of each Context, GL
+// thread.
 #pragma once
 #include "gl/clock/context_info.h"
 

@@ -1,5 +1,5 @@
-// Tells frames of animations from single pictures in programs without a window on the screen (setting
-// refine.offscreen = animated). A part of FrameClock, GL thread; times are handed in.
+// Distinguishes frames of animations from single pictures in programs without a visible window (setting
+// refine.offscreen = animated). A part of FrameClock, GL thread; the caller passes times.
 #pragma once
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-// Which pictures a flush accepts. GL thread.
+// Requirements of a flush for its pictures. GL thread.
 #pragma once
 
 namespace gluray::gl {

@@ -1,5 +1,5 @@
-// If the bound read framebuffer shows unfinished pictures with light, the program's read sees finished ones
-// while this lives (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
+// During its lifetime, the program reads finished pictures if the bound read framebuffer shows unfinished
+// pictures with light (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
 #pragma once
 #include "gl/context/context.h"
 

@@ -28,7 +28,7 @@ Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
 }
 
 void FixedArraysDraw::meetPasses(PrimitiveClass primitive, Reason reason) {
-  if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.passUnseen(primitive, reason);
+  if (!c_.raster.needsVertices(primitive, reason)) return c_.raster.noteUnsampledDraw(primitive, reason);
   if (!c_.shadow.arrays().vertex.enabled || c_.shadow.arrays().reason != Reason::traced) return;
   c_.raster.meetPasses(
       primitive, reason, [&] { return sampleTriangles(c_.real, c_.shadow.arrays(), mode_, elements_); },

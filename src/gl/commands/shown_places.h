@@ -1,5 +1,5 @@
-// Where a toolkit shows pictures in its window that were drawn into framebuffer objects: it draws a rectangle
-// with the picture as its texture. GL thread, while somebody asks (DrawnObjects).
+// Finds where a toolkit shows the content of framebuffer objects in its window: it draws a rectangle with the
+// framebuffer's texture. GL thread, active on demand (DrawnObjects).
 #pragma once
 #include "gl/real/elements.h"
 #include "gl/shadow/shadow_state.h"

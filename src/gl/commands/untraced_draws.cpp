@@ -39,7 +39,7 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
     const Reason ofProgram = inUse == Reason::traced ? Reason::program : inUse;  // a pipeline has no program
     const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? ofProgram : ofContext;
     c.counts.rasterised(reason, path, kindOf(mode), triangles);
-    if (mayReadFixedVertices(c)) c.surfaces.passes.rasterisedFixedUnseen(depthPlaceOf(c.shadow));
+    if (mayReadFixedVertices(c)) c.surfaces.passes.addUnsampledFixedDraw(depthPlaceOf(c.shadow));
   });
   c.raster.before(kindOf(mode));
   c.shadow.sendBuffers();
@@ -54,7 +54,7 @@ void rememberUntraced(Context& c, GLenum mode, const Elements& e) {
 bool drawUntraced(Context& c, GLenum mode, const Elements& e) {
   if (!drawsUntraced(c)) return false;
   const CulledDraws::Part part = c.culled.mayLeaveOut(e);
-  if (part == CulledDraws::Part::some) return false;
+  if (part == CulledDraws::Part::clusters) return false;
   const bool mayHide = part == CulledDraws::Part::whole;
   if (mayHide)
     c.shadow.refresh(kRaster);  // how depths change must be known

@@ -166,7 +166,7 @@ void Immediate::surrender() {
   const bool open = p_.beginEnd.inside == Inside::captured;
   GLuint fragment = 0;
   if (!p_.lists.compiling()) {
-    p_.raster.passUnseen(class_, Reason::evaluators);
+    p_.raster.noteUnsampledDraw(class_, Reason::evaluators);
     p_.raster.before(class_);
     if (open ? p_.beginEnd.inside != Inside::captured : !open_) return;  // a failure there has surrendered it
   }

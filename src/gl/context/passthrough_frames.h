@@ -23,8 +23,9 @@ class PassthroughFrames {
   };
   explicit PassthroughFrames(const Parts& parts) : p_(parts) {}
 
-  /// In passthrough frames only: whether the next draw goes to the real OpenGL. True: it was counted; send
-  /// it. False: it is too large, and the rest of the frame is captured.
+  /// In passthrough frames only: returns whether the real OpenGL shall make the next draw. A draw for which
+  /// it returns true has been counted. Returns false for a draw that is too large; the rest of the frame is
+  /// then captured.
   bool takes(DrawPath path, PrimitiveClass kind, uint64_t triangles);
   /// Call at each clear or draw: the frame's first one starts its measurement.
   void works() {

@@ -1,5 +1,5 @@
-// Writes to the log, at level trace, what became of each draw and each batch of a context, and in which
-// command: two versions of GLuRay that decide alike write the same lines. GL thread.
+// Logs, at level trace, the decision for each draw and each batch of a context, with its command. Versions of
+// GLuRay with equal decisions write equal lines. GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/counts/draw_kinds.h"

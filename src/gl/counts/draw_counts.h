@@ -33,11 +33,12 @@ class DrawCounts {
   void traced(DrawPath path, uint64_t triangles) { traced(path, triangles, triangles); }
   /// The same for impostors, which are counted one by one: `sent` triangles would be drawn without tracing.
   void traced(DrawPath path, uint64_t triangles, uint64_t sent);
-  /// The draw counted last by rasterised() was made without so many of its triangles, which cannot be seen.
+  /// The draw counted last by rasterised() was culled: so many of its triangles, which are invisible, were
+  /// skipped.
   void culled(uint64_t leftOut);
-  /// Why it was not, where it was large enough.
+  /// Reason why this draw was not culled. Set only for draws above the size threshold.
   void notCulled(CullReason reason);
-  /// A rasterised draw was lit (LightReason::lit), or why not.
+  /// Result for a rasterised draw: LightReason::lit, or the reason why it was not lit.
   void lit(LightReason reason);
   /// Moves the snapshot's instances from traced to rasterised: the real OpenGL drew them after all.
   void asRasterised(const scene::Snapshot& snapshot, Reason reason);

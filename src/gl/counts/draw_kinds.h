@@ -107,11 +107,11 @@ class DrawKinds {
                   PrimitiveClass primitive, uint64_t triangles,
                   const std::shared_ptr<const KnownProgram>& program = nullptr,
                   const std::string& why = {}) noexcept;
-  /// The draw recorded last was made without so many of its triangles.
+  /// The draw recorded last was culled: so many of its triangles were skipped.
   void culled(uint64_t leftOut) noexcept;
-  /// Why it was not, where it was large enough.
+  /// Reason why this draw was not culled. Set only for draws above the size threshold.
   void notCulled(CullReason reason) noexcept;
-  /// Why a rasterised draw got no light, where settings ask for it.
+  /// Reason why a rasterised draw was not lit. Set only if settings request light on rasterised draws.
   void notLit(LightReason reason) noexcept;
   /// Adds triangles to the draw recorded last.
   void addTriangles(uint64_t triangles) noexcept;

@@ -1,5 +1,5 @@
-// Whether components of vertex attributes are 1 at all vertices of a draw. A part of CulledDraws, GL thread,
-// context current.
+// Tests whether components of vertex attributes are 1 at all vertices of a draw. A part of CulledDraws, GL
+// thread, context current.
 #pragma once
 #include "base/hash.h"
 #include "gl/culled/shader_slice/position_slice.h"
@@ -14,8 +14,8 @@ namespace gluray::gl {
 
 class ConstantAttributes {
  public:
-  /// Of draws by `program`, by its arrays or, where an attribute has none, by its current value. Answers are
-  /// kept by content. False: not all are, or not all can be read.
+  /// Tests the attributes of draws by `program`: their arrays, or the current value of attributes without
+  /// array. Caches results by content. Returns false if some are not 1 or cannot be read.
   bool areOnes(ShadowState& shadow, const Program& program, std::span<const AttributeComponent> components,
                GLenum mode, const Elements& elements);
 

@@ -1,4 +1,4 @@
-// Whether a draw may be made in parts, as far as the state of OpenGL decides. GL thread, context current.
+// Tests whether OpenGL's state permits culling a draw. GL thread, context current.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/shadow/shadow_state.h"
@@ -7,16 +7,17 @@
 
 namespace gluray::gl {
 
-/// Why it may not, or CullReason::culled. Blending and instances are not looked at.
+/// Returns the reason why the state does not permit culling, or CullReason::culled. Ignores blending and
+/// instances.
 CullReason cullableState(ShadowState& shadow, GLenum mode);
 
-/// Why a draw cannot be left out as a whole, whose fragments would all lose the depth test or lie outside of
-/// the view, or CullReason::culled. Blending and masks do not matter then. `isTested`: set to whether the
-/// depth test takes only fragments that are nearer, as near, or both.
+/// Returns the reason why a draw cannot be skipped although all its fragments fail the depth test or lie
+/// outside of the view, or CullReason::culled. Blending and masks do not matter in that case. Sets `isTested`
+/// to whether the depth test passes only nearer or equal fragments.
 CullReason hideableState(ShadowState& shadow, GLenum mode, bool& isTested);
 
-/// Why blending shows what is hidden at the end where alpha is 1 or, if not `opaque`, whatever it is;
-/// CullReason::culled: it does not.
+/// Returns the reason why hidden surfaces affect the picture through blending, or CullReason::culled.
+/// `opaque`: alpha is 1; otherwise alpha is unknown.
 CullReason cullableBlending(ShadowState& shadow, bool opaque);
 
 /// Whether the colours of the framebuffer are normalised bytes, written as they are.

@@ -160,7 +160,7 @@ CullReason CulledDraws::planClusters(const Hash128& name,
   known.mesh->forgetPositions();
   found.mesh = known.mesh, found.known = &known;
   found.byClusters = found.units && areFewAndLarge(*found.units, *found.mesh);
-  if (found.together() && !found.byClusters) return found.apart;
+  if (found.drawsAllInstances() && !found.byClusters) return found.apart;
   found.history = &historyOf(known, found);
   return CullReason::culled;
 }

@@ -72,7 +72,7 @@ bool CulledDraws::isLarge(const Elements& e) const {
 
 CulledDraws::Part CulledDraws::mayLeaveOut(const Elements& e) {
   if (!isActive()) return Part::nothing;
-  if (isLarge(e)) return Part::some;
+  if (isLarge(e)) return Part::clusters;
   return small_.isOn() ? Part::whole : Part::nothing;
 }
 
@@ -168,11 +168,11 @@ bool CulledDraws::drawVerified(const Plan& plan) {
   before_.putBack();
   drawWhole(plan);
   if (!isRead || !read(plan, whole) || culled == whole) return true;
-  isDifferent(plan);
+  markDifferent(plan);
   return true;
 }
 
-void CulledDraws::isDifferent(const Plan& plan) {
+void CulledDraws::markDifferent(const Plan& plan) {
   if (!plan.program) plan.known->different = true;
   refuseDifferent(plan.program);
 }
@@ -184,7 +184,7 @@ void CulledDraws::refuseDifferent(CulledProgram* program) {
     fixedDiffers_ = true;
   log::write(log::Level::warning, std::string("culled draws ") +
                                       (program ? "of a shader program" : "by fixed function") +
-                                      " were not the same as whole ones: from now on they are made whole");
+                                      " differ from complete draws: GLuRay does not cull them any more");
 }
 
 bool CulledDraws::read(const Plan& plan, Pixels& pixels) {

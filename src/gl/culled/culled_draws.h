@@ -1,6 +1,5 @@
-// Draws that are not traced, made by the real OpenGL without what cannot be seen (adr/0064): by shader
-// programs, and by fixed function. A part of each
-// Context, GL thread.
+// Culls draws that are not traced: the real OpenGL draws only the triangles and instances that may be visible
+// (adr/0064), by shader programs or fixed function. A part of each Context, GL thread.
 #pragma once
 #include "base/background_job.h"
 #include "base/hash.h"
@@ -51,51 +50,53 @@ class CulledDraws {
         small_({parts.shadow, parts.clock, parts.counts, parts.pending, parts.cleared, *this}) {}
   ~CulledDraws();
 
-  /// What draw() may leave out of a draw, depending on the state. If nothing, call count() in its place.
-  enum class Part : uint8_t { nothing, whole, some };  // whole: a small draw, or nothing of it
+  /// What draw() may skip of a draw in the current state: nothing; the whole draw, which is small; or
+  /// clusters of its triangles or instances. For `nothing`, call count() instead of draw().
+  enum class Part : uint8_t { nothing, whole, clusters };
   Part mayLeaveOut(const Elements& elements);
   bool mayCull(const Elements& elements) { return mayLeaveOut(elements) != Part::nothing; }
   void count(const Elements& elements);
-  /// Makes a draw, which is rasterised, of the current shader program or, where there is none, by fixed
-  /// function; call RasterDraws::before() and ShadowState::sendBuffers() before. False: nothing was drawn,
-  /// and it is to be made. Never throws. `first` is called before anything is drawn.
+  /// Makes a rasterised draw of the current shader program, or of fixed function if there is none. Call
+  /// RasterDraws::before() and ShadowState::sendBuffers() first. Returns false if nothing was drawn: the
+  /// caller then makes the draw. Never throws. `first` is called before anything is drawn.
   bool draw(GLenum mode, const Elements& elements, const std::function<void()>& first = {}) noexcept;
 
-  /// Where a draw's vertices come from, and the matrix that puts them into clip space.
+  /// Source of a draw's vertices, and the matrix to clip space.
   struct Source {
     const ArrayState* arrays = nullptr;
     const ArraySource* positions = nullptr;  // one of `arrays`
     int components = 4;                      // of these that count
-    ClipMatrix matrix;                       // without what numbers of the instance add
+    ClipMatrix matrix;                       // without the terms of instance attributes
     LinearPosition position;                 // by a program
     CulledProgram* program = nullptr;        // null: fixed function
   };
-  /// Finds it for draws with the current state. CullReason::culled, or why it is not known, or why what is
-  /// hidden at the end shows.
+  /// Finds the source of draws with the current state. Returns CullReason::culled, or the reason why the
+  /// source is unknown or why hidden triangles affect the picture.
   CullReason source(GLenum mode, const Elements& elements, Source& source);
 
-  /// What is known of the program in use, which there must be.
+  /// The current shader program; requires one.
   CulledProgram& programInUse();
-  /// Where fixed function puts vertices. CullReason::culled, or why such draws are whole.
+  /// Finds the transform of fixed function. Returns CullReason::culled, or the reason why such draws cannot
+  /// be culled.
   CullReason placeByFixedFunction(Source& source);
-  /// The array that an attribute of a program is read from. False: there is none.
+  /// Finds the array of a program's attribute. Returns false if there is none.
   bool findPositions(CulledProgram& program, const std::string& attribute, const ArrayState*& arrays,
                      const ArraySource*& positions);
-  /// A draw of the program, or by fixed function if null, showed and was to be left out: such draws are whole
-  /// from now on, with one line in the log.
+  /// Reports that a culled draw of the program (null: fixed function) was visible: stops culling such draws,
+  /// and logs one line.
   void refuseDifferent(CulledProgram* program);
 
   /// Whether the settings and the real OpenGL allow culled draws.
   bool isActive() const;
-  /// Whether draws of the current shader program may be made in parts, whatever its uniforms are.
+  /// Whether draws of the current shader program may be split, for all values of uniforms.
   bool takesParts();
   /// Whether the draw has enough vertices to be culled.
   bool isLarge(const Elements& elements) const;
 
  private:
-  /// What is remembered of draws that have the same parts: clusters, or units of instances.
+  /// History of draws with equal parts: clusters, or units of instances.
   struct History {
-    std::vector<uint64_t> visible;  // parts that showed last; empty: not known
+    std::vector<uint64_t> visible;  // parts that were visible last; empty: unknown
     bool byClusters = false;        // as Plan has it
     CullingTrials trials;
     Hash128 arrays;          // that give instances their values
@@ -110,7 +111,7 @@ class CulledDraws {
     bool refused = false;            // its positions cannot be read
     bool different = false;          // a picture was not the same, without a shader program
   };
-  /// What a draw needs, found before anything is drawn.
+  /// Data of a draw, found before anything is drawn.
   struct Plan {
     GLenum mode = GL_TRIANGLES;
     Elements elements;
@@ -119,43 +120,43 @@ class CulledDraws {
     Known* known = nullptr;
     History* history = nullptr;
     ClipMatrix matrix;
-    std::optional<InstanceUnits> units;     // nothing: clusters of the mesh are the parts
-    std::optional<Instances> instances;     // where units are; nothing: `feedback` says so
+    std::optional<InstanceUnits> units;     // none: parts are clusters of the mesh
+    std::optional<Instances> instances;     // bounds of units; none: from `feedback`
     bool byClusters = false;                // parts are clusters of each unit, else units
-    CullReason apart = CullReason::culled;  // why instances cannot be drawn without the others:
-    /// Then parts are clusters, which are drawn in all instances if they show in any.
-    bool together() const { return apart != CullReason::culled; }
+    CullReason apart = CullReason::culled;  // reason why instances cannot be drawn separately
+    /// Whether a cluster that is visible in any instance is drawn in all instances.
+    bool drawsAllInstances() const { return apart != CullReason::culled; }
     scene::Region region;  // pixels that may be drawn
     WindowMapping window;
     int samples = 1;         // of a pixel
-    bool rehearsed = false;  // what shows is found in a copy of the framebuffer, which cannot be put back
-    PositionFeedback* feedback = nullptr;  // gives positions, which are clip coordinates; null: arrays do
+    bool rehearsed = false;  // visibility is found in a copy of the framebuffer, which cannot be restored
+    PositionFeedback* feedback = nullptr;  // source of positions, which are clip coordinates; null: arrays
     bool reversed = false;                 // larger depths are nearer: `window` maps to 1 - depth
   };
 
-  /// Why the draw is not culled, or CullReason::culled.
+  /// Plans a draw. Returns CullReason::culled, or the reason why the draw is not culled.
   CullReason plan(GLenum mode, const Elements& elements, Plan& plan);
   CullReason sourceOfProgram(GLenum mode, const Elements& elements, Source& source);
-  /// Why what is hidden at the end shows by blending, or CullReason::culled.
+  /// Returns the reason why hidden surfaces affect the picture through blending, or CullReason::culled.
   CullReason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
                         const Elements& elements);
   CullReason sourceOfFixedFunction(Source& source);
   CullReason planInstances(const Source& source, Plan& plan);
-  /// Finds which instances can be drawn without the others. CullReason::culled, or why nothing can be left
-  /// out.
+  /// Finds the instances that can be drawn separately. Returns CullReason::culled, or the reason why nothing
+  /// can be skipped.
   CullReason planUnits(const CulledProgram& program, Plan& plan);
   CullReason planMesh(const Source& source, Plan& plan);
-  /// For programs whose positions are not known without running them.
+  /// Plans a draw of a program whose positions need transform feedback.
   CullReason planFeedback(Plan& plan);
   CullReason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
                           Plan& plan);
-  /// Moves the clusters to where this draw's vertices are. False: that is not known.
+  /// Updates the clusters for this draw's positions. Returns false if these are unknown.
   bool placeClusters(const Plan& plan);
   static bool areFewAndLarge(const InstanceUnits& units, const CulledMesh& mesh);
   History& historyOf(Known& known, const Plan& plan);
   History& historyOf(Known& known, const Hash128& arrays);
   void mapWindow(Plan& plan) const;
-  /// Decides whether what shows is found in a copy. False: nowhere.
+  /// Decides whether visibility is found in a copy of the framebuffer. Returns false if it cannot be found.
   bool choosePlace(Plan& plan) const;
   void prepare(const std::shared_ptr<CulledMesh>& mesh);
   void forgetOld();
@@ -165,42 +166,43 @@ class CulledDraws {
   /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
   /// copied.
   bool drawCulled(const Plan& plan);
-  /// The same with what shows found in a copy of the framebuffer. If `verified`, compares what this and the
-  /// whole draw make of copies; where they differ the whole draw is made.
+  /// Like drawCulled(), with visibility found in a copy of the framebuffer. If `verified`, compares the
+  /// results of this and of the whole draw in copies, and makes the whole draw if they differ.
   bool drawRehearsed(const Plan& plan, bool verified);
   bool rehearse(const Plan& plan, std::vector<uint64_t>& visible);
   bool isSame(const Plan& plan, const std::vector<uint64_t>& visible);
-  /// The draw was not the same as a whole one.
-  void isDifferent(const Plan& plan);
-  /// So many of its primitives were drawn.
+  /// Records that a culled draw differed from the whole draw.
+  void markDifferent(const Plan& plan);
+  /// Counts the primitives that were skipped; `drawn`: number of drawn primitives.
   void countLeft(const Plan& plan, uint64_t drawn);
   void drawWhole(const Plan& plan) { drawReal(p_.shadow.real, plan.mode, plan.elements); }
   bool drawVerified(const Plan& plan);
-  /// All that the region shows, to be compared.
+  /// All pixels of the region, for comparison.
   struct Pixels {
     std::vector<float> depths;
-    std::vector<uint32_t> colors;  // with several samples: of them all, depths, too
+    std::vector<uint32_t> colors;  // multisampled: colours and depths of all samples
     bool operator==(const Pixels&) const = default;
   };
   bool read(const Plan& plan, Pixels& pixels);
   /// The farthest depth of each pixel's samples.
   bool readFarthest(const Plan& plan);
-  /// Reads the depth of the region and finds what may show. False: it cannot be read.
+  /// Reads the depth of the region and finds the parts that may be visible. Returns false if depth cannot be
+  /// read.
   bool findVisible(const Plan& plan, std::vector<uint64_t>& visible);
   void drawParts(const Plan& plan, const std::vector<uint64_t>& parts);
-  /// `as`: whose instances are drawn.
+  /// `as`: the draw's instances.
   void drawClusters(const CulledMesh& mesh, std::span<const uint64_t> clusters, const Elements& as);
   static uint64_t primitivesIn(const Plan& plan, const std::vector<uint64_t>& parts);
   static void findClustersOfInstances(const Plan& plan, const DepthPyramid& pyramid,
                                       std::vector<uint64_t>& visible);
-  /// Calls each(unit, its clusters), where all parts are.
+  /// Calls each(unit, clusters) for all units of `parts`.
   template <class Each>
   static void forClustersOfInstances(const Plan& plan, const std::vector<uint64_t>& parts, const Each& each) {
     const size_t words = plan.mesh->clusters().words();
     for (uint32_t unit = 0; unit < plan.units->units(); ++unit)
       each(unit, std::span(parts).subspan(words * unit, words));
   }
-  /// Whether a pixel of these parts has the very depth that is there: then the order of drawing decides.
+  /// Whether a pixel of these parts has exactly the framebuffer's depth, so that the drawing order decides.
   bool meetsEqual(const Plan& plan, const std::vector<uint64_t>& parts);
 
   Parts p_;

@@ -1,5 +1,5 @@
-// Whether the draws of a shader program can be culled, and where it puts its vertices. GL thread, context
-// current.
+// Tests whether the draws of a shader program can be culled, and finds its vertex transform. GL thread,
+// context current.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/culled/feedback/position_feedback.h"
@@ -21,31 +21,31 @@ class CulledProgram {
   /// Reads the program's source.
   CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known);
 
-  /// Why its draws cannot be culled, whatever its uniforms are; CullReason::culled: they may be.
+  /// Reason why its draws cannot be culled for any uniforms; CullReason::culled: none.
   CullReason reason() const { return reason_; }
-  /// The same in words for the user, more precisely; may be empty.
+  /// A more precise reason in words for the user; may be empty.
   const std::string& why() const { return why_; }
-  /// With the current values of its uniforms. `instances`: its attributes that have one value for an
-  /// instance. Nothing: not linear; sets why(). `varyings`: takes what fragments get.
+  /// Finds the position with the current uniforms. `instances`: its per-instance attributes. None if not
+  /// linear; then sets why(). `varyings`: receives the fragment shader's inputs.
   std::optional<LinearPosition> position(const RealGl& real, bool core, const InstanceAttributes& instances,
                                          Varyings* varyings = nullptr);
-  /// What is known of alpha in all that it draws, with the current values of its uniforms.
+  /// Alpha of all its fragments, with the current uniforms.
   Opacity opacity(const RealGl& real, bool core, Varyings varyings) const;
-  /// Where it puts vertices whatever it computes.
+  /// Transform feedback of its positions.
   PositionFeedback& feedback() { return feedback_; }
-  /// The same as position() without attributes of instances, for many draws: runs of the shader are
-  /// remembered by the uniforms that they read. False: not linear.
+  /// Like position() without instance attributes, for many draws: caches interpretations of the shader by the
+  /// uniforms that they read. Returns false if not linear.
   bool placedPosition(const RealGl& real, bool core, PlacedPosition& found);
-  /// Whether its fragment shader leaves out fragments.
+  /// Whether its fragment shader discards fragments.
   bool discards() const { return discards_; }
-  /// Whether it interpolates at centroids of covered samples. Mesa (22.3) takes only those that pass the
-  /// depth test, so that they depend on what was drawn before.
+  /// Whether it interpolates at centroids of covered samples. Mesa (22.3) uses only samples that pass the
+  /// depth test, so that centroids depend on earlier draws.
   bool usesCentroids() const { return usesCentroids_; }
-  /// Whether its shaders read numbers of instances, which are others where instances are left out.
+  /// Whether its shaders read instance numbers, which change if instances are skipped.
   bool numbersInstances() const { return numbersInstances_; }
-  /// It is not culled from now on.
+  /// Stops culling its draws.
   void refuse(CullReason reason) { reason_ = reason; }
-  /// Whether nothing else knows the program any more.
+  /// Whether the program has no other owner.
   bool isForgotten() const { return known_.use_count() == 1; }
   const KnownProgram& known() const { return *known_; }
 

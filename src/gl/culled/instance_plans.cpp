@@ -28,7 +28,8 @@ CullReason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
   if (program.numbersInstances() && found.feedback)
     found.units = InstanceUnits(found.elements.baseInstance, found.elements.repeats(), {});
   const bool large = static_cast<uint32_t>(found.elements.count) >= kLargeMesh * Clusters::kPrimitives;
-  return found.together() && !(large && found.units->units() <= kFewUnits) ? found.apart : CullReason::culled;
+  return found.drawsAllInstances() && !(large && found.units->units() <= kFewUnits) ? found.apart
+                                                                                    : CullReason::culled;
 }
 
 /// A single instance is a draw of its own, whose clusters are culled.
@@ -92,7 +93,7 @@ CulledDraws::History& CulledDraws::historyOf(Known& known, const Plan& plan) {
   if (history.visible.empty()) return history;
   const uint32_t units = plan.units->units();
   if (plan.byClusters) {
-    history.visible.resize(plan.mesh->clusters().words() * (plan.together() ? 1 : units), 0);
+    history.visible.resize(plan.mesh->clusters().words() * (plan.drawsAllInstances() ? 1 : units), 0);
     return history;
   }
   history.visible.resize((units + 63) / 64, 0);
@@ -105,7 +106,7 @@ void CulledDraws::findClustersOfInstances(const Plan& plan, const DepthPyramid& 
   const CulledMesh& mesh = *plan.mesh;
   std::vector<uint64_t> ofUnit;
   visible.clear();
-  if (plan.together()) visible.resize(mesh.clusters().words(), 0);
+  if (plan.drawsAllInstances()) visible.resize(mesh.clusters().words(), 0);
   for (uint32_t unit = 0; unit < plan.units->units(); ++unit) {
     const Clusters& clusters = plan.instances ? mesh.clusters() : mesh.units().clusters(unit);
     const std::optional<ClipMatrix> matrix = plan.instances ? plan.instances->matrix(unit) : plan.matrix;
@@ -113,7 +114,7 @@ void CulledDraws::findClustersOfInstances(const Plan& plan, const DepthPyramid& 
       clusters.mayShow(*matrix, plan.window, &pyramid, ofUnit);
     else
       clusters.all(ofUnit);
-    if (plan.together())
+    if (plan.drawsAllInstances())
       for (size_t i = 0; i < ofUnit.size(); ++i) visible[i] |= ofUnit[i];
     else
       visible.insert(visible.end(), ofUnit.begin(), ofUnit.end());
@@ -122,7 +123,8 @@ void CulledDraws::findClustersOfInstances(const Plan& plan, const DepthPyramid& 
 
 uint64_t CulledDraws::primitivesIn(const Plan& plan, const std::vector<uint64_t>& parts) {
   const CulledMesh& mesh = *plan.mesh;
-  if (!plan.units || plan.together()) return mesh.clusters().primitivesIn(parts) * plan.elements.repeats();
+  if (!plan.units || plan.drawsAllInstances())
+    return mesh.clusters().primitivesIn(parts) * plan.elements.repeats();
   if (!plan.byClusters) return plan.units->instancesIn(parts) * mesh.primitives();
   uint64_t sum = 0;
   forClustersOfInstances(plan, parts, [&](uint32_t unit, std::span<const uint64_t> clusters) {
@@ -133,7 +135,7 @@ uint64_t CulledDraws::primitivesIn(const Plan& plan, const std::vector<uint64_t>
 
 void CulledDraws::drawParts(const Plan& plan, const std::vector<uint64_t>& parts) {
   const CulledMesh& mesh = *plan.mesh;
-  if (!plan.units || plan.together()) return drawClusters(mesh, parts, plan.elements);
+  if (!plan.units || plan.drawsAllInstances()) return drawClusters(mesh, parts, plan.elements);
   InstanceDraws draws(p_.shadow.real, p_.shadow.attributes(), *plan.units);
   if (plan.byClusters)
     return forClustersOfInstances(plan, parts, [&](uint32_t unit, std::span<const uint64_t> clusters) {

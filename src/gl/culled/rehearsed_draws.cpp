@@ -54,7 +54,7 @@ bool CulledDraws::drawRehearsed(const Plan& plan, bool verified) {
   std::vector<uint64_t> visible;
   if (!rehearse(plan, visible)) return false;
   if (verified && !isSame(plan, visible)) {
-    isDifferent(plan);
+    markDifferent(plan);
     return drawWhole(plan), true;
   }
   drawParts(plan, visible);

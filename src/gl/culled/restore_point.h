@@ -1,4 +1,4 @@
-// The pixels that a draw may change, as they were before it. A part of CulledDraws, GL thread.
+// Saves and restores the pixels that a draw may change. A part of CulledDraws, GL thread.
 #pragma once
 #include "gl/draws/raster_draws.h"
 #include "gl/pending/pending_batch.h"
@@ -15,11 +15,11 @@ class RestorePoint {
   RestorePoint(ShadowState& shadow, PendingBatch& pending, const RasterDraws& raster)
       : shadow_(shadow), pending_(pending), raster_(raster) {}
 
-  /// Whether `region` holds a clear alone, to which it can be put back.
+  /// Whether `region` is only cleared, so that a clear can restore it.
   bool isClear(const scene::Region& region) const;
-  /// Call before the draw, after RasterDraws::before(): remembers what is in `region`. False: it cannot.
+  /// Saves `region`. Call before the draw, after RasterDraws::before(). Returns false on failure.
   bool keep(const scene::Region& region);
-  /// Writes it back. Changes no state.
+  /// Restores the pixels. Changes no state.
   void putBack();
 
  private:
@@ -29,7 +29,7 @@ class RestorePoint {
   PendingBatch& pending_;
   const RasterDraws& raster_;
   scene::Region region_;
-  std::optional<ClearedTarget> clear_;  // all that is in the region; none: pixels were copied
+  std::optional<ClearedTarget> clear_;  // the region's clear values; none: pixels were copied
 };
 
 }  // namespace gluray::gl

@@ -1,6 +1,5 @@
-// Small draws that are not traced, left out as a whole where they cannot show: they lie outside of the view,
-// or behind depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL
-// thread.
+// Skips small draws that are not traced as a whole if they are certainly invisible: outside of the view, or
+// behind depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/basics/reasons.h"
@@ -43,12 +42,12 @@ class SmallDraws {
   };
   explicit SmallDraws(const Parts& parts) : p_(parts) {}
 
-  /// Whether draws may be left out in this frame.
+  /// Whether draws may be skipped in this frame.
   bool isOn();
-  /// Counts a draw that is made without asking leavesOut(), while !isOn().
+  /// Counts a draw while !isOn(), when leavesOut() is not called.
   void count(const Elements& elements);
-  /// Whether the draw, which is rasterised, cannot show: then it is counted and need not be made. Call
-  /// RasterDraws::before() and ShadowState::sendBuffers() before. May throw std::bad_alloc.
+  /// Whether a rasterised draw is certainly invisible: then it is counted, and the caller skips it. First
+  /// call RasterDraws::before() and ShadowState::sendBuffers(). May throw std::bad_alloc.
   bool leavesOut(GLenum mode, const Elements& elements);
 
  private:
@@ -60,21 +59,21 @@ class SmallDraws {
     bool isWaiting() const { return !mesh && !refused; }
     bool refused = false;  // its positions cannot be read
   };
-  /// What decides whether a draw shows.
+  /// Data that decides the visibility of a draw.
   struct Candidate {
     std::shared_ptr<CulledMesh> mesh;
     ClipMatrix matrix;
     CulledProgram* program = nullptr;
     double vertices = 0;
   };
-  /// What draws have in common until state changes.
+  /// Data that draws share until state changes.
   struct Common {
-    CullReason reason = CullReason::culled;  // why draws are not left out
+    CullReason reason = CullReason::culled;  // reason why draws are not skipped
     scene::Region drawn, seen;               // pixels that draws may change; the same without scissor test
     WindowMapping window;                    // relative to the lower corner of `seen`
     int samples = 1;
     bool reversed = false;
-    bool isTested = false;  // depths decide whether they show
+    bool isTested = false;  // depths decide visibility
   };
   /// Depths that the framebuffer has had.
   struct Seen {
@@ -87,7 +86,7 @@ class SmallDraws {
 
   void beginFrame();
   void beginEpoch();
-  /// leavesOut() of a draw that may be.
+  /// leavesOut() for a draw that may be skipped.
   bool hides(GLenum mode, const Elements& elements);
   void readCommon(GLenum mode);
   bool find(GLenum mode, const Elements& elements, Candidate& candidate);
@@ -98,15 +97,15 @@ class SmallDraws {
   bool mayShow(const Candidate& candidate) const;
   bool isSeen() const;
   void readDepths();
-  /// False: it was made after all, because `cull.verify` asks for it, and shows. From now on such draws are
-  /// made.
+  /// Returns false if `cull.verify` made the draw and found it visible. Such draws are then no longer
+  /// skipped.
   bool verifiedAsHidden(const Candidate& candidate, GLenum mode, const Elements& elements);
-  /// Makes the draw, to see whether it shows.
+  /// Makes the draw, and returns whether it was invisible.
   bool isHidden(const Candidate& candidate, GLenum mode, const Elements& elements);
   void forgetOld();
 
   Parts p_;
-  bool culls_ = false;                 // draws of this frame that come later, or some of them
+  bool culls_ = false;                 // some or all remaining draws of this frame
   bool settles_ = false;               // in this frame
   uint64_t frame_ = 0, culledIn_ = 0;  // now; that was culled last
   uint64_t turn_ = 0, forgotIn_ = 0;   // frames that were culled; sweeps over all draws count as several

@@ -1,6 +1,6 @@
-// A draw that the program asks for: where its vertices come from, how it is traced, and how the real OpenGL
-// makes it. What handles a command builds one and gives it to Draws, which asks these questions in this
-// order. GL thread.
+// A requested draw: the source of its vertices, how it is traced, and how the real OpenGL makes it. A
+// command's handler builds a request and passes it to Draws, which calls these functions in this order. GL
+// thread.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/capture/mesh_cache.h"

@@ -29,7 +29,7 @@ Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
 }
 
 void Draws::beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reason) {
-  p_.raster.passUnseen(primitive, reason);
+  p_.raster.noteUnsampledDraw(primitive, reason);
   p_.raster.before(primitive);
   p_.shadow.sendBuffers();  // glArrayElement may follow
   if (p_.counts.kinds()) p_.counts.kinds()->start();

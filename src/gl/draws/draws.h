@@ -1,5 +1,5 @@
-// Decides what becomes of a draw, and does it: the one place where draws are traced or rasterised and
-// counted, whatever their vertices come from. A part of each Context, GL thread.
+// Decides the fate of each draw and carries it out: the only place where draws are traced, rasterised and
+// counted, for all sources of vertices. A part of each Context, GL thread.
 #pragma once
 #include "gl/counts/draw_counts.h"
 #include "gl/draws/draw_request.h"

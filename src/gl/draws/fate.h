@@ -1,4 +1,4 @@
-// What becomes of a draw: ARCHITECTURE.md says for each fate when it is chosen, and who draws the pixels.
+// The possible fates of a draw. ARCHITECTURE.md describes when each is chosen, and who draws the pixels.
 #pragma once
 #include <cstdint>
 

@@ -16,7 +16,7 @@ RasterDraws::Needs RasterDraws::needsOf(PrimitiveClass kind, Reason reason) cons
   needs.mesh = reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene;
   if (needs.mesh || !hasFixedVertices()) return needs;
   needs.leaves = p_.surfaces.passes.asksForFixed();
-  needs.unseen = !needs.leaves;
+  needs.unsampled = !needs.leaves;
   return needs;
 }
 
@@ -30,8 +30,8 @@ bool RasterDraws::needsVertices(PrimitiveClass kind, Reason reason) const {
   return needsOf(kind, reason).any();
 }
 
-void RasterDraws::passUnseen(PrimitiveClass kind, Reason reason) {
-  if (needsOf(kind, reason).unseen) leaveUnseen();
+void RasterDraws::noteUnsampledDraw(PrimitiveClass kind, Reason reason) {
+  if (needsOf(kind, reason).unsampled) addUnsampledFixedDraw();
 }
 
 void RasterDraws::leave(std::vector<Triangle> triangles) {
@@ -39,8 +39,8 @@ void RasterDraws::leave(std::vector<Triangle> triangles) {
                                      p_.triage.isPushedBack());
 }
 
-void RasterDraws::leaveUnseen() {
-  p_.failsafe.protect([&] { p_.surfaces.passes.rasterisedFixedUnseen(depthPlaceOf(p_.shadow)); });
+void RasterDraws::addUnsampledFixedDraw() {
+  p_.failsafe.protect([&] { p_.surfaces.passes.addUnsampledFixedDraw(depthPlaceOf(p_.shadow)); });
 }
 
 void RasterDraws::remember(const KnownMesh& known) {

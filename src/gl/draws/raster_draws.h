@@ -1,5 +1,5 @@
-// Prepares rasterised draws among traced ones: flushes what must be shown before them, and finds the traced
-// surfaces that they coincide with. A part of each Context, GL thread.
+// Prepares rasterised draws among traced ones: flushes pending batches that must be drawn first, and finds
+// coincident traced surfaces. A part of each Context, GL thread.
 #pragma once
 #include "gl/capture/mesh_cache.h"
 #include "gl/classify/triage.h"
@@ -33,19 +33,19 @@ class RasterDraws {
 
   /// Call before a rasterised draw: flushes earlier draws if order matters, and sends current attributes.
   void before(PrimitiveClass kind);
-  /// The clear that the framebuffer held, and nothing else, when before() was called last.
+  /// The clear values, if the framebuffer was only cleared before the last before().
   const std::optional<ClearedTarget>& clearBelow() const { return clearBelow_; }
 
   // Surfaces that are drawn in several passes.
-  /// Whether the vertices of a surface that is rasterised now for this reason are needed, because it may
-  /// coincide with others of its depth epoch. If so, call meetPasses().
+  /// Whether the vertices of a surface that is rasterised for this reason are needed, because it may coincide
+  /// with other surfaces of its depth epoch. If so, call meetPasses().
   bool needsVertices(PrimitiveClass kind, Reason reason) const;
-  /// Call before before(). `sample()` returns some of its triangles, `meshOf()` its KnownMesh; each is called
-  /// if it is needed. Both may throw.
+  /// Call before before(). `sample()` returns a sample of the triangles, `meshOf()` the KnownMesh; both are
+  /// called on demand and may throw.
   template <class Sample, class MeshOf>
   void meetPasses(PrimitiveClass kind, Reason reason, const Sample& sample, const MeshOf& meshOf) {
     const Needs needs = needsOf(kind, reason);
-    if (needs.unseen) leaveUnseen();
+    if (needs.unsampled) addUnsampledFixedDraw();
     if (!needs.any()) return;
     p_.failsafe.protect([&] {
       std::vector<Triangle> triangles;
@@ -55,28 +55,28 @@ class RasterDraws {
       if (needs.leaves) leave(std::move(triangles));
     });
   }
-  /// The same for a surface whose vertices are not looked at.
-  void passUnseen(PrimitiveClass kind, Reason reason);
-  /// Has the real OpenGL draw the depth of the traced surfaces that were found to have another pass.
+  /// The same for a draw whose triangles are not sampled.
+  void noteUnsampledDraw(PrimitiveClass kind, Reason reason);
+  /// Redraws the depth of traced surfaces with a further pass by the real OpenGL.
   void rasteriseMet(MultipassSurfaces::Meeting meeting);
 
  private:
-  /// What is done with a surface that is rasterised.
+  /// The steps for a rasterised surface.
   struct Needs {
-    bool meets = false;   // it is held against earlier surfaces
-    bool mesh = false;    // later surfaces are held against its mesh
-    bool leaves = false;  // or against a sample of its triangles
-    bool unseen = false;  // or coincide with it in any case
+    bool meets = false;      // it is compared with earlier surfaces
+    bool mesh = false;       // later surfaces are compared with its mesh
+    bool leaves = false;     // later surfaces are compared with a sample of its triangles
+    bool unsampled = false;  // later surfaces count as coincident with it
     bool any() const { return meets || mesh || leaves; }
   };
   Needs needsOf(PrimitiveClass kind, Reason reason) const;
-  /// Whether draws now take their vertices from fixed function, and so may have its depths.
+  /// Whether current draws use fixed-function vertices, and so may have fixed function's depths.
   bool hasFixedVertices() const;
   void meet(std::span<const Triangle> triangles);
   void remember(const KnownMesh& known);
   void leave(std::vector<Triangle> triangles);
-  void leaveUnseen();
-  /// Which way the next draw may change depths.
+  void addUnsampledFixedDraw();
+  /// Records in which direction the next draw may change depths.
   void noteDepths();
 
   Parts p_;

@@ -1,4 +1,4 @@
-// Whether the variables of a program have types that fit their roles in a family. Part of match.cpp.
+// Checks that the variables of a program have types that match their roles in a family. Part of match.cpp.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"

@@ -1,4 +1,4 @@
-// Finds pictures of ours that are anti-aliased already, so that a program's anti-aliasing pass over them can
+// Tracks traced pictures that are already anti-aliased, so that a program's anti-aliasing pass over them can
 // be skipped. Owned by ClearedFramebuffers, GL thread.
 #pragma once
 #include "gl/real/extensions.h"

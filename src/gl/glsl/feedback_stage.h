@@ -1,4 +1,4 @@
-// Transform feedback of our own, beside that of the program. GL thread, context current.
+// GLuRay's own transform feedback, which preserves the program's. GL thread, context current.
 #pragma once
 #include "gl/real/other_program.h"
 #include "gl/real/real.h"
@@ -8,10 +8,10 @@
 
 namespace gluray::gl {
 
-/// Whether the real OpenGL has objects of transform feedback, so that the program's state can stay as it is.
+/// Whether the real OpenGL has transform feedback objects, which preserve the program's state.
 bool hasFeedbackObjects(const RealGl& real);
 
-/// While it lives, another program is in use, nothing is rasterised, and feedback goes elsewhere.
+/// During its lifetime, another program is in use, rasterisation is off, and feedback goes to another buffer.
 class FeedbackStage {
  public:
   FeedbackStage(const RealGl& real, GLuint program, GLuint feedback);
@@ -36,7 +36,7 @@ class MappedFeedback {
   }
   MappedFeedback(const MappedFeedback&) = delete;
   MappedFeedback& operator=(const MappedFeedback&) = delete;
-  /// Null: it cannot be mapped.
+  /// Null if mapping failed.
   const void* data() const { return data_; }
 
  private:

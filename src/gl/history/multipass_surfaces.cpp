@@ -104,7 +104,7 @@ void MultipassSurfaces::clear(const DepthClear& depth) {
 
 void MultipassSurfaces::clear() {
   endEpoch();
-  surfaces_.clear(), sampled_.clear(), unseenFixed_.clear(), rasterisedByProgram_.clear(), unseen_.clear();
+  surfaces_.clear(), sampled_.clear(), unsampledFixed_.clear(), rasterisedByProgram_.clear(), unseen_.clear();
   rasterised_ = false, unseenCounts_ = 0;
   depths_.forget();
 }
@@ -128,7 +128,7 @@ void MultipassSurfaces::forgetIf(const Gone& gone) {
   rasterised_ = rasterised_ && !surfaces_.empty();
   std::erase_if(rasterisedByProgram_, [&](const Rasterised& r) { return gone(r.at); });
   std::erase_if(unseen_, [&](const auto& one) { return gone(one.second.at); });
-  std::erase_if(unseenFixed_, [&](const auto& one) { return gone(one.second); });
+  std::erase_if(unsampledFixed_, [&](const auto& one) { return gone(one.second); });
   sampled_.eraseIf(gone);
   if (unseen_.empty()) unseenCounts_ = 0;
 }
@@ -139,7 +139,7 @@ void MultipassSurfaces::forgetMany() {
 
 /// For programs that neither clear depth nor end frames.
 void MultipassSurfaces::limit() {
-  if (surfaces_.size() + sampled_.size() + unseenCounts_ + unseenFixed_.size() >= kMaxAtOnce) clear();
+  if (surfaces_.size() + sampled_.size() + unseenCounts_ + unsampledFixed_.size() >= kMaxAtOnce) clear();
 }
 
 void MultipassSurfaces::rasterisedFixed(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles,
@@ -148,9 +148,9 @@ void MultipassSurfaces::rasterisedFixed(const glm::dmat4& eyeFromObject, std::ve
   sampled_.add(eyeFromObject, std::move(triangles), depths_.stamp(place), pushedBack);
 }
 
-void MultipassSurfaces::rasterisedFixedUnseen(const DepthPlace& place) {
+void MultipassSurfaces::addUnsampledFixedDraw(const DepthPlace& place) {
   const DepthStamp now = depths_.stamp(place);
-  const auto [known, added] = unseenFixed_.try_emplace(place.framebuffer, now);
+  const auto [known, added] = unsampledFixed_.try_emplace(place.framebuffer, now);
   if (added) return;
   known->second.turn = now.turn;
   known->second.place.viewport = uniteViewports(known->second.place.viewport, place.viewport);
@@ -218,7 +218,7 @@ MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(uint32_t framebuffer,
 bool MultipassSurfaces::meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
                                      uint32_t framebuffer, bool pushedBack) {
   idle_ = 0;
-  for (const auto& [name, at] : unseenFixed_)
+  for (const auto& [name, at] : unsampledFixed_)
     if (depths_.reaches(at, framebuffer)) return true;
   return sampled_.any(mesh, eyeFromObject, pushedBack,
                       [&](const DepthStamp& at, std::span<const Triangle> triangles) {

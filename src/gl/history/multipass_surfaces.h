@@ -71,7 +71,7 @@ class MultipassSurfaces {
   void forgetMany();
   /// Whether it has anything that a clear could remove.
   bool remembers() const {
-    return any() || sampled_.size() > 0 || !unseenFixed_.empty() || !rasterisedByProgram_.empty() ||
+    return any() || sampled_.size() > 0 || !unsampledFixed_.empty() || !rasterisedByProgram_.empty() ||
            !unseen_.empty();
   }
   /// Whether one of these that was not rasterised at once has this framebuffer and number of triangles.
@@ -83,15 +83,15 @@ class MultipassSurfaces {
 
   /// Whether rasterisedFixed() gets the surfaces that are drawn from fixed function's vertices: there were
   /// traced ones, with which they could coincide, in this depth epoch or one of the last hundred. If not,
-  /// call rasterisedFixedUnseen().
+  /// call addUnsampledFixedDraw().
   bool asksForFixed() const { return idle_ <= kRemembered; }
   /// A surface of which a sample of triangles is given is rasterised from fixed function's vertices and
   /// leaves depth.
   void rasterisedFixed(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles,
                        const DepthPlace& place, bool pushedBack);
-  /// The same for one of which there is no sample: all of fixed function's surfaces that could be traced
-  /// later in the depth epoch count as coinciding with it.
-  void rasterisedFixedUnseen(const DepthPlace& place);
+  /// Adds such a surface without a sample of its triangles: all traceable surfaces of fixed function that
+  /// follow in the depth epoch count as coincident with it.
+  void addUnsampledFixedDraw(const DepthPlace& place);
   /// Whether `mesh`, which would be traced into `framebuffer`, coincides with one of these. Later frames find
   /// that anew.
   bool meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, uint32_t framebuffer,
@@ -183,8 +183,8 @@ class MultipassSurfaces {
   std::unordered_map<Hash128, UnseenAt> unseen_;  // by place
   size_t unseenCounts_ = 0;                       // inserted since the last clear()
   SampledSurfaces sampled_;                       // of rasterisedFixed()
-  // Of rasterisedFixedUnseen(), by framebuffer; the viewport contains all of them.
-  std::unordered_map<uint32_t, DepthStamp> unseenFixed_;
+  // Of addUnsampledFixedDraw(), by framebuffer; the viewport contains all of them.
+  std::unordered_map<uint32_t, DepthStamp> unsampledFixed_;
   uint64_t idle_ = 0;  // depth epochs since a surface of fixed function's vertices could be traced
   uint64_t epoch_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;  // geometry -> last epoch with several passes

@@ -1,6 +1,6 @@
 // The objects that a context draws: numbers its surfaces, and keeps what it has drawn for ShownFrames. Does
-// nothing until somebody asks, or settings name objects; from then on surfaces keep their numbers. A part of
-// each Context, GL thread.
+// nothing until the first request, or until settings name objects; from then on surfaces keep their numbers.
+// A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/objects/object_numbers.h"

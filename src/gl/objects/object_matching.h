@@ -1,5 +1,5 @@
-// Which surfaces of a frame are those of the frame before, where their geometry does not tell: surfaces that
-// get another shape, as in a new time step, are found by their place in the order of drawing. Any thread.
+// Matches surfaces of a frame with surfaces of the previous frame if their geometry has changed, as in a new
+// time step, by their position in the drawing order. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"

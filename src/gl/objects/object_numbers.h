@@ -1,5 +1,5 @@
-// Gives the surfaces that a context draws the numbers of objects, which they keep from frame to frame. A part
-// of DrawnObjects, GL thread.
+// Assigns object numbers to the surfaces of a context, which stay constant across frames. A part of
+// DrawnObjects, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/objects/object_matching.h"

@@ -1,5 +1,5 @@
-// What contexts have drawn, for those who ask about it: the control thread. While nobody asks, nothing is
-// kept, and frames cost a load. Any thread.
+// Snapshot of the objects that each context drew last, for the control thread. Without requests, nothing is
+// stored, and a frame costs one atomic load. Any thread.
 #pragma once
 #include "base/clock.h"
 #include "scene/snapshot.h"

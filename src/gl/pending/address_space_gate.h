@@ -1,5 +1,5 @@
-// Whether limits of the process leave enough address space for the real OpenGL while a picture is traced. GL
-// thread.
+// Tests whether the process's limits leave enough address space for the real OpenGL while a picture is
+// traced. GL thread.
 #pragma once
 
 namespace gluray::gl {

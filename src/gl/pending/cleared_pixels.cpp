@@ -82,7 +82,7 @@ std::shared_ptr<const scene::Backdrop> PendingBatch::backdrop() {
         log::Level::warning, "background",
         "background: the pixels of this framebuffer cannot be read, so the program's own background stays");
   } catch (const std::exception&) {
-    log::once(log::Level::warning, "background", "memory has run out: the program's own background stays");
+    log::once(log::Level::warning, "background", "out of memory: the program's own background stays");
   }
   return nullptr;
 }

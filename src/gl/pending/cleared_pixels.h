@@ -1,4 +1,5 @@
-// Which pixels still hold what they were cleared to (setting `background`). Used by PendingBatch, GL thread.
+// Finds the pixels that still have their clear values (setting `background`). Used by PendingBatch, GL
+// thread.
 #pragma once
 #include "scene/backdrop.h"
 

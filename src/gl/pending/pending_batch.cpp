@@ -27,7 +27,7 @@ bool PendingBatch::canTrace() {
   supported_ = presenter.supports(p_.shadow.real, p_.shadow.info.core, why);
   if (!*supported_)
     log::once(log::Level::warning, "support",
-              "this OpenGL cannot show traced pictures (" + why + "): the program draws as without GLuRay");
+              "this OpenGL cannot show traced pictures (" + why + "): the real OpenGL draws everything");
   return *supported_;
 }
 

@@ -1,5 +1,5 @@
-// The batch that waits to be traced, with what presents it and what its pictures cost. Flusher decides when
-// it is presented. A part of each Context, GL thread.
+// The batch that waits to be traced, with its presenter and the cost of its pictures. Flusher decides when it
+// is presented. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"

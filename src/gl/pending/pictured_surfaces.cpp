@@ -196,11 +196,11 @@ void PicturedSurfaces::read(const BatchKey* beside) noexcept {
       p_.surfaces.views.traced(key, surfaces, picture);
     else
       log::once(log::Level::warning, "pictured",
-                "light.rasterised: the colours of a framebuffer cannot be read, so nothing reflects what the "
-                "real OpenGL has drawn there");
+                "light.rasterised: the colours of a framebuffer cannot be read, so mirrors do not show the "
+                "surfaces that the real OpenGL has drawn into it");
   } catch (const std::exception&) {
     log::once(log::Level::warning, "pictured",
-              "memory has run out: nothing reflects what the real OpenGL has drawn");
+              "out of memory: mirrors do not show the surfaces that the real OpenGL has drawn");
   }
 }
 

@@ -1,6 +1,5 @@
-// Surfaces that the real OpenGL has drawn, which mirrors and paths of light are to meet (setting
-// light.rasterised, docs/adr/0074). They wait for a picture of what they drew. A part of the Flusher, GL
-// thread.
+// Collects surfaces of the real OpenGL that mirrors and traced paths shall show (setting light.rasterised,
+// docs/adr/0074), and captures their pixels. A part of the Flusher, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/presenter.h"

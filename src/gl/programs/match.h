@@ -1,4 +1,4 @@
-// Finds the family that a program fits. GL thread, context current.
+// Finds the family that matches a program. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"

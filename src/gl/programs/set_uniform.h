@@ -1,4 +1,4 @@
-// Gives uniforms of the program in use values that were read from others. GL thread, context current.
+// Copies values of uniforms to the current program. GL thread, context current.
 #pragma once
 #include "gl/programs/uniforms.h"
 #include "gl/real/real.h"

@@ -1,5 +1,4 @@
-// Values of a program's uniforms, queried from the real OpenGL, which knows them however they were set. GL
-// thread, context current.
+// Queries the values of a program's uniforms from the real OpenGL. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"

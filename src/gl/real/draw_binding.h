@@ -1,4 +1,4 @@
-// Binds a framebuffer for drawing for a while. GL thread.
+// Binds a draw framebuffer during its lifetime. GL thread.
 #pragma once
 #include "gl/real/state_queries.h"
 

@@ -1,4 +1,4 @@
-// Shader programs of ours, in use for a while in place of the program's own. GL thread, context current.
+// Uses one of GLuRay's shader programs temporarily instead of the program's own. GL thread, context current.
 #pragma once
 #include "gl/real/real.h"
 

@@ -1,6 +1,6 @@
-// Which images were attached to framebuffer objects. A deleted texture or renderbuffer lives on in those that
-// are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8), and the name that the real OpenGL reports for it may
-// belong to another one by then. GL thread.
+// Records the images that were attached to framebuffer objects. A deleted texture or renderbuffer stays alive
+// in framebuffer objects that are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8), and the name that the real
+// OpenGL reports for it may belong to another one by then. GL thread.
 #pragma once
 #include "gl/real/real.h"
 #include "gl/sharing/deleted_images.h"

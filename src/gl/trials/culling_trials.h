@@ -1,5 +1,5 @@
-// Whether culling a draw pays: measured, as EngineChoice measures frames. Trials of all draws share what they
-// may cost where it does not pay (TrialBudget). Calls no OpenGL and reads no clock. GL thread.
+// Measures whether culling a draw is faster, as EngineChoice does for frames. The trials of all draws share a
+// time budget (TrialBudget). Calls no OpenGL and reads no clock. GL thread.
 #pragma once
 #include "gl/trials/trial_budget.h"
 

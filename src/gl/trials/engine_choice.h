@@ -1,7 +1,7 @@
-// Decides whether the ray tracer or the real OpenGL draws a context's frames: whichever was measured to be
-// faster (adr/0012). Decides between frames, keeps a decision for many, and rarely tries the other way: where
-// that is likely to be slower, only when it has been saved for (TrialBudget, adr/0083). Calls no OpenGL. A
-// part of FrameClock, GL thread.
+// Decides whether the ray tracer or the real OpenGL draws a context's frames: whichever is faster by
+// measurement (adr/0012). Decides between frames, keeps a decision for many frames, and rarely tries the
+// alternative. If the alternative is probably slower, it tries only within the time budget (TrialBudget,
+// adr/0083). Calls no OpenGL. A part of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
 #include "gl/trials/trial_budget.h"

@@ -1,7 +1,6 @@
-// Whether leaving out small draws pays: frames with and without it are measured, as EngineChoice measures
-// frames. Trials cost time where it does not pay; they wait, or end in the middle of a frame, so that this is
-// a small share of the time in which the program draws (TrialBudget). Calls no OpenGL and reads no clock. A
-// part of FrameClock, GL thread.
+// Measures whether skipping small draws is faster, by frames with and without it, as EngineChoice does.
+// Slower trials are delayed, or end in the middle of a frame, so that their cost is a small fraction of the
+// program's drawing time (TrialBudget). Calls no OpenGL and reads no clock. A part of FrameClock, GL thread.
 #pragma once
 #include "gl/trials/trial_budget.h"
 

@@ -1,5 +1,5 @@
-// When to look at the depths of a framebuffer while many small draws are made: looks cost time, and draws
-// between two looks may be hidden by each other. Calls no OpenGL. A part of SmallDraws, GL thread.
+// Schedules depth reads while many small draws are made: reads cost time, but a draw can be culled only by
+// draws before the last read. Calls no OpenGL. A part of SmallDraws, GL thread.
 #pragma once
 #include <algorithm>
 #include <array>

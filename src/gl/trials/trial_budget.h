@@ -1,6 +1,5 @@
-// How much time trials, of culling or of tracing, may take: a small share of the time in which the program
-// draws anyway.
-// Calls no OpenGL and reads no clock. GL thread.
+// Time budget for trials of culling or tracing: a small fraction of the program's drawing time. Calls no
+// OpenGL and reads no clock. GL thread.
 #pragma once
 #include <algorithm>
 

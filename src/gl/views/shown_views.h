@@ -1,5 +1,5 @@
-// Which views of a framebuffer have been drawn since its colours were cleared, and to what: decides which of
-// them get a ground and a background. A part of ViewScenes, GL thread.
+// Tracks, for each framebuffer, the views drawn since the last colour clear, and the clear colour. Decides
+// which views get a ground and a background. A part of ViewScenes, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 

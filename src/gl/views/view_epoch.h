@@ -1,5 +1,5 @@
-// One view during one depth epoch: what was traced in it, and the epoch of an earlier frame that it repeats.
-// Kept by ViewScenes, GL thread.
+// One view during one depth epoch: its traced surfaces, and the corresponding epoch of an earlier frame. Kept
+// by ViewScenes, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "scene/framebuffer_picture.h"

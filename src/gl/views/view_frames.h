@@ -1,5 +1,5 @@
-// Frames of views, counted by clears of their colours: tells the frames of contexts apart that never swap.
-// Ranks of an MPI program that draw a view in each frame count alike, whatever else they clear. A part of
+// Counts the frames of views by clears of their colours, for contexts that never swap. Ranks of an MPI
+// program that draw a view in each frame have equal counts, independent of other clears. A part of
 // ViewScenes, GL thread.
 #pragma once
 #include "gl/batch/batch.h"

@@ -118,7 +118,7 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
   } catch (const std::exception&) {
     forget();
     log::once(log::Level::warning, "views",
-              "memory has run out: surfaces light only those that are drawn with them");
+              "out of memory: light effects act only between surfaces that are drawn together");
     return nullptr;
   }
 }

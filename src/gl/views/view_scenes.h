@@ -1,6 +1,6 @@
-// What each view of a context holds beside the pending batch, so that surfaces of one view light each other
-// although they are traced in several batches (adr/0047). Empty while no setting asks for light. A part of
-// each Context, GL thread.
+// Keeps the surfaces of each view outside of the pending batch, so that surfaces of one view light each other
+// although they are traced in several batches (adr/0047). Empty without light effects. A part of each
+// Context, GL thread.
 #pragma once
 #include "gl/views/shown_views.h"
 #include "gl/views/view_epoch.h"

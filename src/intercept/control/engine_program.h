@@ -1,4 +1,4 @@
-// This process as the hub sees it. Control thread.
+// Implements the controlled program for the hub. Control thread.
 #pragma once
 #include "control/link/job.h"
 #include "control/link/program/controlled_program.h"

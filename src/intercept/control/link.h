@@ -1,4 +1,4 @@
-// The link to the hub of this process: src/control knows the protocol, this folder what the program is. Any
+// The process's link to the hub: src/control implements the protocol, this folder the program's side. Any
 // thread.
 #pragma once
 #include "intercept/control/shown_windows.h"

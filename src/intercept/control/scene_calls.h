@@ -1,5 +1,5 @@
-// The calls about what the program draws (docs/control-protocol.md): objects, pick, highlight, lights,
-// cameras. Control thread.
+// Calls about the program's scene (docs/control-protocol.md): objects, pick, highlight, lights, cameras.
+// Control thread.
 #pragma once
 #include "control/link/program/controlled_program.h"
 #include "gl/objects/shown_frames.h"

@@ -1,5 +1,4 @@
-// The views of a frame that was shown, and what is in them: for calls about what a program draws. Control
-// thread.
+// The views of a shown frame and their contents, for calls about the program's scene. Control thread.
 #pragma once
 #include "gl/objects/shown_frames.h"
 

@@ -1,5 +1,4 @@
-// The X windows that the program shows frames in: noted on GL threads when they swap, used on the control
-// thread.
+// The X windows with the program's frames: recorded on GL threads at swaps, used on the control thread.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// What the control thread asks of X servers about the program's windows, over connections of its own: never
-// the program's, whose error handler could end it. Control thread.
+// X server queries about the program's windows, over separate connections: on the program's connection, an
+// error could call the program's handler and end the program. Control thread.
 #pragma once
 #include "intercept/control/shown_windows.h"
 

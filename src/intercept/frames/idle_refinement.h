@@ -1,4 +1,4 @@
-// Refines what windows show while their programs draw nothing. GL thread.
+// Refines pictures in windows while their programs are idle. GL thread.
 #pragma once
 #include <cstdint>
 

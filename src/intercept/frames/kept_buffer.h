@@ -1,4 +1,4 @@
-// Keeps pictures of windows for the control thread, as the real OpenGL has them. GL thread.
+// Keeps pictures of windows for the control thread, read from the real OpenGL. GL thread.
 #pragma once
 #include "intercept/contexts/context_record.h"
 #include "intercept/windows/window_pictures.h"

@@ -1,4 +1,4 @@
-// Swaps that are made later, once the frame is traced (frame lag). GL threads.
+// Delayed swaps, made once the frame is traced (frame lag). GL threads.
 #pragma once
 #include "intercept/windows/real_swap.h"
 

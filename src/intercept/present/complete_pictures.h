@@ -1,5 +1,5 @@
-// Makes complete pictures of MPI programs beside the pictures that their ranks show, before the other ranks
-// get these, and writes them (adr/0089). One per context. GL thread.
+// Makes and writes complete pictures of MPI programs, in addition to their ranks' pictures, before the other
+// ranks receive these (adr/0089). One per context. GL thread.
 #pragma once
 #include "frame/pictures/traced_pictures.h"
 #include "gl/batch/complete_presenter.h"

@@ -1,4 +1,4 @@
-// A copy of a part of the program's framebuffer, which can be put back to the bit. GL thread, context
+// A copy of a part of the program's framebuffer, which can be restored to the bit. GL thread, context
 // current; restores all state.
 #pragma once
 #include "base/image.h"

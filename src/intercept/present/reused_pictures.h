@@ -1,5 +1,5 @@
-// Pictures of a framebuffer whose memory is used again once no snapshot holds them. Taken on the GL thread;
-// any thread may be the last to hold one.
+// Pictures of a framebuffer whose memory is reused once no snapshot refers to them. Allocated on the GL
+// thread, released on any thread.
 #pragma once
 #include "scene/framebuffer_picture.h"
 

@@ -1,4 +1,4 @@
-// What keeps errors of ours from the program, and its forked children free of us. Any thread.
+// Keeps GLuRay's errors away from the program, and disables GLuRay in forked children. Any thread.
 #pragma once
 #include "base/log.h"
 

@@ -1,4 +1,4 @@
-// The workers that trace for this process. Any thread.
+// The connection to the workers that trace for this process. Any thread.
 #pragma once
 #include "cluster/program/remote_tracer.h"
 

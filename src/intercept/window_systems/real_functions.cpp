@@ -54,7 +54,7 @@ void* realFunction(Door door, Api api, const char* name) {
   if (!isOurs(function)) return function;
   log::once(log::Level::error, "real function is ours",
             std::string("the real ") + name +
-                " is GLuRay's own: GLuRay is loaded twice or names itself as the real OpenGL");
+                " is GLuRay's own: GLuRay is loaded twice, or is configured as the real OpenGL");
   return nullptr;
 }
 

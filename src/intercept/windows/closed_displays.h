@@ -1,4 +1,4 @@
-// Whether the program has closed its connection to an X server, and with it all its windows. Any thread.
+// Tests whether the program has closed its connection to an X server, and so all its windows. Any thread.
 #pragma once
 #include <atomic>
 #include <memory>

@@ -1,4 +1,4 @@
-// Which X window a GLX drawable is. Any thread.
+// Maps GLX drawables to X windows. Any thread.
 #pragma once
 #include <cstdint>
 

@@ -1,5 +1,5 @@
-// X windows whose pictures get better while their programs draw nothing. Swaps of a window are announced, so
-// that nothing older than what the program shows is ever put into it.
+// X windows whose pictures are refined while their programs are idle. Swaps of a window are announced, so
+// that an older picture never replaces a newer one.
 #pragma once
 #include "base/idle_window.h"
 

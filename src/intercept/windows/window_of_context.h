@@ -1,5 +1,5 @@
-// The window into which a context's pictures go without a swap of the real OpenGL. On the thread in which
-// the context is current.
+// The window that shows a context's pictures without a swap of the real OpenGL. On the thread in which the
+// context is current.
 #pragma once
 #include "gl/batch/window_presenter.h"
 #include "intercept/windows/shm_window.h"

@@ -1,5 +1,5 @@
-// The pictures of shown frames that the control thread asks for: GL threads keep them, without waiting for
-// anyone; while none is wanted a swap costs one load.
+// Pictures of shown frames for the control thread. GL threads store them without waiting; without requests, a
+// swap costs one atomic load.
 #pragma once
 #include "control/link/program/controlled_program.h"
 #include "gl/batch/presenter.h"

@@ -1,4 +1,4 @@
-// Metal: reflects, in colour, and lets nothing through. Any thread.
+// Metal: coloured reflection without transmission. Any thread.
 #pragma once
 #include "render/bsdf/fresnel.h"
 #include "render/bsdf/rough_reflection.h"
@@ -8,10 +8,11 @@ namespace gluray::render::bsdf {
 struct Conductor {
   glm::vec3 eta{1}, k{0};  // complex index of refraction, by colour
   Ggx ggx{0};
-  glm::vec3 tint{1};  // factor, of no physical meaning
+  glm::vec3 tint{1};  // factor without physical meaning
 
   glm::vec3 reflectance(float cosine) const { return fresnelConductor(cosine, eta, k); }
-  /// Over all directions, weighted by the cosine: that of Schlick's curve through the same end.
+  /// Cosine-weighted mean reflectance over all directions, by Schlick's curve with the same reflectance at
+  /// the normal.
   glm::vec3 mean() const { return (20.0f * reflectance(1) + 1.0f) / 21.0f; }
 
   glm::vec3 evaluate(const glm::vec3& wo, const glm::vec3& wi) const {

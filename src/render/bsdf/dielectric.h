@@ -1,5 +1,5 @@
-// Glass, water: reflects and refracts. Differs from radiometry: radiance behind the boundary is not scaled by
-// the square of the index of refraction, which cancels where light leaves again. Any thread.
+// Glass and water: reflection and refraction. Differs: radiance behind the boundary is not scaled by the
+// squared index of refraction; the factors cancel when light leaves the body. Any thread.
 #pragma once
 #include "render/bsdf/fresnel.h"
 #include "render/bsdf/ggx.h"
@@ -10,7 +10,7 @@ namespace gluray::render::bsdf {
 struct Dielectric {
   float eta = 1.5f;  // index of refraction behind the boundary, wi.z < 0, over that before it, wo.z > 0
   Ggx ggx{0};
-  glm::vec3 tint{1};  // of light that goes through
+  glm::vec3 tint{1};  // of transmitted light
 
   glm::vec3 evaluate(const glm::vec3& wo, const glm::vec3& wi) const {
     if (ggx.isSmooth() || !(wo.z > 0) || wi.z == 0) return glm::vec3(0);
@@ -40,14 +40,14 @@ struct Dielectric {
     glm::vec3 wi;
     const bool reflects = lobe < reflectance || !refract(wo, h, eta, wi);
     if (reflects) wi = reflected(wo, h);
-    if (reflects ? wi.z <= 0 : wi.z >= 0) return {};  // met a second facet: lost
+    if (reflects ? wi.z <= 0 : wi.z >= 0) return {};  // lost at a second facet
     if (smooth) return {wi, reflects ? glm::vec3(1) : tint, 0, true};
     const float density = pdf(wo, wi);
     return {wi, density > 0 ? evaluate(wo, wi) / density : glm::vec3(0), density, false};
   }
 
  private:
-  /// The normal of the facets that take light from wi to wo.
+  /// Normal of the facets that scatter light from wi to wo.
   glm::vec3 facet(const glm::vec3& wo, const glm::vec3& wi) const {
     const glm::vec3 h = glm::normalize(wi.z > 0 ? wo + wi : wo + wi * eta);
     return h.z < 0 ? -h : h;

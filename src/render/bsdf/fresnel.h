@@ -1,4 +1,4 @@
-// The share of light that the boundary of two media reflects. Any thread.
+// Fresnel reflectance of the boundary between two media. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -6,8 +6,8 @@
 
 namespace gluray::render::bsdf {
 
-/// Of unpolarised light that arrives at cosine `cosine` >= 0; `eta`: index of refraction behind the boundary
-/// over that before it. 1: total reflection.
+/// Reflectance for unpolarised light with incident cosine `cosine` >= 0; `eta`: index of refraction behind
+/// the boundary divided by that in front of it. Returns 1 for total reflection.
 inline float fresnel(float cosine, float eta) {
   const float sine2 = (1 - cosine * cosine) / (eta * eta);
   if (sine2 >= 1) return 1;
@@ -17,8 +17,8 @@ inline float fresnel(float cosine, float eta) {
   return 0.5f * (parallel * parallel + perpendicular * perpendicular);
 }
 
-/// Of a conductor with the complex index eta + i k, by colour (M. Born and E. Wolf, "Principles of Optics",
-/// 14.2).
+/// Reflectance of a conductor with the complex index eta + i k, by colour (M. Born and E. Wolf, "Principles
+/// of Optics", 14.2).
 inline glm::vec3 fresnelConductor(float cosine, const glm::vec3& eta, const glm::vec3& k) {
   const float cosine2 = cosine * cosine, sine2 = 1 - cosine2;
   const glm::vec3 eta2 = eta * eta, k2 = k * k, t0 = eta2 - k2 - sine2;
@@ -38,8 +38,8 @@ inline glm::vec3 fresnelSchlick(float cosine, const glm::vec3& f0) {
 /// Reflectance at the normal of the boundary between media of relative index `eta`.
 inline float reflectanceAtNormal(float eta) { return (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1)); }
 
-/// The direction behind the boundary of light that goes to `wo`, z > 0 before it; false: total reflection
-/// (Snell).
+/// Refracts by Snell's law: computes the direction behind the boundary of light that leaves towards `wo`, z >
+/// 0. Returns false for total reflection.
 inline bool refract(const glm::vec3& wo, const glm::vec3& normal, float eta, glm::vec3& out) {
   const float cosine = glm::dot(wo, normal), sine2 = (1 - cosine * cosine) / (eta * eta);
   if (sine2 >= 1) return false;

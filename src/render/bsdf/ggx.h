@@ -1,5 +1,5 @@
-// Facets of rough surfaces: the distribution GGX (B. Walter and others, "Microfacet Models for Refraction
-// through Rough Surfaces", 2007), with the facets that are seen drawn alone (E. Heitz, "Sampling the GGX
+// Microfacets of rough surfaces: the GGX distribution (B. Walter and others, "Microfacet Models for
+// Refraction through Rough Surfaces", 2007), with sampling of visible normals (E. Heitz, "Sampling the GGX
 // Distribution of Visible Normals", 2018). Any thread.
 #pragma once
 #include "render/bsdf/local_frame.h"
@@ -11,12 +11,12 @@ namespace gluray::render::bsdf {
 struct Ggx {
   float alpha;
 
-  /// A user's roughness is squared, so that it looks even.
+  /// Squares the user's roughness, for a perceptually even scale.
   static Ggx ofRoughness(float roughness) { return {roughness * roughness}; }
-  /// Below it, a surface is a mirror.
+  /// Whether the surface is treated as a mirror.
   bool isSmooth() const { return alpha < 1e-3f; }
 
-  /// Facets with this normal, by solid angle and area.
+  /// Distribution of facet normals, per solid angle and area.
   float density(const glm::vec3& h) const {
     if (h.z <= 0) return 0;
     const float a2 = alpha * alpha, d = (h.x * h.x + h.y * h.y) / a2 + h.z * h.z;
@@ -28,16 +28,16 @@ struct Ggx {
     const float tangent2 = std::max(1 - cosine2, 0.0f) / cosine2;
     return 0.5f * (std::sqrt(1 + alpha * alpha * tangent2) - 1);
   }
-  /// The share of facets that others do not hide from w.
+  /// Masking: fraction of facets that are visible from w.
   float seen(const glm::vec3& w) const { return 1 / (1 + lambda(w)); }
-  /// The same from both directions (height-correlated).
+  /// Masking and shadowing: fraction visible from both directions (height-correlated).
   float seen(const glm::vec3& wo, const glm::vec3& wi) const { return 1 / (1 + lambda(wo) + lambda(wi)); }
-  /// Density of visible().
+  /// Probability density of visible().
   float visibleDensity(const glm::vec3& wo, const glm::vec3& h) const {
     const float cosine = glm::dot(wo, h);
     return cosine > 0 ? seen(wo) / std::abs(wo.z) * density(h) * cosine : 0;
   }
-  /// Normal of a facet that wo sees, wo.z > 0.
+  /// Samples the normal of a facet that is visible from wo, wo.z > 0.
   glm::vec3 visible(const glm::vec3& wo, const glm::vec2& u) const {
     const glm::vec3 v = glm::normalize(glm::vec3(alpha * wo.x, alpha * wo.y, wo.z));
     const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;

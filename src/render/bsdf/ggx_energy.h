@@ -1,13 +1,13 @@
-// What rough surfaces reflect in all directions together when light meets one facet alone. The rest has met
-// several, and is given back (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks",
+// Directional albedo of rough surfaces for single scattering. The models add the energy of multiple
+// scattering between facets (C. Kulla and A. Conty, "Revisiting Physically Based Shading at Imageworks",
 // 2017). Any thread.
 #pragma once
 #include "render/bsdf/ggx.h"
 
 namespace gluray::render::bsdf {
 
-/// Albedo under light from one direction of a surface whose facets reflect f0 + (1 - f0) (1 - c)^5 (Schlick):
-/// f0 * scale + bias.
+/// Albedo for light from one direction, if facets reflect f0 + (1 - f0) (1 - c)^5 (Schlick): f0 * scale +
+/// bias.
 struct GgxAlbedo {
   float scale, bias;
   float white() const { return scale + bias; }  // f0 = 1
@@ -15,10 +15,10 @@ struct GgxAlbedo {
   float reflectance(float f0) const { return f0 * scale + bias; }
 };
 
-/// From a table, made at the first call.
+/// Interpolates a table, which the first call computes.
 GgxAlbedo ggxAlbedo(float cosine, float alpha);
 
-/// Its mean over all directions, weighted by the cosine.
+/// Cosine-weighted mean of the albedo over all directions.
 GgxAlbedo ggxMeanAlbedo(float alpha);
 
 }  // namespace gluray::render::bsdf

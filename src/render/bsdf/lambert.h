@@ -1,4 +1,4 @@
-// Equally bright from everywhere. Any thread.
+// Ideal diffuse reflection. Any thread.
 #pragma once
 #include "render/bsdf/scattered.h"
 

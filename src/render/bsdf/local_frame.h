@@ -1,4 +1,4 @@
-// The space that surfaces scatter light in: z along the normal. Any thread.
+// Local shading space: z along the normal. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -23,7 +23,7 @@ struct LocalFrame {
 
 inline bool sameSide(const glm::vec3& a, const glm::vec3& b) { return a.z * b.z > 0; }
 
-/// A direction about +z with density cos/pi.
+/// Samples a direction around +z with density cos/pi.
 inline glm::vec3 cosineHemisphere(const glm::vec2& u) {
   const float radius = std::sqrt(u.x), angle = 2 * kPi * u.y;
   return {radius * std::cos(angle), radius * std::sin(angle), std::sqrt(std::max(1 - u.x, 0.0f))};

@@ -14,19 +14,19 @@ struct MaterialModel {
   float metallic = 0, specular = 0.5f, transmission = 0, coat = 0;  // of `principled`
   float emission = 1;  // of `emissive`: radiance, in multiples of the program's colour
   float absorption =
-      0;  // eye space: light takes on the colour once on this way through glass; 0: at surfaces
+      0;  // eye space: distance inside glass over which light takes on the colour once; 0: at surfaces
 
-  /// As the settings say for lit surfaces. `diagonal`: of the scene's bounds, eye space.
+  /// The model of the settings, for lit surfaces. `diagonal`: of the scene's bounds, eye space.
   static MaterialModel fromSettings(const Settings&, float diagonal);
 
   bool isProgram() const { return kind == SurfaceMaterial::program; }
   bool isEmissive() const { return kind == SurfaceMaterial::emissive; }
-  /// Whether light goes through to the inside.
+  /// Whether light is transmitted into the surface.
   bool isBody() const {
     return kind == SurfaceMaterial::glass || (kind == SurfaceMaterial::principled && transmission > 0);
   }
   bool isTransparent() const { return isBody() || kind == SurfaceMaterial::thinGlass; }
-  /// `inside`: the path comes from within the body.
+  /// The BSDF at a hit. `inside`: the path arrives from inside the body.
   bsdf::Any bsdf(const glm::vec3& color, bool inside) const;
 };
 

@@ -5,11 +5,11 @@
 //   triangles = [100, 5000]       # least and most; absent: any
 //   material = "glass"            # and roughness, ior, metal, metallic, specular, transmission, coat,
 //   emission, absorption
-//   hidden-from = ["camera"]      # kinds of rays that it does not exist for: and shadow, occlusion,
+//   hidden-from = ["camera"]      # kinds of rays that do not hit the object; also: shadow, occlusion,
 //   reflection
-// A rule holds for objects that meet all its conditions; later rules win. Read once, kept while the file
-// stays the same. Entries of the setting material.objects (settings/object_rule.h) win over all of these.
-// Any thread.
+// A rule applies to objects that satisfy all its conditions; later rules win. Read once, kept while the file
+// stays the same. Entries of the setting material.objects (settings/object_rule.h) win over all of these. Any
+// thread.
 #pragma once
 #include "accel/rays/ray_kind.h"
 #include "render/bsdf/material_model.h"
@@ -26,23 +26,23 @@ struct MaterialRule {
   std::optional<glm::vec3> color;
   std::optional<glm::uvec2> triangles;
   std::optional<uint8_t> hiddenFrom;  // bits as in accel::HiddenFrom; absent: as earlier rules say
-  bool looks = false;                 // the rule says what the object is made of
-  MaterialModel model;                // what the rule does not say is as the settings have it
+  bool looks = false;                 // the rule sets a material
+  MaterialModel model;                // parameters that the rule does not set come from the settings
 
   bool holdsFor(const scene::Instance&, const scene::Shading&) const;
 };
 
-/// Throws std::runtime_error with the line of what is wrong.
+/// Throws std::runtime_error with the number of the faulty line.
 std::vector<MaterialRule> readMaterialRules(const std::string& toml, const MaterialModel& otherwise,
                                             float diagonal);
 
-/// What the rules of settings.material.file and the entries of settings.material.objects hide. Empty where
-/// they hide nothing.
+/// The rays that each instance is hidden from, by the rules of settings.material.file and the entries of
+/// settings.material.objects. Empty if nothing is hidden.
 accel::HiddenFrom hiddenByRules(const scene::Snapshot&);
 
-/// One for each instance of the snapshot and its surroundings: by settings where the surface is lit, by rules
-/// and entries for any. `diagonal`: of the scene's bounds, eye space. A file that cannot be read is reported
-/// in one line; the last one that could stays.
+/// Returns one model for each instance of the snapshot and its surroundings. Settings apply to lit surfaces,
+/// rules and entries to all surfaces. `diagonal`: of the scene's bounds, eye space. If the file cannot be
+/// read, logs one line and keeps the last valid rules.
 std::vector<MaterialModel> materialsOf(const scene::Snapshot&, float diagonal);
 
 }  // namespace gluray::render

@@ -1,4 +1,4 @@
-// A mirror, and the mirror that other smooth models have. Any thread.
+// Mirror reflection, also used by smooth variants of other models. Any thread.
 #pragma once
 #include "render/bsdf/scattered.h"
 

@@ -13,11 +13,11 @@ namespace gluray::render {
 
 class ObjectRules {
  public:
-  /// Entries that cannot be read say nothing: the setting does not take them.
+  /// Ignores invalid entries, which the setting does not accept anyway.
   explicit ObjectRules(const Settings&);
-  /// Whether one of them hides an object.
+  /// Whether an entry hides an object from some rays.
   bool hide() const { return hide_; }
-  /// Bits as in accel::HiddenFrom; none where the entries do not say.
+  /// Bits as in accel::HiddenFrom; none if no entry sets them.
   std::optional<uint8_t> hiddenFrom(const scene::Instance&) const;
   std::optional<MaterialModel> modelOf(const scene::Instance&, float diagonal) const;
 

@@ -1,4 +1,4 @@
-// A diffuse body under a clear coat. Light that the coat does not reflect reaches the body (C. Kelemen and L.
+// A diffuse base under a clear coat. The coat transmits the light that it does not reflect (C. Kelemen and L.
 // Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", 2001). Any thread.
 #pragma once
 #include "render/bsdf/fresnel.h"
@@ -32,7 +32,7 @@ struct Plastic {
   }
 
  private:
-  /// What the coat reflects of light from one direction; what it lets through.
+  /// Albedo of the coat for light from one direction.
   float coat(float cosine) const {
     return ggx.isSmooth() ? fresnelSchlick(cosine, glm::vec3(f0)).x
                           : ggxAlbedo(cosine, ggx.alpha).reflectance(f0);
@@ -41,7 +41,7 @@ struct Plastic {
   float coatMean() const {
     return ggx.isSmooth() ? f0 + (1 - f0) / 21 : ggxMeanAlbedo(ggx.alpha).reflectance(f0);
   }
-  /// The share of samples that the coat gets.
+  /// Probability of sampling the coat.
   float coatShare(const glm::vec3& wo) const {
     const float shine = coat(wo.z), body = (1 - shine) * std::max({albedo.x, albedo.y, albedo.z});
     return std::clamp(shine / std::max(shine + body, 1e-6f), 0.05f, 0.95f);

@@ -10,7 +10,7 @@ namespace gluray::render::bsdf {
 struct Principled {
   glm::vec3 color{1};
   float metallic = 0, specular = 0.5f, transmission = 0, coat = 0;
-  float eta = 1.5f;  // of what is transmitted, behind the boundary over before it
+  float eta = 1.5f;  // for transmission: index of refraction behind the boundary / in front of it
   Ggx ggx{0.25f};
 
   glm::vec3 evaluate(const glm::vec3& wo, const glm::vec3& wi) const {
@@ -62,7 +62,7 @@ struct Principled {
     return coat * ggxAlbedo(std::abs(w.z), kCoat.alpha).reflectance(kCoatF0);
   }
   float underCoat(const glm::vec3& w) const { return coat == 0 ? 1 : 1 - coatOf(w); }
-  /// The share of samples that the coat gets.
+  /// Probability of sampling the coat.
   float coatShare(const glm::vec3& wo) const { return coat == 0 ? 0 : std::clamp(coatOf(wo), 0.05f, 0.9f); }
 
   glm::vec3 metalBody(const glm::vec3& wo, const glm::vec3& wi) const {

@@ -1,11 +1,11 @@
-// The reflection of rough surfaces, shared by the models that have one. Any thread.
+// Reflection of rough surfaces, shared by several models. Any thread.
 #pragma once
 #include "render/bsdf/ggx_energy.h"
 #include "render/bsdf/scattered.h"
 
 namespace gluray::render::bsdf {
 
-/// Light that meets one facet. `reflectance(cosine)` is the facets' own.
+/// Single scattering. `reflectance(cosine)`: reflectance of a facet.
 template <class Reflectance>
 glm::vec3 reflectOnce(const Ggx& ggx, const glm::vec3& wo, const glm::vec3& wi,
                       const Reflectance& reflectance) {
@@ -21,8 +21,8 @@ inline float reflectOncePdf(const Ggx& ggx, const glm::vec3& wo, const glm::vec3
   return cosine > 0 ? ggx.visibleDensity(wo, h) / (4 * cosine) : 0;
 }
 
-/// Light that meets several facets, as a diffuse lobe that gives back what reflectOnce() lacks. `mean`: the
-/// facets' reflectance, averaged over all directions.
+/// Multiple scattering between facets: a diffuse lobe with the energy that reflectOnce() loses. `mean`:
+/// reflectance of facets, averaged over all directions.
 inline glm::vec3 reflectOften(const Ggx& ggx, const glm::vec3& wo, const glm::vec3& wi,
                               const glm::vec3& mean) {
   if (!(wo.z > 0 && wi.z > 0)) return glm::vec3(0);

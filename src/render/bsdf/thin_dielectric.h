@@ -1,5 +1,5 @@
-// A pane, whose two sides are one surface: light goes straight through or is reflected, any number of times
-// between its sides. Any thread.
+// A thin pane with both sides in one surface: transmits light straight, and reflects it, with all reflections
+// between the two sides. Any thread.
 #pragma once
 #include "render/bsdf/fresnel.h"
 #include "render/bsdf/scattered.h"
@@ -8,9 +8,9 @@ namespace gluray::render::bsdf {
 
 struct ThinDielectric {
   float eta = 1.5f;
-  glm::vec3 tint{1};  // of light that goes through
+  glm::vec3 tint{1};  // of transmitted light
 
-  /// R + T^2 R + T^2 R^3 + ..., of both sides.
+  /// Reflectance of both sides together: R + T^2 R + T^2 R^3 + ...
   float reflectance(float cosine) const {
     const float once = fresnel(cosine, eta);
     return 2 * once / (1 + once);

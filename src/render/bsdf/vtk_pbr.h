@@ -1,7 +1,6 @@
 // VTK's physically based shading, term by term as its programs have it
-// (render/shading/fragment_program.inl.h). Differs from the other models: the visibility of facets takes the
-// square of the roughness where the distribution takes its fourth power, and what rough surfaces lose is
-// lost. Any thread.
+// (render/shading/fragment_program.inl.h). Differs from the other models: masking uses the squared roughness,
+// the distribution its fourth power, and the energy of multiple scattering is lost. Any thread.
 #pragma once
 #include "render/bsdf/fresnel.h"
 #include "render/bsdf/rough_reflection.h"

@@ -1,5 +1,4 @@
-// From depths of normalised device coordinates to those of the window. Made once a frame, read by every
-// tracing thread.
+// Maps NDC depths to window depths. Made once a frame, read by every tracing thread.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -11,7 +10,7 @@ struct DepthMap {
   double slopeFactor = 0,
          constant = 0;     // polygon offset: slopeFactor * steepest window-space slope + constant
   bool euclidean = false;  // the slope is the length of the gradient instead
-  double floatUnits = 0;   // added too: this many units in the last place of a triangle's largest float depth
+  double floatUnits = 0;   // also added: so many units in the last place of a triangle's largest float depth
   /// The constant part of the polygon offset of a triangle whose NDC depths range from `ndc` to `further`.
   double constantOf(double ndc, double further) const;
 };

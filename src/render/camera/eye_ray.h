@@ -1,4 +1,4 @@
-// One ray of the viewer, in eye space. Any thread.
+// A primary ray in eye space. Any thread.
 #pragma once
 #include "render/camera/ray_setup.h"
 
@@ -8,8 +8,8 @@ struct EyeRay {
   glm::dvec3 origin, direction;  // unit length
 };
 
-/// The ray through a window position, from the viewpoint; in parallel views from the plane of the eye, or
-/// from the near plane if that lies behind it.
+/// Returns the ray through a window position. It starts at the viewpoint, or in parallel views at the plane
+/// of the eye, or at the near plane if that lies behind the eye.
 inline EyeRay eyeRayAt(const RaySetup& eyeRays, double x, double y) {
   const glm::dvec4 at = eyeRays.start + x * eyeRays.startX + y * eyeRays.startY;
   const glm::dvec3 near = glm::dvec3(at) / at.w, way = glm::dvec3(eyeRays.step) - eyeRays.step.w * near;

@@ -10,8 +10,8 @@
 
 namespace gluray::render {
 
-/// The ray from a point of the lens is that from its centre, sheared: a homogeneous point p of the one
-/// becomes
+/// The ray from a point of the lens is the sheared ray from its centre. The shear maps a homogeneous point p
+/// to
 ///   p + dot(along, p) * (x * right + y * up),
 /// with (x, y) in the unit disc. `along` is 1 at the lens and 0 at the distance in focus. So the shear
 /// followed by the projection is the projection as seen from that point of the lens.
@@ -28,17 +28,18 @@ struct LensShear {
 /// The thin lens of R. Cook and others, "Distributed Ray Tracing", 1984: a point at distance d along the axis
 /// shows as a disc with the radius of the lens times |d - f| / f, measured at d, f being the distance in
 /// focus.
-/// Differs: with a parallel projection there is no viewpoint to place the lens at. Distances count from the
-/// plane of the eye, or from the near plane if that lies behind it; the disc is the same.
+/// Differs: a parallel projection has no viewpoint for the lens. Distances count from the plane of the eye,
+/// or from the near plane if that lies behind it; the disc is the same.
 struct Lens {
   LensShear world;
   std::vector<LensShear> objects;    // one for each of Snapshot::instances
   std::vector<LensShear> lightings;  // the same in the impostors' lighting space; unused for triangles
 };
 
-/// The viewer's axis, whatever space the projection is given in. Lengths are in units of the clip-space w of
-/// perspective projections: ordinary ones have the distance from the viewer there, also where programs give
-/// no more than the product of all their matrices. With a parallel projection they are in those of eye space.
+/// The viewing axis, independent of the space in which the program gives the projection. With a perspective
+/// projection, lengths are in units of clip-space w, which in ordinary projections is the distance from the
+/// viewer, even if a program gives only the product of all its matrices. With a parallel projection, lengths
+/// are in eye-space units.
 class LensAxis {
  public:
   /// Throws std::runtime_error where the projection cannot be inverted.
@@ -47,23 +48,23 @@ class LensAxis {
   double distanceOf(const glm::dvec3& eye) const;
   /// The shear in eye space of a lens with this radius that is focused at distance `focus` > 0 from it.
   LensShear shear(double radius, double focus) const;
-  /// The radius of the lens whose settings these are. 0 for an f-number and a parallel projection, which has
-  /// no focal length.
+  /// The lens radius for these settings. 0 for an f-number with a parallel projection, which has no focal
+  /// length.
   double radius(const Settings::Camera&, double focus) const;
-  /// The lens's distance from the plane of the eye: 0 unless that lies behind the near plane of a parallel
-  /// projection.
+  /// Distance of the lens from the plane of the eye: not 0 only if that plane lies behind the near plane of a
+  /// parallel projection.
   double start() const { return start_; }
 
  private:
   glm::dvec4 depth_{0};  // dot(depth_, p) is the distance from the lens
   glm::dvec3 right_{1, 0, 0}, up_{0, 1, 0};
   double start_ = 0;
-  double angle_ = 0;  // tangent of half the view's angle of height; 0: parallel
+  double angle_ = 0;  // tangent of half the vertical field of view; 0: parallel
   double unit_ = 1;   // length of a unit in eye space
 };
 
-/// The lens of the snapshot's settings, focused at `focus` from it along the axis; null unless that is
-/// positive. Throws std::runtime_error where a matrix cannot be inverted.
+/// Makes the lens of the snapshot's settings with focus distance `focus` along the axis; null unless `focus`
+/// is positive. Throws std::runtime_error if a matrix cannot be inverted.
 std::unique_ptr<const Lens> makeLens(const scene::Snapshot&, double focus);
 
 }  // namespace gluray::render

@@ -1,4 +1,4 @@
-// Ambient occlusion: surfaces are darkened by what hides the sky above them.
+// Ambient occlusion: surfaces that hide the sky above a point darken the point.
 #pragma once
 #include "render/integrators/factors.h"
 #include "render/integrators/metric.h"
@@ -6,7 +6,7 @@
 
 namespace gluray::render {
 
-/// The open part of the hemisphere above a point,
+/// The unoccluded part of the hemisphere above a point,
 ///   A = 1 - strength/pi * integral of (1 - V(w)) cos(n, w) dw,  V = 0 where something lies within `radius`.
 /// Directions are drawn in proportion to the cosine, so that the estimate is 1 - strength * blocked /
 /// samples. Source: Zhukov, Iones, Kronin, "An Ambient Light Illumination Model", 1998.

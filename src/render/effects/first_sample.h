@@ -1,4 +1,4 @@
-// Which samples of a pixel's sequence a hit takes. Any thread.
+// Indices into a pixel's sample sequence. Any thread.
 #pragma once
 #include "render/frame_data/frame_data.h"
 #include "render/integrators/surface_points.h"
@@ -9,8 +9,8 @@
 
 namespace gluray::render {
 
-/// Index of the first of the samples that sample `sample` of a pixel takes in this pass, with `count` for
-/// each.
+/// Index of the first light sample of pixel sample `sample` in this pass, if each pixel sample has `count`
+/// light samples.
 inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
   if (frame.moving) return frame.moving->index * static_cast<uint32_t>(count);
   const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
@@ -18,16 +18,16 @@ inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
   return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
 }
 
-/// The number of samples at a point, if settings ask for `count`.
+/// Number of light samples at a point; the settings request `count`.
 inline int samplesOf(const FrameData& frame, int count) {
   return frame.moving ? std::min(count, frame.moving->rays.perPixel) : count;
 }
 
-/// Seeds for points: those of their pixels, or in moving frames one sequence for all.
+/// Seeds of points: the seeds of their pixels, or in moving frames one sequence for all.
 inline PixelSeeds seedsOf(const FrameData& frame, const AskedPoints& asked) {
   if (!frame.moving) return {asked.x, asked.y};
   const MovingFrame& moving = *frame.moving;
-  // Where the filter sees more than 4x4 pixels of few samples each, neighbouring blocks take different
+  // If the filter covers more than 4x4 pixels with few samples each, neighbouring blocks use different
   // points.
   const uint32_t apart = moving.rays.quarter || !moving.earlier ? 1 : 0;
   const scene::Region& region = frame.snapshot->region;

@@ -1,6 +1,6 @@
-// What a filter of finished pictures, or somebody who picks a pixel, must know of it in place of its colour.
-// Made for passes of the modes reflectance, geometry and surfaces (scene/light_sampling.h); called on all
-// tracing threads.
+// Integrators that replace colours by guides: reflectance, geometry or points, for the filter of finished
+// pictures and for picking. Made for passes of the modes reflectance, geometry and surfaces
+// (scene/light_sampling.h); called on all tracing threads.
 #pragma once
 #include "render/integrators/altered_look.h"
 #include "render/integrators/integrator.h"
@@ -9,7 +9,7 @@
 
 namespace gluray::render {
 
-/// Red, green and blue become the surface's reflectance, as paths know it.
+/// Replaces red, green and blue by the surface's reflectance in path tracing.
 class ReflectanceGuide final : public Integrator {
  public:
   explicit ReflectanceGuide(const FrameData& frame) : frame(frame), colors(surfaceColors(frame, true)) {}
@@ -19,8 +19,8 @@ class ReflectanceGuide final : public Integrator {
   SurfaceColors colors;
 };
 
-/// The four channels become the plane of the surface, in units of the width of a pixel there: (a, b, c, d).
-/// A pixel x columns and y rows away, whose own fourth channel is e, lies
+/// Replaces the four channels by the plane of the surface, in units of the pixel width at the surface: (a, b,
+/// c, d). A pixel x columns and y rows away, whose own fourth channel is e, lies
 ///   a x + b y + c (1 - d / e)
 /// away from it. a and b are the normal's components along rows and columns; c <= 0.
 class GeometryGuide final : public Integrator {
@@ -29,7 +29,7 @@ class GeometryGuide final : public Integrator {
   explicit GeometryGuide(const FrameData&);
   void light(const ColoredHits&, ColorRows&) const noexcept override;
 
-  /// Parallel projections are treated as perspectives from so many widths of a pixel away.
+  /// Parallel projections count as perspectives from this distance, in pixel widths.
   static constexpr float kFarAway = 131072;
 
   const FrameData& frame;
@@ -37,8 +37,8 @@ class GeometryGuide final : public Integrator {
   FilmSpace space;
 };
 
-/// Red, green and blue become the normal (mode surfaces: of unit length, on the viewer's side) or the point,
-/// in eye space; alpha the number of the instance, counted from 1. Exact for the first 2^24 instances.
+/// Replaces red, green and blue by the normal (unit length, on the viewer's side) or the point, in eye space,
+/// and alpha by the number of the instance, counted from 1. Exact for the first 2^24 instances.
 class SurfaceGuide final : public Integrator {
  public:
   explicit SurfaceGuide(const FrameData& of) : frame(of), metric(of) {}
@@ -48,9 +48,9 @@ class SurfaceGuide final : public Integrator {
   Metric metric;
 };
 
-/// The guide that the snapshot's mode asks for; null where colours of the local look are the answer.
+/// Makes the guide of the snapshot's mode; null if the mode uses colours.
 std::unique_ptr<const Integrator> makeGuide(const FrameData&);
-/// Whether the snapshot asks for guides in place of colours.
+/// Whether the snapshot's mode uses guides instead of colours.
 bool wantsGuide(const scene::Snapshot&);
 
 }  // namespace gluray::render

@@ -1,4 +1,4 @@
-// Which light beyond the local look a frame gets. Asked once a frame, on the calling thread.
+// Chooses the integrator of a frame. Called once a frame, on the calling thread.
 #pragma once
 #include "render/integrators/integrator.h"
 
@@ -6,7 +6,7 @@
 
 namespace gluray::render {
 
-/// The integrator that the snapshot's settings ask for; null where they ask for the local look alone.
+/// Makes the integrator of the snapshot's settings; null if only the local look is used.
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData&);
 
 }  // namespace gluray::render

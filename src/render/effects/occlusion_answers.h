@@ -1,4 +1,4 @@
-// Answers to occlusion queries of other processes, in the scene of a frame. Made once a frame, asked on all
+// Answers occlusion queries of other processes in the scene of a frame. Made once a frame, called on all
 // tracing threads.
 #pragma once
 #include "accel/rays/occlusion.h"
@@ -18,8 +18,8 @@ class OcclusionAnswers {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit OcclusionAnswers(const FrameData& frame);
-  /// Bit i: ray i is blocked. What passes of the others goes to `through`. `valid` is aligned to 64 bytes.
-  /// `lamp`: RemoteQuery::lamp.
+  /// Returns bit i if ray i is blocked, and writes the transmittance of the other rays to `through`. `valid`
+  /// is aligned to 64 bytes. `lamp`: RemoteQuery::lamp.
   uint32_t occluded(const int32_t* valid, accel::OcclusionRays&, accel::RayKind, const glm::vec3* lamp,
                     glm::vec3 (&through)[accel::kLanes]) const;
 

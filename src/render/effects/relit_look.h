@@ -1,5 +1,5 @@
-// The local look with what arrives of each light: the surface's own equation, where its lights are shadowed
-// and light comes from all sides. Tracing threads.
+// Shades hits by the surface's own lighting equation with the visibility of each light and with dome light.
+// Tracing threads.
 #pragma once
 #include "render/effects/shadow_lights.h"
 #include "render/integrators/factors.h"
@@ -7,14 +7,14 @@
 
 namespace gluray::render {
 
-/// Lights of a surface's shading that settings add; of those with an area the diffuse light is an integral.
+/// Lights that settings add to a surface's shading. The diffuse light of area lights is an integral.
 struct AreaLights {
   const Metric& metric;
   const std::vector<scene::LightSource>& sources;
   size_t first;  // the shading's light that is sources[0]
 };
 
-/// What arrives at hits on one instance.
+/// Incident light at hits on one instance.
 struct Arrival {
   const ShadowLights::Rows& rows;
   const Factors& factors;
@@ -22,9 +22,9 @@ struct Arrival {
   const AreaLights* areas = nullptr;  // null: no light has an area
 };
 
-/// Shades the hits as the local look does, on `surface`, with what arrives of its lights.
+/// Shades the hits on `surface` by the local look with this incident light.
 void shadeAgain(const FrameData&, const Surface& surface, const ColoredHits&, const Arrival&, ColorRows&);
-/// What fog adds to the hits' colours: those of black surfaces. For surfaces with fog.
+/// Computes the fog's contribution to the hits' colours, as on black surfaces. For surfaces with fog.
 void fogAlone(const ColoredHits&, ColorRows&);
 
 }  // namespace gluray::render

@@ -129,8 +129,7 @@ class Finder {
     const bool dome = frame_.relit && frame_.relit->dome.shines();
     const size_t most = casts ? kShadowLights - (dome ? 1 : 0) : 0;
     if (casts && order.size() > most)
-      log::once(log::Level::warning, "shadow lights",
-                "shadows: more than four lights cast shadows; only those of the strongest are drawn");
+      log::once(log::Level::warning, "shadow lights", "shadows: only the four strongest lights cast shadows");
     order.resize(std::min(order.size(), most));
     std::vector<int8_t> row(lights_.size(), -1);
     for (const int i : order) {

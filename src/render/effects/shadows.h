@@ -1,4 +1,4 @@
-// Shadows: what of each light arrives past other surfaces. Made once a frame, asked on all tracing threads.
+// Shadows: the visibility of each light. Made once a frame, called on all tracing threads.
 #pragma once
 #include "render/effects/shadow_lights.h"
 #include "render/integrators/factors.h"
@@ -9,12 +9,12 @@ namespace gluray::render {
 
 /// The visibility of a light from a point,
 ///   V = integral of T(w) f(w) dw / integral of f(w) dw  over the light's directions,
-/// with the share T of light that passes surfaces, and f the light's radiance times cos(n, w). Multiplied by
-/// the light as the surface's equation has it, without noise, it gives the shadowed light (E. Heitz, S. Hill,
-/// M. McGuire, "Combining Analytic Direct Illumination and Stochastic Shadows", 2018).
+/// with the transmittance T of surfaces in the way, and f the light's radiance times cos(n, w). The shadowed
+/// light is V times the noise-free light of the surface's equation (E. Heitz, S. Hill, M. McGuire, "Combining
+/// Analytic Direct Illumination and Stochastic Shadows", 2018).
 struct Shadows {
   Shadows(const FrameData&, const Metric&, const Occluders&, const ShadowLights&);
-  /// Rays that a light needs from each point; one if its shadows are hard.
+  /// Rays per point for a light; one for hard shadows.
   int raysOf(int row) const;
   /// Fills the rows of Factors::visibility.
   void estimate(const AskedPoints&, Factors&) const noexcept;

@@ -37,8 +37,8 @@ SurfaceLight::SurfaceLight(const FrameData& frame)
     shadows_.emplace(frame, metric_, occluders_, lights_);
   else
     log::once(log::Level::info, "no shadows",
-              "shadows are on, but no light casts one that the viewer sees; the setting lights has such "
-              "lights, for instance lights=headlight+key");
+              "shadows are on, but no light casts shadows that are visible to the viewer; add a light, for "
+              "instance with lights=headlight+key");
 }
 
 UsedFactors SurfaceLight::used() const noexcept {

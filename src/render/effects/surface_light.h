@@ -7,12 +7,12 @@
 
 namespace gluray::render {
 
-/// The local look whose lights are shadowed, whose surroundings are occluded, or both.
+/// The local look with shadows, ambient occlusion, or both.
 class SurfaceLight final : public FactorIntegrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit SurfaceLight(const FrameData& frame);
-  /// False: it would change nothing.
+  /// Whether it changes anything.
   bool acts() const { return occlusion_ || shadows_ || dome_ || hasAreas_; }
 
   UsedFactors used() const noexcept override;
@@ -24,7 +24,7 @@ class SurfaceLight final : public FactorIntegrator {
 
  private:
   bool isDomed(const ShadowLights::Rows& used) const { return dome_ && used.up != glm::vec3(0); }
-  /// Shades again what is shadowed or lit from all sides. Returns whether it did.
+  /// Shades hits again if they have shadows, a dome or area lights. Returns whether it did.
   bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
   void shadeArriving(const Surface&, const ColoredHits&, const Factors&, const scene::Dome*,
                      ColorRows&) const;

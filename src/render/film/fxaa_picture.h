@@ -1,4 +1,4 @@
-// What the FXAA filter reads. Any thread.
+// Input of the FXAA filter. Any thread.
 #pragma once
 #include <cstdint>
 

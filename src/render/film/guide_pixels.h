@@ -1,4 +1,4 @@
-// Guides of a pixel, packed. Any thread.
+// Packs the guides of a pixel. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace gluray::render {
 
-/// Light is colour divided by reflectance: black surfaces need some.
+/// Lower bound of the reflectance, because light is colour divided by reflectance.
 constexpr float kMinReflectance = 1.0f / 64;
 
 /// Three mantissas of 9 bits and a common exponent of 5, 2^-16 for 0.
@@ -42,7 +42,7 @@ inline glm::vec2 unpackNormal2(uint32_t bits) {
   return {coordinate(bits & 65535), coordinate(bits >> 16)};
 }
 
-/// The leading 16 bits of a float.
+/// Keeps the leading 16 bits of a float.
 inline uint16_t packFacing(float v) { return static_cast<uint16_t>(std::bit_cast<uint32_t>(v) >> 16); }
 inline float unpackFacing(uint16_t code) { return std::bit_cast<float>(uint32_t{code} << 16 | 0x8000u); }
 

@@ -8,7 +8,7 @@
 
 namespace gluray::render {
 
-/// A filter along one axis; that of a pixel is the product of both axes'. Any constant factor.
+/// A separable filter along one axis, up to a constant factor.
 class FilterCurve {
  public:
   explicit FilterCurve(PixelFilter filter) : filter_(filter) {}
@@ -27,7 +27,7 @@ struct FilteredSamples {
 
 /// Filter importance sampling (M. Ernst and others, "Filter Importance Sampling", 2006): places points of the
 /// unit square in proportion to the filter's magnitude, so that weights are 1, or -1 where it is negative.
-/// The square's centre stays the pixel's. The box filter leaves all points as they are.
+/// The centre of the square maps to the centre of the pixel. The box filter does not move points.
 FilteredSamples filteredSamples(PixelFilter, std::vector<glm::dvec2> unitSquare);
 
 }  // namespace gluray::render

@@ -6,9 +6,9 @@
 namespace gluray::render {
 
 /// Sets `out` to `how.size` pixels from (0, 0), with one sample each and no misses. Colours average all
-/// samples; depths are the first sample's (OpenGL 4.6, 18.3.1: any one sample), or those at pixels' centres
-/// where pixels are averages over rays. Clips `samples`, whose colour plane is `color`. Runs on the threads
-/// of the calling arena.
+/// samples; depths are those of the first sample (OpenGL 4.6, 18.3.1: any one sample), or of the pixel
+/// centres if pixels average several rays. Clips `samples`, whose colour plane is `color`. Runs on the
+/// threads of the calling arena.
 void resolve(const scene::Resolve& how, const Image& samples, Image& out);
 
 }  // namespace gluray::render

@@ -8,8 +8,8 @@
 
 namespace gluray::render {
 
-/// Colours are decoded to linear light, multiplied, bent by a curve, and encoded again. Framebuffers hold
-/// colours as sRGB displays show them, except where the real OpenGL encodes what is written.
+/// Decodes colours to linear light, applies exposure and a curve, and encodes them again. Framebuffers hold
+/// sRGB values, unless OpenGL itself encodes colours on writing.
 ///   reinhard  L / (1 + L), L being the luminance; hue stays (E. Reinhard and others, "Photographic Tone
 ///             Reproduction for Digital Images", 2002, equation 3)
 ///   aces      K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015, with that page's exposure factor of 0.6
@@ -20,11 +20,11 @@ struct ToneMap {
   Tone curve = Tone::none;
   bool encoded = true;  // colours are sRGB values
 
-  /// Changes the first three rows. Alpha stays.
+  /// Changes red, green and blue; alpha stays.
   void apply(ColorRows&) const;
 };
 
-/// None where the settings leave colours as they are.
+/// None if the settings do not change colours.
 std::optional<ToneMap> makeToneMap(const scene::Snapshot&);
 
 }  // namespace gluray::render

@@ -1,4 +1,4 @@
-// Smooths the noise of light in a picture within its surfaces. Any thread; pure.
+// Edge-stopping wavelet denoiser for light. Any thread; pure.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -6,37 +6,37 @@
 
 namespace gluray::render {
 
-/// What the filter knows of pixels, row by row. Packed by packGuides().
+/// Guides of the filter, row by row. Packed by packGuides().
 struct GuideView {
-  const uint32_t* reflectance = nullptr;  // what light is multiplied by: three mantissas, one exponent
+  const uint32_t* reflectance = nullptr;  // reflectance: three mantissas, one exponent
   const uint32_t* normal = nullptr;       // two coordinates (integrators/guides.h: a, b), 16 bits each
   const uint16_t* facing = nullptr;       // c: the leading bits of a float
-  const float* distance = nullptr;        // d; 0: nothing is known of the pixel, and it stays as it is
+  const float* distance = nullptr;        // d; 0: no guides, so that the pixel does not change
 };
 
-/// A picture whose pixels have noise.
+/// A noisy picture with an estimate of its noise.
 struct NoisyPicture {
   int width = 0, height = 0;
   const float* color = nullptr;     // RGBA
   const uint16_t* noise = nullptr;  // estimated standard error, kNoiseOne being 1; null: not known
   GuideView guides;
-  float target = 0;  // pixels with less noise stay
-  // The brightest value that is shown: what is brighter counts as this, because noise is that of what is
-  // shown.
+  float target = 0;  // pixels with less noise do not change
+  // The largest displayed value. Brighter values are clamped to it, because noise is measured on displayed
+  // values.
   float most = std::numeric_limits<float>::max();
 };
 
 constexpr float kNoiseOne = 65535;
 
-/// Writes the guides of `count` pixels from the wide colours of passes of the modes reflectance and geometry,
-/// whose pixels with depth `miss` show nothing.
+/// Packs the guides of `count` pixels from the wide colours of passes of the modes reflectance and geometry.
+/// Pixels with depth `miss` show no surface.
 void packGuides(const float* reflectance, size_t count, uint32_t* packed);
 void packGeometry(const float* geometry, const float* depth, size_t count, uint32_t* normal, uint16_t* facing,
                   float* distance);
 
-/// A square of the picture that is smoothed at once.
+/// A square of the picture that is filtered in one call.
 struct WaveletTile {
-  static constexpr int kSize = 64, kReach = 32;  // kReach: how far beyond it pixels count
+  static constexpr int kSize = 64, kReach = 32;  // kReach: pixels read beyond its border
   int x = 0, y = 0;                              // its corner
 };
 

@@ -1,5 +1,4 @@
-// What shows where a view has no surface (setting `background`). Made once a frame, asked on all tracing
-// threads.
+// The background of a view (setting `background`). Made once a frame, called on all tracing threads.
 #pragma once
 #include "render/camera/ray_setup.h"
 #include "render/film/tone.h"
@@ -16,16 +15,16 @@ namespace gluray::render {
 
 class BackdropLook {
  public:
-  /// The depth at which it lies: the farthest before what a depth of 1 was cleared to.
+  /// Depth of the background: the largest float below the cleared depth of 1.
   static constexpr float kDepth = 0x1.fffffep-1f;
 
   /// `eyeRays`: of the snapshot's camera. Its backdrop must not be null; both must outlive this.
   BackdropLook(const scene::Snapshot&, const RaySetup& eyeRays);
-  /// Whether pixel (x, y) of the region may show it.
+  /// Whether pixel (x, y) of the region may show the background.
   bool covers(int x, int y) const {
     return isClear_.empty() || isClear_[static_cast<size_t>(y) * width_ + static_cast<size_t>(x)] != 0;
   }
-  /// Its colour at a window position, as framebuffers hold colours.
+  /// Its colour at a window position, encoded as in the framebuffer.
   glm::vec3 at(float x, float y) const noexcept;
 
  private:

@@ -28,7 +28,7 @@ struct Relit;
 struct HitFilm;
 struct MovingFrame;
 
-/// Whether the picture is blended over the framebuffer, because it holds a catcher or a background.
+/// Whether the picture is blended over the framebuffer, because it has a catcher or a background.
 bool isComposed(const scene::Snapshot&);
 
 struct FrameData {
@@ -38,8 +38,8 @@ struct FrameData {
   RaySetup eyeRays;  // the same in eye space with equal t; unused if rays.startAtSphere
   DepthMap depth;
   std::shared_ptr<const Relit> relit;  // shadings in place of the snapshot's, if settings change lights
-  // Each one per Snapshot's (or relit), and after those one per Surroundings', shadings and instances.
-  // Surfaces that nothing can be seen of have no instance.
+  // One entry for each shading and instance of the snapshot (or relit), followed by those of the
+  // surroundings. Surfaces that cannot be visible have no instance.
   std::vector<Lighting> lightings;
   std::vector<Surface> surfaces;
   std::vector<glm::dvec2> samplePositions;  // from the pixel's lower left corner, one per sample
@@ -49,10 +49,10 @@ struct FrameData {
   bool oncePerPixel = false;  // multisampled: surfaces are shaded at pixels' centres
   bool ownPlanes = false;     // some surface has its own clip planes
   bool averages = false;      // a pixel averages all samples (Image::centerDepth)
-  // The instance that shows nothing but what falls on it, which only averages can show; kNoHit: none.
+  // The instance that is a shadow catcher, which needs averages; kNoHit: none.
   uint32_t catcher = accel::kNoHit;
-  // Null: rays leave the viewpoint. Otherwise sample 0 gives a pixel's depth alone, through the middle of the
-  // lens, and the others its colour.
+  // Null: rays start at the viewpoint. Otherwise sample 0, through the centre of the lens, gives only the
+  // depth of the pixel, and the other samples give its colour.
   std::unique_ptr<const Lens> lens;
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha other than 1
   // Layers: LayerCounts::open and ::before.
@@ -62,20 +62,20 @@ struct FrameData {
   // leastDepth: largest eye-space distance by which a hit of lesser depth may lie behind another.
   double leastDepthReach = 0;
   glm::dvec4 clipZ{0}, clipW{0};  // leastDepth: rows of the matrix from world to clip space
-  // Skips hits that are culled or clipped, where hits are compared before they are shaded (growing edges,
-  // leastDepth). Otherwise null.
+  // Rejects culled and clipped hits if hits are compared before they are shaded (growing edges, leastDepth);
+  // otherwise null.
   std::unique_ptr<const accel::HitFilter> accepted;
-  const Integrator* integrator = nullptr;  // null: the local look alone
-  RemoteSurfaces* remote = nullptr;        // null: no other process holds surfaces of this view
+  const Integrator* integrator = nullptr;  // null: local look only
+  RemoteSurfaces* remote = nullptr;        // null: no other process has surfaces of this view
   std::optional<ToneMap> tone;             // none: colours stay
-  std::unique_ptr<const Lamps> lamps;      // null: the viewer sees no lights
-  std::optional<KnownDepths> knownDepths;  // of catchers; none: their rays are whole
+  std::unique_ptr<const Lamps> lamps;      // null: no visible lights
+  std::optional<KnownDepths> knownDepths;  // of catchers; none: their rays are not shortened
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
-  // Null: pixels get their final colours at once. Otherwise traceTile() keeps the hits here, and the
-  // collector their factors of light; then relightTile() colours them.
+  // Null: traceTile() writes final colours. Otherwise traceTile() stores the hits here, the collector stores
+  // their factors of light, and relightTile() colours them.
   HitFilm* hits = nullptr;
   const Integrator* collector = nullptr;
-  const MovingFrame* moving = nullptr;   // null: light takes all samples that the settings ask for
+  const MovingFrame* moving = nullptr;   // null: light uses all samples of the settings
   std::optional<HonestLook> honest;      // none: the local look is the program's
   std::optional<BackdropLook> backdrop;  // of averages: what misses show; none: the framebuffer's content
   Image* image = nullptr;
@@ -86,7 +86,7 @@ struct FrameData {
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
   ~FrameData();
   const std::vector<scene::Shading>& shadings() const;
-  /// Of one of the snapshot's instances: an index of shadings() and lightings.
+  /// Index into shadings() and lightings of one of the snapshot's instances.
   uint32_t shadingOf(size_t instance) const;
   /// Whether anything changes the colours of the local look.
   bool changesColors() const { return integrator || tone; }

@@ -1,4 +1,4 @@
-// The look of catchers: nothing but the light that surfaces take from them. Tracing threads.
+// Shading of shadow catchers: only the light that other surfaces remove. Tracing threads.
 #pragma once
 #include "render/integrators/factors.h"
 #include "render/integrators/integrator.h"
@@ -10,11 +10,11 @@
 
 namespace gluray::render {
 
-/// Colours become black with the share of light that does not arrive as opacity, 1 - L / L0: `rows` with and
-/// `open` without all other surfaces, both as luminance. Nothing falls on what no light reaches anyway.
+/// Replaces colours by black with opacity 1 - L / L0, where L and L0 are the luminances of `rows` (with all
+/// other surfaces) and `open` (without them). The opacity is 0 if L0 is 0.
 void showTaken(const ColorRows& open, ColorRows& rows);
 
-/// Another integrator, but for hits on the catcher, of which it shows what is taken.
+/// Applies another integrator, and shows hits on the catcher by their missing light.
 class CatcherLook final : public Integrator {
  public:
   /// `light` must not be null; `catcher`: the instance.
@@ -27,7 +27,7 @@ class CatcherLook final : public Integrator {
   uint32_t catcher_;
 };
 
-/// All surfaces are catchers (scene::Snapshot::catches). The factors are those of `light`.
+/// Treats all surfaces as catchers (scene::Snapshot::catches), with the factors of `light`.
 class AllCaught final : public FactorIntegrator {
  public:
   explicit AllCaught(std::unique_ptr<const FactorIntegrator> light) : light_(std::move(light)) {}
@@ -46,7 +46,7 @@ class AllCaught final : public FactorIntegrator {
   std::unique_ptr<const FactorIntegrator> light_;
 };
 
-/// All surfaces are catchers, and nothing takes light from them.
+/// Treats all surfaces as catchers without missing light.
 class NothingCaught final : public Integrator {
  public:
   void light(const ColoredHits&, ColorRows& rows) const noexcept override {

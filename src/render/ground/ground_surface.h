@@ -1,4 +1,4 @@
-// The ground as a surface: its mesh, matter and lights. Made once a frame; any thread.
+// The ground as a surface: mesh, material and lights. Made once a frame; any thread.
 #pragma once
 #include "render/ground/ground_place.h"
 #include "scene/snapshot.h"
@@ -6,7 +6,7 @@
 namespace gluray::render {
 
 struct GroundSurface {
-  scene::Instance instance;  // but for its index of a shading
+  scene::Instance instance;  // without its index of a shading
   scene::Shading shading;
 };
 

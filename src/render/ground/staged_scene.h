@@ -1,4 +1,4 @@
-// A snapshot as it is traced: with what settings add to it. Made once a frame by frame::Renderer.
+// A snapshot with the additions of settings, as it is traced. Made once a frame by frame::Renderer.
 #pragma once
 #include "accel/rays/ray_kind.h"
 #include "scene/snapshot.h"
@@ -7,8 +7,8 @@
 
 namespace gluray::render {
 
-/// The snapshot with its ground (adr/0051), and what rules hide from which rays. Where settings ask
-/// for neither, the snapshot itself. The snapshot must outlive it.
+/// The snapshot with its ground (adr/0051) and its hidden objects. Without either, the unchanged snapshot.
+/// The snapshot must outlive it.
 class StagedScene {
  public:
   explicit StagedScene(const scene::Snapshot&);

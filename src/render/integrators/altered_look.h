@@ -1,5 +1,5 @@
-// The local look of other materials under other lights: what of it are the surfaces' own colours, and what
-// they emit. Made once a frame, read by every tracing thread.
+// The local look with altered materials and lights, which yields the albedo and the emission of surfaces.
+// Made once a frame, read by every tracing thread.
 #pragma once
 #include "render/frame_data/frame_data.h"
 
@@ -25,16 +25,16 @@ class AlteredLook {
   std::vector<Surface> surfaces_;  // as FrameData::surfaces
 };
 
-/// What light transport asks the local look for.
+/// Albedo and emission of surfaces, for light transport.
 struct SurfaceColors {
   std::unique_ptr<const AlteredLook> albedo;    // diffuse colour times vertex colours and textures
-  std::unique_ptr<const AlteredLook> emission;  // null: nothing emits. Not of surfaces without lighting
+  std::unique_ptr<const AlteredLook> emission;  // null: no emission. Excludes surfaces without lighting
 };
 
-/// Of hits of the camera; with `edges`: with the edges that programs paint, which exist in the window only.
+/// Makes the colours. `edges`: include painted edges, which exist only for camera rays.
 SurfaceColors surfaceColors(const FrameData&, bool edges);
 
-/// Whether some program paints edges.
+/// Whether some surface has painted edges.
 bool paintsEdges(const scene::Snapshot&);
 
 }  // namespace gluray::render

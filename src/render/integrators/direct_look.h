@@ -1,4 +1,4 @@
-// The local look without ambient light, for integrators that darken ambient light alone. Made once a frame,
+// The local look without ambient light, for integrators that darken only ambient light. Made once a frame,
 // read by every tracing thread.
 #pragma once
 #include "render/frame_data/frame_data.h"
@@ -19,7 +19,7 @@ struct DirectLook {
   explicit DirectLook(const FrameData& frame);
 };
 
-/// Null where the snapshot's settings need none.
+/// Null if the snapshot's settings do not need it.
 std::unique_ptr<const DirectLook> makeDirectLook(const FrameData&);
 
 }  // namespace gluray::render

@@ -9,15 +9,15 @@
 
 namespace gluray::render {
 
-/// Lights of a frame that cast shadows, at most. Further ones, those of least strength, cast none.
+/// Maximum number of lights with shadows in a frame; the weakest lights beyond it cast none.
 constexpr int kShadowLights = 4;
 
-/// Factors of a packet's colours. Lanes outside the group have no meaning, nor have rows that the integrator
-/// does not use (FactorIntegrator::used).
+/// Factors of a packet's colours. Lanes outside the group are undefined, as are rows that the integrator does
+/// not use (FactorIntegrator::used).
 struct Factors {
-  alignas(64) Row occlusion;  // the share of light from the surroundings that arrives: 0 .. 1
-  // The shares of shadow light r that arrive: 0 .. 1, red, green and blue. Grey (three equal rows) unless
-  // translucent surfaces colour shadows.
+  alignas(64) Row occlusion;  // unoccluded fraction of ambient light: 0 .. 1
+  // Visibility of shadow light r: 0 .. 1, red, green and blue. The three rows are equal unless translucent
+  // surfaces tint shadows.
   alignas(64) Row visibility[kShadowLights][3];
 };
 
@@ -29,11 +29,11 @@ struct UsedFactors {
   bool operator==(const UsedFactors&) const = default;
 };
 
-/// An integrator whose noise is in factors alone, so that these can be filtered without blurring colours.
+/// An integrator whose noise is confined to factors, so that a filter does not blur colours.
 class FactorIntegrator : public Integrator {
  public:
   virtual UsedFactors used() const noexcept = 0;
-  /// Traces rays for the points' lanes.
+  /// Traces rays for the points in `lanes`.
   virtual void estimate(const AskedPoints&, Factors&) const noexcept = 0;
   /// The points of hits, for estimate().
   virtual void locate(const ColoredHits&, AskedPoints&) const noexcept = 0;
@@ -41,8 +41,8 @@ class FactorIntegrator : public Integrator {
   virtual bool replaces(uint32_t instance, uint32_t lanes, const Factors&) const noexcept = 0;
   /// Applies factors to colours of the local look.
   virtual void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept = 0;
-  /// Numbers that stay the same, up to rounding, while nothing but the camera moves and factors mean the
-  /// same: places and directions of lights in the world.
+  /// World-space positions and directions of lights. Earlier factors are reusable while these numbers stay
+  /// equal, up to rounding.
   virtual std::vector<float> meaning() const { return {}; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {
     if (hits.factors) return apply(hits, *hits.factors, rows);

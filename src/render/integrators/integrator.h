@@ -1,6 +1,5 @@
-// Light beyond OpenGL's local look: what lies between a point and its surroundings. An integrator is made for
-// a frame, gets hits that the local look has coloured, and changes their colours. Frames without one cost and
-// change nothing. Called on all tracing threads.
+// Light beyond OpenGL's local look. A frame's integrator changes the colours of hits that the local look has
+// shaded. Frames without an integrator have no extra cost. Called on all tracing threads.
 #pragma once
 #include "render/frame_data/frame_data.h"
 #include "render/local/group.h"
@@ -14,19 +13,19 @@ struct WaitingPoints;
 struct ColoredHits {
   const Surface& surface;
   uint32_t instance;
-  const Group& group;                 // its lanes count; u and v are where the surface is seen
+  const Group& group;                 // u and v: position of the visible point
   uint32_t back;                      // bit i: lane i shows its back face
-  int sample;                         // of those that the pixel takes
+  int sample;                         // index of the pixel's sample
   const float *x, *y;                 // window positions of the lanes
-  const ColorRows* direct = nullptr;  // the same hits without ambient light, if FrameData::direct is there
-  const Factors* factors = nullptr;   // where these are known already
-  WaitingPoints* waiting = nullptr;   // where points wait for rays, if factors are collected
+  const ColorRows* direct = nullptr;  // the hits without ambient light, if FrameData::direct is set
+  const Factors* factors = nullptr;   // if already known
+  WaitingPoints* waiting = nullptr;   // queue of points, if factors are collected
 };
 
 class Integrator {
  public:
   virtual ~Integrator() = default;
-  /// Changes colours of the group's lanes; those of others have no meaning.
+  /// Changes the colours of the group's lanes; other lanes are undefined.
   virtual void light(const ColoredHits&, ColorRows&) const noexcept = 0;
   /// The same as if the surface were alone in the scene.
   virtual void lightAlone(const ColoredHits& hits, ColorRows& rows) const noexcept { light(hits, rows); }

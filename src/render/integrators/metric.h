@@ -1,5 +1,5 @@
-// The space that light is computed in: eye space, where lengths and angles are what the viewer sees, whatever
-// the world is scaled by. Rays go back to world space for their queries; t stays the same. Made once a frame.
+// Light is computed in eye space, so that lengths and angles do not depend on the scaling of the world. Ray
+// queries are transformed to world space with equal t. Made once a frame.
 #pragma once
 #include "render/frame_data/frame_data.h"
 
@@ -11,7 +11,7 @@ struct Metric {
   glm::mat4 worldFromEye{1}, eyeFromWorld{1};
   glm::dvec4 away{0, 0, -1, 0};  // the direction away from the viewer at point p is away.xyz - away.w * p
   glm::vec3 axes{1};             // lengths of the world's axes in eye space
-  float diagonal = 1;            // of the bounds of all that light meets: the same however the view turns
+  float diagonal = 1;            // of the bounds of the scene: independent of the viewing direction
 
   /// Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit Metric(const FrameData&);

@@ -1,5 +1,5 @@
-// What surfaces block of rays: clip planes cut all rays, and translucent surfaces block as much as their
-// alpha. Made once a frame, asked on all tracing threads.
+// Opacity of surfaces for shadow and occlusion rays: clip planes cut all rays, and translucent surfaces block
+// in proportion to their alpha. Made once a frame, called on all tracing threads.
 #pragma once
 #include "accel/rays/occlusion.h"
 #include "render/local/surface.h"
@@ -10,21 +10,21 @@
 namespace gluray::render {
 
 /// The occluders of a snapshot and its surroundings, which must outlive it, as must their surfaces. Both
-/// sides of surfaces block, culled or not: what a program does not draw because it faces away still belongs
-/// to a solid. Textures do not count: a surface is as opaque as its material and vertices say.
+/// sides of surfaces block, even if the program culls one: back faces still belong to a solid. The opacity is
+/// that of material and vertices, without textures.
 class Occluders {
  public:
   Occluders(const scene::Snapshot&, const std::vector<Surface>&);
-  /// Whether every surface blocks every ray that meets it.
+  /// Whether every surface blocks every ray that hits it.
   bool areSolid() const { return planes_.empty() && !translucent_; }
-  /// Whether some surface may let a part of a ray pass.
+  /// Whether some surface may be translucent.
   bool areTranslucent() const { return translucent_; }
-  /// Whether no clip plane of its instance cuts the point away.
+  /// Whether the clip planes of the instance keep the point.
   bool isThere(const accel::Occluder&) const;
-  /// 1: nothing passes.
+  /// Opacity at the point: 0 .. 1.
   float opacityOf(const accel::Occluder& o) const { return surfaceAt(o).a; }
-  /// What passes of light: as much as the surface is not opaque, and tinted by its colour the more the
-  /// opaquer it is. Grey surfaces do not tint.
+  /// Transmittance of the surface: 1 - opacity, tinted by the surface's colour in proportion to the opacity.
+  /// Grey surfaces do not tint.
   glm::vec3 transmittanceOf(const accel::Occluder&) const;
 
  private:
@@ -33,11 +33,11 @@ class Occluders {
 
   const std::vector<Surface>& surfaces_;
   const scene::Snapshot& snapshot_;
-  bool translucent_;                             // the program blends some: alphas count
-  std::vector<std::vector<glm::dvec4>> planes_;  // object space, by instance; empty where there are none
+  bool translucent_;                             // the program blends some surfaces, so alpha counts
+  std::vector<std::vector<glm::dvec4>> planes_;  // object space, by instance; empty without clip planes
 };
 
-/// What of each ray of one packet passes all that it meets.
+/// Accumulates the transmittance of each ray of a packet.
 class Transmittance final : public accel::OccluderFilter {
  public:
   explicit Transmittance(const Occluders& occluders) : occluders_(occluders) {
@@ -45,13 +45,13 @@ class Transmittance final : public accel::OccluderFilter {
   }
   bool blocks(const accel::Occluder&) const noexcept override;
 
-  mutable float through[accel::kLanes];  // of rays that nothing blocks
+  mutable float through[accel::kLanes];  // of rays that are not blocked
 
  private:
   const Occluders& occluders_;
 };
 
-/// The same in three channels.
+/// Accumulates the transmittance in three channels.
 class ColoredTransmittance final : public accel::OccluderFilter {
  public:
   /// `ignored`: instances that block nothing, sorted.
@@ -61,7 +61,7 @@ class ColoredTransmittance final : public accel::OccluderFilter {
   }
   bool blocks(const accel::Occluder&) const noexcept override;
 
-  mutable glm::vec3 through[accel::kLanes];  // of rays that nothing blocks
+  mutable glm::vec3 through[accel::kLanes];  // of rays that are not blocked
 
  private:
   const Occluders& occluders_;

@@ -1,4 +1,4 @@
-// Where hits are, for integrators. Any thread.
+// Computes the points of hits for integrators. Any thread.
 #pragma once
 #include "render/integrators/integrator.h"
 #include "render/integrators/metric.h"
@@ -6,7 +6,7 @@
 
 namespace gluray::render {
 
-/// The group's points. Rows of other lanes are those of one of its lanes.
+/// Computes the group's points. Lanes outside the group repeat one of its lanes.
 void askedPointsOf(const Metric&, const FrameData&, const ColoredHits&, AskedPoints&);
 
 }  // namespace gluray::render

@@ -10,11 +10,11 @@ struct TileFactors;
 struct WaitingPoints;
 
 /// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
-/// `waiting`: where points wait for rays, if factors of light are collected (FrameData::collector).
+/// `waiting`: queue of points, if factors of light are collected (FrameData::collector).
 void traceTile(const FrameData&, const Tile&, WaitingPoints* waiting = nullptr);
 
-/// The second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first one
-/// kept.
+/// Second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first pass
+/// stored.
 void relightTile(const FrameData&, const Tile&, const TileFactors&);
 
 /// Name of the instruction set that traceTile uses, such as "AVX3".

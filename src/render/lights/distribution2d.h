@@ -1,5 +1,5 @@
-// Draws points of the unit square in proportion to a function that is constant in each cell of a grid. Made
-// once, asked on all tracing threads.
+// Samples points of the unit square in proportion to a function that is constant in each cell of a grid. Made
+// once, called on all tracing threads.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -12,14 +12,15 @@ class Distribution2D {
   Distribution2D() = default;
   /// `values`: not negative, row by row from y = 0; width * height of them.
   Distribution2D(const std::vector<float>& values, int width, int height);
-  /// Whether there is nothing to draw from.
+  /// Whether all values are 0.
   bool empty() const { return !(total_ > 0); }
-  /// A point of [0, 1)^2 and its density; 0 where there is nothing to draw from.
+  /// Samples a point of [0, 1)^2, and sets its density; density 0 if empty().
   glm::vec2 sample(const glm::vec2& u, float& pdf) const;
   float pdf(const glm::vec2& at) const;
 
  private:
-  /// The cell whose part of the cumulative sums holds u, and where u is within it.
+  /// Finds the cell whose interval of the cumulative sums contains u, and the position of u within the
+  /// interval.
   static int find(const float* sums, int count, float u, float& within);
 
   int width_ = 0, height_ = 0;

@@ -1,5 +1,4 @@
-// A sky of one colour, of one that changes from the ground over the horizon to the zenith, or of two. Any
-// thread.
+// Analytic skies: a constant, a gradient from ground over horizon to zenith, or two hemispheres. Any thread.
 #pragma once
 #include "render/lights/environment.h"
 #include "scene/light_source.h"

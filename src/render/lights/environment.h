@@ -1,4 +1,4 @@
-// Light from all around a scene, from infinitely far. Made once a frame, asked on all tracing threads.
+// Environment light, infinitely far away. Made once a frame, called on all tracing threads.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -16,11 +16,11 @@ class Environment {
   virtual ~Environment() = default;
   /// Radiance from a direction of unit length; finite, not negative.
   virtual glm::vec3 radiance(const glm::vec3& direction) const noexcept = 0;
-  /// Whether sample() has a use: false where every direction is about as bright as all others.
+  /// Whether sample() is useful; false if all directions are about equally bright.
   virtual bool isSampled() const noexcept { return false; }
-  /// A direction, drawn about in proportion to its brightness, by two numbers in [0, 1).
+  /// Samples a direction about in proportion to brightness, from two numbers in [0, 1).
   virtual Arriving sample(const glm::vec2&) const noexcept { return {}; }
-  /// Density of sample().
+  /// Probability density of sample().
   virtual float pdf(const glm::vec3&) const noexcept { return 0; }
 };
 

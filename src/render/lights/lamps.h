@@ -1,5 +1,4 @@
-// Lights that can be seen (`visible` in files of lights): what the viewer sees of them. Made once a frame,
-// asked on all tracing threads.
+// Draws visible lights (`visible` in files of lights). Made once a frame, called on all tracing threads.
 #pragma once
 #include "render/camera/depth_map.h"
 #include "render/camera/eye_ray.h"
@@ -13,14 +12,15 @@ namespace gluray::render {
 
 struct Relit;
 
-/// They show their colour times their strength, without light, fog or blending, in opaque pixels. They are
-/// seen also before the near plane and beyond the far one; distant ones behind everything.
+/// Lights have the colour times the strength of the light, opaque, without lighting, fog or blending. They
+/// are visible also in front of the near plane and beyond the far plane. Distant lights lie behind
+/// everything.
 class Lamps {
  public:
   /// `eyeRays`: of the snapshot's camera. All but the lights must outlive this.
   Lamps(const scene::Snapshot&, const Relit&, const RaySetup& eyeRays, const DepthMap&);
-  /// Which lanes see a light in front of `depth`; fills their colours, and replaces their depths. `x`, `y`:
-  /// window positions. `rays`: in world space, of an open lens; null: rays go through the window positions.
+  /// Returns the lanes that see a light in front of `depth`; sets their colours and depths. `x`, `y`: window
+  /// positions. `rays`: in world space, of an open lens; null: rays through the window positions.
   uint32_t show(const float* x, const float* y, const accel::RayPacket* rays, Row& depth,
                 ColorRows& rows) const noexcept;
 
@@ -35,8 +35,8 @@ class Lamps {
   float factor_;  // of their colours
 };
 
-/// Null where none can be seen: the batch shows layers, or nothing that is lit, such as a picture to pick
-/// from. Otherwise as the constructor.
+/// Null if no light is visible, or if the batch has layers or no lit surface, as in pictures for picking.
+/// Arguments as for the constructor.
 std::unique_ptr<const Lamps> makeLamps(const scene::Snapshot&, const Relit&, const RaySetup& eyeRays,
                                        const DepthMap&);
 

@@ -26,11 +26,11 @@ struct LightFileError : std::runtime_error {
 /// Throws LightFileError. `file` names the text in errors.
 std::vector<FileLight> parseLights(std::string_view text, const std::string& file);
 
-/// The lights of a file, which is read again when it has changed. If it cannot be read, logs one line and
-/// gives the last that could; none before. Null for an empty name.
+/// Returns the lights of a file; reads the file again if it has changed. If the file is invalid, logs one
+/// line and returns the last valid lights, or none. Null for an empty name.
 std::shared_ptr<const std::vector<FileLight>> lightsOf(const std::string& file);
 
-/// The light in eye space.
+/// Transforms the light to eye space.
 scene::LightSource placed(const FileLight&, const glm::dmat4& eyeFromWorld);
 
 }  // namespace gluray::render

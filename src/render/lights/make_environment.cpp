@@ -29,7 +29,7 @@ class LastSky {
     } catch (const std::exception& e) {
       log::once(log::Level::warning, "environment " + key,
                 std::string("environment: ") + e.what() +
-                    (sky_ ? "; the last one stays" : "; it is constant instead"));
+                    (sky_ ? "; the previous environment stays" : "; a constant environment is used"));
     }
     return sky_;
   }

@@ -1,4 +1,4 @@
-// The environment that settings ask for. Called once a frame, before tiles are traced.
+// Makes the environment of the settings. Called once a frame, before tiles are traced.
 #pragma once
 #include "render/lights/environment.h"
 #include "settings/settings.h"
@@ -7,12 +7,12 @@
 
 namespace gluray::render {
 
-/// In the eye space of a view. Pictures are read once and kept while their file stays the same; only the last
-/// one is. Where a file cannot be read, the last one that could stays, or a constant environment, and one
-/// line is logged.
+/// Makes the environment in the eye space of a view. The last picture stays in memory while its file does not
+/// change. If a file cannot be read, logs one line and uses the last valid picture, or a constant
+/// environment.
 std::shared_ptr<const Environment> makeEnvironment(const Settings&, const glm::dmat4& eyeFromWorld);
 
-/// The rotation from eye space to the sky's: y is up, the environment's rotation is applied.
+/// Rotation from eye space to sky space, in which y is up; includes the environment's rotation.
 glm::mat3 skyFromEye(const Settings&, const glm::dmat4& eyeFromWorld);
 
 }  // namespace gluray::render

@@ -6,15 +6,15 @@
 
 namespace gluray::render {
 
-/// Radiance .hdr (also .pic) or OpenEXR, by the file's first bytes. Throws std::runtime_error, with what is
-/// wrong and no path, where the file cannot be read, has more than 2^25 pixels, or is of another kind.
+/// Reads Radiance .hdr (also .pic) or OpenEXR, by the file's first bytes. Throws std::runtime_error without
+/// the path if the file cannot be read, has more than 2^25 pixels, or has another format.
 SkyPicture readSkyPicture(const std::string& path);
 
 /// From files' contents: Radiance's RGBE, with or without run lengths (G. Ward, "Real Pixels",
 /// 1991).
 SkyPicture readRadiance(const std::string& bytes);
 
-/// OpenEXR, single images of scan lines or tiles; throws where GLuRay was built without its library.
+/// OpenEXR, single images of scan lines or tiles; throws if GLuRay was built without OpenEXR.
 SkyPicture readOpenExr(const std::string& bytes);
 
 }  // namespace gluray::render

@@ -11,21 +11,21 @@
 
 namespace gluray::render {
 
-/// Shadings with other lights. Those that are not lit stay as they are.
+/// Shadings with replaced lights. Unlit shadings do not change.
 struct Relit {
   std::vector<scene::Shading> shadings;
   std::vector<uint32_t> shadingOf;  // one for each of Snapshot::instances
-  // In place of the snapshot's, if some do not say where their lighting space is; otherwise empty.
+  // Replacements of the snapshot's instances, if some have no known lighting space; otherwise empty.
   std::vector<scene::Instance> instances;
   std::vector<scene::LightSource> sources;  // eye space
-  // Of a shading: the index of its light that is source 0; the number of its lights if it has no sources.
+  // For each shading: index of its light that is source 0; its number of lights if it has no sources.
   std::vector<size_t> firstSource;
-  // Of the snapshot's surroundings, without sources; empty: these keep their lights.
+  // Shadings of the snapshot's surroundings, without sources; empty: the surroundings keep their lights.
   std::vector<scene::Shading> surroundings;
-  scene::Dome dome;  // shines on all that is lit
+  scene::Dome dome;  // shines on all lit surfaces
 };
 
-/// Null where the snapshot's settings leave the program its lights. `eyeRays`: of the snapshot's camera.
+/// Null if the settings keep the program's lights. `eyeRays`: of the snapshot's camera.
 std::shared_ptr<const Relit> relight(const scene::Snapshot&, const RaySetup& eyeRays);
 
 }  // namespace gluray::render

@@ -1,4 +1,4 @@
-// A picture of all directions, in latitude and longitude, as light. Immutable once made; any thread.
+// Environment light from a latitude-longitude picture. Immutable once made; any thread.
 #pragma once
 #include "render/lights/distribution2d.h"
 #include "render/lights/environment.h"
@@ -29,7 +29,7 @@ class SkyImage {
   Distribution2D distribution_;
 };
 
-/// A sky image that is turned and scaled, in eye space.
+/// A rotated and scaled sky image, in eye space.
 class TurnedSky final : public Environment {
  public:
   /// `skyFromEye`: a rotation.

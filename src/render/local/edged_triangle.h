@@ -1,4 +1,4 @@
-// Triangles with painted edges, as VTK's geometry shader makes them. If edges grow
+// Triangles with painted edges, as in VTK's geometry shader. If edges grow
 // (scene::FragmentShading::edgesGrow), corners move outwards in the window by up to a quarter of the line
 // width and keep their depths, so that lines on outlines are fully visible. Made by the kernels for single
 // pixels.

@@ -1,4 +1,4 @@
-// Hits of one packet on one instance, and their colours, as rows of one value for each lane. Filled by the
+// Hits of one packet on one instance, and their colours, as rows of one value for each lane. Written by the
 // kernels; integrators read and change the colours. Any thread.
 #pragma once
 #include "accel/rays/ray_packet.h"
@@ -27,10 +27,9 @@ struct Group {
   alignas(64) uint32_t vertex[3][kLanes];
   alignas(64) Row position[3][3];  // [corner][component], object space
   alignas(64) Row u, v;
-  // Of impostors (impostor.inl.h): the hit point and the normal there in the lighting space, and the factor
-  // of colours.
+  // For impostors (impostor.inl.h): hit point and normal in lighting space, and colour factor.
   alignas(64) Row point[3], normal[3], fade;
-  // One a lane: the footprints of hits that no window position shows. Null: window positions give them.
+  // One per lane: footprints of hits of secondary rays. Null: window positions determine footprints.
   const WeightSteps* steps = nullptr;
 };
 

@@ -6,16 +6,16 @@
 
 namespace gluray::render {
 
-/// Shadings and materials with which the local look yields the colours that programs give to surfaces:
-/// diffuse material, vertex colours or colour map, times textures; no light, highlight or fog. Where colours
-/// come from a map or from vertices, the material does not tint them. So pixels have exactly the colours of
-/// the program's colour bar.
+/// Altered shadings and materials for which the local look yields the program's surface colours: diffuse
+/// material, vertex colours or colour map, times textures, without light, highlight or fog. The material does
+/// not tint colours of a map or of vertices, so pixels match the program's colour bar exactly.
 class HonestLook {
  public:
   /// `snapshot` must outlive it.
   explicit HonestLook(const scene::Snapshot& snapshot);
   const std::vector<scene::Shading>& shadings() const { return shadings_; }
-  /// Gives a surface, made with one of shadings(), its materials. Different instances in parallel.
+  /// Sets the materials of a surface that was made with one of shadings(). May run in parallel for different
+  /// instances.
   void apply(size_t instance, Surface&);
 
  private:

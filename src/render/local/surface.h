@@ -37,7 +37,7 @@ struct Surface {
   glm::mat3 eyeFromVertexNormal{1};  // for the mesh's normals, as the program turns them
   float rescale = 1;  // GL_RESCALE_NORMAL: 1 / length of the third row of the inverse modelview
   bool cullsCcw = false, cullsCw = false;
-  bool ownClipPlanes = false;  // planes that not all instances share: tested at each hit
+  bool ownClipPlanes = false;  // clip planes that not all instances share: tested at each hit
   bool frontIsCcw = true;
   // The instance's materials; if glColorMaterial follows a constant colour, copies with that colour.
   const scene::MaterialPair* materials = nullptr;
@@ -47,7 +47,7 @@ struct Surface {
 
   /// True if neither culling nor the instance's own clip planes remove the point (primitive, u, v).
   bool accepts(uint32_t primitive, float u, float v) const { return acceptsFrom(depth.b, primitive, u, v); }
-  /// The same as seen from a homogeneous point in object space; that of the camera is depth.b.
+  /// Like accepts(), for a homogeneous viewpoint in object space; depth.b is the camera.
   bool acceptsFrom(const glm::dvec4& viewer, uint32_t primitive, float u, float v) const;
   /// Whether the instance's own clip planes remove the point.
   bool isCutAway(uint32_t primitive, float u, float v) const;

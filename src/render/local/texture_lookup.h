@@ -10,7 +10,7 @@ namespace gluray::render {
 /// are within a face and r is its number. Source: GL 2.1, 3.8.7 to 3.8.9.
 glm::vec4 sampleLevel(const scene::Texture&, const scene::TexelGrid&, scene::Filter, glm::vec3 str);
 
-/// The number of the cube map face that a direction points to, for sampleLevel(). GL 2.1, table 3.19.
+/// Number of the cube map face in this direction, for sampleLevel(). GL 2.1, table 3.19.
 int cubeFace(glm::dvec3 direction);
 /// A direction's components relative to a face: (sc, tc, ma) of the table.
 glm::dvec3 alongFace(int face, glm::dvec3 direction);

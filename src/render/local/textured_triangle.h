@@ -17,7 +17,7 @@ class TexturedTriangle {
 
   /// The colour after all texture units, every channel in 0 .. 1, of the fragment at (u, v) of a triangle and
   /// at a window position. `primary`: its colour before texturing. `steps`: the pixel's extent on the
-  /// triangle; null: as the window position has it.
+  /// triangle; null: from the window position.
   glm::vec4 color(uint32_t primitive, float u, float v, glm::dvec2 window, const glm::vec4& primary,
                   const WeightSteps* steps = nullptr);
 
@@ -46,7 +46,7 @@ class TexturedTriangle {
   Coordinates coordinates_[scene::kTextureUnits];  // one per texture, in order
 };
 
-/// The same for a single fragment.
+/// Textures a single fragment.
 glm::vec4 textureFragment(const Surface&, const scene::Camera&, uint32_t primitive, float u, float v,
                           glm::dvec2 window, const glm::vec4& primary);
 

@@ -1,4 +1,4 @@
-// The numbers of Factors that a film holds: those that are used, grey ones once. Any thread.
+// The channels of Factors that a film stores: the used ones, with grey visibility stored once. Any thread.
 #pragma once
 #include "render/integrators/factors.h"
 
@@ -19,7 +19,7 @@ struct Channels {
   const Row& rowOf(const Factors& factors, int channel) const {
     return rowOf(const_cast<Factors&>(factors), channel);
   }
-  /// Copies the channels of grey light to its other rows.
+  /// Copies grey visibility to its other two rows.
   void spread(Factors& factors) const {
     for (int light = 0; light < used.lights && !used.colored; ++light)
       for (int c = 1; c < 3; ++c)

@@ -1,4 +1,4 @@
-// Puts hits onto the film with what earlier frames know of them, and traces their factors of light.
+// Writes hits to the film with their reprojected history, and traces their factors of light.
 #pragma once
 #include "render/integrators/factors.h"
 #include "render/integrators/metric.h"
@@ -7,16 +7,16 @@
 
 namespace gluray::render {
 
-/// An integrator of the first pass over a moving frame: it changes no colours.
+/// Integrator of the first pass over a moving frame; does not change colours.
 class Collector final : public Integrator {
  public:
   /// All must outlive it.
   Collector(const FrameData& frame, const MovingFrame& moving, const FactorIntegrator& factors,
             const Metric& metric)
       : frame(frame), moving(moving), factors(factors), metric(metric) {}
-  /// Points that trace rays join ColoredHits::waiting, which traces those that fill a packet.
+  /// Adds points that need rays to ColoredHits::waiting, and traces each full packet of them.
   void light(const ColoredHits&, ColorRows&) const noexcept override;
-  /// Traces what still waits.
+  /// Traces the remaining points.
   void finish(WaitingPoints&) const noexcept;
 
   const FrameData& frame;

@@ -1,5 +1,5 @@
-// Factors of light at the pixels of a frame, with the surfaces that they belong to: packed, because reusing
-// them is bound by memory. Written by the frame's tracing threads, read by those of the next.
+// Factors of light and surfaces of a frame's pixels, packed because reprojection is limited by memory
+// bandwidth. Written by the tracing threads of a frame, read by those of the next frame.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -32,7 +32,7 @@ struct FactorFilm {
     more.resize(static_cast<size_t>(factors > 2 ? factors - 2 : 0));
     for (auto& plane : more) plane.resize(pixels());
   }
-  /// Factor number `f` of those in planes of their own.
+  /// Sets factor number `f` among those with planes of their own.
   void setMore(int f, size_t pixel, float value) {
     more[static_cast<size_t>(f - 2)][pixel] =
         static_cast<uint16_t>(std::clamp(value, 0.0f, 1.0f) * kLargestMore + 0.5f);

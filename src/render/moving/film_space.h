@@ -1,4 +1,4 @@
-// Where the pixels of a frame's film are in eye space. Made once a frame, read by all tracing threads.
+// Maps the pixels of a film to eye space. Made once a frame, read by all tracing threads.
 #pragma once
 #include "render/frame_data/frame_data.h"
 
@@ -7,10 +7,10 @@
 namespace gluray::render {
 
 /// The pixel at film position (x, y) shows the eye-space points base(x, y) + depth * ray(x, y), both linear
-/// in the position; pixel (0, 0) has its centre at (0, 0). Depths of the scene are in (0, 2): from the eye on
-/// in proportion to the distance, or, in parallel projections, 1 and more.
+/// in the position; pixel (0, 0) has its centre at (0, 0). Depths of the scene are in (0, 2): proportional to
+/// the distance from the eye, or in parallel projections at least 1.
 struct FilmSpace {
-  bool usable = false;  // the projection is such
+  bool usable = false;  // whether the projection allows this
   glm::vec3 base{0}, baseX{0}, baseY{0};
   glm::vec3 ray{0}, rayX{0}, rayY{0};
   glm::vec4 depth{0};         // of eye-space point p: dot(depth, (p, 1))

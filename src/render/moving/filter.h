@@ -1,4 +1,4 @@
-// Smooths the factors on a film, within surfaces. Called on all tracing threads.
+// Filters the factors on a film without crossing edges of surfaces. Called on all tracing threads.
 #pragma once
 #include "render/integrators/factors.h"
 #include "render/moving/moving_frame.h"
@@ -10,7 +10,7 @@ namespace gluray::render {
 struct TileFactors {
   static constexpr int kColumns = kTileSize / 4;
   Factors packets[kColumns * kColumns];
-  /// Of the packet that begins at a pixel of the tile.
+  /// Factors of the packet that begins at a pixel of the tile.
   const Factors& at(int x, int y) const { return packets[y / 4 * kColumns + x / 4]; }
 };
 

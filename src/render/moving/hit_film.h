@@ -1,5 +1,5 @@
-// The nearest hits of a frame's pixels, kept until their light is known. One tile's packets are written and
-// read by one thread at a time.
+// The nearest hits of a frame's pixels, stored until their factors of light are filtered. One thread at a
+// time writes or reads the packets of a tile.
 #pragma once
 #include "accel/rays/ray_packet.h"
 
@@ -18,7 +18,7 @@ struct alignas(64) PacketHits {
 };
 
 struct HitFilm {
-  /// What of a packet's lanes is there; the rest of its hits has no meaning.
+  /// Valid lanes of a packet; other hits are undefined.
   struct Lanes {
     uint32_t shown = 0;  // bit i: lane i shows a hit
     uint32_t edged = 0;  // bit i: on a triangle grown by its edges, with its own depth
@@ -35,7 +35,7 @@ struct HitFilm {
     const size_t packets = static_cast<size_t>(columns) * static_cast<size_t>((height + 3) / 4);
     lanes.resize(packets), hits.resize(packets), edgeDepth.resize(edges ? packets * kLanes : 0);
   }
-  /// Of the packet whose lower left pixel is (x, y).
+  /// Index of the packet whose lower left pixel is (x, y).
   size_t at(int x, int y) const {
     return static_cast<size_t>(y / 4) * static_cast<size_t>(columns) + static_cast<size_t>(x / 4);
   }

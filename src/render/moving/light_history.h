@@ -1,5 +1,5 @@
-// What frames of animations leave for those that follow, view by view. Owned by frame::Renderer, which traces
-// one frame at a time.
+// History of factors of light for the following frames of an animation, per view. Owned by frame::Renderer,
+// which traces one frame at a time.
 #pragma once
 #include "render/integrators/factors.h"
 #include "render/moving/moving_frame.h"
@@ -12,13 +12,13 @@ namespace gluray::render {
 /// The films of one view.
 class LightHistory {
  public:
-  /// Prepares the films for a frame with these factors, and fills `moving`. Earlier frames count as far as
-  /// they show the same: the view's size, settings and what factors mean; where surfaces moved or changed,
-  /// all of them count less. Throws std::bad_alloc.
+  /// Prepares the films for a frame with these factors, and fills `moving`. Uses earlier frames only if the
+  /// view's size, the settings and the lights are equal; reduces their weight if surfaces have moved or
+  /// changed. Throws std::bad_alloc.
   void begin(const FrameData&, const FactorIntegrator&, MovingFrame& moving);
-  /// The frame is traced: the next one may use it.
+  /// The frame is complete: the next frame may use it.
   void finish() { now_ = 1 - now_, ++index_, known_ = true; }
-  /// The frame was given up: the next one may use what this one could.
+  /// The frame was abandoned: the next frame uses the same history as this one.
   void abandon() { known_ = same_; }
   /// Forgets earlier frames.
   void forget() { known_ = false; }
@@ -43,7 +43,7 @@ class LightHistory {
   scene::Region region_;
 };
 
-/// Those of the views seen last.
+/// Histories of the most recently traced views.
 class LightHistories {
  public:
   static constexpr size_t kMax = 4;

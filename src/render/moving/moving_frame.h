@@ -1,5 +1,5 @@
-// One frame of an animation while it is traced: where its factors of light go, and what of the last frame's
-// can be used again. Made once a frame, read by all tracing threads, which write the films.
+// State of one animation frame while it is traced: the film for its factors of light, and the reusable
+// history. Made once a frame, read by all tracing threads, which write the films.
 #pragma once
 #include "render/moving/channels.h"
 #include "render/moving/factor_film.h"
@@ -9,21 +9,21 @@
 
 namespace gluray::render {
 
-/// How many rays each use of light takes in a moving frame.
+/// Ray counts of a moving frame for each use of light.
 struct MovingRays {
-  int perPixel = 1;      // of the pixels that trace any; 0: none does, what is known is shown
-  bool quarter = false;  // one pixel of four traces, in turn; and all without a history
+  int perPixel = 1;      // for pixels that trace rays; 0: the history is shown without new rays
+  bool quarter = false;  // one pixel of four traces rays, in turn; without history all pixels do
 };
 
 struct MovingFrame {
-  uint32_t index = 0;  // of the frames whose samples the films gather
+  uint32_t index = 0;  // of the frame among those accumulated on the films
   MovingRays rays;
   float mostSamples = 32;  // of a pixel's history
   FilmSpace space;
   Channels channels;
   FactorFilm* film = nullptr;
   HitFilm* hits = nullptr;
-  const FactorFilm* earlier = nullptr;  // null: there is no history
+  const FactorFilm* earlier = nullptr;  // null: no history
   FilmSpace earlierSpace;
   Reprojection reprojection;
 };

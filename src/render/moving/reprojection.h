@@ -1,4 +1,4 @@
-// Where an earlier frame saw the points of this one, and what has changed since. Made once a frame, read by
+// Maps points of this frame to pixels of an earlier frame, and detects changes. Made once a frame, read by
 // all tracing threads.
 #pragma once
 #include "render/moving/film_space.h"
@@ -7,7 +7,7 @@
 
 namespace gluray::render {
 
-/// What of a snapshot and its surroundings decides where surfaces are; kept for the next frame.
+/// Positions of the surfaces of a snapshot and its surroundings; kept for the next frame.
 struct Placement {
   struct Object {
     Hash128 geometry;
@@ -24,15 +24,15 @@ struct Placement {
 };
 
 struct Reprojection {
-  glm::mat4 earlierFromEye{1};        // points of what stayed in its place
+  glm::mat4 earlierFromEye{1};        // for points of surfaces that did not move
   glm::mat3 earlierFromEyeNormal{1};  // their normals, not of unit length
   glm::mat4 earlierFilmFromEye{1};    // as FilmSpace::filmFromEye
-  std::vector<uint8_t> moved;         // by instance: has moved against the others, or is new
-  bool changed = false;               // some instance has moved, changed, come or gone
+  std::vector<uint8_t> moved;         // by instance: moved relative to the others, or new
+  bool changed = false;               // some instance moved, changed, appeared or disappeared
 
   Reprojection() = default;
-  /// `earlier`: the placement and space of the earlier frame. What most triangles did is taken for the
-  /// camera's motion.
+  /// `earlier`: placement and space of the earlier frame. The motion of most triangles counts as the camera's
+  /// motion.
   Reprojection(const Placement& earlier, const FilmSpace& earlierSpace, const Placement& now,
                const FrameData& frame);
   bool stayed(uint32_t instance) const { return moved.empty() || !moved[instance]; }

@@ -1,5 +1,4 @@
-// Fragments of a packet's pixels for layers that are blended in the order of drawing. Used by the kernels on
-// tracing threads.
+// Fragments of a packet's pixels for blending in drawing order. Used by the kernels on tracing threads.
 #pragma once
 #include "accel/rays/ray_packet.h"
 
@@ -26,7 +25,7 @@ class DrawnFragments {
   void sort() {
     for (std::vector<DrawnFragment>& all : of_) std::sort(all.begin(), all.end());
   }
-  /// By depth, farthest first; in the order of drawing where stored(depth) is equal.
+  /// Sorts by depth, farthest first; fragments with equal stored(depth) in drawing order.
   template <class Stored>
   void sortBackToFront(Stored&& stored) {
     for (std::vector<DrawnFragment>& all : of_) {

@@ -24,7 +24,7 @@ class PeeledLayers {
   }
   /// Appends a layer behind those of a lane.
   void add(int lane, const PeeledLayer& layer) { of_[lane].push_back(layer); }
-  /// Joins a fragment at equal depth with the lane's last layer: every channel keeps the larger value.
+  /// Merges a fragment at equal depth into the lane's last layer: every channel keeps the larger value.
   void join(int lane, const PeeledLayer& layer) {
     std::array<float, 4>& color = of_[lane].back().color;
     for (size_t c = 0; c < 4; ++c) color[c] = std::max(color[c], layer.color[c]);

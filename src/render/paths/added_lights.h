@@ -1,5 +1,5 @@
-// The lights that settings add to those of programs, as paths draw them. Made once a frame, asked on all
-// tracing threads.
+// Samples the lights that settings add to those of programs, for path tracing. Made once a frame, called on
+// all tracing threads.
 #pragma once
 #include "render/frame_data/frame_data.h"
 #include "render/lights/light_shape.h"
@@ -15,13 +15,13 @@ class Environment;
 class AddedLights {
  public:
   AddedLights() = default;
-  /// `glass`: some surfaces let light through by paths that bend.
+  /// `glass`: some surfaces refract light.
   AddedLights(const FrameData&, bool glass);
   bool empty() const { return shapes_.empty(); }
   size_t size() const { return shapes_.size(); }
   const LightShape& operator[](size_t i) const { return shapes_[i]; }
-  /// Whether paths that go on in a direction by chance meet the light, so that sample() gives only a part of
-  /// its light. Where there is glass, those that cannot be seen shine straight through it instead.
+  /// Whether paths sampled from materials can hit the light, so that sample() is weighted against them. In
+  /// scenes with glass, invisible lights shine straight through glass instead.
   bool isMet(size_t i) const { return !glass_ || shapes_[i].isVisible(); }
 
  private:

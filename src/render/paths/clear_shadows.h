@@ -1,4 +1,4 @@
-// What of a light's ray passes the surfaces in its way, glass among them. Any thread.
+// Transmittance of shadow rays in path tracing, including glass. Any thread.
 #pragma once
 #include "render/bsdf/material_model.h"
 #include "render/integrators/occluders.h"
@@ -8,7 +8,8 @@
 
 namespace gluray::render {
 
-/// Light of lights without a size goes straight through glass, because no path that bends could meet them.
+/// Light of lights without a size passes straight through glass, because no refracted path could hit such a
+/// light.
 class ClearShadows final : public accel::OccluderFilter {
  public:
   ClearShadows(const Occluders& occluders, const std::vector<MaterialModel>& materials)
@@ -16,7 +17,7 @@ class ClearShadows final : public accel::OccluderFilter {
     for (float& t : through) t = 1;
   }
   bool blocks(const accel::Occluder& occluder) const noexcept override {
-    constexpr float kNothing = 0.5f / 255;  // less is not seen
+    constexpr float kNothing = 0.5f / 255;  // lower values are invisible
     if (!occluders_.isThere(occluder)) return false;
     const MaterialModel& material = materials_[occluder.instance];
     float& left = through[occluder.lane];
@@ -25,7 +26,7 @@ class ClearShadows final : public accel::OccluderFilter {
     return left < kNothing;
   }
 
-  mutable float through[accel::kLanes];  // of rays that nothing blocks
+  mutable float through[accel::kLanes];  // of rays that are not blocked
 
  private:
   const Occluders& occluders_;

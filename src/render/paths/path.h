@@ -1,4 +1,4 @@
-// The scene of a frame as paths of light see it (path_integrator.h).
+// The scene of a frame for path tracing (path_integrator.h).
 #pragma once
 #include "render/bsdf/material_model.h"
 #include "render/integrators/altered_look.h"
@@ -16,18 +16,18 @@ namespace gluray::render {
 
 struct PathVertex;
 
-/// What all paths of a frame need. Made once a frame, read by every tracing thread.
+/// Data shared by all paths of a frame. Made once a frame, read by every tracing thread.
 struct Path {
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit Path(const FrameData& frame);
-  /// Index of the first of the samples that sample `sample` of a pixel takes in this pass.
+  /// Index of the first path of pixel sample `sample` in this pass.
   uint32_t firstSample(int sample) const;
-  /// Colours where paths meet surfaces that the camera does not look at.
+  /// Colours of surfaces at vertices after the first.
   const SurfaceColors& bounced() const { return unseen.albedo ? unseen : seen; }
-  /// `inside`: the path comes from within the surface's body.
+  /// `inside`: the path arrives from inside the body.
   bsdf::Any bsdfOf(const PathVertex&, bool inside) const;
-  /// A light of colour 1 has this irradiance: pi, so that a white diffuse surface that faces it shows 1;
-  /// VTK's physically based shading has 1.
+  /// Irradiance of a light of colour 1: pi, so that a white diffuse surface facing the light has the value 1;
+  /// for VTK's physically based shading 1.
   float irradianceOfOne(const PathVertex&) const;
 
   const FrameData& frame;
@@ -36,16 +36,16 @@ struct Path {
   ShadingLights lights;
   AddedLights added;
   std::vector<MaterialModel> materials;            // as FrameData::surfaces
-  SurfaceColors seen, unseen;                      // of hits of the camera, of others where they differ
+  SurfaceColors seen, unseen;                      // at camera hits; at other hits if different
   std::shared_ptr<const PicturedColors> pictured;  // null: no surface is pictured
   std::shared_ptr<const Environment> environment;
   float lightScale;    // of the lights
-  int samples;         // paths a pixel's sample
-  int depth;           // vertices of a path
-  float mostIndirect;  // firefly clamp: largest component of what one path brings from bounces; 0: any
-  bool bounces;        // false: only mirrors and glass send paths on (T. Whitted, 1980)
+  int samples;         // paths per pixel sample
+  int depth;           // maximum vertices of a path
+  float mostIndirect;  // firefly clamp: largest component of one path's indirect light; 0: no limit
+  bool bounces;        // false: paths continue only at mirrors and glass (T. Whitted, 1980)
   bool hasGlass = false;
-  bool filters;   // some texture needs to know how wide pixels are
+  bool filters;   // some texture needs the pixel footprint
   bool mirrored;  // the projection mirrors the window
 };
 

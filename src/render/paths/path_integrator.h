@@ -8,10 +8,10 @@ namespace gluray::render {
 /// The light that leaves a point towards the viewer (J. Kajiya, "The Rendering Equation", 1986):
 ///   L(p, wo) = Le(p, wo) + integral of f(p, wo, wi) L(p', wi) |cos(wi)| dwi,  p' where the ray p + t wi
 ///   ends.
-/// Each sample follows one path from the viewer. At each of its vertices the program's lights and the
-/// environment are asked directly, and the next direction is drawn from the material (E. Veach, "Robust Monte
-/// Carlo Methods for Light Transport Simulation", 1997). It replaces the colours of the local look; alpha and
-/// depth stay.
+/// Each sample follows one path from the viewer. At each vertex, the program's lights and the environment are
+/// sampled directly, and the next direction is sampled from the material (E. Veach, "Robust Monte Carlo
+/// Methods for Light Transport Simulation", 1997). The integrator replaces the colours of the local look;
+/// alpha and depth stay.
 class PathIntegrator final : public Integrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.

@@ -1,5 +1,5 @@
-// Colours of surfaces that the real OpenGL has drawn, where rays from elsewhere than the viewer meet them
-// (scene/framebuffer_picture.h, docs/adr/0074). Made once for a scene, read by every tracing thread.
+// Colours of surfaces that the real OpenGL has drawn, for secondary rays (scene/framebuffer_picture.h,
+// docs/adr/0074). Made once for a scene, read by every tracing thread.
 #pragma once
 #include "render/frame_data/frame_data.h"
 #include "render/paths/space_colors.h"
@@ -13,27 +13,26 @@
 
 namespace gluray::render {
 
-/// A point that the picture shows has the colour of its pixel, between pixels that of the four around it. Any
-/// other has that of points nearby on the same surface which the picture shows (SpaceColors). A surface of
-/// which it shows nothing has the mean of all that it shows, and grey where that is nothing, too.
+/// A point that is visible in the picture gets the interpolated colour of the four pixels around it. Any
+/// other point gets the colour of nearby visible points of the same surface (SpaceColors). A surface without
+/// visible points gets the mean colour of all pictured surfaces, or grey if none is visible.
 class PicturedColors {
  public:
-  /// Null where the frame has no pictured surfaces. Those of the last scenes are kept. `frame`: its world
-  /// holds the scene.
+  /// Null if the frame has no pictured surfaces. Caches the last scenes. `frame`: its world holds the scene.
   static std::shared_ptr<const PicturedColors> create(const FrameData& frame);
   explicit PicturedColors(const FrameData& frame);
 
   /// Whether this instance of the snapshot and its surroundings is pictured.
   bool has(uint32_t instance) const { return instance < seen_.size() && seen_[instance].picture; }
-  /// The colour at a point of it, eye space.
+  /// Colour at a point of the instance, eye space.
   glm::vec3 at(uint32_t instance, const glm::vec3& eye) const;
 
  private:
-  /// Which surface each pixel shows.
+  /// The visible surface of each pixel.
   struct Shown {
     std::shared_ptr<const scene::FramebufferPicture> picture;
     std::vector<uint32_t> instances;  // accel::kNoHit: none
-    std::vector<float> tolerances;    // of depths of the same surface, within a pixel
+    std::vector<float> tolerances;    // depth tolerance of a surface within a pixel
     glm::vec3 mean{0.5f};
   };
   struct Seen {
@@ -43,7 +42,7 @@ class PicturedColors {
   };
   void find(const FrameData& frame, Shown& shown, const glm::dmat4& clipFromEye) const;
   void spread(const FrameData& frame, Shown& shown);
-  /// Adds the colours of the pixels around a point that show the instance. Returns their weights' sum.
+  /// Adds the colours of the pixels around a point that show the instance. Returns the sum of their weights.
   float addPixels(const Shown& shown, uint32_t instance, const glm::dvec4& clip, glm::vec3& sum) const;
 
   std::vector<Shown> shown_;

@@ -1,5 +1,5 @@
-// How wide a pixel is where paths meet surfaces, so that textures are filtered there, too (T. Akenine-Möller
-// and others, "Improved Shader and Texture Level of Detail Using Ray Cones", 2021). Any thread.
+// Pixel footprints at path vertices, for texture filtering (T. Akenine-Möller and others, "Improved Shader
+// and Texture Level of Detail Using Ray Cones", 2021). Any thread.
 #pragma once
 #include "render/camera/ray_setup.h"
 #include "render/local/group.h"
@@ -8,22 +8,22 @@
 
 namespace gluray::render {
 
-/// Widths across the ray, eye space. Differs: the spread does not grow by the curvature of mirrors.
+/// Widths across the ray, eye space. Differs: the curvature of mirrors does not increase the spread.
 struct RayCone {
-  float width = 0;   // where the ray begins
-  float spread = 0;  // what it grows by on a way of length 1
+  float width = 0;   // at the ray's origin
+  float spread = 0;  // growth per unit distance
   float widthAt(float distance) const { return width + spread * distance; }
 };
 
-/// Where the viewer sees an eye-space point at a window position. The widest side of the pixel counts.
+/// Cone of the primary ray at an eye-space point and a window position; uses the widest side of the pixel.
 RayCone coneAt(const RaySetup& eyeRays, double x, double y, const glm::vec3& point);
 
-/// After a bounce in a direction of this density, of so many that are drawn: each stands for its share of
-/// directions. Cones have at most 0.2 of it, because wider ones blur more than their texture.
+/// Cone after a bounce with density `pdf`, if `samples` directions are sampled: each covers its share of
+/// directions. Cones are limited to 0.2 of that share, because wider cones blur too much.
 RayCone scattered(const RayCone&, float pdf, int samples);
 
 /// The pixel's longest and shortest extent on a triangle as changes of the corners' weights. `way`: along the
-/// ray, unit length. None for a triangle without area.
+/// ray, unit length. Zero for a triangle without area.
 WeightSteps stepsOn(const glm::dvec3 (&corner)[3], const glm::dvec3& way, double width);
 
 }  // namespace gluray::render

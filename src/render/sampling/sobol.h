@@ -1,4 +1,4 @@
-// Seeds of pixels, and the numbers of Sobol's sequence that all of them share. Any thread.
+// Per-pixel seeds of scrambled Sobol sequences. Any thread.
 #pragma once
 #include "render/local/group.h"
 
@@ -7,13 +7,13 @@
 
 namespace gluray::render {
 
-/// One seed for each lane: samples are a function of the pixel, the sample's index and the dimension,
-/// whatever the number of threads.
+/// One seed for each lane. Samples depend only on the pixel, the sample's index and the dimension, not on the
+/// number of threads.
 struct PixelSeeds {
   alignas(64) uint32_t seed[kLanes];
-  // Pixels that share one sequence: each lane's place among the points of a block, as the last digits of the
-  // index and of the second dimension.
-  uint32_t sharing = 0;  // so many points in a block: 16 or 64; 0: each pixel has a sequence of its own
+  // For pixels that share one sequence: position of each lane among the points of a block, as the last digits
+  // of the index and of the second dimension.
+  uint32_t sharing = 0;  // points in a block: 16 or 64; 0: each pixel has its own sequence
   alignas(64) uint32_t first[kLanes], second[kLanes];
 
   /// `x`, `y`: window positions.
@@ -26,14 +26,14 @@ struct PixelSeeds {
   }
 };
 
-/// Seeds of pixels that take points of one sequence, so that neighbours complete each other: sample `index`
-/// of the 16 pixels of a 4x4 block, or of the 64 of 8x8, is one aligned block of the sequence. `places`: lane
-/// in the 4x4 block (0 .. 15); of 64 pixels plus 16 times the number of that block (0 .. 3). `turn`: moves
-/// pixels among the points of their 4x4 block; sixteen turns give each pixel each place. Pixels 4k .. 4k + 3
-/// have one point in each quarter of the unit square.
+/// Seeds of pixels that share one sequence, so that neighbouring pixels have complementary samples: sample
+/// `index` of the 16 pixels of a 4x4 block, or of the 64 of 8x8, is one aligned block of the sequence.
+/// `places`: lane in the 4x4 block (0 .. 15); of 64 pixels plus 16 times the number of that block (0 .. 3).
+/// `turn`: permutes the points of a 4x4 block; in sixteen turns each pixel gets each point. Pixels 4k .. 4k +
+/// 3 have one point in each quarter of the unit square.
 PixelSeeds interleavedSeeds(uint32_t turn, uint32_t sharing, const uint32_t (&places)[kLanes]);
 
-/// Who uses which two dimensions of a pixel's samples. Uses are independent of each other.
+/// Assignment of pairs of sample dimensions to uses. Uses are independent of each other.
 enum class Dimensions : uint32_t {
   ambientOcclusion = 1,
   shadows = 2,  // and the next three: one for each light that casts shadows
@@ -42,8 +42,8 @@ enum class Dimensions : uint32_t {
   addedLights = 1 << 20,  // and those after it: one for each vertex of a path
 };
 
-/// The order in which a use takes the points of the sequence: every power of two of them from the beginning
-/// is an aligned block of the sequence, which is stratified like its beginning.
+/// Permutation of the sequence for a use: each initial run of a power of two points is an aligned block of
+/// the sequence, which is stratified like the beginning of the sequence.
 constexpr uint32_t shuffled(uint32_t index, uint32_t use) {
   const auto reversed = [](uint32_t x) {
     uint32_t result = 0;

@@ -1,4 +1,4 @@
-// Where the tiles of an image come from that several processes trace together. Implemented by dist/.
+// Source of tiles for images that several processes trace together. Implemented in cluster/.
 #pragma once
 #include "base/image.h"
 
@@ -8,12 +8,13 @@ namespace gluray::render {
 class TileSource {
  public:
   virtual ~TileSource() = default;
-  /// Called once, before all else: the image has its shape and keeps its place; its pixels are undefined.
+  /// Called once, before all other functions: the image has its final size and address; its pixels are
+  /// undefined.
   virtual void begin(const Image& image) noexcept = 0;
-  /// The next tile to trace, an index of Tiles; negative: there are no more. May wait.
+  /// Returns the next tile to trace, an index of Tiles; negative: none left. May wait.
   virtual int nextTile() noexcept = 0;
-  /// The tile's pixels are in the image. `seenThrough`: averages cannot be composited over the framebuffer,
-  /// as far as this process has seen: the image must be traced anew without them.
+  /// Reports that the tile's pixels are in the image. `seenThrough`: this process found that averages cannot
+  /// be composited over the framebuffer, so the image must be traced again without them.
   virtual void done(int tile, double seconds, bool seenThrough) noexcept = 0;
 };
 

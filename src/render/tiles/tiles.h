@@ -14,7 +14,7 @@
 
 namespace gluray::render {
 
-/// Whether tracing must stop; asked before each tile, on all tracing threads.
+/// Whether tracing must stop; called before each tile, on all tracing threads.
 using Interrupt = std::function<bool()>;
 
 /// The tiles of an image, row by row, kTileSize pixels wide and at most as high.
@@ -33,7 +33,8 @@ struct Tiles {
   }
 };
 
-/// Calls work(index) for the tiles that nextTile() gives, on all threads, until it gives a negative number.
+/// Calls work(index) for the tiles that nextTile() returns, on all threads, until it returns a negative
+/// number.
 template <class Next, class Work>
 void eachTileFrom(const char* name, const Next& next, const Work& work) {
   tbb::parallel_for(
@@ -49,7 +50,7 @@ void eachTileFrom(const char* name, const Next& next, const Work& work) {
       tbb::simple_partitioner());
 }
 
-/// Calls work(tile) for all tiles, on all threads. False: interrupted before the last one.
+/// Calls work(tile) for all tiles, on all threads. Returns false if interrupted before the last tile.
 template <class Work>
 bool eachTile(const Tiles& tiles, const char* name, const Interrupt& interrupt, const Work& work) {
   std::atomic<bool> interrupted{false};

@@ -41,7 +41,8 @@ class CollectedHits {
   std::vector<Hit> of_[accel::kLanes];
 };
 
-/// Collects hits that are neither culled nor clipped by instances' own planes; rejects all, so rays go on.
+/// Collects hits that are neither culled nor clipped by instances' own planes. Rejects every hit, so that
+/// rays continue.
 class CollectingFilter : public accel::HitFilter {
  public:
   CollectingFilter(const FrameData& frame, CollectedHits& hits) : frame_(frame), hits_(hits) {}

@@ -11,20 +11,18 @@ constexpr int kMaxPictures = 1000000;
 
 void describeMaterial(CLI::App& app, ControlOptions& options) {
   app.description(
-      "Changes what single objects are made of, and which rays do not meet them: entries of the setting\n"
-      "material.objects. What is not named stays; a new material forgets the old one's values. `gluray "
-      "undo`\n"
-      "takes it back. Without a material or an option: prints the entries.");
+      "Changes the materials and the ray visibility of single objects (setting material.objects). Values\n"
+      "that are not given stay; a new material drops the values of the old one. `gluray undo` undoes the\n"
+      "change. Without a material or an option, prints the entries.");
   app.add_option(
       "WORD", options.words,
       "OBJECT... [MATERIAL] [KEY=VALUE...]: numbers of `gluray objects`, ranges such as 3-7, or all;\n"
       "a word of the setting material; values such as roughness=0.1");
-  auto* hide = app.add_flag("--hide", options.hide, "No ray meets the objects");
-  auto* from =
-      app.add_option("--hide-from", options.hideFrom,
-                     "These rays do not: some of camera, shadow, occlusion, reflection with + between");
+  auto* hide = app.add_flag("--hide", options.hide, "Hide the objects from all rays");
+  auto* from = app.add_option("--hide-from", options.hideFrom,
+                              "Hide them from some rays: camera, shadow, occlusion, reflection, joined by +");
   from->type_name("RAYS")->excludes(hide);
-  auto* show = app.add_flag("--show", options.show, "All rays meet the objects again");
+  auto* show = app.add_flag("--show", options.show, "Show the objects to all rays again");
   show->excludes(hide)->excludes(from);
   app.add_flag("--reset", options.reset, "Remove the entries of the objects")
       ->excludes(hide)
@@ -34,9 +32,8 @@ void describeMaterial(CLI::App& app, ControlOptions& options) {
 
 void describeFilm(CLI::App& app, ControlOptions& options) {
   app.description(
-      "Saves the frames that a running program's window shows next as numbered pictures, each of a later "
-      "frame\n"
-      "than the one before. Replaces PNG files, no others. Ctrl+C ends it with what is there.");
+      "Saves the next frames in the window of a running program as numbered pictures, each of a later frame\n"
+      "than the one before. Overwrites PNG files only. Ctrl+C ends it and keeps the pictures saved so far.");
   app.add_option("FILE", options.file, "Name of the pictures, such as film-%04d.png, or film.png")
       ->required();
   app.add_option("--frames", options.film.frames, "End after N pictures")
@@ -47,7 +44,7 @@ void describeFilm(CLI::App& app, ControlOptions& options) {
       ->type_name("S");
   app.add_option(
          "--set", options.film.ramps,
-         "Vary a setting from picture to picture; it gets back what it had. May be given several times")
+         "Vary a setting from picture to picture, and restore it at the end. May be given several times")
       ->allow_extra_args(false)
       ->type_name("NAME=FROM..TO");
   app.add_option("--passes", options.film.passes,
@@ -63,11 +60,12 @@ void describeSceneCommand(CLI::App& app, CommandLine& line) {
   switch (line.command) {
     case Command::objects:
       app.description(
-          "Lists the objects that running programs draw and GLuRay traces: number, view, shape, triangles,\n"
-          "color, material, and which rays do not meet them.");
+          "Lists the traced objects of running programs: number, view, shape, triangles, color, material, "
+          "and\n"
+          "the rays that they are hidden from.");
       break;
     case Command::pick:
-      app.description("Prints which object a program shows at a point of its window.");
+      app.description("Prints the object at a point of a program's window.");
       app.add_option("POINT", options.words,
                      "X Y: pixels from the top left of the picture, or percent: 50% 50%")
           ->required();
@@ -77,14 +75,14 @@ void describeSceneCommand(CLI::App& app, CommandLine& line) {
       app.description(
           "Lists the lights of running programs, or changes settings of the group lights. `gluray light at X "
           "Y`\n"
-          "puts the highlight of the key light there; X and Y as for gluray pick.");
+          "moves the key light's highlight to this point; X and Y as for gluray pick.");
       app.add_option("WORD", options.words, "NAME=VALUE..., such as azimuth=30 or rig=sun; or: at X Y");
       break;
     case Command::camera:
       app.description(
           "Lists the cameras of running programs, or changes settings of the group camera. `gluray camera "
           "focus\n"
-          "X Y` focuses on the surface there; X and Y as for gluray pick.");
+          "X Y` focuses on the surface at this point; X and Y as for gluray pick.");
       app.add_option("WORD", options.words,
                      "NAME=VALUE..., such as aperture=0.1 or f-number=2.8; or: focus X Y");
       break;

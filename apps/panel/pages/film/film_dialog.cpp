@@ -109,7 +109,7 @@ void FilmDialog::makeVaried(QFormLayout* form) {
   setting_->addItem(tr("none"));
   for (const Row& row : settingRows())
     if (row.applies == Applies::frame && isNumber(row)) setting_->addItem(qtText(row.name));
-  setting_->setToolTip(tr("It changes over the film, and is afterwards what it was"));
+  setting_->setToolTip(tr("It varies over the film, and is restored at the end"));
   form->addRow(tr("S&etting that changes"), setting_);
   from_ = newValueBox(tr("First value"), "film-from", fields_);
   to_ = newValueBox(tr("Last value"), "film-to", fields_);
@@ -139,7 +139,7 @@ QString FilmDialog::check() const {
     return tr("There is no folder %1.").arg(folder_->text());
   if (name_->text().isEmpty() || name_->text().contains('/')) return tr("Type a name without slashes.");
   if (setting_->currentIndex() > 0 && frames_->value() == 0)
-    return tr("A setting that changes needs a number of pictures.");
+    return tr("A varying setting needs a number of pictures.");
   return {};
 }
 
@@ -179,7 +179,7 @@ void FilmDialog::showRunning() {
   fields_->setEnabled(!film_);
   progress_->setVisible(film_);
   start_->setText(film_ ? tr("C&ancel") : tr("&Start"));
-  start_->setToolTip(film_ ? tr("The pictures that are saved stay") : QString());
+  start_->setToolTip(film_ ? tr("Saved pictures stay") : QString());
 }
 
 void FilmDialog::ended(const QString& why) {

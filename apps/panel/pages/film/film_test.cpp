@@ -154,7 +154,7 @@ TEST_F(FilmDialogTest, SaysWhatIsWrongBeforeItBegins) {
   EXPECT_EQ(part<QDoubleSpinBox>("film-from").value(), 45);
   part<QSpinBox>("film-frames").setValue(0);
   start.click();
-  EXPECT_EQ(message(), "A setting that changes needs a number of pictures.");
+  EXPECT_EQ(message(), "A varying setting needs a number of pictures.");
   program.end();
   start.click();
   EXPECT_EQ(message(), "No program is chosen.");

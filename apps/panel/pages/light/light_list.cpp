@@ -88,7 +88,7 @@ void LightList::receiveAnswer(const CallAnswer& answer) {
   for (const json& light : *list)
     if (light.is_object() && rows.size() < kMaxLights) rows.push_back(rowOf(light));
   message_->setVisible(rows.empty());
-  if (rows.empty()) message_->setText(tr("No light shines on what is traced."));
+  if (rows.empty()) message_->setText(tr("No light shines on the traced objects."));
   setRows(*lights_, rows);
   for (int i = 0; i < lights_->topLevelItemCount(); ++i) {
     const QColor color(lights_->topLevelItem(i)->text(3));

@@ -8,7 +8,7 @@
 namespace gluray::panel {
 
 LightPanel::LightPanel(Controls& controls, QWidget* parent)
-    : QGroupBox(tr("Key light, and all lights"), parent), sphere_(new LightSphere(controls, this)) {
+    : QGroupBox(tr("Key light and all active lights"), parent), sphere_(new LightSphere(controls, this)) {
   auto* layout = new QHBoxLayout(this);
   layout->addWidget(sphere_);
   layout->addWidget(new LightList(controls, this), 1);

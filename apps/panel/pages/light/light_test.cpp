@@ -122,7 +122,7 @@ TEST(LightListTest, ShowsTheLightsWhileItIsSeen) {
     list.hide(), list.show();
     program.settle();
   }
-  EXPECT_EQ(label->text(), "No light shines on what is traced.");
+  EXPECT_EQ(label->text(), "No light shines on the traced objects.");
 }
 
 }  // namespace

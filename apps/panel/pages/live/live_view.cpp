@@ -55,14 +55,15 @@ QToolButton* LiveView::addButton(QGridLayout* grid, int row, const char* name, c
 
 void LiveView::makeTools(QGridLayout* grid) {
   lightTool_ = addButton(grid, 0, "tool-light", tr("Light"), "L",
-                         tr("Drag over the picture: the key light's highlight follows"));
-  focusTool_ = addButton(grid, 0, "tool-focus", tr("Focus"), "F", tr("Click what shall be in focus"));
+                         tr("Drag in the picture to move the key light's highlight"));
+  focusTool_ = addButton(grid, 0, "tool-focus", tr("Focus"), "F", tr("Click the surface to focus on"));
   compareTool_ =
       addButton(grid, 0, "tool-compare", tr("Compare"), "Ctrl+B",
                 tr("The real OpenGL's picture left of a divider, which can be dragged or moved by the "
                    "Left and Right keys. For one frame the program's window shows that picture"));
-  renew_ = addButton(grid, 0, "compare-renew", tr("Renew"), "F5",
-                     tr("Gets the real OpenGL's picture again; the program's window shows it for one frame"));
+  renew_ =
+      addButton(grid, 0, "compare-renew", tr("Renew"), "F5",
+                tr("Captures the real OpenGL's picture again; the program's window shows it for one frame"));
   for (QToolButton* tool : {lightTool_, focusTool_, compareTool_}) tool->setCheckable(true);
   const auto exclude = [](QToolButton* one, QToolButton* other) {
     connect(one, &QToolButton::toggled, other, [other](bool on) {
@@ -81,9 +82,9 @@ void LiveView::makeTools(QGridLayout* grid) {
 
 void LiveView::makeButtons(QGridLayout* grid) {
   save_ = addButton(grid, 1, "save-picture", tr("Save..."), "Ctrl+S",
-                    tr("Saves the picture of the program's window in its full size"));
+                    tr("Saves the picture of the program's window in full size"));
   save_->setAccessibleName(tr("Save picture"));
-  film_ = addButton(grid, 1, "film", tr("Film..."), "Ctrl+M", tr("Saves pictures, one after the other"));
+  film_ = addButton(grid, 1, "film", tr("Film..."), "Ctrl+M", tr("Saves consecutive pictures"));
   enlarge_ = addButton(grid, 1, "enlarge", tr("Enlarge"), "Ctrl+E",
                        tr("Shows the picture in a window of its own; a double click does so, too"));
   connect(save_, &QToolButton::clicked, this, &LiveView::chooseFile);

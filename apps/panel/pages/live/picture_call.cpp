@@ -20,7 +20,7 @@ constexpr int64_t kMaxObjectNumber = std::numeric_limits<uint32_t>::max();
 QString textOfNumber(double value) { return QString::number(value, 'g', 4); }
 
 QString lineOf(uint32_t object, const json& answer) {
-  if (object == 0) return QObject::tr("Nothing that GLuRay traces is there.");
+  if (object == 0) return QObject::tr("There is no traced object at this point.");
   QString line = QObject::tr("Object %1").arg(object);
   if (const json* at = member(answer, "position");
       at && at->is_array() && at->size() == 3 &&
@@ -84,7 +84,7 @@ void focusOn(Controls& controls, const PicturePoint& at, QObject* receiver,
                   if (!program || program->number != number) return;
                   if (!answer.why.empty()) return said(QString::fromStdString(answer.why));
                   if (const json* const object = member(answer.value, "object"); object && object->is_null())
-                    return said(QObject::tr("Nothing that GLuRay traces is there; the focus stays."));
+                    return said(QObject::tr("There is no traced object at this point; the focus stays."));
                   const auto object = wholeNumber(member(answer.value, "object"), 1, kMaxObjectNumber);
                   const auto share = shareIn(answer.value);
                   if (!object || !share) return said(QObject::tr("the program's answer cannot be read"));

@@ -60,7 +60,8 @@ ObjectEditor::ObjectEditor(Controls& controls, QWidget* parent)
   title_->setObjectName("objects-title");
   remove_ = new QPushButton(tr("As the program &draws it"), this);
   remove_->setObjectName("objects-remove");
-  remove_->setToolTip(tr("Takes back what this panel, commands and files say of the selected objects"));
+  remove_->setToolTip(
+      tr("Resets the selected objects, whether this panel, commands or files have changed them"));
   head->addWidget(title_, 1);
   head->addWidget(remove_);
   layout->addLayout(head);

@@ -80,8 +80,7 @@ QWidget* ObjectsPage::makeNote() {
   note->setObjectName("objects-note");
   auto* layout = new QHBoxLayout(note);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* text =
-      new QLabel(tr("Materials are seen where paths are traced: integrator = path or whitted."), note);
+  auto* text = new QLabel(tr("Materials have an effect only with integrator = path or whitted."), note);
   text->setWordWrap(true);
   auto* button = new QPushButton(tr("&Trace paths"), note);
   button->setToolTip(tr("integrator = path"));
@@ -109,7 +108,7 @@ QString ObjectsPage::messageNow() const {
   if (!list_.why().isEmpty()) return tr("No objects: %1").arg(list_.why());
   if (!list_.known()) return tr("Asking the program what it draws...");
   const auto shown = static_cast<qlonglong>(list_.objects().size());
-  if (shown == 0) return tr("GLuRay traces nothing of what the program draws.");
+  if (shown == 0) return tr("GLuRay traces no objects of this program.");
   if (shown < list_.total()) return tr("The first %1 of %2 objects.").arg(shown).arg(list_.total());
   return shown == 1 ? tr("One object.") : tr("%1 objects.").arg(shown);
 }

@@ -75,7 +75,7 @@ void FpsPlot::paintEvent(QPaintEvent*) {
 NoisePlot::NoisePlot(Controls& controls, QWidget* parent)
     : Plot(controls, tr("Noise and passes of the picture"), parent) {
   setObjectName("noise-plot");
-  setToolTip(tr("Noise that is left in the picture, and passes over it (thin line)"));
+  setToolTip(tr("Remaining noise of the picture, and its passes (thin line)"));
   stateCame();
 }
 

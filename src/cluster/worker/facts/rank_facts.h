@@ -1,4 +1,4 @@
-// What this process knows of itself and its host, from /proc, /sys and the system's calls. Any thread.
+// Collects properties of this process and its host, from /proc, /sys and system calls. Any thread.
 #pragma once
 #include "cluster/messages/fact_messages.h"
 #include "cluster/ranks/ranks.h"
@@ -9,9 +9,9 @@
 
 namespace gluray::cluster {
 
-/// Empty: this machine has none.
+/// Host name; empty: none.
 std::string hostName();
-/// `threads`: with which this rank traces. All members but `answered` are set.
+/// `threads`: tracing threads of this rank. Sets all members except `answered`.
 RankFacts factsOf(const Ranks& ranks, int threads);
 
 /// The value of a line "NAME:   VALUE" of a file of /proc; empty: there is none.

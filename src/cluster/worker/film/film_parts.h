@@ -1,5 +1,5 @@
-// The film of a moving frame at its head: its tiles as ranks collect them, and who is to colour which. The
-// worker's main thread.
+// The film of a moving frame at its head: assembles the tiles that ranks collect, and tracks which rank
+// colours which tile. The worker's main thread.
 #pragma once
 #include "cluster/messages/rank_messages.h"
 #include "cluster/stream/shared_arrays.h"
@@ -13,7 +13,7 @@ class FilmParts {
  public:
   FilmParts(int width, int height);
 
-  /// Puts a tile that `rank` has collected onto the film. False: it was there. Throws Malformed.
+  /// Adds a tile that `rank` has collected to the film. Returns false for a duplicate. Throws Malformed.
   bool addTile(int rank, const FilmTile& tile);
   /// Whether the rank has collected the tile and not coloured it.
   bool isAwaited(int rank, int tile) const;
@@ -24,7 +24,7 @@ class FilmParts {
   /// The tiles that the rank is to colour.
   std::vector<int32_t> tilesOf(int rank) const;
 
-  /// The film as it is goes to the ranks.
+  /// Returns the film to send to the ranks.
   Array give();
   bool isGiven() const { return given_; }
 

@@ -1,5 +1,4 @@
-// The TCP connections of a hub that have not proved yet that they know the key, and how each is closed. On
-// the hub's thread.
+// The unauthenticated TCP connections of a hub, and the functions that close them. On the hub's thread.
 #pragma once
 #include "control/auth/waiting_peers.h"
 

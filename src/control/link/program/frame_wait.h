@@ -1,5 +1,5 @@
-// How a request waits for a frame of the program: when the program is asked to draw, and how long it is
-// waited for. Control thread; times in seconds.
+// Lets a request wait for a frame of the program: decides when to ask the program to redraw, and when to give
+// up. Control thread; times in seconds.
 #pragma once
 #include "settings/live/settings_source.h"
 

@@ -1,4 +1,5 @@
-// Pictures of windows: as the program's threads keep them, and the RGB bytes that are sent. Any thread.
+// Pictures of windows, as stored by the program's threads, and their conversion to RGB bytes for messages.
+// Any thread.
 #pragma once
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
-// Makes a program that draws nothing draw its scene. Most programs draw when a window is exposed. Toolkits
-// that keep pictures of their views only show these again; they draw when a window's size seems to change.
-// Which kind it is, is found out by trying. Control thread; times in seconds.
+// Makes an idle program redraw its scene. Most programs redraw when a window is exposed. Toolkits that cache
+// pictures of their views only show these again, and redraw when a window's size seems to change. The waker
+// tries both methods. Control thread; times in seconds.
 #pragma once
 #include "control/link/program/controlled_program.h"
 #include "settings/live/settings_source.h"

@@ -1,4 +1,4 @@
-// How the real OpenGL makes separate primitives of the vertices of a draw. GL thread.
+// Primitive assembly: maps the vertices of a draw to separate primitives. GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/real/elements.h"
@@ -18,16 +18,15 @@ struct Assembly {
   bool firstProvokes = false;       // GL_FIRST_VERTEX_CONVENTION
   std::optional<uint32_t> restart;  // vertex number that begins a new strip or fan, and drops unfinished ones
 
-  /// `name`, changed where the primitives are others.
+  /// Hash of `name` and of the primitive restart and provoking vertex; `name` itself if these do not matter.
   Hash128 added(const Hash128& name) const;
-  /// The corners of the primitives, in the order in which the real OpenGL makes them: three each, or four of
-  /// quads.
+  /// Corners of the primitives, in the order of the real OpenGL: three each, or four for quads.
   std::vector<uint32_t> corners(std::vector<uint32_t> numbers) const;
 };
 
 Assembly assemblyOf(const RealGl& real, bool firstProvokes, GLenum mode, const Elements& elements);
 
-/// While it lives, indices that would restart primitives are vertices.
+/// Disables primitive restart during its lifetime.
 class WithoutRestart {
  public:
   explicit WithoutRestart(const RealGl& real);
@@ -37,7 +36,7 @@ class WithoutRestart {
 
  private:
   const RealGl& real_;
-  std::array<GLenum, 2> off_{};  // what was on
+  std::array<GLenum, 2> off_{};  // the disabled state
 };
 
 }  // namespace gluray::gl

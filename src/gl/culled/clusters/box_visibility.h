@@ -1,4 +1,5 @@
-// Whether boxes of positions may show in front of a depth picture, as one matrix places them. Any thread.
+// Tests whether bounding boxes, transformed by a matrix, may be visible in front of a depth picture. Any
+// thread.
 #pragma once
 #include "gl/culled/clusters/depth_pyramid.h"
 
@@ -6,31 +7,31 @@
 
 namespace gluray::gl {
 
-/// From clip space to the pixels of a pyramid and to window depth.
+/// Maps clip space to the pixels of a pyramid and to window depth.
 struct WindowMapping {
   glm::dvec4 viewport{0};              // x, y, width, height in pixels, relative to the pyramid's corner
   double depthNear = 0, depthFar = 1;  // glDepthRange
-  double sampleReach = 0;              // how far samples may be from a pixel's centre along each axis
+  double sampleReach = 0;              // maximum distance of samples from the pixel centre along each axis
 };
 
-/// Clip space from vertex positions, and how far rounding may be from it: errors grow with the magnitudes.
+/// Matrix from vertex positions to clip space, with bounds for rounding errors, which grow with the
+/// magnitudes.
 struct ClipMatrix {
   glm::dmat4 clipFromObject{1};
-  glm::dmat4 magnitudes{0};  // at least the absolute values of all that was added up to clipFromObject
+  glm::dmat4 magnitudes{0};  // upper bounds of the sums of absolute values in clipFromObject
 };
 
 class BoxVisibility {
  public:
-  /// Null pyramid: all that may lie in the view shows. It must outlive this.
+  /// Null pyramid: everything in the view counts as visible. The pyramid must outlive this.
   BoxVisibility(const ClipMatrix& matrix, const WindowMapping& window, const DepthPyramid* pyramid);
 
-  /// Whether anything in the box around `center` may have a pixel that is nearer than the pyramid's or as
-  /// near: never misses one, also not by the rounding of shaders and of rasterisers that snap vertices to
-  /// 1/256 pixel.
+  /// Whether the box around `center` may have a pixel at or in front of the pyramid's depth. Conservative,
+  /// including the rounding of shaders, and of rasterisers that snap vertices to 1/256 pixel.
   bool mayShow(const glm::dvec4& center, const glm::dvec4& extent) const;
 
  private:
-  /// Of a box around `at` in normalised device coordinates.
+  /// Depth test for a box around `at` in normalised device coordinates.
   bool isNearer(const glm::dvec3& at, const glm::dvec3& reach) const;
 
   glm::dvec4 row_[4], magnitude_[4];

@@ -1,6 +1,6 @@
-// Clusters: a few neighbouring primitives of a draw and the box around them, in groups with boxes of their
-// own, and which of them may show in front of a depth picture. Loops run in the shared arena. Any thread, one
-// at a time for each object.
+// Clusters: a few neighbouring primitives of a draw with a bounding box, in groups with boxes of their own.
+// Finds the clusters that may be visible in front of a depth picture. Loops run in the shared arena. Any
+// thread, one at a time for each object.
 #pragma once
 #include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/clusters/depth_pyramid.h"
@@ -19,7 +19,7 @@ struct Primitives {
   const std::byte* positions = nullptr;  // of vertex `lowest`: `components` (2, 3 or 4) floats or doubles
   uint32_t lowest = 0;
   size_t stride = 0;   // bytes between vertices
-  int components = 3;  // the fourth one is 1 where it is not there
+  int components = 3;  // a missing fourth one is 1
   bool doubles = false;
   const uint32_t* indices = nullptr;  // null: vertices in order from `first`
   uint32_t first = 0;
@@ -40,7 +40,7 @@ class Clusters {
 
   /// Throws std::bad_alloc.
   explicit Clusters(const Primitives& primitives);
-  /// The vertices of the same primitives have moved.
+  /// Updates the boxes for moved vertices of the same primitives.
   void refit(const Primitives& primitives) { findBoxes(primitives); }
 
   uint32_t count() const { return static_cast<uint32_t>(boxes_.size()); }
@@ -50,17 +50,16 @@ class Clusters {
     return (boxes_.size() + groups_.size() + largeGroups_.size()) * sizeof(Box) +
            numbers_.size() * sizeof(uint32_t);
   }
-  /// Whether clusters are runs of the draw's primitives; else they are neighbours of whatever numbers.
+  /// Whether clusters are consecutive primitives of the draw; otherwise they are spatial neighbours.
   bool areRuns() const { return numbers_.empty(); }
 
-  /// Sets bit i of `visible` where cluster i may have a pixel that is nearer than the pyramid's or as near:
-  /// never misses one, also not by the rounding of shaders and of rasterisers that snap vertices to 1/256
-  /// pixel. Null pyramid: all that may lie in the view.
+  /// Sets bit i of `visible` if cluster i may have a pixel at or in front of the pyramid's depth.
+  /// Conservative, like BoxVisibility. Null pyramid: everything in the view.
   void mayShow(const ClipMatrix& matrix, const WindowMapping& window, const DepthPyramid* pyramid,
                std::vector<uint64_t>& visible) const;
   /// Sets the bits of all clusters.
   void all(std::vector<uint64_t>& visible) const;
-  /// Whether any of them may.
+  /// Whether any cluster may be visible.
   bool anyMayShow(const BoxVisibility& view) const;
 
   /// Writes the vertex numbers of the primitives of all clusters in `visible`, in the order of the draw.
@@ -71,7 +70,7 @@ class Clusters {
 
  private:
   struct Box {
-    glm::vec4 center{0}, extent{0};  // extent.x < 0: positions are not finite, so that it always shows
+    glm::vec4 center{0}, extent{0};  // extent.x < 0: positions are not finite, always visible
     bool isFinite() const { return extent.x >= 0; }
   };
   using Boxes = std::vector<Box>;

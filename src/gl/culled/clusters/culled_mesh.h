@@ -21,12 +21,13 @@ namespace gluray::gl {
 
 class CulledMesh {
  public:
-  /// `positions`: the array that gives them, of which `components` count. Nothing where they cannot be read.
+  /// `positions`: the array of positions, with `components` relevant components. Null if positions cannot be
+  /// read.
   static std::shared_ptr<CulledMesh> create(const RealGl& real, const ArraySource& positions, int components,
                                             const ArrayState& arrays, const Assembly& assembly,
                                             const Elements& elements);
 
-  /// The same without positions, which takePositions() gives: clip coordinates.
+  /// Makes a mesh whose positions takePositions() sets: clip coordinates.
   static std::shared_ptr<CulledMesh> withoutPositions(const RealGl& real, const ArrayState& arrays,
                                                       const Assembly& assembly, const Elements& elements);
   /// The first vertex that the primitives use, and one past the last.
@@ -34,18 +35,18 @@ class CulledMesh {
   uint32_t endVertex() const { return end_; }
   /// Copies the positions of all vertices, four floats each, for build().
   void takePositions(const std::byte* positions);
-  /// Moves the clusters to them. GL thread, after build().
+  /// Updates the clusters for new positions. GL thread, after build().
   void refit(const std::byte* positions);
-  /// The same for clusters of each of so many units of instances, `step` bytes after each other.
+  /// Updates the clusters of `units` units of instances, whose positions are `step` bytes apart.
   void refit(const std::byte* positions, size_t step, uint32_t units);
-  /// Clusters of units, after that.
+  /// Clusters of the units, after refit().
   const UnitClusters& units() const { return units_; }
 
   /// Builds the clusters. Any thread, once.
   void build();
-  /// Of no use when the clusters are built. GL thread.
+  /// Frees the positions, which are unused once the clusters are built. GL thread.
   void forgetPositions() { positionStorage_.reset(), copied_ = {}; }
-  /// The same, where nothing is written or moved later: only boxes are left.
+  /// Frees all but the boxes, for meshes that are neither written nor refitted later.
   void forgetVertices() {
     forgetPositions();
     indexStorage_.reset(), numbers_ = {}, primitives_.indices = nullptr;
@@ -62,7 +63,7 @@ class CulledMesh {
 
  private:
   CulledMesh() = default;
-  /// False: the real OpenGL would read beyond the indices.
+  /// Returns false if the draw reads beyond the index buffer.
   bool readIndices(const RealGl& real, const ArrayState& arrays, const Assembly& assembly,
                    const Elements& elements);
   void findVertices();

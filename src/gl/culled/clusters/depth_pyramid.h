@@ -1,4 +1,4 @@
-// The farthest depths of a picture's pixels, level by level. GL thread; the loop runs in the shared arena.
+// A hierarchy of the farthest depths of a picture's pixels. GL thread; the loop runs in the shared arena.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,8 +11,7 @@ class DepthPyramid {
   void build(const float* depths, int width, int height);
   int width() const { return width_; }
   int height() const { return height_; }
-  /// The farthest depth of the pixels in [x0, x1] x [y0, y1], which is clamped to the picture, or of more
-  /// pixels around them. Any thread.
+  /// Upper bound of the depths of the pixels in [x0, x1] x [y0, y1], clamped to the picture. Any thread.
   float farthest(int x0, int y0, int x1, int y1) const;
 
  private:

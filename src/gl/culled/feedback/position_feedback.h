@@ -1,5 +1,5 @@
-// Where a program's vertex shader puts the vertices of a draw, whatever it computes: the real OpenGL runs the
-// shader, and feeds gl_Position back. One per program. GL thread, context current.
+// Captures the positions of a draw for any vertex shader: the real OpenGL runs the shader, and transform
+// feedback captures gl_Position. One per program. GL thread, context current.
 #pragma once
 #include "gl/culled/feedback/program_copy.h"
 #include "gl/real/elements.h"
@@ -20,16 +20,16 @@ class PositionFeedback {
 
   explicit PositionFeedback(const Program& original) : original_(original) {}
 
-  /// Whether positions can be fed back. The first call links a copy of the program. No error may be pending.
+  /// Whether positions can be captured. The first call links a copy of the program. No error may be pending.
   bool works(const RealGl& real);
-  /// Whether so many positions are few enough for a buffer.
+  /// Whether so many positions fit into a buffer.
   static bool isPossible(uint32_t first, uint32_t end, uint32_t instances);
-  /// Calls `take` with the clip coordinates of vertices `first` to `end` - 1, four floats each, as a draw
-  /// with the current state and the instances of `as` gets them, instance after instance. False: it cannot.
+  /// Calls `take` with the clip coordinates of vertices `first` to `end` - 1, four floats each, for a draw
+  /// with the current state and the instances of `as`, instance by instance. Returns false on failure.
   /// Changes no state. No error may be pending.
   bool capture(const RealGl& real, uint32_t first, uint32_t end, const Elements& as,
                const std::function<void(const std::byte*)>& take);
-  /// Deletes what it has made.
+  /// Deletes its objects.
   void release(const RealGl& real);
 
  private:

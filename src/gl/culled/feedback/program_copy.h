@@ -1,5 +1,5 @@
-// A copy of a program of the program under observation that feeds back gl_Position. GL thread, context
-// current.
+// A copy of one of the host's shader programs, changed to capture gl_Position by transform feedback. GL
+// thread, context current.
 #pragma once
 #include "gl/glsl/program.h"
 #include "gl/real/real.h"
@@ -19,10 +19,10 @@ class ProgramCopy {
  public:
   /// Links it. No error may be pending.
   ProgramCopy(const RealGl& real, const Program& original);
-  /// Whether it can stand for the original.
+  /// Whether the copy is usable.
   bool works() const { return name_ != 0; }
   GLuint name() const { return name_; }
-  /// Gives it the values that the original's uniforms have, in blocks, too. It is in use.
+  /// Copies the values of the original's uniforms, including blocks. The copy must be in use.
   void copyUniforms(const RealGl& real) const;
   /// Deletes it.
   void release(const RealGl& real);
@@ -33,7 +33,7 @@ class ProgramCopy {
     GLint location = -1;
   };
   bool link(const RealGl& real, const ShaderTexts& texts);
-  /// False: a uniform has a type that cannot be set.
+  /// Returns false if a uniform has a type that cannot be set.
   bool findUniforms(const RealGl& real);
   void findBlocks(const RealGl& real);
 

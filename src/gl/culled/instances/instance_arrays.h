@@ -1,5 +1,5 @@
-// The arrays that give instances their values, and which attributes they feed. A part of CulledDraws, GL
-// thread, context current.
+// The arrays with instance attributes, and the attributes that read them. A part of CulledDraws, GL thread,
+// context current.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/basics/reasons.h"
@@ -12,7 +12,7 @@
 
 namespace gluray::gl {
 
-/// Calls each(array) for all that are enabled.
+/// Calls each(array) for all enabled arrays.
 template <class Each>
 void forEnabled(const ArrayState& arrays, const Each& each) {
   const auto look = [&](const ArraySource& a) {
@@ -22,14 +22,15 @@ void forEnabled(const ArrayState& arrays, const Each& each) {
   for (const ArraySource& a : arrays.generic) look(a);
 }
 
-/// The array that feeds the attribute; null: none does.
+/// The array of the attribute; null: none.
 const ArraySource* arrayOf(const ArrayState& arrays, GLint location);
 
 /// Attributes of the program all of whose columns come from arrays with a divisor.
 InstanceAttributes instanceAttributes(const Program& program, const ArrayState& arrays);
 
-/// Finds the arrays of the numbers that `position` depends on. CullReason::culled, or why they cannot be
-/// read. `fractions`: whether signed fractions of bytes and shorts can be (SignedFractions); asked if needed.
+/// Finds the arrays of the instance attributes in `position`. Returns CullReason::culled, or the reason why
+/// they cannot be read. `fractions`: returns whether signed normalised bytes and shorts can be read
+/// (SignedFractions); called on demand.
 CullReason instanceColumns(const RealGl& real, const Program& program, const ArrayState& arrays,
                            const LinearPosition& position, const InstanceUnits& units,
                            const std::function<bool()>& fractions, std::vector<Instances::Column>& columns);

@@ -1,4 +1,4 @@
-// Draws of some instances of a draw, by a base instance, or by arrays that begin with later elements. A part
+// Draws a range of a draw's instances, with a base instance, or with array pointers to later elements. A part
 // of CulledDraws, GL thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
@@ -13,15 +13,15 @@
 
 namespace gluray::gl {
 
-/// Finds the units of a draw's instances. CullReason::culled, or why some of them cannot be drawn without the
-/// others.
+/// Finds the units of a draw's instances. Returns CullReason::culled, or the reason why they cannot be drawn
+/// separately.
 CullReason findUnits(const RealGl& real, const ArrayState& arrays, const Elements& elements,
                      std::optional<InstanceUnits>& units);
 
-/// While it lives, parts of a draw can be made; then the arrays are as they were.
+/// Draws parts of a draw during its lifetime. The destructor restores the arrays.
 class InstanceDraws {
  public:
-  /// `units`: as findUnits() has found them for the same arrays and draw.
+  /// `units`: from findUnits() for the same arrays and draw.
   InstanceDraws(const RealGl& real, const ArrayState& arrays, const InstanceUnits& units);
   ~InstanceDraws() { moveTo(0); }
   InstanceDraws(const InstanceDraws&) = delete;
@@ -31,7 +31,7 @@ class InstanceDraws {
   Elements elementsOf(Elements elements, const InstancePart& part);
 
  private:
-  /// A vertex buffer binding, or an attribute with its array where OpenGL has no bindings.
+  /// A vertex buffer binding, or an attribute's array if OpenGL has no bindings.
   struct Moved {
     GLuint index = 0, buffer = 0;
     GLintptr offset = 0;
@@ -45,15 +45,15 @@ class InstanceDraws {
   void find(const ArrayState& arrays);
   Moved attributeOf(const ArraySource& array) const;
   Moved bindingOf(const ArraySource& array) const;
-  /// Arrays begin with the elements of instance `first`.
+  /// Moves the arrays to begin with the elements of instance `first`.
   void moveTo(uint32_t first);
 
   const RealGl& real_;
-  const bool byArrays_;  // else by a base instance
+  const bool byArrays_;  // otherwise by base instance
   bool hasBindings_ = false;
   const InstanceUnits& units_;
   std::vector<Moved> moved_;
-  uint32_t at_ = 0;  // the instance that arrays begin with
+  uint32_t at_ = 0;  // first instance of the arrays
 };
 
 }  // namespace gluray::gl

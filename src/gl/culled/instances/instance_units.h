@@ -1,5 +1,5 @@
-// The instances of a draw in units, and how some of them are drawn without the others: element numbers of
-// their arrays. Calls no OpenGL. A part of a plan of CulledDraws, GL thread.
+// Groups the instances of a draw into units that can be drawn separately, by element numbers of their arrays.
+// Calls no OpenGL. A part of a plan of CulledDraws, GL thread.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +24,7 @@ class InstanceUnits {
   /// Instances of a unit, which have the same elements of all arrays; the last unit may have fewer.
   uint32_t size() const { return size_; }
   uint32_t units() const { return (instances_ - 1) / size_ + 1; }
-  /// Whether arrays advance at different rates: then no base instance stands for all of them.
+  /// Whether arrays advance at different rates, so that no base instance fits all of them.
   bool areMixed() const { return divisors_.size() > 1; }
   /// The element that an array with a divisor has at unit `unit`.
   uint32_t element(uint32_t unit, uint32_t divisor) const { return base_ + unit * size_ / divisor; }
@@ -38,8 +38,8 @@ class InstanceUnits {
   }
   /// Instances of the units in `visible`.
   uint64_t instancesIn(const std::vector<uint64_t>& visible) const;
-  /// The most instances from `first` on that can be drawn at once: arrays whose element does not begin with
-  /// `first` end with it.
+  /// Maximum number of instances from `first` on that can be drawn together: limited by arrays whose current
+  /// element does not begin with `first`.
   uint32_t most(uint32_t first) const;
 
   /// Calls each(part) for the units in `visible`, in their order, where instance i of each part has element
@@ -65,7 +65,7 @@ class InstanceUnits {
 
  private:
   uint32_t base_, instances_, size_ = 1;
-  std::vector<uint32_t> divisors_;  // different ones
+  std::vector<uint32_t> divisors_;  // without duplicates
 };
 
 }  // namespace gluray::gl

@@ -1,6 +1,6 @@
-// The instances of a draw whose positions are a matrix of the instance times an attribute of the vertex:
-// their matrices, from arrays with a divisor, and which of them may show in front of a depth picture. Loops
-// run in the shared arena. A part of a plan of CulledDraws, GL thread.
+// The instances of a draw whose positions are an instance matrix times a vertex attribute. Reads their
+// matrices from arrays with a divisor, and finds the instances that may be visible in front of a depth
+// picture. Loops run in the shared arena. A part of a plan of CulledDraws, GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/culled/clusters/clusters.h"
@@ -26,10 +26,10 @@ class Instances {
   /// The columns of `position` whose numbers its terms have, in any order. They have all elements.
   Instances(const LinearPosition& position, std::vector<Column> columns, const InstanceUnits& units);
 
-  /// Where unit `unit` is, and by how much rounding may move it; nothing where its numbers are too large for
-  /// single precision, or not known.
+  /// Matrix of unit `unit` with bounds for rounding; none if its values are unknown or too large for single
+  /// precision.
   std::optional<ClipMatrix> matrix(uint32_t unit) const;
-  /// Sets bit i of `visible` where the mesh may show in unit i: never misses one (BoxVisibility).
+  /// Sets bit i of `visible` if the mesh may be visible in unit i; conservative (BoxVisibility).
   void mayShow(const Clusters& mesh, const WindowMapping& window, const DepthPyramid* pyramid,
                std::vector<uint64_t>& visible) const;
 

@@ -1,5 +1,5 @@
-// Values of an abstract run of a shader: numbers that are linear in the components of one vertex attribute,
-// with factors that are polynomials in numbers that each instance has; or not known. Any thread.
+// Values in the abstract interpretation of a shader: linear in the components of one vertex attribute, with
+// coefficients that are polynomials in instance attributes; or unknown. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/value_range.h"
 
@@ -15,7 +15,7 @@ namespace gluray::gl::glsl {
 inline constexpr double kRounding = 1.0 / (1 << 20);  // of a value that some operations have computed
 inline constexpr double kRough = 4096;  // roundings of transcendental functions of software OpenGLs
 
-/// A product of up to four numbers of the instance: a byte each, largest first; 0: none.
+/// A product of up to four instance attributes: one byte each, largest first; 0: none.
 using InstanceProduct = uint32_t;
 
 /// (factors[0..3] * attribute + factors[4]) * product.
@@ -29,12 +29,12 @@ struct InstanceTerm {
 /// factors[0..3] * attribute + factors[4], and all terms.
 struct Linear {
   std::array<double, 5> factors{};
-  std::array<double, 5> magnitudes{};  // sums of the absolute values that were added up
+  std::array<double, 5> magnitudes{};  // sums of absolute values, for rounding bounds
   std::vector<InstanceTerm> terms;     // in ascending order of products
   int attribute = -1;                  // of the vertex; -1: none
   bool known = true;
-  bool exact = true;  // the constant is what the shader computes, to the bit
-  Range range;        // of values that are not constant, known or not
+  bool exact = true;  // the constant equals the shader's result to the bit
+  Range range;        // of non-constant values, known or unknown
 
   static Linear unknown() {
     Linear l;
@@ -53,24 +53,24 @@ struct Linear {
     l.terms.push_back({static_cast<InstanceProduct>(number), {0, 0, 0, 0, 1}, {0, 0, 0, 0, 1}});
     return l;
   }
-  /// The same for all vertices and instances.
+  /// Whether it is equal for all vertices and instances.
   bool isConstant() const { return known && attribute < 0 && terms.empty(); }
   double value() const { return factors[4]; }
   double magnitude() const { return magnitudes[4]; }
 };
 
-/// Where its value lies.
+/// Bounds of its value.
 Range rangeOf(const Linear& l);
-/// Not known but for its range.
+/// An unknown value with this range.
 Linear within(const Range& range);
-/// Either of both: what they have in common.
+/// Join of both values: their common properties.
 Linear joined(const Linear& a, const Linear& b);
 
 Linear sum(const Linear& a, const Linear& b, double sign = 1);
 Linear product(const Linear& a, const Linear& b);
 Linear quotient(const Linear& a, const Linear& b);
-/// What a function of constants has computed: `error` in roundings of 1 + |value|; errors of inexact
-/// arguments grow by `gain` at most.
+/// Result of a function of constants: `error` in roundings of 1 + |value|; errors of inexact arguments grow
+/// by at most `gain`.
 Linear computed(double value, double error, double gain, const std::vector<Linear>& arguments);
 
 /// The type of a value without its array sizes: of `rows` components, and if `columns` > 1 a matrix.
@@ -92,7 +92,7 @@ struct Value {
   std::string_view structure;  // name of a struct
   bool isArray = false;
 
-  /// Of the shape, all of it unknown; opaque: nothing is known of it at all.
+  /// An unknown value of the shape; opaque: even the type is unknown.
   static Value unknown(const Shape& shape = {}) {
     Value v;
     v.shape = shape;
@@ -111,20 +111,20 @@ struct Value {
     return !components.empty() &&
            std::ranges::all_of(components, [](const Linear& l) { return l.isConstant(); });
   }
-  /// Components of this value and of all that it is made of.
+  /// Number of components of this value and all its items.
   size_t size() const {
     size_t all = components.size();
     for (const Value& item : items) all += item.size();
     return all;
   }
-  /// Forgets what it is, not its type.
+  /// Makes it unknown, but keeps its type.
   void forget() {
     std::ranges::fill(components, Linear::unknown());
     for (Value& item : items) item.forget();
   }
 };
 
-/// Either of both; opaque where their types differ.
+/// Join of both values; opaque if their types differ.
 Value joined(const Value& a, const Value& b);
 
 }  // namespace gluray::gl::glsl

@@ -1,6 +1,6 @@
-// Where a vertex shader puts its vertices, if that is a matrix times one attribute, which may depend on
-// attributes of the instance, and whether a fragment shader's alpha is 1: follows what these depend on with
-// the current values of uniforms. Any thread.
+// Evaluates gl_Position of a vertex shader if it is a matrix, which may depend on instance attributes, times
+// one attribute; and tests whether a fragment shader's alpha is 1. Interprets the statements on which these
+// depend, with the current values of uniforms. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -24,14 +24,14 @@ class UniformSource {
   virtual ~UniformSource() = default;
   /// Components of the active uniform `name` ("matrices[2]", "light.position", "Block.member" or the member
   /// of a block without instance name; built-in state such as "gl_ModelViewProjectionMatrix"), matrices
-  /// column by column; booleans 0 or 1. False: not known.
+  /// column by column; booleans 0 or 1. Returns false if unknown.
   virtual bool read(std::string_view name, std::vector<double>& components) const = 0;
   /// Whether the components of uniform `name`, if they are floats, stay unknown numbers, like those of
   /// instances: then LinearPosition::columns names it in place of an attribute.
   virtual bool isSymbolic(std::string_view /*name*/) const { return false; }
 };
 
-/// Names of the attributes that have one value for an instance, or for some: those of a divisor.
+/// Names of per-instance attributes (with a divisor).
 using InstanceAttributes = std::set<std::string, std::less<>>;
 
 /// A column of an attribute of the instance, or of a symbolic uniform (column 0 of a vector); its components
@@ -41,7 +41,7 @@ struct InstanceColumn {
   int column = 0, rows = 4;
 };
 
-/// What a product of numbers of the instance adds to a column of the matrix.
+/// Term of a matrix column with a product of instance attributes.
 struct InstanceColumnTerm {
   uint32_t product = 0;  // of the numbers in its bytes, which count from 1; 0: none
   int column = 0;
@@ -55,8 +55,7 @@ struct AttributeComponent {
   auto operator<=>(const AttributeComponent&) const = default;
 };
 
-/// A component of what the vertex shader gives the fragment shader: one value at all vertices, or what an
-/// attribute's component is; or neither.
+/// A component of a varying: constant, equal to an attribute's component, or unknown.
 struct VaryingComponent {
   std::optional<double> value;
   AttributeComponent attribute;
@@ -64,7 +63,7 @@ struct VaryingComponent {
 /// The components of each one; gl_FrontColor and gl_BackColor included.
 using Varyings = std::map<std::string, std::vector<VaryingComponent>, std::less<>>;
 
-/// What is known of the alpha of all fragments that are not discarded.
+/// Bounds of the alpha of all fragments that are not discarded.
 struct Opacity {
   /// At least kMin, if max(), min() and clamp() of a NaN and a number return the number.
   bool opaque = false;
@@ -77,20 +76,20 @@ struct Opacity {
 /// gl_Position = (clipFromAttribute + all terms) * attribute.
 struct LinearPosition {
   std::string attribute;  // "gl_Vertex" included
-  int components = 3;     // of the attribute that count; the others are (0, 0, 1)
+  int components = 3;     // relevant components of the attribute; the others are (0, 0, 1)
   glm::dmat4 clipFromAttribute;
-  /// At least the absolute values of all products that were added up to each element: what rounding in single
-  /// precision is relative to.
+  /// Upper bounds of the sums of absolute values in each element, as the scale of rounding errors.
   glm::dmat4 magnitudes;
   std::vector<InstanceColumnTerm> terms;
   std::vector<InstanceColumn> columns;  // whose numbers `terms` has, one column after the other
 
   static constexpr size_t kNumbers = 256;
-  /// With these values of the numbers; numbers[0] is 1. False: they are too large for single precision.
+  /// Computes the matrix for these values; numbers[0] is 1. Returns false if they are too large for single
+  /// precision.
   bool at(const std::array<double, kNumbers>& numbers, glm::dmat4& matrix, glm::dmat4& magnitudesThere) const;
 };
 
-/// A shader's text that is ready to be run.
+/// A shader's parsed text.
 class ShaderSlice {
  public:
   ~ShaderSlice();
@@ -108,10 +107,10 @@ class PositionSlice : public ShaderSlice {
   /// `source`: text of the vertex shaders of a program, one after the other, as the program gave them.
   explicit PositionSlice(std::string_view source) : ShaderSlice(source) {}
 
-  /// Why positions are not known whatever the uniforms are, in a few words; empty: they may be known.
+  /// Short reason why positions are unknown for any uniforms; empty: none.
   const std::string& why() const;
-  /// Nothing: not linear in one attribute of the vertex with these values. Sets `why` then. `varyings`: takes
-  /// what fragments get.
+  /// None if not linear in one vertex attribute with these values; then sets `why`. `varyings`: receives the
+  /// fragment shader's inputs.
   std::optional<LinearPosition> evaluate(const UniformSource& uniforms, std::string& why,
                                          const InstanceAttributes& instances = {},
                                          Varyings* varyings = nullptr) const;
@@ -122,11 +121,11 @@ class AlphaSlice : public ShaderSlice {
   /// `source`: text of the fragment shaders of a program, as above.
   explicit AlphaSlice(std::string_view source) : ShaderSlice(source) {}
 
-  /// `varyings`: what the vertex shader gives; "gl_Color" included.
+  /// `varyings`: outputs of the vertex shader, including "gl_Color".
   Opacity opacity(const UniformSource& uniforms, const Varyings& varyings = {}) const;
 
  private:
-  /// `ones`: components of attributes that are taken for 1.
+  /// `ones`: components of attributes that are assumed to be 1.
   Opacity opacity(const UniformSource& uniforms, const Varyings& varyings,
                   std::vector<AttributeComponent> ones) const;
 };

@@ -1,4 +1,4 @@
-// GLSL's own functions and operators on linear values. Any thread.
+// GLSL's built-in functions and operators on linear values. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/linear_value.h"
 
@@ -8,16 +8,16 @@
 
 namespace gluray::gl::glsl {
 
-/// Whether the language has a function of this name that changes nothing but its result.
+/// Whether GLSL has a pure built-in function of this name.
 bool isBuiltInFunction(std::string_view name);
-/// Its result; opaque where it is not known.
+/// Its result; opaque if unknown.
 Value callBuiltIn(std::string_view name, const std::vector<Value>& arguments);
 /// The constructor of a built-in type.
 Value construct(const Shape& shape, const std::vector<Value>& arguments);
-/// Operators but assignments and those that end early (&& and || get both sides here).
+/// Binary operators except assignments; && and || evaluate both sides here.
 Value binaryOperator(std::string_view op, const Value& a, const Value& b);
 Value unaryOperator(std::string_view op, const Value& a);
-/// Components that a swizzle names; empty: it is none.
+/// Components of a swizzle; empty: not a swizzle.
 std::vector<size_t> swizzled(std::string_view field, size_t components);
 /// Whether a boolean is certainly true or false.
 std::optional<bool> truth(const Value& v);

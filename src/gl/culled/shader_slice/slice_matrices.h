@@ -16,10 +16,10 @@ inline const Linear& elementOf(const Value& m, int column, int row) {
   return m.components[static_cast<size_t>(column * m.shape.rows + row)];
 }
 
-/// Matrix times matrix or vector, vector times matrix; opaque: they do not go together.
+/// Matrix times matrix or vector, vector times matrix; opaque: incompatible shapes.
 Value multiplied(const Value& a, const Value& b);
 Value transposed(const Value& m);
-/// Unknown where the matrix is, or has no inverse.
+/// Inverse matrix; unknown if the matrix is unknown or singular.
 Value inverted(const Value& m);
 
 }  // namespace gluray::gl::glsl

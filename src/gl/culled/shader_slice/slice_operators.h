@@ -9,11 +9,11 @@
 namespace gluray::gl::glsl {
 
 Linear boolean(bool b);
-/// Comparisons of numbers; unknown where rounding could change them.
+/// Compares numbers; unknown if rounding could change the result.
 Linear compared(std::string_view op, const Linear& a, const Linear& b);
 /// Whether all components, or any, are certainly true.
 Value reduced(const Value& v, bool all);
-/// Equal shapes but for scalars; the shape of the others. Opaque: they do not go together.
+/// Common shape of the values, ignoring scalars. Opaque: incompatible shapes.
 Shape commonShape(const std::vector<Value>& values);
 
 }  // namespace gluray::gl::glsl

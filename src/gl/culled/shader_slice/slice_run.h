@@ -1,4 +1,4 @@
-// An abstract run of a vertex or fragment shader with the current values of its uniforms. Any thread.
+// Abstract interpretation of a vertex or fragment shader with the current values of its uniforms. Any thread.
 #pragma once
 #include "gl/culled/shader_slice/linear_value.h"
 #include "gl/culled/shader_slice/position_slice.h"
@@ -20,14 +20,14 @@ class SliceRun {
   enum class Stage { vertex, fragment };
 
   /// `tree` and `uniforms` must outlive it. `instances`: attributes that have one value for an instance.
-  /// `varyings`: what the vertex shader gives a fragment shader.
+  /// `varyings`: inputs of a fragment shader.
   SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage, InstanceAttributes instances = {},
            Varyings varyings = {});
 
   /// gl_Position, or the colour of a fragment that is not discarded, at the end of main(). Throws
   /// std::runtime_error with the reason why it cannot be known.
   Value run();
-  /// What a vertex shader gives fragments, after run().
+  /// Outputs of a vertex shader, after run().
   Varyings varyings() const;
   /// Name of attribute number `i`; components that its declaration has.
   const std::string& attribute(int i) const { return attributes_[static_cast<size_t>(i)].name; }
@@ -39,20 +39,20 @@ class SliceRun {
   static constexpr int kDeepestCalls = 32;
   static constexpr int kMaxSteps = 200'000;
   enum class Flow { on, leave, next, result };
-  /// A part of a function may or may not be executed, and ends the function.
+  /// Thrown if a conditional part may end the function.
   struct Unfollowed {};
-  /// A part that may or may not be executed takes more steps than it is worth.
+  /// Thrown if a conditional part takes too many steps.
   struct TooLong {};
   struct Attribute {
     std::string name;
     int components;
   };
-  struct Place {  // what an expression names
+  struct Place {  // the storage that an expression denotes
     Value* value = nullptr;
     std::vector<size_t> components;  // of *value; empty: all of it
   };
   using Scope = std::map<std::string_view, Value>;
-  /// What may be where a function may have ended before.
+  /// State at points where the function may have ended earlier.
   struct Ended {
     Scope globals, parameters;
     Value result;
@@ -62,7 +62,7 @@ class SliceRun {
     Value result;
     std::shared_ptr<const Ended> ended;  // null: nowhere yet
   };
-  /// All that statements of a function may change.
+  /// All state that statements of a function may change.
   struct State {
     Scope globals;
     Frame frame;
@@ -88,13 +88,14 @@ class SliceRun {
   Flow bothBranches(const Statement& statement);
   State keep();
   void put(State state);
-  /// The values are those of `other`, or those that they are.
+  /// Joins the values with those of `other`.
   void joinWith(const State& other);
   void mayEnd();
-  /// Joins the end of a function with where it may have ended before.
+  /// Joins the end of a function with its earlier ends.
   void joinEnds();
   void declare(const Variable& variable);
-  /// Forgets all that the statements may assign. Throws Unfollowed where they may end the function.
+  /// Makes all variables unknown that the statements may assign. Throws Unfollowed if they may end the
+  /// function.
   void forgetAssigned(const Statement& statement);
   void assignedBy(const Statement& statement, std::set<std::string_view>& names, bool& returns, int depth);
   void assignedBy(const Expression& expression, std::set<std::string_view>& names, int depth);

@@ -1,4 +1,4 @@
-// Between which numbers a value of a shader lies, whatever its vertices, pixels and textures are. Any thread.
+// Conservative interval bounds of a shader value, for any input. Any thread.
 #pragma once
 #include <limits>
 
@@ -16,9 +16,9 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// `slack`: how far the value may be from `value`.
+/// `slack`: maximum distance from `value`.
 Range rangeAround(double value, double slack);
-/// Around both.
+/// The smallest range that contains both.
 Range hull(const Range& a, const Range& b);
 
 Range sumOf(const Range& a, const Range& b);
@@ -32,7 +32,7 @@ Range quotientOf(const Range& a, const Range& b);
 Range smallerOf(const Range& a, const Range& b);
 Range largerOf(const Range& a, const Range& b);
 
-/// Of the built-in functions of these names.
+/// Ranges of built-in functions.
 Range absoluteOf(const Range& a);
 Range squareRootOf(const Range& a);
 Range powerOf(const Range& base, const Range& exponent);

@@ -1,4 +1,4 @@
-// The values that the uniforms of a program have now, read one by one. GL thread, context current.
+// Reads the current values of a program's uniforms one by one. GL thread, context current.
 #pragma once
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/glsl/program.h"
@@ -18,7 +18,7 @@ class CurrentUniforms final : public UniformSource {
   CurrentUniforms(const RealGl& real, const Program& program, bool core)
       : real_(real), program_(program), core_(core) {}
 
-  /// Where a value is: one that is active, or built-in state.
+  /// Location of a value: an active uniform, or built-in state.
   struct Place {
     const ProgramUniform* uniform = nullptr;  // null: built-in state
     int element = 0;
@@ -30,7 +30,7 @@ class CurrentUniforms final : public UniformSource {
     size_t count = 0;
     bool operator==(const Numbers&) const = default;
   };
-  /// False: there is none of this name.
+  /// Returns false if there is none of this name.
   bool find(std::string_view name, Place& place) const;
   bool read(const Place& place, Numbers& numbers) const;
   bool read(std::string_view name, std::vector<double>& components) const override;

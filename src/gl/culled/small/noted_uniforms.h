@@ -1,5 +1,5 @@
-// Which uniforms a run of a shader has read, with their values: while these are the same, another run finds
-// the same. GL thread, context current.
+// Records the uniforms that an interpretation of a shader has read, with their values. While the values stay
+// equal, the result stays valid. GL thread, context current.
 #pragma once
 #include "gl/culled/small/current_uniforms.h"
 
@@ -11,13 +11,13 @@
 
 namespace gluray::gl {
 
-/// A uniform that a run has read.
+/// A uniform that an interpretation has read.
 struct ReadUniform {
   CurrentUniforms::Place place;
   CurrentUniforms::Numbers numbers;
 };
 
-/// Whether they have the same values now.
+/// Whether all have unchanged values.
 inline bool haveSameValues(const std::vector<ReadUniform>& all, const CurrentUniforms& uniforms) {
   return std::ranges::all_of(all, [&](const ReadUniform& was) {
     CurrentUniforms::Numbers now;
@@ -25,7 +25,7 @@ inline bool haveSameValues(const std::vector<ReadUniform>& all, const CurrentUni
   });
 }
 
-/// Notes which uniforms are read.
+/// Records the uniforms that are read.
 class NotingUniforms : public UniformSource {
  public:
   NotingUniforms(const CurrentUniforms& uniforms, std::vector<ReadUniform>& noted)

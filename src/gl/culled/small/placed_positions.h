@@ -1,6 +1,5 @@
-// Where a program puts its vertices, found for many draws that differ in the values of some uniforms: the
-// vertex shader runs with these as unknown numbers, once. A part of CulledProgram, GL thread, context
-// current.
+// Computes a program's vertex transform for many draws that differ in some uniforms: interprets the vertex
+// shader once, with these uniforms as variables. A part of CulledProgram, GL thread, context current.
 #pragma once
 #include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/shader_slice/position_slice.h"
@@ -15,7 +14,7 @@
 
 namespace gluray::gl {
 
-/// With the current values of uniforms.
+/// A vertex transform for the current values of uniforms.
 struct PlacedPosition {
   const LinearPosition* position = nullptr;  // its attribute; valid until the next call
   ClipMatrix matrix;
@@ -26,7 +25,7 @@ class PlacedPositions {
   /// `slice` must outlive it.
   explicit PlacedPositions(const PositionSlice& slice) : slice_(slice) {}
 
-  /// False: not linear in one attribute of the vertex, or it costs too much to find out.
+  /// Returns false if not linear in one vertex attribute, or too expensive to evaluate.
   bool find(const CurrentUniforms& uniforms, PlacedPosition& found);
 
  private:
@@ -44,8 +43,8 @@ class PlacedPositions {
 
   const PositionSlice& slice_;
   std::vector<Entry> entries_;
-  Names symbolic_;  // uniforms that have changed between draws, and are unknown numbers
-  Names constant_;  // uniforms that positions do not depend on as polynomials
+  Names symbolic_;  // uniforms that changed between draws, treated as variables
+  Names constant_;  // uniforms on which positions do not depend polynomially
   uint64_t runs_ = 0, calls_ = 0;
 };
 

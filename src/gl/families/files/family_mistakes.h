@@ -1,4 +1,4 @@
-// Whether the keys of a family go together, beyond what each one says.
+// Checks that the keys of a family are consistent with each other.
 #pragma once
 #include "gl/families/family.h"
 

@@ -1,5 +1,5 @@
-// Whether the real OpenGL's blending leaves nothing of what was below where alpha is 1 but for rounding:
-// found out by drawing. One per context. GL thread, context current; restores all state.
+// Tests by drawing whether the real OpenGL's blending replaces the destination completely if alpha is 1 up to
+// rounding. One per context. GL thread, context current; restores all state.
 #pragma once
 #include "gl/real/real.h"
 #include "intercept/present/state/features.h"

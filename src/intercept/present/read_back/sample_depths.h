@@ -1,4 +1,4 @@
-// What the samples of the program's multisampled framebuffer hold, read by the real OpenGL's shaders. One per
+// Reads the samples of the program's multisampled framebuffer with shaders of the real OpenGL. One per
 // context. GL thread, context current; restores all state.
 #pragma once
 #include "gl/batch/presenter.h"

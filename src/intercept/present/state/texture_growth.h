@@ -1,4 +1,4 @@
-// How large a reused texture becomes when a picture of another shape needs it. GL thread.
+// Chooses the new size of a reused texture for a picture of another size. GL thread.
 #pragma once
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-// Which surfaces of a picture that shows shares of light (scene::Snapshot::catches) are in the framebuffer.
+// Finds the visible surfaces of a picture of light fractions (scene::Snapshot::catches) in the framebuffer.
 // Any thread.
 #pragma once
 #include "base/image.h"
