@@ -76,7 +76,7 @@ void renderToTexture(Gl gl, int width, int height) {
   send(gl, sheet(20), kTexcoords);
 }
 
-/// A picture of the window's size in a framebuffer object, copied over whole.
+/// An image of the window's size in a framebuffer object, copied over whole.
 void blitFramebuffer(Gl gl, int width, int height) {
   makeFramebuffer(gl, width, height, 0);
   begin(gl, width, height);

@@ -1,4 +1,4 @@
-// Cameras, viewports, clears and overlays: several pictures in one frame, in order.
+// Cameras, viewports, clears and overlays: several images in one frame, in order.
 #include "scenes/families.h"
 #include "scenes/stage.h"
 

@@ -112,7 +112,7 @@ void depthInMidFrame(Gl gl, int width, int height) {
   gl.MatrixMode(GL_MODELVIEW), gl.PopMatrix();
 }
 
-/// The picture so far becomes a texture of the rest of it.
+/// The image so far becomes a texture of the rest of it.
 void copyTexture(Gl gl, int width, int height) {
   begin(gl, width, height);
   camera(gl, width, height);

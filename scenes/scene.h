@@ -1,4 +1,4 @@
-// Small deterministic pictures, each for one piece of OpenGL, drawn through a table of GL functions: the real
+// Small deterministic images, each for one piece of OpenGL, drawn through a table of GL functions: the real
 // ones, or ours.
 #pragma once
 #include "gl/real/real.h"
@@ -11,7 +11,7 @@ namespace gluray::scenes {
 
 using Gl = const gl::RealGl&;
 
-/// How far the traced picture may be from the real OpenGL's, with the reason where it is not the rule.
+/// How far the traced image may be from the real OpenGL's, with the reason where it is not the rule.
 struct Tolerance {
   int color = 2;              // of 255, each channel
   double edgeShare = 0.0005;  // of all pixels may differ more: edges fall on either side of a pixel's centre
@@ -36,7 +36,7 @@ std::span<const Scene> scenes();
 /// Null where there is none of that name.
 const Scene* findScene(std::string_view name);
 
-/// One model under one light, sent in different ways: the pictures must be equal to the bit.
+/// One model under one light, sent in different ways: the images must be equal to the bit.
 std::span<const Scene> variants();
 
 }  // namespace gluray::scenes

@@ -254,7 +254,7 @@ void pixelTransfer(Gl gl, int width, int height) {
   gl.PixelTransferi(GL_MAP_COLOR, GL_TRUE);
   upload(gl, GL_RGB, 16, GL_NEAREST, GL_REPEAT);
   quad(gl, 0.8f, 0, 0.36f, 0, 1);
-  gl.PixelTransferi(GL_MAP_COLOR, GL_FALSE);  // the harness reads the picture back
+  gl.PixelTransferi(GL_MAP_COLOR, GL_FALSE);  // the harness reads the image back
   gl.PixelTransferf(GL_RED_SCALE, 1), gl.PixelTransferf(GL_GREEN_BIAS, 0);
 }
 

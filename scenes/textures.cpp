@@ -112,7 +112,7 @@ void separateSpecular(Gl gl, int width, int height) {
   sendAt(gl, ball, 0.9f, 0, 0, 0.8f, kNormals | kTexcoords);
 }
 
-/// A texture changed between two draws of the same frame, whole and in part, from a larger picture.
+/// A texture changed between two draws of the same frame, whole and in part, from a larger image.
 void subImage(Gl gl, int width, int height) {
   begin(gl, width, height);
   tiltedCamera(gl, width, height);

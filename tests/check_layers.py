@@ -33,9 +33,9 @@ ALLOWED = {
 # include, have no place in the order, nor have *_test.cpp.
 FOLDERS = {
     "settings": ["", "layers", "live"],
-    "frame": ["tracing", "refinement", "pictures", "pixels", "questions"],
+    "frame": ["tracing", "refinement", "images", "pixels", "questions"],
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", ""],
-    "render": ["tiles", "camera", "local", "bsdf", "sampling", "film", "lights", "frame_data", "shading", "hit_points", "remote",
+    "render": ["tiles", "camera", "local", "bsdf", "sampling", "resolve", "lights", "frame_data", "shading", "hit_points", "remote",
                "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", ""],
     "gl": ["basics", "real", "welding", "capture", "glsl", "families", "families/built_in", "families/files", "programs", "trials",
            "clock", "buffers", "sharing", "arrays", "textures", "program_state", "state", "shadow", "impostors", "batch", "objects",
@@ -44,7 +44,7 @@ FOLDERS = {
            "commands"],
     "control": ["", "messages", "auth", "connection", "client", "link/program", "link", "hub", "hub/server"],
     "cluster": ["stream", "messages", "local", "ranks", "ranks/mpi", "program", "arrays", "shares", "pages", "peers", "gather",
-                "worker/facts", "worker/film", "worker"],
+                "worker/facts", "worker/moving", "worker"],
     "intercept": ["doors", "stubs", "probe", "session", "window_systems", "present/state", "present/read_back", "present/write_back",
                   "present/raster", "present", "tracing", "hud", "windows", "contexts", "reports", "control", "frames", "hooks", ""],
 }

@@ -5,7 +5,7 @@ import glxml
 from policy import Policy
 
 DEFAULT_REASONS = {"attribute": "per-vertex attribute", "track": "state followed, then forwarded", "own": "handled by GLuRay",
-                   "forward": "not modelled: forwarded in order, with the pending picture written first where needed"}
+                   "forward": "not modelled: forwarded in order, with the pending image written first where needed"}
 
 
 def _group_key(name: str) -> tuple:

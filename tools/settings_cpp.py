@@ -68,9 +68,9 @@ def structs(rows: list[Row]) -> str:
     session = [r for r in rows if not r.in_settings]
     # What belongs to a switch counts only through it: while it is off, nothing else of its group shows.
     switches = tuple(f"{r.name}." for r in own if r.heads)
-    changed = [f"{'.'.join(r.path)} != initial.{'.'.join(r.path)}" for r in own if r.changes == "picture" and (r.alone or not r.name.startswith(switches))]
+    changed = [f"{'.'.join(r.path)} != initial.{'.'.join(r.path)}" for r in own if r.changes == "image" and (r.alone or not r.name.startswith(switches))]
     body = "    const Settings initial;\n    return " + " ||\n           ".join(changed) + ";" if changed else "    return false;"
-    reset = "\n".join(f"    same.{'.'.join(r.path)} = initial.{'.'.join(r.path)};" for r in own if r.changes == "picture")
+    reset = "\n".join(f"    same.{'.'.join(r.path)} = initial.{'.'.join(r.path)};" for r in own if r.changes == "image")
     return f"""{HEADER}#pragma once
 #include "settings/quirks.h"
 
@@ -85,12 +85,12 @@ namespace gluray {{
 {enums(rows)}/// Settings that may differ from frame to frame, or from context to context. A plain value: each snapshot has one.
 struct Settings {{
 {members(own)}  bool operator==(const Settings&) const = default;
-  /// Whether a setting has a value under which the real OpenGL would not show the same picture.
-  bool changesPicture() const {{
+  /// Whether a setting has a value under which the real OpenGL would not show the same image.
+  bool changesImage() const {{
 {body}
   }}
-  /// The same, but for those: under it pictures are the real OpenGL's.
-  Settings withoutPictureChanges() const {{
+  /// The same, but for those: under it images are the real OpenGL's.
+  Settings withoutImageChanges() const {{
     const Settings initial;
     Settings same = *this;
 {reset}

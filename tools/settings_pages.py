@@ -113,7 +113,7 @@ def markdown(rows: list[Row]) -> str:
         text += f"\n## {group}\n"
         for row in (r for r in rows if r.group == group):
             facts = [kind_of(row), f"default: {shown_default(row)}", f"applies {APPLIES[row.applies]}"]
-            facts += ["changes the picture"] if row.changes == "picture" else []
+            facts += ["changes the image"] if row.changes == "image" else []
             facts += [f"`{row.option}{'' if row.type == 'bool' else ' ' + row.placeholder}`"] if row.option else []
             facts += [f"`{row.variable}`", f"since {row.since}"]
             choices = "".join(f"- `{c.word}`: {c.help}\n" for c in row.choices if c.help)

@@ -9,7 +9,7 @@ import tomllib
 SPEC = pathlib.Path(__file__).resolve().parent.parent / "spec/settings.toml"
 TYPES = ("bool", "int", "float", "choice", "color", "vector", "string", "path", "list", "quirks")
 APPLIES = ("frame", "context", "process")
-CHANGES = ("picture", "way")
+CHANGES = ("image", "way")
 # Environment variables that are not settings.
 RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
             "GLURAY_REAL_GLX", "GLURAY_ROOTS", "GLURAY_RUNTIME"}
@@ -135,8 +135,8 @@ def checked(fields: dict) -> Row:
     for field, allowed in (("type", TYPES), ("applies", APPLIES), ("changes", CHANGES), ("items", ("string", "path"))):
         if getattr(row, field) not in allowed:
             fail(name, f"{field} must be one of {', '.join(allowed)}")
-    if row.changes == "picture" and not row.in_settings:
-        fail(name, "a setting that changes the picture must apply to frames or contexts")
+    if row.changes == "image" and not row.in_settings:
+        fail(name, "a setting that changes the image must apply to frames or contexts")
     if row.option and not re.fullmatch(r"--[a-z][a-z-]*", row.option):
         fail(name, "an option must be --word")
     if row.range is not None and not numbers(row.range, 2):

@@ -23,7 +23,7 @@ Examples:
 
 Commands, each with its own --help:
   gluray run PROGRAM       the same as gluray PROGRAM
-  gluray explain PROGRAM   a table of the program's draws; with --html also a page with pictures
+  gluray explain PROGRAM   a table of the program's draws; with --html also a page with images
   gluray doctor [PROGRAM]  how the program reaches OpenGL, and what this machine supports;
                            with --job the ranks and hosts of a gluray-worker job
   gluray quirks            workarounds for OpenGL implementations, and how to switch them
@@ -38,8 +38,8 @@ Commands for running programs:
   gluray undo              undo the last change; gluray redo repeats it
   gluray get --live NAME   the value of a setting in the running programs
   gluray watch             print changes of settings, and programs that start or end
-  gluray shot FILE.png     save the picture of a program's window
-  gluray film FILE.png     save the next frames of a window as numbered pictures
+  gluray shot FILE.png     save the image of a program's window
+  gluray film FILE.png     save the next frames of a window as numbered images
   gluray hub               pass messages between running programs and these commands
 
 Commands for the scenes of running programs:

@@ -6,7 +6,7 @@
 
 namespace gluray::panel {
 
-/// The settings to which a file belongs, by name, or one line that says why it belongs to none: pictures of
+/// The settings to which a file belongs, by name, or one line that says why it belongs to none: images of
 /// environments, TOML files of materials ([[rule]]) and of lights ([[light]]).
 struct DropMeaning {
   nlohmann::json values;

@@ -1,5 +1,5 @@
 // The window with a program that answers: what its pages and plots show, and how they are reached. Leaves
-// pictures where GLURAY_PICTURES names a folder.
+// images where GLURAY_PICTURES names a folder.
 #include "pages/film/film_dialog.h"
 #include "pages/objects/objects_page.h"
 #include "testing/window_tools_fixture.h"
@@ -37,7 +37,7 @@ TEST_F(WindowToolsTest, NoiseIsPlottedWhereThereIsSome) {
   EXPECT_TRUE(plot->isVisible());
   EXPECT_EQ(program.controls.shown()->noise.size(), 201u);
   program.state({{"noise", "much"}, {"passes", -1e300}});
-  picture(window, "noise");
+  image(window, "noise");
   plot->grab();
 }
 
@@ -91,7 +91,7 @@ TEST_F(WindowToolsTest, SearchCountsObjectsAndStaysOnTheirPage) {
   EXPECT_EQ(tabs().tabText(tabs().currentIndex()), "Objects");
 }
 
-TEST_F(WindowToolsTest, PicturesOfADarkDesktop) {
+TEST_F(WindowToolsTest, ImagesOfADarkDesktop) {
   const QPalette before = QApplication::palette();
   QApplication::setPalette(darkPalette());
   for (int i = 0; i < 100; ++i) program.state({{"noise", 0.3 / (i + 1)}, {"passes", i}, {"fps", 20 + i % 7}});
@@ -99,30 +99,30 @@ TEST_F(WindowToolsTest, PicturesOfADarkDesktop) {
     open(title);
     QTest::qWait(50);
     window.findChild<ObjectsPage*>()->select(2);
-    picture(window, ("dark-" + std::string(title)).c_str());
+    image(window, ("dark-" + std::string(title)).c_str());
   }
   const QImage drawn = window.findChild<QWidget*>("fps-plot")->grab().toImage();
   EXPECT_EQ(drawn.pixelColor(drawn.width() / 2, drawn.height() / 2), QColor(30, 30, 30)) << "no white boxes";
   QApplication::setPalette(before);
 }
 
-TEST_F(WindowToolsTest, Pictures) {
+TEST_F(WindowToolsTest, Images) {
   for (int i = 0; i < 100; ++i) program.state({{"noise", 0.3 / (i + 1)}, {"passes", i}, {"fps", 20 + i % 7}});
   program.say("lights", "headlight+key");
   QTest::qWait(50);
-  for (const char* title : {"Light", "Materials", "Objects", "Quality", "Speed", "Picture"}) {
+  for (const char* title : {"Light", "Materials", "Objects", "Quality", "Speed", "Image"}) {
     open(title);
     QTest::qWait(20);
     window.findChild<ObjectsPage*>()->select(4);
-    picture(window, ("page-" + std::string(title)).c_str());
+    image(window, ("page-" + std::string(title)).c_str());
   }
   window.findChild<QAbstractButton*>("tool-compare")->click();
   ASSERT_TRUE(program.until([&] { return program.calls("pixels").size() == 3; }));
   QTest::qWait(20);
-  picture(window, "compare");
+  image(window, "compare");
   FilmDialog dialog(program.controls, &window);
   dialog.show();
-  picture(dialog, "film");
+  image(dialog, "film");
 }
 
 }  // namespace

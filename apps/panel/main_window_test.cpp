@@ -1,7 +1,7 @@
 #include "main_window.h"
 
 #include "control/messages/base64.h"
-#include "pages/live/live_picture.h"
+#include "pages/live/live_image.h"
 #include "pages/program_list.h"
 
 #include <gtest/gtest.h>
@@ -60,8 +60,8 @@ struct MainWindowTest : testing::Test {
           {"height", height},
           {"pixels", control::toBase64(bytes)}});
   }
-  /// Saves a picture where GLURAY_PICTURES names a folder.
-  void picture(const char* name) {
+  /// Saves an image where GLURAY_PICTURES names a folder.
+  void image(const char* name) {
     if (const char* folder = std::getenv("GLURAY_PICTURES"))
       window.grab().save(QString("%1/%2.png").arg(folder, name));
   }
@@ -76,7 +76,7 @@ TEST_F(MainWindowTest, SaysThatThereIsNoProgram) {
   EXPECT_EQ(window.statusBar()->currentMessage(),
             "No program runs under GLuRay; start one with: gluray PROGRAM");
   EXPECT_FALSE(setting("ao")->isEnabled());
-  picture("panel-empty");
+  image("panel-empty");
 }
 
 TEST_F(MainWindowTest, AsksForAChoiceAmongSeveralPrograms) {
@@ -95,19 +95,19 @@ TEST_F(MainWindowTest, ShowsAProgramsValues) {
   appear();
   EXPECT_TRUE(setting("ao")->isEnabled());
   EXPECT_TRUE(window.findChild<QTabWidget*>());
-  picture("panel-light");
+  image("panel-light");
   window.findChild<QTabWidget*>()->setCurrentIndex(window.findChild<QTabWidget*>()->count() - 1);
-  picture("panel-why");
+  image("panel-why");
 }
 
-TEST_F(MainWindowTest, ShowsThePictureOfAProgram) {
+TEST_F(MainWindowTest, ShowsTheImageOfAProgram) {
   appear();
   const auto colors = [](const QImage& image) {
     const int y = image.height() / 2;
     return std::pair(image.pixelColor(image.width() / 3, y), image.pixelColor(2 * image.width() / 3, y));
   };
   const std::pair<QColor, QColor> wanted(Qt::red, Qt::blue);
-  EXPECT_EQ(colors(window.findChild<LivePicture*>()->grab().toImage()), wanted);
+  EXPECT_EQ(colors(window.findChild<LiveImage*>()->grab().toImage()), wanted);
   auto* list = window.findChild<ProgramList*>();
   const QIcon icon = list->topLevelItem(0)->icon(0);
   ASSERT_FALSE(icon.isNull());
@@ -196,7 +196,7 @@ TEST_F(MainWindowTest, SearchesInAllPages) {
   auto* tabs = window.findChild<QTabWidget*>();
   EXPECT_EQ(tabs->tabText(tabs->currentIndex()).section(' ', 0, 0), "Camera");
   EXPECT_TRUE(setting("camera.aperture")->isVisible());
-  picture("panel-search");
+  image("panel-search");
   search->clear();
   EXPECT_EQ(tabs->tabText(0), "Light");
 }
@@ -208,7 +208,7 @@ TEST_F(MainWindowTest, HidesWhatIsNotChanged) {
   changed->click();
   EXPECT_TRUE(setting("ao")->isVisible());
   EXPECT_FALSE(setting("ao.samples")->isVisible());
-  picture("panel-changed");
+  image("panel-changed");
 }
 
 TEST_F(MainWindowTest, PresetsAndUndoAreRequests) {

@@ -23,27 +23,27 @@ namespace {
 
 using nlohmann::json;
 
-TEST_F(WindowToolsTest, AClickInThePictureSelectsTheObject) {
+TEST_F(WindowToolsTest, AClickInTheImageSelectsTheObject) {
   program.values["pick"] = {{"object", 4}, {"position", {1, 2, 3}}, {"distance", 7}};
-  LivePicture& picture_ = live().picture();
-  QTest::mouseClick(&picture_, Qt::LeftButton, {}, picture_.pictureRect().center().toPoint());
+  LiveImage& image_ = live().liveImage();
+  QTest::mouseClick(&image_, Qt::LeftButton, {}, image_.imageRect().center().toPoint());
   auto* page = window.findChild<ObjectsPage*>();
   ASSERT_TRUE(program.until([&] { return page->isVisible(); }));
   auto* table = page->findChild<QTableView*>();
   ASSERT_TRUE(program.until([&] { return table->selectionModel()->selectedRows().size() == 1; }));
   EXPECT_EQ(table->selectionModel()->selectedRows()[0].data(), "4");
   EXPECT_EQ(status(), "Object 4 at 1, 2, 3, distance 7");
-  picture(window, "objects");
+  image(window, "objects");
   program.values["pick"] = {{"object", nullptr}};
-  QTest::mouseClick(&picture_, Qt::LeftButton, {}, picture_.pictureRect().center().toPoint());
+  QTest::mouseClick(&image_, Qt::LeftButton, {}, image_.imageRect().center().toPoint());
   ASSERT_TRUE(program.until([&] { return table->selectionModel()->selectedRows().isEmpty(); }));
   EXPECT_EQ(status(), "There is no traced object at this point.");
 }
 
 TEST_F(WindowToolsTest, ALineOfAToolStaysWhenARequestIsCarriedOut) {
   program.values["pick"] = {{"object", nullptr}};
-  LivePicture& picture_ = live().picture();
-  QTest::mouseClick(&picture_, Qt::LeftButton, {}, picture_.pictureRect().center().toPoint());
+  LiveImage& image_ = live().liveImage();
+  QTest::mouseClick(&image_, Qt::LeftButton, {}, image_.imageRect().center().toPoint());
   ASSERT_TRUE(program.until([&] { return status().startsWith("Nothing"); }));
   program.controls.set("ao", true);
   program.settle();
@@ -88,10 +88,10 @@ TEST_F(WindowToolsTest, TakesFilesThatAreDropped) {
 TEST_F(WindowToolsTest, KeysChooseTools) {
   window.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-  live().picture().setFocus();
-  QTest::keyClick(&live().picture(), Qt::Key_L);
+  live().liveImage().setFocus();
+  QTest::keyClick(&live().liveImage(), Qt::Key_L);
   EXPECT_TRUE(program.until([&] { return window.findChild<QAbstractButton*>("tool-light")->isChecked(); }));
-  QTest::keyClick(&live().picture(), Qt::Key_F);
+  QTest::keyClick(&live().liveImage(), Qt::Key_F);
   EXPECT_TRUE(program.until([&] { return window.findChild<QAbstractButton*>("tool-focus")->isChecked(); }));
   auto* search = window.findChild<QLineEdit*>("search");
   search->setFocus();
@@ -101,16 +101,16 @@ TEST_F(WindowToolsTest, KeysChooseTools) {
 }
 
 TEST_F(WindowToolsTest, ADoubleClickOpensALargeWindow) {
-  LivePicture& picture_ = live().picture();
-  QTest::mouseDClick(&picture_, Qt::LeftButton, {}, picture_.pictureRect().center().toPoint());
+  LiveImage& image_ = live().liveImage();
+  QTest::mouseDClick(&image_, Qt::LeftButton, {}, image_.imageRect().center().toPoint());
   auto* large = window.findChild<LiveWindow*>();
   ASSERT_NE(large, nullptr);
   EXPECT_TRUE(large->isVisible());
   program.values["pick"] = {{"object", 3}};
-  LivePicture& second = large->view().picture();
-  QTest::mouseClick(&second, Qt::LeftButton, {}, second.pictureRect().center().toPoint());
+  LiveImage& second = large->view().liveImage();
+  QTest::mouseClick(&second, Qt::LeftButton, {}, second.imageRect().center().toPoint());
   ASSERT_TRUE(program.until([&] { return status() == "Object 3"; }));
-  picture(*large, "large");
+  image(*large, "large");
 }
 
 TEST_F(WindowToolsTest, ClosingWaitsForTheComparison) {
@@ -125,7 +125,7 @@ TEST_F(WindowToolsTest, ClosingWaitsForTheComparison) {
   finishChanges(program.controls);
   EXPECT_EQ(program.sets().back()["values"], json({{"engine", nullptr}}));
   EXPECT_FALSE(program.controls.isChanging());
-  EXPECT_TRUE(program.calls("pixels").empty()) << "nobody sees the picture";
+  EXPECT_TRUE(program.calls("pixels").empty()) << "nobody sees the image";
   program.state({{"windows", {{{"width", 7}, {"height", 7}}}}});  // it does not compare any more
   const size_t before = program.sent.size();
   QTest::qWait(700);

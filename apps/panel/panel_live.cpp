@@ -1,5 +1,5 @@
 // The panel with a real hub and real programs, on an X server: panel_live GLURAY CLIENT FOLDER; leaves
-// pictures in the folder.
+// images in the folder.
 #include "control/runtime_directory.h"
 #include "main_window.h"
 #include "model/controls.h"
@@ -81,18 +81,18 @@ class PanelLiveTest : public testing::Test {
                                            [&](auto& line) { return line.section(" = ", -1) == value; });
     });
   }
-  void picture(const char* name) { window_.grab().save(QString("%1/panel-%2.png").arg(g_folder, name)); }
+  void image(const char* name) { window_.grab().save(QString("%1/panel-%2.png").arg(g_folder, name)); }
   template <class Widget>
   Widget& part(const char* setting) {
     return *window_.findChild<QWidget*>(setting)->findChild<Widget*>();
   }
   LiveView& view() { return *window_.findChild<LiveView*>(); }
-  /// Shows the only program. Returns where its picture has a surface.
+  /// Shows the only program. Returns where its image has a surface.
   QPoint showAndPoint() {
     show(1);
-    LivePicture& live_ = view().picture();
-    EXPECT_TRUE(until([&] { return !live_.pictureRect().isEmpty(); }));
-    const QRectF room = live_.pictureRect();
+    LiveImage& live_ = view().liveImage();
+    EXPECT_TRUE(until([&] { return !live_.imageRect().isEmpty(); }));
+    const QRectF room = live_.imageRect();
     return (room.topLeft() + QPointF(room.width() * 0.5, room.height() * 0.8)).toPoint();
   }
   void drag(QSlider& slider, double from, double to) {
@@ -122,7 +122,7 @@ class PanelLiveTest : public testing::Test {
 TEST_F(PanelLiveTest, WhatIsMovedReachesTheProgram) {
   program("painter");
   show(1);
-  picture("program");
+  image("program");
   drag(part<QSlider>("ao.samples"), 0.3, 0.8);
   const int samples = static_cast<int>(part<QDoubleSpinBox>("ao.samples").value());
   EXPECT_GT(samples, 16);
@@ -135,7 +135,7 @@ TEST_F(PanelLiveTest, WhatIsMovedReachesTheProgram) {
   QTest::keyClick(presets, Qt::Key_Down);
   EXPECT_TRUE(becomes("preset", presets->itemText(1)));
   ASSERT_TRUE(until([&] { return presets->currentIndex() == 1; }));
-  picture("changed");
+  image("changed");
   window_.activateWindow();
   ASSERT_TRUE(QTest::qWaitForWindowActive(&window_, kPatience));
   QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
@@ -147,7 +147,7 @@ TEST_F(PanelLiveTest, WhatIsMovedReachesTheProgram) {
   QTest::keyClick(&window_, Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(becomes("ao.samples", "16")) << "the drag is one step: " << qPrintable(live("ao.samples"));
   EXPECT_TRUE(until([&] { return part<QDoubleSpinBox>("ao.samples").value() == 16; }));
-  picture("undone");
+  image("undone");
 }
 
 TEST_F(PanelLiveTest, TakesTheHubsPlaceAndForgetsProgramsThatEnd) {
@@ -156,10 +156,10 @@ TEST_F(PanelLiveTest, TakesTheHubsPlaceAndForgetsProgramsThatEnd) {
   QProcess& painter = program("painter");
   program("other");
   show(2);
-  picture("two-programs");
+  image("two-programs");
   hub.kill();
   ASSERT_TRUE(until([&] { return controls_.programs().empty(); }));
-  picture("hub-lost");
+  image("hub-lost");
   ASSERT_TRUE(until([&] { return controls_.programs().size() == 2; }));
   QTest::mouseClick(&part<QCheckBox>("ao"), Qt::LeftButton, {}, {8, part<QCheckBox>("ao").height() / 2});
   EXPECT_TRUE(becomes("ao", "true"));
@@ -170,13 +170,13 @@ TEST_F(PanelLiveTest, TakesTheHubsPlaceAndForgetsProgramsThatEnd) {
   ASSERT_TRUE(until([&] { return controls_.programs().empty(); }));
   EXPECT_FALSE(part<QCheckBox>("ao").isEnabled());
   EXPECT_TRUE(window_.statusBar()->currentMessage().startsWith("No program runs"));
-  picture("ended");
+  image("ended");
 }
 
 TEST_F(PanelLiveTest, PickedObjectsGetMaterials) {
   program("painter");
   const QPoint surface = showAndPoint();
-  QTest::mouseClick(&view().picture(), Qt::LeftButton, {}, surface);
+  QTest::mouseClick(&view().liveImage(), Qt::LeftButton, {}, surface);
   auto& objects = *window_.findChild<ObjectsPage*>();
   ASSERT_TRUE(until([&] { return objects.isVisible(); }))
       << qPrintable(window_.statusBar()->currentMessage());
@@ -191,13 +191,13 @@ TEST_F(PanelLiveTest, PickedObjectsGetMaterials) {
   const QModelIndex index = rows.selectedRows()[0];
   EXPECT_TRUE(until([&] { return index.siblingAtColumn(int(ObjectColumn::material)).data() == "plastic"; }))
       << "the program says so, too";
-  picture("picked");
+  image("picked");
 }
 
 TEST_F(PanelLiveTest, LightFollowsTheMouse) {
   program("painter");
   const QPoint surface = showAndPoint();
-  LivePicture& live_ = view().picture();
+  LiveImage& live_ = view().liveImage();
   window_.findChild<QAbstractButton*>("tool-light")->click();
   QTest::mousePress(&live_, Qt::LeftButton, {}, surface);
   for (int i = 0; i < 20; ++i) QTest::mouseMove(&live_, surface + QPoint(i, 0)), QTest::qWait(5);
@@ -205,17 +205,17 @@ TEST_F(PanelLiveTest, LightFollowsTheMouse) {
   EXPECT_TRUE(becomes("lights", "headlight+key"));
   EXPECT_TRUE(until([&] { return controls_.isLive("lights.azimuth"); }));
   EXPECT_TRUE(until([&] { return controls_.undoSteps() == 1; })) << controls_.undoSteps();
-  picture("light");
+  image("light");
 }
 
 TEST_F(PanelLiveTest, ComparesAndFilms) {
   program("painter");
   showAndPoint();
   window_.findChild<QAbstractButton*>("tool-compare")->click();
-  ASSERT_TRUE(until([&] { return !view().openGlPicture().isNull(); }))
+  ASSERT_TRUE(until([&] { return !view().openGlImage().isNull(); }))
       << qPrintable(window_.statusBar()->currentMessage());
   EXPECT_TRUE(until([&] { return !controls_.isLive("engine"); })) << "it traces again";
-  picture("compare");
+  image("compare");
 
   Film film(controls_, {folder_.path(), "film", 4, "lights.azimuth", 0, 90, false}, nullptr);
   bool ended = false;
@@ -226,7 +226,7 @@ TEST_F(PanelLiveTest, ComparesAndFilms) {
   film.start();
   ASSERT_TRUE(until([&] { return ended; }));
   const QImage first(film.fileOf(0)), last(film.fileOf(3));
-  EXPECT_EQ(first.size(), view().openGlPicture().size());
+  EXPECT_EQ(first.size(), view().openGlImage().size());
   EXPECT_NE(first, last);
 }
 
@@ -237,7 +237,7 @@ TEST_F(PanelLiveTest, Pages) {
   for (int i = 0; i < tabs->count(); ++i) {
     tabs->setCurrentIndex(i);
     QTest::qWait(300);
-    picture(qPrintable("page-" + tabs->tabText(i).toLower()));
+    image(qPrintable("page-" + tabs->tabText(i).toLower()));
   }
 }
 

@@ -1,4 +1,4 @@
-// gluray-worker: traces pictures for programs whose setting `workers` names its job. Started once, or by
+// gluray-worker: traces images for programs whose setting `workers` names its job. Started once, or by
 // mpirun or srun as a job of many ranks.
 #include "accel/memory/free_memory.h"
 #include "base/environment_variable.h"
@@ -111,7 +111,7 @@ int work(const Options& options, int argc, char** argv) {
 int main(int argc, char** argv) {
   files::ownStreams();
   CLI::App app(
-      "Traces pictures for programs started with gluray --workers JOB.\n"
+      "Traces images for programs started with gluray --workers JOB.\n"
       "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");
   Options options;
   app.add_option("--job", options.job, "name of the job; programs use it as --workers NAME")

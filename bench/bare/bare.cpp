@@ -59,7 +59,7 @@ void run(const Options& options) {
   const ResidentBytes resident = residentBytes();
   if (!options.dump.empty()) {
     scene.render(orbitPose(0, 0), pixels);
-    writePng(pictureFromGl(kImageSize, kImageSize, pixels), options.dump);
+    writePng(imageFromGl(kImageSize, kImageSize, pixels), options.dump);
   }
   std::printf("%s\n", jsonLine(m, resident).c_str());
 }

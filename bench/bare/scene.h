@@ -1,4 +1,4 @@
-// The bare loop's scene: one mesh in one Embree scene, and the rays of one picture.
+// The bare loop's scene: one mesh in one Embree scene, and the rays of one image.
 #pragma once
 #include "bench/bare/embree.h"
 #include "bench/data/orbit.h"

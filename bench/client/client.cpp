@@ -125,7 +125,7 @@ void dump(DrawPath& path, const std::string& file, double distance) {
   drawFrame(path, 0, 0, distance);
   std::vector<uint8_t> pixels(size_t(kImageSize) * kImageSize * 4);
   glReadPixels(0, 0, kImageSize, kImageSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  writePng(pictureFromGl(kImageSize, kImageSize, pixels), file);
+  writePng(imageFromGl(kImageSize, kImageSize, pixels), file);
 }
 
 void run(Options options) {

@@ -1,4 +1,4 @@
-// Files of the benchmarks: NIfTI volumes in, PLY meshes, pictures and reports out.
+// Files of the benchmarks: NIfTI volumes in, PLY meshes, images and reports out.
 #include "bench/data/nifti.h"
 #include "bench/data/png.h"
 #include "bench/data/report.h"
@@ -108,20 +108,20 @@ TEST(Ply, ReportsUnwritableFiles) {
   EXPECT_THROW(writePly(TriangleMesh{}, "/nonexistent/folder/mesh.ply"), std::runtime_error);
 }
 
-TEST(Png, PicturesRoundTrip) {
+TEST(Png, ImagesRoundTrip) {
   // Two rows of two pixels, bottom row first: red, green; blue, white.
-  const Picture picture = pictureFromGl(2, 2, {255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 255, 9, 255, 255, 255, 9});
+  const RgbImage image = imageFromGl(2, 2, {255, 0, 0, 9, 0, 255, 0, 9, 0, 0, 255, 9, 255, 255, 255, 9});
   const std::vector<uint8_t> topDown{0, 0, 255, 255, 255, 255, 255, 0, 0, 0, 255, 0};
-  EXPECT_EQ(picture.rgb, topDown);
-  const std::string path = scratch("picture.png");
-  writePng(picture, path);
+  EXPECT_EQ(image.rgb, topDown);
+  const std::string path = scratch("image.png");
+  writePng(image, path);
   EXPECT_EQ(readPng(path).rgb, topDown);
   EXPECT_THROW(readPng("/nonexistent.png"), std::runtime_error);
 }
 
 TEST(Png, SideBySideAlignsTops) {
-  const Picture wide{2, 1, {1, 1, 1, 2, 2, 2}}, tall{1, 2, {3, 3, 3, 4, 4, 4}};
-  const Picture both = sideBySide({wide, tall}, 1);
+  const RgbImage wide{2, 1, {1, 1, 1, 2, 2, 2}}, tall{1, 2, {3, 3, 3, 4, 4, 4}};
+  const RgbImage both = sideBySide({wide, tall}, 1);
   EXPECT_EQ(both.width, 4);
   EXPECT_EQ(both.height, 2);
   const std::vector<uint8_t> expected{1,   1,   1,   2,   2,   2,   255, 255, 255, 3, 3, 3,

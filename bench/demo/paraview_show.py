@@ -1,6 +1,6 @@
 """The demo in ParaView: a head scan's isosurface, with and without GLuRay.
 
-Runs pvbatch on the scan twice, the camera in orbit, writes both pictures and out/demo/side_by_side.png, and prints frames per
+Runs pvbatch on the scan twice, the camera in orbit, writes both images and out/demo/side_by_side.png, and prints frames per
 second and how much was traced. With --gui also opens the ParaView window on it, under GLuRay.
 """
 import json
@@ -35,10 +35,10 @@ class ParaViewDemo:
         if done.returncode != 0:
             raise Failed(f"{self.volume} could not be read")
 
-    def orbit(self, launcher, frames, picture):
+    def orbit(self, launcher, frames, image):
         """Turns the head in pvbatch; returns the script's measurements."""
         command = [*map(str, launcher), "pvbatch", str(ROOT / "bench" / "support" / "paraview_orbit.py"), "60", str(frames),
-                   "1024", str(picture), str(self.scan)]
+                   "1024", str(image), str(self.scan)]
         done = subprocess.run(command, env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
         if done.returncode != 0 or not lines:
@@ -65,10 +65,10 @@ class ParaViewDemo:
             both = self.out / "side_by_side.png"
             self.beside(self.out / "opengl.png", self.out / "gluray.png", both)
             print(f"\n  triangles             {plain['triangles']:,}")
-            print(f"  first picture         {plain['first_image_s']:.2f} s with OpenGL, "
+            print(f"  first image         {plain['first_image_s']:.2f} s with OpenGL, "
                   f"{traced['first_image_s']:.2f} s with GLuRay")
             print_result(1 / plain["frame_s"], 1 / traced["frame_s"], report)
-            print(f"  pictures              {both.relative_to(ROOT)} (left OpenGL, right GLuRay)")
+            print(f"  images              {both.relative_to(ROOT)} (left OpenGL, right GLuRay)")
             if self.gui:
                 say("the ParaView window; close it to end the demo")
                 subprocess.run([self.gluray, "--", "paraview", f"--data={self.scan}"], env=self.environment)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The demo: a head scan's surface in ParaView, with and without GLuRay; with --osg, in osgviewer.
 
-Shows each version turning, writes both pictures and out/demo/side_by_side.png, and prints frames per second and what was
+Shows each version turning, writes both images and out/demo/side_by_side.png, and prints frames per second and what was
 traced. osgviewer is given a mesh of the scan, which is kept in out/demo; ParaView makes its own.
 """
 import argparse
@@ -107,8 +107,8 @@ class Demo:
         finally:
             self.stop(viewer, terminal)
 
-    def picture(self, launcher, file):
-        """Writes the viewer's picture at rest."""
+    def image(self, launcher, file):
+        """Writes the viewer's image at rest."""
         viewer, terminal = self.viewer(launcher)
         try:
             self.tool("gluray-bench-picture", "grab", "--class", WINDOW_CLASS, "--out", file, "--patience", PATIENCE)
@@ -123,16 +123,16 @@ class Demo:
             self.environment["DISPLAY"] = name
             say(f"plain OpenGL on display {name}: the head turns {LOOPS} times")
             plain = self.turning_fps([])
-            self.picture([], self.out / "opengl.png")
+            self.image([], self.out / "opengl.png")
             say(f"GLuRay: the head turns {LOOPS} times")
             report = self.out / "report.json"
             report.unlink(missing_ok=True)
             traced = self.turning_fps([*self.gluray, "--report", report, "--"])
-            self.picture([*self.gluray, "--"], self.out / "gluray.png")
+            self.image([*self.gluray, "--"], self.out / "gluray.png")
         both = self.out / "side_by_side.png"
         self.tool("gluray-bench-picture", "beside", self.out / "opengl.png", self.out / "gluray.png", "--out", both)
         print_result(plain, traced, report)
-        print(f"  pictures              {both.relative_to(ROOT)} (left OpenGL, right GLuRay)")
+        print(f"  images              {both.relative_to(ROOT)} (left OpenGL, right GLuRay)")
 
 
 def read_all(terminal):
@@ -150,7 +150,7 @@ def print_result(plain, traced, report_file):
     print(f"\n  OpenGL                {plain:8.2f} frames a second")
     print(f"  GLuRay                {traced:8.2f} frames a second, {traced / plain:.1f} times as many")
     if not report_file.exists():
-        print("  GLuRay wrote no report: the picture came from the real OpenGL")
+        print("  GLuRay wrote no report: the image came from the real OpenGL")
         return
     report = json.loads(report_file.read_text())
     draws, triangles, bvh = (report.get(key, {}) for key in ("draws", "triangles", "bvh"))
@@ -161,11 +161,11 @@ def print_result(plain, traced, report_file):
     for reason, count in sorted(draws.get("rasterised", {}).items()):
         print(f"    {reason}: {count}")
     print(f"  acceleration          {bvh.get('builds', 0):8} builds, {bvh.get('bytes', 0) / 1e6:.0f} MB")
-    # Programs that draw into memory show no frames: counts their pictures instead.
+    # Programs that draw into memory show no frames: counts their images instead.
     unshown = report.get("frames", 0) <= 1 and report.get("flushes", 0) > 1
     share = 1 / report["flushes"] if unshown else 1
     milliseconds = ", ".join(f"{part} {value * share:.2f}" for part, value in report.get("ms", {}).items())
-    print(f"  ms a {'picture' if unshown else 'frame  '}          {milliseconds}")
+    print(f"  ms a {'image  ' if unshown else 'frame  '}          {milliseconds}")
 
 
 def main():

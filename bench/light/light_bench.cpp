@@ -1,7 +1,7 @@
-// gluray-bench-light: what light beyond the local look costs, and how noisy pictures are, on the Wavelet's
+// gluray-bench-light: what light beyond the local look costs, and how noisy images are, on the Wavelet's
 // isosurfaces or on lines at 1024x1024. One line a figure.
+#include "bench/data/image_error.h"
 #include "bench/data/orbit.h"
-#include "bench/data/picture_error.h"
 #include "bench/data/png.h"
 #include "bench/data/report.h"
 #include "bench/light/compare_rays.h"
@@ -45,7 +45,7 @@ class Measurement {
   /// Times of frames in turn, and the noise of the last ones.
   void moving() {
     std::map<std::string, std::vector<double>> times, ratios;
-    std::map<std::string, Image> pictures;
+    std::map<std::string, Image> images;
     std::vector<double> locals;
     Image local;
     for (int frame = 0; frame < options_.frames; ++frame) {
@@ -53,7 +53,7 @@ class Measurement {
       locals.push_back(base);
       for (const auto& [name, way] : kWays) {
         if (!options_.only.empty() && options_.only != name) continue;
-        const double t = stage_.trace(frame, way, pictures[name]);
+        const double t = stage_.trace(frame, way, images[name]);
         // The first frames have little history, and fewer pixels that need no rays.
         if (frame >= options_.frames / 3) times[name].push_back(t), ratios[name].push_back(t / base);
       }
@@ -62,13 +62,13 @@ class Measurement {
     figure("local_ms", 1e3 * local_, "ms");
     if (options_.only.empty()) figure("without_rays_ratio", withoutRays(), "of a local frame, added to it");
     converge();
-    for (const auto& [name, picture] : pictures) {
+    for (const auto& [name, image] : images) {
       figure(name + "_ms", 1e3 * bench::median(times[name]), "ms");
       figure(name + "_ratio", bench::median(ratios[name]), "of a local frame");
-      figure(name + "_psnr", errorOf(picture), "dB");
-      dump(name, picture);
+      figure(name + "_psnr", errorOf(image), "dB");
+      dump(name, image);
     }
-    const double views = static_cast<double>(pictures.size());
+    const double views = static_cast<double>(images.size());
     figure("history_bytes_per_pixel", static_cast<double>(stage_.historyBytes()) / views / kPixels, "bytes");
     dump("local", local), dump("reference", converged_);
   }
@@ -82,17 +82,18 @@ class Measurement {
       Way way = kFull;
       way.wide = true, way.pass = pass;
       way.more = {"ao.samples=" + std::to_string(kPassRays), "shadows.samples=" + std::to_string(kPassRays)};
-      Image wide, picture;
+      Image wide, image;
       seconds += stage_.trace(options_.frames - 1, way, wide);
-      seconds += secondsOf([&] { refinement.add(wide), refinement.show(wide, false, picture); });
-      error = errorOf(picture);
+      seconds += secondsOf([&] { refinement.add(wide), refinement.show(wide, false, image); });
+      error = errorOf(image);
     }
     figure("at_rest_psnr", error, "dB");
     figure("at_rest_rays", kPassRays * static_cast<double>(refinement.passes()), "a point");
     figure("at_rest_ratio", seconds / local_, "local frames");
   }
 
-  /// The same with `denoise = filter`: passes, guides, and smoothing once, when the picture is shown.
+  /// The same with `denoise = filter`: passes, auxiliary features, and smoothing once, when the image is
+  /// shown.
   void atRestSmoothed() {
     constexpr int kMax = 64, kRays = 2;
     const std::string count = std::to_string(kRays);
@@ -107,10 +108,10 @@ class Measurement {
     for (int pass = 0; pass < kMax && error < kGoal; ++pass) {
       scene::TraceCost cost;
       std::string why;
-      Image picture;
+      Image image;
       passes += secondsOf([&] { refiner.pass(trace, 0, cost, why); });
-      show = secondsOf([&] { refiner.show(picture); });
-      error = errorOf(picture);
+      show = secondsOf([&] { refiner.show(image); });
+      error = errorOf(image);
     }
     figure("at_rest_smoothed_psnr", error, "dB");
     figure("at_rest_smoothed_rays", kRays * static_cast<double>(refinement.passes()), "a point");
@@ -145,7 +146,7 @@ class Measurement {
     return bench::median(rest);
   }
 
-  /// The picture to compare with.
+  /// The image to compare with.
   void converge() {
     Way way = kFull;
     const std::string count = std::to_string(options_.reference);
@@ -154,7 +155,7 @@ class Measurement {
     hits_ = bench::hitsOf(converged_);
   }
 
-  double errorOf(const Image& picture) const { return bench::psnr(picture.color, converged_.color, hits_); }
+  double errorOf(const Image& image) const { return bench::psnr(image.color, converged_.color, hits_); }
 
   void dump(const std::string& name, const Image& image) const {
     if (options_.dump.empty()) return;
@@ -162,7 +163,7 @@ class Measurement {
     for (size_t i = 0; i < image.color.size(); ++i)
       for (size_t c = 0; c < 4; ++c)
         pixels[4 * i + c] = c == 3 ? 255 : static_cast<uint8_t>(image.color[i] >> (8 * c));
-    bench::writePng(bench::pictureFromGl(image.width, image.height, pixels),
+    bench::writePng(bench::imageFromGl(image.width, image.height, pixels),
                     options_.dump + "_" + prefix_ + name + ".png");
   }
 
@@ -217,7 +218,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 1000000));
   app.add_option("--threads", options.stage.threads, "0: one a core")->check(CLI::Range(0, 1024));
   app.add_option("--frames", options.frames, "frames of the orbit, a degree each")->check(CLI::Range(3, 360));
-  app.add_option("--reference", options.reference, "samples of the picture to compare with")
+  app.add_option("--reference", options.reference, "samples of the image to compare with")
       ->check(CLI::Range(1, 4096));
   app.add_option("--set", options.settings, "NAME=VALUE: a setting (default: ao=on)");
   app.add_option("--shadow", options.shadows,
@@ -225,8 +226,8 @@ int main(int argc, char** argv) {
   app.add_option("--only", options.only, "one way alone: first, moving_full or moving_quarter");
   app.add_flag("--quick", options.quick, "fewer frames, a noisier reference");
   app.add_flag("--no-rays", options.noRays, "leave the bare loops out");
-  app.add_flag("--no-rest", options.noRest, "leave pictures at rest out");
-  app.add_option("--dump", options.dump, "write pictures: the beginning of their names");
+  app.add_flag("--no-rest", options.noRest, "leave images at rest out");
+  app.add_option("--dump", options.dump, "write images: the beginning of their names");
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

@@ -39,7 +39,7 @@ class Stage {
   double trace(int degree, const Way&, Image&);
   /// What frame `degree` shows, with settings beside the stage's.
   scene::Snapshot at(int degree, const std::vector<std::string>& more) const;
-  /// Seconds that a picture took that does not move.
+  /// Seconds that an image took that does not move.
   double trace(const scene::Snapshot&, Image&);
   const TriangleMesh& mesh() const { return mesh_; }
   const Settings& settings() const { return snapshot_.settings; }

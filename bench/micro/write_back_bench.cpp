@@ -1,4 +1,4 @@
-// Putting a traced picture of 1024x1024 pixels into the program's framebuffer, over an OpenGL in memory.
+// Putting a traced image of 1024x1024 pixels into the program's framebuffer, over an OpenGL in memory.
 #include "bench/micro/micro_mesh.h"
 #include "bench/render/wavelet_snapshot.h"
 #include "frame/tracing/renderer.h"
@@ -17,7 +17,7 @@ namespace {
 using namespace gluray;
 
 /// An image like a frame of the Wavelet: half of its pixels are hits.
-const Image& picture() {
+const Image& makeImage() {
   static const Image image = [] {
     scene::Snapshot s = bench::waveletSnapshot(bench::microMesh());
     bench::lookFrom(s, bench::orbitPose(0, 0));
@@ -61,7 +61,7 @@ void writeBack(benchmark::State& state, Case which) {
     gl.Finish();
     state.ResumeTiming();
     const uint64_t name = which == Case::unchanged ? 1 : ++number;
-    if (!writer.write(picture(), {.picture = name}, pending)) return state.SkipWithError("refused");
+    if (!writer.write(makeImage(), {.imageId = name}, pending)) return state.SkipWithError("refused");
     gl.Finish();
   }
   state.SetItemsProcessed(state.iterations());
@@ -100,7 +100,7 @@ void bindTextures(const gl::RealGl& gl) {
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, textures[1], 0);
 }
 
-/// Uploads the picture into textures that hold only their clear values.
+/// Uploads the image into textures that hold only their clear values.
 void send(benchmark::State& state) {
   const auto context = test::OsmesaContext::create({bench::kImageSize, bench::kImageSize});
   if (!context) return state.SkipWithError("no OpenGL in memory");
@@ -114,19 +114,19 @@ void send(benchmark::State& state) {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.Finish();
     state.ResumeTiming();
-    if (!put.put(gl, features, picture(), 0, pending)) return state.SkipWithError("refused");
+    if (!put.put(gl, features, makeImage(), 0, pending)) return state.SkipWithError("refused");
     gl.Finish();
   }
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(send)->Name("write_back/sent")->UseRealTime()->Iterations(100)->Repetitions(5);
 
-/// Converts the picture for a window, without the X server.
+/// Converts the image for a window, without the X server.
 void fillWindow(benchmark::State& state) {
   std::vector<uint32_t> pixels(size_t{bench::kImageSize} * bench::kImageSize);
   const float farthest = 1 - 0x1p-25f;
   for (auto _ : state)
-    intercept::fillWindow({picture(), farthest, 1}, {bench::kImageSize, bench::kImageSize}, pixels.data());
+    intercept::fillWindow({makeImage(), farthest, 1}, {bench::kImageSize, bench::kImageSize}, pixels.data());
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(fillWindow)->Name("write_back/window")->UseRealTime()->Iterations(200)->Repetitions(5);

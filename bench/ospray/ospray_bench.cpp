@@ -1,8 +1,8 @@
 // gluray-bench-ospray: frame::Renderer and OSPRay in turn in one process, on the same mesh, views and light:
-// seconds a frame, and the error of each against its own picture of many samples.
+// seconds a frame, and the error of each against its own image of many samples.
+#include "bench/data/image_error.h"
 #include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
-#include "bench/data/picture_error.h"
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/ospray/ospray_scene.h"
@@ -24,7 +24,7 @@ using Pixels = std::vector<uint32_t>;
 struct Options {
   double millionTriangles = 1;
   int frames = 20, threads = 0, reference = 256;
-  double decibels = 0;  // 0: frames of an animation; otherwise pictures at rest
+  double decibels = 0;  // 0: frames of an animation; otherwise images at rest
   bench::OsprayScene::Options ospray;
   std::vector<std::string> settings;
 };
@@ -50,7 +50,7 @@ bench::TriangleMesh meshOf(const Options& options) {
       volume, bench::evenIsovalues(low, high, bench::waveletSurfaces(options.millionTriangles)));
 }
 
-/// The mean of green where `hits` is not 0, of 255: tells whether both pictures are as bright.
+/// The mean of green where `hits` is not 0, of 255: tells whether both images are as bright.
 double brightness(const Pixels& pixels, const std::vector<uint8_t>& hits) {
   double sum = 0, count = 0;
   for (size_t i = 0; i < pixels.size(); ++i)
@@ -75,13 +75,13 @@ void compareFrames(const Options& options, bench::OurScene& ours, bench::OsprayS
     if (frame > 0) ourSeconds.push_back(a), theirSeconds.push_back(b);
   }
   const bench::CameraPose last = bench::orbitPose(options.frames, 360);
-  const Pixels theirPicture = theirs.pixels();
+  const Pixels theirImage = theirs.pixels();
   for (int n = 0; n < options.reference; ++n) theirs.render(last, n > 0), ours.pass(last, n > 0);
   const std::vector<uint8_t> hits = ours.hits();
   printBrightness(ours.pixels(), theirs.pixels(), hits);
   std::printf("\"gluray_s\": %.5f, \"gluray_db\": %.2f, \"ospray_s\": %.5f, \"ospray_db\": %.2f",
               bench::median(ourSeconds), bench::psnr(image.color, ours.pixels(), hits),
-              bench::median(theirSeconds), bench::psnr(theirPicture, theirs.pixels(), hits));
+              bench::median(theirSeconds), bench::psnr(theirImage, theirs.pixels(), hits));
 }
 
 struct Reached {
@@ -89,7 +89,7 @@ struct Reached {
   int passes = 0;
 };
 
-/// Passes, and their time, until the picture is as near to its reference as `decibels` say.
+/// Passes, and their time, until the image is as near to its reference as `decibels` say.
 template <class Pass, class Show>
 Reached reach(double decibels, const Pixels& reference, const std::vector<uint8_t>& hits, Pass&& pass,
               Show&& show) {
@@ -100,7 +100,7 @@ Reached reach(double decibels, const Pixels& reference, const std::vector<uint8_
   return reached;
 }
 
-/// The time of each, in turn, until its picture at rest has little noise.
+/// The time of each, in turn, until its image at rest has little noise.
 void compareRest(const Options& options, bench::OurScene& ours, bench::OsprayScene& theirs) {
   const bench::CameraPose pose = bench::orbitPose(0, 360);
   theirs.shine(lightOf(pose));
@@ -145,10 +145,10 @@ int main(int argc, char** argv) {
   app.add_option("--frames", options.frames, "frames to measure, a degree of the orbit apart")
       ->check(CLI::Range(1, 100000));
   app.add_option("--threads", options.threads, "0: one a core")->check(CLI::Range(0, 1024));
-  app.add_option("--reference", options.reference, "passes of the reference pictures")
+  app.add_option("--reference", options.reference, "passes of the reference images")
       ->check(CLI::Range(1, 100000));
   app.add_option("--until", options.decibels,
-                 "dB: time pictures at rest until they are so near to the reference")
+                 "dB: time images at rest until they are so near to the reference")
       ->check(CLI::Range(1.0, 60.0));
   app.add_option("--renderer", options.ospray.renderer, "OSPRay's: scivis or pathtracer")
       ->check(CLI::IsMember(std::vector<std::string>{"scivis", "pathtracer"}));

@@ -30,7 +30,7 @@ class OsprayScene {
   void shine(const std::array<double, 3>& direction);
   /// One frame of a sample a pixel. `accumulate`: added to the frames since the last call without it.
   void render(const CameraPose& pose, bool accumulate);
-  /// The picture: RGBA8, bottom row first, kImageSize * kImageSize.
+  /// The image: RGBA8, bottom row first, kImageSize * kImageSize.
   std::vector<uint32_t> pixels() const;
 
  private:

@@ -16,7 +16,7 @@ class OurScene {
   OurScene(const TriangleMesh& mesh, int threads, const std::vector<std::string>& settings);
   /// A frame of an animation, as programs get it while the camera moves.
   void frame(const CameraPose& pose, Image& image);
-  /// One pass of a picture at rest. `accumulate`: added to those since the last call without it.
+  /// One pass of an image at rest. `accumulate`: added to those since the last call without it.
   void pass(const CameraPose& pose, bool accumulate);
   /// The mean of the passes: RGBA8, bottom row first.
   std::vector<uint32_t> pixels() const;

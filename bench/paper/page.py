@@ -92,12 +92,12 @@ def reasons(rows):
     return [f"- {reason} ({', '.join(sorted(who))})" for reason, who in sorted(found.items())]
 
 
-def page(result, pictures):
-    """The page's text; `pictures`: {name: path from the page} of the drawn figures."""
+def page(result, images):
+    """The page's text; `images`: {name: path from the page} of the drawn figures."""
     rows, machine, versions = result["rows"], result["machine"], result["versions"]
 
     def figure(name, caption):
-        return [f"![{caption}]({pictures[name]})", ""] if name in pictures else []
+        return [f"![{caption}]({images[name]})", ""] if name in images else []
     lines = [
         "# The paper's evaluation, repeated", "",
         "`scripts/bench paper` measures at a fortieth of the paper's sizes and writes docs/paper-evaluation.md; with `--full` it goes to the paper's",

@@ -20,7 +20,7 @@ def main(options):
     source.GetClientSideObject().SetOutput(mesh)
     source.UpdatePipeline()
     window = view.GetRenderWindow()
-    simple.Render(view)  # an empty picture first, so that window and context exist when the clock starts
+    simple.Render(view)  # an empty image first, so that window and context exist when the clock starts
     view.CameraViewAngle = 30
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 1, 0]

@@ -13,6 +13,6 @@ def arguments(description):
     parser.add_argument("--frames", type=int, default=60, help="largest number of frames (60)")
     parser.add_argument("--seconds", type=float, default=2, help="time of the measurement (2)")
     parser.add_argument("--warm", type=float, default=0, help="seconds of slow frames before it (0)")
-    parser.add_argument("--size", type=int, default=1024, help="pixels of the picture, both ways (1024)")
-    parser.add_argument("--dump", help="PNG file of the first picture of the orbit")
+    parser.add_argument("--size", type=int, default=1024, help="pixels of the image, both ways (1024)")
+    parser.add_argument("--dump", help="PNG file of the first image of the orbit")
     return parser.parse_args()

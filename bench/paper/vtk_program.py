@@ -19,7 +19,7 @@ def main(options):
     window.SetMultiSamples(0)
     window.SetSize(options.size, options.size)
     window.AddRenderer(renderer)
-    window.Render()  # an empty picture first, so that window and context exist when the clock starts
+    window.Render()  # an empty image first, so that window and context exist when the clock starts
     camera = renderer.GetActiveCamera()
     camera.SetViewAngle(30)
     camera.SetFocalPoint(0, 0, 0)

@@ -62,7 +62,7 @@ XWindow::XWindow(std::string name) : handles_(std::make_unique<Handles>()) {
 
 XWindow::~XWindow() = default;
 
-std::optional<Picture> XWindow::grab() {
+std::optional<RgbImage> XWindow::grab() {
   Display* display = handles_->display;
   const ::Window window = handles_->window();
   XWindowAttributes attributes{};
@@ -70,7 +70,7 @@ std::optional<Picture> XWindow::grab() {
   XImage* image = XGetImage(display, window, 0, 0, unsigned(attributes.width), unsigned(attributes.height),
                             AllPlanes, ZPixmap);
   if (!image) return std::nullopt;
-  Picture out{image->width, image->height, {}};
+  RgbImage out{image->width, image->height, {}};
   out.rgb.reserve(size_t(image->width) * size_t(image->height) * 3);
   for (int y = 0; y < image->height; ++y)
     for (int x = 0; x < image->width; ++x) {

@@ -1,4 +1,4 @@
-// Looks at another program's window: its picture, and a polite request to close.
+// Looks at another program's window: its image, and a polite request to close.
 #pragma once
 #include "bench/data/png.h"
 
@@ -20,7 +20,7 @@ class XWindow {
   /// window.
   /// The window's content, if it is on the screen and 24 or 32 bits deep; nothing if there is no such window.
   /// window.
-  std::optional<Picture> grab();
+  std::optional<RgbImage> grab();
   /// Asks the window to close as a window manager's button does; false where there is no such window.
   bool close();
 

@@ -1,8 +1,8 @@
-// gluray-bench-refine: noise and time of pictures at rest, on the Wavelet's isosurfaces at 1024x1024. One
+// gluray-bench-refine: noise and time of images at rest, on the Wavelet's isosurfaces at 1024x1024. One
 // line a figure.
+#include "bench/data/image_error.h"
 #include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
-#include "bench/data/picture_error.h"
 #include "bench/data/report.h"
 #include "bench/data/wavelet.h"
 #include "bench/render/wavelet_snapshot.h"
@@ -40,13 +40,13 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 /// dB, of the pixels that hit something.
-double psnr(const Image& picture, const Image& reference) {
+double psnr(const Image& image, const Image& reference) {
   std::vector<uint8_t> hits(reference.depth.size());
   for (size_t i = 0; i < hits.size(); ++i) hits[i] = reference.depth[i] != Image::kMiss;
-  return bench::psnr(picture.color, reference.color, hits);
+  return bench::psnr(image.color, reference.color, hits);
 }
 
-/// Refines pictures of one scene.
+/// Refines images of one scene.
 class Bench {
  public:
   explicit Bench(const scene::Snapshot& snapshot) : snapshot_(snapshot) {
@@ -62,7 +62,7 @@ class Bench {
     uint64_t tiles = 0;
   };
   /// `passes`: 0: until it is finished.
-  Result picture(const Settings& settings, uint32_t passes) {
+  Result refined(const Settings& settings, uint32_t passes) {
     scene::Snapshot s = snapshot_;
     s.settings = settings;
     frame::Refinement refinement;
@@ -93,7 +93,7 @@ void compareSmoothing(Bench& bench, const Settings& settings, const Image& truth
   Settings smooth = settings;
   smooth.denoise = Denoise::filter;
   for (const uint32_t passes : {1u, 4u, 16u}) {
-    const Bench::Result plain = bench.picture(settings, passes), filtered = bench.picture(smooth, passes);
+    const Bench::Result plain = bench.refined(settings, passes), filtered = bench.refined(smooth, passes);
     const std::string n = std::to_string(passes);
     figure("passes_" + n + "_psnr", psnr(plain.image, truth), "dB");
     figure("passes_" + n + "_smooth_psnr", psnr(filtered.image, truth), "dB");
@@ -108,7 +108,7 @@ void compareSmoothing(Bench& bench, const Settings& settings, const Image& truth
 void compareAdaptive(Bench& bench, Settings settings, const Image& truth) {
   for (const bool adaptive : {false, true}) {
     settings.refine.adaptive = adaptive;
-    const Bench::Result result = bench.picture(settings, 0);
+    const Bench::Result result = bench.refined(settings, 0);
     const std::string name = adaptive ? "adaptive_" : "all_";
     figure(name + "psnr", psnr(result.image, truth), "dB");
     figure(name + "passes", result.passes, "passes");
@@ -134,7 +134,7 @@ void run(const Options& options) {
   Settings many = settings;
   many.refine.adaptive = false;
   const Image truth =
-      bench.picture(many, static_cast<uint32_t>(std::max(options.reference / options.samples, 1))).image;
+      bench.refined(many, static_cast<uint32_t>(std::max(options.reference / options.samples, 1))).image;
   compareSmoothing(bench, many, truth);
   compareAdaptive(bench, settings, truth);
 }
@@ -143,13 +143,13 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Noise and time of pictures at rest, on isosurfaces of the Wavelet.");
+  CLI::App app("Noise and time of images at rest, on isosurfaces of the Wavelet.");
   app.add_option("--triangles", options.millionTriangles, "millions of triangles, about")
       ->check(CLI::Range(0.1, 256.0));
   app.add_option("--threads", options.threads, "0: one a core")->check(CLI::Range(0, 1024));
   app.add_option("--samples", options.samples, "rays or paths a pixel in each pass")
       ->check(CLI::Range(1, 64));
-  app.add_option("--reference", options.reference, "samples of the picture to compare with")
+  app.add_option("--reference", options.reference, "samples of the image to compare with")
       ->check(CLI::Range(1, 65536));
   app.add_flag("--paths", options.paths, "trace paths instead of ambient occlusion");
   CLI11_PARSE(app, argc, argv);

@@ -29,7 +29,7 @@ struct Options {
   bool noBare = false, instances = false;
 };
 
-// The bare loop's picture, with the given options.
+// The bare loop's image, with the given options.
 scene::Snapshot snapshotOf(const Options& options, const bench::TriangleMesh& mesh) {
   scene::Snapshot s = bench::waveletSnapshot(mesh);
   s.settings.threads = options.threads;
@@ -88,7 +88,7 @@ void run(const Options& options) {
     for (size_t i = 0; i < image.color.size(); ++i) {
       for (size_t c = 0; c < 4; ++c) pixels[4 * i + c] = static_cast<uint8_t>(image.color[i] >> (8 * c));
     }
-    bench::writePng(bench::pictureFromGl(bench::kImageSize, bench::kImageSize, pixels), options.dump);
+    bench::writePng(bench::imageFromGl(bench::kImageSize, bench::kImageSize, pixels), options.dump);
   }
 }
 

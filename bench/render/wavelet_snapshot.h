@@ -1,4 +1,4 @@
-// The frame benchmark's picture as a snapshot, which frame::Renderer traces without OpenGL.
+// The frame benchmark's image as a snapshot, which frame::Renderer traces without OpenGL.
 #pragma once
 #include "bench/data/orbit.h"
 #include "bench/data/triangle_mesh.h"

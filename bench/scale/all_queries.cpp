@@ -2,7 +2,7 @@
 
 #include "cluster/peers/query_stream.h"
 #include "render/frame_data/frame_data.h"
-#include "render/moving/film_source.h"
+#include "render/moving/moving_tile_source.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
 
@@ -11,8 +11,8 @@
 namespace gluray::bench {
 namespace {
 
-/// A peer that is asked everything and blocks nothing, and the tiles of the picture. One thread.
-class Recorder final : public render::RemoteSurfaces, public render::FilmSource {
+/// A peer that is asked everything and blocks nothing, and the tiles of the image. One thread.
+class Recorder final : public render::RemoteSurfaces, public render::MovingTileSource {
  public:
   void begin(const render::FrameData& frame) override { bounds_ = frame.world->lightBounds(); }
   void beginEmpty(const scene::Snapshot&) override {}
@@ -44,10 +44,10 @@ class Recorder final : public render::RemoteSurfaces, public render::FilmSource 
     writer_ = {};
   }
   uint32_t index(uint32_t own) const noexcept override { return own; }
-  void collected(const render::FactorFilm&, int tile, double seconds) noexcept override {
+  void collected(const render::VisibilityBuffer&, int tile, double seconds) noexcept override {
     done(tile, seconds, false);
   }
-  bool complete(render::FactorFilm&) noexcept override { return true; }
+  bool complete(render::VisibilityBuffer&) noexcept override { return true; }
   int nextToColor() noexcept override { return colored_ < count_ ? colored_++ : -1; }
 
   AllQueries all;

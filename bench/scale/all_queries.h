@@ -1,4 +1,4 @@
-// The occlusion rays of a picture as queries to one peer, before any are culled.
+// The occlusion rays of an image as queries to one peer, before any are culled.
 #pragma once
 #include "frame/tracing/renderer.h"
 #include "scene/snapshot.h"

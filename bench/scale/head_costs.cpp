@@ -1,7 +1,7 @@
 #include "bench/scale/head_costs.h"
 
 #include "bench/scale/cpu_seconds.h"
-#include "cluster/worker/picture.h"
+#include "cluster/worker/requested_image.h"
 #include "render/tiles/tiles.h"
 
 #include <algorithm>
@@ -11,21 +11,21 @@ namespace gluray::bench {
 namespace {
 
 /// As Head::giveTiles: what the rank gets goes into its queue.
-void give(cluster::Picture& picture, int rank, std::deque<int>& queue) {
-  if (!picture.takesPart(rank)) return;
-  const std::vector<int> tiles = picture.more(rank);
+void give(cluster::RequestedImage& requested, int rank, std::deque<int>& queue) {
+  if (!requested.takesPart(rank)) return;
+  const std::vector<int> tiles = requested.more(rank);
   if (tiles.empty()) return;
-  cluster::forRanks(cluster::MoreTiles{picture.id(), tiles});
+  cluster::forRanks(cluster::MoreTiles{requested.id(), tiles});
   queue.insert(queue.end(), tiles.begin(), tiles.end());
 }
 
-/// The CPU time of one picture, all tiles together.
-HeadCosts spentOn(cluster::Picture& picture, const std::vector<std::vector<std::byte>>& messages, int ranks,
-                  cluster::WrittenMemory& memory) {
+/// The CPU time of one image, all tiles together.
+HeadCosts spentOn(cluster::RequestedImage& requested, const std::vector<std::vector<std::byte>>& messages,
+                  int ranks, cluster::WrittenMemory& memory) {
   std::vector<std::deque<int>> queues(static_cast<size_t>(ranks));
   HeadCosts sum;
-  for (size_t rank = 0; rank < queues.size(); ++rank) give(picture, static_cast<int>(rank), queues[rank]);
-  while (!picture.isTraced())
+  for (size_t rank = 0; rank < queues.size(); ++rank) give(requested, static_cast<int>(rank), queues[rank]);
+  while (!requested.isTraced())
     for (size_t rank = 0; rank < queues.size(); ++rank) {
       if (queues[rank].empty()) continue;
       const auto& bytes = messages[static_cast<size_t>(queues[rank].front())];
@@ -35,9 +35,9 @@ HeadCosts spentOn(cluster::Picture& picture, const std::vector<std::vector<std::
       in.get<uint16_t>();
       bool grew = false;
       const auto tile = cluster::decoded<cluster::TracedTile>(in.readBytes(in.left()));
-      picture.addTile(static_cast<int>(rank), tile, memory, grew, 0);
+      requested.addTile(static_cast<int>(rank), tile, memory, grew, 0);
       const double taken = threadCpuSeconds();
-      if (!picture.isTraced()) give(picture, static_cast<int>(rank), queues[rank]);
+      if (!requested.isTraced()) give(requested, static_cast<int>(rank), queues[rank]);
       sum.take += taken - start, sum.give += threadCpuSeconds() - taken;
     }
   return sum;
@@ -54,11 +54,12 @@ HeadCosts headCosts(const Image& image, const std::vector<float>& costs, int ran
     messages.push_back(cluster::forRanks(cluster::TracedTile{1, cluster::shapeOf(image), tile, 1e-3f, false,
                                                              cluster::packTile(image, tiles.at(tile))}));
   const cluster::RankStates states(ranks, 0, threads);
-  cluster::WrittenMemory memory;  // new for the first picture, as in a program
+  cluster::WrittenMemory memory;  // new for the first image, as in a program
   HeadCosts sum;
   for (int round = 0; round < 2; ++round) {
-    cluster::Picture picture(request, 1, false, states, costs, cluster::Picture::Kind::shared, 0);
-    sum = spentOn(picture, messages, ranks, memory);
+    cluster::RequestedImage requested(request, 1, false, states, costs, cluster::RequestedImage::Kind::shared,
+                                      0);
+    sum = spentOn(requested, messages, ranks, memory);
   }
   const auto count = static_cast<double>(messages.size());
   const double clock = threadCpuClockSeconds();

@@ -1,4 +1,4 @@
-// What a picture costs the head of a job: its share of the work that no other rank can take over.
+// What an image costs the head of a job: its share of the work that no other rank can take over.
 #pragma once
 #include "base/image.h"
 
@@ -12,8 +12,8 @@ struct HeadCosts {
   double give = 0;  // after it: looking what each rank gets next
 };
 
-/// Measured by cluster::Picture with `ranks` ranks of `threads` threads, whose tiles come back in turn.
-/// `costs`: of the tiles.
+/// Measured by cluster::RequestedImage with `ranks` ranks of `threads` threads, whose tiles come back in
+/// turn. `costs`: of the tiles.
 HeadCosts headCosts(const Image& image, const std::vector<float>& costs, int ranks, int threads);
 
 }  // namespace gluray::bench

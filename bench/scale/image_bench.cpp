@@ -1,4 +1,4 @@
-// gluray-bench-image: a program whose pictures jobs of gluray-worker trace, in turn; their ranks are
+// gluray-bench-image: a program whose images jobs of gluray-worker trace, in turn; their ranks are
 // processes of this machine. One line a figure, named JOB.FIGURE.
 #include "base/hash.h"
 #include "bench/data/report.h"
@@ -36,8 +36,8 @@ struct Options {
 struct Figures {
   std::vector<double> frame, head, protocol, tracing, busiest, balance;  // ms but for balance
   std::vector<double> ofRanks;                                           // tracing, sums over the frames
-  double first = 0;                                                      // ms until the first picture
-  double handedOver = 0;  // ms until the ranks had the geometry; 0: with the first picture
+  double first = 0;                                                      // ms until the first image
+  double handedOver = 0;  // ms until the ranks had the geometry; 0: with the first image
 };
 
 /// A job: "NAME:PROCESS,PROCESS,...", its head first.
@@ -88,7 +88,7 @@ void trace(Job& job, int frame, const Options& options, bool counts) {
     throw std::runtime_error(job.name + ": " + error);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const double head = bench::cpuSecondsOf(job.processes[0]).main - before[0].main;
-  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // other ranks notice the end of the picture
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));  // other ranks notice the end of the image
   const std::vector<bench::CpuSeconds> after = cpuOf(job);
   if (job.figures.first == 0) job.figures.first = 1000 * seconds;
   if (!counts) return;
@@ -110,7 +110,7 @@ int differing(const Image& a, const Image& b) {
   return count;
 }
 
-/// Of the picture; exact as a double.
+/// Of the image; exact as a double.
 double checksum(const Image& image) {
   const Hash128 color = hashBytes(image.color.data(), image.color.size() * sizeof image.color[0]);
   const Hash128 both = hashBytes(image.depth.data(), image.depth.size() * sizeof image.depth[0], color);
@@ -135,7 +135,7 @@ void printDifference(const Job& job, const Image& local) {
   std::printf("%s.differing_pixels %d\n", job.name.c_str(), differing(job.image, local));
 }
 
-/// The picture without workers.
+/// The image without workers.
 Image localImage(const bench::TriangleMesh& mesh, int frame, const Options& options) {
   frame::Renderer renderer;
   scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
@@ -158,7 +158,7 @@ void drop(bench::LargeArray<T>& array) {
   if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
 }
 
-/// The jobs get the geometry with a picture that looks past it; afterwards nobody reads the program's own
+/// The jobs get the geometry with an image that looks past it; afterwards nobody reads the program's own
 /// copy.
 void handOver(std::list<Job>& jobs, bench::TriangleMesh& mesh, const Options& options) {
   for (Job& job : jobs) {
@@ -201,8 +201,8 @@ int main(int argc, char** argv) {
   app.add_option("--samples", options.samples, "rays of ambient occlusion a pixel; 0: none")
       ->check(CLI::Range(0, 1024));
   CLI::Option* const withoutLocal =
-      app.add_flag("--without-local", options.withoutLocal, "do not compare with a picture of this process");
-  app.add_flag("--small", options.isSmall, "trace this process's picture in the smallest structure");
+      app.add_flag("--without-local", options.withoutLocal, "do not compare with an image of this process");
+  app.add_flag("--small", options.isSmall, "trace this process's image in the smallest structure");
   app.add_flag("--moving", options.moves,
                "frames of animations: a ray for four pixels, smoothed with what is known of earlier frames")
       ->needs(withoutLocal);

@@ -1,5 +1,5 @@
 // gluray-bench-scale: ambient occlusion across the ranks of a sort-last program. The ranks are threads of
-// this process, whose pictures one worker traces; each holds a slab of the Wavelet's isosurfaces. One line a
+// this process, whose images one worker traces; each holds a slab of the Wavelet's isosurfaces. One line a
 // figure.
 #include "bench/data/report.h"
 #include "bench/scale/all_queries.h"
@@ -106,10 +106,10 @@ void traceAll(std::list<Rank>& ranks) {
       return false;
     }));
   for (auto& one : all)
-    if (!one.get()) throw std::runtime_error("a rank has no picture");
+    if (!one.get()) throw std::runtime_error("a rank has no image");
 }
 
-/// Pixels of the ranks' pictures, composed by depth, that differ from those of one process.
+/// Pixels of the ranks' images, composed by depth, that differ from those of one process.
 int differing(const std::list<Rank>& ranks, const Image& one) {
   int count = 0;
   for (size_t i = 0; i < one.depth.size(); ++i) {

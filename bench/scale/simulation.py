@@ -2,7 +2,7 @@
 
 The main thread of each rank sends what its tracing threads have finished, handles the messages that have arrived, and sleeps: until the
 next tile is finished, or for `sleep_us` (cluster::Worker::wait). The head sends the snapshot to all ranks, gives them tiles by
-scale.shares.Shares, puts the tiles that come back into the picture, and ends it. Times in microseconds; the same input gives the same result.
+scale.shares.Shares, puts the tiles that come back into the image, and ends it. Times in microseconds; the same input gives the same result.
 """
 import dataclasses
 import heapq
@@ -17,7 +17,7 @@ class Costs:
     """Measured inputs (gluray-bench-tiles, gluray-bench-link)."""
     before: list     # microseconds of each tile in the frame before, which shares are made from
     tiles: list      # in this frame
-    begin: float     # of a rank's picture before its first tile
+    begin: float     # of a rank's image before its first tile
     end: float       # after its last one
     pack: float      # of a tile's pixels
     take: float      # of a traced tile at the head
@@ -30,7 +30,7 @@ class Costs:
 
 @dataclasses.dataclass
 class Result:
-    frame: float     # from the program's request until its picture is whole
+    frame: float     # from the program's request until its image is whole
     busy: list       # tracing time of each rank, all threads
     head: float      # time that the head's main thread worked
     looks: int       # of the head's main thread, but for those that find nothing

@@ -1,4 +1,4 @@
-// gluray-bench-tiles: what a picture of the Wavelet costs the ranks of a job and its head, tile by tile, and
+// gluray-bench-tiles: what an image of the Wavelet costs the ranks of a job and its head, tile by tile, and
 // the sizes of their messages: what the simulation of many ranks needs to know. One object of JSON.
 #include "bench/scale/head_costs.h"
 #include "bench/scale/tile_costs.h"
@@ -48,7 +48,7 @@ nlohmann::ordered_json bytesOf(const scene::Snapshot& snapshot, const Image& ima
           {"tile", size(cluster::TracedTile{1, cluster::shapeOf(image), 0, 0, false, pixels})},
           {"more", size(cluster::MoreTiles{})},
           {"more_per_tile", sizeof(int32_t)},
-          {"end", size(cluster::EndOfPicture{})},
+          {"end", size(cluster::EndOfImage{})},
           {"finished", size(cluster::Finished{})},
           {"alive", size(cluster::Alive{})}};
 }
@@ -78,10 +78,10 @@ void run(const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("CPU time of the tiles of a picture, and of the head of a job");
+  CLI::App app("CPU time of the tiles of an image, and of the head of a job");
   Options options;
   app.add_option("--triangles", options.millions, "million triangles")->check(CLI::Range(0.1, 256.0));
-  app.add_option("--rounds", options.rounds, "tracings of each picture")->check(CLI::Range(1, 1000));
+  app.add_option("--rounds", options.rounds, "tracings of each image")->check(CLI::Range(1, 1000));
   app.add_option("--samples", options.samples, "rays of ambient occlusion a pixel; 0: none")
       ->check(CLI::Range(0, 1024));
   app.add_option("--threads", options.threads, "of each rank that the head serves")

@@ -1,4 +1,4 @@
-// The pictures of the scaling benchmarks: views of the Wavelet's isosurfaces on an orbit of one degree a
+// The images of the scaling benchmarks: views of the Wavelet's isosurfaces on an orbit of one degree a
 // frame. Any thread.
 #pragma once
 #include "bench/data/isosurface.h"

@@ -2,7 +2,7 @@
 
 Isosurfaces of the Wavelet source in 1000x800 pixels, ambient occlusion with four rays a pixel, each frame finished. All ranks and one
 worker run on this machine, so that they share its cores: this is what gathering costs, not what ranks gain. Kinds: off (each rank traces its part, rays
-cross ranks), gather, and gather with a ground, whose pictures are traced twice. One rank is one process without workers, with the ground if
+cross ranks), gather, and gather with a ground, whose images are traced twice. One rank is one process without workers, with the ground if
 the kind has one. Results go to bench/results/NAME.json. Needs python3-paraview and Open MPI.
 """
 import json

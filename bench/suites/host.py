@@ -34,7 +34,7 @@ def arguments(argv):
 
 
 def draw(options, kind, scene, stack):
-    """The finished process; its picture is on standard output, its peak on standard error."""
+    """The finished process; its image is on standard output, its peak on standard error."""
     command = [options.build / "tests" / "doors" / "door_limits", "egl", scene, stack]
     if KINDS[kind] is not None:
         command = [options.build / "apps" / "gluray" / "gluray", "--engine", "always", "--threads", options.threads, *KINDS[kind], "--", *command]

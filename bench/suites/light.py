@@ -2,7 +2,7 @@
 
 The Wavelet's isosurfaces at several sizes and 48,000 lines as tubes, 1024x1024, an orbit of one degree a frame; each with ambient occlusion
 alone and with a soft shadow beside it. Ways are traced in turn, frame by frame; ratios are medians of frames beside each other. PSNR is that of
-pixels that hit something, against a picture of 1024 samples. Needs no display. Without options, all of it: about a quarter of an hour on four
+pixels that hit something, against an image of 1024 samples. Needs no display. Without options, all of it: about a quarter of an hour on four
 idle cores. Results go to bench/results/NAME.json.
 """
 import pathlib

@@ -1,7 +1,7 @@
-"""light beside OSPRay: frames with occlusion and a soft shadow, and path-traced pictures at rest
+"""light beside OSPRay: frames with occlusion and a soft shadow, and path-traced images at rest
 
 The same mesh, views, lights and machine, both in one process, in turn; 1024x1024. Frames: OSPRay's scivis with 4 occlusion samples and shadows, and
-GLuRay's moving frames. At rest: passes of one path a pixel until the picture is 35 dB from the renderer's own picture of many. PSNR is that of
+GLuRay's moving frames. At rest: passes of one path a pixel until the image is 35 dB from the renderer's own image of many. PSNR is that of
 pixels that hit something, each against its own reference. `green` is the mean of the references' green: both are about as bright.
 Where the distribution has OSPRay 3 (Debian 13: libospray-dev). Needs no display. Results go to bench/results/NAME.json.
 """

@@ -172,8 +172,8 @@ def publish(options, result):
     file = options.out / f"{options.name}.json"
     file.write_text(json.dumps(result, indent=1) + "\n")
     names = draw(options, file) + (["figure9"] if (options.out / "figure9.svg").exists() else [])
-    pictures = {name: os.path.relpath(options.out / f"{name}.svg", options.page.parent) for name in names}
-    options.page.write_text(page.page(result, pictures))
+    images = {name: os.path.relpath(options.out / f"{name}.svg", options.page.parent) for name in names}
+    options.page.write_text(page.page(result, images))
     for path in (file, options.page, *(options.out / f"{name}.svg" for name in names)):
         print(f"written: {os.path.relpath(path, ROOT)}")
 

@@ -1,7 +1,7 @@
-"""pictures at rest: noise and time of passes, smoothed or not, adaptive or not
+"""images at rest: noise and time of passes, smoothed or not, adaptive or not
 
-The Wavelet's isosurfaces, 1024x1024, ambient occlusion and paths. PSNR is that of pixels that hit something, against a picture of 1024 samples.
-Times of guides and smoothing are shares of one pass. Needs no display. Results go to bench/results/NAME.json.
+The Wavelet's isosurfaces, 1024x1024, ambient occlusion and paths. PSNR is that of pixels that hit something, against an image of 1024 samples.
+Times of auxiliary features and smoothing are shares of one pass. Needs no display. Results go to bench/results/NAME.json.
 """
 import pathlib
 import shlex
@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 def arguments(argv):
     parser = Parser(__doc__, prog="scripts/bench refine")
     parser.add_argument("--sizes", default="1", help="millions of triangles (1)")
-    parser.add_argument("--reference", type=int, default=1024, help="samples of the picture to compare with")
+    parser.add_argument("--reference", type=int, default=1024, help="samples of the image to compare with")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--name", default="refine", help="name of the result file")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")

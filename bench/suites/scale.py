@@ -1,11 +1,11 @@
-"""beyond one process: pictures shared by ranks, light across ranks, and a simulation of up to 1024 ranks
+"""beyond one process: images shared by ranks, light across ranks, and a simulation of up to 1024 ranks
 
 The Wavelet's isosurfaces, 1024x1024, an orbit of one degree a frame. Needs no display. Parts:
 
-  image       ranks of gluray-worker as processes under Open MPI, one thread each, that share each picture of one program, also of frames of
+  image       ranks of gluray-worker as processes under Open MPI, one thread each, that share each image of one program, also of frames of
               an animation with occlusion (one ray for four pixels, smoothed); in turn with a job of one rank, frame by frame. The ranks share this machine's cores: frame times show no scaling, CPU times show what ranks
               of their own cores would do. NAME_image.json
-  pages       the same with less memory for each rank than the geometry takes (--pages MILLIONS:RANKS:MEMORY): the picture's checksum is that of a
+  pages       the same with less memory for each rank than the geometry takes (--pages MILLIONS:RANKS:MEMORY): the image's checksum is that of a
               process of its own that has all of it. NAME_pages.json
   peers       ambient occlusion with four rays a pixel across the ranks of a sort-last program: slabs, all in one process. NAME.json
   simulation  measures tiles, the head's work and messages, then SIMULATES the job's protocol on 1 to 1024 ranks. NAME_simulated.json
@@ -110,7 +110,7 @@ def paged_row(options, millions, look, ranks, memory):
         # The ranks' memory is that of one machine here, which may not hold another copy of the geometry.
         figures = figures_of(said_by([*bench, "--without-local", "--drop", job], {"GLURAY_RUNTIME": folder}))
     row = {name.split(".", 1)[1]: value for name, value in figures.items()}
-    # Only now: this machine may not hold both. Pictures do not depend on the structure.
+    # Only now: this machine may not hold both. Images do not depend on the structure.
     local = figures_of(said_by([*bench, "--small"]))["local.checksum"]
     return {"path": "paged", "millions": millions, "look": look, "ranks": ranks, "memory_of_a_rank": memory,
             "peak_rank_mb": max(peak.most.values()) / 1e6, "same_picture": int(local == row["checksum"]), **row}
@@ -134,14 +134,14 @@ def measure_peers(options):
 
 
 def measured_inputs(options):
-    """What the simulation starts from: figures of links, and of the pictures by look."""
+    """What the simulation starts from: figures of links, and of the images by look."""
     mpi = options.build / "lib" / "gluray" / "libgluray-mpi-openmpi.so"
     runs = [figures_of(said_by([*worker_jobs.launcher(2), program(options, "gluray-bench-link"), mpi])) for _ in range(LINK_RUNS)]
     link = {name: min(run[name] for run in runs) for name in runs[0]}
     millions = options.sizes.split(",")[0]
-    pictures = {look: json.loads(said_by([program(options, "gluray-bench-tiles"), "--triangles", millions, "--samples", samples]))
+    images = {look: json.loads(said_by([program(options, "gluray-bench-tiles"), "--triangles", millions, "--samples", samples]))
                 for look, samples in LOOKS.items()}
-    inputs = {"link": link, "pictures": pictures, "look_us": 0.0}
+    inputs = {"link": link, "pictures": images, "look_us": 0.0}
     # A look's own time: CPU time of the main thread of the head of two ranks, without what the looks found.
     inputs["head_cpu_ms"] = head_cpu_of_two_ranks(options, float(millions))
     two = simulation.simulate(costs_of(inputs, "local", 2), links(link)["shm"], 2, 1)
@@ -163,11 +163,11 @@ def result_file(options, part):
 
 
 def costs_of(inputs, look, ranks):
-    picture, link = inputs["pictures"][look], inputs["link"]
-    head = next(row for row in picture["head"] if row["ranks"] == ranks)
-    return simulation.Costs(before=picture["before_us"], tiles=picture["tiles_us"], begin=picture["begin_us"], end=picture["end_us"],
-                            pack=picture["pack_us"], take=head["take_us"], give=head["give_us"], sleep=link["sleep_us"], look=inputs["look_us"],
-                            wake=link["wake_us"], bytes=picture["bytes"])
+    image, link = inputs["pictures"][look], inputs["link"]
+    head = next(row for row in image["head"] if row["ranks"] == ranks)
+    return simulation.Costs(before=image["before_us"], tiles=image["tiles_us"], begin=image["begin_us"], end=image["end_us"],
+                            pack=image["pack_us"], take=head["take_us"], give=head["give_us"], sleep=link["sleep_us"], look=inputs["look_us"],
+                            wake=link["wake_us"], bytes=image["bytes"])
 
 
 def simulated_row(inputs, millions, look, link, threads, ranks):
@@ -187,13 +187,13 @@ def simulated_rows(inputs, millions):
 
 
 def compact(inputs):
-    """Lists of tiles as one text for each row of the picture."""
+    """Lists of tiles as one text for each row of the image."""
     def text(numbers):
         side = round(len(numbers)**0.5)
         return [" ".join(f"{n:g}" for n in numbers[at:at + side]) for at in range(0, len(numbers), side)]
-    pictures = {look: {name: text(value) if name in ("before_us", "tiles_us") else value for name, value in picture.items()}
-                for look, picture in inputs["pictures"].items()}
-    return {**inputs, "pictures": pictures}
+    images = {look: {name: text(value) if name in ("before_us", "tiles_us") else value for name, value in image.items()}
+                for look, image in inputs["pictures"].items()}
+    return {**inputs, "pictures": images}
 
 
 def head_of(part, argv):

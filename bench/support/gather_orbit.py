@@ -1,6 +1,6 @@
 """Run by pvbatch, on any number of ranks: isosurfaces of ParaView's Wavelet source, cut among the ranks; prints one line of JSON on rank 0.
 
-The picture has 1000x800 pixels; each frame turns the camera by 5 degrees. "frame_s" is the median of FRAMES frames after two others.
+The image has 1000x800 pixels; each frame turns the camera by 5 degrees. "frame_s" is the median of FRAMES frames after two others.
 """
 import json
 import pathlib

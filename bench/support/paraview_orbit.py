@@ -18,10 +18,10 @@ LOOKS = ("surface", "edges", "translucent", "summed")
 
 
 def arguments():
-    parser = Parser(__doc__, usage="pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [PICTURE [LOOK or SOURCE [WARM]]]")
+    parser = Parser(__doc__, usage="pvbatch paraview_orbit.py ISOVALUES FRAMES SIZE [IMAGE [LOOK or SOURCE [WARM]]]")
     parser.add_argument("isovalues", type=float, help="number of isosurfaces; with SOURCE one value")
     parser.add_argument("frames", type=int)
-    parser.add_argument("size", type=int, help="pixels of the picture, both ways")
+    parser.add_argument("size", type=int, help="pixels of the image, both ways")
     parser.add_argument("picture", nargs="?", default="-", help="PNG file of the first frame; -: none (-)")
     parser.add_argument("look", nargs="?", default="surface", metavar="LOOK or SOURCE",
                         help="LOOK: surface, edges, translucent (peeled) or summed (translucent without peeling). "
@@ -99,7 +99,7 @@ def main(options):
     surface = scan(source, count) if source else isosurfaces(int(count))
     triangles = surface.GetDataInformation().GetNumberOfCells()
     window = view.GetRenderWindow()
-    # An empty picture first, so that window and context exist when the clock starts.
+    # An empty image first, so that window and context exist when the clock starts.
     simple.Render(view)
     before = resident()
     start = time.perf_counter()

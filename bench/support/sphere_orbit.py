@@ -14,7 +14,7 @@ def arguments():
     parser = Parser(__doc__)
     parser.add_argument("spheres", type=int)
     parser.add_argument("frames", type=int)
-    parser.add_argument("size", type=int, help="pixels of the picture, both ways")
+    parser.add_argument("size", type=int, help="pixels of the image, both ways")
     return parser.parse_args()
 
 
@@ -52,7 +52,7 @@ def main(count, frames, size):
     window.SetMultiSamples(0)
     window.SetSize(size, size)
     window.AddRenderer(renderer)
-    # An empty picture first, so that window and context exist when the clock starts.
+    # An empty image first, so that window and context exist when the clock starts.
     window.Render()
     before, start = resident(), time.perf_counter()
     renderer.AddActor(actor)

@@ -2,7 +2,7 @@
    (GLSL 1.50, core profile) as tutorials write them: matrices model, view and projection, Blinn and Phong's
    light in world space.
 
-     rings [FRAMES [PICTURE.ppm]]      FRAMES: 0 (default) goes on until it is ended; the picture is that of
+     rings [FRAMES [IMAGE.ppm]]      FRAMES: 0 (default) goes on until it is ended; the image is that of
    the last */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
@@ -201,12 +201,12 @@ static void drawFrame(GLuint program, int frame) {
   }
 }
 
-static void writePicture(const char* file) {
+static void writeImage(const char* file) {
   static unsigned char pixels[kHeight][kWidth][3];
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, kWidth, kHeight, GL_RGB, GL_UNSIGNED_BYTE, pixels);
   FILE* out = fopen(file, "wb");
-  if (!out) fail("cannot write the picture");
+  if (!out) fail("cannot write the image");
   fprintf(out, "P6\n%d %d\n255\n", kWidth, kHeight);
   for (int y = kHeight - 1; y >= 0; --y) fwrite(pixels[y], 3, kWidth, out);
   fclose(out);
@@ -223,7 +223,7 @@ int main(int count, char** words) {
   glClearColor(0.1f, 0.1f, 0.12f, 1);
   for (int frame = 0; frames == 0 || frame < frames; ++frame) {
     drawFrame(program, frame);
-    if (frame == frames - 1 && count > 2) writePicture(words[2]);
+    if (frame == frames - 1 && count > 2) writeImage(words[2]);
     glXSwapBuffers(display, window);
   }
   return 0;

@@ -31,10 +31,10 @@ class Drawn:
                 return found
 
     def pick(self, x, y, width=None, height=None):
-        """What is at a point of its picture, in pixels from the top left: a dict with object, view, position, normal, distance, and share (where
+        """What is at a point of its image, in pixels from the top left: a dict with object, view, position, normal, distance, and share (where
         the point lies in its view, as shares of the view's width and height from the lower left corner); None: nothing.
 
-        `width`, `height`: of the picture that x and y are counted in; 1 and 1 for shares of it. None: that of the window.
+        `width`, `height`: of the image that x and y are counted in; 1 and 1 for shares of it. None: that of the window.
         """
         found = self._at("pick", x, y, width, height)
         if found is not None and not (_numbers(found.get("position"), 3) and _numbers(found.get("normal"), 3)):
@@ -100,11 +100,11 @@ class Drawn:
     # Lights and cameras
 
     def lights(self):
-        """The lights of its picture: dicts with name, from, kind, direction, position, azimuth, elevation, color, strength, size."""
+        """The lights of its image: dicts with name, from, kind, direction, position, azimuth, elevation, color, strength, size."""
         return self._list(self._call("lights", {}), "lights")
 
     def light_at(self, x, y, width=None, height=None):
-        """Puts the highlight of the key light at a point of its picture, as pick() takes it. Where lights is program or
+        """Puts the highlight of the key light at a point of its image, as pick() takes it. Where lights is program or
         sky, which have no key light, it becomes headlight+key. Returns as set(); raises GlurayError if nothing is there."""
         found = self._at("highlight", x, y, width, height)
         if found is None:
@@ -115,12 +115,12 @@ class Drawn:
         return self.set({"lights.azimuth": found["azimuth"], "lights.elevation": found["elevation"], **rig})
 
     def cameras(self):
-        """The cameras of its picture, one a view: dicts with view, projection, angle, height, position, direction, up, near, far,
+        """The cameras of its image, one a view: dicts with view, projection, angle, height, position, direction, up, near, far,
         viewport, triangles."""
         return self._list(self._call("cameras", {}), "cameras")
 
     def focus_at(self, x, y, width=None, height=None):
-        """Focuses on the surface at a point of its picture, as pick() takes it: camera.focus-x and camera.focus-y. It counts while
+        """Focuses on the surface at a point of its image, as pick() takes it: camera.focus-x and camera.focus-y. It counts while
         camera.aperture or camera.f-number is above 0. Returns as set(); raises GlurayError if nothing is there."""
         found = self.pick(x, y, width, height)
         if found is None:

@@ -1,4 +1,4 @@
-"""Numbered pictures of the frames that a program shows."""
+"""Numbered images of the frames that a program shows."""
 import math
 import re
 import time
@@ -7,7 +7,7 @@ from .errors import GlurayError
 from .png import check_file, write_png
 
 LATER_SECONDS = 10.0                     # for a frame later than the one before
-PASSES_SECONDS = 60.0                    # for the passes of a picture
+PASSES_SECONDS = 60.0                    # for the passes of an image
 BEGIN_SECONDS, STALL_SECONDS = 4.0, 10.0  # without a pass, after which none is expected: until the first one, and later
 
 
@@ -100,7 +100,7 @@ def _save_later(program, file, least, last):
 
 
 class _Refined:
-    """Waits until the program's picture has passes."""
+    """Waits until the program's image has passes."""
 
     def __init__(self, program, passes):
         values = {name: program.get(name) for name in ("refine.idle", "refine.passes", "noise")}
@@ -109,7 +109,7 @@ class _Refined:
         most, noise = values["refine.passes"], values["noise"]
         self.passes, self.most, self.noise = passes, most if isinstance(most, int) else passes, noise if isinstance(noise, (int, float)) else 0
         self.connection = program._observe(["state"], 0.1)
-        self.before = self._passes(self._state(1.0) or {})  # of the picture that was shown
+        self.before = self._passes(self._state(1.0) or {})  # of the image that was shown
 
     def _state(self, seconds):
         event = self.connection.event(seconds)
@@ -121,12 +121,12 @@ class _Refined:
         return state["passes"] if isinstance(state.get("passes"), int) else 0
 
     def wait(self, frame):
-        """Until the picture of `frame` (None: the one that is shown) has the passes or is finished."""
+        """Until the image of `frame` (None: the one that is shown) has the passes or is finished."""
         while self.connection.event(0):  # states of earlier moments
             pass
         begin = progress = time.monotonic()
         patience = BEGIN_SECONDS
-        passes, own = self.before, frame is None or not self.before  # the state has the passes of the picture before until the new one has some
+        passes, own = self.before, frame is None or not self.before  # the state has the passes of the image before until the new one has some
         while time.monotonic() < min(begin + PASSES_SECONDS, progress + patience):
             state = self._state(0.2)
             if not state or not isinstance(state.get("frame", 0), int) or state.get("frame", 0) < (frame or 0):

@@ -1,4 +1,4 @@
-"""PNG files (ISO/IEC 15948) of 8-bit RGB pictures."""
+"""PNG files (ISO/IEC 15948) of 8-bit RGB images."""
 import os
 import stat
 import struct

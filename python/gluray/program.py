@@ -10,7 +10,7 @@ from .errors import GlurayError
 from .film import film
 from .png import check_file, write_png
 
-MOST_SIDE = 1 << 15  # pixels of a picture
+MOST_SIDE = 1 << 15  # pixels of an image
 MEASURED = 1.1  # seconds: the rates of a program's state are over the last one
 
 
@@ -163,10 +163,10 @@ class Program(Drawn):
             raise
         return connection
 
-    # Pictures
+    # Images
 
     def shot(self, file):
-        """Saves the picture that the program's window shows as PNG. Replaces PNG files, no others. Returns (width, height).
+        """Saves the image that the program's window shows as PNG. Replaces PNG files, no others. Returns (width, height).
 
         A program that draws nothing is asked to draw; raises GlurayError if it shows no frame within eight seconds.
         """
@@ -178,10 +178,10 @@ class Program(Drawn):
     def film(self, name, frames, every=None, set=None, passes=None, progress=None):
         """Saves the next frames that its window shows as numbered PNG files, each of a later frame than the one before.
 
-        `name`: "turn-%04d.png", or "turn.png" for turn-0001.png ...; `every`: seconds between pictures (None: as fast as frames come);
-        `set`: settings that vary from picture to picture, {"lights.azimuth": (0, 90)}, which get back what they had, in one step for undo;
-        `passes`: waits until each picture has been refined so often or is finished, for a minute at most; `progress`: called with
-        (done, of) after each picture, ends the film by returning False. Returns the numbers of the frames, None where one is not known.
+        `name`: "turn-%04d.png", or "turn.png" for turn-0001.png ...; `every`: seconds between images (None: as fast as frames come);
+        `set`: settings that vary from image to image, {"lights.azimuth": (0, 90)}, which get back what they had, in one step for undo;
+        `passes`: waits until each image has been refined so often or is finished, for a minute at most; `progress`: called with
+        (done, of) after each image, ends the film by returning False. Returns the numbers of the frames, None where one is not known.
         """
         return film(self, name, frames, every, set, passes, progress)
 
@@ -190,7 +190,7 @@ class Program(Drawn):
         shot = self._call("shot", {})
         width, height = shot.get("width"), shot.get("height")
         if not all(isinstance(side, int) and 0 < side <= MOST_SIDE for side in (width, height)):
-            raise GlurayError(f"{self.name} ({self.pid}): it sends no picture")
+            raise GlurayError(f"{self.name} ({self.pid}): it sends no image")
         return shot, width, height
 
     def _rows_of(self, shot, width, height):
@@ -206,7 +206,7 @@ class Program(Drawn):
                 break
             rows += pixels
         if len(rows) != 3 * width * height:
-            raise GlurayError(f"{self.name} ({self.pid}): it sends no picture")
+            raise GlurayError(f"{self.name} ({self.pid}): it sends no image")
         return bytes(rows)
 
     def _call(self, name, arguments):

@@ -1,7 +1,7 @@
 // Instances that are hidden from kinds of rays, and the ground.
 #include "accel/testing/test_scene.h"
 #include "accel/world.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +10,18 @@
 namespace gluray::accel {
 namespace {
 
-/// Squares at z = 0, 1, 2; the last one surrounds.
+/// Squares at z = 0, 1, 2; the last one is in the secondary scene.
 scene::Snapshot squares() {
   scene::Snapshot s =
       test::makeSnapshot({test::makeMesh(test::squareData(0)), test::makeMesh(test::squareData(1)),
                           test::makeMesh(test::squareData(2))});
   s.settings.ao.enabled = true;
-  auto around = std::make_shared<scene::Surroundings>();
+  auto around = std::make_shared<scene::SecondaryScene>();
   around->instances.push_back(s.instances.back());
   around->shadings = s.shadings;
   around->blended = {0};
   s.instances.pop_back();
-  s.surroundings = around;
+  s.secondaryScene = around;
   return s;
 }
 

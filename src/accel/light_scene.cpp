@@ -1,6 +1,6 @@
 #include "accel/light_scene.h"
 
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,8 +11,8 @@ namespace {
 bool hasGround(const scene::Snapshot& s) {
   const auto isGround = [](const scene::Instance& i) { return i.ground; };
   return std::any_of(s.instances.begin(), s.instances.end(), isGround) ||
-         (s.surroundings &&
-          std::any_of(s.surroundings->instances.begin(), s.surroundings->instances.end(), isGround));
+         (s.secondaryScene &&
+          std::any_of(s.secondaryScene->instances.begin(), s.secondaryScene->instances.end(), isGround));
 }
 
 /// What rays of a kind meet.
@@ -48,7 +48,7 @@ bool LightScene::update(const scene::Snapshot& snapshot, const std::vector<Place
   scenes_ = {};
   std::vector<PlacedBlas> all = drawn;
   all.insert(all.end(), std::make_move_iterator(around.begin()), std::make_move_iterator(around.end()));
-  const glm::dmat4 view = snapshot.surroundings ? snapshot.surroundings->viewFromWorld : glm::dmat4(1);
+  const glm::dmat4 view = snapshot.secondaryScene ? snapshot.secondaryScene->viewFromWorld : glm::dmat4(1);
   const bool apart = !hidden.empty() || hasGround(snapshot);
   if (apart) bounds_ = sceneBounds(snapshot, view, all);
   bool builds = false;
@@ -71,7 +71,7 @@ bool LightScene::update(const scene::Snapshot& snapshot, const std::vector<Place
 
 void LightScene::clear(const scene::Snapshot& snapshot) {
   scenes_ = {};
-  if (!scene::needsSurroundings(snapshot.settings)) release();
+  if (!scene::needsSecondaryScene(snapshot.settings)) release();
 }
 
 bool LightScene::release() {

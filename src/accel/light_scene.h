@@ -1,5 +1,5 @@
-// The scene of secondary rays: the instances of a snapshot and of its surroundings, over shared BLASes. Owned
-// by World, updated between frames, read by any number of tracing threads.
+// The scene of secondary rays: the instances of a snapshot and of its secondary scene, over shared BLASes.
+// Owned by World, updated between frames, read by any number of tracing threads.
 #pragma once
 #include "accel/placement.h"
 #include "accel/rays/ray_kind.h"
@@ -17,7 +17,7 @@ class LightScene {
   explicit LightScene(const Device& device) : device_(device) {}
 
   /// Replaces the contents by `drawn`, one for each instance of the snapshot, and `around`, one for each of
-  /// its surroundings. Omits instances for the kinds of rays that they are hidden from. Returns whether it
+  /// its secondary scene. Omits instances for the kinds of rays that they are hidden from. Returns whether it
   /// built. Throws Error; the scene is then empty.
   bool update(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn, std::vector<PlacedBlas> around,
               const HiddenFrom& hidden = {});
@@ -30,7 +30,7 @@ class LightScene {
   /// Null: secondary rays use the scene of primary rays. Not for RayKind::camera.
   RTCSceneTy* scene(RayKind kind) const { return scenes_[indexOf(kind)]; }
   bool exists() const { return scenes_[0] != nullptr; }
-  /// Bounds of all instances except the ground, in the space of Surroundings::viewFromWorld. Requires
+  /// Bounds of all instances except the ground, in the space of SecondaryScene::viewFromWorld. Requires
   /// exists().
   const Bounds& bounds() const { return bounds_; }
 

@@ -1,9 +1,10 @@
-// Light meets the surroundings of a snapshot as if they were its own instances; the viewer's rays do not.
+// Light meets the secondary scene of a snapshot as if its instances were the snapshot's own; the viewer's
+// rays do not.
 #include "accel/light_scene.h"
 
 #include "accel/testing/test_scene.h"
 #include "accel/world.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ scene::MeshPtr spheres() {
 
 const glm::mat4 kPlace = glm::rotate(glm::translate(glm::mat4(1), {0.5f, 0.2f, 0}), 0.7f, {1, 2, 3});
 
-/// All in one snapshot, the last `around` of them as surroundings.
+/// All in one snapshot, the last `around` of them as its secondary scene.
 scene::Snapshot sceneOf(const std::vector<scene::MeshPtr>& meshes, size_t around) {
   scene::Snapshot s = test::makeSnapshot(meshes);
   for (size_t i = 1; i < s.instances.size(); i += 2) {
@@ -54,13 +55,13 @@ scene::Snapshot sceneOf(const std::vector<scene::MeshPtr>& meshes, size_t around
     s.instances[i].lightingFromObject = kPlace;
   }
   if (around == 0) return s;
-  auto others = std::make_shared<scene::Surroundings>();
+  auto others = std::make_shared<scene::SecondaryScene>();
   const auto first = s.instances.end() - static_cast<std::ptrdiff_t>(around);
   others->instances.assign(first, s.instances.end());
   others->shadings = s.shadings;
   others->blended.assign(around, 0);
   s.instances.erase(first, s.instances.end());
-  s.surroundings = others;
+  s.secondaryScene = others;
   return s;
 }
 
@@ -166,9 +167,9 @@ TEST_F(Surrounded, WhatSurroundsIsNotFreed) {
 
 TEST_F(Surrounded, WhatCannotBePlacedIsLeftOut) {
   scene::Snapshot s = sceneOf({soup(1), soup(2), soup(3)}, 2);
-  auto around = std::make_shared<scene::Surroundings>(*s.surroundings);
+  auto around = std::make_shared<scene::SecondaryScene>(*s.secondaryScene);
   around->instances[0].worldFromObject = glm::mat4(0);
-  s.surroundings = around;
+  s.secondaryScene = around;
   World world, without;
   world.update(s, arena_);
   without.update(sceneOf({soup(1), std::make_shared<scene::Mesh>(), soup(3)}, 2), arena_);
@@ -180,11 +181,11 @@ TEST_F(Surrounded, WhatCannotBePlacedIsLeftOut) {
 
 TEST_F(Surrounded, BoundsAreThoseInTheViewsWorld) {
   scene::Snapshot s = sceneOf({soup(1), soup(2)}, 1);
-  auto around = std::make_shared<scene::Surroundings>(*s.surroundings);
+  auto around = std::make_shared<scene::SecondaryScene>(*s.secondaryScene);
   around->viewFromWorld = glm::translate(glm::dmat4(1), {10, 0, 0});
   World here, moved;
   here.update(s, arena_);
-  s.surroundings = around;
+  s.secondaryScene = around;
   moved.update(s, arena_);
   EXPECT_NEAR(moved.lightBounds().lower.x, here.lightBounds().lower.x + 10, 1e-4f);
   EXPECT_NEAR(moved.lightBounds().upper.z, here.lightBounds().upper.z, 1e-4f);

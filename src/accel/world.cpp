@@ -4,7 +4,7 @@
 #include "accel/device/error.h"
 #include "accel/impostors/pixel_impostor.h"
 #include "base/log.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 #include "scene/world_space.h"
 
 #include <algorithm>
@@ -146,14 +146,14 @@ std::vector<BlasPtr> World::structures(const std::vector<Geometry>& meshes, BvhQ
   return cache_.get(meshes, quality, true);
 }
 
-/// Places what surrounds the snapshot. True if a structure over the instances was built.
+/// Places the snapshot's secondary scene. True if a structure over the instances was built.
 bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<PlacedBlas>& drawn,
                         const HiddenFrom& hidden) {
   light_.clear(snapshot);
-  const bool surrounded = snapshot.surroundings && !snapshot.surroundings->instances.empty();
+  const bool surrounded = snapshot.secondaryScene && !snapshot.secondaryScene->instances.empty();
   if (!surrounded && hidden.empty() && snapshot.ground == scene::GroundUse::none) return false;
   try {
-    const auto& others = surrounded ? snapshot.surroundings->instances : kNoInstances;
+    const auto& others = surrounded ? snapshot.secondaryScene->instances : kNoInstances;
     std::vector<Geometry> meshes;
     for (const scene::Instance& instance : others) meshes.push_back(geometryOf(instance, snapshot.camera));
     std::vector<BlasPtr> blases = cache_.aside(meshes, snapshot.settings.bvh);
@@ -164,7 +164,7 @@ bool World::placeAround(const scene::Snapshot& snapshot, const std::vector<Place
     }
     return light_.update(snapshot, drawn, std::move(around), hidden);
   } catch (const std::exception& e) {
-    log::once(log::Level::warning, "surroundings",
+    log::once(log::Level::warning, "secondary scene",
               std::string("light effects act only between surfaces that are drawn together (") + e.what() +
                   "): free memory, or switch the light effects off");
     return false;

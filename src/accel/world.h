@@ -37,8 +37,8 @@ class World {
 
   /// Replaces the contents by the snapshot's instances and builds missing structures. Throws Error or
   /// std::bad_alloc: then nothing may be traced until an update succeeds. Primary rays hit only these
-  /// instances. occluded() and intersectBounced() also hit the snapshot's surroundings, whose instances have
-  /// the following numbers. Surroundings that cannot be built are omitted. Rays do not hit instances in
+  /// instances. occluded() and intersectBounced() also hit the snapshot's secondary scene, whose instances
+  /// have the following numbers. Surroundings that cannot be built are omitted. Rays do not hit instances in
   /// `hidden`; BLASes do not depend on `hidden`.
   UpdateStatistics update(const scene::Snapshot&, Arena&, const HiddenFrom& hidden = {});
 
@@ -90,7 +90,7 @@ class World {
     return bounds;
   }
   /// Bounding box of the scene of secondary rays without the ground, in the space of
-  /// Surroundings::viewFromWorld.
+  /// SecondaryScene::viewFromWorld.
   Bounds lightBounds() const { return light_.exists() ? light_.bounds() : Bounds{lower_, upper_}; }
   /// Cache of the pages of meshes. Any thread.
   PageCache& pages() const { return pages_; }

@@ -59,7 +59,7 @@ TEST_F(WorldMemory, BatchesThatTakeTurnsInAFrameKeepTheTopLevel) {
     }
 }
 
-TEST_F(WorldMemory, LightLetsSurroundingsGoThatAreDrawnNoMore) {
+TEST_F(WorldMemory, LightLetsSecondaryScenesGoThatAreDrawnNoMore) {
   two.settings.ao.enabled = lone.settings.ao.enabled = true;
   const HiddenFrom hidden = {0, bitOf(RayKind::shadow)};
   two.frame = 2;

@@ -13,7 +13,7 @@ enum { glurayThreadMegabytes = 8 + 64 + 16 };
 /* For the engine: its libraries (60 MB), a thread that traces, one that builds, and what they need at first.
  */
 static const unsigned long long glurayEngineBytes = 248ull << 20;
-/* Left to the program and the real OpenGL while a picture is traced: for compiling shaders, for an arena. */
+/* Left to the program and the real OpenGL while an image is traced: for compiling shaders, for an arena. */
 static const unsigned long long glurayFrameReserve = 384ull << 20;
 
 /* Bytes that limits of address space and data leave; ULLONG_MAX: there are none. Without /proc, the lower
@@ -44,7 +44,7 @@ static inline unsigned long long glurayAddressSpaceLeft(void) {
   return least;
 }
 
-/* Bytes that the real OpenGL, whose libraries are loaded, needs from its first context to its first picture.
+/* Bytes that the real OpenGL, whose libraries are loaded, needs from its first context to its first image.
    Mesa's rasterizer on the CPU starts a thread for each processor, at most 32, unless LP_NUM_THREADS says how
    many. */
 static inline unsigned long long glurayRealGlBytes(void) {

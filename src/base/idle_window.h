@@ -1,4 +1,4 @@
-// Access to pixels whose traced pictures are refined: a window while its program is idle, or a framebuffer
+// Access to pixels whose traced images are refined: a window while its program is idle, or a framebuffer
 // that a program reads. Made on a GL thread, implemented by intercept/; used by one thread at a time.
 #pragma once
 #include <cstdint>

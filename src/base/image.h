@@ -1,4 +1,4 @@
-// A traced picture: planes of colour, depth and more for a rectangle of the framebuffer. Made by render/,
+// A traced image: planes of colour, depth and more for a rectangle of the framebuffer. Made by render/,
 // read by frame/ and intercept/present. Plain data.
 #pragma once
 #include <array>
@@ -47,7 +47,7 @@ constexpr Planes operator|(Plane a, Plane b) { return Planes(a) | Planes(b); }
 /// plane holds all pixels' first samples, then all second samples, and so on.
 struct Image {
   static constexpr float kMiss = 2.0f;  // depth of a pixel that no ray hit
-  static constexpr Planes kPicture = Plane::color | Plane::depth;
+  static constexpr Planes kColorDepth = Plane::color | Plane::depth;
   static constexpr Planes kWide = Plane::wideColor | Plane::depth;
   /// Sums over all fragments: of colour times opacity, and in alpha of opacity.
   static constexpr Planes kSums = kWide | Plane::transmittance;
@@ -55,7 +55,7 @@ struct Image {
   int x = 0, y = 0;                  // window coordinates of the lower left pixel
   int width = 0, height = 0;         // pixels
   int samples = 1;                   // per pixel, of a multisampled framebuffer
-  Planes planes = kPicture;          // the others are empty
+  Planes planes = kColorDepth;       // the others are empty
   std::vector<uint32_t> color;       // red in the lowest byte
   std::vector<float> wideColor;      // four per pixel
   std::vector<float> depth;          // in [0, 1]; kMiss for misses
@@ -70,7 +70,7 @@ struct Image {
   /// Whether pixels are averages over several rays.
   bool isAverages() const { return has(Plane::centerDepth); }
   /// Whether each pixel has one RGBA8 colour and one depth, from one ray.
-  bool isPlain() const { return planes == kPicture && samples == 1; }
+  bool isPlain() const { return planes == kColorDepth && samples == 1; }
 
   /// Memory of the planes.
   size_t bytes() const {
@@ -79,7 +79,7 @@ struct Image {
   }
 
   /// Allocates the given shape, reusing memory. Contents are undefined afterwards.
-  void resize(int newWidth, int newHeight, int newSamples, Planes newPlanes = kPicture) {
+  void resize(int newWidth, int newHeight, int newSamples, Planes newPlanes = kColorDepth) {
     width = newWidth, height = newHeight, samples = newSamples, planes = newPlanes;
     const auto count =
         static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(samples);

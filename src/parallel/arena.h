@@ -37,7 +37,7 @@ class Arena {
 /// nothing else waits for a frame that is being traced.
 enum class ArenaUse : uint8_t {
   frames,  // tracing, anti-aliasing, resolving
-  other,   // building meshes, putting finished pictures into windows
+  other,   // building meshes, putting finished images into windows
 };
 
 /// The process's arena for that use, of `threads` threads (0: as many as the process may use). Made at the

@@ -2,7 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
-#include "render/effects/guides.h"
+#include "render/effects/feature_integrators.h"
 #include "render/effects/make_integrator.h"
 #include "render/integrators/direct_look.h"
 #include "render/integrators/integrator.h"
@@ -27,7 +27,7 @@ constexpr int kLargestSide = 65536;  // pixels; larger than any framebuffer
 
 Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
   const bool sums = snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums;
-  const Planes planes = sums ? Image::kSums : snapshot.wideColors ? Image::kWide : Image::kPicture;
+  const Planes planes = sums ? Image::kSums : snapshot.wideColors ? Image::kWide : Image::kColorDepth;
   return averages ? planes | Plane::centerDepth : planes;
 }
 
@@ -127,12 +127,12 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   std::optional<accel::PageCache::Reader> reader;  // tiles of a source have readers of their own
   if (!options.source) reader.emplace(world.pages());
   FrameData frame(snapshot, world, image);
-  if (wantsGuide(snapshot)) frame.tone.reset();
+  if (wantsFeatures(snapshot)) frame.tone.reset();
   frame.remote = options.remote;
   if (frame.remote) frame.remote->begin(frame);
   const double start = nowSeconds();
-  const bool smooths = !options.source || options.film;
-  if (smooths && isMoving(frame) && traceMoving(frame, options.histories, options.rays, options.film))
+  const bool smooths = !options.source || options.movingSource;
+  if (smooths && isMoving(frame) && traceMoving(frame, options.histories, options.rays, options.movingSource))
     return holdRemote(frame, options, start), Traced::whole;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.integrator = integrator.get();

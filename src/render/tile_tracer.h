@@ -4,8 +4,8 @@
 #include "accel/world.h"
 #include "base/image.h"
 #include "parallel/arena.h"
-#include "render/moving/film_source.h"
 #include "render/moving/light_history.h"
+#include "render/moving/moving_tile_source.h"
 #include "render/tiles/tile_source.h"
 #include "render/tiles/tiles.h"
 #include "scene/snapshot.h"
@@ -29,10 +29,10 @@ struct TraceOptions {
   // Null: this process traces all tiles. Otherwise it traces the tiles of this source; moving frames are
   // traced as such only if the source is also `film`.
   TileSource* source = nullptr;
-  FilmSource* film = nullptr;
+  MovingTileSource* movingSource = nullptr;
   // Null: this process has all surfaces of the view. Only with a source and with light effects.
   RemoteSurfaces* remote = nullptr;
-  // With remote surfaces: called when the picture is complete, before other processes get their last answers;
+  // With remote surfaces: called when the image is complete, before other processes get their last answers;
   // `seconds`: time since all processes began.
   std::function<void(double seconds)> traced = {};
   bool averages = true;  // pixels may average several samples; false only with a source

@@ -28,17 +28,17 @@ struct Pass {
   const MovingFrame& moving;
   const Collector& collector;
 
-  /// Puts a tile's hits, surfaces and factors onto the films.
+  /// Puts a tile's hits, surfaces and visibility into the buffers.
   void collect(const Tile& tile) const {
-    moving.film->clear(tile.x0, tile.y0, tile.x1, tile.y1);
+    moving.visibility->clear(tile.x0, tile.y0, tile.x1, tile.y1);
     WaitingPoints points{};
     traceTile(frame, tile, &points);
     collector.finish(points);
   }
-  /// Colours the hits of a tile whose surroundings are on the film.
+  /// Colours the hits of a tile whose neighbours are in the buffer.
   void color(const Tile& tile) const {
     const timeline::Span span("relit tiles", 1, true);
-    TileFactors smooth;
+    TileVisibility smooth;
     filterTile(moving, tile, smooth);
     relightTile(frame, tile, smooth);
   }
@@ -54,18 +54,18 @@ void traceAll(const Pass& pass) {
 }
 
 /// False: the frame was given up.
-bool traceShared(const Pass& pass, FilmSource& source) {
+bool traceShared(const Pass& pass, MovingTileSource& source) {
   const Tiles tiles(*pass.frame.image, kTileSize);
-  FactorFilm& film = *pass.moving.film;
+  VisibilityBuffer& buffer = *pass.moving.visibility;
   source.begin(*pass.frame.image);
   eachTileFrom(
       "tiles", [&] { return source.nextTile(); },
       [&](int tile) {
         const double start = nowSeconds();
         pass.collect(tiles.at(tile));
-        source.collected(film, tile, nowSeconds() - start);
+        source.collected(buffer, tile, nowSeconds() - start);
       });
-  if (!source.complete(film)) return false;
+  if (!source.complete(buffer)) return false;
   eachTileFrom(
       "relit tiles", [&] { return source.nextToColor(); },
       [&](int tile) {
@@ -78,7 +78,7 @@ bool traceShared(const Pass& pass, FilmSource& source) {
 
 }  // namespace
 
-bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays, FilmSource* source) {
+bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays, MovingTileSource* source) {
   LightHistories own;
   LightHistories& histories = kept ? *kept : own;
   LightHistory& history = histories.historyOf(frame.snapshot->view);
@@ -87,10 +87,10 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   frame.moving = &moving;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);
   frame.moving = nullptr;
-  const auto* factors = dynamic_cast<const FactorIntegrator*>(integrator.get());
-  if (!factors) return false;
+  const auto* visibility = dynamic_cast<const VisibilityIntegrator*>(integrator.get());
+  if (!visibility) return false;
   try {
-    history.begin(frame, *factors, moving);
+    history.begin(frame, *visibility, moving);
   } catch (const std::bad_alloc&) {
     log::once(
         log::Level::warning, "moving light",
@@ -101,9 +101,9 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   if (!moving.space.usable) return false;
   const std::unique_ptr<const DirectLook> direct = makeDirectLook(frame);
   const Metric metric(frame);
-  const Collector collector(frame, moving, *factors, metric);
+  const Collector collector(frame, moving, *visibility, metric);
   frame.moving = &moving, frame.direct = direct.get();
-  frame.integrator = factors, frame.collector = &collector, frame.hits = moving.hits;
+  frame.integrator = visibility, frame.collector = &collector, frame.hits = moving.hits;
   bool whole = true;
   if (source)
     whole = traceShared({frame, moving, collector}, *source);

@@ -2,8 +2,8 @@
 // of hits. Called by traceImage().
 #pragma once
 #include "render/frame_data/frame_data.h"
-#include "render/moving/film_source.h"
 #include "render/moving/light_history.h"
+#include "render/moving/moving_tile_source.h"
 
 namespace gluray::render {
 
@@ -11,11 +11,11 @@ namespace gluray::render {
 /// nearest hit each, so that factors can be filtered.
 bool isMoving(const FrameData&);
 
-class FilmSource;
+class MovingTileSource;
 
 /// Traces all factors, filters them, and then colours the hits. `kept`: history of earlier frames; null:
 /// none. `source`: hands out the tiles; null: this process traces all of them. Returns false, with nothing
 /// traced, if the settings use no factors or memory is short.
-bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&, FilmSource* source);
+bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&, MovingTileSource* source);
 
 }  // namespace gluray::render

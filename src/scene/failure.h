@@ -6,7 +6,7 @@
 
 namespace gluray::scene {
 
-/// Scope of the loss after a failure; the smallest that keeps every picture correct.
+/// Scope of the loss after a failure; the smallest that keeps every image correct.
 enum class Loss {
   draws,    // some draws cannot be traced: the real OpenGL makes them; all other draws are traced
   frames,   // out of memory or threads: the real OpenGL draws for a while, then tracing is tried again

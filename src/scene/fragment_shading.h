@@ -1,4 +1,4 @@
-// Shading of fragment programs (src/gl/programs): lighting per pixel with interpolated normals, in place of
+// Shading by fragment shaders (src/gl/programs): lighting per pixel with interpolated normals, in place of
 // OpenGL's fixed-function equation. Intermediate colours are not clamped.
 #pragma once
 #include "scene/texture.h"
@@ -10,7 +10,7 @@
 
 namespace gluray::scene {
 
-/// A light of a fragment program, in the program's eye space.
+/// A light of a fragment shader, in the eye space of its program.
 struct FragmentLight {
   /// headlight: at the viewer; its highlight depends only on the diffuse cosine.
   enum Kind : uint8_t { headlight, directional, positional };

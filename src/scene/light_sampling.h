@@ -1,4 +1,4 @@
-// Light sampling of a snapshot's picture. Plain data.
+// Light sampling of a snapshot's image. Plain data.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -10,7 +10,7 @@ struct LightSampling {
   enum class Mode : uint8_t {
     full,    // all samples of the settings
     moving,  // few samples with temporal reuse and filtering: a frame of an animation
-    // No light; colours are guides for denoising (render/effects/guides.h):
+    // No light; colours are guides for denoising (render/effects/feature_integrators.h):
     reflectance,  // reflectance of the surface
     geometry,     // position and normal of the surface
     // or for picking:

@@ -1,4 +1,4 @@
-// Parameters for resolving a multisampled picture into pixels.
+// Parameters for resolving a multisampled image into pixels.
 #pragma once
 #include <glm/glm.hpp>
 

@@ -85,7 +85,7 @@ struct Instance {
   }
   std::vector<MaterialPair>
       materials;  // indexed by the mesh's materials attribute; [0] where it has none. Never empty
-  // Further inputs of fragment programs (Shading::fragment).
+  // Further inputs of fragment shaders (Shading::fragment).
   glm::mat4 lightingFromObject{1};  // the program's eye space
   glm::mat3 normalMatrix{1};        // the program's own, for normals per vertex and per triangle
   Attribute triangleColors;         // float4 or unorm8x4: triangle t has element triangleOffset + t
@@ -138,7 +138,7 @@ enum class GroundUse : uint8_t {
 };
 
 struct Backdrop;
-struct Surroundings;
+struct SecondaryScene;
 
 /// One batch, which is traced together and written to one framebuffer.
 struct Snapshot {
@@ -163,9 +163,9 @@ struct Snapshot {
   bool laterWins = false;  // GL_LEQUAL: of coincident surfaces the last drawn is visible; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
-  std::shared_ptr<const Surroundings> surroundings;  // null: no other surfaces block or reflect light
+  std::shared_ptr<const SecondaryScene> secondaryScene;  // null: no other surfaces block or reflect light
   GroundUse ground = GroundUse::none;
-  // The surfaces are already in the framebuffer. The picture is black, with the fraction of blocked light as
+  // The surfaces are already in the framebuffer. The image is black, with the fraction of blocked light as
   // opacity; empty without light effects.
   bool catches = false;
   std::shared_ptr<const Backdrop> backdrop;  // null: pixels of misses keep the framebuffer's content
@@ -175,7 +175,7 @@ using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
 /// Whether it has a ground or a background of the settings.
 inline bool hasScenery(const Snapshot& s) { return s.ground != GroundUse::none || s.backdrop; }
-/// Whether its picture shows the ground or the background.
+/// Whether its image shows the ground or the background.
 inline bool showsScenery(const Snapshot& s) { return s.ground == GroundUse::drawn || s.backdrop; }
 
 }  // namespace gluray::scene

@@ -12,7 +12,7 @@ struct TraceCost {
   uint64_t blasRefinements = 0;             // fast BLASes replaced by full ones, built in the background
   uint64_t bvhBytes = 0;                    // of all acceleration structures at present
   bool blasRefining = false;                // a full BLAS is being built
-  // Another process makes the picture, so that no passes follow. `refined`: it is finished.
+  // Another process makes the image, so that no passes follow. `refined`: it is finished.
   bool elsewhere = false, refined = false;
   Loss loss = Loss::tracing;  // if the snapshot could not be traced
 };

@@ -56,7 +56,7 @@ TEST(ObjectRuleTest, TheSettingTakesEntriesThatCanBeReadAlone) {
   EXPECT_EQ(printValue(row, session), "3 glass,7 hidden-from=camera");
   EXPECT_NE(readValue(row, "3 glass,7 glas", session), "");
   EXPECT_EQ(session.settings.material.objects.size(), 2u);
-  EXPECT_TRUE(session.settings.changesPicture());
+  EXPECT_TRUE(session.settings.changesImage());
 }
 
 using Words = std::vector<std::string>;

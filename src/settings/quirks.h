@@ -19,19 +19,19 @@ namespace gluray {
     "tests/reference/fragments/fog_test.cpp")                                                                \
   X(softwareFxaa, "software-fxaa",                                                                           \
     "VTK's anti-aliasing pass (FXAA) takes a software OpenGL longer than tracing a frame; GLuRay computes "  \
-    "the same picture itself",                                                                               \
-    "src/render/film/anti_alias_test.cpp, tests/vtk (group effects)")                                        \
+    "the same image itself",                                                                                 \
+    "src/render/resolve/anti_alias_test.cpp, tests/vtk (group effects)")                                     \
   X(sppFxaa, "spp-fxaa",                                                                                     \
-    "VTK's anti-aliasing pass (FXAA) blurs pictures whose edges --spp has made smooth already; GLuRay "      \
+    "VTK's anti-aliasing pass (FXAA) blurs images whose edges --spp has made smooth already; GLuRay "        \
     "skips it where the framebuffer holds nothing else",                                                     \
-    "tests/reference/framebuffers/antialiased_picture_test.cpp")                                             \
+    "tests/reference/framebuffers/antialiased_image_test.cpp")                                               \
   X(softwarePut, "software-put",                                                                             \
-    "Mesa's llvmpipe takes milliseconds to draw a traced picture with its depth; where a framebuffer "       \
-    "object has only been cleared, GLuRay uploads the picture into its textures",                            \
+    "Mesa's llvmpipe takes milliseconds to draw a traced image with its depth; where a framebuffer "         \
+    "object has only been cleared, GLuRay uploads the image into its textures",                              \
     "tests/reference/framebuffers/texture_upload_test.cpp")                                                  \
   X(softwareShow, "software-show",                                                                           \
-    "Mesa's llvmpipe takes milliseconds to draw a traced picture into a window's back buffer and to show "   \
-    "that; where a window has only been cleared, GLuRay sends the picture to the X server itself",           \
+    "Mesa's llvmpipe takes milliseconds to draw a traced image into a window's back buffer and to show "     \
+    "that; where a window has only been cleared, GLuRay sends the image to the X server itself",             \
     "tests/doors/show_test.py")                                                                              \
   X(softwareDepthBlit, "software-depth-blit",                                                                \
     "Mesa's llvmpipe blits depth by drawing it, which takes ten times as long as copying it; GLuRay copies " \

@@ -15,8 +15,8 @@ namespace gluray {
 enum class Type : uint8_t { boolean, integer, real, choice, color, vector, text, path, list, quirks };
 /// When a changed value takes effect: the next frame, the next context, the next run.
 enum class Applies : uint8_t { frame, context, process };
-/// picture: the result differs from the real OpenGL's; way: only how the picture is made.
-enum class Changes : uint8_t { picture, way };
+/// image: the result differs from the real OpenGL's; way: only how the image is made.
+enum class Changes : uint8_t { image, way };
 
 /// One word of a choice; the enumerators have the same order.
 struct Word {

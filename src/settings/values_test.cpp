@@ -137,12 +137,12 @@ TEST(Values, SettingsOfContextsStayBetweenFrames) {
   EXPECT_EQ(next.bvh, BvhQuality::full);
 }
 
-TEST(Values, OnlySomeSettingsChangeThePicture) {
+TEST(Values, OnlySomeSettingsChangeTheImage) {
   Settings settings;
   settings.shading = ShadingRate::vertex, settings.bvh = BvhQuality::least, settings.threads = 1;
-  EXPECT_FALSE(settings.changesPicture());
+  EXPECT_FALSE(settings.changesImage());
   settings.spp = 2;
-  EXPECT_TRUE(settings.changesPicture());
+  EXPECT_TRUE(settings.changesImage());
 }
 
 }  // namespace

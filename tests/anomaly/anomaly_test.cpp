@@ -1,6 +1,6 @@
-// The n-th allocation of GLuRay fails, for every n: the program's picture must stay the real OpenGL's. Only
+// The n-th allocation of GLuRay fails, for every n: the program's image must stay the real OpenGL's. Only
 // allocations by this program's own code fail (judged by the caller's address), not OpenGL's or Embree's.
-#include "tests/anomaly/picture_by_programs.h"
+#include "tests/anomaly/image_by_programs.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ using namespace anomaly;
 using Gl = const gl::RealGl&;
 
 TEST(Anomaly, EveryAllocationMayFailOnce) {
-  const Picture expected = expectedPicture();
+  const DrawnImage expected = expectedImage();
   long n = 0;
   for (;; ++n) {
     TracedContext context({kSize, kSize});
@@ -59,16 +59,16 @@ TEST(Anomaly, EveryAllocationMayFailOnce) {
     if (!g_failed) break;  // fewer than n allocations: each has failed once
     EXPECT_EQ(wrongPixels(expected, context.read()), 0) << "pixels, when allocation " << n << " failed";
   }
-  EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
+  EXPECT_GT(n, 50) << "allocations of ours in the whole image";
 }
 
 TEST(Anomaly, AnyAllocationMayFailWhileShaderProgramsDraw) {
   const ContextWish wish{kSize, kSize, true, 3, 2};
-  Picture expected;
+  DrawnImage expected;
   {
     const auto real = OsmesaContext::create(wish);
     drawByPrograms(real->real());
-    expected = readPicture(real->real(), kSize, kSize);
+    expected = readImage(real->real(), kSize, kSize);
   }
   // Recognising programs allocates thousands of times, in the same few places.
   constexpr long kEach = 500, kStep = 13;
@@ -86,7 +86,7 @@ TEST(Anomaly, AnyAllocationMayFailWhileShaderProgramsDraw) {
     EXPECT_EQ(context.context().counts.statistics.drawsTraced, 5u);
     break;  // fewer than n allocations
   }
-  EXPECT_GT(n, 50) << "allocations of ours in the whole picture";
+  EXPECT_GT(n, 50) << "allocations of ours in the whole image";
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// Commits of acceleration structures fail, threads cannot be started: the picture must stay the real
+// Commits of acceleration structures fail, threads cannot be started: the image must stay the real
 // OpenGL's, and stderr has at most one line.
 #include "accel/device/device.h"
 #include "base/files.h"
-#include "tests/anomaly/picture_of_all.h"
+#include "tests/anomaly/image_of_all.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ using namespace anomaly;
 long linesIn(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST(Failures, EveryCommitMayFailOnce) {
-  const Picture expected = expectedPicture();
+  const DrawnImage expected = expectedImage();
   int n = 0;
   for (;; ++n) {
     TracedContext context({kSize, kSize});
@@ -44,7 +44,7 @@ TEST(Failures, EveryCommitMayFailOnce) {
     testing::internal::CaptureStderr();
     files::ownStreams();
     drawAll(context.gl());
-    const Picture got = context.read();
+    const DrawnImage got = context.read();
     const std::string said = testing::internal::GetCapturedStderr();
     const bool failed = accel::commitsStillToFail() == 0;
     accel::failNextCommits(0);
@@ -52,12 +52,12 @@ TEST(Failures, EveryCommitMayFailOnce) {
     EXPECT_LE(linesIn(said), 1) << said;
     if (!failed) break;  // fewer than n commits: each has failed once
   }
-  EXPECT_GE(n, 2) << "commits in the whole picture: of a mesh and of the instances";
+  EXPECT_GE(n, 2) << "commits in the whole image: of a mesh and of the instances";
 }
 
 /// In a process of its own, because threads are started once.
 TEST(Failures, NoThreadCanBeStarted) {
-  const Picture expected = expectedPicture();
+  const DrawnImage expected = expectedImage();
   g_noThreads = true;
   Settings settings = TracedContext::vertexShading();
   settings.threads = 2;

@@ -1,4 +1,4 @@
-"""GLuRay's files cannot be opened: the program runs, its own check of its picture passes, and stderr has one line.
+"""GLuRay's files cannot be opened: the program runs, its own check of its image passes, and stderr has one line.
 
 files_test.py GLURAY CLIENT
 """

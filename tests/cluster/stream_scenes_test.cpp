@@ -1,4 +1,4 @@
-// Every scene, traced from what another process reads: the same picture to the bit.
+// Every scene, traced from what another process reads: the same image to the bit.
 #include "cluster/stream/snapshot_decoder.h"
 #include "cluster/stream/snapshot_encoder.h"
 #include "frame/tracing/renderer.h"
@@ -45,27 +45,27 @@ class FarRenderer {
 
 class StreamTest : public testing::TestWithParam<const scenes::Scene*> {
  protected:
-  static Picture drawn(TracedContext& context) {
+  static DrawnImage drawn(TracedContext& context) {
     GetParam()->draw(context.gl(), kSceneWidth, kSceneHeight);
     return context.read();
   }
-  static void expectSamePicture(const Settings& settings) {
+  static void expectSameImage(const Settings& settings) {
     TracedContext ours({kSceneWidth, kSceneHeight}, settings);
-    const Picture expected = drawn(ours);
+    const DrawnImage expected = drawn(ours);
     FarRenderer far;
     frame::Tracer tracer;
     tracer.trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                        std::string& error) { return far.render(snapshot, image, cost, error); };
     TracedContext theirs({kSceneWidth, kSceneHeight}, settings,
                          std::make_unique<present::TracingPresenter>(tracer));
-    const Picture got = drawn(theirs);
+    const DrawnImage got = drawn(theirs);
     EXPECT_TRUE(far.count > 0 || !GetParam()->traced);
     EXPECT_TRUE(expected == got) << compare(expected, got, {0, 0, 0, "none"}).text;
     if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
   }
 };
 
-TEST_P(StreamTest, LooksTheSame) { expectSamePicture(TracedContext::vertexShading()); }
+TEST_P(StreamTest, LooksTheSame) { expectSameImage(TracedContext::vertexShading()); }
 
 class LitStreamTest : public StreamTest {};
 
@@ -74,7 +74,7 @@ TEST_P(LitStreamTest, LooksTheSame) {
   settings.ao.enabled = settings.shadows.enabled = true;
   settings.ground.kind = GroundKind::catcher;
   settings.lights.rig = LightRig::threePoint;
-  expectSamePicture(settings);
+  expectSameImage(settings);
 }
 
 /// Every so many-th scene.

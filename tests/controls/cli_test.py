@@ -8,7 +8,7 @@ import time
 import unittest
 
 from cli_case import GLURAY, CliCase
-from memory_hub import PICTURE, FakeProgram, line_of, picture_of, seek_hub
+from memory_hub import IMAGE, FakeProgram, line_of, image_of, seek_hub
 
 ALONE = "no program runs under GLuRay; start one with: gluray PROGRAM"
 SILENT = "the hub does not answer; end it, and start gluray hub"
@@ -86,14 +86,14 @@ class Cli(CliCase):
         _, first, _ = self.two()
         self.assertIn("choose one with -p", self.failure("shot", "a.png"))
         self.assertEqual(self.output("shot", "-p", "paraview", "a.png"), "paraview (4242): a.png, 5 x 3\n")
-        self.assertEqual(picture_of(self.folder / "a.png"), (5, 3, PICTURE))
+        self.assertEqual(image_of(self.folder / "a.png"), (5, 3, IMAGE))
         found = json.loads(self.output("shot", "-p", "1", "--json", "a.png"))  # replaces it
         self.assertEqual(found, {"program": 1, "name": "paraview", "pid": 4242, "frame": 1042, "file": "a.png", "width": 5, "height": 3})
-        first.no_picture = "its windows have shown no frame for 8 seconds"
+        first.no_image = "its windows have shown no frame for 8 seconds"
         self.assertEqual(self.failure("shot", "-p", "1", "b.png"), "paraview (4242): its windows have shown no frame for 8 seconds")
         self.assertFalse((self.folder / "b.png").exists())
 
-    def test_shots_replace_pictures_alone(self):
+    def test_shots_replace_images_alone(self):
         hub, *_ = self.two()
         (self.folder / "notes.png").write_text("notes")
         (self.folder / "folder.png").mkdir()
@@ -112,7 +112,7 @@ class Cli(CliCase):
         for value in (3, {}, size | {"width": 0}, size | {"width": 1 << 40}, size | {"height": -3}, size | {"height": "3"},
                       size | {"rows": 4, "pixels": ""}, size | {"rows": 3, "pixels": "AAAA"}, size | {"rows": 1, "pixels": "?"}):
             hub.instead["call"] = {"results": [{"program": 1, "value": value}]}
-            self.assertEqual(self.failure("shot", "-p", "1", "a.png"), "paraview (4242): it sends no picture", value)
+            self.assertEqual(self.failure("shot", "-p", "1", "a.png"), "paraview (4242): it sends no image", value)
         self.assertFalse((self.folder / "a.png").exists())
 
     def test_get(self):

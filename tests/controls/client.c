@@ -1,5 +1,5 @@
 /* A program that draws a frame for each line that it reads from standard input, and prints a checksum of the
- * picture that it reads back: client [exposed | always [MILLISECONDS [egl]]]. exposed: Expose events of
+ * image that it reads back: client [exposed | always [MILLISECONDS [egl]]]. exposed: Expose events of
  * its window make it draw, too; their lines begin with "exposed". always: it draws all the time, turning, a
  * frame in so many milliseconds (0: as fast as it can). egl: it shows its window by EGL. The line "fork"
  * makes a child process that ends a second later, and prints its number; "reuse" closes all descriptors above

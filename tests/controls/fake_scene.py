@@ -16,7 +16,7 @@ MAP = {**CAMERA, "view": 2, "projection": "parallel", "angle": None, "height": 2
 
 
 class FakeScene:
-    """Its picture has 5 x 3 pixels. The left column shows nothing, the others show object 3."""
+    """Its image has 5 x 3 pixels. The left column shows nothing, the others show object 3."""
 
     def __init__(self):
         self.objects = [an_object(1), an_object(3, color=None, vertexColors=True, shape="spheres", triangles=12, material="glass", hidden=["camera", "shadow"]),

@@ -56,7 +56,7 @@ class Files(unittest.TestCase):
         new.write_text(text)
         new.rename(file)
 
-    def picture(self, *options):
+    def image(self, *options):
         """The checksum in a run of its own."""
         words = [GLURAY, *options, "--", CLIENT]
         environment = plain_environment() | {"XDG_CONFIG_HOME": "/nowhere"}
@@ -66,7 +66,7 @@ class Files(unittest.TestCase):
         return self.log.read_text().splitlines() if self.log.exists() else []
 
     def test_each_file_counts_at_the_next_frame(self):
-        plain, occluded, coarse = self.picture(), self.picture("--ao"), self.picture("--ao", "--set", "ao.strength=0.5")
+        plain, occluded, coarse = self.image(), self.image("--ao"), self.image("--ao", "--set", "ao.strength=0.5")
         self.assertEqual(len({plain, occluded, coarse}), 3)
         self.start()
         self.assertEqual(self.frame(), plain)
@@ -85,7 +85,7 @@ class Files(unittest.TestCase):
         self.assertEqual(self.complaints(), [])
 
     def test_presets_by_name(self):
-        plain, paper, stronger = self.picture(), self.picture("--preset", "paper"), self.picture("--preset", "paper", "--set", "shadows.strength=0.5")
+        plain, paper, stronger = self.image(), self.image("--preset", "paper"), self.image("--preset", "paper", "--set", "shadows.strength=0.5")
         self.assertEqual(len({plain, paper, stronger}), 3)
         self.start()
         self.write(self.user, "preset = 'paper'\n")

@@ -10,7 +10,7 @@ import time
 import unittest
 
 from cli_case import GLURAY, CliCase
-from memory_hub import PICTURE, picture_of
+from memory_hub import IMAGE, image_of
 
 PATIENCE = 40  # seconds, on a machine that has much to do
 
@@ -22,7 +22,7 @@ class FilmCase(CliCase):
         program.draws = draws
         return hub, program
 
-    def pictures(self):
+    def images(self):
         return sorted(file.name for file in self.folder.glob("*.png"))
 
     def start(self, *words, **more):
@@ -40,15 +40,15 @@ class FilmCase(CliCase):
 
 
 class Film(FilmCase):
-    def test_pictures_are_numbered(self):
+    def test_images_are_numbered(self):
         _, program = self.one()
         self.assertEqual(self.output("film", "a-%02d.png", "--frames", "3"),
-                         "paraview (4242): 3 pictures, a-01.png to a-03.png, 5 x 3\n"
+                         "paraview (4242): 3 images, a-01.png to a-03.png, 5 x 3\n"
                          "As a film: ffmpeg -framerate 25 -i a-%02d.png -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p a.mp4\n")
-        self.assertEqual(self.pictures(), ["a-01.png", "a-02.png", "a-03.png"])
-        self.assertEqual(picture_of(self.folder / "a-03.png"), (5, 3, PICTURE))
+        self.assertEqual(self.images(), ["a-01.png", "a-02.png", "a-03.png"])
+        self.assertEqual(image_of(self.folder / "a-03.png"), (5, 3, IMAGE))
         self.assertIn(" -frames:v 2 ", self.output("film", "a-%02d.png", "--frames", "2"))  # a third is still there
-        self.assertEqual(self.output("film", "b.png", "--frames", "1"), "paraview (4242): 1 picture, b-0001.png, 5 x 3\n")
+        self.assertEqual(self.output("film", "b.png", "--frames", "1"), "paraview (4242): 1 image, b-0001.png, 5 x 3\n")
         self.assertEqual(program.live, {})
 
     def test_missed_frames_are_counted(self):
@@ -57,7 +57,7 @@ class Film(FilmCase):
         found = json.loads(self.output("film", "a.png", "--frames", "2", "--json"))
         self.assertEqual(found, {"program": 1, "name": "paraview", "pid": 4242, "files": ["a-0001.png", "a-0002.png"], "frames": [1054, 1057], "missed": 2, "unfinished": 0})
 
-    def test_pictures_are_of_later_frames(self):
+    def test_images_are_of_later_frames(self):
         _, program = self.one(draws=0)
         counted = iter([5, 5, 4, 6, 6, 9])
         answer = program.call
@@ -98,8 +98,8 @@ class Film(FilmCase):
         program.call = lambda request: {"why": "its window is gone"} if program.live.get("spp") == 3 else answer(request)
         done = self.run_gluray("film", "a.png", "--frames", "4", "--set", "spp=1..4")
         self.assertEqual((done.returncode, done.stderr), (1, "gluray: paraview (4242): its window is gone\n"))
-        self.assertTrue(done.stdout.startswith("paraview (4242): 2 pictures, a-0001.png to a-0002.png, 5 x 3\nAs a film: "))
-        self.assertEqual((program.live, self.pictures()), ({}, ["a-0001.png", "a-0002.png"]))
+        self.assertTrue(done.stdout.startswith("paraview (4242): 2 images, a-0001.png to a-0002.png, 5 x 3\nAs a film: "))
+        self.assertEqual((program.live, self.images()), ({}, ["a-0001.png", "a-0002.png"]))
         program.refuses["spp"] = "not now"
         self.assertIn("paraview (4242): not now", self.run_gluray("film", "a.png", "--frames", "4", "--set", "spp=1..4").stderr)
 
@@ -107,14 +107,14 @@ class Film(FilmCase):
         for number in (signal.SIGINT, signal.SIGTERM):
             hub, program = self.one()
             film = self.start("a.png", "--frames", "1000000", "--set", "spp=1..2")
-            self.until(lambda: len(self.pictures()) > 3)
+            self.until(lambda: len(self.images()) > 3)
             film.send_signal(number)
             out, error = film.communicate(timeout=PATIENCE)
             self.assertEqual((film.returncode, error), (0, ""))
-            self.assertTrue(out.startswith(f"paraview (4242): {len(self.pictures())} pictures, a-0001.png to "), out)
+            self.assertTrue(out.startswith(f"paraview (4242): {len(self.images())} images, a-0001.png to "), out)
             self.assertEqual(program.live, {})
             hub.end()
-            for name in self.pictures():
+            for name in self.images():
                 (self.folder / name).unlink()
 
     def test_seconds(self):
@@ -122,7 +122,7 @@ class Film(FilmCase):
         begin = time.monotonic()
         self.output("film", "a.png", "--seconds", "2")
         self.assertLess(1.9, time.monotonic() - begin)
-        self.assertGreater(len(self.pictures()), 1)
+        self.assertGreater(len(self.images()), 1)
 
     def test_progress_on_a_terminal(self):
         self.one()
@@ -132,7 +132,7 @@ class Film(FilmCase):
         os.close(other)
         said = os.read(main, 1000).decode()
         os.close(main)
-        self.assertEqual(said, "\r\x1b[K1 of 2 pictures\r\x1b[K2 of 2 pictures\r\x1b[K")
+        self.assertEqual(said, "\r\x1b[K1 of 2 images\r\x1b[K2 of 2 images\r\x1b[K")
 
     def test_mistakes(self):
         hub, _ = self.one()
@@ -147,12 +147,12 @@ class Film(FilmCase):
         hub.add("vmd", 77)
         self.assertEqual(self.failure("film", "b.png", "--frames", "2"), "several programs run; choose one with -p")
         done = self.run_gluray("film", "-p", "1", "nowhere/b.png", "--frames", "2")
-        self.assertEqual((done.returncode, done.stdout), (1, "paraview (4242): 0 pictures\n"))
+        self.assertEqual((done.returncode, done.stdout), (1, "paraview (4242): 0 images\n"))
         self.assertIn("No such file", done.stderr)
 
 
 class Passes(FilmCase):
-    """Its picture has one more pass in each state, up to 6 or until its noise is 0.01."""
+    """Its image has one more pass in each state, up to 6 or until its noise is 0.01."""
 
     def refining(self, noise=lambda passes: 1.0):
         hub, program = self.one()
@@ -179,35 +179,35 @@ class Passes(FilmCase):
         self.addCleanup(ended.set)
         return hub, program
 
-    def test_pictures_have_passes(self):
+    def test_images_have_passes(self):
         hub, program = self.refining()
         self.output("film", "a.png", "--frames", "3", "--passes", "4", "--set", "spp=1..3")
         self.assertTrue(len(hub.taken) == 3 and min(hub.taken) >= 4, hub.taken)
         self.assertEqual([r["what"] for r in hub.requests if r["type"] == "observe"], [["state"]])
 
-    def test_finished_pictures_are_taken(self):
+    def test_finished_images_are_taken(self):
         hub, program = self.refining(lambda passes: 0.01 if passes >= 3 else 1.0)
-        self.assertIn("; 2 pictures with fewer new passes\n", self.output("film", "a.png", "--frames", "2", "--passes", "9", "--set", "spp=1..2"))
+        self.assertIn("; 2 images with fewer new passes\n", self.output("film", "a.png", "--frames", "2", "--passes", "9", "--set", "spp=1..2"))
         self.assertTrue(min(hub.taken) >= 3, hub.taken)
 
-    def test_pictures_with_most_passes_are_taken(self):
+    def test_images_with_most_passes_are_taken(self):
         hub, program = self.refining()
         program.live["refine.passes"] = 5
         self.assertEqual(json.loads(self.output("film", "a.png", "--frames", "2", "--passes", "9", "--json"))["unfinished"], 2)
         self.assertTrue(min(hub.taken) >= 5, hub.taken)
 
-    def test_the_same_picture_again_is_not_waited_for(self):
+    def test_the_same_image_again_is_not_waited_for(self):
         hub, program = self.refining()
         begin = time.monotonic()
         self.output("film", "a.png", "--frames", "8", "--passes", "4", "--set", "spp=1..2")
         self.assertEqual([r["values"] for r in hub.requests if r["type"] == "set"], [{"spp": 1}, {"spp": 2}, {"spp": None}])
-        self.assertTrue(len(hub.taken) == 8 and min(hub.taken) >= 4 and time.monotonic() < begin + 12, hub.taken)  # six pictures again, 4 s each
+        self.assertTrue(len(hub.taken) == 8 and min(hub.taken) >= 4 and time.monotonic() < begin + 12, hub.taken)  # six images again, 4 s each
 
-    def test_pictures_without_passes_are_taken(self):
+    def test_images_without_passes_are_taken(self):
         hub, program = self.refining()
         hub.frozen = True
         begin = time.monotonic()
-        self.assertIn("; 1 picture with fewer new passes\n", self.output("film", "a.png", "--frames", "1", "--passes", "4"))
+        self.assertIn("; 1 image with fewer new passes\n", self.output("film", "a.png", "--frames", "1", "--passes", "4"))
         self.assertTrue(3 < time.monotonic() - begin < 30)  # not the 60 s that --passes waits at most
 
     def test_interrupt_while_it_waits(self):
@@ -218,7 +218,7 @@ class Passes(FilmCase):
         time.sleep(0.5)
         film.send_signal(signal.SIGINT)
         out, error = film.communicate(timeout=PATIENCE)
-        self.assertEqual((film.returncode, out, error), (0, "paraview (4242): 0 pictures\n", ""))
+        self.assertEqual((film.returncode, out, error), (0, "paraview (4242): 0 images\n", ""))
 
     def test_programs_that_do_not_refine(self):
         _, program = self.one()

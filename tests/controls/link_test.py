@@ -19,8 +19,8 @@ class Requests(Linked):
         self.assertEqual({k: hello[k] for k in ("type", "version", "role", "pid", "name", "rank", "ranks", "job")},
                          {"type": "hello", "version": 1, "role": "program", "pid": self.client.pid, "name": "client", "rank": 0, "ranks": 1, "job": ""})
 
-    def test_set_changes_the_picture_in_the_frame_of_the_answer(self):
-        plain, occluded = self.picture(), self.picture("--ao", "--set", "ao.samples=8")
+    def test_set_changes_the_image_in_the_frame_of_the_answer(self):
+        plain, occluded = self.image(), self.image("--ao", "--set", "ao.samples=8")
         self.assertNotEqual(plain, occluded)
         hub = self.linked()
         self.assertEqual(self.frame(), plain)
@@ -52,9 +52,9 @@ class Requests(Linked):
         for strength in (0.1, 0.2, 0.3):
             self.set(hub, values={"ao.strength": strength}, gesture="drag")
         self.assertNotIn(self.frame(), (plain, occluded))
-        for type, picture in (("undo", occluded), ("undo", plain), ("redo", occluded), ("undo", plain)):
+        for type, image in (("undo", occluded), ("undo", plain), ("redo", occluded), ("undo", plain)):
             id = self.sent(hub, type)
-            self.assertEqual(self.frame(), picture)
+            self.assertEqual(self.frame(), image)
             self.assertIn("frame", hub.result(id))
 
     def test_get_and_describe(self):

@@ -125,7 +125,7 @@ class Linked(unittest.TestCase):
     def lines(self):
         return self.log.read_text().splitlines()
 
-    def picture(self, *options):
+    def image(self, *options):
         """The checksum in a run of its own."""
         words = [GLURAY, "--set", "control=off", *options, "--", CLIENT]
         environment = plain_environment() | {"XDG_CONFIG_HOME": "/nowhere"}

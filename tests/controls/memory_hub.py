@@ -19,10 +19,10 @@ import threading
 
 from fake_scene import FakeScene
 
-PICTURE = bytes(range(45))  # RGB bytes of every program's picture
+IMAGE = bytes(range(45))  # RGB bytes of every program's image
 
 
-def picture_of(file):
+def image_of(file):
     """Width, height and RGB bytes of a PNG file, as ImageMagick reads it."""
     size = subprocess.run(["identify", "-format", "%w %h", str(file)], check=True, capture_output=True, text=True, timeout=30).stdout
     rgb = subprocess.run(["convert", str(file), "-depth", "8", "rgb:-"], check=True, capture_output=True, timeout=30).stdout
@@ -41,7 +41,7 @@ class FakeProgram:
         self.frame = 1042
         self.refuses = {}  # by name of a setting: why
         self.silent = ()   # types of requests that seek_hub() does not answer
-        self.no_picture = ""  # why it has none
+        self.no_image = ""  # why it has none
         self.scene, self.calls = FakeScene(), []  # what it draws; the calls that came
         self.draws = 0  # frames that it draws for each shot
 
@@ -96,19 +96,19 @@ class FakeProgram:
         return self.step(self.undone, self.steps, 1)
 
     def call(self, request):
-        """What it draws; shot and pixels of a picture of 5 x 3, two rows at a time."""
+        """What it draws; shot and pixels of an image of 5 x 3, two rows at a time."""
         name, arguments = request["name"], request["arguments"]
         self.calls.append((name, arguments))
         if (found := self.scene.call(name, arguments, self.frame)) is not None:
             return found
-        if self.no_picture:
-            return {"why": self.no_picture}
+        if self.no_image:
+            return {"why": self.no_image}
         if name == "shot":
             self.frame = self.frame and self.frame + self.draws
             return {"value": {"shot": 4, "width": 5, "height": 3, "frame": self.frame}}
         row, rows = arguments["row"], min(2, 3 - arguments["row"])
         assert name == "pixels" and arguments["shot"] == 4, request
-        return {"value": {"row": row, "rows": rows, "pixels": base64.b64encode(PICTURE[15 * row:15 * (row + rows)]).decode()}}
+        return {"value": {"row": row, "rows": rows, "pixels": base64.b64encode(IMAGE[15 * row:15 * (row + rows)]).decode()}}
 
     def describe(self, _):
         return {"settings": list(self.rows.values())}

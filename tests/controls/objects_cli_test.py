@@ -105,8 +105,8 @@ class Objects(CliCase):
             program.scene.instead["pick"] = {"value": good | {"share": share}}
             self.assertIn("paraview (4242): its answer cannot be read: 'share' is no", self.failure("camera", "focus", "2", "3"))
         self.assertEqual(program.steps, [])
-        program.scene.instead["pick"] = {"why": "x is outside of the picture"}
-        self.assertEqual(self.failure("pick", "9", "3"), "paraview (4242): x is outside of the picture")
+        program.scene.instead["pick"] = {"why": "x is outside of the image"}
+        self.assertEqual(self.failure("pick", "9", "3"), "paraview (4242): x is outside of the image")
 
 
 class Lights(CliCase):

@@ -5,7 +5,7 @@ import time
 import unittest
 
 from fake_scene import an_object
-from memory_hub import PICTURE, picture_of
+from memory_hub import IMAGE, image_of
 from python_case import PythonCase, gluray
 
 
@@ -141,7 +141,7 @@ class Films(DrawnCase):
         done = []
         self.assertEqual(p.film(self.folder / "a-%02d.png", 3, progress=lambda *counts: done.append(counts)), [1044, 1046, 1048])
         self.assertEqual(sorted(file.name for file in self.folder.glob("*.png")), ["a-01.png", "a-02.png", "a-03.png"])
-        self.assertEqual((picture_of(self.folder / "a-03.png"), done), ((5, 3, PICTURE), [(1, 3), (2, 3), (3, 3)]))
+        self.assertEqual((image_of(self.folder / "a-03.png"), done), ((5, 3, IMAGE), [(1, 3), (2, 3), (3, 3)]))
         self.assertEqual(len(p.film(str(self.folder / "b.png"), 9, progress=lambda done, _: done < 2)), 2)
         self.assertTrue((self.folder / "b-0002.png").exists())
         begin = time.monotonic()
@@ -160,7 +160,7 @@ class Films(DrawnCase):
         p.film(self.folder / "a.png", 3, set={"lights_azimuth": (0, 90), "ao.samples": (1, 2)})
         self.assertEqual(seen, [{"lights.azimuth": azimuth, "ao.samples": samples} for azimuth, samples in ((0, 1), (45, 2), (90, 2))])
         self.assertEqual((program.live, len(program.steps)), ({"lights.azimuth": 7}, 1))
-        program.no_picture = "its window is gone"
+        program.no_image = "its window is gone"
         self.assertEqual(self.refusal(lambda: p.film(self.folder / "a.png", 3, set={"spp": (1, 4)})), "paraview (4242): its window is gone")
         self.assertEqual(program.live, {"lights.azimuth": 7})
 

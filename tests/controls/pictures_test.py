@@ -1,4 +1,4 @@
-"""Pictures of a program's window: pictures_test.py GLURAY CLIENT PYTHON_FOLDER, with an X server at hand."""
+"""Images of a program's window: pictures_test.py GLURAY CLIENT PYTHON_FOLDER, with an X server at hand."""
 import base64
 import json
 import os
@@ -8,12 +8,12 @@ import time
 import unittest
 
 from linked import GLURAY, Linked
-from memory_hub import picture_of
+from memory_hub import image_of
 
 WIDTH, HEIGHT = 160, 120  # of the client's window
 
 
-class Pictured(Linked):
+class WindowImages(Linked):
     def show(self):
         """Draws a frame that is not read back."""
         print("show", file=self.client.stdin, flush=True)
@@ -44,7 +44,7 @@ class Pictured(Linked):
         return kept
 
 
-class Shots(Pictured):
+class Shots(WindowImages):
     def check_shots(self, *options, **variables):
         hub = self.linked(*options, **variables)
         shots = []
@@ -68,7 +68,7 @@ class Shots(Pictured):
     def test_of_frames_that_lag(self):
         self.check_shots("--lag", "on")
 
-    def test_with_figures_over_the_picture(self):
+    def test_with_figures_over_the_image(self):
         hub = self.linked("--hud")
         self.show()
         shot, plain = self.shot(hub), self.screen()
@@ -95,7 +95,7 @@ class Shots(Pictured):
         self.assertEqual((kept, self.kept(hub)), (1, 1))
 
 
-class Saved(Pictured):
+class Saved(WindowImages):
     def test_by_the_shell_and_by_python(self):
         environment = {k: v for k, v in os.environ.items() if not k.startswith("GLURAY_")}
         environment |= {"XDG_CONFIG_HOME": "/nowhere", "GLURAY_RUNTIME": str(self.runtime), "PYTHONPATH": PYTHON, "GLURAY": GLURAY}
@@ -110,11 +110,11 @@ class Saved(Pictured):
         time.sleep(0.2)  # it says hello
         for words in ([GLURAY, "shot", "a.png"], [sys.executable, "-c", "import gluray; gluray.programs()[0].shot('a.png')"]):
             subprocess.run(words, check=True, cwd=self.folder, env=environment, timeout=60, stdout=subprocess.DEVNULL)
-            self.assertTrue(picture_of(self.folder / "a.png") == (WIDTH, HEIGHT, self.screen()))
+            self.assertTrue(image_of(self.folder / "a.png") == (WIDTH, HEIGHT, self.screen()))
             (self.folder / "a.png").unlink()
 
 
-class Thumbnails(Pictured):
+class Thumbnails(WindowImages):
     def thumbnail(self, hub):
         event = hub.event("thumbnail")
         pixels = base64.b64decode(event["pixels"], validate=True)
@@ -126,7 +126,7 @@ class Thumbnails(Pictured):
         with self.assertRaises(TimeoutError):
             hub.message(seconds)
 
-    def test_they_follow_the_picture(self):
+    def test_they_follow_the_image(self):
         hub = self.linked()
         hub.ask("observe", what=["thumbnail"], every=0.05)
         width, height, first = self.thumbnail(hub)

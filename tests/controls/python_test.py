@@ -8,7 +8,7 @@ import threading
 import time
 import unittest
 
-from memory_hub import FakeProgram, PICTURE, picture_of
+from memory_hub import FakeProgram, IMAGE, image_of
 from python_case import GLURAY, ROWS, PythonCase, gluray
 
 
@@ -71,12 +71,12 @@ class Python(PythonCase):
         p = gluray.programs()[0]
         file = self.folder / "a.png"
         self.assertEqual((p.shot(file), p.shot(str(file))), ((5, 3), (5, 3)))
-        self.assertEqual(picture_of(file), (5, 3, PICTURE))
-        first.no_picture = "no"
+        self.assertEqual(image_of(file), (5, 3, IMAGE))
+        first.no_image = "no"
         self.assertEqual(self.refusal(lambda: p.shot(file)), "paraview (4242): no")
         self.assertEqual([one.name for one in self.folder.iterdir() if one.name != "run"], ["a.png"])
 
-    def test_shots_replace_pictures_alone(self):
+    def test_shots_replace_images_alone(self):
         self.two()
         p = gluray.programs()[0]
         notes = self.folder / "notes.png"
@@ -94,7 +94,7 @@ class Python(PythonCase):
         p, size = gluray.programs()[0], {"shot": 1, "width": 5, "height": 3}
         for value in (3, {}, size | {"width": 0}, size | {"width": 1 << 40}, size | {"height": "3"}, size, size | {"pixels": "AAAA"}, size | {"pixels": "?"}):
             hub.instead["call"] = {"results": [{"program": 1, "value": value}]}
-            self.assertEqual(self.refusal(lambda: p.shot(self.folder / "a.png")), "paraview (4242): it sends no picture")
+            self.assertEqual(self.refusal(lambda: p.shot(self.folder / "a.png")), "paraview (4242): it sends no image")
         self.assertFalse((self.folder / "a.png").exists())
 
     def test_names(self):

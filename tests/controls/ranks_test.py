@@ -26,7 +26,7 @@ class Ranks(Parts):
         self.outputs = [open(self.folder / f"out{rank}") for rank in range(RANKS)]
         self.addCleanup(self.leave)
         self.stopped = threading.Event()
-        self.pictures = []  # of all ranks, a frame each
+        self.images = []  # of all ranks, a frame each
 
     def leave(self):
         for file in self.inputs + self.outputs:
@@ -36,7 +36,7 @@ class Ranks(Parts):
         """One frame of all ranks."""
         for file in self.inputs:
             print("frame", file=file, flush=True)
-        self.pictures.append(tuple(file.readline().strip() for file in self.outputs))
+        self.images.append(tuple(file.readline().strip() for file in self.outputs))
 
     def draw_on(self):
         while not self.stopped.wait(PERIOD):
@@ -60,19 +60,19 @@ class Ranks(Parts):
             (entry,) = self.listed(1).values()
             self.assertEqual((entry["ranks"], entry["connected"]), (RANKS, RANKS))
             self.assertEqual(self.change("set", "ao=on", "ao.samples=8")["values"], {"ao": True, "ao.samples": 8})
-            after = len(self.pictures)
-            while len(self.pictures) < after + 3:
+            after = len(self.images)
+            while len(self.images) < after + 3:
                 time.sleep(PERIOD)
             self.assertEqual(self.change("undo")["values"]["ao"], False)
-            after = len(self.pictures)
-            while len(self.pictures) < after + 3:
+            after = len(self.images)
+            while len(self.images) < after + 3:
                 time.sleep(PERIOD)
         finally:
             self.stopped.set()
             thread.join()
-        self.assertTrue(all(one == other for one, other in self.pictures), self.pictures)
-        kinds = [one for i, (one, _) in enumerate(self.pictures) if i == 0 or one != self.pictures[i - 1][0]]
-        self.assertEqual(len(kinds), 3, self.pictures)
+        self.assertTrue(all(one == other for one, other in self.images), self.images)
+        kinds = [one for i, (one, _) in enumerate(self.images) if i == 0 or one != self.images[i - 1][0]]
+        self.assertEqual(len(kinds), 3, self.images)
         self.assertEqual(kinds[0], kinds[2])
 
 

@@ -58,8 +58,8 @@ static void makeProgram(void) {
                "attribute vec3 corner; attribute vec2 coordinate; uniform mat4 place; varying vec2 at;"
                "void main() { at = coordinate; gl_Position = place * vec4(corner, 1.0); }"));
   glAttachShader(program, shaderOf(GL_FRAGMENT_SHADER,
-                                   "uniform sampler2D picture; varying vec2 at;"
-                                   "void main() { gl_FragColor = texture2D(picture, at); }"));
+                                   "uniform sampler2D image; varying vec2 at;"
+                                   "void main() { gl_FragColor = texture2D(image, at); }"));
   glBindAttribLocation(program, 0, "corner"), glBindAttribLocation(program, 1, "coordinate");
   glLinkProgram(program);
 }

@@ -1,4 +1,4 @@
-"""A program whose toolkit keeps pictures of its views: settings show although it only shows these again when it is exposed, and
+"""A program whose toolkit keeps images of its views: settings show although it only shows these again when it is exposed, and
 a pixel of its window tells what it shows: toolkit_test.py GLURAY CLIENT, with a display."""
 import base64
 import time

@@ -1,5 +1,5 @@
 """Programs whose memory is limited (ulimit -v, -d): wherever a program lives without GLuRay, it lives through each door,
-and shows that picture or the traced one. Arguments: GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY edges|vendor|preload:
+and shows that image or the traced one. Arguments: GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY edges|vendor|preload:
 limits around those where the behaviour changes, or all in steps of 4 MB through that door.
 
 Mesa's threads and their arenas of malloc make the least limit a matter of chance, so their number is fixed, and limits
@@ -12,7 +12,7 @@ import subprocess
 import sys
 import unittest
 
-from limits_test import APIS, DOORS, EFFECTS, draw, picture, same
+from limits_test import APIS, DOORS, EFFECTS, draw, image, same
 from manners import CLIENTS, GLURAY, run
 
 WHICH = sys.argv.pop(4)
@@ -39,34 +39,34 @@ def limited(megabytes: int, api: str, scene: str, option: str = "-v", **more):
 @functools.cache
 def ample(api: str, scene: str, **more) -> bytes:
     use(2)
-    return picture(draw(api, scene, **more))
+    return image(draw(api, scene, **more))
 
 
 @functools.cache
 def lives(megabytes: int, api: str, scene: str, option: str, threads: int) -> bool:
-    """Whether the program alone shows its picture each time."""
+    """Whether the program alone shows its image each time."""
     use(threads)
     count = RUNS if threads != 2 else 1
     alone = (limited(megabytes, api, scene, option) for _ in range(count))
-    return all(done.returncode == 0 and same(picture(done), ample(api, scene)) for done in alone)
+    return all(done.returncode == 0 and same(image(done), ample(api, scene)) for done in alone)
 
 
 class Limits(unittest.TestCase):
     def try_limit(self, megabytes: int, api: str, scene: str, door: str, settings=(), option="-v", threads=2) -> str:
-        """What is seen: "dies" alone, "plain" or "traced"; the last where both pictures are the same."""
+        """What is seen: "dies" alone, "plain" or "traced"; the last where both images are the same."""
         if not lives(megabytes, api, scene, option, threads):
             return "dies"
         with self.subTest(option=option, megabytes=megabytes, api=api, scene=scene, door=door, settings=settings):
             plain, traced = ample(api, scene), ample(api, scene, door=door, settings=settings)
             use(threads)
-            shown = picture(limited(megabytes, api, scene, option, door=door, settings=settings))
+            shown = image(limited(megabytes, api, scene, option, door=door, settings=settings))
             if same(shown, traced):
                 return "traced"
-            self.assertTrue(same(shown, plain), "another picture")
+            self.assertTrue(same(shown, plain), "another image")
         return "plain"
 
     def check(self, seen: list) -> None:
-        """Most limits were tried; with effects, whose pictures differ, some were not traced, and the last were."""
+        """Most limits were tried; with effects, whose images differ, some were not traced, and the last were."""
         self.assertGreater(len(seen) - seen.count("dies"), len(seen) // 2)
         self.assertEqual(seen[-1], "traced")
 
@@ -109,7 +109,7 @@ class Edges(Limits):
                 use(2)
                 plain = limited(4000, api, scene) if scene == "grows" else draw(api, scene)
                 done = limited(4000, api, scene, door=door) if scene == "grows" else draw(api, scene, door=door)
-                self.assertTrue(same(picture(done), picture(plain)))
+                self.assertTrue(same(image(done), image(plain)))
                 self.assertRegex(done.stderr, rb"real OpenGL draws some frames.*: limits of the process \(ulimit -v, -d\)")
 
     def test_doors_alone_take_little(self):
@@ -125,7 +125,7 @@ class Edges(Limits):
         plain = ample("egl", "small")
         for door in DOORS:
             with self.subTest(door=door, least=least):
-                self.assertTrue(same(picture(behind(least + 8, GLURAY, "--door", door, "--")), plain))
+                self.assertTrue(same(image(behind(least + 8, GLURAY, "--door", door, "--")), plain))
 
     def test_one_line_says_so(self):
         """Hard limits below what is needed; and one that leaves too little only when the program is loaded."""

@@ -1,4 +1,4 @@
-"""`--hud`: text in the lower left corner of the shown picture, and nowhere else.
+"""`--hud`: text in the lower left corner of the shown image, and nowhere else.
 
     hud_test.py GLURAY DOOR PROGRAM
 
@@ -8,22 +8,22 @@ PROGRAM read-after-swap writes what its window shows to standard output, as PPM.
 import subprocess
 import sys
 
-from compare_pictures import pictures
+from compare_images import images
 
 GROUND = bytes((0x18, 0x20, 0x30))  # src/intercept/hud/text_image.h
 CORNER, LEAST = 8, 500              # where the text begins; least number of pixels of its background
 
 
-def picture(gluray, door, program, *options):
+def image(gluray, door, program, *options):
     done = subprocess.run([gluray, "--door", door, *options, "--", program, "read-after-swap"], stdout=subprocess.PIPE,
                           timeout=100, check=True)
-    return pictures(done.stdout)[0]
+    return images(done.stdout)[0]
 
 
 def main():
     gluray, door, program = sys.argv[1:]
-    width, height, plain = picture(gluray, door, program, "--engine", "always")
-    _, _, shown = picture(gluray, door, program, "--engine", "always", "--hud")
+    width, height, plain = image(gluray, door, program, "--engine", "always")
+    _, _, shown = image(gluray, door, program, "--engine", "always", "--hud")
     places = [(i % width, i // width) for i in range(width * height) if plain[3 * i:3 * i + 3] != shown[3 * i:3 * i + 3]]
     ground = sum(shown[3 * i:3 * i + 3] == GROUND for i in range(width * height))
     problems = []
@@ -32,7 +32,7 @@ def main():
     if places and (min(x for x, _ in places) != CORNER or min(y for _, y in places) != CORNER):
         problems.append("it is not in the lower left corner")  # glReadPixels: lowest row first
     if any(y > height // 3 or x > 2 * width // 3 for x, y in places):
-        problems.append("the picture differs elsewhere")
+        problems.append("the image differs elsewhere")
     print("\n".join(problems) or f"{len(places)} pixels of the corner differ")
     return 1 if problems else 0
 

@@ -1,12 +1,12 @@
 """Programs whose stacks are small, and framebuffers of very different shapes: through each door, with EGL and GLX, a
-program draws the same picture as with plenty, and takes little more memory than without GLuRay.
+program draws the same image as with plenty, and takes little more memory than without GLuRay.
 Arguments: GLURAY LIBRARY_DIRECTORY CLIENTS_DIRECTORY [unittest arguments]."""
 import re
 import subprocess
 import sys
 import unittest
 
-from compare_pictures import differing, pictures
+from compare_images import differing, images
 from manners import CLIENTS, GLURAY
 
 DOORS, APIS = ("vendor", "preload"), ("egl", "glx")
@@ -22,10 +22,10 @@ def draw(api: str, scene: str, stack: int = 0, door: str = "", limit: str = "", 
     return subprocess.run(["sh", "-c", script, "sh", *map(str, words)], capture_output=True, timeout=100)
 
 
-def picture(done: subprocess.CompletedProcess) -> bytes:
+def image(done: subprocess.CompletedProcess) -> bytes:
     assert done.returncode == 0, f"{done.args}: exit code {done.returncode}: {done.stderr.decode()}"
-    (width, height, pixels), = pictures(done.stdout)
-    assert len(pixels) == 3 * width * height and len(set(pixels)) > 10, "the picture is empty"
+    (width, height, pixels), = images(done.stdout)
+    assert len(pixels) == 3 * width * height and len(set(pixels)) > 10, "the image is empty"
     return pixels
 
 
@@ -41,32 +41,32 @@ def peak(done: subprocess.CompletedProcess) -> int:
 class Stacks(unittest.TestCase):
     def test_small_threads(self):
         for api in APIS:
-            picture(draw(api, "small", 64))
+            image(draw(api, "small", 64))
             for door in DOORS:
                 for settings in ((), EFFECTS):
-                    ample = picture(draw(api, "small", 4096, door, settings=settings))
+                    ample = image(draw(api, "small", 4096, door, settings=settings))
                     for stack in (64, 128):
                         with self.subTest(api=api, door=door, settings=settings, stack=stack):
-                            self.assertTrue(same(picture(draw(api, "small", stack, door, settings=settings)), ample))
+                            self.assertTrue(same(image(draw(api, "small", stack, door, settings=settings)), ample))
 
     def test_small_limit(self):
         """Threads that libraries start have small stacks, too."""
         for door in DOORS:
             for settings in ((), EFFECTS):
-                ample = picture(draw("egl", "large", 0, door, settings=settings))
+                ample = image(draw("egl", "large", 0, door, settings=settings))
                 for kilobytes in (64, 160):
                     with self.subTest(door=door, settings=settings, kilobytes=kilobytes):
                         done = draw("egl", "large", 0, door, f"ulimit -s {kilobytes}", settings)
-                        self.assertTrue(same(picture(done), ample))
+                        self.assertTrue(same(image(done), ample))
 
 
 class Shapes(unittest.TestCase):
     def test_framebuffers_of_all_shapes(self):
-        """One texture for pictures of 16384x16 and 16x16384 pixels would take 2 GB."""
+        """One texture for images of 16384x16 and 16x16384 pixels would take 2 GB."""
         for api, door in zip(APIS, DOORS):
             with self.subTest(api=api, door=door):
                 plain, done = draw(api, "sizes"), draw(api, "sizes", door=door)
-                self.assertTrue(same(picture(done), picture(plain)))
+                self.assertTrue(same(image(done), image(plain)))
                 self.assertLess(peak(done), peak(plain) + 400)
 
 

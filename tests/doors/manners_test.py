@@ -166,7 +166,7 @@ class Launcher(Folder):
 
 class Missing(Folder):
     def survives(self, *lines, door="vendor", **environment):
-        """The client's own check of its picture passes; stderr has exactly the given lines."""
+        """The client's own check of its image passes; stderr has exactly the given lines."""
         done = run(GLURAY, "--door", door, "--", CLIENTS / "door_linked_gl", **environment)
         self.assertEqual(done.returncode, 0, done.stderr)
         told = done.stderr.splitlines()

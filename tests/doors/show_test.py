@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-from compare_pictures import pictures
+from compare_images import images
 
 ALONE = {"moving", "unchanged", "smaller_viewport", "far_plane"}  # cases in which every frame can be shown without the back buffer
 NOISE = 2 / 100  # of the pixels may differ from the real OpenGL's: edges, and lines at surfaces
@@ -23,7 +23,7 @@ def run(command, **environment):
                           env={**os.environ, **environment})
     if done.returncode:
         raise SystemExit(f"{' '.join(command)} ended with {done.returncode}: {done.stderr.decode()[-500:]}")
-    return pictures(done.stdout), done.stderr.decode()
+    return images(done.stdout), done.stderr.decode()
 
 
 def different(a, b):
@@ -52,12 +52,12 @@ def problems_of(gluray, door, program, case):
         if case == "unchanged" and json.loads(pathlib.Path(report.name).read_text())["repeated"] < 2:
             yield "frames in which nothing changes are traced again"
     if len(shown) != len(without) or len(shown) != len(real) or not shown:
-        yield f"{len(shown)} pictures, {len(without)} without the quirk, {len(real)} without GLuRay"
+        yield f"{len(shown)} images, {len(without)} without the quirk, {len(real)} without GLuRay"
     for i, (a, b, c) in enumerate(zip(shown, without, real)):
         if a != b:
-            yield f"picture {i}: differs from that without the quirk in {different(a, b):.2%} of the pixels"
+            yield f"image {i}: differs from that without the quirk in {different(a, b):.2%} of the pixels"
         if case in ALONE and i == 0 and different(a, c) > NOISE:
-            yield f"picture {i}: differs from the real OpenGL's in {different(a, c):.2%} of the pixels"
+            yield f"image {i}: differs from the real OpenGL's in {different(a, c):.2%} of the pixels"
 
 
 def main():

@@ -1,6 +1,6 @@
 """The choice of --engine auto: engine_test.py GLURAY CLIENT (with an X server at hand).
 
-Tiny scenes go to the real OpenGL, large ones are traced from their first frame on, and the pictures stay the same."""
+Tiny scenes go to the real OpenGL, large ones are traced from their first frame on, and the images stay the same."""
 import json
 import os
 import pathlib
@@ -30,7 +30,7 @@ def run(*command, engine=None, before=()):
 
 
 class Engine(unittest.TestCase):
-    def same_pictures(self, plain, seen):
+    def same_images(self, plain, seen):
         self.assertEqual(len(plain), len(seen))
         for a, b in zip(plain, seen):
             self.assertEqual(a.split()[0], b.split()[0])
@@ -41,7 +41,7 @@ class Engine(unittest.TestCase):
             with self.subTest(path):
                 plain, _ = run(CLIENT, path, SMALL, 60)
                 seen, report = run(CLIENT, path, SMALL, 60, engine="auto")
-                self.same_pictures(plain, seen)
+                self.same_images(plain, seen)
                 # On a busy machine a trial may trace three frames.
                 self.assertLessEqual(report["draws"]["traced"], 6)
                 self.assertEqual(set(report["draws"]["rasterised"]), {REASON})
@@ -52,7 +52,7 @@ class Engine(unittest.TestCase):
             with self.subTest(path):
                 plain, _ = run(CLIENT, path, LARGE, 20)
                 seen, report = run(CLIENT, path, LARGE, 20, engine="auto")
-                self.same_pictures(plain, seen)
+                self.same_images(plain, seen)
                 self.assertEqual(report["draws"], {"traced": 20, "rasterised": {}})
                 self.assertEqual(report["framesDirect"], 0)
 
@@ -62,7 +62,7 @@ class Engine(unittest.TestCase):
                 scenes = (path, SMALL, 40, LARGE, 40, SMALL, 200, LARGE, 5)
                 plain, _ = run(CLIENT, *scenes)
                 seen, report = run(CLIENT, *scenes, engine="auto")
-                self.same_pictures(plain, seen)
+                self.same_images(plain, seen)
                 self.assertGreaterEqual(report["framesDirect"], 39 + 50)
                 # Triangles sent by glBegin are counted when they are drawn: the first frame of a larger scene is still direct.
                 self.assertGreaterEqual(report["draws"]["traced"], 40 + 5 - (2 if path == "immediate" else 0))

@@ -1,7 +1,7 @@
 """Injected failures in a real process: failures_test.py GLURAY CLIENT FAILING_NEW [every] (with an X server at hand).
 
 Loads the engine as installed into a program without C++ code. Each time another single allocation fails, some of them or every one,
-on the program's thread or within TBB's: the program must go on with the same picture as without GLuRay, with one line on stderr.
+on the program's thread or within TBB's: the program must go on with the same image as without GLuRay, with one line on stderr.
 Tests that link the engine's code cannot replace this one: exceptions also pass through TBB, and through whichever
 C++ runtime that was loaded with."""
 import os
@@ -26,7 +26,7 @@ def run(path, fail_at=None, quirks=""):
 class Failures(unittest.TestCase):
     def test_any_allocation(self):
         aside = {}
-        # A picture that could not be shown without the back buffer is tried once more, so most failures have no effect.
+        # An image that could not be shown without the back buffer is tried once more, so most failures have no effect.
         for path, quirks in (("list", "software-show=off"), ("vbo", "software-show=on")):
             aside[path] = 0
             plain = run(path).stdout.split()

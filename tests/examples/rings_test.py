@@ -25,12 +25,12 @@ class Rings(unittest.TestCase):
         self.addCleanup(shutil.rmtree, self.folder)
 
     def run_rings(self, *options, **environment):
-        """The picture's bytes, the report, and the program's messages."""
-        picture, report = self.folder / "picture.ppm", self.folder / "report.json"
-        done = subprocess.run([GLURAY, "--report", report, *options, "--", RINGS, str(FRAMES), picture],
+        """The image's bytes, the report, and the program's messages."""
+        image, report = self.folder / "image.ppm", self.folder / "report.json"
+        done = subprocess.run([GLURAY, "--report", report, *options, "--", RINGS, str(FRAMES), image],
                               env={**os.environ, **environment}, capture_output=True, text=True, timeout=100)
         self.assertEqual(done.returncode, 0, done.stderr)
-        magic, size, depth, pixels = picture.read_bytes().split(b"\n", 3)
+        magic, size, depth, pixels = image.read_bytes().split(b"\n", 3)
         self.assertEqual((magic, size, depth), (b"P6", b"480 360", b"255"))
         return pixels, json.loads(report.read_text()), done.stderr
 
@@ -54,7 +54,7 @@ class Rings(unittest.TestCase):
     def check_untraced(self, *options, **environment):
         got, report, said = self.run_rings(*options, **environment)
         self.assertEqual(report["triangles"], {"traced": 0, "rasterised": TRIANGLES})
-        self.assertTrue(got == self.plain(), "pictures differ although nothing was traced")
+        self.assertTrue(got == self.plain(), "images differ although nothing was traced")
         return said
 
     def test_traced_with_its_file(self):

@@ -60,7 +60,7 @@ class Doctor(unittest.TestCase):
         tracer = self.finding(findings, "ray tracer")
         self.assertRegex(tracer[0], r"Embree \d+\.\d+\.\d+ .*TBB 20\d\d")
         self.assertRegex(tracer[1], r"/libembree\d\.so.*/libtbb\.so")
-        self.assertIn("traced", self.finding(findings, "test picture")[0])
+        self.assertIn("traced", self.finding(findings, "test image")[0])
         self.assertRegex(self.finding(findings, "OpenGL (GLX)")[0], r"\d\.\d")
         self.assertIn("GB of memory", self.finding(findings, "machine")[0])
 
@@ -85,7 +85,7 @@ class Doctor(unittest.TestCase):
         self.assertEqual(code, 1, findings)
         self.finding(findings, "display", "limited")
         self.finding(findings, "OpenGL (EGL)")
-        self.finding(findings, "test picture")
+        self.finding(findings, "test image")
         code, findings = self.ask(CLIENT, display=False)
         self.assertEqual(code, 2)
         self.assertIn("no display", self.finding(findings, "program", "broken")[0])

@@ -1,4 +1,4 @@
-"""gluray explain --html: the page's pictures and numbers, with and without GLuRay.
+"""gluray explain --html: the page's images and numbers, with and without GLuRay.
 
     page_test.py GLURAY CLIENTS_DIRECTORY [unittest arguments]
 """
@@ -29,9 +29,9 @@ class Page(Folder):
         self.assertEqual(facts["drawnOver"], GLASS_PIXELS)
         # The colour follows the clock, which is the same in both runs.
         self.assertEqual((facts["differingAtAll"], facts["outsideDiffering"]), (0, 0))
-        pictures = dict(re.findall(r'<img id="(\w+)"[^>]*base64,([^"]+)"', text))
-        self.assertEqual(set(pictures), {"with", "without", "difference", "traced"})
-        for data in pictures.values():
+        images = dict(re.findall(r'<img id="(\w+)"[^>]*base64,([^"]+)"', text))
+        self.assertEqual(set(images), {"with", "without", "difference", "traced"})
+        for data in images.values():
             self.assertTrue(base64.b64decode(data).startswith(b"\x89PNG"))
         self.assertNotIn("did not show the same frame", text)
 
@@ -62,7 +62,7 @@ class Page(Folder):
         self.assertFalse(facts["sameFrame"])
         self.assertIn("did not show the same frame", text)
 
-    def test_pictures_at_rest(self):
+    def test_images_at_rest(self):
         file = self.folder / "page.html"
         facts = explained("--rest", "0.5", "--html", file, CLIENT, "still")["page"]
         self.assertEqual((facts["frame"], facts["frameWithout"], facts["differingAtAll"]), (2, 2, 0))

@@ -65,9 +65,9 @@ Outcome compareState(const test::GlState& expected, test::GlState got) {
 }
 
 /// Edges may be off by a pixel, and thousands of random triangles have many: only few pixels may have a
-/// colour that the other picture does not have nearby.
-Outcome comparePictures(const test::Picture& expected, const test::Picture& got) {
-  const auto found = [](const test::Picture& in, int x, int y, uint32_t color) {
+/// colour that the other image does not have nearby.
+Outcome compareImages(const test::DrawnImage& expected, const test::DrawnImage& got) {
+  const auto found = [](const test::DrawnImage& in, int x, int y, uint32_t color) {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const int px = std::clamp(x + dx, 0, kSize - 1), py = std::clamp(y + dy, 0, kSize - 1);
@@ -83,7 +83,7 @@ Outcome comparePictures(const test::Picture& expected, const test::Picture& got)
     }
   constexpr int kMax = kSize * kSize / 10;
   if (strange <= kMax) return {};
-  return {"pictures differ in " + std::to_string(strange) + " pixels", 0};
+  return {"images differ in " + std::to_string(strange) + " pixels", 0};
 }
 
 }  // namespace gluray::fuzz

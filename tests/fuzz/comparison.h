@@ -1,8 +1,8 @@
 // Finds the first difference between a stream's results by the real OpenGL and through GLuRay.
 #pragma once
 #include "tests/fuzz/player.h"
+#include "tests/support/drawn_image.h"
 #include "tests/support/gl_state.h"
-#include "tests/support/picture.h"
 
 #include <string>
 #include <vector>
@@ -18,11 +18,11 @@ struct Outcome {
 struct Record {
   std::vector<Answer> answers;
   test::GlState state;
-  test::Picture picture;
+  test::DrawnImage image;
 };
 
 Outcome compareAnswers(const std::vector<Answer>& expected, const std::vector<Answer>& got);
 Outcome compareState(const test::GlState& expected, test::GlState got);
-Outcome comparePictures(const test::Picture& expected, const test::Picture& got);
+Outcome compareImages(const test::DrawnImage& expected, const test::DrawnImage& got);
 
 }  // namespace gluray::fuzz

@@ -55,7 +55,7 @@ class Ours {
 
 Drawn g_drawn;  // draws of the stream played over NullGl
 
-/// Traces each batch and discards the picture; sometimes fails.
+/// Traces each batch and discards the image; sometimes fails.
 class Tracer final : public gl::Presenter {
  public:
   gl::PresentResult present(const gl::RealGl&, const scene::SnapshotPtr& snapshot,
@@ -64,7 +64,7 @@ class Tracer final : public gl::Presenter {
     scene::TraceCost statistics;
     if (target.rasterise) {
       result.outcome = gl::PresentResult::rasterised;
-    } else if (++pictures_ % 500 != 0 &&
+    } else if (++images_ % 500 != 0 &&
                frame::Renderer::shared().render(*snapshot, image_, statistics, result.why)) {
       result.outcome = gl::PresentResult::traced;
       g_drawn.byPrograms += target.programDraws.size();
@@ -75,7 +75,7 @@ class Tracer final : public gl::Presenter {
   void forget(const gl::RealGl&) noexcept override {}
 
  private:
-  int pictures_ = 0;
+  int images_ = 0;
   Image image_;
 };
 
@@ -212,7 +212,7 @@ Record playTo(const Stream& stream, bool state, bool whole = false) {
   p.answer("GetError at the end", {static_cast<double>(p.gl.GetError())});
   Record record;
   if (state) record.state = test::queryState(p.gl);
-  if (stream.tame) record.picture = test::readPicture(p.gl, kSize, kSize);
+  if (stream.tame) record.image = test::readImage(p.gl, kSize, kSize);
   p.gl.Finish();
   record.answers = p.answers();
   return record;
@@ -227,7 +227,7 @@ Outcome play(const Stream& stream, bool state, bool& ours) {
   const Record got = playTo<Ours>(stream, state);
   Outcome outcome = compareAnswers(expected.answers, got.answers);
   if (outcome.what.empty()) outcome = compareState(expected.state, got.state);
-  if (outcome.what.empty() && stream.tame) outcome = comparePictures(expected.picture, got.picture);
+  if (outcome.what.empty() && stream.tame) outcome = compareImages(expected.image, got.image);
   return outcome;
 }
 

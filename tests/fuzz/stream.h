@@ -21,7 +21,7 @@ struct Stream {
   int attributeSize = 4;      // components of texture coordinates and generic attributes: avoided.md
   bool askErrors = false;     // glGetError after every call
   Engine engine = Engine::always;
-  bool tame = false;  // only calls whose picture can be compared
+  bool tame = false;  // only calls whose image can be compared
 };
 
 /// The stream of this seed, about two thousand calls. `alone`: for GLuRay over an OpenGL that draws nothing;

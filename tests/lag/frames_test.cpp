@@ -119,11 +119,11 @@ TEST(Lag, StateSetAfterAClearDoesNotChangeIt) {
 
 TEST(Lag, ReadsSeeTheFrameThatWasSwapped) {
   for (const bool readFirst : {true, false}) {
-    std::vector<Picture> read;
+    std::vector<DrawnImage> read;
     LagOptions options;
     options.afterSwap = [&](Gl gl, int) {
       if (!readFirst) gl.Finish();
-      read.push_back(readPicture(gl, kLagWidth, kLagHeight));
+      read.push_back(readImage(gl, kLagWidth, kLagHeight));
     };
     const Shown shown = play(ringFrame, kLagFrames, options);
     EXPECT_EQ(read, shown.frames);
@@ -211,7 +211,7 @@ TEST(Lag, FramesOfADestroyedWindowAreNotShown) {
   const Shown shown = play(ringFrame, kLagFrames, options);
   LagOptions plainly;
   plainly.lag = false;
-  std::vector<Picture> plain = play(ringFrame, kLagFrames, plainly).frames;
+  std::vector<DrawnImage> plain = play(ringFrame, kLagFrames, plainly).frames;
   plain.erase(plain.begin() + 2);
   EXPECT_EQ(shown.frames, plain);
 }

@@ -36,7 +36,7 @@ Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
                      std::make_unique<present::TracingPresenter>(
                          frame::Tracer{options.trace ? options.trace : traceByRenderer}));
   gl::Context& context = *gl::t_thread.context;
-  const auto swap = [&] { shown.frames.push_back(readPicture(ours.below().real(), kLagWidth, kLagHeight)); };
+  const auto swap = [&] { shown.frames.push_back(readImage(ours.below().real(), kLagWidth, kLagHeight)); };
   for (int frame = 0; frame < count; ++frame) {
     draw(ours.gl(), frame);
     const gl::LagRefusal refusal =
@@ -53,18 +53,18 @@ Shown play(const DrawFrame& draw, int count, const LagOptions& options) {
   return shown;
 }
 
-std::vector<Picture> playReal(const DrawFrame& draw, int count) {
+std::vector<DrawnImage> playReal(const DrawFrame& draw, int count) {
   const auto real = OsmesaContext::create({kLagWidth, kLagHeight});
-  std::vector<Picture> frames;
+  std::vector<DrawnImage> frames;
   for (int frame = 0; frame < count; ++frame) {
     draw(real->real(), frame);
-    frames.push_back(readPicture(real->real(), kLagWidth, kLagHeight));
+    frames.push_back(readImage(real->real(), kLagWidth, kLagHeight));
   }
   return frames;
 }
 
-void expectClose(const std::string& name, const std::vector<Picture>& expected,
-                 const std::vector<Picture>& got) {
+void expectClose(const std::string& name, const std::vector<DrawnImage>& expected,
+                 const std::vector<DrawnImage>& got) {
   ASSERT_EQ(got.size(), expected.size()) << name;
   for (size_t i = 0; i < got.size(); ++i) {
     const Comparison compared = compare(expected[i], got[i], kLagTolerance);

@@ -15,7 +15,7 @@ inline constexpr int kLagWidth = 96, kLagHeight = 72, kLagFrames = 6;
 using DrawFrame = std::function<void(const gl::RealGl&, int frame)>;
 
 struct Shown {
-  std::vector<Picture> frames;        // in the order they were shown
+  std::vector<DrawnImage> frames;     // in the order they were shown
   std::vector<gl::LagRefusal> swaps;  // for each swap, whether it lagged or why not
   std::vector<size_t> shownAtSwap;    // how many frames had been shown when it returned
   std::vector<std::string> errors;
@@ -36,11 +36,11 @@ bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, scene::Trace
 /// Draws `count` frames through GLuRay; glFinish shows the last one.
 Shown play(const DrawFrame& draw, int count, const LagOptions& options = {});
 /// The same by the real OpenGL alone.
-std::vector<Picture> playReal(const DrawFrame& draw, int count);
+std::vector<DrawnImage> playReal(const DrawFrame& draw, int count);
 
-/// Expects the same number of pictures, and each within the scenes' tolerance.
-void expectClose(const std::string& name, const std::vector<Picture>& expected,
-                 const std::vector<Picture>& got);
+/// Expects the same number of images, and each within the scenes' tolerance.
+void expectClose(const std::string& name, const std::vector<DrawnImage>& expected,
+                 const std::vector<DrawnImage>& got);
 
 /// Expects the same frames in the same order as without lag, to the bit, and those of the real OpenGL within
 /// the scenes' tolerance; and that `later` of the swaps were delayed.

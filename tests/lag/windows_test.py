@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "doors"))
-from compare_pictures import SHARE, differing, pictures
+from compare_images import SHARE, differing, images
 
 FRAMES = 8
 WIDTH, HEIGHT = 200, 150
@@ -24,7 +24,7 @@ def frames_in(data):
     while data:
         number, rest = data.split(b"\n", 1)
         end = len(HEADER) + WIDTH * HEIGHT * 3
-        found[int(number)] = pictures(rest[:end])[0][2]
+        found[int(number)] = images(rest[:end])[0][2]
         data = rest[end:]
     return found
 
@@ -47,9 +47,9 @@ class Lag(unittest.TestCase):
         ours, lag = self.run_client(habit, "--lag", mode, *options)
         self.assertEqual(list(ours), sorted(ours))
         self.assertIn(last, ours)
-        for number, picture in ours.items():
+        for number, image in ours.items():
             if number in plain:
-                self.assertLessEqual(differing(plain[number], picture), SHARE * WIDTH * HEIGHT, f"{habit}: frame {number}")
+                self.assertLessEqual(differing(plain[number], image), SHARE * WIDTH * HEIGHT, f"{habit}: frame {number}")
         self.assertGreaterEqual(lag["later"], later)
         return ours, lag
 

@@ -1,7 +1,7 @@
 // Preloaded into a program under test so that two runs of it show the same frames. Clocks, random numbers and
 // the process number give the program itself (not its libraries, nor GLuRay) the same values in both runs:
 // time moves by 40 ms with every buffer swap. After swap number LIVE_FRAME the program waits until the file
-// LIVE_GO exists, then ends; LIVE_READY is created when its picture is in the window.
+// LIVE_GO exists, then ends; LIVE_READY is created when its image is in the window.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>

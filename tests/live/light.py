@@ -1,4 +1,4 @@
-"""Runs one real program without and with ambient occlusion, and compares the pictures in its window.
+"""Runs one real program without and with ambient occlusion, and compares the images in its window.
 
     light.py --gluray GLURAY --freeze FREEZE.SO --out FOLDER NAME
 
@@ -11,7 +11,7 @@ import sys
 
 import run
 import numpy as np
-import pictures
+import images
 
 BRIGHTER = 0.002  # share of pixels that may be brighter by more than VISIBLE: noise of moving frames, and edges
 DARKER = 0.002    # least share of pixels that are darker by more than that
@@ -20,9 +20,9 @@ OCCLUSION = ("--set", "ao=on", "--set", "ao.radius=0.2")
 
 
 def check(name, plain, lit, report):
-    box = pictures.window_box(np.maximum(plain, lit))
+    box = images.window_box(np.maximum(plain, lit))
     change = lit[box].astype(np.int16) - plain[box].astype(np.int16)
-    brighter, darker = float((change.max(axis=2) > pictures.VISIBLE).mean()), float((change.min(axis=2) < -pictures.VISIBLE).mean())
+    brighter, darker = float((change.max(axis=2) > images.VISIBLE).mean()), float((change.min(axis=2) < -images.VISIBLE).mean())
     print(f"{name}: {brighter:.4%} of its pixels are brighter, {darker:.2%} darker; {report and report['light']}")
     wrong = []
     if brighter > BRIGHTER:
@@ -38,9 +38,9 @@ def main():
     launcher, place = [str(pathlib.Path(given.gluray).resolve())], out / f"{given.name}-light.home"
     plain, _ = run.run(program, launcher, given.freeze, place)
     lit, report = run.run(program, [*launcher, *OCCLUSION], given.freeze, place)
-    box = pictures.window_box(np.maximum(plain, lit))
-    for kind, picture in (("plain", plain), ("ao", lit)):
-        pictures.write_png(out / f"{given.name}-{kind}.png", picture[box])
+    box = images.window_box(np.maximum(plain, lit))
+    for kind, image in (("plain", plain), ("ao", lit)):
+        images.write_png(out / f"{given.name}-{kind}.png", image[box])
     wrong = check(given.name, plain, lit, report)
     print("\n".join(wrong))
     return 1 if wrong else 0

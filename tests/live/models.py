@@ -41,7 +41,7 @@ def write_obj(path, material=False, **size):
     return path
 
 
-def write_picture(path, side=64):
+def write_image(path, side=64):
     """A PNG of soft waves of colour."""
     x, y = np.meshgrid(np.arange(side), np.arange(side))
     wave = lambda turns: (127.5 + 127.5 * np.sin(2 * np.pi * turns / side)).astype("u1")
@@ -54,7 +54,7 @@ def write_picture(path, side=64):
 
 
 def write_ctm(path, around=600, across=48):
-    """OpenCTM with texture coordinates and the name of a picture beside it; written by ctmconv (openctm-tools)."""
+    """OpenCTM with texture coordinates and the name of an image beside it; written by ctmconv (openctm-tools)."""
     positions, normals, triangles = knot(around, across)
     i, j = np.divmod(np.arange(len(positions)), across)
     lines = ["v %.6f %.6f %.6f" % tuple(p) for p in positions]
@@ -63,8 +63,8 @@ def write_ctm(path, around=600, across=48):
     lines += ["f " + " ".join(f"{v}/{v}/{v}" for v in t) for t in triangles + 1]
     wavefront = path.with_suffix(".obj")
     wavefront.write_text("\n".join(lines) + "\n")
-    picture = write_picture(path.with_suffix(".png"))
-    subprocess.run(["ctmconv", wavefront, path, "--texfile", picture.name], check=True, capture_output=True)
+    image = write_image(path.with_suffix(".png"))
+    subprocess.run(["ctmconv", wavefront, path, "--texfile", image.name], check=True, capture_output=True)
     return path
 
 

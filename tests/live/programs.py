@@ -1,4 +1,4 @@
-"""The real programs that are run with and without GLuRay, and the tolerances of their pictures.
+"""The real programs that are run with and without GLuRay, and the tolerances of their images.
 
 A tolerance is a pair: the largest difference (of 255) off edges, and the share of the window's pixels that may differ
 by more than 2 of 255 off edges. Edges (pixels.edges) are judged visually, because OpenGL allows one pixel of coverage more or less
@@ -28,9 +28,9 @@ class Program:
     visible: float = 0.005       # share of pixels that may differ by more than 8/255
     exact: bool = False          # no pixel may differ at all: the real OpenGL draws all of it
     culled: int = 0              # least number of culled draws (docs/culling.md)
-    frame: int = 0               # the swap whose picture is compared, with a fixed clock; 0: the picture at rest
+    frame: int = 0               # the swap whose image is compared, with a fixed clock; 0: the image at rest
     rest: float = 2.0            # seconds without a change that count as rest
-    colors: int = 64             # a picture with fewer has not loaded its model yet
+    colors: int = 64             # an image with fewer has not loaded its model yet
     environment: dict = dataclasses.field(default_factory=dict)
     needs: tuple = ()            # programs and files that the command needs, beside its first word
 
@@ -162,7 +162,7 @@ MORE = {
     "ctmviewer": wide(lambda folder: ["ctmviewer", str(models.write_ply(folder / "knot.ply", **SMALL))],
                       "GLUT; GLSL 1.10 that takes fixed function's state; buttons without depth test", 0.99),
     "ctmviewer_textured": wide(lambda folder: ["ctmviewer", str(models.write_ctm(folder / "knot.ctm", **SMALL))],
-                               "the same with a mesh's own picture", 0.99),
+                               "the same with a mesh's own image", 0.99),
     "pyqtgraph": wide(script("pyqtgraph_scene.py"), "Qt 5; GLSL 1.10 that takes fixed function's arrays", 0.99, rest=3.0,
                       needs=(module("pyqtgraph"),)),
     "pymol": wide(pymol, "Qt 5; GLSL 1.20, a depth cue; sticks are impostors", 0.98, rest=4.0, needs=("pymol",)),

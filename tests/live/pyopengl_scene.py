@@ -76,7 +76,7 @@ def display():
     glDisable(GL_DEPTH_TEST)
     glColor3f(1, 1, 0)
     glRasterPos2f(-1, 2.4)
-    glutBitmapString(GLUT_BITMAP_HELVETICA_18, b"text over a traced picture")
+    glutBitmapString(GLUT_BITMAP_HELVETICA_18, b"text over a traced image")
     glutSwapBuffers()
 
 

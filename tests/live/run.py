@@ -1,4 +1,4 @@
-"""Runs one real program with GLuRay switched off and on, in the same way, and compares the pictures in its window.
+"""Runs one real program with GLuRay switched off and on, in the same way, and compares the images in its window.
 
     run.py --gluray GLURAY --freeze FREEZE.SO --out FOLDER [--shading vertex|pixel] [--door DOOR] NAME
 
@@ -21,13 +21,13 @@ except ImportError:
     print("skipped: numpy is not installed for", sys.executable)
     sys.exit(77)
 
-import pictures
+import images
 import programs
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 from command_line import Parser  # noqa: E402
 
-START_SECONDS = 100  # until the picture is there, on a busy machine
+START_SECONDS = 100  # until the image is there, on a busy machine
 REPORT_SECONDS = 20  # until its frame is in the report: the disk may be slow
 
 
@@ -36,7 +36,7 @@ class Failed(RuntimeError):
 
 
 class Run:
-    """A program under `gluray OPTIONS`, until its picture is taken."""
+    """A program under `gluray OPTIONS`, until its image is taken."""
 
     def __init__(self, program, command, options, folder, freeze):
         self.program = program
@@ -54,26 +54,26 @@ class Run:
         self.log.seek(0)
         return self.log.read()[-2000:]
 
-    def picture(self):
+    def image(self):
         deadline = time.monotonic() + START_SECONDS
         last, since = None, time.monotonic()
         while time.monotonic() < deadline:
             time.sleep(0.25)
             if self.process.poll() is not None:
-                raise Failed(f"ended with {self.process.returncode} before its picture was there\n{self.told()}")
+                raise Failed(f"ended with {self.process.returncode} before its image was there\n{self.told()}")
             if self.program.frame:
                 if self.ready.exists():
-                    return pictures.grab()
+                    return images.grab()
                 continue
-            now = pictures.grab()
+            now = images.grab()
             if last is None or not np.array_equal(now, last):
                 last, since = now, time.monotonic()
-            elif time.monotonic() - since > self.program.rest and pictures.color_count(now) >= self.program.colors:
+            elif time.monotonic() - since > self.program.rest and images.color_count(now) >= self.program.colors:
                 return now
-        raise Failed(f"no picture within {START_SECONDS} s\n{self.told()}")
+        raise Failed(f"no image within {START_SECONDS} s\n{self.told()}")
 
     def await_report(self):
-        """Waits until the report holds a frame or a draw. Programs write it beside their work, so a picture may be shown before."""
+        """Waits until the report holds a frame or a draw. Programs write it beside their work, so an image may be shown before."""
         deadline = time.monotonic() + REPORT_SECONDS
         while time.monotonic() < deadline and self.process.poll() is None:
             if self.report.exists():
@@ -102,7 +102,7 @@ class Run:
 
 
 def run(program, options, freeze, place):
-    """Its picture and report. `place` is its home: new each time, but with the same name, because programs show file names."""
+    """Its image and report. `place` is its home: new each time, but with the same name, because programs show file names."""
     shutil.rmtree(place, ignore_errors=True)
     folder = pathlib.Path(place).resolve()
     folder.mkdir(parents=True)
@@ -110,13 +110,13 @@ def run(program, options, freeze, place):
         command = program.command(folder)
         started = Run(program, command, options, folder, freeze)
         try:
-            picture = started.picture()
+            image = started.image()
             started.await_report()
         finally:
             report = started.end()
     finally:
         shutil.rmtree(folder, ignore_errors=True)
-    return picture, report
+    return image, report
 
 
 def rate(traced, rasterised):
@@ -134,7 +134,7 @@ def check(name, program, seen, report):
     if seen["beyond"] > program.beyond_all:
         wrong.append(f"{name}: {seen['beyond']:.4%} of its pixels differ, at most {program.beyond_all:.4%} may")
     if seen["visible"] > program.visible:
-        wrong.append(f"{name}: {seen['visible']:.4%} of its pixels differ by more than {pictures.VISIBLE}/255, at most "
+        wrong.append(f"{name}: {seen['visible']:.4%} of its pixels differ by more than {images.VISIBLE}/255, at most "
                      f"{program.visible:.4%} may")
     if program.exact and seen["largest"] > 0:
         wrong.append(f"{name}: pixels differ by up to {seen['largest']}/255, none may")
@@ -173,12 +173,12 @@ def main():
     place = out / f"{given.name}.home"
     off, _ = run(program, [*launcher, "--off"], given.freeze, place)
     on, report = run(program, [*launcher, "--shading", given.shading], given.freeze, place)
-    difference = pictures.difference_picture(off, on)
-    box = pictures.window_box(np.maximum(off, on))
-    for kind, picture in (("off", off), ("on", on), ("difference", difference)):
-        pictures.write_png(out / f"{given.name}-{kind}.png", picture[box])
+    difference = images.difference_image(off, on)
+    box = images.window_box(np.maximum(off, on))
+    for kind, image in (("off", off), ("on", on), ("difference", difference)):
+        images.write_png(out / f"{given.name}-{kind}.png", image[box])
 
-    seen = pictures.compare(off, on)
+    seen = images.compare(off, on)
     if report:
         triangles, draws = report["triangles"], report["draws"]
         seen |= {"traced": rate(triangles["traced"], triangles["rasterised"]), "triangles": triangles, "draws": draws,
@@ -186,8 +186,8 @@ def main():
     (out / f"{given.name}.json").write_text(json.dumps({"seen": seen, "report": report}, indent=2) + "\n")
     print(json.dumps(seen))
     wrong = check(given.name, program, seen, report)
-    if pictures.color_count(off[box]) < min(16, program.colors):
-        wrong.append(f"{given.name}: its picture is empty")
+    if images.color_count(off[box]) < min(16, program.colors):
+        wrong.append(f"{given.name}: its image is empty")
     print("\n".join(wrong))
     return 1 if wrong else 0
 

@@ -83,7 +83,7 @@ std::shared_ptr<scene::Snapshot> snapshotOf(const Patch& patch) {
   return s;
 }
 
-/// The same picture by direct OpenGL calls.
+/// The same image by direct OpenGL calls.
 void drawByHand(const gl::RealGl& g, const Patch& patch) {
   const auto drawPatch = [&](bool textured) {
     g.Begin(GL_TRIANGLES);
@@ -174,7 +174,7 @@ TEST(RasterFallback, StandsInWhenTracingFails) {
             kFallbackSize * kFallbackSize / 5);
 }
 
-TEST(RasterFallback, TracedPicturesAreWrittenBack) {
+TEST(RasterFallback, TracedImagesAreWrittenBack) {
   const Patch patch;
   const auto context = gluray::test::OsmesaContext::create({kFallbackSize, kFallbackSize});
   const auto& g = context->real();

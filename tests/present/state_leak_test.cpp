@@ -73,7 +73,7 @@ void unusualState(const gl::RealGl& gl, bool core) {
   gl.EnableClientState(GL_NORMAL_ARRAY), gl.VertexPointer(3, GL_DOUBLE, 24, nullptr);
 }
 
-Image picture(int samples) {
+Image makeImage(int samples) {
   Image image;
   image.x = 7, image.y = 9;
   image.resize(20, 21, samples);
@@ -106,16 +106,16 @@ class StateLeakTest : public testing::TestWithParam<ContextWish> {
   std::unique_ptr<OsmesaContext> context_;
 };
 
-TEST_P(StateLeakTest, DefaultState) { expectNothingChanges(picture(1)); }
+TEST_P(StateLeakTest, DefaultState) { expectNothingChanges(makeImage(1)); }
 
 TEST_P(StateLeakTest, UnusualState) {
   unusualState(context_->real(), GetParam().core);
-  expectNothingChanges(picture(1));
+  expectNothingChanges(makeImage(1));
 }
 
 TEST_P(StateLeakTest, UnusualStateWithSamples) {
   unusualState(context_->real(), GetParam().core);
-  expectNothingChanges(picture(4));
+  expectNothingChanges(makeImage(4));
 }
 
 TEST_P(StateLeakTest, ReadingTheWindow) {
@@ -176,7 +176,7 @@ TEST_P(StateLeakTest, ProgramAndFramebufferStayBound) {
   GLint current = 0;
   gl.GetIntegerv(GL_CURRENT_PROGRAM, &current);
   ASSERT_EQ(current, static_cast<GLint>(program));
-  expectNothingChanges(picture(1));
+  expectNothingChanges(makeImage(1));
 }
 
 std::string nameOf(const testing::TestParamInfo<ContextWish>& info) {

@@ -1,4 +1,4 @@
-// Pictures uploaded into textures equal drawn ones.
+// Images uploaded into textures equal drawn ones.
 #include "intercept/present/write_back/texture_upload.h"
 
 #include "intercept/present/write_back/cleared_color.h"
@@ -77,7 +77,7 @@ gl::ClearedTarget clearedOf(const Target& t) {
 
 class TextureUploadTest : public testing::TestWithParam<std::pair<GLenum, gluray::test::ContextWish>> {};
 
-TEST_P(TextureUploadTest, EqualsADrawnPicture) {
+TEST_P(TextureUploadTest, EqualsADrawnImage) {
   const auto [format, wish] = GetParam();
   const auto context = gluray::test::OsmesaContext::create(wish);
   ASSERT_TRUE(context);

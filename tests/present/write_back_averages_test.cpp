@@ -7,7 +7,7 @@ namespace {
 /// Averages: column x is covered x / kSize by red, at its centre from the middle on.
 Image averages(float depth) {
   Image image;
-  image.resize(kSize, kSize, 1, Image::kPicture | Plane::centerDepth);
+  image.resize(kSize, kSize, 1, Image::kColorDepth | Plane::centerDepth);
   for (int i = 0; i < kSize * kSize; ++i) {
     const int x = i % kSize;
     const auto share = static_cast<uint32_t>(255 * x / kSize);

@@ -20,7 +20,7 @@ inline constexpr int kSize = 64;
 
 inline bool isHit(int x, int y) { return (x + y) % 2 == 0; }
 
-/// A picture whose pixels with x + y even (counted within the picture) are hits of `color` at `depth`.
+/// An image whose pixels with x + y even (counted within the image) are hits of `color` at `depth`.
 inline Image checkerboard(int x, int y, int width, int height, uint32_t color, float depth, int samples = 1) {
   Image image;
   image.x = x, image.y = y;

@@ -41,7 +41,7 @@ TEST_P(WriteBackTest, MergesWithWhatWasDrawnBefore) {
   EXPECT_NEAR(at(context_->depths(), 40, 5), 0.5f, 1e-7f);
 }
 
-TEST_P(WriteBackTest, OverAFinishedPictureHidesWhateverIsThereAndLeavesItsDepth) {
+TEST_P(WriteBackTest, OverAFinishedImageHidesWhateverIsThereAndLeavesItsDepth) {
   clear(0, 1, 0, 0.25);
   const auto before = context_->depths();
   const Image image = solid(8, 8, 16, 8, kRed, 0.5f);  // behind the framebuffer's content
@@ -93,7 +93,7 @@ TEST_P(WriteBackTest, IgnoresTheProgramsState) {
   EXPECT_EQ(context_->colors(), std::vector<uint32_t>(kSize * kSize, kRed));
 }
 
-TEST_P(WriteBackTest, AKnownPictureIsWrittenAgainUntilAnotherIs) {
+TEST_P(WriteBackTest, AKnownImageIsWrittenAgainUntilAnotherIs) {
   const Image red = checkerboard(0, 0, kSize, kSize, kRed, 0.25f), green = solid(0, 0, 20, 20, kGreen, 0.1f);
   const auto writeNumbered = [&](const Image& image, uint64_t number) {
     ASSERT_TRUE(writeBack_->write(image, {GL_LEQUAL, number}, pending_));
@@ -117,7 +117,7 @@ TEST_P(WriteBackTest, AKnownPictureIsWrittenAgainUntilAnotherIs) {
   EXPECT_EQ(at(context_->colors(), 30, 40), at(once, 30, 40));
 }
 
-TEST_P(WriteBackTest, SmallerAndLargerPicturesShareTheTextures) {
+TEST_P(WriteBackTest, SmallerAndLargerImagesShareTheTextures) {
   write(solid(0, 0, 8, 8, kRed, 0.5f));
   write(solid(8, 0, 56, 4, kGreen, 0.5f));
   write(checkerboard(20, 20, 3, 40, kRed, 0.5f));

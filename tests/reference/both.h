@@ -14,7 +14,7 @@ namespace gluray::test {
 
 using Draw = std::function<void(scenes::Gl)>;
 
-/// Both draw into contexts of this size; differing pictures are written to `folder` of the tests' output.
+/// Both draw into contexts of this size; differing images are written to `folder` of the tests' output.
 struct BothStage {
   int width = 120, height = 90;
   std::string folder;
@@ -32,7 +32,7 @@ inline gl::Statistics compareBoth(const BothStage& stage, const std::string& nam
     draw(gl);
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     GlState state = queryState(gl);
-    return std::pair(readPicture(gl, stage.width, stage.height), std::move(state));
+    return std::pair(readImage(gl, stage.width, stage.height), std::move(state));
   };
   const auto expected = [&] {
     const auto real = OsmesaContext::create({stage.width, stage.height});

@@ -1,4 +1,4 @@
-// Shared by tests of the common scenes: each scene as a test parameter, and its picture by the real OpenGL.
+// Shared by tests of the common scenes: each scene as a test parameter, and its image by the real OpenGL.
 #pragma once
 #include "tests/support/traced_context.h"
 
@@ -12,15 +12,15 @@ namespace gluray::test {
 
 constexpr int kSceneWidth = 320, kSceneHeight = 240;
 
-inline Picture drawReal(const scenes::Scene& scene) {
+inline DrawnImage drawReal(const scenes::Scene& scene) {
   const auto context = OsmesaContext::create({kSceneWidth, kSceneHeight});
   scene.draw(context->real(), kSceneWidth, kSceneHeight);
-  return readPicture(context->real(), kSceneWidth, kSceneHeight);
+  return readImage(context->real(), kSceneWidth, kSceneHeight);
 }
 
 /// drawReal(), drawn once a process. One that takes 150 scenes holds 100 MB of them.
-inline const Picture& realPicture(const scenes::Scene& scene) {
-  static std::map<const scenes::Scene*, Picture> drawn;
+inline const DrawnImage& realImage(const scenes::Scene& scene) {
+  static std::map<const scenes::Scene*, DrawnImage> drawn;
   const auto [place, isNew] = drawn.try_emplace(&scene);
   if (isNew) place->second = drawReal(scene);
   return place->second;

@@ -18,10 +18,10 @@ class SceneTest : public testing::TestWithParam<const scenes::Scene*> {};
 
 TEST_P(SceneTest, LooksLikeTheRealOne) {
   const scenes::Scene& scene = *GetParam();
-  const Picture& expected = realPicture(scene);
+  const DrawnImage& expected = realImage(scene);
   TracedContext ours({kSceneWidth, kSceneHeight});
   scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
-  const Picture got = ours.read();
+  const DrawnImage got = ours.read();
   EXPECT_EQ(ours.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   const Comparison c = compare(expected, got, scene.tolerance);
   const gl::Statistics& s = ours.context().counts.statistics;
@@ -39,14 +39,14 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneTest, testing::ValuesIn(pointers(scenes::s
 /// Tracing fails at the first flush: fixed function draws the batch, and the real OpenGL everything after it.
 TEST_P(SceneTest, LooksLikeTheRealOneWhenTracingFails) {
   const scenes::Scene& scene = *GetParam();
-  const Picture& expected = realPicture(scene);
+  const DrawnImage& expected = realImage(scene);
   auto fails = std::make_unique<present::TracingPresenter>(
       frame::Tracer{[](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error) {
         return error = "this test lets tracing fail", false;
       }});
   TracedContext ours({kSceneWidth, kSceneHeight}, TracedContext::vertexShading(), std::move(fails));
   scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
-  const Picture got = ours.read();
+  const DrawnImage got = ours.read();
   const Comparison c = compare(expected, got, scene.tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT, std::string("failing-") + scene.name, expected, got);
@@ -58,8 +58,8 @@ TEST(Harness, TwoRealContextsAgreeToTheBit) {
 }
 
 TEST(Harness, SeesADifference) {
-  const Picture expected = drawReal(*scenes::findScene("directional-light"));
-  Picture got = expected;
+  const DrawnImage expected = drawReal(*scenes::findScene("directional-light"));
+  DrawnImage got = expected;
   for (size_t i = 0; i < 500; ++i) got.colors[100 * kSceneWidth + i] ^= 0x40;
   EXPECT_FALSE(compare(expected, got, {}).accepted);
   got = expected;

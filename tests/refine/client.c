@@ -1,6 +1,6 @@
 /* A program whose window is refined: client HABIT.
  *
- * Draws a scene of rings on a floor, and lines over it, then does as its habit says. Pictures of the window,
+ * Draws a scene of rings on a floor, and lines over it, then does as its habit says. Images of the window,
  * as X shows it, go to standard output as PPM after a line that names them. */
 #include "tests/refine/refined_window.h"
 
@@ -68,7 +68,7 @@ static GLuint makeFramebufferOf(GLenum colors, int samples) {
 
 static GLuint makeFramebuffer(void) { return makeFramebufferOf(GL_RGBA8, 0); }
 
-/* Reads framebuffers beside the shown window that cannot hold its finished picture: of floats, of integers,
+/* Reads framebuffers beside the shown window that cannot hold its finished image: of floats, of integers,
  * and multisampled, which OpenGL refuses to read. */
 static void readsOthers(void) {
   static GLuint numbers[kWidth * kHeight * 4];

@@ -1,4 +1,4 @@
-/* A window with a scene of rings on a floor, and pictures of it as X shows it and as OpenGL reads it.
+/* A window with a scene of rings on a floor, and images of it as X shows it and as OpenGL reads it.
  * Included by one program. */
 #pragma once
 #define GL_GLEXT_PROTOTYPES

@@ -1,4 +1,4 @@
-"""Pictures with light in windows: windows_test.py GLURAY CLIENT, with an X server at hand.
+"""Images with light in windows: windows_test.py GLURAY CLIENT, with an X server at hand.
 
 The reference is what the client reads back with very many rays. What only the real OpenGL draws over it must
 stay to the bit.
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "doors"))
-from compare_pictures import pictures
+from compare_images import images
 
 WIDTH, HEIGHT = 240, 180
 HEADER = b"P6\n240 180\n255\n"
@@ -20,13 +20,13 @@ FEW = ("--set", "ao.samples=4", "--set", "ao.radius=0.3")
 MANY = ("--set", "ao.samples=1024", "--set", "ao.radius=0.3", "--set", "noise=0")
 
 
-def pictures_in(data):
+def images_in(data):
     """Pixels by name, in the order they came; the last of a name counts."""
     found = []
     while data:
         name, rest = data.split(b"\n", 1)
         end = len(HEADER) + WIDTH * HEIGHT * 3
-        pixels = pictures(rest[:end])[0][2]
+        pixels = images(rest[:end])[0][2]
         found.append((name.decode(), [tuple(pixels[i:i + 3]) for i in range(0, len(pixels), 3)]))
         data = rest[end:]
     return found
@@ -51,7 +51,7 @@ class Refine(unittest.TestCase):
                                   timeout=100)
             self.report = json.loads(report.read_text()) if report.exists() else {}
         self.assertEqual((done.returncode, done.stderr.decode()), (0, ""), habit)
-        return pictures_in(done.stdout)
+        return images_in(done.stdout)
 
     def lit(self, habit, *options):
         return dict(self.run_client(habit, "--ao", *FEW, *options))
@@ -87,7 +87,7 @@ class Refine(unittest.TestCase):
         self.assertGreater(psnr(seen["last"], truth, overlaid), psnr(seen["first"], truth, overlaid) + 6)
         self.assertEqual(self.report["light"]["idle"]["frames"], 0)
 
-    def test_reads_get_finished_pictures(self):
+    def test_reads_get_finished_images(self):
         truth = self.truth()
         for habit in ("reads", "hidden"):
             first, again = self.lit(habit)["last"], self.lit(habit)["last"]
@@ -96,7 +96,7 @@ class Refine(unittest.TestCase):
             self.assertLessEqual(self.report["light"]["noise"], 0.01)
             self.assertLess(psnr(self.lit(habit, "--set", "noise=0")["last"], truth), 36, habit)
 
-    def test_reads_of_what_was_shown_or_copied_get_finished_pictures(self):
+    def test_reads_of_what_was_shown_or_copied_get_finished_images(self):
         truth = self.truth()
         for habit in ("reads-shown", "reads-plain", "reads-copies"):
             seen = self.lit(habit)

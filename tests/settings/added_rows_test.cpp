@@ -175,12 +175,12 @@ TEST_F(Added, MistakesInFilesAreReported) {
                               file_ + ":6: added.sky: use a string or an array"}));
 }
 
-TEST_F(Added, TheyChangeThePictureWhereTheirRowsSaySo) {
+TEST_F(Added, TheyChangeTheImageWhereTheirRowsSaySo) {
   Settings settings;
   settings.added.count = 3, settings.added.deep.firstMode = AddedDeepFirstMode::low;
-  EXPECT_FALSE(settings.changesPicture());
+  EXPECT_FALSE(settings.changesImage());
   settings.added.sky.b = 0;
-  EXPECT_TRUE(settings.changesPicture());
+  EXPECT_TRUE(settings.changesImage());
   Settings next, old;
   next.added.count = 3, next.added.deep.firstMode = AddedDeepFirstMode::low;
   keepBetweenFrames(next, old);  // the mode applies to contexts

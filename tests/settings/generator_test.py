@@ -47,7 +47,7 @@ class Pages(Folder):
         self.check("docs/man/gluray.toml.5", '.BR added.radius " = \\fInumber\\fR"', ".BR added.sky", ".BR added.names", ".BR added.deep.first\\-mode")
 
     def test_settings_page(self):
-        self.check("docs/settings.md", "## Added\n", "### added.enabled\n\nAdds a switch.\n\ntrue or false; default: false; applies from the next frame on; changes the picture",
+        self.check("docs/settings.md", "## Added\n", "### added.enabled\n\nAdds a switch.\n\ntrue or false; default: false; applies from the next frame on; changes the image",
                    "`GLURAY_ADDED_UP`", "a number, from 0 (nothing) to 10 ms; default: 0.5", "- `low`: adds little", "default: 0.25,0.5,1")
 
     def complete(self, *words: str) -> list[str]:
@@ -93,7 +93,7 @@ class Refused(Folder):
         self.refuse("the default is out of range", default=2)
         self.refuse("the default is not of type int", default="1")
         self.refuse("applies must be one of", applies="now")
-        self.refuse("must apply to frames or contexts", applies="process", changes="picture")
+        self.refuse("must apply to frames or contexts", applies="process", changes="image")
         self.refuse("needs choices", type="choice", range=None)
         self.refuse("another setting has the name spp", name="spp")
         self.refuse("another setting has the variable GLURAY_LOG_LEVEL", name="log.level")

@@ -1,6 +1,6 @@
 """Records the call streams of this folder again: record.py [NAME ...]; needs an X server of its own (tests/doors/with_display.py).
 
-Each program runs under apitrace until its picture is there, and the trace is cut to its first frames. A stream is kept
+Each program runs under apitrace until its image is there, and the trace is cut to its first frames. A stream is kept
 only if it stays under a megabyte; values that a program took from clocks or random numbers are then fixed in the stream.
 """
 import os
@@ -17,7 +17,7 @@ HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "live"))
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import models  # noqa: E402
-import pictures  # noqa: E402
+import images  # noqa: E402
 import programs  # noqa: E402
 from command_line import Parser  # noqa: E402
 
@@ -37,7 +37,7 @@ def planet(folder):
     """glplanet with a small map: its built-in ones are megabytes."""
     y, x = np.mgrid[0:64, 0:128]
     land = (np.sin(x / 9) + np.cos(y / 7) > 0.2)[:, :, None]
-    pictures.write_png(folder / "map.png", np.where(land, (70, 140, 60), (40, 70, 160)).astype(np.uint8))
+    images.write_png(folder / "map.png", np.where(land, (70, 140, 60), (40, 70, 160)).astype(np.uint8))
     return hack("glplanet", "--image", str(folder / "map.png"), "--image2", str(folder / "map.png"))(folder)
 
 

@@ -22,7 +22,7 @@ except ImportError:
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "live"))
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-import pictures  # noqa: E402
+import images  # noqa: E402
 import streams  # noqa: E402
 from command_line import Parser  # noqa: E402
 
@@ -31,7 +31,7 @@ SECONDS = 120
 
 
 def snapshots(name):
-    """The calls before which pictures are taken: the ends of frames, from the first compared frame on."""
+    """The calls before which images are taken: the ends of frames, from the first compared frame on."""
     listed = subprocess.run(["apitrace", "dump", "--color=never", "--calls=*/frame", str(HERE / f"{name}.trace")],
                             capture_output=True, text=True, check=True).stdout
     numbers = [line.split()[0] for line in listed.splitlines() if line[:1].isdigit()]
@@ -39,14 +39,14 @@ def snapshots(name):
 
 
 def replay(name, before=()):
-    """The pictures of every frame, and OpenGL's messages to the program."""
+    """The images of every frame, and OpenGL's messages to the program."""
     command = [*before, "glretrace", f"--snapshot={snapshots(name)}",
                "--snapshot-prefix=-", str(HERE / f"{name}.trace")]
     done = subprocess.run(command, capture_output=True, timeout=SECONDS, env=dict(os.environ, LC_ALL="C"))
     if done.returncode:
         raise RuntimeError(f"{' '.join(command)} ended with {done.returncode}: {done.stderr.decode(errors='replace')[-800:]}")
     messages = {line.split(":", 1)[1] for line in done.stderr.decode(errors="replace").splitlines() if ": message: major api error" in line}
-    return list(pictures.read_pnms(done.stdout)), messages
+    return list(images.read_pnms(done.stdout)), messages
 
 
 def traced_share(report):
@@ -61,13 +61,13 @@ def check(name, door, plain, seen, report, out):
     if len(plain) != len(seen):
         return [f"{name} by {door}: {len(seen)} frames instead of {len(plain)}"]
     for number, (off, on) in enumerate(zip(plain, seen)):
-        share = pictures.share_beyond(off, on) if off.shape == on.shape else 1.0
+        share = images.share_beyond(off, on) if off.shape == on.shape else 1.0
         if share <= BEYOND:
             continue
-        wrong.append(f"{name} by {door}: {share:.3%} of frame {number} differs by more than {pictures.VISIBLE}/255, "
+        wrong.append(f"{name} by {door}: {share:.3%} of frame {number} differs by more than {images.VISIBLE}/255, "
                      f"at most {BEYOND:.3%} may")
-        for kind, picture in (("off", off), ("on", on), ("difference", pictures.difference_picture(off, on))):
-            pictures.write_png(out / f"{name}-{door}-{number}-{kind}.png", picture)
+        for kind, image in (("off", off), ("on", on), ("difference", images.difference_image(off, on))):
+            images.write_png(out / f"{name}-{door}-{number}-{kind}.png", image)
     if traced_share(report) < stream.traced:
         wrong.append(f"{name} by {door}: {traced_share(report):.2%} of its triangles are traced, at least {stream.traced:.2%} "
                      f"should be; rasterised: {report['draws']['rasterised']}")
@@ -91,7 +91,7 @@ def main():
     out.mkdir(parents=True, exist_ok=True)
 
     plain, messages = replay(given.name)
-    wrong = [] if plain and max(map(pictures.color_count, plain)) > 1 else [f"{given.name}: its pictures are empty"]
+    wrong = [] if plain and max(map(images.color_count, plain)) > 1 else [f"{given.name}: its images are empty"]
     results = {"frames": len(plain)}
     for door in given.door or ["auto"]:
         with tempfile.TemporaryDirectory() as folder:
@@ -100,7 +100,7 @@ def main():
             report = json.loads(path.read_text())
         wrong += check(given.name, door, plain, seen, report, out)
         wrong += [f"{given.name} by {door}: messages to the program that do not come from its own calls:{text}" for text in more - messages]
-        results[door] = {"beyond": [pictures.share_beyond(a, b) for a, b in zip(plain, seen) if a.shape == b.shape],
+        results[door] = {"beyond": [images.share_beyond(a, b) for a, b in zip(plain, seen) if a.shape == b.shape],
                          "traced": traced_share(report), "report": report}
         print(f"{given.name} by {door}: {len(seen)} frames, at most {max(results[door]['beyond'], default=1):.4%} of a frame "
               f"differs, {results[door]['traced']:.2%} traced, {report['flushes']} batches")

@@ -7,7 +7,7 @@ class Stream:
     traced: float   # least share of its triangles that are traced
     batches: float  # most batches a frame; more mean unnecessary flushes
     # The first compared frame. glretrace's first frames go into a window that the real OpenGL takes for smaller than
-    # it is: their pictures are empty or undefined.
+    # it is: their images are empty or undefined.
     first: int = 1
 
 

@@ -80,15 +80,15 @@ const gl::RealGl& TracedContext::stubs() {
   return table;
 }
 
-Picture TracedContext::read() const { return readPicture(gl(), below_->width(), below_->height()); }
+DrawnImage TracedContext::read() const { return readImage(gl(), below_->width(), below_->height()); }
 
-Picture readPicture(const gl::RealGl& gl, int width, int height) {
+DrawnImage readImage(const gl::RealGl& gl, int width, int height) {
   const auto pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
-  Picture picture{width, height, std::vector<uint32_t>(pixels), std::vector<float>(pixels)};
+  DrawnImage image{width, height, std::vector<uint32_t>(pixels), std::vector<float>(pixels)};
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, picture.colors.data());
-  gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, picture.depths.data());
-  return picture;
+  gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.colors.data());
+  gl.ReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, image.depths.data());
+  return image;
 }
 
 }  // namespace gluray::test

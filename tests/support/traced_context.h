@@ -1,9 +1,9 @@
 // A context of the shadow GL over a real one in memory: the same engine that a program uses, without a door.
 #pragma once
 #include "gl/context/context.h"
+#include "tests/support/drawn_image.h"
 #include "tests/support/imitated_code.h"
 #include "tests/support/osmesa_context.h"
-#include "tests/support/picture.h"
 
 namespace gluray::test {
 
@@ -38,7 +38,7 @@ class TracedContext {
   const OsmesaContext& below() const { return *below_; }
   const gl::Context& context() const { return *context_; }
   /// Colour and depth, read as by the program.
-  Picture read() const;
+  DrawnImage read() const;
 
  private:
   std::unique_ptr<OsmesaContext> below_;
@@ -47,6 +47,6 @@ class TracedContext {
 };
 
 /// Colour and depth of the framebuffer that `gl` has bound for reading.
-Picture readPicture(const gl::RealGl& gl, int width, int height);
+DrawnImage readImage(const gl::RealGl& gl, int width, int height);
 
 }  // namespace gluray::test

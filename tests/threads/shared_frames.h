@@ -1,4 +1,4 @@
-// Frames of two threads, whose contexts share objects, and whether their pictures are right.
+// Frames of two threads, whose contexts share objects, and whether their images are right.
 #pragma once
 #include "tests/support/traced_context.h"
 
@@ -27,7 +27,7 @@ inline std::array<GLubyte, 4> colorOf(int thread, int frame) {
           static_cast<GLubyte>(frame % 200), 255};
 }
 
-// Rectangles of two triangles at different depths; more than the whole picture where `size` is 1.
+// Rectangles of two triangles at different depths; more than the whole image where `size` is 1.
 inline std::array<GLfloat, 18> rectangle(float size) {
   const float s = size * 1.2f;
   return {-s, -s, 0.1f, s, -s, 0.2f, s, s, 0.3f, -s, -s, 0.1f, s, s, 0.3f, -s, s, 0.2f};

@@ -1,5 +1,5 @@
 // Contexts current in several threads at once: of one share group, or of none. Run by the thread sanitizer;
-// every picture is checked as well.
+// every image is checked as well.
 #include "tests/support/traced_context.h"
 #include "tests/threads/shared_frames.h"
 
@@ -89,7 +89,7 @@ TEST(Threads, ListsAreReplacedWhileTheOtherThreadCallsThem) {
       done = true;
       return;
     }
-    // Every list that the other thread may find covers the picture.
+    // Every list that the other thread may find covers the image.
     for (; !done; ++compiled)
       gl.NewList(kSharedList, GL_COMPILE), sendRectangle(gl, 1.0f + 0.01f * static_cast<float>(compiled % 7)),
           gl.EndList();

@@ -151,7 +151,7 @@ class Batch:
             return {"seconds": 0, "error": "was not drawn", "counts": None}
 
     def shots(self, name):
-        """The files of its pictures, in the order in which they were taken."""
+        """The files of its images, in the order in which they were taken."""
         found = []
         while (file := self.folder / f"{name}-{len(found)}.png").exists():
             found.append(file)
@@ -177,7 +177,7 @@ def key(words):
 
 
 def draw_plain(program, names, place):
-    """The pictures of `names` without GLuRay, kept in `place` until the digest changes."""
+    """The images of `names` without GLuRay, kept in `place` until the digest changes."""
     folder = place / key([program, *names])
     batch = Batch(program, names, folder)
     if not (folder / "complete").exists():

@@ -1,10 +1,10 @@
-"""Draws states of ParaView and VTK with and without GLuRay and compares their pictures and depth.
+"""Draws states of ParaView and VTK with and without GLuRay and compares their images and depth.
 
     compare.py --gluray GLURAY --out FOLDER [--group GROUP,... | --label LABEL] [NAME ...]
 
 Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/; one process draws the states of one
 program, of whatever groups they are. Compared are the share of pixels that differ by more than 8 of 255, window depth, and, away
-from all surfaces, every pixel. For a state that fails both pictures, their difference (eight times as bright) and NAME.json are in
+from all surfaces, every pixel. For a state that fails both images, their difference (eight times as bright) and NAME.json are in
 FOLDER/failed. Prints a table; FOLDER/LABEL.json holds it too. Exit code 77: ParaView or VTK is not installed.
 """
 import json
@@ -21,7 +21,7 @@ except ImportError:
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import batch  # noqa: E402
-import pictures  # noqa: E402
+import images  # noqa: E402
 import registry  # noqa: E402
 from command_line import Parser  # noqa: E402
 
@@ -29,11 +29,11 @@ DEPTH = 1e-4   # window depths that differ by more count as different
 # Counts that must stay 0 while only the camera moves.
 STEADY = {"mesh.built": "meshes were built", "bvh.builds": "acceleration structures were built"}
 MARGIN = 4     # pixels around surfaces that anti-aliasing may touch
-ROUNDING = 1   # of 255: what may differ elsewhere, where anti-aliasing of the whole picture was computed by us
+ROUNDING = 1   # of 255: what may differ elsewhere, where anti-aliasing of the whole image was computed by us
 
 
 def read_png(path):
-    """A picture that pictures.write_png() wrote: RGB, no filters."""
+    """An image that images.write_png() wrote: RGB, no filters."""
     data, at, packed = path.read_bytes(), 8, b""
     while at < len(data):
         size, kind = int.from_bytes(data[at:at + 4], "big"), data[at + 4:at + 8]
@@ -61,9 +61,9 @@ def compare_shot(state, off_file, on_file):
     if off.shape != on.shape:
         return 1.0, 1.0, [f"{on.shape[1]}x{on.shape[0]} instead of {off.shape[1]}x{off.shape[0]} pixels"]
     wrong = []
-    beyond = pictures.share_beyond(off, on)
+    beyond = images.share_beyond(off, on)
     if beyond > state.beyond:
-        wrong.append(f"{beyond:.4%} of its pixels differ by more than {pictures.VISIBLE}/255, at most {state.beyond:.4%} may")
+        wrong.append(f"{beyond:.4%} of its pixels differ by more than {images.VISIBLE}/255, at most {state.beyond:.4%} may")
     depth_files = [file.with_suffix(".npy") for file in (off_file, on_file)]
     if not state.same_depth or not all(file.exists() for file in depth_files):
         return beyond, 0.0, wrong
@@ -84,11 +84,11 @@ def keep_failure(folder, state, number, off_file, on_file, wrong):
     off, on = read_png(off_file), read_png(on_file)
     kept = [("off", off), ("on", on)]
     if off.shape == on.shape:
-        kept.append(("difference", pictures.difference_picture(off, on)))
+        kept.append(("difference", images.difference_image(off, on)))
     folder.mkdir(parents=True, exist_ok=True)
-    for kind, picture in kept:
-        pictures.write_png(folder / f"{state.name}-{number}-{kind}.png", np.ascontiguousarray(picture))
-    return [f"{state.name}, picture {number}: {line}; see {folder}/{state.name}-{number}-*.png" for line in wrong]
+    for kind, image in kept:
+        images.write_png(folder / f"{state.name}-{number}-{kind}.png", np.ascontiguousarray(image))
+    return [f"{state.name}, image {number}: {line}; see {folder}/{state.name}-{number}-*.png" for line in wrong]
 
 
 def traced_share(counts):
@@ -112,7 +112,7 @@ def compare_state(state, off, on, failed):
     if not off_shots and not off.text(name):
         wrong.append(f"{name}: draws nothing that could be compared")
     if len(off_shots) != len(on_shots):
-        wrong.append(f"{name}: {len(on_shots)} pictures instead of {len(off_shots)}")
+        wrong.append(f"{name}: {len(on_shots)} images instead of {len(off_shots)}")
     if off.text(name) != on.text(name):
         wrong.append(f"{name}: other words: see {off.folder / name}.txt and {on.folder / name}.txt")
     row = {"name": name, "program": state.program, "pictures": len(on_shots), "beyond": 0.0, "depth": 0.0,
@@ -160,7 +160,7 @@ def print_processes(program, folder):
 
 
 def print_table(rows):
-    print(f"{'state':36} {'program':8} pictures   pixels    depth   traced  triangles  seconds  most often rasterised for")
+    print(f"{'state':36} {'program':8} images   pixels    depth   traced  triangles  seconds  most often rasterised for")
     for row in rows:
         share = "-" if row["traced"] is None else f"{row['traced']:.1%}"
         print(f"{row['name']:36} {row['program']:8} {row['pictures']:8} {row['beyond']:8.4%} {row['depth']:8.4%} {share:>8} "

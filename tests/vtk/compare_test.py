@@ -21,27 +21,27 @@ def ball():
     """A bright disc on a dark background, and its depth."""
     y, x = np.indices((HEIGHT, WIDTH))
     inside = (x - 50) ** 2 + (y - 40) ** 2 < 400
-    picture = np.where(inside[..., None], [200, 150, 100], [20, 30, 40]).astype(np.uint8)
-    return picture, np.where(inside, 0.5, 1.0).astype(np.float32)
+    image = np.where(inside[..., None], [200, 150, 100], [20, 30, 40]).astype(np.uint8)
+    return image, np.where(inside, 0.5, 1.0).astype(np.float32)
 
 
 def changed(color=None, depth=None):
-    picture, window_depth = ball()
+    image, window_depth = ball()
     if color:
         rows, columns, value = color
-        picture[rows, columns] = value
+        image[rows, columns] = value
     if depth:
         rows, columns, value = depth
         window_depth[rows, columns] = value
-    return picture, window_depth
+    return image, window_depth
 
 
 def drawn(folder, shots, counts=None, error="null", text="", steady="null"):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     stage = stages.Stage(folder, "state")
-    for picture, depth in shots:
-        stage.keep(picture, depth)
+    for image, depth in shots:
+        stage.keep(image, depth)
     if text:
         stage.keep_text([text])
     made = batch.Batch("vtk", ["state"], folder)
@@ -57,7 +57,7 @@ OUTSIDE = (slice(2, 3), slice(2, 3), (22, 30, 40))          # one pixel, by litt
 ROUNDED = (slice(2, 9), slice(2, 9), (21, 31, 39))          # by the least there is
 DEEPER = (slice(30, 34), slice(45, 50), 0.51)
 
-# Errors of the second run: its pictures, further arguments of drawn() and registry.State, and the words that must be reported.
+# Errors of the second run: its images, further arguments of drawn() and registry.State, and the words that must be reported.
 CASES = {
     "equal": ([ball()], {}, {}, None),
     "few pixels": ([changed(FEW)], {}, {}, None),
@@ -69,8 +69,8 @@ CASES = {
     "depth": ([changed(None, DEEPER)], {}, {}, "the depth of 0.2500%"),
     "depth that is not compared": ([changed(None, DEEPER)], {}, {"same_depth": False}, None),
     "size": ([(ball()[0][:, 1:], None)], {}, {}, "99x80 instead of 100x80"),
-    "a picture too few": ([], {}, {}, "0 pictures instead of 1"),
-    "a picture too many": ([ball(), ball()], {}, {}, "2 pictures instead of 1"),
+    "an image too few": ([], {}, {}, "0 images instead of 1"),
+    "an image too many": ([ball(), ball()], {}, {}, "2 images instead of 1"),
     "other words": ([ball()], {"text": "cell 3"}, {}, "other words"),
     "an error": ([ball()], {"error": '"the process ended with -11"'}, {}, "ended with -11"),
     "no report": ([ball()], {"counts": "null"}, {}, "wrote no report"),

@@ -1,6 +1,6 @@
 """A VTK program with a ground, a catcher and a background of GLuRay's settings: what it shows, and what stays.
 
-Draws the same scene in child processes, one for each choice of settings, and compares their pictures."""
+Draws the same scene in child processes, one for each choice of settings, and compares their images."""
 
 import os
 import pathlib
@@ -50,7 +50,7 @@ def draw(path):
     numpy.save(path, vtk_to_numpy(pixels).reshape(SIZE, SIZE, 4))
 
 
-def picture(gluray, out, name, settings):
+def image(gluray, out, name, settings):
     """RGBA, bottom row first."""
     path = os.path.join(out, f"ground-{name}.npy")
     arguments = [argument for setting in settings for argument in ("--set", setting)]
@@ -75,7 +75,7 @@ def main():
     os.makedirs(options.out, exist_ok=True)
 
     def shows(name, *settings):
-        return picture(options.gluray, options.out, name, settings)
+        return image(options.gluray, options.out, name, settings)
 
     before = shows("off", *LIGHT)
     empty = before[..., 3] == 0

@@ -22,7 +22,7 @@ HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "live"))
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import batch  # noqa: E402
-import pictures  # noqa: E402
+import images  # noqa: E402
 from command_line import Parser  # noqa: E402
 
 BEYOND = 0.005      # share of the window's pixels that may differ by more than 8 of 255: it shows lines and text over surfaces
@@ -36,7 +36,7 @@ def at_rest():
     """The screen once it has not changed for a while."""
     last, since, deadline = None, time.monotonic(), time.monotonic() + START_SECONDS
     while time.monotonic() < deadline:
-        now = without_status(pictures.grab())
+        now = without_status(images.grab())
         if last is None or now.shape != last.shape or not np.array_equal(now, last):
             last, since = now, time.monotonic()
         elif time.monotonic() - since > REST_SECONDS:
@@ -46,8 +46,8 @@ def at_rest():
 
 
 def without_status(screen):
-    picture = screen[pictures.window_box(screen)]
-    return picture[:-STATUS_ROWS]
+    image = screen[images.window_box(screen)]
+    return image[:-STATUS_ROWS]
 
 
 def drag(by):
@@ -60,7 +60,7 @@ def drag(by):
 
 
 def run(launcher, folder):
-    """The pictures of one run."""
+    """The images of one run."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     ready = folder / "ready"
@@ -115,17 +115,17 @@ def main():
     else:
         wrong.append("GLuRay wrote no report")
     for i, (a, b) in enumerate(zip(off, on)):
-        pictures.write_png(out / f"gui-{i}-off.png", np.ascontiguousarray(a))
-        pictures.write_png(out / f"gui-{i}-on.png", np.ascontiguousarray(b))
+        images.write_png(out / f"gui-{i}-off.png", np.ascontiguousarray(a))
+        images.write_png(out / f"gui-{i}-on.png", np.ascontiguousarray(b))
         if a.shape != b.shape:
-            wrong.append(f"picture {i}: {b.shape[1]}x{b.shape[0]} instead of {a.shape[1]}x{a.shape[0]}")
+            wrong.append(f"image {i}: {b.shape[1]}x{b.shape[0]} instead of {a.shape[1]}x{a.shape[0]}")
             continue
-        pictures.write_png(out / f"gui-{i}-difference.png", pictures.difference_picture(a, b))
-        share = pictures.share_beyond(a, b)
-        print(f"picture {i}: {share:.4%} differs")
+        images.write_png(out / f"gui-{i}-difference.png", images.difference_image(a, b))
+        share = images.share_beyond(a, b)
+        print(f"image {i}: {share:.4%} differs")
         if share > BEYOND:
-            wrong.append(f"picture {i}: {share:.4%} of its pixels differ by more than {pictures.VISIBLE}/255, at most {BEYOND:.4%} may; see {out}")
-    moved = [pictures.share_beyond(a, b) for a, b in zip(off, off[1:]) if a.shape == b.shape]
+            wrong.append(f"image {i}: {share:.4%} of its pixels differ by more than {images.VISIBLE}/255, at most {BEYOND:.4%} may; see {out}")
+    moved = [images.share_beyond(a, b) for a, b in zip(off, off[1:]) if a.shape == b.shape]
     if len(moved) < 2 or min(moved) < 0.01:
         wrong.append(f"the mouse does not turn the view: {moved}")
     print("\n".join(wrong))

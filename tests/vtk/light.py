@@ -1,10 +1,10 @@
-"""Draws states of ParaView and VTK under GLuRay without and with an effect of light, and compares the pictures.
+"""Draws states of ParaView and VTK under GLuRay without and with an effect of light, and compares the images.
 
     light.py --gluray GLURAY --out FOLDER --effect ao|shadows|path [--group GROUP] [NAME ...]
 
 Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/. An effect changes colours of traced
 surfaces alone: window depth, and pixels away from all surfaces where depth shows what is away, must be equal. Ambient
-occlusion may only darken. The pictures must show the effect. Pictures of states that fail are in FOLDER/failed. Exit code 77: ParaView or VTK is not
+occlusion may only darken. The images must show the effect. Images of states that fail are in FOLDER/failed. Exit code 77: ParaView or VTK is not
 installed.
 """
 import dataclasses
@@ -20,13 +20,13 @@ except ImportError:
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import batch  # noqa: E402
-import pictures  # noqa: E402
+import images  # noqa: E402
 import registry  # noqa: E402
 from command_line import Parser  # noqa: E402
 from compare import MARGIN, grown, keep_failure, read_png  # noqa: E402
 
 APART = 3            # of 255: larger differences count
-BRIGHTENED = 0.0003  # share of pixels that anti-aliasing of the whole picture may brighten beyond those around
+BRIGHTENED = 0.0003  # share of pixels that anti-aliasing of the whole image may brighten beyond those around
 SAME_DEPTH = 2e-6    # structures that were replaced meanwhile give other roundings
 # Backgrounds with edges: FXAA follows one from a surface for up to 12 pixels (EndpointSearchIterations of VTK).
 BACKGROUND_EDGES = {"textured_background": 12}
@@ -40,7 +40,7 @@ class Effect:
     darkens: bool  # whether it only darkens
 
 
-# One pass for each picture: what is looked at is not their noise.
+# One pass for each image: what is looked at is not their noise.
 EFFECTS = {
     "ao": Effect(("ao=on", "ao.radius=0.3", "noise=0"), True),
     "shadows": Effect(("shadows=on", "lights=headlight+key", "noise=0"), False),
@@ -52,10 +52,10 @@ def options(effect):
     return [word for setting in effect.settings for word in ("--set", setting)]
 
 
-def around(picture):
+def around(image):
     """The largest value of each channel in the 5x5 pixels around: the brightest that anti-aliasing can mix."""
-    wide = np.pad(picture, ((2, 2), (2, 2), (0, 0)), mode="edge")
-    height, width = picture.shape[:2]
+    wide = np.pad(image, ((2, 2), (2, 2), (0, 0)), mode="edge")
+    height, width = image.shape[:2]
     return np.maximum.reduce([wide[y:y + height, x:x + width] for y in range(5) for x in range(5)])
 
 
@@ -92,7 +92,7 @@ def compare_state(state, effect, off, on, failed):
              if batch_.result(name)["error"]]
     off_shots, on_shots = off.shots(name), on.shots(name)
     if len(off_shots) != len(on_shots):
-        wrong.append(f"{name}: {len(on_shots)} pictures instead of {len(off_shots)}")
+        wrong.append(f"{name}: {len(on_shots)} images instead of {len(off_shots)}")
     most = 0.0
     for number, files in enumerate(zip(off_shots, on_shots)):
         share, lines = compare_shot(state, effect, *files)

@@ -5,7 +5,7 @@
         stage.show(Sphere())
         stage.orbit(3)
 
-Read by runner.py, inside the program that draws, and by compare.py, which runs it and compares the pictures.
+Read by runner.py, inside the program that draws, and by compare.py, which runs it and compares the images.
 """
 import dataclasses
 import importlib
@@ -24,7 +24,7 @@ class State:
     group: str             # the module of states/ that it stands in
     program: str           # "pvbatch", "vtk", "mpi2", "mpi4" (pvbatch in as many processes) or "remote" (pvserver)
     draw: callable
-    beyond: float          # share of a picture's pixels that may differ by more than 8 of 255
+    beyond: float          # share of an image's pixels that may differ by more than 8 of 255
     reason: str            # reason for a larger tolerance than usual
     min_share: float       # least share of the state's triangles that must be traced; None: what shares.json says, if anything
     outside: bool          # pixels away from every surface must be equal

@@ -3,7 +3,7 @@
     pvbatch runner.py FOLDER NAME ...      states for ParaView
     python3 runner.py FOLDER NAME ...      states for VTK
 
-Writes the pictures of each state to FOLDER, and NAME.json: its time, the error it ended with, and, if
+Writes the images of each state to FOLDER, and NAME.json: its time, the error it ended with, and, if
 VTK_STATES_REPORT names a report that GLuRay is writing, the counts while the state was drawn.
 """
 import ctypes

@@ -1,4 +1,4 @@
-"""Stages: windows of ParaView or plain VTK in which states draw; their pictures and depth are written to files."""
+"""Stages: windows of ParaView or plain VTK in which states draw; their images and depth are written to files."""
 import os
 import pathlib
 import sys
@@ -6,30 +6,30 @@ import sys
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "live"))
-import pictures  # noqa: E402
+import images  # noqa: E402
 
 WIDTH, HEIGHT = 400, 300
 NEWER = {"Position": "Translation"}  # what ParaView 5.13 calls a representation's properties
 
 
 class Stage:
-    """Writes pictures as NAME-NUMBER.png and NAME-NUMBER.npy: window depth, float32, top row first."""
+    """Writes images as NAME-NUMBER.png and NAME-NUMBER.npy: window depth, float32, top row first."""
 
     def __init__(self, folder, name):
         self.folder, self.name, self.count = pathlib.Path(folder), name, 0
         self.counts = None  # runner.Counts where GLuRay counts
         self.steady = None  # what it counted while only the camera moved
 
-    def keep(self, picture, depth=None):
-        """`picture`: height x width x 3 bytes, top row first."""
+    def keep(self, image, depth=None):
+        """`image`: height x width x 3 bytes, top row first."""
         base = self.folder / f"{self.name}-{self.count}"
-        pictures.write_png(base.with_suffix(".png"), np.ascontiguousarray(picture))
+        images.write_png(base.with_suffix(".png"), np.ascontiguousarray(image))
         if depth is not None:
             np.save(base.with_suffix(".npy"), depth.astype(np.float32))
         self.count += 1
 
     def keep_text(self, lines):
-        """Text beside a state's pictures, which must be equal with and without GLuRay."""
+        """Text beside a state's images, which must be equal with and without GLuRay."""
         with open(self.folder / f"{self.name}.txt", "a") as file:
             file.writelines(f"{line}\n" for line in lines)
 
@@ -124,7 +124,7 @@ class ParaViewStage(Stage):
         self.read(view.GetRenderWindow())
 
     def orbit(self, frames=2, degrees=25, view=None):
-        """Pictures of several frames between which only the camera moves."""
+        """Images of several frames between which only the camera moves."""
         view = view or self.view
         for frame in range(frames):
             if frame:

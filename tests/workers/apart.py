@@ -1,4 +1,4 @@
-"""Data of ranks that lie away from each other on the screen: apart.py FOLDER, run by pvbatch. Writes pictures of three cameras, 0.png, 1.png, 2.png, of a
+"""Data of ranks that lie away from each other on the screen: apart.py FOLDER, run by pvbatch. Writes images of three cameras, 0.png, 1.png, 2.png, of a
 layout with two views, 3.png, and of two views of one size, whose cameras change places, 4.png and 5.png. Of eight pieces, each rank has neighbouring ones: between the boxes
 of the ranks' data the background shows, and some data lie outside of the view."""
 import sys

@@ -1,5 +1,5 @@
-"""Pictures of pvbatch whose ranks' data lie away from each other, with `gather`: those of one process. apart_test.py GLURAY WORKER [FOLDER], with an X
-server at hand; FOLDER keeps the pictures. Exits with 77 where pvbatch, Open MPI or ImageMagick is missing."""
+"""Images of pvbatch whose ranks' data lie away from each other, with `gather`: those of one process. apart_test.py GLURAY WORKER [FOLDER], with an X
+server at hand; FOLDER keeps the images. Exits with 77 where pvbatch, Open MPI or ImageMagick is missing."""
 import os
 import pathlib
 import shutil
@@ -7,9 +7,9 @@ import subprocess
 import sys
 import tempfile
 
-from sort_last_test import HERE, Pictures, compare, pixels
+from sort_last_test import HERE, Images, compare, pixels
 
-PICTURES, RANKS = 6, (2, 3, 4, 8)
+IMAGES, RANKS = 6, (2, 3, 4, 8)
 # ao.distance: the default is a share of the bounds of what is drawn, which differ where ranks draw less of what lies outside.
 LIGHTS = {
     "mirrors": ["integrator=whitted", "material=mirror"],
@@ -22,24 +22,24 @@ LIGHTS = {
     "catcher": ["shadows=on", "lights=headlight+key", "refine.passes=2", "ground=catcher", "lights.up=z"],
     "averages": ["ao=on", "ao.distance=1.5", "ao.samples=8", "refine.passes=2", "spp=4"],
 }
-SEEN_BY_FIRST = 4  # pictures in which rank 0 draws something: only there has the composed picture a ground, and edges of averages that no box cuts
-OF_ONE_COLOR = 3  # pictures whose background is one colour: only there is it replaced
-# By number of ranks: pictures in which the data of one rank lie outside of the view, so that ParaView does not draw them, and lack their shadow on the ground.
+SEEN_BY_FIRST = 4  # images in which rank 0 draws something: only there has the composed image a ground, and edges of averages that no box cuts
+OF_ONE_COLOR = 3  # images whose background is one colour: only there is it replaced
+# By number of ranks: images in which the data of one rank lie outside of the view, so that ParaView does not draw them, and lack their shadow on the ground.
 UNDRAWN = {8: (1, 2)}
 FAR = 24  # of 255
 STRAY = 20  # pixels of a view whose samples hit another side of an edge, because each rank rounds coordinates in a space of its own
 
 
-class Views(Pictures):
+class Views(Images):
     def views(self, name, ranks, settings, *options):
-        """The pictures of all cameras, and what was said."""
+        """The images of all cameras, and what was said."""
         folder = self.folder / name
         folder.mkdir()
         words = [word for setting in settings for word in ("--set", setting)]
         done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *words, *options, "--", "pvbatch", "--force-offscreen-rendering",
                                HERE / "apart.py", folder], env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
         assert done.returncode == 0, done.stderr
-        return [pixels(folder / f"{number}.png") for number in range(PICTURES)], done.stderr
+        return [pixels(folder / f"{number}.png") for number in range(IMAGES)], done.stderr
 
 
 def far(a, b):
@@ -51,19 +51,19 @@ def casts_on_ground(settings):
     return any(setting.startswith("ground=") for setting in settings) and {"integrator=path", "shadows=on"} & set(settings)
 
 
-def check(pictures, name, settings):
-    expected, _ = pictures.views(f"{name}-1", 1, settings)
+def check(images, name, settings):
+    expected, _ = images.views(f"{name}-1", 1, settings)
     if any(setting.startswith(("ground=", "spp=")) for setting in settings):
         expected = expected[:SEEN_BY_FIRST]
     if any(setting.startswith("background=") for setting in settings):
         expected = expected[:OF_ONE_COLOR]
-    job, log = pictures.job()
+    job, log = images.job()
     try:
         for ranks in RANKS:
-            found, said = pictures.views(f"{name}-{ranks}", ranks, settings, "--set", "gather=on", "--workers", "test")
+            found, said = images.views(f"{name}-{ranks}", ranks, settings, "--set", "gather=on", "--workers", "test")
             differing = [far(a, b) for a, b in zip(expected, found)]
-            for picture in UNDRAWN.get(ranks, ()) if casts_on_ground(settings) else ():
-                differing[picture] = 0
+            for image in UNDRAWN.get(ranks, ()) if casts_on_ground(settings) else ():
+                differing[image] = 0
             print(f"{name}, {ranks} ranks: pixels that differ {differing}, mean {[round(compare(a, b)[0], 4) for a, b in zip(expected, found)]}")
             assert max(differing) <= STRAY, log.read_text() + said
     finally:
@@ -75,10 +75,10 @@ def main(gluray, worker, keep=None):
     if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        pictures = Views(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
+        images = Views(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
         try:
             for name, settings in LIGHTS.items():
-                check(pictures, name, settings)
+                check(images, name, settings)
         finally:
             if keep:
                 shutil.copytree(folder, keep, dirs_exist_ok=True, ignore=shutil.ignore_patterns("run"))

@@ -1,4 +1,4 @@
-"""A program in a container whose pictures a worker outside traces, and the other way round: containers_test.py GLURAY WORKER CLIENT, with an X server
+"""A program in a container whose images a worker outside traces, and the other way round: containers_test.py GLURAY WORKER CLIENT, with an X server
 at hand. Containers are namespaces as Docker and Apptainer make them. Exits with 77 where this user can make none."""
 import os
 import subprocess

@@ -9,10 +9,10 @@ import sys
 import tempfile
 
 import hosts
-from sort_last_test import Pictures, check_light, compare, pixels
+from sort_last_test import Images, check_light, compare, pixels
 
 
-class HostsPictures(Pictures):
+class HostsImages(Images):
     def __init__(self, gluray, worker, folder, network):
         super().__init__(gluray, worker, folder)
         self.network = network
@@ -30,16 +30,16 @@ class HostsPictures(Pictures):
         return process, log
 
 
-def check_stopped_worker(pictures):
-    """The program goes on without its light and says so; when the worker goes on, the next picture has all light."""
-    expected = pixels(pictures.folder / "one.png")
-    job, log = pictures.job()
+def check_stopped_worker(images):
+    """The program goes on without its light and says so; when the worker goes on, the next image has all light."""
+    expected = pixels(images.folder / "one.png")
+    job, log = images.job()
     try:
-        worker = pictures.network.hosts[1].running(pictures.worker)
+        worker = images.network.hosts[1].running(images.worker)
         os.kill(worker, signal.SIGSTOP)
-        without, said = pictures.draw("stopped", 2, "--workers", "test")
+        without, said = images.draw("stopped", 2, "--workers", "test")
         os.kill(worker, signal.SIGCONT)
-        again, _ = pictures.draw("again", 2, "--workers", "test")
+        again, _ = images.draw("again", 2, "--workers", "test")
     finally:
         job.terminate()
         job.wait()
@@ -58,10 +58,10 @@ def main(gluray, worker):
     with tempfile.TemporaryDirectory() as folder:
         network = hosts.Network(2, pathlib.Path(folder))
         try:
-            pictures = HostsPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
+            images = HostsImages(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
             for name in ("paths", "occlusion"):
-                check_light(pictures, name)
-            check_stopped_worker(pictures)
+                check_light(images, name)
+            check_stopped_worker(images)
         finally:
             network.end()
     return 0

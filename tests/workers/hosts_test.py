@@ -12,8 +12,8 @@ import hosts
 from jobs import Jobs, wait_for
 
 HOSTS = 4
-TURN = 360          # frames after which the program's pictures repeat
-LONGEST = 5         # seconds that a picture may take; 1 is usual where a rank is lost, but other processes may be at work, too
+TURN = 360          # frames after which the program's images repeat
+LONGEST = 5         # seconds that an image may take; 1 is usual where a rank is lost, but other processes may be at work, too
 BACK = 120          # seconds until a rank is there again: TCP repeats what was lost after as long as the cable was out
 ONE_BY_ONE = ("always", "1000000000")  # the program draws a frame only when it is asked to, and turns
 WORK = ["--set", "spp=4"]
@@ -34,13 +34,13 @@ class Drawing:
         return took
 
     def draw_for(self, seconds, what, until=lambda: False):
-        """Says how long pictures took."""
+        """Says how long images took."""
         times, end = [], time.monotonic() + seconds
         while time.monotonic() < end and not until():
             times.append(self.draw())
             time.sleep(0.01)
         times.sort()
-        print(f"{what}: {len(times)} pictures, median {1000 * times[len(times) // 2]:.1f} ms, longest {times[-1]:.2f} s", flush=True)
+        print(f"{what}: {len(times)} images, median {1000 * times[len(times) // 2]:.1f} ms, longest {times[-1]:.2f} s", flush=True)
         self.test.assertLess(times[-1], LONGEST, what)
         return len(times)
 
@@ -100,7 +100,7 @@ class OpenMpi(Jobs):
         return process
 
     def check_takes_part(self, drawing, log, rank, lose, find):
-        """A rank that takes part in pictures is missed when it is lost, and back when it is found."""
+        """A rank that takes part in images is missed when it is lost, and back when it is found."""
         missed = f"rank {rank} does not answer"
         before = log.read_text().count(missed)
         lose()
@@ -113,7 +113,7 @@ class OpenMpi(Jobs):
         print(f"rank {rank} answers {time.monotonic() - since:.1f} s after it was found again")
         drawing.draw_for(2, f"rank {rank} is back")
 
-    def test_pictures_are_those_without_workers(self):
+    def test_images_are_those_without_workers(self):
         _, log = self.hosts_job()
         self.assertEqual(self.answering(), set(range(HOSTS)))
         for host in (0, HOSTS - 1):

@@ -11,7 +11,7 @@ LIGHT = ["--set", "ao=on", "--set", "ao.samples=4"]
 
 
 class Paged(Jobs):
-    def pictures(self, *options):
+    def images(self, *options):
         """The sum of the colours of the fourth frame, and what the program said."""
         path = self.log()
         with path.open("w") as file:
@@ -24,9 +24,9 @@ class Paged(Jobs):
     def check(self, *launcher):
         _, log = self.job(*launcher, options=("--memory", MEMORY))
         for options in ([], LIGHT):
-            expected, _ = self.pictures(*options)
+            expected, _ = self.images(*options)
             self.assertEqual(len(expected), 1)
-            self.assertEqual(self.pictures("--workers", "test", *options), (expected, ""), log.read_text())
+            self.assertEqual(self.images("--workers", "test", *options), (expected, ""), log.read_text())
         said = log.read_text()
         self.assertTrue(wait_for(lambda: log.read_text().count("is connected") == 2), said)
         self.assertEqual(said.count("larger than the memory of a rank"), 2, said)

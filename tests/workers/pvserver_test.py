@@ -1,4 +1,4 @@
-"""Light across the ranks of pvserver, whose client shows the picture: pvserver_test.py GLURAY WORKER, with an X server at hand. Exits with 77
+"""Light across the ranks of pvserver, whose client shows the image: pvserver_test.py GLURAY WORKER, with an X server at hand. Exits with 77
 where ParaView, Open MPI or ImageMagick is missing."""
 import os
 import pathlib
@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 import hosts
-from sort_last_test import HERE, LIGHTS, Pictures, check_light
+from sort_last_test import HERE, LIGHTS, Images, check_light
 
 SECONDS = 240
 
@@ -20,7 +20,7 @@ def free_port():
         return one.getsockname()[1]
 
 
-class ServedPictures(Pictures):
+class ServedImages(Images):
     """`network`: what puts a command into a network of its own, because pvserver listens on all interfaces; empty: nothing does."""
 
     def __init__(self, gluray, worker, folder, network):
@@ -35,7 +35,7 @@ class ServedPictures(Pictures):
                                                    f"--server-port={port}"), env=self.environment, stdout=file, stderr=subprocess.STDOUT)
         try:
             self.wait_for(log, "Accepting connection")
-            # Without GLuRay: a picture that the client drew has no light.
+            # Without GLuRay: an image that the client drew has no light.
             done = subprocess.run(self.network("pvpython", str(HERE / "sort_last.py"), str(path), str(port)), env=self.environment,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=SECONDS, check=False)
             assert done.returncode == 0 and path.exists(), done.stdout + log.read_text()
@@ -53,9 +53,9 @@ def main(gluray, worker):
         host = None if hosts.why_not() else hosts.Machine("server")
         try:
             network = host.inside if host else lambda *words: list(words)
-            pictures = ServedPictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
+            images = ServedImages(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder), network)
             for name in LIGHTS:
-                check_light(pictures, name)
+                check_light(images, name)
         finally:
             if host:
                 host.end()

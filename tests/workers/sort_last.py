@@ -1,5 +1,5 @@
-"""A plane and spheres, which ParaView splits among its ranks: sort_last.py PICTURE.png [PORT | orbit], run by pvbatch, or by pvpython as the client
-of the pvserver at that port, which renders. orbit: the picture is the last one of an animation in which the camera turns."""
+"""A plane and spheres, which ParaView splits among its ranks: sort_last.py IMAGE.png [PORT | orbit], run by pvbatch, or by pvpython as the client
+of the pvserver at that port, which renders. orbit: the image is the last one of an animation in which the camera turns."""
 import sys
 
 import paraview.simple as pv

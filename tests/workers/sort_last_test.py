@@ -29,7 +29,7 @@ def compare(a, b):
     return sum(differences) / len(differences), off / (len(differences) // 3)
 
 
-class Pictures:
+class Images:
     def __init__(self, gluray, worker, folder):
         self.light = []  # options of its settings
         self.gluray, self.worker, self.folder = gluray, worker, folder
@@ -45,7 +45,7 @@ class Pictures:
         return ["mpirun", *root, "--oversubscribe", "--mca", "mpi_yield_when_idle", "1", "-np", str(ranks)]
 
     def draw(self, name, ranks, *options, script=()):
-        """The picture's file, and what was said."""
+        """The image's file, and what was said."""
         path = self.folder / f"{name}.png"
         done = subprocess.run([*self.launcher(ranks), self.gluray, "--engine", "always", *self.light, *options, "--", "pvbatch", HERE / "sort_last.py", path,
                                *script], env=self.environment, stderr=subprocess.PIPE, text=True, timeout=240, check=False)
@@ -69,14 +69,14 @@ class Pictures:
         return process, log
 
 
-def check_light(pictures, name="occlusion"):
-    """Two ranks with workers draw the picture of one rank, and another one without workers."""
-    pictures.light = [word for setting in LIGHTS[name] for word in ("--set", setting)]
-    expected, _ = pictures.draw("one", 1)
-    alone, _ = pictures.draw("alone", 2)
-    job, log = pictures.job()
+def check_light(images, name="occlusion"):
+    """Two ranks with workers draw the image of one rank, and another one without workers."""
+    images.light = [word for setting in LIGHTS[name] for word in ("--set", setting)]
+    expected, _ = images.draw("one", 1)
+    alone, _ = images.draw("alone", 2)
+    job, log = images.job()
     try:
-        together, said = pictures.draw("together", 2, "--workers", "test")
+        together, said = images.draw("together", 2, "--workers", "test")
     finally:
         job.terminate()
         job.wait()
@@ -88,16 +88,16 @@ def check_light(pictures, name="occlusion"):
     assert "does not" not in log.read_text() and "draws nothing" not in log.read_text(), log.read_text()
 
 
-def check_animation(pictures):
+def check_animation(images):
     """The last frame of an animation is smooth, and all ranks' surfaces darken it, although few rays were traced."""
-    pictures.light = [word for setting in LIGHTS["occlusion"] for word in ("--set", setting)]
-    expected, _ = pictures.draw("one", 1, "--set", "refine.passes=16")
-    pictures.light += ["--set", "refine.offscreen=animated", "--set", "fps=1"]
-    alone, _ = pictures.draw("alone", 2, script=["orbit"])
-    job, log = pictures.job()
+    images.light = [word for setting in LIGHTS["occlusion"] for word in ("--set", setting)]
+    expected, _ = images.draw("one", 1, "--set", "refine.passes=16")
+    images.light += ["--set", "refine.offscreen=animated", "--set", "fps=1"]
+    alone, _ = images.draw("alone", 2, script=["orbit"])
+    job, log = images.job()
     try:
-        together, said = pictures.draw("together", 2, "--workers", "test", script=["orbit"])
-        finished, _ = pictures.draw("finished", 2, "--workers", "test", "--set", "refine.offscreen=finished", script=["orbit"])
+        together, said = images.draw("together", 2, "--workers", "test", script=["orbit"])
+        finished, _ = images.draw("finished", 2, "--workers", "test", "--set", "refine.offscreen=finished", script=["orbit"])
     finally:
         job.terminate()
         job.wait()
@@ -111,10 +111,10 @@ def main(gluray, worker):
     if not all(map(shutil.which, ("pvbatch", "mpirun", "convert"))):
         return 77
     with tempfile.TemporaryDirectory() as folder:
-        pictures = Pictures(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
+        images = Images(os.path.abspath(gluray), os.path.abspath(worker), pathlib.Path(folder))
         for name in LIGHTS:
-            check_light(pictures, name)
-        check_animation(pictures)
+            check_light(images, name)
+        check_animation(images)
     return 0
 
 

@@ -1,4 +1,4 @@
-"""Programs whose pictures gluray-worker traces: workers_test.py GLURAY WORKER CLIENT, with an X server at hand. Jobs of many ranks
+"""Programs whose images gluray-worker traces: workers_test.py GLURAY WORKER CLIENT, with an X server at hand. Jobs of many ranks
 use the launchers that are installed."""
 import os
 import pathlib
@@ -11,7 +11,7 @@ import unittest
 from jobs import Jobs, wait_for
 
 LIGHT = ["--set", "ao=on", "--set", "ao.samples=4", "--set", "shadows=on"]
-STALL = 2.5  # seconds that a picture may take when a worker is gone
+STALL = 2.5  # seconds that an image may take when a worker is gone
 
 
 class Workers(Jobs):
@@ -28,7 +28,7 @@ class Workers(Jobs):
         self.end(process)
         return found, path.read_text()
 
-    def check_pictures(self, log):
+    def check_images(self, log):
         for options in ([], LIGHT, ["--set", "spp=4"]):
             expected, _ = self.checksum(*options)
             self.assertEqual(self.checksum("--workers", "test", *options), (expected, ""), options)
@@ -36,19 +36,19 @@ class Workers(Jobs):
 
     def test_one_worker(self):
         _, log = self.job()
-        self.check_pictures(log)
+        self.check_images(log)
 
     def test_ranks_of_open_mpi(self):
         _, log = self.job(*self.openmpi())
         self.assertIn("3 ranks", log.read_text())
         self.assertIn("Open MPI", log.read_text())
-        self.check_pictures(log)
+        self.check_images(log)
 
     def test_ranks_of_mpich(self):
         _, log = self.job(*self.mpi("mpich"))
         self.assertIn("3 ranks", log.read_text())
         self.assertRegex(log.read_text(), r", MPICH \d")
-        self.check_pictures(log)
+        self.check_images(log)
 
     def test_without_a_job_the_program_traces_and_says_so(self):
         expected, _ = self.checksum(*LIGHT)

@@ -1,9 +1,9 @@
 #include "control/control_commands.h"
 
 #include "command_line.h"
+#include "control/images/film.h"
+#include "control/images/shot.h"
 #include "control/panel.h"
-#include "control/pictures/film.h"
-#include "control/pictures/shot.h"
 #include "control/programs_list.h"
 #include "control/scene/camera.h"
 #include "control/scene/light.h"

@@ -102,8 +102,8 @@ bool describeControl(CLI::App& app, CommandLine& line) {
       app.description("Opens a window that shows running programs and changes their settings.");
       break;
     case Command::shot:
-      app.description("Saves the picture in the window of a running program. Overwrites PNG files only.");
-      app.add_option("FILE", options.file, "Name of the picture, ending in .png")->required();
+      app.description("Saves the image in the window of a running program. Overwrites PNG files only.");
+      app.add_option("FILE", options.file, "Name of the image, ending in .png")->required();
       break;
     default: describeSceneCommand(app, line); break;
   }

@@ -16,7 +16,7 @@ enum class Command;
 struct FilmOptions {
   int frames = 0;                  // 0: no limit
   std::vector<std::string> ramps;  // NAME=FROM..TO
-  int passes = 0;                  // 0: pictures are taken as they are
+  int passes = 0;                  // 0: images are taken as they are
 };
 
 /// What these commands are given.

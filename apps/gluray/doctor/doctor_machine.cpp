@@ -60,7 +60,7 @@ Said runProbe(const CommandLine& given, const std::string& api, const std::strin
     CommandLine line = given;
     line.settings.set("report", folder + "/report.json");
     line.settings.remove("off");
-    line.settings.set("engine", "always");  // the picture is so small that `auto` would not trace it
+    line.settings.set("engine", "always");  // the image is so small that `auto` would not trace it
     if (const std::string why = openDoors(line, Program{}); !why.empty())
       dprintf(STDERR_FILENO, "gluray: not ray traced: %s\n", why.c_str());
     setenv("GLURAY_EXPLAIN", "1000", 1);
@@ -131,11 +131,11 @@ std::string rasterReason(const json& report) {
   return reasons.empty() ? "GLuRay saw no draw" : reasons;
 }
 
-void reportPicture(const json& report, Diagnosis& diagnosis) {
+void reportImage(const json& report, Diagnosis& diagnosis) {
   if (report["triangles"]["traced"].get<uint64_t>() > 0)
-    diagnosis.ok("test picture", "traced, through the door " + report["door"].get<std::string>());
+    diagnosis.ok("test image", "traced, through the door " + report["door"].get<std::string>());
   else
-    diagnosis.broken("test picture", "not traced: " + rasterReason(report));
+    diagnosis.broken("test image", "not traced: " + rasterReason(report));
 }
 
 void reportWay(const json& report, Diagnosis& diagnosis) {
@@ -143,7 +143,7 @@ void reportWay(const json& report, Diagnosis& diagnosis) {
   if (!driver.empty())
     diagnosis.limited("door",
                       "bypassed: the dynamic linker finds the driver's gl functions first (" + driver +
-                          "), so plug-ins call the driver, GLuRay does not see these calls, and pictures "
+                          "), so plug-ins call the driver, GLuRay does not see these calls, and images "
                           "may be wrong",
                       "remove the driver from LD_PRELOAD, or try --door preload");
 }
@@ -169,7 +169,7 @@ void reportProbe(const std::string& api, const Said& said, const std::string& fo
     return;
   }
   reportTracer(report, diagnosis);
-  reportPicture(report, diagnosis);
+  reportImage(report, diagnosis);
   reportWay(report, diagnosis);
 }
 

@@ -11,8 +11,8 @@ bool examineInstall(Diagnosis& diagnosis);
 /// Cores, memory, display.
 void examineMachine(Diagnosis& diagnosis);
 
-/// Draws a test picture through GLuRay; reports the real OpenGL, the ray tracer's libraries, and whether the
-/// picture was traced.
+/// Draws a test image through GLuRay; reports the real OpenGL, the ray tracer's libraries, and whether the
+/// image was traced.
 void examineDrawing(const CommandLine& line, Diagnosis& diagnosis);
 
 }  // namespace gluray::launcher

@@ -38,8 +38,8 @@ std::string endingText(const WatchedRun& run, const CommandLine& line) {
   return "it ended by itself, with exit code " + std::to_string(run.exitCode);
 }
 
-/// The picture from the process that showed most frames, of those that have one.
-const json* pictureOf(const WatchedRun& run) {
+/// The image from the process that showed most frames, of those that have one.
+const json* imageOf(const WatchedRun& run) {
   for (const json& report : run.reports)
     if (report["explain"]["picture"].is_object()) return &report["explain"]["picture"];
   return nullptr;
@@ -54,48 +54,48 @@ bool neverSwapped(const WatchedRun& run) {
   return true;
 }
 
-Pixels readPicture(const json& picture, const char* suffix) {
-  const std::string path = picture["file"].get<std::string>() + suffix;
+Pixels readImage(const json& image, const char* suffix) {
+  const std::string path = image["file"].get<std::string>() + suffix;
   std::optional<Pixels> pixels = readNetpbm(path);
-  if (!pixels) throw std::runtime_error("cannot read the picture " + path);
+  if (!pixels) throw std::runtime_error("cannot read the image " + path);
   return *pixels;
 }
 
 /// Runs the program without GLuRay until it has shown the same frame.
-FramePictures withAndWithout(const CommandLine& line, const Program& program, const WatchedRun& run,
-                             const json& picture) {
-  FramePictures pictures;
-  pictures.with = readPicture(picture, ".ppm");
-  pictures.origin = readPicture(picture, ".origin.pgm");
-  pictures.perPixel = sessionOf(line).settings.shading != ShadingRate::vertex;
-  pictures.frame = picture["frame"], pictures.elsewhere = picture["elsewhere"];
+FrameImages withAndWithout(const CommandLine& line, const Program& program, const WatchedRun& run,
+                           const json& image) {
+  FrameImages images;
+  images.with = readImage(image, ".ppm");
+  images.origin = readImage(image, ".origin.pgm");
+  images.perPixel = sessionOf(line).settings.shading != ShadingRate::vertex;
+  images.frame = image["frame"], images.elsewhere = image["elsewhere"];
   CommandLine plain = line;
   if (neverSwapped(run))
     plain.settings.set("engine", "never");
   else
     plain.settings.set("off", "1");
-  Watch wish{static_cast<int>(pictures.frame), line.restSeconds, line.limitSeconds, true, true};
+  Watch wish{static_cast<int>(images.frame), line.restSeconds, line.limitSeconds, true, true};
   // Two runs may come to rest after different numbers of frames, because window events arrive differently.
   if (run.ending != WatchedRun::Ending::frames) wish.frames = line.frames;
   const TemporaryFolder folder;
   const WatchedRun second = watch(plain, program, wish, folder.path());
 
-  if (const json* found = pictureOf(second)) {
-    pictures.without = readPicture(*found, ".ppm");
-    pictures.frameWithout = (*found)["frame"];
-    pictures.atRest = pictures.frame != pictures.frameWithout;
+  if (const json* found = imageOf(second)) {
+    images.without = readImage(*found, ".ppm");
+    images.frameWithout = (*found)["frame"];
+    images.atRest = images.frame != images.frameWithout;
   }
-  return pictures;
+  return images;
 }
 
 /// Writes the page; returns its numbers.
 json makePage(const CommandLine& line, const Program& program, const WatchedRun& run,
               const std::string& text) {
-  const json* picture = pictureOf(run);
-  if (!picture) throw std::runtime_error("no page: the program showed no frame");
-  const FramePictures pictures = withAndWithout(line, program, run, *picture);
-  writeFile(line.html, htmlPage(commandOf(line), text, pictures));
-  return pictureFacts(pictures);
+  const json* image = imageOf(run);
+  if (!image) throw std::runtime_error("no page: the program showed no frame");
+  const FrameImages images = withAndWithout(line, program, run, *image);
+  writeFile(line.html, htmlPage(commandOf(line), text, images));
+  return imageFacts(images);
 }
 
 std::string textOf(const WatchedRun& run, const CommandLine& line) {

@@ -163,7 +163,7 @@ std::string walkedPastLines(const json& report) {
          wrapped(
              "the dynamic linker finds the driver's gl functions first (" + driver +
                  "): libraries that are loaded later call the driver, GLuRay does not see these calls, and "
-                 "the picture may be wrong",
+                 "the image may be wrong",
              100, "  ");
 }
 
@@ -183,7 +183,7 @@ std::string noise(const json& object) {
   return value > 0 ? ", noise " + fixed(value, 4) : "";
 }
 
-/// How far pictures with light were refined; empty where none was.
+/// How far images with light were refined; empty where none was.
 std::string lightLine(const json& report) {
   const json light = report.value("light", json::object()), idle = light.value("idle", json::object());
   const auto passes = light.value("passes", uint64_t{0}), idlePasses = idle.value("passes", uint64_t{0});

@@ -15,7 +15,7 @@ const char* const kHead = R"(<!DOCTYPE html>
 <style>
 body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 1320px; padding: 0 1em; color: #222; background: #fafafa }
 h1 { font-size: 1.3em } code, pre { font: 13px/1.35 ui-monospace, monospace } pre { overflow-x: auto; background: #fff; border: 1px solid #ddd; padding: 1em }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(300px, 1fr)); gap: 1em }
+.images { display: grid; grid-template-columns: repeat(auto-fit, minmax(300px, 1fr)); gap: 1em }
 figure { margin: 0 } figcaption { margin: .3em 0 } img { max-width: 100%; height: auto; image-rendering: pixelated; border: 1px solid #ccc }
 .warning { border-left: 4px solid #d60; padding: .2em 1em; background: #fff }
 .key { display: inline-block; width: .9em; height: .9em; margin: 0 .2em 0 .6em }
@@ -46,17 +46,17 @@ std::string percent(uint64_t part, uint64_t all) {
 
 std::string warning(const std::string& text) { return "<p class=\"warning\">" + text + "</p>\n"; }
 
-/// How the two pictures were taken, and whether they show the same frame.
-std::string provenance(const FramePictures& p, const Comparison& c) {
+/// How the two images were taken, and whether they show the same frame.
+std::string provenance(const FrameImages& p, const Comparison& c) {
   std::string text =
-      "<p>Both pictures are read from the program's window just before it shows them. The program ran twice, "
+      "<p>Both images are read from the program's window just before it shows them. The program ran twice, "
       "the second time with the real OpenGL alone; its clock moved by 40 ms a frame in both runs. ";
   if (p.atRest)
     text += "The program came to rest: these are the last frames, number " + std::to_string(p.frame) +
             " with GLuRay and " + std::to_string(p.frameWithout) + " without.</p>\n";
   else
-    text += "Both pictures are of frame " + std::to_string(p.frame) + ".</p>\n";
-  if (!c.sameSize) return text + warning("The pictures differ in size: the window changed between the runs.");
+    text += "Both images are of frame " + std::to_string(p.frame) + ".</p>\n";
+  if (!c.sameSize) return text + warning("The images differ in size: the window changed between the runs.");
   if (!c.sameFrame())
     text += warning(
         "<b>The two runs did not show the same frame:</b> " + percent(c.outsideDiffering, c.outside) +
@@ -91,7 +91,7 @@ uint64_t countOf(const Pixels& origin, Origin wanted) {
 
 }  // namespace
 
-nlohmann::json pictureFacts(const FramePictures& p) {
+nlohmann::json imageFacts(const FrameImages& p) {
   nlohmann::json facts = {{"frame", p.frame},
                           {"width", p.with.width},
                           {"height", p.with.height},
@@ -114,19 +114,19 @@ nlohmann::json pictureFacts(const FramePictures& p) {
   return facts;
 }
 
-std::string htmlPage(const std::string& command, const std::string& text, const FramePictures& p) {
+std::string htmlPage(const std::string& command, const std::string& text, const FrameImages& p) {
   std::string page =
       std::string(kHead) + "<h1>gluray explain <code>" + escaped(printable(command)) + "</code></h1>\n";
   const Comparison c = p.without ? compare(p.with, *p.without, p.origin) : Comparison{};
   if (!p.without)
-    page += warning("There is no picture without GLuRay: the second run of the program showed none.");
+    page += warning("There is no image without GLuRay: the second run of the program showed none.");
   else
     page += provenance(p, c) + (c.sameSize ? numbers(c) : "") + (p.perPixel ? kPerPixel : "");
   if (p.elsewhere)
     page += "<p>" + grouped(p.elsewhere) +
             " pixels were traced into framebuffer objects during the frame; they do not count as traced "
             "here, even if the program copies them into its window.</p>\n";
-  page += "<div class=\"pictures\">\n" + figure("with", p.with, "with GLuRay");
+  page += "<div class=\"images\">\n" + figure("with", p.with, "with GLuRay");
   if (p.without) page += figure("without", *p.without, "without: the real OpenGL alone");
   if (c.sameSize)
     page += figure("difference", difference(p.with, *p.without, kAmplified),
@@ -136,7 +136,7 @@ std::string htmlPage(const std::string& command, const std::string& text, const 
                  "<span class=\"key\" style=\"background:#e80\"></span>traced, then drawn over"
                  "<span class=\"key\" style=\"background:#555\"></span>rasterised by the real OpenGL");
   page += "</div>\n<h1>What was drawn</h1>\n<pre>" + escaped(text) + "</pre>\n";
-  return page + "<script type=\"application/json\" id=\"facts\">" + pictureFacts(p).dump() +
+  return page + "<script type=\"application/json\" id=\"facts\">" + imageFacts(p).dump() +
          "</script>\n</body></html>\n";
 }
 

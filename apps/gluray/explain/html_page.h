@@ -1,4 +1,4 @@
-// The page of `gluray explain --html`: one self-contained file, pictures included.
+// The page of `gluray explain --html`: one self-contained file, images included.
 #pragma once
 #include "explain/pixels.h"
 
@@ -10,9 +10,9 @@
 namespace gluray::launcher {
 
 /// One frame from two runs of a program, with and without GLuRay.
-struct FramePictures {
+struct FrameImages {
   Pixels with, origin;                   // the run with GLuRay; one Origin for each of its pixels
-  std::optional<Pixels> without;         // the run without; absent if it has no picture
+  std::optional<Pixels> without;         // the run without; absent if it has no image
   uint64_t frame = 0, frameWithout = 0;  // counted from 1
   uint64_t elsewhere = 0;                // pixels traced into framebuffer objects
   bool perPixel = true;                  // lighting was evaluated at each pixel
@@ -20,9 +20,9 @@ struct FramePictures {
 };
 
 /// The page as HTML; `text` is the printed explanation. Throws std::runtime_error.
-std::string htmlPage(const std::string& command, const std::string& text, const FramePictures& pictures);
+std::string htmlPage(const std::string& command, const std::string& text, const FrameImages& images);
 
 /// The page's numbers as JSON.
-nlohmann::json pictureFacts(const FramePictures& pictures);
+nlohmann::json imageFacts(const FrameImages& images);
 
 }  // namespace gluray::launcher

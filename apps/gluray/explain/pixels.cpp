@@ -96,10 +96,10 @@ Pixels difference(const Pixels& a, const Pixels& b, int times) {
   return result;
 }
 
-Pixels tinted(const Pixels& picture, const Pixels& origin) {
-  Pixels result = picture;
-  for (size_t i = 0; i < picture.count(); ++i) {
-    const uint8_t* rgb = picture.at(i);
+Pixels tinted(const Pixels& image, const Pixels& origin) {
+  Pixels result = image;
+  for (size_t i = 0; i < image.count(); ++i) {
+    const uint8_t* rgb = image.at(i);
     const int grey = (rgb[0] * 77 + rgb[1] * 151 + rgb[2] * 28) >> 8;
     const bool traced = originAt(origin, i) == Origin::traced,
                over = originAt(origin, i) == Origin::drawnOver;

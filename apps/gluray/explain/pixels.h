@@ -1,4 +1,4 @@
-// Pictures: reading, encoding and comparing them.
+// Images: reading, encoding and comparing them.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -21,7 +21,7 @@ std::optional<Pixels> readNetpbm(const std::string& path);
 /// The bytes of a PNG file. Throws std::runtime_error.
 std::string pngOf(const Pixels& pixels);
 
-/// Who drew a pixel of the frame with GLuRay. The origin picture holds one a pixel.
+/// Who drew a pixel of the frame with GLuRay. The origin image holds one a pixel.
 enum class Origin : uint8_t { rasterised = 0, drawnOver = 128, traced = 255 };
 
 struct Comparison {
@@ -34,17 +34,17 @@ struct Comparison {
   uint64_t outsideDiffering = 0;  // of those, by more than kTolerance
   static constexpr int kTolerance = 8, kMargin = 2;
 
-  /// Whether the two pictures show the same frame: at most 0.1 % of the pixels outside differ.
+  /// Whether the two images show the same frame: at most 0.1 % of the pixels outside differ.
   bool sameFrame() const { return sameSize && outsideDiffering * 1000 <= outside; }
 };
 
-/// Compares the pictures `with` and `without` GLuRay; `origin` holds an Origin for each pixel of `with`.
+/// Compares the images `with` and `without` GLuRay; `origin` holds an Origin for each pixel of `with`.
 Comparison compare(const Pixels& with, const Pixels& without, const Pixels& origin);
 
-/// The absolute difference of two pictures of equal size, times `times`.
+/// The absolute difference of two images of equal size, times `times`.
 Pixels difference(const Pixels& a, const Pixels& b, int times);
 
-/// The picture in grey, traced pixels green, those drawn over afterwards orange.
-Pixels tinted(const Pixels& picture, const Pixels& origin);
+/// The image in grey, traced pixels green, those drawn over afterwards orange.
+Pixels tinted(const Pixels& image, const Pixels& origin);
 
 }  // namespace gluray::launcher

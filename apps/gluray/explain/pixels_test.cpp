@@ -24,7 +24,7 @@ void set(Pixels& pixels, int x, int y, uint8_t value) {
   std::fill_n(pixels.bytes.begin() + static_cast<ptrdiff_t>(at), pixels.channels, value);
 }
 
-TEST(Pixels, EqualPicturesDoNotDiffer) {
+TEST(Pixels, EqualImagesDoNotDiffer) {
   const Pixels a = filled(8, 4, 100), origin = filled(8, 4, 0, 1);
   const Comparison c = compare(a, a, origin);
   EXPECT_TRUE(c.sameSize && c.sameFrame());
@@ -70,27 +70,27 @@ TEST(Pixels, OriginsAreTinted) {
   EXPECT_EQ(t.bytes, (std::vector<uint8_t>{0, 0, 0, 128, 80, 0, 0, 112, 0}));
 }
 
-TEST(Pixels, PngHoldsThePicture) {
-  Pixels picture = filled(5, 3, 10);
-  set(picture, 4, 2, 77);
-  const std::string bytes = pngOf(picture);
+TEST(Pixels, PngHoldsTheImage) {
+  Pixels shown = filled(5, 3, 10);
+  set(shown, 4, 2, 77);
+  const std::string bytes = pngOf(shown);
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   ASSERT_TRUE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
   image.format = PNG_FORMAT_RGB;
   std::vector<uint8_t> back(PNG_IMAGE_SIZE(image));
   ASSERT_TRUE(png_image_finish_read(&image, nullptr, back.data(), 0, nullptr));
-  EXPECT_EQ(back, picture.bytes);
+  EXPECT_EQ(back, shown.bytes);
 }
 
 TEST(Pixels, NetpbmFilesAreRead) {
   const std::string path = testing::TempDir() + "/pixels_test" + std::to_string(getpid()) + ".ppm";
   const auto write = [&](const std::string& text) { std::ofstream(path, std::ios::binary) << text; };
   write(std::string("P6\n2 1\n255\n") + "abc\n\n\n");
-  const auto picture = readNetpbm(path);
-  ASSERT_TRUE(picture);
-  EXPECT_EQ(picture->width, 2);
-  EXPECT_EQ(picture->bytes, (std::vector<uint8_t>{'a', 'b', 'c', '\n', '\n', '\n'}));
+  const auto shown = readNetpbm(path);
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->width, 2);
+  EXPECT_EQ(shown->bytes, (std::vector<uint8_t>{'a', 'b', 'c', '\n', '\n', '\n'}));
   write("P6\n2 1\n255\nabc");
   EXPECT_FALSE(readNetpbm(path));
   write("P6\n99999999 99999999\n255\nabc");
@@ -101,14 +101,14 @@ TEST(Pixels, NetpbmFilesAreRead) {
   EXPECT_FALSE(readNetpbm(path));
 }
 
-FramePictures pictures() {
-  FramePictures p;
+FrameImages images() {
+  FrameImages p;
   p.with = filled(20, 20, 100), p.origin = filled(20, 20, 255, 1), p.frame = p.frameWithout = 7;
   return p;
 }
 
-TEST(HtmlPage, HoldsAllPicturesAndTheNumbers) {
-  FramePictures p = pictures();
+TEST(HtmlPage, HoldsAllImagesAndTheNumbers) {
+  FrameImages p = images();
   p.without = filled(20, 20, 110);
   const std::string page = htmlPage("viewer <a> & \"b\"", "table <x>", p);
   for (const char* id : {"with", "without", "difference", "traced"})
@@ -117,14 +117,14 @@ TEST(HtmlPage, HoldsAllPicturesAndTheNumbers) {
   EXPECT_NE(page.find("table &lt;x&gt;"), page.npos);
   EXPECT_NE(page.find("<b>100.000 %</b> of the 400 pixels differ by more than 8"), page.npos);
   EXPECT_EQ(page.find("src=\"http"), page.npos);  // self-contained
-  const nlohmann::json facts = pictureFacts(p);
+  const nlohmann::json facts = imageFacts(p);
   EXPECT_EQ(facts["differing"], 400);
   EXPECT_EQ(facts["traced"], 400);
   EXPECT_EQ(facts["largest"], 10);
 }
 
 TEST(HtmlPage, SaysIfTheFramesAreNotTheSame) {
-  FramePictures p = pictures();
+  FrameImages p = images();
   p.origin = filled(20, 20, 0, 1);
   p.without = filled(20, 20, 200);
   EXPECT_NE(htmlPage("v", "", p).find("did not show the same frame"), std::string::npos);
@@ -132,11 +132,11 @@ TEST(HtmlPage, SaysIfTheFramesAreNotTheSame) {
   EXPECT_EQ(htmlPage("v", "", p).find("did not show the same frame"), std::string::npos);
 }
 
-TEST(HtmlPage, MayLackTheSecondPicture) {
-  const std::string page = htmlPage("v", "", pictures());
-  EXPECT_NE(page.find("no picture without GLuRay"), page.npos);
+TEST(HtmlPage, MayLackTheSecondImage) {
+  const std::string page = htmlPage("v", "", images());
+  EXPECT_NE(page.find("no image without GLuRay"), page.npos);
   EXPECT_EQ(page.find("<img id=\"difference\""), page.npos);
-  EXPECT_FALSE(pictureFacts(pictures()).contains("differing"));
+  EXPECT_FALSE(imageFacts(images()).contains("differing"));
 }
 
 }  // namespace

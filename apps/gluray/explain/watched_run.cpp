@@ -173,7 +173,7 @@ WatchedRun::Ending waitForEnding(Child& child, const Watch& wish, Reports& repor
 
 void prepareEnvironment(const Watch& wish) {
   setenv("GLURAY_EXPLAIN", std::to_string(wish.frames).c_str(), 1);
-  if (wish.picture) setenv("GLURAY_PICTURE", "1", 1);
+  if (wish.image) setenv("GLURAY_PICTURE", "1", 1);
   if (!wish.steadyClock) return;
   const char* preload = std::getenv("LD_PRELOAD");
   const std::string clock = libraryDirectory() + "/libgluray-clock.so";

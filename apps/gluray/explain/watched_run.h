@@ -25,7 +25,7 @@ class TemporaryFolder {
 struct Watch {
   int frames = 100;                            // ends the program after so many
   double restSeconds = 3, limitSeconds = 120;  // 0: never
-  bool picture = false;                        // takes a picture of the last frame
+  bool image = false;                          // takes an image of the last frame
   bool steadyClock = false;  // moves time by the frame, so that two runs show the same frames
 };
 
@@ -36,7 +36,7 @@ struct WatchedRun {
   std::vector<nlohmann::json> reports;  // one a process that had a context; most frames first
 };
 
-/// Runs the program. Reports and pictures go to `folder`; each run needs a folder of its own.
+/// Runs the program. Reports and images go to `folder`; each run needs a folder of its own.
 WatchedRun watch(const CommandLine& line, const Program& program, const Watch& wish,
                  const std::string& folder);
 

@@ -45,7 +45,7 @@ void ColorEditor::ask() {
   auto* dialog = new QColorDialog(color_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(objectName());
-  // The picture follows.
+  // The image follows.
   const auto sent = std::make_shared<bool>(false);
   connect(dialog, &QColorDialog::currentColorChanged, this, [this, sent](const QColor& color) {
     *sent = true;

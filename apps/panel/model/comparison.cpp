@@ -35,14 +35,14 @@ void Comparison::watch(bool on) {
   settled_.stop();
   if (on) return renew();
   ++round_, underWay_ = false;
-  picture_ = {};
+  image_ = {};
   emit changed();
 }
 
 void Comparison::programShown() {
   const Program* program = controls_.shown();
   if (!on_ || (program ? program->number : 0) == program_) return;
-  picture_ = {};
+  image_ = {};
   underWay_ = false;
   emit changed();
   renew();
@@ -88,14 +88,14 @@ void Comparison::receiveAnswers(const std::vector<CallAnswer>& answers, uint64_t
   if (why.empty() && answers.size() <= kShotOfBatch) why = "the program's answer cannot be read";
   if (!why.empty()) {
     underWay_ = false;
-    return void(emit said(tr("No picture of the real OpenGL: %1").arg(QString::fromStdString(why))));
+    return void(emit said(tr("No image of the real OpenGL: %1").arg(QString::fromStdString(why))));
   }
   auto* fetch =
-      new ShotFetch(controls_, program_, this, [this, round](const QImage& picture, const QString& whyNot) {
+      new ShotFetch(controls_, program_, this, [this, round](const QImage& image, const QString& whyNot) {
         if (round != round_) return;
         underWay_ = false;
-        if (!whyNot.isEmpty()) return void(emit said(tr("No picture of the real OpenGL: %1").arg(whyNot)));
-        picture_ = picture;
+        if (!whyNot.isEmpty()) return void(emit said(tr("No image of the real OpenGL: %1").arg(whyNot)));
+        image_ = image;
         emit changed();
       });
   fetch->fetch(answers[kShotOfBatch].value);

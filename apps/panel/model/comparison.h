@@ -1,4 +1,4 @@
-// The real OpenGL's picture of the shown program, to compare GLuRay's with: the setting engine is `never` for
+// The real OpenGL's image of the shown program, to compare GLuRay's with: the setting engine is `never` for
 // one frame. GUI thread; never waits.
 #pragma once
 #include "model/controls.h"
@@ -14,12 +14,12 @@ class Comparison : public QObject {
 
  public:
   Comparison(Controls& controls, QObject* parent);
-  /// While it is on, the picture is got anew when the program's windows change their sizes.
+  /// While it is on, the image is got anew when the program's windows change their sizes.
   void watch(bool on);
   bool isOn() const { return on_; }
   void renew();
   /// Null: there is none yet, or none can be had.
-  const QImage& picture() const { return picture_; }
+  const QImage& image() const { return image_; }
 
  signals:
   void changed();
@@ -32,8 +32,8 @@ class Comparison : public QObject {
 
   Controls& controls_;
   QTimer settled_;  // runs while a window may still change its size
-  QImage picture_;
-  nlohmann::json windows_;  // as they were when the picture was asked for
+  QImage image_;
+  nlohmann::json windows_;  // as they were when the image was asked for
   int program_ = 0;
   uint64_t round_ = 0;
   bool on_ = false, underWay_ = false;

@@ -1,7 +1,7 @@
 #include "model/film.h"
 
 #include "model/movement.h"
-#include "model/save_picture.h"
+#include "model/save_image.h"
 #include "model/shot_fetch.h"
 
 #include <QDir>
@@ -41,7 +41,7 @@ void Film::start() {
   connect(&controls_, &Controls::programsChanged, this, [this] {
     if (!controls_.find(program_)) finish(tr("the program has ended"));
   });
-  askNextPicture();
+  askNextImage();
 }
 
 void Film::stop() {
@@ -55,7 +55,7 @@ json Film::valueOf(int frame) const {
   return plan_.whole ? json(std::llround(value)) : json(value);
 }
 
-void Film::askNextPicture() {
+void Film::askNextImage() {
   if (finished_) return;
   if (plan_.frames > 0 && saved_ >= plan_.frames) return finish({});
   if (QFile::exists(fileOf(saved_))) return finish(tr("%1 exists already").arg(fileOf(saved_)));
@@ -71,19 +71,18 @@ void Film::askNextPicture() {
 
 void Film::shoot() {
   if (finished_) return;
-  auto* fetch = new ShotFetch(controls_, program_, this, [this](const QImage& picture, const QString& why) {
-    receivePicture(picture, why);
-  });
+  auto* fetch = new ShotFetch(controls_, program_, this,
+                              [this](const QImage& image, const QString& why) { receiveImage(image, why); });
   fetch->shoot();
 }
 
-void Film::receivePicture(const QImage& picture, const QString& why) {
+void Film::receiveImage(const QImage& image, const QString& why) {
   if (finished_) return;
   if (!why.isEmpty()) return finish(why);
-  savePicture(picture, fileOf(saved_), this, [this](const QString& whyNot) {
+  saveImage(image, fileOf(saved_), this, [this](const QString& whyNot) {
     if (!whyNot.isEmpty()) return finish(whyNot);
     emit progressed(++saved_);
-    askNextPicture();
+    askNextImage();
   });
 }
 

@@ -1,4 +1,4 @@
-// A film: pictures of a program's window, one after the other, each saved as a file. GUI thread; never waits.
+// A film: images of a program's window, one after the other, each saved as a file. GUI thread; never waits.
 #pragma once
 #include "model/controls.h"
 
@@ -8,7 +8,7 @@
 namespace gluray::panel {
 
 struct FilmPlan {
-  QString folder, name;     // pictures are FOLDER/NAME-0001.png and so on
+  QString folder, name;     // images are FOLDER/NAME-0001.png and so on
   int frames = 0;           // 0: until it is stopped
   std::string setting;      // that changes over the film; empty: none. Needs frames above 0
   double from = 0, to = 0;  // its values in the first and the last frame
@@ -22,7 +22,7 @@ class Film : public QObject {
   /// Of the program that controls.shown() is now, which must be there.
   Film(Controls& controls, FilmPlan plan, QObject* parent);
   void start();
-  /// No further picture is taken; those that are saved stay. finished() follows.
+  /// No further image is taken; those that are saved stay. finished() follows.
   void stop();
   int saved() const { return saved_; }
   QString fileOf(int frame) const;  // from 0
@@ -33,9 +33,9 @@ class Film : public QObject {
   void finished(const QString& why);
 
  private:
-  void askNextPicture();
+  void askNextImage();
   void shoot();
-  void receivePicture(const QImage& picture, const QString& why);
+  void receiveImage(const QImage& image, const QString& why);
   void finish(const QString& why);
   nlohmann::json valueOf(int frame) const;
 

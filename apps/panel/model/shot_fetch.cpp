@@ -14,7 +14,7 @@ namespace {
 using control::member, control::textIn, control::wholeNumber;
 using nlohmann::json;
 
-constexpr int kMaxSide = 1 << 15;  // of a picture
+constexpr int kMaxSide = 1 << 15;  // of an image
 constexpr int64_t kMaxPixels = int64_t{1} << 26;
 
 }  // namespace
@@ -35,8 +35,8 @@ void ShotFetch::fetch(const json& shot) {
   if (!number || !width || !height || *width * *height > kMaxPixels)
     return finish({}, "the program's shot cannot be read");
   shot_ = static_cast<int>(*number);
-  picture_ = QImage(static_cast<int>(*width), static_cast<int>(*height), QImage::Format_RGB888);
-  picture_.isNull() ? finish({}, "there is no memory for the picture") : askRow();
+  image_ = QImage(static_cast<int>(*width), static_cast<int>(*height), QImage::Format_RGB888);
+  image_.isNull() ? finish({}, "there is no memory for the image") : askRow();
 }
 
 void ShotFetch::askRow() {
@@ -44,26 +44,26 @@ void ShotFetch::askRow() {
                  [this](const CallAnswer& answer) {
                    const std::string why = answer.why.empty() ? takeRows(answer.value) : answer.why;
                    if (!why.empty()) return finish({}, why);
-                   row_ < picture_.height() ? askRow() : finish(picture_, "");
+                   row_ < image_.height() ? askRow() : finish(image_, "");
                  });
 }
 
 std::string ShotFetch::takeRows(const json& piece) {
   const auto row = wholeNumber(member(piece, "row"), row_, row_),
-             rows = wholeNumber(member(piece, "rows"), 1, picture_.height() - row_);
+             rows = wholeNumber(member(piece, "rows"), 1, image_.height() - row_);
   const auto bytes = control::fromBase64(textIn(piece, "pixels"));
-  const size_t line = 3 * static_cast<size_t>(picture_.width());
+  const size_t line = 3 * static_cast<size_t>(image_.width());
   if (!row || !rows || !bytes || bytes->size() != line * static_cast<size_t>(*rows))
     return "the program's pixels cannot be read";
   for (size_t i = 0; i < static_cast<size_t>(*rows); ++i)
-    std::memcpy(picture_.scanLine(row_ + static_cast<int>(i)), bytes->data() + i * line, line);
+    std::memcpy(image_.scanLine(row_ + static_cast<int>(i)), bytes->data() + i * line, line);
   row_ += static_cast<int>(*rows);
   return "";
 }
 
-void ShotFetch::finish(const QImage& picture, const std::string& why) {
+void ShotFetch::finish(const QImage& image, const std::string& why) {
   deleteLater();
-  if (const Taker then = std::exchange(then_, nullptr)) then(picture, QString::fromStdString(why));
+  if (const Taker then = std::exchange(then_, nullptr)) then(image, QString::fromStdString(why));
 }
 
 }  // namespace gluray::panel

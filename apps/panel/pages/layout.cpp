@@ -37,13 +37,13 @@ constexpr Place kPlaces[] = {
     {"quirks", "Speed"},
     {"renderer", "Speed"},
     {"program-families", "Speed"},
-    {"exposure", "Picture"},
-    {"tone", "Picture"},
-    {"look", "Picture"},
-    {"ground", "Picture"},
-    {"background", "Picture"},
+    {"exposure", "Image"},
+    {"tone", "Image"},
+    {"look", "Image"},
+    {"ground", "Image"},
+    {"background", "Image"},
 };
-constexpr std::string_view kPages[] = {"Light", "Materials", "Camera", "Quality", "Speed", "Picture"};
+constexpr std::string_view kPages[] = {"Light", "Materials", "Camera", "Quality", "Speed", "Image"};
 
 std::string_view wordOf(const Row& row) { return row.name.substr(0, row.name.find('.')); }
 

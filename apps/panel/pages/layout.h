@@ -20,7 +20,7 @@ struct Page {
 };
 
 /// All settings that a running program takes, in the table's order: Light, Materials, Camera, Quality, Speed,
-/// Picture; settings that none of these names come last, under their group.
+/// Image; settings that none of these names come last, under their group.
 std::vector<Page> pages();
 
 /// Whether the row fits what the user searches for: each word is in its name, help or group.

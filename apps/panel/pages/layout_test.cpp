@@ -21,7 +21,7 @@ TEST(Pages, BeginWithTheirFixedOrder) {
   ASSERT_GE(all.size(), 6u);
   EXPECT_EQ(all[0].title, "Light");
   EXPECT_EQ(all[0].sections[0].word, "ao");
-  EXPECT_EQ(all[5].title, "Picture");
+  EXPECT_EQ(all[5].title, "Image");
 }
 
 TEST(Matches, LooksForEachWord) {

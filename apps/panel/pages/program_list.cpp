@@ -27,12 +27,12 @@ QString shortNumber(double value) {
   return QString::number(value, 'f', unit > 0 && value < 99.5 ? 1 : 0) + kUnits[unit];
 }
 
-/// The picture in the middle of an icon, which has the same size for all programs.
-QIcon iconOf(const QImage& picture, qreal dots) {
+/// The image in the middle of an icon, which has the same size for all programs.
+QIcon iconOf(const QImage& image, qreal dots) {
   const QSize size = kIcon * dots;
   QPixmap icon(size);
   icon.fill(Qt::transparent);
-  const QImage small = picture.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  const QImage small = image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   QPainter(&icon).drawImage((size.width() - small.width()) / 2, (size.height() - small.height()) / 2, small);
   icon.setDevicePixelRatio(dots);
   return icon;

@@ -56,7 +56,7 @@ class FakeProgram {
     members.update(more);
     receiveMessage({{"type", "event"}, {"what", "state"}, {"program", kNumber}, {"state", members}});
   }
-  /// A picture, the left half of which is red, the right one blue.
+  /// An image, the left half of which is red, the right one blue.
   static std::string halves(int columns, int rows) {
     std::string bytes;
     for (int i = 0; i < columns * rows; ++i)
@@ -137,7 +137,7 @@ class FakeProgram {
     }
     return {{"results", json::array({result})}};
   }
-  /// A window's picture, ten rows a piece.
+  /// A window's image, ten rows a piece.
   json builtIn(const std::string& name, const json& arguments) const {
     if (name == "shot") return {{"shot", 1}, {"width", width}, {"height", height}, {"frame", 3}};
     if (name != "pixels") return nullptr;

@@ -16,18 +16,18 @@ struct LiveViewFixture : testing::Test {
     QObject::connect(&view, &LiveView::picked, &view,
                      [this](int, uint32_t object) { picked.push_back(object); });
     program.appear();
-    view.picture().setFixedSize(200, 150);
+    view.liveImage().setFixedSize(200, 150);
     view.show();
   }
   QToolButton& button(const char* name) { return *view.findChild<QToolButton*>(name); }
-  LivePicture& picture() { return view.picture(); }
+  LiveImage& liveImage() { return view.liveImage(); }
   QColor pixel(int x, int y) {
-    const QImage image = picture().grab().toImage();
+    const QImage image = liveImage().grab().toImage();
     return image.pixelColor((QPointF(x, y) * image.devicePixelRatio()).toPoint());
   }
-  void press(int x, int y) { QTest::mousePress(&picture(), Qt::LeftButton, {}, {x, y}); }
-  void move(int x, int y) { QTest::mouseMove(&picture(), {x, y}); }
-  void release(int x, int y) { QTest::mouseRelease(&picture(), Qt::LeftButton, {}, {x, y}); }
+  void press(int x, int y) { QTest::mousePress(&liveImage(), Qt::LeftButton, {}, {x, y}); }
+  void move(int x, int y) { QTest::mouseMove(&liveImage(), {x, y}); }
+  void release(int x, int y) { QTest::mouseRelease(&liveImage(), Qt::LeftButton, {}, {x, y}); }
   void click(int x, int y) { press(x, y), release(x, y); }
 
   FakeProgram program;

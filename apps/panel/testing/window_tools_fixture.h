@@ -56,7 +56,7 @@ struct WindowToolsTest : testing::Test {
     QDropEvent event({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(&window, &event);
   }
-  static void picture(QWidget& widget, const char* name) {
+  static void image(QWidget& widget, const char* name) {
     if (const char* folder = std::getenv("GLURAY_PICTURES"))
       widget.grab().save(QString("%1/%2.png").arg(folder, name));
   }

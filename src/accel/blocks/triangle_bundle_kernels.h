@@ -10,7 +10,7 @@ namespace gluray::accel {
 /// Up to kBlocks triangle blocks that are near each other. Block b holds the triangles
 /// [first + offset[b], first + offset[b] + count[b]). Its box reaches from base + lower * step to
 /// base + upper * step along each axis; blocks that do not exist have lower > upper. Decoding is cheaper than
-/// touching more memory for the first picture.
+/// touching more memory for the first image.
 struct TriangleBundle {
   static constexpr uint32_t kBlocks = 8;
   float base[3], step[3];

@@ -1,7 +1,7 @@
 // Turns off huge pages, which Embree asks for, where they are slow. Virtual machines that return free memory
 // to their host (virtio balloon with free page reporting) fetch each huge page from the host at first touch,
 // at about 0.5 GB/s; small pages mostly come from memory still present, at 1 to 3 GB/s. This dominates the
-// first picture of large geometry; tracing is as fast with small pages. Any thread.
+// first image of large geometry; tracing is as fast with small pages. Any thread.
 #pragma once
 #include <cstdint>
 #include <string_view>

@@ -9,7 +9,7 @@ namespace gluray::accel {
 /// Primary rays, shadow rays to lights, ambient occlusion rays, and rays of bounced light.
 enum class RayKind : uint8_t { camera, shadow, occlusion, reflection };
 
-/// One for each instance of a snapshot and its surroundings: bit k hides it from rays of kind k. Empty:
+/// One for each instance of a snapshot and its secondary scene: bit k hides it from rays of kind k. Empty:
 /// nothing is hidden.
 using HiddenFrom = std::vector<uint8_t>;
 constexpr uint8_t bitOf(RayKind kind) { return static_cast<uint8_t>(1u << static_cast<uint8_t>(kind)); }

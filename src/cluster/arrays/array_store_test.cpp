@@ -8,7 +8,7 @@
 namespace gluray::cluster {
 namespace {
 
-/// Later passes over a picture name arrays that the program may have forgotten meanwhile.
+/// Later passes over an image name arrays that the program may have forgotten meanwhile.
 TEST(ArrayStoreTest, ForgottenArraysAreFoundWhileSomebodyHasThem) {
   ArrayStore store;
   const Hash128 name{1, 2};

@@ -12,7 +12,7 @@ namespace {
 
 using test::composed;
 using test::differing;
-using test::expectedPicture;
+using test::expectedImage;
 using test::gatheredPlates;
 using test::partOf;
 using test::partsOf;
@@ -62,9 +62,9 @@ TEST_F(GatherTest, ScenesWithoutFrames) {
     ++all.number;
     all.instances[static_cast<size_t>(scene % 2)].eyeFromObject[3][2] += 0.01;
     const std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
-    const std::vector<Image> pictures = programs.pictures(parts);
-    for (const Image& picture : pictures)
-      EXPECT_EQ(differing(picture, expectedPicture(partsOf(all, {0, 1}, 3))), 0) << scene << job.said();
+    const std::vector<Image> images = programs.images(parts);
+    for (const Image& image : images)
+      EXPECT_EQ(differing(image, expectedImage(partsOf(all, {0, 1}, 3))), 0) << scene << job.said();
   }
   int waited = 0;
   std::istringstream said(job.said());
@@ -82,15 +82,15 @@ TEST_F(GatherTest, RanksMissScenesWhereTheirDataLieOutside) {
     const scene::Snapshot scene = seenFrom(all, camera, ++number);
     const bool first = camera<5, second = camera> 1;
     std::future<Image> other = std::async(std::launch::async, [&] {
-      return second ? programs.program(1).picture(partOf(scene, 1, 2)) : Image();
+      return second ? programs.program(1).image(partOf(scene, 1, 2)) : Image();
     });
-    std::vector<Image> pictures;
-    if (first) pictures.push_back(programs.program(0).picture(partOf(scene, 0, 2)));
-    if (Image picture = other.get(); second) pictures.push_back(std::move(picture));
+    std::vector<Image> images;
+    if (first) images.push_back(programs.program(0).image(partOf(scene, 0, 2)));
+    if (Image image = other.get(); second) images.push_back(std::move(image));
     const std::vector<int> drawn = !first ? std::vector{1} : second ? std::vector{0, 1} : std::vector{0};
-    const Image expected = expectedPicture(partsOf(scene, drawn, 2));
-    for (const Image& picture : pictures)
-      EXPECT_EQ(differing(picture, expected), 0) << "scene " << number << job.said();
+    const Image expected = expectedImage(partsOf(scene, drawn, 2));
+    for (const Image& image : images)
+      EXPECT_EQ(differing(image, expected), 0) << "scene " << number << job.said();
   }
 }
 
@@ -102,16 +102,16 @@ TEST_F(GatherTest, RanksMissViews) {
   expectGathered(job, programs, all, 3);
   for (uint64_t scene = 0; scene < 15; ++scene) {
     all.number = scene + 2, all.view = 1 + scene % 3;
-    std::vector<std::future<Image>> pictures;
+    std::vector<std::future<Image>> images;
     std::vector<int> drawn;
     for (int rank = 0; rank < 3; ++rank)
       if (rank != static_cast<int>(scene % 3)) drawn.push_back(rank);
     for (const int rank : drawn)
-      pictures.push_back(std::async(
-          std::launch::async, [&, rank] { return programs.program(rank).picture(partOf(all, rank, 3)); }));
-    const Image expected = expectedPicture(partsOf(all, drawn, 3));
-    for (std::future<Image>& picture : pictures)
-      EXPECT_EQ(differing(picture.get(), expected), 0) << "scene " << scene << job.said();
+      images.push_back(std::async(std::launch::async,
+                                  [&, rank] { return programs.program(rank).image(partOf(all, rank, 3)); }));
+    const Image expected = expectedImage(partsOf(all, drawn, 3));
+    for (std::future<Image>& image : images)
+      EXPECT_EQ(differing(image.get(), expected), 0) << "scene " << scene << job.said();
   }
   std::istringstream said(job.said());
   int waited = 0;
@@ -124,16 +124,16 @@ TEST_F(GatherTest, BlendedSurfacesAreNotGathered) {
   test::ProgramRanks programs(directory_, 2);
   const scene::Snapshot all = gatheredPlates();
   std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
-  auto around = std::make_shared<scene::Surroundings>();
+  auto around = std::make_shared<scene::SecondaryScene>();
   around->shadings = all.shadings;
   around->instances = {all.instances.back()};
   around->blended = {1};
-  parts[1].surroundings = around;
+  parts[1].secondaryScene = around;
   parts[0].settings.background.kind = BackgroundKind::color;
   parts[0].backdrop = std::make_shared<scene::Backdrop>();
-  const std::vector<Image> pictures = programs.pictures(parts);
+  const std::vector<Image> images = programs.images(parts);
   for (size_t rank = 0; rank < 2; ++rank)
-    EXPECT_EQ(pictures[rank].depth, expectedPicture(parts[rank]).depth) << "each rank draws its own";
+    EXPECT_EQ(images[rank].depth, expectedImage(parts[rank]).depth) << "each rank draws its own";
   EXPECT_NE(job.said().find("rank 1 of the program blends surfaces"), std::string::npos) << job.said();
   for (int rank = 0; rank < 2; ++rank)
     EXPECT_NE(programs.program(rank).said.find("blends surfaces: each rank traces its own part"),
@@ -148,9 +148,9 @@ TEST_F(GatherTest, RankThatDrawsNothingIsLeftOut) {
   scene::Snapshot all = gatheredPlates();
   for (int frame = 1; frame < 4; ++frame) {
     all.frame = all.number = static_cast<uint64_t>(frame);
-    const std::vector<Image> pictures = programs.pictures({partOf(all, 0, 3), partOf(all, 1, 3)});
-    for (const Image& picture : pictures)
-      EXPECT_EQ(differing(picture, expectedPicture(partsOf(all, {0, 1}, 3))), 0) << job.said();
+    const std::vector<Image> images = programs.images({partOf(all, 0, 3), partOf(all, 1, 3)});
+    for (const Image& image : images)
+      EXPECT_EQ(differing(image, expectedImage(partsOf(all, {0, 1}, 3))), 0) << job.said();
   }
   EXPECT_NE(job.said().find("rank 2 of the program draws nothing here"), std::string::npos) << job.said();
 }
@@ -162,9 +162,9 @@ TEST_F(GatherTest, FirstRankMayDrawNothing) {
   std::vector<std::future<Image>> coming;
   for (const int rank : {1, 2})
     coming.push_back(std::async(std::launch::async,
-                                [&, rank] { return programs.program(rank).picture(partOf(all, rank, 3)); }));
+                                [&, rank] { return programs.program(rank).image(partOf(all, rank, 3)); }));
   for (std::future<Image>& one : coming)
-    EXPECT_EQ(differing(one.get(), expectedPicture(partsOf(all, {1, 2}, 3))), 0) << job.said();
+    EXPECT_EQ(differing(one.get(), expectedImage(partsOf(all, {1, 2}, 3))), 0) << job.said();
 }
 
 TEST_F(GatherTest, RankThatEndsIsGone) {
@@ -175,8 +175,8 @@ TEST_F(GatherTest, RankThatEndsIsGone) {
   programs.end(2);
   all.frame = all.number = 2;
   const std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
-  const std::vector<Image> pictures = programs.pictures(parts);
-  EXPECT_EQ(differing(pictures[0], expectedPicture(partsOf(all, {0, 1}, 3))), 0) << job.said();
+  const std::vector<Image> images = programs.images(parts);
+  EXPECT_EQ(differing(images[0], expectedImage(partsOf(all, {0, 1}, 3))), 0) << job.said();
 }
 
 /// Nothing is lost: whoever is not gathered draws its own surfaces.
@@ -188,14 +188,14 @@ TEST_F(GatherTest, StoppedRankDrawsItsOwnPartWhenItGoesOn) {
   job.rank(1).isDeaf = true;
   all.frame = all.number = 2;
   const scene::Snapshot part = partOf(all, 0, 2);
-  EXPECT_EQ(differing(programs.program(0).picture(part), expectedPicture(part)), 0) << job.said();
+  EXPECT_EQ(differing(programs.program(0).image(part), expectedImage(part)), 0) << job.said();
   job.rank(1).isDeaf = false;
-  const Image late = programs.program(1).picture(partOf(all, 1, 2));
-  EXPECT_EQ(differing(late, expectedPicture(partOf(all, 1, 2))), 0) << job.said();
+  const Image late = programs.program(1).image(partOf(all, 1, 2));
+  EXPECT_EQ(differing(late, expectedImage(partOf(all, 1, 2))), 0) << job.said();
   for (uint64_t frame = 3; frame < 6; ++frame) {
     all.frame = all.number = frame;
-    const Image image = composed(programs.pictures(all));
-    if (frame > 3) { EXPECT_EQ(differing(image, expectedPicture(partsOf(all, {0, 1}, 2))), 0) << job.said(); }
+    const Image image = composed(programs.images(all));
+    if (frame > 3) { EXPECT_EQ(differing(image, expectedImage(partsOf(all, {0, 1}, 2))), 0) << job.said(); }
   }
 }
 
@@ -204,14 +204,14 @@ TEST_F(GatherTest, SwitchedOnWhileTheProgramRuns) {
   test::ProgramRanks programs(directory_, 2);
   scene::Snapshot all = gatheredPlates();
   all.settings.gather = false;
-  programs.pictures(all);
+  programs.images(all);
   all.settings.gather = true;
   all.frame = all.number = 2;
   expectGathered(job, programs, all, 2);
   all.settings.gather = false;
   all.frame = all.number = 3;
-  const Image own = programs.pictures(all)[1];
-  EXPECT_EQ(own.depth, expectedPicture(partOf(all, 1, 2)).depth) << "its own part";
+  const Image own = programs.images(all)[1];
+  EXPECT_EQ(own.depth, expectedImage(partOf(all, 1, 2)).depth) << "its own part";
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "cluster/stream/byte_stream.h"
 #include "scene/same_camera.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 #include "scene/world_space.h"
 
 #include <algorithm>
@@ -39,22 +39,23 @@ class Adding {
 }  // namespace
 
 void merge(const std::vector<std::shared_ptr<scene::Snapshot>>& parts, scene::Snapshot& whole) {
-  std::shared_ptr<scene::Surroundings> around;
-  if (whole.surroundings) around = std::make_shared<scene::Surroundings>(*whole.surroundings);
+  std::shared_ptr<scene::SecondaryScene> around;
+  if (whole.secondaryScene) around = std::make_shared<scene::SecondaryScene>(*whole.secondaryScene);
   for (const std::shared_ptr<scene::Snapshot>& part : parts) {
     if (scene::eyeFromEye(whole, *part) != glm::dmat4(1)) throw Malformed("a part of another view");
     const Adding adding(*part, whole);
     adding.add(*part, whole);
-    if (!part->surroundings) continue;
+    if (!part->secondaryScene) continue;
     if (!around) {
-      around = std::make_shared<scene::Surroundings>();
-      if (part->eyeFromWorld == whole.eyeFromWorld) around->viewFromWorld = part->surroundings->viewFromWorld;
+      around = std::make_shared<scene::SecondaryScene>();
+      if (part->eyeFromWorld == whole.eyeFromWorld)
+        around->viewFromWorld = part->secondaryScene->viewFromWorld;
     }
-    adding.add(*part->surroundings, *around);
-    around->blended.insert(around->blended.end(), part->surroundings->blended.begin(),
-                           part->surroundings->blended.end());
+    adding.add(*part->secondaryScene, *around);
+    around->blended.insert(around->blended.end(), part->secondaryScene->blended.begin(),
+                           part->secondaryScene->blended.end());
   }
-  whole.surroundings = std::move(around);
+  whole.secondaryScene = std::move(around);
 }
 
 }  // namespace gluray::cluster

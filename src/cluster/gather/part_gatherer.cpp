@@ -7,7 +7,7 @@ namespace gluray::cluster {
 namespace {
 
 constexpr size_t kMaxDecisions = 16;
-constexpr double kShowPatience = 10;  // seconds between the end of tracing and the picture that is shown
+constexpr double kShowPatience = 10;  // seconds between the end of tracing and the image that is shown
 
 }  // namespace
 
@@ -35,7 +35,7 @@ void PartGatherer::begin(const TraceRequest& request, double now) {
     current_ = static_cast<size_t>(known - decided_.begin());
     if (known->share != Share::shown || theirs_.isNew || theirs_.number != number_) return;
     state_ = State::following;
-    at(to_ = theirs_.picture.address.from) = now;
+    at(to_ = theirs_.image.address.from) = now;
     return;
   }
   ++own_.round;
@@ -80,7 +80,7 @@ PartGatherer::Share PartGatherer::findShare(const TraceRequest& request, double 
   return decided_[current_].share;
 }
 
-/// Those that may make a picture with this rank.
+/// Those that may make an image with this rank.
 std::vector<int> PartGatherer::peersHere(double now) {
   std::vector<int> peers = meetings_.here(now);
   std::erase_if(peers, [&](int rank) {
@@ -90,7 +90,7 @@ std::vector<int> PartGatherer::peersHere(double now) {
   return peers;
 }
 
-/// Why the parts of these peers and our own make no picture; empty: they do.
+/// Why the parts of these peers and our own make no image; empty: they do.
 std::string PartGatherer::whyNot(const std::vector<int>& peers) const {
   const auto blends = [](int rank) { return peerName(rank) + " blends surfaces"; };
   if (own_.view.blends) return blends(self_);
@@ -107,7 +107,7 @@ PartGatherer::Share PartGatherer::meet(const TraceRequest& request, double now) 
   state_ = State::meeting;
   if (meetings_.awaits(now)) return Share::awaited;
   for (const int rank : meetings_.newlyLate())
-    say_(peerName(rank) + " draws nothing here: the picture has only the data of the other ranks");
+    say_(peerName(rank) + " draws nothing here: the image has only the data of the other ranks");
   const std::vector<int> peers = peersHere(now);
   if (const std::string why = whyNot(peers); !why.empty()) {
     if (std::exchange(saidWhy_, why) != why) say_(why + ": each rank traces its own part");
@@ -164,17 +164,17 @@ void PartGatherer::end(bool traced, double now) {
   close(state == State::tracing && traced ? made_.ranks : std::vector<int>());
 }
 
-/// The peers' parts do not belong to a picture of this rank.
+/// The peers' parts do not belong to an image of this rank.
 void PartGatherer::giveBack() {
   for (const auto& [rank, part] : std::exchange(given_, {})) sendTo(rank, PartDone{{}, part.round});
 }
 
-/// This rank's part is for no picture of peers any more. `with`: whose parts its own picture shows.
+/// This rank's part is for no image of peers any more. `with`: whose parts its own image shows.
 void PartGatherer::close(const std::vector<int>& with) {
   if (std::exchange(isOpen_, false)) sendToAll(PartOver{{}, with});
 }
 
-/// The program does not show the picture: the ranks whose parts it shows trace them.
+/// The program does not show the image: the ranks whose parts it shows trace them.
 void PartGatherer::giveUpMade() {
   if (!made_.shown.pixels.empty()) return void(made_.isOwed = false);
   const Made made = std::exchange(made_, {});
@@ -183,18 +183,18 @@ void PartGatherer::giveUpMade() {
 
 void PartGatherer::atWork(double now) { made_.since = now; }
 
-void PartGatherer::show(uint64_t number, const PartPicture& picture) {
+void PartGatherer::show(uint64_t number, const PartImage& image) {
   if (number != made_.number || made_.ranks.empty()) return;
   made_.isOwed = false;
-  made_.shown = picture;
+  made_.shown = image;
   made_.shown.round = made_.round;
   for (const int rank : made_.ranks) sendTo(rank, made_.shown);
 }
 
-const PartPicture* PartGatherer::picture() {
-  if (theirs_.number != number_ || theirs_.picture.pixels.empty()) return nullptr;
+const PartImage* PartGatherer::image() {
+  if (theirs_.number != number_ || theirs_.image.pixels.empty()) return nullptr;
   theirs_.isNew = false;
-  return &theirs_.picture;
+  return &theirs_.image;
 }
 
 void PartGatherer::joins(int rank) {
@@ -248,7 +248,7 @@ void PartGatherer::receive(PartGiven part, double now) {
     lost_ = state_ == State::tracing;
     return;
   }
-  // It may have asked for its picture once more, after the whole was traced.
+  // It may have asked for its image once more, after the whole was traced.
   const bool isMade = made_.round == part.round && std::ranges::find(made_.ranks, rank) != made_.ranks.end();
   if (isMade && !made_.shown.pixels.empty()) return sendTo(rank, made_.shown);
   if (!isMade || !made_.isOwed) sendTo(rank, PartDone{{}, part.round});
@@ -267,14 +267,14 @@ void PartGatherer::refused() {
   meetAgain();
 }
 
-void PartGatherer::receive(PartPicture picture, double now) {
-  const int rank = picture.address.from;
+void PartGatherer::receive(PartImage image, double now) {
+  const int rank = image.address.from;
   at(rank) = now;
-  const bool isAwaited = state_ == State::given && rank == to_ && picture.round == toRound_;
-  const PartPicture& last = theirs_.picture;
-  const bool isBetter = !last.pixels.empty() && rank == last.address.from && picture.round == last.round;
+  const bool isAwaited = state_ == State::given && rank == to_ && image.round == toRound_;
+  const PartImage& last = theirs_.image;
+  const bool isBetter = !last.pixels.empty() && rank == last.address.from && image.round == last.round;
   if (!isAwaited && !isBetter) return;
-  theirs_ = {isAwaited ? number_ : theirs_.number, true, std::move(picture)};
+  theirs_ = {isAwaited ? number_ : theirs_.number, true, std::move(image)};
   if (isAwaited) isShown_ = true;
 }
 

@@ -1,6 +1,6 @@
 // Gathers the parts of a view from the ranks of a sort-last program, for one of these ranks. The rank either
-// gathers the parts of the others and sends them the picture that its program shows, or sends its part to the
-// gathering rank and receives that picture, or traces only its own part. The decision for a snapshot holds
+// gathers the parts of the others and sends them the image that its program shows, or sends its part to the
+// gathering rank and receives that image, or traces only its own part. The decision for a snapshot holds
 // for all its passes. The worker's main thread.
 #pragma once
 #include "cluster/gather/part_meetings.h"
@@ -27,34 +27,34 @@ class PartGatherer {
   /// `self`: this rank, of the program's `ranks`. `say`: one line for the user.
   PartGatherer(const Hash128& program, int self, int ranks, Send send, Say say);
 
-  /// The program requests a picture whose parts are to be gathered, or that blends.
+  /// The program requests an image whose parts are to be gathered, or that blends.
   void begin(const TraceRequest& request, double now);
   enum class Share : uint8_t {
     awaited,  // undecided
     whole,    // this rank traces all parts()
-    shown,    // another rank has made picture()
+    shown,    // another rank has made image()
     own,      // this rank traces only its own part
   };
-  /// Decides the rank's share of the view's picture. `request`: that of begin().
+  /// Decides the rank's share of the view's image. `request`: that of begin().
   Share findShare(const TraceRequest& request, double now);
   /// Parts of other ranks, for Share::whole.
   const std::vector<PartGiven>& parts() const { return decided_[current_].parts; }
   /// Reason why the last part was not gathered; empty: no lasting reason.
   const std::string& whyOwn() const { return saidWhy_; }
   /// For Share::shown; null if it is no longer stored.
-  const PartPicture* picture();
-  /// Whether a part of the picture has disappeared or arrived late: then the picture must end, and
+  const PartImage* image();
+  /// Whether a part of the image has disappeared or arrived late: then the image must end, and
   /// findShare() decides again.
   bool isLost() const { return state_ == State::tracing && lost_; }
   /// Ends tracing of all parts; `traced`: it succeeded.
   void end(bool traced, double now);
   /// The program is sending geometry.
   void comes(double now);
-  /// Work on a picture of the program continues.
+  /// Work on an image of the program continues.
   void atWork(double now);
-  /// The program shows the picture of a snapshot whose parts this rank traced: sends it to the ranks of the
+  /// The program shows the image of a snapshot whose parts this rank traced: sends it to the ranks of the
   /// parts.
-  void show(uint64_t number, const PartPicture& picture);
+  void show(uint64_t number, const PartImage& image);
 
   void joins(int rank);
   void leaves(int rank, double now);
@@ -63,7 +63,7 @@ class PartGatherer {
   void receive(const PartComes& comes, double now);
   void receive(PartGiven part, double now);
   void receive(const PartDone& done, double now);
-  void receive(PartPicture picture, double now);
+  void receive(PartImage image, double now);
   void receive(const PartGone& gone, double now);
   void receive(const PartAtWork& work, double now);
   /// Sends signs of life to peers. Call at least ten times a second.
@@ -74,8 +74,8 @@ class PartGatherer {
     idle,
     meeting,     // finds the ranks with a part of the view
     collecting,  // waits for parts
-    given,       // waits for PartDone or PartPicture
-    following,   // waits for another picture of a part that was given
+    given,       // waits for PartDone or PartImage
+    following,   // waits for another image of a part that was given
     tracing,     // Share::whole has been returned
   };
   struct Decided {
@@ -84,19 +84,19 @@ class PartGatherer {
     Share share = Share::own;
     std::vector<PartGiven> parts;
   };
-  /// The last gathered picture that this rank made.
+  /// The last gathered image that this rank made.
   struct Made {
     uint64_t number = 0, round = 0;  // of the snapshot; of this rank
     std::vector<int> ranks;          // that sent parts
     bool isOwed = false;             // the program has not shown it yet, or more passes follow
     double since = 0;                // time of the program's last request for it
-    PartPicture shown;               // without pixels: never shown
+    PartImage shown;                 // without pixels: never shown
   };
-  /// The last picture of another rank with this rank's part.
+  /// The last image of another rank with this rank's part.
   struct Theirs {
     uint64_t number = 0;  // of the snapshot
-    bool isNew = false;   // picture() has not returned it
-    PartPicture picture;
+    bool isNew = false;   // image() has not returned it
+    PartImage image;
   };
   template <class M>
   void sendTo(int peer, M message) const {
@@ -130,14 +130,14 @@ class PartGatherer {
   PartMeetings meetings_;
   std::vector<double> heard_;  // time of each peer's last message
   State state_ = State::idle;
-  PartHere own_;                       // of the current picture; its round rises with each
+  PartHere own_;                       // of the current image; its round rises with each
   bool isOpen_ = false;                // announced to peers, and not closed yet
   uint64_t number_ = 0;                // of its snapshot
-  std::map<int, PartGiven> given_;     // to this rank, for the current picture
+  std::map<int, PartGiven> given_;     // to this rank, for the current image
   std::map<int, uint64_t> refusedBy_;  // rounds of peers that refused the current part
   int to_ = -1;                        // the rank that has our part
   uint64_t toRound_ = 0;               // its round
-  bool isShown_ = false;               // it has answered with the picture
+  bool isShown_ = false;               // it has answered with the image
   Made made_;
   Theirs theirs_;
   bool lost_ = false;             // the gathered parts have changed

@@ -1,4 +1,4 @@
-// Ranks whose programs draw, trace and compose at times of our own: which parts each of their pictures shows.
+// Ranks whose programs draw, trace and compose at times of our own: which parts each of their images shows.
 #include "cluster/gather/part_gatherer.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace gluray::cluster {
 namespace {
 
-using Parts = std::vector<int>;  // ranks whose parts a picture shows
+using Parts = std::vector<int>;  // ranks whose parts an image shows
 using Share = PartGatherer::Share;
 
 constexpr double kStep = 0.005;  // seconds
@@ -43,7 +43,7 @@ class SimulatedRank {
     const auto as = [&]<class M>(M) {
       if (type == M::kType) gatherer_.receive(decoded<M>(body), now);
     };
-    as(PartHere{}), as(PartOver{}), as(PartComes{}), as(PartGiven{}), as(PartDone{}), as(PartPicture{});
+    as(PartHere{}), as(PartOver{}), as(PartComes{}), as(PartGiven{}), as(PartDone{}), as(PartImage{});
     as(PartGone{}), as(PartAtWork{});
   }
   void look(double now) {
@@ -60,7 +60,7 @@ class SimulatedRank {
   }
   bool isIdle() const { return !request_; }
 
-  std::optional<Parts> answer;  // of the last picture
+  std::optional<Parts> answer;  // of the last image
   std::string said;
 
  private:
@@ -68,7 +68,7 @@ class SimulatedRank {
     answer = {rank_};
     if (share_ == Share::shown) {
       answer->clear();
-      for (const std::byte one : gatherer_.picture()->pixels) answer->push_back(static_cast<int>(one));
+      for (const std::byte one : gatherer_.image()->pixels) answer->push_back(static_cast<int>(one));
       return gatherer_.end(false, now);
     }
     if (share_ == Share::own) return gatherer_.end(false, now);
@@ -77,10 +77,10 @@ class SimulatedRank {
       answer->push_back(part.address.from);
     }
     gatherer_.end(true, now);
-    PartPicture picture;
-    picture.shape = {1, 1, 1, Image::kPicture};
-    for (const int rank : *answer) picture.pixels.push_back(static_cast<std::byte>(rank));
-    gatherer_.show(request_->number, picture);
+    PartImage image;
+    image.shape = {1, 1, 1, Image::kColorDepth};
+    for (const int rank : *answer) image.pixels.push_back(static_cast<std::byte>(rank));
+    gatherer_.show(request_->number, image);
   }
 
   const int rank_;
@@ -105,7 +105,7 @@ class SimulatedProgram {
     double duration = 0.02;
     bool blends = false;
   };
-  /// The scene's pictures, of the ranks that draw it, in that order. Empty: some have none after a minute.
+  /// The scene's images, of the ranks that draw it, in that order. Empty: some have none after a minute.
   std::vector<Parts> scene(const std::vector<Drawing>& drawings, uint64_t view = 1) {
     ++number_;
     const double began = now_;
@@ -124,11 +124,11 @@ class SimulatedProgram {
       }
       if (all && std::ranges::all_of(ranks_, [](const auto& r) { return r->isIdle(); })) break;
     }
-    std::vector<Parts> pictures;
+    std::vector<Parts> images;
     for (const Drawing& drawing : drawings)
       if (const auto& answer = rank(drawing.rank).answer; answer && rank(drawing.rank).isIdle())
-        pictures.push_back(*answer);
-    return pictures.size() == drawings.size() ? pictures : std::vector<Parts>();
+        images.push_back(*answer);
+    return images.size() == drawings.size() ? images : std::vector<Parts>();
   }
   std::vector<Parts> sceneOf(const std::vector<int>& drawing, uint64_t view = 1) {
     std::vector<Drawing> drawings;
@@ -191,7 +191,7 @@ TEST(PartGatherer, RanksThatMissViewsAreAwaitedOnce) {
   EXPECT_LT(program.now() - began, 5 * 3 * 0.5) << "three views wait, for a quarter of a second";
 }
 
-TEST(PartGatherer, PartsThatComeWhileThePictureIsTracedBelongToIt) {
+TEST(PartGatherer, PartsThatComeWhileTheImageIsTracedBelongToIt) {
   SimulatedProgram program(3);
   for (int late = 0; late < 3; ++late) {
     const int other = (late + 1) % 3;
@@ -210,7 +210,7 @@ TEST(PartGatherer, LowerRanksThatComeLateGather) {
             (std::vector<Parts>{{0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}, {0, 1, 2, 3}}));
 }
 
-TEST(PartGatherer, PartsThatComeAfterThePictureStandAlone) {
+TEST(PartGatherer, PartsThatComeAfterTheImageStandAlone) {
   SimulatedProgram program(3);
   EXPECT_EQ(program.sceneOf({1}), all({1}));
   EXPECT_EQ(program.scene({{1, 0}, {0, 2}, {2, 4}}), (std::vector<Parts>{{1}, {0}, {2}}));
@@ -225,9 +225,9 @@ TEST(PartGatherer, WhereOneRankBlendsNoneGathers) {
   EXPECT_NE(program.rank(1).said.find("rank 2 of the program blends surfaces"), std::string::npos);
 }
 
-/// Whatever the times: each picture shows its rank's part, and none waits for ever. All parts where ranks
+/// Whatever the times: each image shows its rank's part, and none waits for ever. All parts where ranks
 /// draw at about the same time.
-TEST(PartGatherer, AnyTimesLeadToPictures) {
+TEST(PartGatherer, AnyTimesLeadToImages) {
   std::mt19937 random(7);
   const auto upTo = [&](double most) { return std::uniform_real_distribution<double>(0, most)(random); };
   for (int run = 0; run < 200; ++run) {
@@ -240,12 +240,12 @@ TEST(PartGatherer, AnyTimesLeadToPictures) {
       for (int rank = 0; rank < ranks; ++rank)
         if (upTo(1) < 0.7) drawings.push_back({rank, upTo(skew), upTo(0.5)});
       if (drawings.empty()) continue;
-      const std::vector<Parts> pictures = program.scene(drawings, 1 + random() % 2);
-      ASSERT_EQ(pictures.size(), drawings.size()) << "run " << run << ", scene " << scene;
+      const std::vector<Parts> images = program.scene(drawings, 1 + random() % 2);
+      ASSERT_EQ(images.size(), drawings.size()) << "run " << run << ", scene " << scene;
       for (size_t i = 0; i < drawings.size(); ++i) {
         const int rank = drawings[i].rank;
-        ASSERT_NE(std::ranges::find(pictures[i], rank), pictures[i].end()) << run << " " << scene;
-        if (skew < 1) { ASSERT_EQ(pictures[i].size(), drawings.size()) << run << " " << scene; }
+        ASSERT_NE(std::ranges::find(images[i], rank), images[i].end()) << run << " " << scene;
+        if (skew < 1) { ASSERT_EQ(images[i].size(), drawings.size()) << run << " " << scene; }
       }
     }
   }

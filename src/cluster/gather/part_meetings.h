@@ -1,7 +1,7 @@
 // Finds the peers with a part of this rank's current view. Ranks have different counts of views and scenes,
 // because a rank draws nothing if its data lie outside of a view. But they composite each view before they
 // continue with the next one: peers that wait at the same time, with the same camera and viewport, wait for
-// the same picture. The worker's main thread.
+// the same image. The worker's main thread.
 #pragma once
 #include "cluster/messages/part_messages.h"
 
@@ -23,13 +23,13 @@ class PartMeetings {
   void leaves(int rank);
   /// The peer's program is sending geometry, so that a scene will follow.
   void comes(int rank, double now) { at(rank).comesAt = now; }
-  /// The peer now waits for the picture of this scene.
+  /// The peer now waits for the image of this scene.
   void opens(const PartHere& part);
   /// The peer no longer waits.
   void closes(int rank) { at(rank).isOpen = false; }
   /// The peer has not answered: ignores it until it opens another scene.
   void fail(int rank) { closes(rank); }
-  /// This rank's part of a view, for whose picture it waits.
+  /// This rank's part of a view, for whose image it waits.
   struct Scene {
     PartHere part;
     uint64_t view = 0;    // equal for all scenes of one view of this rank's program
@@ -40,7 +40,7 @@ class PartMeetings {
 
   enum class State : uint8_t {
     awaited,
-    here,    // waits for the picture of its part of the same view
+    here,    // waits for the image of its part of the same view
     absent,  // probably has no part of it
   };
   State stateOf(int rank, double now);
@@ -52,7 +52,7 @@ class PartMeetings {
   const PartHere& partOf(int rank) const { return at(rank).part; }
   /// Whether the peer has this rank's eye space.
   bool hasOurEyeSpace(int rank) const;
-  /// Whether any peer waits for a picture.
+  /// Whether any peer waits for an image.
   bool someWait() const;
   /// Peers that have become late since the last call.
   std::vector<int> newlyLate();

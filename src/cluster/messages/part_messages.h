@@ -14,7 +14,7 @@ struct PartView {
   Hash128 likeness;               // of all else: region, samples, depth range ...
   bool blends = false;            // it cannot be gathered
 };
-/// The sender has a part of this view, waits for its picture, and looks for the parts of others.
+/// The sender has a part of this view, waits for its image, and looks for the parts of others.
 struct PartHere {
   static constexpr uint16_t kType = 60;
   PeerAddress address;
@@ -26,14 +26,14 @@ struct PartHere {
 struct PartOver {
   static constexpr uint16_t kType = 66;
   PeerAddress address;
-  std::vector<int32_t> with;  // ranks whose parts are in the sender's picture
+  std::vector<int32_t> with;  // ranks whose parts are in the sender's image
 };
 /// The sender's program is sending geometry, so that a part will follow.
 struct PartComes {
   static constexpr uint16_t kType = 67;
   PeerAddress address;
 };
-/// To the lowest rank: the sender's part, for the receiver's picture.
+/// To the lowest rank: the sender's part, for the receiver's image.
 struct PartGiven {
   static constexpr uint16_t kType = 61;
   PeerAddress address;
@@ -48,8 +48,8 @@ struct PartDone {
   PeerAddress address;
   uint64_t round = 0;  // of PartGiven
 };
-/// Answers PartGiven, each time that the sender's program shows the picture of all parts.
-struct PartPicture {
+/// Answers PartGiven, each time that the sender's program shows the image of all parts.
+struct PartImage {
   static constexpr uint16_t kType = 65;
   PeerAddress address;
   uint64_t round = 0;      // of PartGiven
@@ -94,7 +94,7 @@ void fields(auto& archive, Like<PartDone> auto& value) {
   auto& [address, round] = value;
   archive(address, round);
 }
-void fields(auto& archive, Like<PartPicture> auto& value) {
+void fields(auto& archive, Like<PartImage> auto& value) {
   auto& [address, round, finished, missColor, shape, layers, pixels] = value;
   archive(address, round, finished, missColor, shape, layers, pixels);
 }

@@ -55,7 +55,7 @@ struct OcclusionReplies {
   bool refused = false;  // the scene is gone
   std::vector<std::byte> answers;
 };
-/// The sender has its picture, and sends no more queries in this round.
+/// The sender has its image, and sends no more queries in this round.
 struct DoneAsking {
   static constexpr uint16_t kType = 25;
   PeerAddress address;

@@ -44,7 +44,7 @@ struct TraceRequest {
   bool layered = false;     // Snapshot::layers is there
   bool meetsPeers = false;  // surfaces of the program's other ranks may block its light
   ViewName shown;           // of such light
-  // The parts of other ranks belong to the picture, too (setting gather).
+  // The parts of other ranks belong to the image, too (setting gather).
   bool gathers = false;
   PartView part;
   uint64_t number = 0;          // Snapshot::number
@@ -57,9 +57,9 @@ struct Cancel {
   static constexpr uint16_t kType = 5;
   uint64_t id = 0;
 };
-/// The program's displayed picture of its last gathered snapshot, after all passes. The pixels, as in
+/// The program's displayed image of its last gathered snapshot, after all passes. The pixels, as in
 /// planesIn(shape), are attached in sealed memory.
-struct PictureShown {
+struct ImageShown {
   static constexpr uint16_t kType = 6;
   uint64_t number = 0;     // TraceRequest::number
   bool finished = false;   // no further passes
@@ -79,17 +79,17 @@ struct Welcome {
   std::string refusal;             // reason for refusing this program; empty: accepted
   int32_t ranks = 1, threads = 1;  // of the job
 };
-/// Sign of life: the worker works on the picture.
+/// Sign of life: the worker works on the image.
 struct AtWork {
   static constexpr uint16_t kType = 102;
   uint64_t id = 0;
 };
-/// Attached memory for all further pictures of at most so many bytes.
-struct PictureMemory {
+/// Attached memory for all further images of at most so many bytes.
+struct ImageMemory {
   static constexpr uint16_t kType = 103;
   uint64_t bytes = 0;
 };
-struct PictureDone {
+struct ImageDone {
   static constexpr uint16_t kType = 104;
   uint64_t id = 0;
   bool whole = false;  // false: cancelled, or `error` says why
@@ -133,7 +133,7 @@ void fields(auto& archive, Like<Cancel> auto& value) {
   auto& [id] = value;
   archive(id);
 }
-void fields(auto& archive, Like<PictureShown> auto& value) {
+void fields(auto& archive, Like<ImageShown> auto& value) {
   auto& [number, finished, missColor, shape, layers] = value;
   archive(number, finished, missColor, shape, layers);
 }
@@ -146,11 +146,11 @@ void fields(auto& archive, Like<AtWork> auto& value) {
   auto& [id] = value;
   archive(id);
 }
-void fields(auto& archive, Like<PictureMemory> auto& value) {
+void fields(auto& archive, Like<ImageMemory> auto& value) {
   auto& [bytes] = value;
   archive(bytes);
 }
-void fields(auto& archive, Like<PictureDone> auto& value) {
+void fields(auto& archive, Like<ImageDone> auto& value) {
   auto& [id, whole, improves, gathered, error, note, shape, layers, cost] = value;
   archive(id, whole, improves, gathered, error, note, shape, layers, cost);
 }

@@ -2,7 +2,7 @@
 // to. Any thread.
 #pragma once
 #include "cluster/messages/codec.h"
-#include "cluster/stream/film_pixels.h"
+#include "cluster/stream/visibility_bytes.h"
 
 namespace gluray::cluster {
 
@@ -48,20 +48,20 @@ struct Forget {
   std::vector<Hash128> names;
 };
 /// Parameters of a frame of an animation, whose light is filtered across tiles and ranks.
-struct FilmOrder {
-  bool moving = false;      // otherwise the other members are unused
-  uint32_t index = 0;       // render::FilmSource::index
+struct MovingOrder {
+  bool isMoving = false;    // otherwise the other members are unused
+  uint32_t index = 0;       // render::MovingTileSource::index
   int32_t raysOfPixel = 1;  // render::MovingRays
   bool quarter = false;
 };
-/// From a head: request to trace a share of a picture.
+/// From a head: request to trace a share of an image.
 struct TraceOrder {
   static constexpr uint16_t kType = 4;
-  uint64_t id = 0;          // of the head's pictures
+  uint64_t id = 0;          // of the head's images
   bool shared = true;       // false: the head traces it alone
   bool averages = true;     // frame::Renderer::renderTiles
   bool meetsPeers = false;  // TraceRequest::meetsPeers
-  FilmOrder film;
+  MovingOrder moving;
   uint32_t missColor = 0;
   std::vector<Hash128> needs;  // arrays that may still be on their way
   std::vector<std::byte> snapshot;
@@ -73,8 +73,8 @@ struct MoreTiles {
   uint64_t id = 0;
   std::vector<int32_t> tiles;
 };
-/// From a head: stop tracing this picture.
-struct EndOfPicture {
+/// From a head: stop tracing this image.
+struct EndOfImage {
   static constexpr uint16_t kType = 6;
   uint64_t id = 0;
 };
@@ -88,24 +88,24 @@ struct TracedTile {
   bool seenThrough = false;  // render::TileSource::done
   std::vector<std::byte> pixels;
 };
-/// To a head: a tile of a moving frame has been collected (render::FilmSource).
-struct FilmTile {
+/// To a head: a tile of a moving frame has been collected (render::MovingTileSource).
+struct CollectedTile {
   static constexpr uint16_t kType = 16;
   uint64_t id = 0;
-  FilmShape shape;
+  VisibilityShape shape;
   int32_t tile = 0;
   float seconds = 0;
-  std::vector<std::byte> film;  // packFilm()
+  std::vector<std::byte> visibility;  // packVisibility()
 };
-/// From a head: all tiles of the picture have been collected.
-struct FilmComes {
+/// From a head: all tiles of the image have been collected.
+struct VisibilityReady {
   static constexpr uint16_t kType = 17;
   uint64_t id = 0;
-  std::vector<int32_t> tiles;   // that the rank is to colour
-  Hash128 name;                 // of the array that holds the film
-  std::vector<std::byte> film;  // if it is not broadcast
+  std::vector<int32_t> tiles;         // that the rank is to colour
+  Hash128 name;                       // of the array that holds the visibility
+  std::vector<std::byte> visibility;  // if it is not broadcast
 };
-/// To a head, after the end of the picture, or earlier if it cannot be traced.
+/// To a head, after the end of the image, or earlier if it cannot be traced.
 struct Finished {
   static constexpr uint16_t kType = 8;
   uint64_t id = 0;
@@ -114,7 +114,7 @@ struct Finished {
   LayerCounts layers;
   scene::TraceCost cost;
 };
-/// Sign of life to a head while one of its pictures is being traced.
+/// Sign of life to a head while one of its images is being traced.
 struct Alive {
   static constexpr uint16_t kType = 9;
   int32_t threads = 1;
@@ -142,31 +142,31 @@ void fields(auto& archive, Like<Forget> auto& value) {
   auto& [names] = value;
   archive(names);
 }
-void fields(auto& archive, Like<FilmOrder> auto& value) {
-  auto& [moving, index, raysOfPixel, quarter] = value;
-  archive(moving, index, raysOfPixel, quarter);
+void fields(auto& archive, Like<MovingOrder> auto& value) {
+  auto& [isMoving, index, raysOfPixel, quarter] = value;
+  archive(isMoving, index, raysOfPixel, quarter);
 }
 void fields(auto& archive, Like<TraceOrder> auto& value) {
-  auto& [id, shared, averages, meetsPeers, film, missColor, needs, snapshot, parts] = value;
-  archive(id, shared, averages, meetsPeers, film, missColor, needs, snapshot, parts);
+  auto& [id, shared, averages, meetsPeers, moving, missColor, needs, snapshot, parts] = value;
+  archive(id, shared, averages, meetsPeers, moving, missColor, needs, snapshot, parts);
 }
-void fields(auto& archive, Like<FilmShape> auto& value) {
-  auto& [width, height, factors] = value;
-  archive(width, height, factors);
+void fields(auto& archive, Like<VisibilityShape> auto& value) {
+  auto& [width, height, channels] = value;
+  archive(width, height, channels);
 }
-void fields(auto& archive, Like<FilmTile> auto& value) {
-  auto& [id, shape, tile, seconds, film] = value;
-  archive(id, shape, tile, seconds, film);
+void fields(auto& archive, Like<CollectedTile> auto& value) {
+  auto& [id, shape, tile, seconds, visibility] = value;
+  archive(id, shape, tile, seconds, visibility);
 }
-void fields(auto& archive, Like<FilmComes> auto& value) {
-  auto& [id, tiles, name, film] = value;
-  archive(id, tiles, name, film);
+void fields(auto& archive, Like<VisibilityReady> auto& value) {
+  auto& [id, tiles, name, visibility] = value;
+  archive(id, tiles, name, visibility);
 }
 void fields(auto& archive, Like<MoreTiles> auto& value) {
   auto& [id, tiles] = value;
   archive(id, tiles);
 }
-void fields(auto& archive, Like<EndOfPicture> auto& value) {
+void fields(auto& archive, Like<EndOfImage> auto& value) {
   auto& [id] = value;
   archive(id);
 }

@@ -1,6 +1,6 @@
 #include "cluster/pages/page_maker.h"
 
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 #include <exception>
@@ -89,16 +89,17 @@ void PageMaker::cut(const Job& job) {
 std::vector<PageMaker::MeshPtr> PageMaker::divide(scene::Snapshot& snapshot, const Job& job) {
   std::vector<MeshPtr> meshes;
   divide(snapshot.instances, snapshot.shadings, job, meshes);
-  if (!snapshot.surroundings) return meshes;
-  auto around = std::make_shared<scene::Surroundings>(*snapshot.surroundings);
+  if (!snapshot.secondaryScene) return meshes;
+  auto around = std::make_shared<scene::SecondaryScene>(*snapshot.secondaryScene);
   const std::vector<size_t> from = divide(around->instances, around->shadings, job, meshes);
-  around->blended.clear(), around->pictured.clear();
-  const std::vector<scene::Pictured>& pictured = snapshot.surroundings->pictured;
+  around->blended.clear(), around->captured.clear();
+  const std::vector<scene::CapturedSurface>& captured = snapshot.secondaryScene->captured;
   for (const size_t i : from) {
-    around->blended.push_back(snapshot.surroundings->blended[i]);
-    if (!pictured.empty()) around->pictured.push_back(i < pictured.size() ? pictured[i] : scene::Pictured{});
+    around->blended.push_back(snapshot.secondaryScene->blended[i]);
+    if (!captured.empty())
+      around->captured.push_back(i < captured.size() ? captured[i] : scene::CapturedSurface{});
   }
-  snapshot.surroundings = std::move(around);
+  snapshot.secondaryScene = std::move(around);
   return meshes;
 }
 

@@ -1,4 +1,4 @@
-// The pages of this rank's pictures; fetches them from their owners when rays hit them.
+// The pages of this rank's images; fetches them from their owners when rays hit them.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/messages/page_messages.h"
@@ -34,12 +34,12 @@ class PageStore final : public PageSource {
   void limit(PageResidence& page, const PageLimits& limits) override;
 
   // The tracing thread.
-  /// Begins a picture. Threads that wait for pages stop when `stop` returns true; `stop` is checked after
+  /// Begins an image. Threads that wait for pages stop when `stop` returns true; `stop` is checked after
   /// wake().
   void begin(std::function<bool()> stop);
   /// Whether pages are missing, so that tiles traced since then are wrong. Any thread.
   bool hasFailed() const { return failed_; }
-  /// Ends the picture. Returns the reason why pages were missing; empty: none, or stopped.
+  /// Ends the image. Returns the reason why pages were missing; empty: none, or stopped.
   std::string end();
 
   // The main thread.

@@ -99,7 +99,7 @@ TEST_F(StoredPage, WithIndicesBeyondItsVertices) {
   EXPECT_EQ(store_.end(), "a page is not what its name says");
 }
 
-TEST_F(StoredPage, IsNotWaitedForWhenThePictureIsStopped) {
+TEST_F(StoredPage, IsNotWaitedForWhenTheImageIsStopped) {
   std::future<bool> loaded = load();
   stop_ = true;
   store_.wake();
@@ -114,7 +114,7 @@ TEST_F(StoredPage, IsNotAskedForAfterAFailure) {
   EXPECT_FALSE(made_.page->load());
   EXPECT_TRUE(outbox_.takeLetters().empty());
   EXPECT_EQ(store_.end(), "another page is wrong");
-  // The next picture begins anew.
+  // The next image begins anew.
   store_.begin([] { return false; });
   EXPECT_FALSE(store_.hasFailed());
 }
@@ -136,7 +136,7 @@ class PageOfASilentOwner : public StoredPage {
   PageOfASilentOwner() : StoredPage(50ms) {}
 };
 
-TEST_F(PageOfASilentOwner, FailsThePicture) {
+TEST_F(PageOfASilentOwner, FailsTheImage) {
   std::future<bool> loaded = load();
   EXPECT_FALSE(loaded.get());
   EXPECT_EQ(store_.end(), "rank 3 does not send its geometry");

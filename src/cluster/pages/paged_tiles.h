@@ -1,4 +1,4 @@
-// Hands out the tiles of a picture with paged geometry, until a page cannot be fetched. All tracing threads.
+// Hands out the tiles of an image with paged geometry, until a page cannot be fetched. All tracing threads.
 #pragma once
 #include "cluster/pages/page_store.h"
 #include "render/tiles/tile_source.h"

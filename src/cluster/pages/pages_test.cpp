@@ -1,9 +1,9 @@
-// Geometry larger than the memory of a rank: pictures are those of a process that has all of it.
+// Geometry larger than the memory of a rank: images are those of a process that has all of it.
 #include "cluster/pages/page_split.h"
 #include "cluster/pages/paged_mesh.h"
 #include "cluster/testing/job_fixture.h"
 #include "cluster/testing/program_ranks.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using gluray::test::makeMesh;
 using gluray::test::MeshData;
-using test::expectedPicture;
+using test::expectedImage;
 using test::expectSame;
 
 /// A sphere with bumps of 2 * rows * rows triangles, about `center`.
@@ -92,14 +92,14 @@ class Pages : public testing::Test {
   void expectSameInPages(const scene::Snapshot& snapshot, int ranks, size_t memory = 1'000'000) {
     test::WorkerJob job(folder_.directory(), ranks, "job", memory);
     test::Program program(folder_.directory());
-    for (int i = 0; i < 2; ++i) expectSame(program.picture(snapshot), expectedPicture(snapshot));
+    for (int i = 0; i < 2; ++i) expectSame(program.image(snapshot), expectedImage(snapshot));
     EXPECT_EQ(program.tracedHere, 0) << program.said;
     EXPECT_NE(job.said().find("larger than the memory of a rank"), std::string::npos) << job.said();
   }
   test::RuntimeFolder folder_;
 };
 
-TEST_F(Pages, GiveThePictureOfAllGeometry) { expectSameInPages(largeScene(), 2); }
+TEST_F(Pages, GiveTheImageOfAllGeometry) { expectSameInPages(largeScene(), 2); }
 
 TEST_F(Pages, GiveItToOneRank) { expectSameInPages(largeScene(), 1); }
 
@@ -120,12 +120,12 @@ TEST_F(Pages, GiveTheSamePaths) {
 TEST_F(Pages, SurroundTheBatch) {
   scene::Snapshot s = largeScene(90, 64);
   s.settings.ao.enabled = true;
-  auto around = std::make_shared<scene::Surroundings>();
+  auto around = std::make_shared<scene::SecondaryScene>();
   around->shadings = s.shadings;
   around->instances.push_back(s.instances.back());
   around->blended.push_back(false);
   s.instances.pop_back();
-  s.surroundings = around;
+  s.secondaryScene = around;
   expectSameInPages(s, 2);
 }
 
@@ -134,10 +134,10 @@ TEST_F(Pages, OfOtherDataComeInsteadOfTheFormer) {
   test::Program program(folder_.directory());
   for (const int rows : {100, 120, 100, 90}) {
     const scene::Snapshot s = largeScene(rows, 48);
-    expectSame(program.picture(s), expectedPicture(s));
+    expectSame(program.image(s), expectedImage(s));
   }
   const scene::Snapshot small = test::plainScene(48);
-  expectSame(program.picture(small), expectedPicture(small));
+  expectSame(program.image(small), expectedImage(small));
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -147,10 +147,10 @@ TEST_F(Pages, ReachRanksThatHadTheGeometryBefore) {
   test::Program program(folder_.directory());
   scene::Snapshot s = largeScene(110, 48);
   s.instances.resize(s.instances.size() - 2);
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(job.said().find("larger than"), std::string::npos);
   s = largeScene(160, 48);
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_NE(job.said().find("larger than"), std::string::npos);
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
@@ -160,7 +160,7 @@ TEST_F(Pages, ThatComeOverAndOverAreReported) {
   s.settings.ao.enabled = true, s.settings.ao.radius = 2;
   test::WorkerJob job(folder_.directory(), 1, "job", 300'000);
   test::Program program(folder_.directory());
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_NE(job.said().find("each page was fetched"), std::string::npos) << job.said();
 }
 
@@ -173,8 +173,8 @@ TEST_F(Pages, OfGatheredParts) {
   test::ProgramRanks programs(folder_.directory(), 2);
   for (all.number = 1; all.number < 3; ++all.number) {
     all.frame = all.number;
-    const Image picture = test::composed(programs.pictures(all));
-    EXPECT_EQ(test::differing(picture, expectedPicture(test::partsOf(all, {0, 1}, 2))), 0) << job.said();
+    const Image image = test::composed(programs.images(all));
+    EXPECT_EQ(test::differing(image, expectedImage(test::partsOf(all, {0, 1}, 2))), 0) << job.said();
   }
   EXPECT_TRUE(programs.allByWorkers());
   EXPECT_NE(job.said().find("larger than the memory of a rank"), std::string::npos) << job.said();

@@ -66,7 +66,7 @@ Meetings::State Meetings::stateOf(int rank, double now) {
   Peer& peer = at(rank);
   if (rank == self_ || peer.failed || !own_) return State::absent;
   const bool shows = peer.scene && showsView(*peer.scene);
-  // Came after the last picture: the peer waits for us, too.
+  // Came after the last image: the peer waits for us, too.
   const bool waits = shows && peer.waits && peer.arrival > ended_;
   if (waits && mayBeNow(peer) && now - began_ > kCountsDiffer)
     peer.ahead = static_cast<int64_t>(peer.scene->frame - own_->frame);

@@ -27,11 +27,11 @@ class Meetings {
   void comes(int rank, const glm::ivec4& viewport, double now);
   /// The peer has this scene now.
   void holds(const SceneHeld& scene);
-  /// The peer has the picture of its scene, and no longer waits.
+  /// The peer has the image of its scene, and no longer waits.
   void ends(int rank) { at(rank).waits = false; }
   /// The rank itself has this scene now; matches it with scenes of the same view.
   void begin(const SceneHeld& own, double now);
-  /// The picture is there.
+  /// The image is there.
   void end() { ended_ = arrivals_; }
   /// The peer has not answered: ignores it until it has another scene.
   void fail(int rank) { at(rank).failed = at(rank).late = true; }
@@ -61,7 +61,7 @@ class Meetings {
     std::optional<glm::ivec4> coming;
     double comesAt = 0;
     uint64_t arrival = 0;    // when the scene came, counted in arrivals
-    bool waits = false;      // for the picture of the scene
+    bool waits = false;      // for the image of the scene
     int64_t ahead = 0;       // its frame count minus ours
     int64_t swapsAhead = 0;  // its swap count minus ours
     bool metBefore = false;  // so that both are known

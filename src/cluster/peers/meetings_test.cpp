@@ -101,7 +101,7 @@ TEST(Meetings, FramesOfProgramsThatSwapAreKeptApart) {
   EXPECT_EQ(meetings.stateOf(1, 1.5), State::here);
 }
 
-/// The peer draws nothing of some views, and counts fewer frames. Both wait for the same picture.
+/// The peer draws nothing of some views, and counts fewer frames. Both wait for the same image.
 TEST(Meetings, RanksThatMissViewsMeetInTheNextOnes) {
   Meetings meetings(0, 2);
   uint64_t counted = 0;
@@ -120,7 +120,7 @@ TEST(Meetings, RanksThatMissViewsMeetInTheNextOnes) {
   }
 }
 
-TEST(Meetings, PeersThatHaveTheirPictureWaitForNobody) {
+TEST(Meetings, PeersThatHaveTheirImageWaitForNobody) {
   Meetings meetings(0, 2);
   meetings.begin(sceneOf(0, 1), 0);
   meetings.holds(sceneOf(1, 1));

@@ -35,7 +35,7 @@ scene::Snapshot movingPlates(int frame) {
 /// One process that shows the rank's part, and has the others around it.
 scene::Snapshot surroundedPart(const scene::Snapshot& all, int rank, int ranks) {
   scene::Snapshot part = partOf(all, rank, ranks);
-  auto around = std::make_shared<scene::Surroundings>();
+  auto around = std::make_shared<scene::SecondaryScene>();
   around->shadings = all.shadings;
   for (int other = 0; other < ranks; ++other) {
     if (other == rank) continue;
@@ -43,7 +43,7 @@ scene::Snapshot surroundedPart(const scene::Snapshot& all, int rank, int ranks) 
       around->instances.push_back(instance);
   }
   around->blended.resize(around->instances.size());
-  part.surroundings = around;
+  part.secondaryScene = around;
   return part;
 }
 
@@ -63,21 +63,21 @@ class MovingParts : public testing::TestWithParam<JobOfParts> {
     for (int frame = 0; frame < kFrames; ++frame) {
       scene::Snapshot all = movingPlates(frame);
       change(all, frame);
-      const std::vector<Image> parts = ranks.pictures(all);
+      const std::vector<Image> parts = ranks.images(all);
       for (int rank = 0; rank < count; ++rank) {
         const auto at = static_cast<size_t>(rank);
         scene::Snapshot part = surroundedPart(all, rank, count);
-        EXPECT_EQ(differing(parts[at], pictureOf(one[at], part)), 0)
+        EXPECT_EQ(differing(parts[at], imageOf(one[at], part)), 0)
             << "frame " << frame << " rank " << rank << job.said();
         part.lightSampling.mode = scene::LightSampling::Mode::full;
-        EXPECT_GT(differing(parts[at], test::expectedPicture(part)), 100) << "it is not smoothed";
+        EXPECT_GT(differing(parts[at], test::expectedImage(part)), 100) << "it is not smoothed";
       }
     }
     EXPECT_TRUE(ranks.allByWorkers());
   }
 
  private:
-  static Image pictureOf(frame::Renderer& renderer, const scene::Snapshot& s) {
+  static Image imageOf(frame::Renderer& renderer, const scene::Snapshot& s) {
     Image image;
     scene::TraceCost cost;
     std::string error;

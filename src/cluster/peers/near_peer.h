@@ -1,5 +1,5 @@
-// A peer whose surfaces may block a rank's rays: selects the rays to query, and transforms them. Made when a
-// picture begins, read by all tracing threads.
+// A peer whose surfaces may block a rank's rays: selects the rays to query, and transforms them. Made when an
+// image begins, read by all tracing threads.
 #pragma once
 #include "cluster/messages/peer_messages.h"
 #include "cluster/peers/query_stream.h"

@@ -43,7 +43,7 @@ PartState PartChanges::show(const scene::Snapshot& snapshot, const render::Frame
   using Object = render::Placement::Object;
   const auto largest = std::ranges::max_element(now.objects, {}, &Object::triangles);
   view.own.eyeFromLargest = largest == now.objects.end() ? glm::dmat4(1) : largest->eyeFromObject;
-  view.space = frame ? render::FilmSpace(*frame) : render::FilmSpace();
+  view.space = frame ? render::PixelSpace(*frame) : render::PixelSpace();
   view.placement = std::move(now), view.number = snapshot.number;
   return view.own;
 }

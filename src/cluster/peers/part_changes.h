@@ -35,7 +35,7 @@ class PartChanges {
     uint64_t name = 0;
     uint64_t number = 0;  // Snapshot::number of the last one; 0: none
     render::Placement placement;
-    render::FilmSpace space;
+    render::PixelSpace space;
     PartState own;
     std::vector<PartState> kept;
   };

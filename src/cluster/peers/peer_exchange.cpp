@@ -10,7 +10,7 @@
 namespace gluray::cluster {
 namespace {
 
-constexpr int kMaxRefusals = 3;  // of a picture
+constexpr int kMaxRefusals = 3;  // of an image
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void PeerExchange::receive(const SceneHeld& scene, double now) {
 void PeerExchange::receive(OcclusionQueries queries, double now) {
   const std::lock_guard lock(mutex_);
   heard_[static_cast<size_t>(queries.address.from)] = now;
-  // Between two pictures of one view they wait for the second.
+  // Between two images of one view they wait for the second.
   if (queries.round != scene_.round || (!held_ && !coming_))
     return sendTo(queries.address.from, OcclusionReplies{{}, queries.id, true, {}});
   queries_.push_back(std::move(queries));
@@ -68,10 +68,10 @@ void PeerExchange::receive(const OcclusionReplies& replies, double now) {
   const std::lock_guard lock(mutex_);
   const int rank = replies.address.from;
   const size_t near = nearOf(rank);
-  if (replies.id >> 32 != attempt_ || near == near_.size() || ends()) return;  // of an earlier picture
+  if (replies.id >> 32 != attempt_ || near == near_.size() || ends()) return;  // of an earlier image
   if (replies.refused) {
-    // It has another scene by now: of this view again, or of its next picture.
-    if (++refusals_ > kMaxRefusals) return drop(rank, "has gone on to its next picture");
+    // It has another scene by now: of this view again, or of its next image.
+    if (++refusals_ > kMaxRefusals) return drop(rank, "has gone on to its next image");
     again_ = true;
     return changed_.notify_all();
   }

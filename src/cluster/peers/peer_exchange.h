@@ -1,4 +1,4 @@
-// Exchanges occlusion queries with peers for the pictures of one rank of a sort-last program. Tiles with
+// Exchanges occlusion queries with peers for the images of one rank of a sort-last program. Tiles with
 // queries are traced twice: first to collect all queries, then with the answers. Messages arrive on the
 // worker's main thread; one thread traces, with the threads of its renderer.
 #pragma once
@@ -9,7 +9,7 @@
 #include "cluster/peers/part_changes.h"
 #include "cluster/peers/tile_ledger.h"
 #include "render/effects/occlusion_answers.h"
-#include "render/moving/film_source.h"
+#include "render/moving/moving_tile_source.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/tiles/tiles.h"
 
@@ -24,7 +24,7 @@
 
 namespace gluray::cluster {
 
-class PeerExchange final : public render::FilmSource, public render::RemoteSurfaces {
+class PeerExchange final : public render::MovingTileSource, public render::RemoteSurfaces {
  public:
   /// Sends to a peer. Any thread.
   using Send = std::function<void(int peer, std::vector<std::byte> message)>;
@@ -42,21 +42,21 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   void receive(const OcclusionReplies& replies, double now);
   void receive(const DoneAsking& done, double now);
   void receive(const StillHere& here, double now);
-  /// The program requests a picture: the current scene ends as soon as peers have their answers, or at once
+  /// The program requests an image: the current scene ends as soon as peers have their answers, or at once
   /// if it is of the same view. `shown`: that view, if surfaces of peers may block its light.
   void announce(const std::optional<ViewName>& shown);
   /// Sends signs of life to peers. Call at least ten times a second.
   void tick(double now);
-  /// The program has cancelled its picture.
+  /// The program has cancelled its image.
   void cancel();
   /// Ends all tracing.
   void close();
 
   // The tracing thread.
-  /// Begins the picture of announce(). `traced` is called when the picture is complete. `meets`: surfaces of
+  /// Begins the image of announce(). `traced` is called when the image is complete. `meets`: surfaces of
   /// peers may block its light.
   void start(bool averages, bool meets, std::function<void()> traced);
-  /// Whether the picture must be traced again: without a lost peer, or without averages.
+  /// Whether the image must be traced again: without a lost peer, or without averages.
   bool again() const { return again_; }
   bool averages() const { return averages_; }
   /// Releases the scene. Call when tracing has ended, also after failures.
@@ -66,8 +66,8 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   int nextTile() noexcept override;
   void done(int tile, double seconds, bool seenThrough) noexcept override;
   uint32_t index(uint32_t own) const noexcept override { return own; }
-  void collected(const render::FactorFilm& film, int tile, double seconds) noexcept override;
-  bool complete(render::FactorFilm& film) noexcept override;
+  void collected(const render::VisibilityBuffer& buffer, int tile, double seconds) noexcept override;
+  bool complete(render::VisibilityBuffer& buffer) noexcept override;
   int nextToColor() noexcept override;
   void begin(const render::FrameData& frame) override;
   void beginEmpty(const scene::Snapshot& snapshot) override;
@@ -122,12 +122,12 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   std::deque<OcclusionQueries> queries_;
   SceneHeld scene_;                                     // the last one; its round rises with each
   bool held_ = false;                                   // the scene exists, or is being built
-  size_t announced_ = 0, started_ = 0, cancelled_ = 0;  // counts of pictures
+  size_t announced_ = 0, started_ = 0, cancelled_ = 0;  // counts of images
   std::optional<ViewName> coming_;                      // whose scene is built
   double saidComing_ = 0, saidHere_ = 0;
   bool closed_ = false;
 
-  // Of the picture. What tracing threads read without the lock does not change while they trace.
+  // Of the image. What tracing threads read without the lock does not change while they trace.
   std::function<void()> traced_;
   std::atomic<bool> again_{false}, averages_{true};
   const scene::Snapshot* snapshot_ = nullptr;
@@ -140,7 +140,7 @@ class PeerExchange final : public render::FilmSource, public render::RemoteSurfa
   PartChanges parts_;
   bool changes_ = false;
   TileLedger ledger_;
-  std::vector<int> tiles_;  // of the picture
+  std::vector<int> tiles_;  // of the image
   size_t colored_ = 0;      // of them, or being coloured: of moving frames, once all are collected
 };
 

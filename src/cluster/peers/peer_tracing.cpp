@@ -1,4 +1,4 @@
-// PeerExchange on the tracing threads of one picture.
+// PeerExchange on the tracing threads of one image.
 #include "base/clock.h"
 #include "cluster/peers/peer_exchange.h"
 
@@ -35,7 +35,7 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
   scene.frame = frameOf(snapshot), scene.swaps = snapshot.frame;
   scene.viewport = snapshot.camera.viewport;
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
-  if (snapshot.surroundings) scene.viewFromWorld = snapshot.surroundings->viewFromWorld;
+  if (snapshot.secondaryScene) scene.viewFromWorld = snapshot.secondaryScene->viewFromWorld;
   scene.lower = bounds.lower, scene.upper = bounds.upper;
   const PartState own = parts_.show(snapshot, frame);
   scene.changes = own.changes, scene.eyeFromLargest = own.eyeFromLargest;
@@ -134,12 +134,12 @@ void PeerExchange::done(int tile, double, bool seenThrough) noexcept {
   changed_.notify_all();
 }
 
-void PeerExchange::collected(const render::FactorFilm&, int tile, double seconds) noexcept {
+void PeerExchange::collected(const render::VisibilityBuffer&, int tile, double seconds) noexcept {
   done(tile, seconds, false);
 }
 
-/// Each process has a film of its own: pixels of it are those of its surfaces.
-bool PeerExchange::complete(render::FactorFilm&) noexcept {
+/// Each process has a visibility buffer of its own: its pixels are those of the process's surfaces.
+bool PeerExchange::complete(render::VisibilityBuffer&) noexcept {
   const std::lock_guard lock(mutex_);
   return !ends();
 }

@@ -1,4 +1,4 @@
-// Light across the ranks of a sort-last program: composed by depth, their pictures are that of one process.
+// Light across the ranks of a sort-last program: composed by depth, their images are that of one process.
 #include "cluster/testing/program_ranks.h"
 
 #include <chrono>
@@ -12,7 +12,7 @@ namespace {
 
 using test::composed;
 using test::differing;
-using test::expectedPicture;
+using test::expectedImage;
 using test::partOf;
 using test::partsOf;
 using test::plates;
@@ -23,15 +23,15 @@ struct Setup {
 };
 class PeersTest : public testing::TestWithParam<Setup> {
  protected:
-  void expectOnePicture(WorkerJob& job, test::ProgramRanks& ranks, const scene::Snapshot& all) {
-    EXPECT_EQ(differing(composed(ranks.pictures(all)), expectedPicture(all)), 0) << job.said();
+  void expectOneImage(WorkerJob& job, test::ProgramRanks& ranks, const scene::Snapshot& all) {
+    EXPECT_EQ(differing(composed(ranks.images(all)), expectedImage(all)), 0) << job.said();
     EXPECT_TRUE(ranks.allByWorkers());
   }
   /// Whether the test would notice if light did not cross ranks.
   static int differenceWithoutPeers(const scene::Snapshot& all, int ranks) {
     std::vector<Image> images;
-    for (int rank = 0; rank < ranks; ++rank) images.push_back(expectedPicture(partOf(all, rank, ranks)));
-    return differing(composed(std::move(images)), expectedPicture(all));
+    for (int rank = 0; rank < ranks; ++rank) images.push_back(expectedImage(partOf(all, rank, ranks)));
+    return differing(composed(std::move(images)), expectedImage(all));
   }
 
   test::RuntimeFolder folder_;
@@ -43,7 +43,7 @@ TEST_P(PeersTest, OcclusionAndHardShadows) {
   test::ProgramRanks ranks(directory_, GetParam().ranks);
   const scene::Snapshot all = plates();
   EXPECT_GT(differenceWithoutPeers(all, GetParam().ranks), 500);
-  expectOnePicture(job, ranks, all);
+  expectOneImage(job, ranks, all);
 }
 
 TEST_P(PeersTest, SoftShadowsOfSeveralLights) {
@@ -56,7 +56,7 @@ TEST_P(PeersTest, SoftShadowsOfSeveralLights) {
   second.position = {-1, 0.2f, 0.5f, 1};
   second.diffuse = {0.4f, 0.3f, 0.2f, 1};
   all.shadings[0].lights.push_back(second);
-  expectOnePicture(job, ranks, all);
+  expectOneImage(job, ranks, all);
 }
 
 TEST_P(PeersTest, FramesAfterEachOther) {
@@ -68,7 +68,7 @@ TEST_P(PeersTest, FramesAfterEachOther) {
     const double angle = 0.1 * frame;
     all.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), angle, {0.2, 1, 0.1});
     for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
-    expectOnePicture(job, ranks, all);
+    expectOneImage(job, ranks, all);
   }
 }
 
@@ -89,7 +89,7 @@ TEST_F(PeersFaultsTest, RankThatDrawsNothingIsLeftOut) {
   for (int frame = 1; frame < 6; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
     parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
-    EXPECT_EQ(differing(composed(ranks.pictures(parts)), expectedPicture(two)), 0) << frame << job.said();
+    EXPECT_EQ(differing(composed(ranks.images(parts)), expectedImage(two)), 0) << frame << job.said();
   }
   EXPECT_NE(job.said().find("rank 2 of the program draws nothing here"), std::string::npos) << job.said();
 }
@@ -101,7 +101,7 @@ TEST_F(PeersFaultsTest, CountsOfFramesMayDiffer) {
   for (int frame = 1; frame < 4; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
     parts[0].frame = static_cast<uint64_t>(frame), parts[1].frame = static_cast<uint64_t>(frame + 7);
-    EXPECT_EQ(differing(composed(ranks.pictures(parts)), expectedPicture(all)), 0);
+    EXPECT_EQ(differing(composed(ranks.images(parts)), expectedImage(all)), 0);
   }
 }
 
@@ -113,10 +113,10 @@ TEST_F(PeersFaultsTest, RankThatIsLateLightsWithItsNewScene) {
   for (int step = 0; step < 3; ++step) {
     ++all.viewFrame;
     const std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
-    auto first = std::async(std::launch::async, [&] { return ranks.program(0).picture(parts[0]); });
+    auto first = std::async(std::launch::async, [&] { return ranks.program(0).image(parts[0]); });
     std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    Image late = ranks.program(1).picture(parts[1]);
-    EXPECT_EQ(differing(composed({first.get(), std::move(late)}), expectedPicture(all)), 0) << step;
+    Image late = ranks.program(1).image(parts[1]);
+    EXPECT_EQ(differing(composed({first.get(), std::move(late)}), expectedImage(all)), 0) << step;
     for (size_t i = 1; i < all.instances.size(); i += 2) {
       all.instances[i].eyeFromObject[3][0] += 0.2;
       all.instances[i].worldFromObject[3][0] += 0.2f;
@@ -128,13 +128,13 @@ TEST_F(PeersFaultsTest, RankThatEndsLeavesTheOthers) {
   WorkerJob job(directory_, 3);
   test::ProgramRanks ranks(directory_, 3);
   const scene::Snapshot all = plates(64);
-  EXPECT_EQ(differing(composed(ranks.pictures(all)), expectedPicture(all)), 0);
+  EXPECT_EQ(differing(composed(ranks.images(all)), expectedImage(all)), 0);
   ranks.end(2);
   const scene::Snapshot two = partsOf(all, {0, 1}, 3);
   for (int frame = 2; frame < 4; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
     parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
-    EXPECT_EQ(differing(composed(ranks.pictures(parts)), expectedPicture(two)), 0) << frame << job.said();
+    EXPECT_EQ(differing(composed(ranks.images(parts)), expectedImage(two)), 0) << frame << job.said();
   }
 }
 
@@ -142,17 +142,17 @@ TEST_F(PeersFaultsTest, StoppedRankIsLeftOut) {
   WorkerJob job(directory_, 2);
   test::ProgramRanks ranks(directory_, 2);
   const scene::Snapshot all = plates(64);
-  EXPECT_EQ(differing(composed(ranks.pictures(all)), expectedPicture(all)), 0);
+  EXPECT_EQ(differing(composed(ranks.images(all)), expectedImage(all)), 0);
   job.rank(1).isDeaf = true;
   scene::Snapshot part = partOf(all, 0, 2);
   part.frame = 2;
-  EXPECT_EQ(differing(ranks.program(0).picture(part), expectedPicture(part)), 0);
+  EXPECT_EQ(differing(ranks.program(0).image(part), expectedImage(part)), 0);
   job.rank(1).isDeaf = false;
   std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
   for (int frame = 3; frame < 6; ++frame) {
     parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
-    const Image image = composed(ranks.pictures(parts));
-    if (frame > 3) { EXPECT_EQ(differing(image, expectedPicture(all)), 0) << frame; }
+    const Image image = composed(ranks.images(parts));
+    if (frame > 3) { EXPECT_EQ(differing(image, expectedImage(all)), 0) << frame; }
   }
 }
 

@@ -1,4 +1,4 @@
-// State of the tiles of a picture with queries to peers: untraced, waiting for answers, or answered. Guarded
+// State of the tiles of an image with queries to peers: untraced, waiting for answers, or answered. Guarded
 // by its owner, except that the thread that traces a tile uses the tile's record.
 #pragma once
 #include "cluster/peers/tile_record.h"

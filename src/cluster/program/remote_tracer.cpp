@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kLookMs = 20;  // how often a call looks whether it must stop
 
-/// Copies the picture, or of a pass over some tiles those.
-void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, const std::byte* pixels,
+/// Copies the image, or of a pass over some tiles those.
+void copyPixels(const scene::Snapshot& snapshot, const ImageDone& done, const std::byte* pixels,
                 Image& image) {
-  const ImageShape& shape = picture.shape;
+  const ImageShape& shape = done.shape;
   const auto* const wanted = snapshot.lightSampling.tiles.get();
   const bool some = wanted && shapeOf(image) == shape;
   image.x = snapshot.region.x, image.y = snapshot.region.y;
@@ -24,7 +24,7 @@ void copyPixels(const scene::Snapshot& snapshot, const PictureDone& picture, con
   for (int tile = 0; tile < tiles.columns * tiles.rows; ++tile)
     if (!some || static_cast<size_t>(tile) >= wanted->size() || (*wanted)[static_cast<size_t>(tile)])
       copyTile(from, to, shape, tiles.at(tile));
-  image.layers = picture.layers;
+  image.layers = done.layers;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ void RemoteTracer::shown(const scene::Snapshot& snapshot, const Image& image, bo
     if (!link_.isGathered(snapshot) || link_.isMadeElsewhere(snapshot)) return;
     if (!link_.show(snapshot, image, finished)) link_.disconnect("the worker is gone", nowSeconds());
   } catch (const std::exception& why) {  // the other ranks trace their parts
-    say_(std::string("the other ranks do not get the picture: ") + why.what());
+    say_(std::string("the other ranks do not get the image: ") + why.what());
   }
 }
 
@@ -62,7 +62,7 @@ void RemoteTracer::leaveSceneryOut() noexcept {
   if (toldOfScenery_.exchange(true)) return;
   say_(
       "gather: ground and background are left out: no framebuffer of a rank that draws holds the composited "
-      "picture of all ranks over a uniform background");
+      "image of all ranks over a uniform background");
 }
 
 bool RemoteTracer::isGathered(const scene::Snapshot& snapshot) noexcept {
@@ -91,7 +91,7 @@ bool RemoteTracer::traceComplete(const scene::Snapshot& snapshot, Image& image, 
                                  std::string& error) noexcept {
   try {
     scene::Snapshot complete = snapshot;
-    complete.view = ~snapshot.view;  // it has films of its own
+    complete.view = ~snapshot.view;  // it has buffers of its own
     return traceAll(complete, image, cost, error, nullptr);
   } catch (const std::bad_alloc&) {
     cost.loss = scene::Loss::frames;
@@ -118,9 +118,9 @@ bool RemoteTracer::traceAll(const scene::Snapshot& snapshot, Image& image, scene
       lock.lock();
     else if (!lock.try_lock() || wanted_ > 0)
       return false;
-    if (stop && link_.isMadeElsewhere(snapshot)) return error = "another rank makes the picture", false;
+    if (stop && link_.isMadeElsewhere(snapshot)) return error = "another rank makes the image", false;
     result = byWorkers(snapshot, image, cost, error, stop);
-    // A picture of this rank's part would lack what the others leave to it, or show what they show.
+    // An image of this rank's part would lack what the others leave to it, or show what they show.
     if ((result == Result::nobody || result == Result::failed) && link_.isGathered(snapshot)) {
       if (error.empty()) error = "the workers of all ranks do not answer";
       if (cost.loss == scene::Loss::tracing) cost.loss = scene::Loss::frames;  // they may answer again
@@ -163,18 +163,18 @@ RemoteTracer::Result RemoteTracer::receive(const scene::Snapshot& snapshot, Imag
       case WorkerLink::Came::failure:
         link_.disconnect("the worker does not answer", nowSeconds());
         return tell(link_.why()), Result::nobody;
-      case WorkerLink::Came::picture: break;
+      case WorkerLink::Came::image: break;
     }
-    const PictureDone& picture = link_.picture();
-    if (!picture.whole) {
-      tell(picture.error);
-      cost.loss = picture.cost.loss;
-      return error = picture.error, Result::failed;
+    const ImageDone& done = link_.done();
+    if (!done.whole) {
+      tell(done.error);
+      cost.loss = done.cost.loss;
+      return error = done.error, Result::failed;
     }
-    copyPixels(snapshot, picture, link_.pixels(), image);
-    cost = picture.cost;
-    improves_ = picture.improves;
-    if (picture.note != toldNote_ && !(toldNote_ = picture.note).empty())
+    copyPixels(snapshot, done, link_.pixels(), image);
+    cost = done.cost;
+    improves_ = done.improves;
+    if (done.note != toldNote_ && !(toldNote_ = done.note).empty())
       say_("gather: " + toldNote_ + ": each rank traces its own part");
     return Result::done;
   }

@@ -1,4 +1,4 @@
-// Traces pictures on a job of workers instead of this process's renderer. Any thread.
+// Traces images on a job of workers instead of this process's renderer. Any thread.
 #pragma once
 #include "cluster/program/worker_link.h"
 #include "frame/tracing/tracer.h"
@@ -11,7 +11,7 @@
 
 namespace gluray::cluster {
 
-/// Sends one picture at a time to the workers. If no worker answers, this process traces, logs one line, and
+/// Sends one image at a time to the workers. If no worker answers, this process traces, logs one line, and
 /// keeps looking for workers.
 class RemoteTracer {
  public:
@@ -31,7 +31,7 @@ class RemoteTracer {
   bool traceComplete(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                      std::string& error) noexcept;
   void leaveSceneryOut() noexcept;
-  /// As frame::Improves, of the last picture.
+  /// As frame::Improves, of the last image.
   bool improves() const noexcept { return improves_; }
   /// As frame::StandsAlone.
   bool standsAlone(const scene::Snapshot& snapshot) const noexcept { return link_.standsAlone(snapshot); }
@@ -56,9 +56,9 @@ class RemoteTracer {
   std::atomic<int> wanted_{0};  // priority calls that wait or trace
   std::atomic<bool> improves_{false};
   WorkerLink link_;
-  bool traced_ = false;   // the last picture came from workers
+  bool traced_ = false;   // the last image came from workers
   std::string told_;      // why the one before did not
-  std::string toldNote_;  // PictureDone::note
+  std::string toldNote_;  // ImageDone::note
   std::atomic<bool> toldOfScenery_{false};
 };
 

@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "cluster/messages/version.h"
 #include "scene/effects.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ bool isMoving(const scene::Snapshot& snapshot) {
          scene::wantsLight(snapshot.settings);
 }
 
-/// Whether light falls on the picture that surfaces of other ranks may block.
+/// Whether light falls on the image that surfaces of other ranks may block.
 bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
   using Mode = scene::LightSampling::Mode;
   const Mode mode = snapshot.lightSampling.mode;
@@ -35,15 +35,15 @@ bool fallsOnSurfaces(const scene::Snapshot& snapshot) {
 
 bool hasBlended(const scene::Snapshot& snapshot) {
   return snapshot.layers || snapshot.catches ||
-         (snapshot.surroundings && !snapshot.surroundings->pictures.empty()) ||
-         (snapshot.surroundings &&
-          std::ranges::any_of(snapshot.surroundings->blended, [](uint8_t b) { return b; }));
+         (snapshot.secondaryScene && !snapshot.secondaryScene->captures.empty()) ||
+         (snapshot.secondaryScene &&
+          std::ranges::any_of(snapshot.secondaryScene->blended, [](uint8_t b) { return b; }));
 }
 
-/// Whether the parts of other ranks belong to the picture. Without light, parts are as good.
+/// Whether the parts of other ranks belong to the image. Without light, parts are as good.
 bool isGathering(const scene::Snapshot& snapshot) {
   const Settings& settings = snapshot.settings;
-  return settings.gather && (scene::needsSurroundings(settings) || scene::wantsBackdrop(settings));
+  return settings.gather && (scene::needsSecondaryScene(settings) || scene::wantsBackdrop(settings));
 }
 
 /// Encloses the surfaces, in eye space.
@@ -197,26 +197,26 @@ WorkerLink::Came WorkerLink::wait(int timeoutMs, double now) {
   lastSign_ = now;
   switch (message->type) {
     case AtWork::kType: return Came::sign;
-    case PictureMemory::kType: {
-      memoryBytes_ = decoded<PictureMemory>(message->body).bytes;
+    case ImageMemory::kType: {
+      memoryBytes_ = decoded<ImageMemory>(message->body).bytes;
       memory_ = mapWritten(message->attached, memoryBytes_);
       return Came::sign;
     }
-    case PictureDone::kType: {
-      auto picture = decoded<PictureDone>(message->body);
-      if (picture.id != lastId_) return Came::sign;  // of an earlier request
-      if (picture.whole && bytesOf(picture.shape) > memoryBytes_) throw Malformed("its pixels are missing");
-      picture_ = std::move(picture);
-      if (picture_.gathered) gathered_ = asked_;
-      if (picture_.cost.elsewhere) elsewhere_ = asked_;
-      return Came::picture;
+    case ImageDone::kType: {
+      auto image = decoded<ImageDone>(message->body);
+      if (image.id != lastId_) return Came::sign;  // of an earlier request
+      if (image.whole && bytesOf(image.shape) > memoryBytes_) throw Malformed("its pixels are missing");
+      done_ = std::move(image);
+      if (done_.gathered) gathered_ = asked_;
+      if (done_.cost.elsewhere) elsewhere_ = asked_;
+      return Came::image;
     }
     default: throw Malformed("its kind is not known");
   }
 }
 
 bool WorkerLink::show(const scene::Snapshot& snapshot, const Image& image, bool finished) {
-  PictureShown shown{snapshot.number, finished, image.missColor, shapeOf(image), image.layers};
+  ImageShown shown{snapshot.number, finished, image.missColor, shapeOf(image), image.layers};
   const PlanePointers from = planesOf(const_cast<Image&>(image));
   const Descriptor memory = sealedMemory(bytesOf(shown.shape), [&](std::byte* at) {
     const PlanePointers to = planesIn(at, shown.shape);

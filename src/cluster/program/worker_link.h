@@ -31,27 +31,27 @@ class WorkerLink {
   const std::string& why() const { return why_; }
   int ranks() const { return ranks_; }
 
-  /// Whether pictures of the snapshot are independent of the program's other ranks, whose surfaces may belong
+  /// Whether images of the snapshot are independent of the program's other ranks, whose surfaces may belong
   /// to them or block their light.
   bool standsAlone(const scene::Snapshot& snapshot) const;
-  /// Whether the last picture of the snapshot also showed surfaces of other ranks, so that this process must
+  /// Whether the last image of the snapshot also showed surfaces of other ranks, so that this process must
   /// not trace it.
   bool isGathered(const scene::Snapshot& snapshot) const;
-  /// Whether another rank's process makes that picture.
+  /// Whether another rank's process makes that image.
   bool isMadeElsewhere(const scene::Snapshot& snapshot) const {
     return isGathered(snapshot) && elsewhere_ == snapshot.number;
   }
-  /// Sends the displayed picture of a gathered snapshot. Returns false if the connection has failed.
+  /// Sends the displayed image of a gathered snapshot. Returns false if the connection has failed.
   bool show(const scene::Snapshot& snapshot, const Image& image, bool finished);
   /// Sends the snapshot and its arrays that the worker lacks. Returns false if the connection has failed.
   bool ask(const scene::Snapshot& snapshot, uint32_t missColor);
-  enum class Came : uint8_t { nothing, sign, picture, failure };
-  /// Waits for the worker's messages about the picture. `failure`: the worker is silent for too long, or
+  enum class Came : uint8_t { nothing, sign, image, failure };
+  /// Waits for the worker's messages about the image. `failure`: the worker is silent for too long, or
   /// gone.
   Came wait(int timeoutMs, double now);
-  /// After Came::picture.
-  const PictureDone& picture() const { return picture_; }
-  /// The picture's pixels, until the next ask().
+  /// After Came::image.
+  const ImageDone& done() const { return done_; }
+  /// The image's pixels, until the next ask().
   const std::byte* pixels() const { return memory_.get(); }
   void cancel();
   void disconnect(std::string why, double now);
@@ -77,8 +77,8 @@ class WorkerLink {
   uint64_t lastId_ = 0;
   std::shared_ptr<const std::byte> memory_;
   size_t memoryBytes_ = 0;
-  PictureDone picture_;
-  // Snapshot::number of the last request, the last gathered picture, and the last one of another process.
+  ImageDone done_;
+  // Snapshot::number of the last request, the last gathered image, and the last one of another process.
   uint64_t asked_ = 0, gathered_ = 0, elsewhere_ = 0;
 };
 

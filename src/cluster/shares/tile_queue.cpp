@@ -21,25 +21,25 @@ void TileQueue::close() {
   more_.notify_all();
 }
 
-void TileQueue::filmComes(FilmComes comes) {
+void TileQueue::setVisibility(VisibilityReady comes) {
   {
     const std::lock_guard lock(mutex_);
-    film_ = std::move(comes);
+    visibility_ = std::move(comes);
   }
   more_.notify_all();
 }
 
-std::optional<FilmComes> TileQueue::waitForFilm() {
+std::optional<VisibilityReady> TileQueue::waitForVisibility() {
   std::unique_lock lock(mutex_);
-  more_.wait(lock, [&] { return closed_ || film_; });
+  more_.wait(lock, [&] { return closed_ || visibility_; });
   if (closed_) return std::nullopt;
-  return film_;
+  return visibility_;
 }
 
-void TileQueue::collected(const render::FactorFilm& film, int tile, double seconds) noexcept {
+void TileQueue::collected(const render::VisibilityBuffer& buffer, int tile, double seconds) noexcept {
   try {
-    FilmTile collected{id_, shapeOf(film), tile, static_cast<float>(seconds), {}};
-    collected.film = packFilm(film, render::Tiles(*image_, render::kTileSize).at(tile));
+    CollectedTile collected{id_, shapeOf(buffer), tile, static_cast<float>(seconds), {}};
+    collected.visibility = packVisibility(buffer, render::Tiles(*image_, render::kTileSize).at(tile));
     outbox_.push(head_, forRanks(collected));
   } catch (const std::bad_alloc&) {}  // the head gives the tile to another rank
 }
@@ -50,8 +50,8 @@ int TileQueue::nextTile() noexcept {
                                  render::Tiles(*image_, render::kTileSize).rows
                            : 0;
   for (;;) {
-    more_.wait(lock, [&] { return closed_ || film_ || !tiles_.empty(); });
-    if (closed_ || film_) return -1;
+    more_.wait(lock, [&] { return closed_ || visibility_ || !tiles_.empty(); });
+    if (closed_ || visibility_) return -1;
     const int tile = tiles_.front();
     tiles_.pop_front();
     if (tile >= 0 && tile < count) return tile;  // the head may be mistaken

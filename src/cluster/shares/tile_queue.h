@@ -1,4 +1,4 @@
-// Queue of the tiles of a picture that a head has assigned to this rank; sends traced tiles back. Any thread.
+// Queue of the tiles of an image that a head has assigned to this rank; sends traced tiles back. Any thread.
 #pragma once
 #include "cluster/messages/rank_messages.h"
 #include "cluster/ranks/outbox.h"
@@ -26,11 +26,11 @@ class TileQueue final : public render::TileSource {
   bool isClosed() const { return closed_.load(std::memory_order_relaxed); }
 
   /// For a moving frame: no more tiles follow.
-  void filmComes(FilmComes comes);
+  void setVisibility(VisibilityReady comes);
   /// Waits for the film. None if the queue was closed.
-  std::optional<FilmComes> waitForFilm();
+  std::optional<VisibilityReady> waitForVisibility();
   /// Sends the tile of a moving frame.
-  void collected(const render::FactorFilm& film, int tile, double seconds) noexcept;
+  void collected(const render::VisibilityBuffer& buffer, int tile, double seconds) noexcept;
 
   void begin(const Image& image) noexcept override { image_ = &image; }
   int nextTile() noexcept override;
@@ -46,7 +46,7 @@ class TileQueue final : public render::TileSource {
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<int32_t> tiles_;
-  std::optional<FilmComes> film_;
+  std::optional<VisibilityReady> visibility_;
   std::atomic<bool> closed_{false};
 };
 

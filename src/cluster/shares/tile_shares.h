@@ -1,4 +1,4 @@
-// Distributes the tiles of a picture over ranks: shares of equal cost, as measured in the previous frame,
+// Distributes the tiles of an image over ranks: shares of equal cost, as measured in the previous frame,
 // with work stealing by ranks that finish first.
 #pragma once
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Tracer {
   bool here = true;
 };
 
-/// The tiles of one picture. A rank's share is one run of neighbouring tiles. It gets a part of its share at
+/// The tiles of one image. A rank's share is one run of neighbouring tiles. It gets a part of its share at
 /// once, and more when it has traced most of that. A rank that has used up its share steals from the end of
 /// the largest remainder. One thread.
 class TileShares {

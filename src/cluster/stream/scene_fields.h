@@ -3,8 +3,8 @@
 // compiler error. Any thread.
 #pragma once
 #include "scene/backdrop.h"
+#include "scene/secondary_scene.h"
 #include "scene/snapshot.h"
-#include "scene/surroundings.h"
 
 #include <concepts>
 #include <type_traits>
@@ -148,25 +148,25 @@ void fields(auto& archive, Like<scene::Impostors> auto& value) {
   archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size, grows,
           bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
 }
-void fields(auto& archive, Like<scene::FramebufferPicture> auto& value) {
+void fields(auto& archive, Like<scene::FramebufferCapture> auto& value) {
   auto& [viewport, depthNear, depthFar, region, offset, colors, depths, content] = value;
   archive(viewport, depthNear, depthFar, region, offset, colors, depths, content.low, content.high);
 }
-void fields(auto& archive, Like<scene::Pictured> auto& value) {
-  auto& [picture, clipFromObject] = value;
-  archive(picture, clipFromObject);
+void fields(auto& archive, Like<scene::CapturedSurface> auto& value) {
+  auto& [capture, clipFromObject] = value;
+  archive(capture, clipFromObject);
 }
-void fields(auto& archive, Like<scene::Surroundings> auto& value) {
-  auto& [shadings, instances, blended, viewFromWorld, pictured, pictures, framebuffer] = value;
-  archive(shadings, instances, blended, viewFromWorld, pictured, pictures, framebuffer);
+void fields(auto& archive, Like<scene::SecondaryScene> auto& value) {
+  auto& [shadings, instances, blended, viewFromWorld, captured, captures, framebuffer] = value;
+  archive(shadings, instances, blended, viewFromWorld, captured, captures, framebuffer);
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
          samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-         instances, surroundings, ground, catches, backdrop, settings] = value;
+         instances, secondaryScene, ground, catches, backdrop, settings] = value;
   archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
           samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-          instances, surroundings, ground, catches, backdrop, settings);
+          instances, secondaryScene, ground, catches, backdrop, settings);
 }
 
 }  // namespace gluray::cluster

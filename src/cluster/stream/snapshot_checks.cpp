@@ -2,7 +2,7 @@
 
 #include "cluster/stream/byte_stream.h"
 #include "scene/backdrop.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 
@@ -88,13 +88,13 @@ void checkInstances(const std::vector<scene::Instance>& instances,
   }
 }
 
-void checkPicture(const scene::FramebufferPicture* picture, bool colors) {
-  require(picture, "a picture is missing");
-  const scene::Region& region = picture->region;
-  require(region.width >= 0 && region.height >= 0, "a picture has no shape");
+void checkCapture(const scene::FramebufferCapture* capture, bool colors) {
+  require(capture, "an image is missing");
+  const scene::Region& region = capture->region;
+  require(region.width >= 0 && region.height >= 0, "an image has no shape");
   const auto pixels = static_cast<uint64_t>(region.width) * static_cast<uint64_t>(region.height);
-  require(picture->colors.size() == (colors ? pixels : 0) && picture->depths.size() == pixels,
-          "a picture has other pixels than its shape says");
+  require(capture->colors.size() == (colors ? pixels : 0) && capture->depths.size() == pixels,
+          "an image has other pixels than its shape says");
 }
 
 }  // namespace
@@ -103,15 +103,16 @@ void check(const scene::Snapshot& snapshot) {
   checkPixels(snapshot);
   checkShadings(snapshot.shadings);
   checkInstances(snapshot.instances, snapshot.shadings);
-  if (!snapshot.surroundings) return;
-  const scene::Surroundings& around = *snapshot.surroundings;
-  require(around.blended.size() == around.instances.size(), "surroundings do not fit each other");
-  require(around.pictured.size() <= around.instances.size(), "more surfaces are pictured than there are");
-  for (const scene::Pictured& one : around.pictured)
-    require(one.picture == scene::Pictured::kNone || one.picture < around.pictures.size(),
-            "a surface has no picture");
-  for (const auto& picture : around.pictures) checkPicture(picture.get(), true);
-  if (around.framebuffer) checkPicture(around.framebuffer.get(), false);
+  if (!snapshot.secondaryScene) return;
+  const scene::SecondaryScene& around = *snapshot.secondaryScene;
+  require(around.blended.size() == around.instances.size(),
+          "parts of the secondary scene do not fit each other");
+  require(around.captured.size() <= around.instances.size(), "more surfaces are captured than there are");
+  for (const scene::CapturedSurface& one : around.captured)
+    require(one.capture == scene::CapturedSurface::kNone || one.capture < around.captures.size(),
+            "a surface has no image");
+  for (const auto& capture : around.captures) checkCapture(capture.get(), true);
+  if (around.framebuffer) checkCapture(around.framebuffer.get(), false);
   checkShadings(around.shadings);
   checkInstances(around.instances, around.shadings);
 }

@@ -1,7 +1,7 @@
 #include "cluster/stream/snapshot_decoder.h"
 #include "cluster/stream/snapshot_encoder.h"
 #include "scene/backdrop.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -113,17 +113,17 @@ scene::Snapshot snapshot() {
   const scene::MeshPtr mesh = twoTriangles();
   s.instances = {instanceOf(mesh), instanceOf(twoTriangles()), instanceOf(mesh)};
   s.instances[2].shading = 1;
-  auto around = std::make_shared<scene::Surroundings>();
+  auto around = std::make_shared<scene::SecondaryScene>();
   around->shadings = {shading()};
   around->instances = {instanceOf(mesh)};
   around->blended = {1};
-  auto picture = std::make_shared<scene::FramebufferPicture>();
-  picture->region = {1, 2, 2, 1}, picture->depthFar = 0.5f, picture->offset.units = 3;
-  picture->colors = {1, 2}, picture->depths = {0.25f, scene::FramebufferPicture::kNothing};
-  picture->content = {5, 6};
-  around->pictures = {picture};
-  around->pictured = {{0, glm::dmat4(2)}};
-  s.surroundings = around;
+  auto capture = std::make_shared<scene::FramebufferCapture>();
+  capture->region = {1, 2, 2, 1}, capture->depthFar = 0.5f, capture->offset.units = 3;
+  capture->colors = {1, 2}, capture->depths = {0.25f, scene::FramebufferCapture::kNothing};
+  capture->content = {5, 6};
+  around->captures = {capture};
+  around->captured = {{0, glm::dmat4(2)}};
+  s.secondaryScene = around;
   s.backdrop = std::make_shared<const scene::Backdrop>(scene::Backdrop{std::vector<uint8_t>(6, 1)});
   s.settings.ao.enabled = true;
   s.settings.ao.samples = 9;
@@ -181,10 +181,10 @@ TEST(SnapshotStream, ValuesArrive) {
   EXPECT_EQ(got.mesh->corner(1, 2), 3u);
   EXPECT_EQ(scene::fetch(got.triangleColors, got.triangleOffset + 1), scene::fetch(wanted.triangleColors, 4));
   EXPECT_EQ(got.triangleEdges.data[got.triangleOffset + 1], std::byte{5});
-  EXPECT_EQ(read->surroundings->blended, s.surroundings->blended);
-  EXPECT_TRUE(scene::isSamePictured(*read->surroundings, *s.surroundings));
-  const scene::FramebufferPicture &seen = *read->surroundings->pictures[0],
-                                  &sent = *s.surroundings->pictures[0];
+  EXPECT_EQ(read->secondaryScene->blended, s.secondaryScene->blended);
+  EXPECT_TRUE(scene::haveSameCaptures(*read->secondaryScene, *s.secondaryScene));
+  const scene::FramebufferCapture &seen = *read->secondaryScene->captures[0],
+                                  &sent = *s.secondaryScene->captures[0];
   EXPECT_EQ(seen.region, sent.region);
   EXPECT_EQ(seen.offset, sent.offset);
   EXPECT_EQ(seen.depthFar, sent.depthFar);
@@ -215,8 +215,8 @@ TEST(SnapshotStream, EqualContentIsSentAndKeptOnce) {
   const scene::SnapshotPtr first = ends.sent(s);
   const size_t arrays = ends.arrays.size();
   EXPECT_EQ(first->instances[0].mesh, first->instances[1].mesh);  // two meshes of equal content
-  EXPECT_EQ(first->instances[0].mesh, first->surroundings->instances[0].mesh);
-  EXPECT_EQ(first->shadings[0].textures[0].image, first->surroundings->shadings[0].textures[1].image);
+  EXPECT_EQ(first->instances[0].mesh, first->secondaryScene->instances[0].mesh);
+  EXPECT_EQ(first->shadings[0].textures[0].image, first->secondaryScene->shadings[0].textures[1].image);
   const scene::SnapshotPtr second = ends.sent(snapshot());
   EXPECT_EQ(ends.arrays.size(), arrays);
   EXPECT_EQ(first->instances[0].mesh, second->instances[0].mesh);

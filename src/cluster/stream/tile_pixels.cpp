@@ -69,7 +69,7 @@ ImageShape readShape(ByteReader& in) {
       !inside(shape.samples, kMaxSamplesPerPixel))
     throw Malformed("no image has this size");
   const auto bits = in.get<uint8_t>();
-  for (const Planes planes : {Image::kPicture, Image::kWide, Image::kSums})
+  for (const Planes planes : {Image::kColorDepth, Image::kWide, Image::kSums})
     for (const Planes more : {planes, planes | Plane::centerDepth})
       if (bitsOf(more) == bits) return shape.planes = more, shape;
   throw Malformed("no image has these planes");

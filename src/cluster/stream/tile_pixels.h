@@ -1,4 +1,4 @@
-// Serialises the pixels of one tile, for pictures that several processes trace. Any thread.
+// Serialises the pixels of one tile, for images that several processes trace. Any thread.
 #pragma once
 #include "base/image.h"
 #include "cluster/stream/byte_stream.h"
@@ -13,7 +13,7 @@ namespace gluray::cluster {
 /// The shape of an image (base/image.h).
 struct ImageShape {
   int32_t width = 0, height = 0, samples = 1;
-  Planes planes = Image::kPicture;
+  Planes planes = Image::kColorDepth;
   size_t pixels() const {
     return static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(samples);
   }

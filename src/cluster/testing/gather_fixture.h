@@ -1,7 +1,7 @@
 // Shared by the tests of gathered parts: a scene whose parts ranks draw, and the comparison with one process.
 #pragma once
 #include "cluster/testing/program_ranks.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -36,9 +36,9 @@ struct GatherFixture : testing::Test {
   static void expectGathered(WorkerJob& job, ProgramRanks& programs, const scene::Snapshot& all, int ranks) {
     std::vector<int> everyone;
     for (int rank = 0; rank < ranks; ++rank) everyone.push_back(rank);
-    const Image whole = expectedPicture(partsOf(all, everyone, ranks));
-    const std::vector<Image> pictures = programs.pictures(all);
-    for (const Image& picture : pictures) EXPECT_EQ(differing(picture, whole), 0) << job.said();
+    const Image whole = expectedImage(partsOf(all, everyone, ranks));
+    const std::vector<Image> images = programs.images(all);
+    for (const Image& image : images) EXPECT_EQ(differing(image, whole), 0) << job.said();
     EXPECT_TRUE(programs.allByWorkers());
   }
   RuntimeFolder folder_;

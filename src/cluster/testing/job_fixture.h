@@ -113,7 +113,7 @@ struct Program {
             },
             [this](const std::string& line) { said += line + "\n"; }) {}
 
-  Image picture(const scene::Snapshot& snapshot, uint32_t missColor = 0) {
+  Image image(const scene::Snapshot& snapshot, uint32_t missColor = 0) {
     Image image;
     image.missColor = missColor;
     std::string error;
@@ -130,8 +130,8 @@ struct Program {
   int tracedHere = 0;
   std::string said;
   scene::TraceCost cost;
-  bool shows = true, finishes = true;  // each picture, which is the last pass
-  bool completes = false;              // makes a complete picture before the other ranks get theirs
+  bool shows = true, finishes = true;  // each image, which is the last pass
+  bool completes = false;              // makes a complete image before the other ranks get theirs
   Image complete;
   RemoteTracer tracer;
 };
@@ -144,7 +144,7 @@ inline scene::Snapshot plainScene(int size = 150) {
 }
 
 /// As this process traces it.
-inline Image expectedPicture(const scene::Snapshot& snapshot, uint32_t missColor = 0) {
+inline Image expectedImage(const scene::Snapshot& snapshot, uint32_t missColor = 0) {
   frame::Renderer renderer;
   Image image;
   image.missColor = missColor;

@@ -1,4 +1,4 @@
-// A sort-last program: ranks that draw parts of one scene, and a picture composed of theirs. For tests.
+// A sort-last program: ranks that draw parts of one scene, and an image composed of theirs. For tests.
 #pragma once
 #include "cluster/testing/job_fixture.h"
 #include "render/testing/lit_wall.h"
@@ -48,16 +48,16 @@ class ProgramRanks {
   }
   ProgramRanks(const std::string& directory, int ranks) : ProgramRanks(directory, ranks, ranks) {}
 
-  /// Each rank's picture of its part of the scene, traced at the same time.
-  std::vector<Image> pictures(const std::vector<scene::Snapshot>& parts) {
+  /// Each rank's image of its part of the scene, traced at the same time.
+  std::vector<Image> images(const std::vector<scene::Snapshot>& parts) {
     std::vector<std::future<Image>> coming;
     for (size_t i = 0; i < parts.size(); ++i)
-      coming.push_back(std::async(std::launch::async, [&, i] { return programs_[i]->picture(parts[i]); }));
+      coming.push_back(std::async(std::launch::async, [&, i] { return programs_[i]->image(parts[i]); }));
     std::vector<Image> images;
     for (auto& one : coming) images.push_back(one.get());
     return images;
   }
-  std::vector<Image> pictures(const scene::Snapshot& all) { return pictures(partsOfAll(all)); }
+  std::vector<Image> images(const scene::Snapshot& all) { return images(partsOfAll(all)); }
   std::vector<scene::Snapshot> partsOfAll(const scene::Snapshot& all) const {
     std::vector<scene::Snapshot> parts;
     for (size_t i = 0; i < programs_.size(); ++i) parts.push_back(partOf(all, static_cast<int>(i), ranks_));
@@ -74,7 +74,7 @@ class ProgramRanks {
   std::vector<std::unique_ptr<Program>> programs_;
 };
 
-/// As IceT composes opaque pictures.
+/// As IceT composes opaque images.
 inline Image composed(std::vector<Image> images) {
   Image all = std::move(images[0]);
   for (size_t k = 1; k < images.size(); ++k)
@@ -86,7 +86,7 @@ inline Image composed(std::vector<Image> images) {
   return all;
 }
 
-/// Where IceT takes pixels of a rank's picture from: the box of the rank's data, on the screen.
+/// Where IceT takes pixels of a rank's image from: the box of the rank's data, on the screen.
 inline glm::ivec4 boxOf(const scene::Snapshot& part) {
   glm::dvec3 lower(1e300), upper(-1e300);
   for (const scene::Instance& instance : part.instances)
@@ -108,7 +108,7 @@ inline glm::ivec4 boxOf(const scene::Snapshot& part) {
   return {glm::max(least, glm::dvec2(0)), glm::min(most, glm::dvec2(region.width, region.height))};
 }
 
-/// As IceT composes the pictures of these parts. Returns how many pixels lie in no part's box.
+/// As IceT composes the images of these parts. Returns how many pixels lie in no part's box.
 inline int cropToBoxes(std::vector<Image>& images, const std::vector<scene::Snapshot>& parts) {
   std::vector<uint8_t> inside(images[0].depth.size());
   for (size_t k = 0; k < images.size(); ++k) {

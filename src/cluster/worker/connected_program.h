@@ -4,7 +4,7 @@
 #include "cluster/local/line.h"
 #include "cluster/local/sealed_memory.h"
 #include "cluster/messages/program_messages.h"
-#include "cluster/worker/picture.h"
+#include "cluster/worker/requested_image.h"
 #include "frame/tracing/pace.h"
 
 #include <atomic>
@@ -37,18 +37,18 @@ class ConnectedProgram {
   std::vector<Hash128> newArrays;  // since the last request
   std::optional<TraceRequest> request;
   using Share = PartGatherer::Share;
-  Share share = Share::whole;  // this rank's share of the picture; whole for programs with one process
+  Share share = Share::whole;  // this rank's share of the image; whole for programs with one process
   bool isGathering() const { return share == Share::awaited; }
-  /// Whether its picture is requested but not begun.
+  /// Whether its image is requested but not begun.
   bool isWaiting() const { return isGathering() || paging.job != 0; }
   bool isWhole() const { return share == Share::whole; }
-  /// Enlarges `memory` for a picture, and announces it to the program.
+  /// Enlarges `memory` for an image, and announces it to the program.
   void makeRoom(size_t bytes) {
     if (bytes <= memory.bytes) return;
     memory = writtenMemory(bytes);
-    send(PictureMemory{memory.bytes}, memory.memory.get());
+    send(ImageMemory{memory.bytes}, memory.memory.get());
   }
-  /// Its pictures show the geometry of all ranks, so that all workers need it.
+  /// Its images show the geometry of all ranks, so that all workers need it.
   bool spreads = true;
   int ranks = 1;            // of the program
   uint64_t arrayBytes = 0;  // of `arrays`
@@ -59,9 +59,9 @@ class ConnectedProgram {
   };
   Paging paging;
   std::optional<TraceRequest> paged;  // `request`, its geometry in pages
-  /// The request with its geometry for gathered pictures.
+  /// The request with its geometry for gathered images.
   const TraceRequest& given() const { return paged ? *paged : *request; }
-  std::optional<Picture> picture;
+  std::optional<RequestedImage> image;
   WrittenMemory memory;
   std::map<uint64_t, std::vector<float>> costs;  // of tiles, by view
   struct Animation {
@@ -69,7 +69,7 @@ class ConnectedProgram {
     uint32_t frames = 0;
   };
   std::map<uint64_t, Animation> animations;  // by view
-  std::optional<Hash128> film;               // array of the moving picture that is at work
+  std::optional<Hash128> visibility;         // array of the moving image that is at work
   double saidAtWork = 0;
 
  private:

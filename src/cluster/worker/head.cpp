@@ -26,20 +26,20 @@ Head::Head(Ranks& ranks, ArrayStore& store, ArrayIntake& intake, PageMaker& page
       states_(ranks.size(), ranks.rank(), threads) {}
 
 bool Head::isBusy() const {
-  return std::ranges::any_of(
-      programs_, [](const ConnectedProgram& p) { return p.picture.has_value() || p.isWaiting(); });
+  return std::ranges::any_of(programs_,
+                             [](const ConnectedProgram& p) { return p.image.has_value() || p.isWaiting(); });
 }
 
-ConnectedProgram* Head::programOf(uint64_t picture) {
+ConnectedProgram* Head::programOf(uint64_t image) {
   const auto found = std::ranges::find_if(
-      programs_, [&](const ConnectedProgram& p) { return p.picture && p.picture->id() == picture; });
+      programs_, [&](const ConnectedProgram& p) { return p.image && p.image->id() == image; });
   return found == programs_.end() ? nullptr : &*found;
 }
 
 void Head::ask(ConnectedProgram& program, double now) {
   const TraceRequest& request = *program.request;
   if (request.width < 1 || request.height < 1 || request.width > 65536 || request.height > 65536)
-    throw Malformed("no picture has this size");
+    throw Malformed("no image has this size");
   program.paged.reset();
   if (needsPages(program)) return makePages(program, now);
   if (program.spreads) spreadAll(program);
@@ -66,9 +66,9 @@ void Head::gather(ConnectedProgram& program, double now) {
 TraceOrder Head::orderOf(ConnectedProgram& program, bool averages) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   TraceOrder order;
-  order.id = lastPicture_, order.averages = averages;
-  order.shared = program.picture->kind() != Picture::Kind::alone;
-  if (program.picture->kind() == Picture::Kind::moving) order.film = filmOrderOf(program);
+  order.id = lastImage_, order.averages = averages;
+  order.shared = program.image->kind() != RequestedImage::Kind::alone;
+  if (program.image->kind() == RequestedImage::Kind::moving) order.moving = movingOrderOf(program);
   order.meetsPeers = request.meetsPeers && program.share == Share::own;
   order.missColor = request.missColor;
   order.needs = program.isWhole() && program.paged ? request.arrays : program.newArrays,
@@ -86,18 +86,18 @@ void Head::start(ConnectedProgram& program, bool averages, double now) {
   start(program, kindOf(program), averages, now);
 }
 
-void Head::start(ConnectedProgram& program, Picture::Kind kind, bool averages, double now) {
+void Head::start(ConnectedProgram& program, RequestedImage::Kind kind, bool averages, double now) {
   const TraceRequest& request = program.isWhole() ? program.given() : *program.request;
   if (program.costs.size() > kMaxViews) program.costs.clear(), program.animations.clear();
-  program.picture.emplace(request, ++lastPicture_, averages, states_, program.costs[request.view], kind, now);
-  const Picture& picture = *program.picture;
+  program.image.emplace(request, ++lastImage_, averages, states_, program.costs[request.view], kind, now);
+  const RequestedImage& image = *program.image;
   const TraceOrder order = orderOf(program, averages);
-  // What is not here yet may be missed by the next picture, too, if this one is cancelled.
+  // What is not here yet may be missed by the next image, too, if this one is cancelled.
   std::erase_if(program.newArrays, [&](const Hash128& name) { return holders_[name].here; });
   program.saidAtWork = now;
   if (!program.isWhole()) return peers_.trace(program.peer, order, request.shown);
   for (int rank = 0; rank < ranks_.size(); ++rank) {
-    if (!picture.takesPart(rank)) continue;
+    if (!image.takesPart(rank)) continue;
     ranks_.send(rank, forRanks(order));
     states_.asked(rank, now);
   }
@@ -106,37 +106,37 @@ void Head::start(ConnectedProgram& program, Picture::Kind kind, bool averages, d
 
 void Head::giveTiles(ConnectedProgram& program) {
   if (!program.isWhole()) return;
-  for (int rank = 0; rank < ranks_.size(); ++rank) giveTiles(*program.picture, rank);
+  for (int rank = 0; rank < ranks_.size(); ++rank) giveTiles(*program.image, rank);
 }
 
-void Head::giveTiles(Picture& picture, int rank) {
-  if (!picture.takesPart(rank)) return;
-  const std::vector<int> tiles = picture.more(rank);
-  if (!tiles.empty()) ranks_.send(rank, forRanks(MoreTiles{picture.id(), tiles}));
+void Head::giveTiles(RequestedImage& image, int rank) {
+  if (!image.takesPart(rank)) return;
+  const std::vector<int> tiles = image.more(rank);
+  if (!tiles.empty()) ranks_.send(rank, forRanks(MoreTiles{image.id(), tiles}));
 }
 
 void Head::receive(int rank, const TracedTile& tile, double now) {
   states_.heard(rank, now);
   ConnectedProgram* const program = programOf(tile.id);
   if (!program) return;
-  Picture& picture = *program->picture;
-  const bool wasTraced = picture.isTraced();
+  RequestedImage& image = *program->image;
+  const bool wasTraced = image.isTraced();
   try {
     bool grew = false;
-    picture.addTile(rank, tile, program->memory, grew, now);
-    if (grew) program->send(PictureMemory{program->memory.bytes}, program->memory.memory.get());
+    image.addTile(rank, tile, program->memory, grew, now);
+    if (grew) program->send(ImageMemory{program->memory.bytes}, program->memory.memory.get());
   } catch (const Malformed&) {
-    picture.drop(rank);
+    image.drop(rank);
     return goOn(*program, now);
   }
-  if (picture.isSeenThrough() && picture.averages()) {
+  if (image.isSeenThrough() && image.averages()) {
     end(*program);
     return start(*program, false, now);
   }
-  if (!picture.isTraced()) {
-    if (picture.isCollected()) return goOn(*program, now);
+  if (!image.isTraced()) {
+    if (image.isCollected()) return goOn(*program, now);
     // The other ranks have as much as before.
-    if (program->isWhole()) giveTiles(picture, rank);
+    if (program->isWhole()) giveTiles(image, rank);
     return;
   }
   if (!wasTraced) end(*program);
@@ -147,8 +147,8 @@ void Head::receive(int rank, const Finished& result, double now) {
   states_.heard(rank, now);
   ConnectedProgram* const program = programOf(result.id);
   if (!program) return;
-  program->picture->finished(rank, result);
-  if (!program->picture->isTraced()) goOn(*program, now);  // it may have failed, and others have its tiles
+  program->image->finished(rank, result);
+  if (!program->image->isTraced()) goOn(*program, now);  // it may have failed, and others have its tiles
   finish(*program, now);
 }
 
@@ -158,34 +158,34 @@ void Head::receive(int rank, const Alive& alive, double now) {
 }
 
 void Head::end(ConnectedProgram& program) {
-  forgetFilm(program);
-  const Picture& picture = *program.picture;
-  if (!program.isWhole()) return peers_.end(program.peer, picture.id());
-  // Only to ranks that have it: a stopped rank would find the ends of all pictures made meanwhile.
+  forgetVisibility(program);
+  const RequestedImage& image = *program.image;
+  if (!program.isWhole()) return peers_.end(program.peer, image.id());
+  // Only to ranks that have it: a stopped rank would find the ends of all images made meanwhile.
   for (int rank = 0; rank < ranks_.size(); ++rank)
-    if (picture.asks(rank)) ranks_.send(rank, forRanks(EndOfPicture{picture.id()}));
+    if (image.asks(rank)) ranks_.send(rank, forRanks(EndOfImage{image.id()}));
 }
 
-void Head::endPicture(ConnectedProgram& program, double now) {
-  if (program.picture) end(program);
+void Head::endImage(ConnectedProgram& program, double now) {
+  if (program.image) end(program);
   endPages(program);
-  program.picture.reset();
+  program.image.reset();
   if (program.isGathering()) program.share = Share::own;
   if (program.peer) peers_.gatherer(program.peer).end(false, now);
 }
 
-/// The picture must be traced anew, with other parts: at the next tick.
+/// The image must be traced anew, with other parts: at the next tick.
 bool Head::lacksParts(const ConnectedProgram& program) const {
   return program.isWhole() && program.peer && peers_.gatherer(program.peer).isLost();
 }
 
 void Head::finish(ConnectedProgram& program, double now) {
-  const Picture& picture = *program.picture;
-  if (picture.error().empty() && !picture.isDone()) return;
+  const RequestedImage& image = *program.image;
+  if (image.error().empty() && !image.isDone()) return;
   if (lacksParts(program)) return;
-  program.costs[program.request->view] = picture.costs();
-  PictureDone result = picture.result(now);
-  if (picture.hasFilm()) {
+  program.costs[program.request->view] = image.costs();
+  ImageDone result = image.result(now);
+  if (image.hasVisibility()) {
     ConnectedProgram::Animation& animation = program.animations[program.request->view];
     ++animation.frames;
     animation.pace.took(result.cost.traceSeconds, 1 / static_cast<double>(program.request->fps));
@@ -195,35 +195,35 @@ void Head::finish(ConnectedProgram& program, double now) {
     result.note = peers_.gatherer(program.peer).whyOwn();
   program.send(result);
   if (result.gathered) peers_.gatherer(program.peer).end(true, now);
-  endPicture(program, now);
+  endImage(program, now);
 }
 
 void Head::tick(double now) {
   for (ConnectedProgram& program : programs_) {
-    if (program.picture && lacksParts(program)) {
+    if (program.image && lacksParts(program)) {
       end(program);
-      program.picture.reset();
+      program.image.reset();
       program.share = Share::awaited;
     }
     if (program.isGathering()) gather(program, now);
     sayAtWork(program, now);
-    if (!program.picture) continue;
-    Picture& picture = *program.picture;
+    if (!program.image) continue;
+    RequestedImage& image = *program.image;
     bool passedOn = false;
     for (int rank = 0; rank < ranks_.size(); ++rank) {
-      if (!picture.takesPart(rank) || !states_.isOverdue(rank, now)) continue;
+      if (!image.takesPart(rank) || !states_.isOverdue(rank, now)) continue;
       leaveOut(rank);
-      picture.drop(rank);
+      image.drop(rank);
       passedOn = true;
     }
-    for (const int rank : picture.passOnSlow(now)) leaveOut(rank), passedOn = true;
+    for (const int rank : image.passOnSlow(now)) leaveOut(rank), passedOn = true;
     if (passedOn) goOn(program, now);
-    if (!picture.error().empty()) finish(program, now);
+    if (!image.error().empty()) finish(program, now);
   }
 }
 
 void Head::sayAtWork(ConnectedProgram& program, double now) {
-  if (!(program.picture || program.isWaiting()) || now - program.saidAtWork <= kAtWorkEvery) return;
+  if (!(program.image || program.isWaiting()) || now - program.saidAtWork <= kAtWorkEvery) return;
   program.saidAtWork = now;
   program.send(AtWork{program.request->id});
   if (program.peer) peers_.gatherer(program.peer).atWork(now);

@@ -1,5 +1,5 @@
 // The head of the programs that are connected to this rank: receives their snapshots and arrays, distributes
-// their pictures over the ranks, and returns the results. The worker's main thread.
+// their images over the ranks, and returns the results. The worker's main thread.
 #pragma once
 #include "cluster/arrays/array_intake.h"
 #include "cluster/arrays/array_store.h"
@@ -36,13 +36,13 @@ class Head {
   void receive(const ArrayChecked& checked);
   void receive(const PagesMade& made, double now);
   void receive(int rank, const TracedTile& tile, double now);
-  void receive(int rank, const FilmTile& tile, double now);
+  void receive(int rank, const CollectedTile& tile, double now);
   void receive(int rank, const Finished& result, double now);
   void receive(int rank, const Alive& alive, double now);
   void takeCaughtUp(int rank, double now) { states_.heard(rank, now); }
   /// Detects silent ranks, and sends signs of life to programs. Call at least ten times a second.
   void tick(double now);
-  /// Whether a picture is being traced.
+  /// Whether an image is being traced.
   bool isBusy() const;
   size_t programs() const { return programs_.size(); }
 
@@ -64,7 +64,7 @@ class Head {
   void spreadAll(ConnectedProgram& program);
   void forget(ConnectedProgram& program, const std::vector<Hash128>& names);
   void ask(ConnectedProgram& program, double now);
-  /// Starts the picture, after the snapshot has been divided into pages if necessary.
+  /// Starts the image, after the snapshot has been divided into pages if necessary.
   void askNow(ConnectedProgram& program, double now);
   /// Whether the program's geometry, with its structures, is larger than the memory of a rank.
   bool isLarge(const ConnectedProgram& program) const;
@@ -73,35 +73,35 @@ class Head {
   void endPages(ConnectedProgram& program);
   /// Sends only these arrays of the program to all ranks.
   void spreadOnly(ConnectedProgram& program, const std::vector<Hash128>& names);
-  /// Starts the picture once this rank's share is decided.
+  /// Starts the image once this rank's share is decided.
   void gather(ConnectedProgram& program, double now);
   void start(ConnectedProgram& program, bool averages, double now);
-  void start(ConnectedProgram& program, Picture::Kind kind, bool averages, double now);
+  void start(ConnectedProgram& program, RequestedImage::Kind kind, bool averages, double now);
   TraceOrder orderOf(ConnectedProgram& program, bool averages);
-  Picture::Kind kindOf(const ConnectedProgram& program) const;
-  static FilmOrder filmOrderOf(ConnectedProgram& program);
+  RequestedImage::Kind kindOf(const ConnectedProgram& program) const;
+  static MovingOrder movingOrderOf(ConnectedProgram& program);
   /// Assigns further tiles after tiles have arrived or ranks were lost.
   void goOn(ConnectedProgram& program, double now);
-  /// Sends the film of a moving picture after all tiles were collected, so that ranks colour their tiles.
-  void giveFilm(ConnectedProgram& program, double now);
-  void broadcastFilm(ConnectedProgram& program, const Array& film);
-  void forgetFilm(ConnectedProgram& program);
-  /// Traces the picture again on this rank only.
+  /// Sends the film of a moving image after all tiles were collected, so that ranks colour their tiles.
+  void giveVisibility(ConnectedProgram& program, double now);
+  void broadcastVisibility(ConnectedProgram& program, const Array& visibility);
+  void forgetVisibility(ConnectedProgram& program);
+  /// Traces the image again on this rank only.
   void traceAlone(ConnectedProgram& program, double now);
   void giveTiles(ConnectedProgram& program);
-  void giveTiles(Picture& picture, int rank);
+  void giveTiles(RequestedImage& image, int rank);
   void end(ConnectedProgram& program);
-  void endPicture(ConnectedProgram& program, double now);
+  void endImage(ConnectedProgram& program, double now);
   bool lacksParts(const ConnectedProgram& program) const;
-  /// Sends the finished picture to the program.
+  /// Sends the finished image to the program.
   void finish(ConnectedProgram& program, double now);
-  /// Sends the program the picture of another rank's program.
+  /// Sends the program the image of another rank's program.
   void giveShown(ConnectedProgram& program);
-  void takeShown(ConnectedProgram& program, const PictureShown& shown, const control::Descriptor& memory);
+  void takeShown(ConnectedProgram& program, const ImageShown& shown, const control::Descriptor& memory);
   void sayAtWork(ConnectedProgram& program, double now);
   void leaveOut(int rank);
   void leave(ConnectedProgram& program, double now);
-  ConnectedProgram* programOf(uint64_t picture);
+  ConnectedProgram* programOf(uint64_t image);
 
   Ranks& ranks_;
   ArrayStore& store_;
@@ -114,7 +114,7 @@ class Head {
   RankStates states_;
   std::list<ConnectedProgram> programs_;
   std::unordered_map<Hash128, Holders> holders_;  // of each array
-  uint64_t lastPicture_ = 0, lastCheck_ = 0, lastPaging_ = 0;
+  uint64_t lastImage_ = 0, lastCheck_ = 0, lastPaging_ = 0;
 };
 
 }  // namespace gluray::cluster

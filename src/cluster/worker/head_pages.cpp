@@ -53,9 +53,9 @@ void Head::receive(const PagesMade& made, double now) {
   ConnectedProgram& program = *found;
   program.paging.job = 0;
   if (!made.error.empty()) {
-    PictureDone failed;
+    ImageDone failed;
     failed.id = program.request->id, failed.error = made.error;
-    failed.shape = {1, 1, 1, Image::kPicture};
+    failed.shape = {1, 1, 1, Image::kColorDepth};
     return program.send(failed);
   }
   program.paged = program.request;

@@ -53,15 +53,15 @@ void Head::handle(ConnectedProgram& program, const Message& message, double now)
       return takeArray(program, as(ArrayComes{}), message.attached);
     case ArraysGo::kType: return forget(program, as(ArraysGo{}).names);
     case TraceRequest::kType:
-      endPicture(program, now);
+      endImage(program, now);
       program.request = as(TraceRequest{});
       return ask(program, now);
     case Cancel::kType:
-      if (!(program.picture || program.isWaiting()) || program.request->id != as(Cancel{}).id) return;
-      endPicture(program, now);
+      if (!(program.image || program.isWaiting()) || program.request->id != as(Cancel{}).id) return;
+      endImage(program, now);
       return program.send(
-          PictureDone{program.request->id, false, false, false, "", "", {1, 1, 1, Image::kPicture}, {}, {}});
-    case PictureShown::kType: return takeShown(program, as(PictureShown{}), message.attached);
+          ImageDone{program.request->id, false, false, false, "", "", {1, 1, 1, Image::kColorDepth}, {}, {}});
+    case ImageShown::kType: return takeShown(program, as(ImageShown{}), message.attached);
     case JobQuestion::kType: as(JobQuestion{}); return inquiry_.ask(program, now);
     default: throw Malformed("its kind is not known");
   }
@@ -84,7 +84,7 @@ void Head::greet(ConnectedProgram& program, const Hello& hello) {
 }
 
 void Head::leave(ConnectedProgram& program, double now) {
-  endPicture(program, now);
+  endImage(program, now);
   if (program.paging.number) pages_.forget(program.paging.number);
   if (program.peer) peers_.remove(program.peer);
   inquiry_.forget(program);

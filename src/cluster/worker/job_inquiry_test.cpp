@@ -79,16 +79,16 @@ TEST_F(JobInquiryTest, WhoeverAsksAndGoesHoldsNobodyUp) {
   EXPECT_TRUE(facts->ranks[1].answered);
 }
 
-TEST_F(JobInquiryTest, PicturesGoOnMeanwhile) {
+TEST_F(JobInquiryTest, ImagesGoOnMeanwhile) {
   test::WorkerJob job(directory_, 3);
   const scene::Snapshot snapshot = frame::test::litScene(frame::test::Hides::some, 100);
-  const Image expected = test::expectedPicture(snapshot);
+  const Image expected = test::expectedImage(snapshot);
   std::atomic<bool> over{false};
   std::thread asker([&] {
     while (!over) EXPECT_TRUE(ask()) << why_;
   });
   test::Program program(directory_);
-  for (int i = 0; i < 20; ++i) test::expectSame(program.picture(snapshot), expected);
+  for (int i = 0; i < 20; ++i) test::expectSame(program.image(snapshot), expected);
   over = true;
   asker.join();
   EXPECT_EQ(program.tracedHere, 0) << program.said;

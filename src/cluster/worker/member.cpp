@@ -35,12 +35,12 @@ void Member::receive(int head, const MoreTiles& tiles) {
     found->second->add(tiles.tiles);
 }
 
-void Member::receive(int head, FilmComes film) {
-  if (const auto found = queues_.find({head, film.id}); found != queues_.end())
-    found->second->filmComes(std::move(film));
+void Member::receive(int head, VisibilityReady visibility) {
+  if (const auto found = queues_.find({head, visibility.id}); found != queues_.end())
+    found->second->setVisibility(std::move(visibility));
 }
 
-void Member::receive(int head, const EndOfPicture& end) {
+void Member::receive(int head, const EndOfImage& end) {
   const auto found = queues_.find({head, end.id});
   if (found == queues_.end()) return;
   found->second->close();

@@ -24,18 +24,18 @@ class Member {
 
   void receive(int head, TraceOrder order, double now);
   void receive(int head, const MoreTiles& tiles);
-  void receive(int head, FilmComes film);
-  void receive(int head, const EndOfPicture& end);
+  void receive(int head, VisibilityReady visibility);
+  void receive(int head, const EndOfImage& end);
   void receive(int head, const Forget& forget);
   /// Handles a request as the rank that orders broadcasts.
   void receive(int root, const TurnWanted& wanted);
   void receive(const Turn& turn);
-  /// Sends signs of life to the heads of its pictures. Call at least ten times a second.
+  /// Sends signs of life to the heads of its images. Call at least ten times a second.
   void tick(double now);
   bool isBusy() const { return !queues_.empty(); }
 
  private:
-  using Key = std::pair<int, uint64_t>;  // head, picture
+  using Key = std::pair<int, uint64_t>;  // head, image
 
   Ranks& ranks_;
   ArrayStore& store_;

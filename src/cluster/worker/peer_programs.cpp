@@ -52,17 +52,17 @@ void PeerPrograms::tellAll(const Local& local, bool here) {
 
 void PeerPrograms::trace(uint64_t number, TraceOrder order, const ViewName& shown) {
   Local& local = locals_.at(number);
-  local.picture = order.id;
+  local.image = order.id;
   local.tiles = std::make_shared<TileQueue>(ranks_.rank(), order.id, outbox_);
   local.exchange->announce(order.meetsPeers ? std::optional(shown) : std::nullopt);
   local.thread->add({ranks_.rank(), std::move(order), local.tiles});
 }
 
-void PeerPrograms::end(uint64_t number, uint64_t picture) {
+void PeerPrograms::end(uint64_t number, uint64_t image) {
   const auto found = locals_.find(number);
-  if (found == locals_.end() || found->second.picture != picture) return;
+  if (found == locals_.end() || found->second.image != image) return;
   Local& local = found->second;
-  local.picture = 0;
+  local.image = 0;
   std::exchange(local.tiles, nullptr)->close();
   local.exchange->cancel();
   store_.wake();
@@ -120,7 +120,7 @@ bool PeerPrograms::receive(int from, uint16_t type, std::span<const std::byte> b
     case PartComes::kType: return to(&Local::gatherer, PartComes{});
     case PartGiven::kType: return to(&Local::gatherer, PartGiven{});
     case PartDone::kType: return to(&Local::gatherer, PartDone{});
-    case PartPicture::kType: return to(&Local::gatherer, PartPicture{});
+    case PartImage::kType: return to(&Local::gatherer, PartImage{});
     case PartGone::kType: return to(&Local::gatherer, PartGone{});
     case PartAtWork::kType: return to(&Local::gatherer, PartAtWork{});
     default: return false;
@@ -133,7 +133,7 @@ void PeerPrograms::tick(double now) {
 
 bool PeerPrograms::isBusy() const {
   for (const auto& [number, local] : locals_)
-    if (local.picture != 0) return true;
+    if (local.image != 0) return true;
   return false;
 }
 

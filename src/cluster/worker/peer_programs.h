@@ -33,8 +33,8 @@ class PeerPrograms {
   uint64_t add(const Hash128& program, int rank, int ranks);
   void remove(uint64_t number);
   void trace(uint64_t number, TraceOrder order, const ViewName& shown);
-  /// Ends tracing of the picture.
-  void end(uint64_t number, uint64_t picture);
+  /// Ends tracing of the image.
+  void end(uint64_t number, uint64_t image);
   /// The gatherer of that rank.
   PartGatherer& gatherer(uint64_t number) { return *locals_.at(number).gatherer; }
   /// Handles a message of rank `from` of the job. Returns false if it is for another receiver. Throws
@@ -50,7 +50,7 @@ class PeerPrograms {
     std::unique_ptr<PeerExchange> exchange;
     std::unique_ptr<PartGatherer> gatherer;
     std::unique_ptr<TracingThread> thread;
-    uint64_t picture = 0;  // that is traced; 0: none
+    uint64_t image = 0;  // that is traced; 0: none
     std::shared_ptr<TileQueue> tiles;
   };
   Local* find(const PeerAddress& address);

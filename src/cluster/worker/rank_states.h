@@ -35,7 +35,7 @@ class RankStates {
     for (const State& state : states_) sum += state.threads;
     return sum;
   }
-  /// Ranks for tracing a picture; `alone`: only this rank.
+  /// Ranks for tracing an image; `alone`: only this rank.
   std::vector<Tracer> tracers(bool alone) const {
     std::vector<Tracer> all;
     for (int rank = 0; rank < size(); ++rank) {
@@ -46,7 +46,7 @@ class RankStates {
   }
 
  private:
-  static constexpr double kPatience = 1;  // seconds; ranks that work on a picture say so more often
+  static constexpr double kPatience = 1;  // seconds; ranks that work on an image say so more often
   struct State {
     int threads = 1;
     double heard = 0;

@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "cluster/gather/merged.h"
 #include "cluster/pages/paged_tiles.h"
-#include "cluster/worker/film/film_tiles.h"
+#include "cluster/worker/moving/moving_tiles.h"
 #include "render/moving/moving_frame.h"
 
 #include <exception>
@@ -99,7 +99,7 @@ void TracingThread::send(const Task& task, Finished& result) {
 }
 
 void TracingThread::render(const Task& task, const scene::Snapshot& snapshot, Finished& result) {
-  if (task.order.film.moving) return renderMoving(task, snapshot, result);
+  if (task.order.moving.isMoving) return renderMoving(task, snapshot, result);
   if (!pages_) return renderHere(task, snapshot, *task.tiles, result);
   pages_->begin([&] { return task.tiles->isClosed(); });
   PagedTiles tiles(*task.tiles, *pages_);
@@ -108,8 +108,8 @@ void TracingThread::render(const Task& task, const scene::Snapshot& snapshot, Fi
 }
 
 void TracingThread::renderMoving(const Task& task, const scene::Snapshot& snapshot, Finished& result) {
-  const FilmOrder& order = task.order.film;
-  FilmTiles tiles(*task.tiles, store_, order.index);
+  const MovingOrder& order = task.order.moving;
+  MovingTiles tiles(*task.tiles, store_, order.index);
   renderer_.renderMoving(snapshot, image_, result.cost, result.error, tiles, task.order.averages,
                          {order.raysOfPixel, order.quarter});
 }

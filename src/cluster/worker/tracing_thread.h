@@ -1,4 +1,4 @@
-// The thread that traces a worker's share of pictures, one after the other.
+// The thread that traces a worker's share of images, one after the other.
 #pragma once
 #include "cluster/arrays/array_store.h"
 #include "cluster/messages/rank_messages.h"
@@ -29,7 +29,7 @@ class TracingThread {
   /// may be null. `pages`: null: snapshots have no pages. All must outlive it.
   TracingThread(ArrayStore& store, Outbox& outbox, int threads, PeerExchange* peers = nullptr,
                 PageStore* pages = nullptr);
-  /// Waits for the current picture. All queues must be closed.
+  /// Waits for the current image. All queues must be closed.
   ~TracingThread();
   TracingThread(const TracingThread&) = delete;
   TracingThread& operator=(const TracingThread&) = delete;
@@ -55,7 +55,7 @@ class TracingThread {
   SnapshotDecoder decoder_;
   std::deque<scene::SnapshotPtr> gathered_;  // the last ones: later passes over them find their arrays
   Image image_;
-  bool sent_ = false;  // the result of the picture
+  bool sent_ = false;  // the result of the image
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<Task> tasks_;

@@ -95,9 +95,9 @@ void Worker::handle(const RankMessage& message, double now) {
       case Forget::kType: return member_.receive(from, as(Forget{}));
       case TraceOrder::kType: return member_.receive(from, as(TraceOrder{}), now);
       case MoreTiles::kType: return member_.receive(from, as(MoreTiles{}));
-      case FilmComes::kType: return member_.receive(from, as(FilmComes{}));
-      case FilmTile::kType: return head_.receive(from, as(FilmTile{}), now);
-      case EndOfPicture::kType: return member_.receive(from, as(EndOfPicture{}));
+      case VisibilityReady::kType: return member_.receive(from, as(VisibilityReady{}));
+      case CollectedTile::kType: return head_.receive(from, as(CollectedTile{}), now);
+      case EndOfImage::kType: return member_.receive(from, as(EndOfImage{}));
       case TracedTile::kType: return head_.receive(from, as(TracedTile{}), now);
       case CaughtUp::kType: as(CaughtUp{}); return head_.takeCaughtUp(from, now);
       case Finished::kType: return head_.receive(from, as(Finished{}), now);

@@ -13,7 +13,7 @@
 namespace gluray::cluster {
 namespace {
 
-using test::expectedPicture;
+using test::expectedImage;
 using test::expectSame;
 using test::plainScene;
 using test::Program;
@@ -28,8 +28,8 @@ class WorkerFaults : public testing::Test {
 TEST_F(WorkerFaults, WithoutAWorkerTheProgramTraces) {
   Program program(directory_);
   const scene::Snapshot s = plainScene();
-  expectSame(program.picture(s), expectedPicture(s));
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(program.tracedHere, 2);
   EXPECT_EQ(std::ranges::count(program.said, '\n'), 1) << program.said;
 }
@@ -39,13 +39,13 @@ TEST_F(WorkerFaults, AJobThatEndsAndComesBack) {
   const scene::Snapshot s = plainScene();
   {
     WorkerJob job(directory_, 2);
-    expectSame(program.picture(s), expectedPicture(s));
+    expectSame(program.image(s), expectedImage(s));
   }
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(program.tracedHere, 1);
   WorkerJob job(directory_, 3);
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(program.tracedHere, 1) << program.said;
 }
 
@@ -53,17 +53,17 @@ TEST_F(WorkerFaults, ARankThatIsStoppedIsLeftOutUntilItGoesOn) {
   WorkerJob job(directory_, 3);
   Program program(directory_);
   const scene::Snapshot s = plainScene();
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   job.rank(2).isDeaf = true;
   const double start = nowSeconds();
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_LT(nowSeconds() - start, 2.5);
   const double next = nowSeconds();
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_LT(nowSeconds() - next, 0.9) << "it is not waited for again";
   EXPECT_NE(job.said().find("rank 2 does not answer"), std::string::npos) << job.said();
   job.rank(2).isDeaf = false;
-  for (int i = 0; i < 3; ++i) expectSame(program.picture(s), expectedPicture(s));
+  for (int i = 0; i < 3; ++i) expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -72,7 +72,7 @@ bool takesPart(WorkerJob& job, Program& program, int rank, const scene::Snapshot
   const std::string missed = "rank " + std::to_string(rank) + " does not answer";
   const size_t before = job.said().rfind(missed);
   job.rank(rank).isDeaf = true;
-  program.picture(s);
+  program.image(s);
   job.rank(rank).isDeaf = false;
   return job.said().rfind(missed) != before;
 }
@@ -81,14 +81,14 @@ TEST_F(WorkerFaults, ARankThatGetsGeometryLateTakesPartAfterwards) {
   WorkerJob job(directory_, 3);
   Program program(directory_);
   scene::Snapshot s = plainScene();
-  program.picture(s);
+  program.image(s);
   job.rank(2).isSlow = true;
   s.instances[0].mesh = gluray::test::makeMesh(gluray::test::squareData(-0.5f));
-  expectSame(program.picture(s), expectedPicture(s));
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
+  expectSame(program.image(s), expectedImage(s));
   job.rank(2).isSlow = false;
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_TRUE(takesPart(job, program, 2, s)) << job.said();
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
@@ -97,11 +97,11 @@ TEST_F(WorkerFaults, NothingPilesUpForARankThatIsStopped) {
   WorkerJob job(directory_, 3);
   Program program(directory_);
   const scene::Snapshot s = plainScene();
-  program.picture(s);
+  program.image(s);
   job.rank(2).isDeaf = true;
-  for (int i = 0; i < 2; ++i) program.picture(s);  // the second may come before the end of the first is told
+  for (int i = 0; i < 2; ++i) program.image(s);  // the second may come before the end of the first is told
   const size_t waiting = job.waiting(2);
-  for (int i = 0; i < 20; ++i) expectSame(program.picture(s), expectedPicture(s));
+  for (int i = 0; i < 20; ++i) expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(job.waiting(2), waiting);
 }
 
@@ -114,7 +114,7 @@ Line strangerTo(const std::string& directory) {
   return line;
 }
 
-/// What a program says when it asks for a picture.
+/// What a program says when it asks for an image.
 std::vector<Message> conversation(const scene::Snapshot& snapshot, bool isRank) {
   std::vector<Message> all;
   const auto add = [&]<class M>(const M& message) {
@@ -138,10 +138,10 @@ std::vector<Message> conversation(const scene::Snapshot& snapshot, bool isRank) 
   return all;
 }
 
-TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
+TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirImages) {
   WorkerJob job(directory_, 2);
   const scene::Snapshot s = plainScene(40);
-  const Image expected = expectedPicture(s);
+  const Image expected = expectedImage(s);
   std::mt19937 random(7);
   Program program(directory_);
   for (int round = 0; round < 300; ++round) {
@@ -159,7 +159,7 @@ TEST_F(WorkerFaults, WhateverAProgramSaysOthersGetTheirPictures) {
       }
       if (!line.send(message.type, message.body, message.attached.get(), 1000)) break;
     }
-    if (round % 10 == 0) expectSame(program.picture(s), expected);
+    if (round % 10 == 0) expectSame(program.image(s), expected);
   }
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
@@ -177,7 +177,7 @@ TEST_F(WorkerFaults, GigabytesOfOneProgramDoNotHoldUpAnother) {
   WorkerJob job(directory_, 2);
   const scene::Snapshot s = plainScene(40);
   Program program(directory_);
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   const Descriptor memory = sealedMemory(kBytes, [](std::byte* at) { std::memset(at, 1, kBytes); });
   const std::vector<std::byte> content(kBytes, std::byte{1});
   const Hash128 name = hashBytes(content.data(), kBytes);
@@ -190,7 +190,7 @@ TEST_F(WorkerFaults, GigabytesOfOneProgramDoNotHoldUpAnother) {
   for (float i = 0; i < 5; ++i) {
     scene::Snapshot next = s;
     next.instances[0].mesh = gluray::test::makeMesh(gluray::test::squareData(-0.1f * i));
-    expectSame(program.picture(next), expectedPicture(next));
+    expectSame(program.image(next), expectedImage(next));
   }
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }

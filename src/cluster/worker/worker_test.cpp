@@ -7,7 +7,7 @@ namespace gluray::cluster {
 namespace {
 
 using frame::test::litScene;
-using test::expectedPicture;
+using test::expectedImage;
 using test::expectSame;
 using test::plainScene;
 using test::Program;
@@ -19,11 +19,11 @@ class WorkerTest : public testing::TestWithParam<int> {
   const std::string directory_ = folder_.directory();
 };
 
-TEST_P(WorkerTest, PicturesAreThoseOfOneProcess) {
+TEST_P(WorkerTest, ImagesAreThoseOfOneProcess) {
   WorkerJob job(directory_, GetParam());
   Program program(directory_);
   for (const scene::Snapshot& s : {plainScene(), plainScene(33), litScene(frame::test::Hides::some, 100)})
-    expectSame(program.picture(s, 0xFF203040u), expectedPicture(s, 0xFF203040u));
+    expectSame(program.image(s, 0xFF203040u), expectedImage(s, 0xFF203040u));
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -35,7 +35,7 @@ TEST_P(WorkerTest, ChangedScenesAreTraced) {
     s.instances[0].color = {0.1f * static_cast<float>(i), 1, 0, 1};
     s.instances.push_back(s.instances[1]);
     s.instances.back().mesh = gluray::test::makeMesh(gluray::test::squareData(-0.1f * static_cast<float>(i)));
-    expectSame(program.picture(s), expectedPicture(s));
+    expectSame(program.image(s), expectedImage(s));
   }
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
@@ -51,9 +51,9 @@ TEST_P(WorkerTest, GeometryIsSentOnce) {
           {static_cast<float>(i % 7), static_cast<float>(i % 11), -1e-4f * static_cast<float>(i)});
     return data;
   }());
-  program.picture(s);
+  program.image(s);
   const uint64_t before = job.sentBytes();
-  for (int i = 0; i < 4; ++i) program.picture(s);
+  for (int i = 0; i < 4; ++i) program.image(s);
   EXPECT_LT(job.sentBytes() - before, 30000 * sizeof(glm::vec3)) << "of four frames";
 }
 
@@ -62,14 +62,14 @@ TEST_P(WorkerTest, AveragesAndSamplesOfPixels) {
   Program program(directory_);
   scene::Snapshot averages = plainScene();
   averages.settings.spp = 4;
-  expectSame(program.picture(averages), expectedPicture(averages));
+  expectSame(program.image(averages), expectedImage(averages));
   scene::Snapshot samples = plainScene();
   samples.samples = 4;
   samples.samplePositions = {{0.4f, 0.1f}, {0.9f, 0.4f}, {0.1f, 0.6f}, {0.6f, 0.9f}};
-  expectSame(program.picture(samples), expectedPicture(samples));
+  expectSame(program.image(samples), expectedImage(samples));
   scene::Snapshot wide = plainScene();
   wide.wideColors = true;
-  expectSame(program.picture(wide), expectedPicture(wide));
+  expectSame(program.image(wide), expectedImage(wide));
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -79,9 +79,9 @@ TEST_P(WorkerTest, AveragesThatCannotBeComposited) {
   scene::Snapshot s = plainScene();
   s.settings.spp = 4;
   s.instances[0].color = {1, 1, 1, 0.5f};
-  const Image expected = expectedPicture(s);
+  const Image expected = expectedImage(s);
   EXPECT_FALSE(expected.isAverages());
-  expectSame(program.picture(s), expected);
+  expectSame(program.image(s), expected);
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -93,7 +93,7 @@ TEST_P(WorkerTest, Layers) {
   layers->opaqueDepth.assign(100 * 100, -1);
   s.layers = layers;
   for (scene::Instance& instance : s.instances) instance.color.a = 0.5f;
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -101,7 +101,7 @@ TEST_P(WorkerTest, PassesOverSomeTiles) {
   WorkerJob job(directory_, GetParam());
   Program program(directory_);
   scene::Snapshot s = litScene(frame::test::Hides::some, 100);
-  Image image = program.picture(s), expected = expectedPicture(s);
+  Image image = program.image(s), expected = expectedImage(s);
   s.lightSampling.pass = 3;
   s.lightSampling.tiles = std::make_shared<std::vector<uint8_t>>(
       std::vector<uint8_t>{0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1});
@@ -118,7 +118,7 @@ TEST_P(WorkerTest, NothingIsHit) {
   Program program(directory_);
   scene::Snapshot s = plainScene(50);
   s.instances.clear();
-  expectSame(program.picture(s, 7), expectedPicture(s, 7));
+  expectSame(program.image(s, 7), expectedImage(s, 7));
   EXPECT_EQ(program.tracedHere, 0) << program.said;
 }
 
@@ -133,7 +133,7 @@ TEST_P(WorkerTest, CallsThatAreStoppedReturn) {
   EXPECT_FALSE(program.tracer.trace(s, image, cost, error, [&] { return ++asked > 2; }));
   EXPECT_EQ(error, "");
   s = plainScene();
-  expectSame(program.picture(s), expectedPicture(s));
+  expectSame(program.image(s), expectedImage(s));
 }
 
 TEST_P(WorkerTest, ProgramsOfSeveralRanks) {
@@ -145,7 +145,7 @@ TEST_P(WorkerTest, ProgramsOfSeveralRanks) {
       Program program(directory_, {place, "", 0, 1});
       for (int i = 0; i < 3; ++i) {
         const scene::Snapshot s = plainScene(40 + 10 * place);
-        expectSame(program.picture(s), expectedPicture(s));
+        expectSame(program.image(s), expectedImage(s));
       }
       EXPECT_EQ(program.tracedHere, 0) << program.said;
     });

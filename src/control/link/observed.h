@@ -1,7 +1,7 @@
 // The hub's subscriptions: the program's state, changes of settings, and thumbnails. Control thread; times in
 // seconds.
 #pragma once
-#include "control/link/picture_requests.h"
+#include "control/link/image_requests.h"
 #include "control/link/program/controlled_program.h"
 #include "control/link/rates.h"
 #include "settings/live/live_settings.h"

@@ -34,7 +34,7 @@ ProgramSide::ProgramSide(ControlledProgram& program, LiveSettings& live, const S
           live, source, history, [this] { waker_.wake(); },
           [this](const json& id, json result) { answer(id, std::move(result)); }),
       observed_(program, live, source, [this](const json& event) { send(event); }),
-      pictures_(
+      images_(
           program, source, waker_, [this](const json& id, json result) { answer(id, std::move(result)); },
           [this](const json& event) { send(event); }),
       calls_(program, source, waker_,
@@ -123,7 +123,7 @@ json ProgramSide::valuesOf(const json* names, bool withLayers) {
 
 void ProgramSide::observe(const json& id, const json& message, double now) {
   json result = observed_.observeRequested(message, now);
-  if (!result.contains("why")) pictures_.observe(observed_.thumbnails(), now);
+  if (!result.contains("why")) images_.observe(observed_.thumbnails(), now);
   answer(id, std::move(result));
 }
 
@@ -133,7 +133,7 @@ void ProgramSide::call(const json& id, const json& message, double now) {
   if (!name) return answer(id, {{"why", "name must be a short text"}});
   if (given && !given->is_object()) return answer(id, {{"why", "arguments must be an object"}});
   const json arguments = given ? *given : json::object();
-  if (PictureRequests::knows(*name)) return pictures_.startCall(*name, id, arguments, now);
+  if (ImageRequests::knows(*name)) return images_.startCall(*name, id, arguments, now);
   calls_.startCall(*name, id, arguments, now);
 }
 
@@ -147,11 +147,11 @@ void ProgramSide::passed(double now) {
   observed_.passed(changes_.history(), slow, now);
   calls_.passed(now);
   waker_.passed(now);
-  pictures_.passed(slow, now);
+  images_.passed(slow, now);
 }
 
 double ProgramSide::nextDue(double now) const {
-  return greeted_ ? std::min({changes_.nextDue(now), observed_.nextDue(), pictures_.nextDue(now),
+  return greeted_ ? std::min({changes_.nextDue(now), observed_.nextDue(), images_.nextDue(now),
                               calls_.nextDue(now), waker_.nextDue(now)})
                   : helloBy_;
 }

@@ -4,8 +4,8 @@
 #include "control/connection/connection.h"
 #include "control/link/calls.h"
 #include "control/link/change_requests.h"
+#include "control/link/image_requests.h"
 #include "control/link/observed.h"
-#include "control/link/picture_requests.h"
 #include "control/link/program/controlled_program.h"
 #include "control/link/program/waker.h"
 
@@ -58,7 +58,7 @@ class ProgramSide {
   Waker waker_;
   ChangeRequests changes_;
   Observed observed_;
-  PictureRequests pictures_;
+  ImageRequests images_;
   Calls calls_;
   bool greeted_ = false;
   double helloBy_ = 0;

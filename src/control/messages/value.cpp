@@ -111,7 +111,7 @@ json description(const Row& row) {
           {"group", row.group},
           {"values", allowedValues(row)},
           {"applies", kApplies[static_cast<size_t>(row.applies)]},
-          {"changesPicture", row.changes == Changes::picture}};
+          {"changesPicture", row.changes == Changes::image}};
 }
 
 }  // namespace gluray::control

@@ -1,17 +1,17 @@
-// Bands of a traced picture that contain hits: the write-back uploads and draws only these. Any thread.
+// Bands of a traced image that contain hits: the write-back uploads and draws only these. Any thread.
 #pragma once
 #include <vector>
 
 namespace gluray::frame {
 
-/// Rows [y, y + height) of a picture; columns outside [x, x + width) hold no hits.
+/// Rows [y, y + height) of an image; columns outside [x, x + width) hold no hits.
 struct Band {
   int x = 0, y = 0, width = 0, height = 0;
   bool operator==(const Band&) const = default;
 };
 
 inline constexpr int kMaxBands = 32;
-/// Rows per band in a picture of this height; the last band may have fewer.
+/// Rows per band in an image of this height; the last band may have fewer.
 int rowsOfBands(int height);
 /// The band that starts at row `y`, a multiple of rowsOfBands(). Its width is 0 if it holds no hits.
 Band hitBand(const float* depth, int width, int height, int y);

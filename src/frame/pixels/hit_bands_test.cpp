@@ -36,7 +36,7 @@ TEST(HitBands, ASingleHit) {
   }
 }
 
-TEST(HitBands, TallPicturesHaveNoMoreThanTheLimit) {
+TEST(HitBands, TallImagesHaveNoMoreThanTheLimit) {
   const auto bands = hitBands(std::vector<float>(4 * 5000, 0.5f).data(), 4, 5000);
   EXPECT_LE(bands.size(), static_cast<size_t>(kMaxBands));
   int rows = 0;

@@ -1,4 +1,4 @@
-// The pixels of a window in memory, and the depth-tested merge of a traced picture into them without OpenGL:
+// The pixels of a window in memory, and the depth-tested merge of a traced image into them without OpenGL:
 // for frames that are shown late. Any thread.
 #pragma once
 #include "base/image.h"
@@ -24,7 +24,7 @@ enum class DepthTest : uint8_t { less, lessOrEqual };
 WindowContent plainWindow(glm::ivec2 size, uint32_t color, float depth);
 
 /// Writes the hits that pass the depth test into `content`, as the write-back does. False for multisampled
-/// pictures and for colours other than RGBA8.
+/// images and for colours other than RGBA8.
 bool merge(const Image& image, DepthTest test, WindowContent& content) noexcept;
 
 }  // namespace gluray::frame

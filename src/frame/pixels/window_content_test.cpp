@@ -8,7 +8,7 @@ namespace {
 constexpr uint32_t kUnder = 0xff101010u, kTraced = 0xff0000ffu;
 
 /// 2x1 pixels at x = 1: a hit at `depth`, and a miss.
-Image picture(float depth) {
+Image makeImage(float depth) {
   Image image;
   image.x = 1;
   image.resize(2, 1, 1);
@@ -19,7 +19,7 @@ Image picture(float depth) {
 
 TEST(WindowContent, HitsHideFartherPixels) {
   WindowContent content = plainWindow({4, 2}, kUnder, 0.5f);
-  EXPECT_TRUE(merge(picture(0.25f), DepthTest::less, content));
+  EXPECT_TRUE(merge(makeImage(0.25f), DepthTest::less, content));
   EXPECT_EQ(content.colors,
             (std::vector<uint32_t>{kUnder, kTraced, kUnder, kUnder, kUnder, kUnder, kUnder, kUnder}));
 }
@@ -27,15 +27,15 @@ TEST(WindowContent, HitsHideFartherPixels) {
 TEST(WindowContent, FollowsTheDepthFunction) {
   for (const bool equal : {false, true}) {
     WindowContent content = plainWindow({4, 1}, kUnder, 0.5f);
-    merge(picture(0.5f), equal ? DepthTest::lessOrEqual : DepthTest::less, content);
+    merge(makeImage(0.5f), equal ? DepthTest::lessOrEqual : DepthTest::less, content);
     EXPECT_EQ(content.colors[1], equal ? kTraced : kUnder);
-    merge(picture(0.75f), DepthTest::lessOrEqual, content);
+    merge(makeImage(0.75f), DepthTest::lessOrEqual, content);
     EXPECT_EQ(content.colors[1], equal ? kTraced : kUnder);
   }
 }
 
 TEST(WindowContent, ClipsAtTheWindow) {
-  Image image = picture(0.1f);
+  Image image = makeImage(0.1f);
   image.x = -1, image.color[1] = kTraced, image.depth[1] = 0.1f;
   WindowContent content = plainWindow({2, 1}, kUnder, 1);
   EXPECT_TRUE(merge(image, DepthTest::less, content));
@@ -46,7 +46,7 @@ TEST(WindowContent, ClipsAtTheWindow) {
 }
 
 TEST(WindowContent, AveragesAreBlended) {
-  Image image = picture(0.1f);
+  Image image = makeImage(0.1f);
   image.planes = image.planes | Plane::centerDepth;
   image.centerDepth = image.depth;
   image.color[0] = 0x80000080u;  // red over half of the pixel

@@ -9,12 +9,12 @@
 namespace gluray::frame {
 namespace {
 
-/// These settings without those that change pictures, except what rules say of objects.
+/// These settings without those that change images, except what rules say of objects.
 Settings plainSettings(const Settings& settings) {
   Session plain, built;
   plain.settings = settings;
   for (const Row& row : settingRows())
-    if (row.changes == Changes::picture && !row.name.starts_with("material."))
+    if (row.changes == Changes::image && !row.name.starts_with("material."))
       std::visit([&](auto* value) { *value = *std::get<decltype(value)>(row.place(built)); },
                  row.place(plain));
   return plain.settings;
@@ -26,7 +26,7 @@ scene::Snapshot pixelOf(const scene::Snapshot& snapshot, const glm::ivec2& at) {
   pixel.region = {at.x, at.y, 1, 1};
   pixel.samples = 1;
   pixel.samplePositions = {glm::vec2(0.5f)};
-  pixel.layers.reset(), pixel.surroundings.reset(), pixel.backdrop.reset();
+  pixel.layers.reset(), pixel.secondaryScene.reset(), pixel.backdrop.reset();
   pixel.ground = scene::GroundUse::none;
   pixel.wideColors = true;
   pixel.settings = plainSettings(snapshot.settings);

@@ -13,7 +13,7 @@ namespace gluray::frame {
 struct Picked {
   size_t instance = 0;       // index of Snapshot::instances
   glm::dvec3 point, normal;  // eye space; the normal has unit length, on the viewer's side
-  float depth = 1;           // window depth, to compare pictures of one view
+  float depth = 1;           // window depth, to compare images of one view
 };
 
 /// Returns the nearest surface at a window position in pixels from the lower left corner; none if there is no

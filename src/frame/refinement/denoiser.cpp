@@ -5,7 +5,7 @@
 #include "frame/refinement/oidn_filter.h"
 #include "frame/refinement/pixel_noise.h"
 #include "parallel/arena.h"
-#include "render/film/wavelet.h"
+#include "render/resolve/wavelet.h"
 #include "render/tiles/float_guard.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -24,16 +24,16 @@ uint32_t byteOf(float v) {
   return static_cast<uint32_t>(std::nearbyint((v > 0 ? std::min(v, 1.0f) : 0) * 255));
 }
 
-/// The part of a picture with the samples of one number.
-render::NoisyPicture planeOf(const Refinement& r, const Image& image, size_t first, float target) {
-  render::NoisyPicture picture;
-  picture.width = image.width, picture.height = image.height, picture.target = target;
-  picture.color = r.mean().data() + 4 * first;
-  if (!image.has(Plane::wideColor)) picture.most = 1;
-  if (!r.pixelNoise().empty()) picture.noise = r.pixelNoise().data() + first;
-  picture.guides = {r.guides.reflectance.data() + first, r.guides.normal.data() + first,
-                    r.guides.facing.data() + first, r.guides.distance.data() + first};
-  return picture;
+/// The part of an image with the samples of one number.
+render::NoisyImage planeOf(const Refinement& r, const Image& image, size_t first, float target) {
+  render::NoisyImage noisy;
+  noisy.width = image.width, noisy.height = image.height, noisy.target = target;
+  noisy.color = r.mean().data() + 4 * first;
+  if (!image.has(Plane::wideColor)) noisy.most = 1;
+  if (!r.pixelNoise().empty()) noisy.noise = r.pixelNoise().data() + first;
+  noisy.features = {r.features.reflectance.data() + first, r.features.normal.data() + first,
+                    r.features.facing.data() + first, r.features.distance.data() + first};
+  return noisy;
 }
 
 void writePixel(const float* rgb, size_t at, Image& out) {
@@ -59,7 +59,7 @@ struct Memory {
   std::vector<float> out = std::vector<float>(size_t{3} * WaveletTile::kSize * WaveletTile::kSize);
 };
 
-void smooth(const render::NoisyPicture& picture, size_t first, Image& out) {
+void smooth(const render::NoisyImage& noisy, size_t first, Image& out) {
   const int columns = (out.width + WaveletTile::kSize - 1) / WaveletTile::kSize,
             rows = (out.height + WaveletTile::kSize - 1) / WaveletTile::kSize;
   tbb::enumerable_thread_specific<Memory> memories;
@@ -67,7 +67,7 @@ void smooth(const render::NoisyPicture& picture, size_t first, Image& out) {
     const render::FloatGuard guard;
     Memory& memory = memories.local();
     const WaveletTile tile{index % columns * WaveletTile::kSize, index / columns * WaveletTile::kSize};
-    if (render::smoothTile(picture, tile, memory.planes.data(), memory.out.data()))
+    if (render::smoothTile(noisy, tile, memory.planes.data(), memory.out.data()))
       writeTile(tile, memory.out.data(), first, out);
   });
 }
@@ -78,7 +78,7 @@ bool smoothByLibrary(const Refinement& refinement, const Settings& settings, siz
   std::string why;
   if (!smoothByOidn(refinement, settings, out, first, colors, why)) {
     log::once(log::Level::warning, "oidn",
-              "denoise=oidn: " + why + "; GLuRay's filter denoises pictures instead");
+              "denoise=oidn: " + why + "; GLuRay's filter denoises images instead");
     return false;
   }
   const float target = settings.noise;
@@ -98,20 +98,20 @@ bool smoothByLibrary(const Refinement& refinement, const Settings& settings, siz
 
 }  // namespace
 
-void keepGuides(scene::LightSampling::Mode mode, const Image& pass, LightGuides& guides) {
+void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, AuxiliaryFeatures& features) {
   const size_t pixels = pass.depth.size();
   if (mode == scene::LightSampling::Mode::reflectance) {
-    guides.reflectance.resize(pixels);
-    render::packGuides(pass.wideColor.data(), pixels, guides.reflectance.data());
+    features.reflectance.resize(pixels);
+    render::packReflectances(pass.wideColor.data(), pixels, features.reflectance.data());
     return;
   }
-  guides.normal.resize(pixels), guides.facing.resize(pixels), guides.distance.resize(pixels);
-  render::packGeometry(pass.wideColor.data(), pass.depth.data(), pixels, guides.normal.data(),
-                       guides.facing.data(), guides.distance.data());
+  features.normal.resize(pixels), features.facing.resize(pixels), features.distance.resize(pixels);
+  render::packGeometry(pass.wideColor.data(), pass.depth.data(), pixels, features.normal.data(),
+                       features.facing.data(), features.distance.data());
 }
 
 bool denoise(const Refinement& refinement, const Settings& settings, Image& out) noexcept {
-  if (refinement.guides.distance.size() != out.depth.size()) return true;
+  if (refinement.features.distance.size() != out.depth.size()) return true;
   try {
     const timeline::Span span("denoise");
     const size_t pixels = static_cast<size_t>(out.width) * static_cast<size_t>(out.height);
@@ -129,7 +129,7 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
 
 void logNoFilter(const std::string& why) noexcept {
   try {
-    log::once(log::Level::warning, "denoise", "cannot denoise a picture: " + why + "; it keeps its noise");
+    log::once(log::Level::warning, "denoise", "cannot denoise an image: " + why + "; it keeps its noise");
   } catch (const std::exception&) {}
 }
 

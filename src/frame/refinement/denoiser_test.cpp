@@ -1,4 +1,4 @@
-// Pictures smoothed: nearer to converged ones, and to the bit where nothing is noisy.
+// Images smoothed: nearer to converged ones, and to the bit where nothing is noisy.
 #include "frame/refinement/denoiser.h"
 
 #include "base/sanitized.h"
@@ -41,11 +41,11 @@ scene::Snapshot many(scene::Snapshot s) {
   return s;
 }
 
-TEST(Denoiser, BringsFewPassesNearerToTheConvergedPicture) {
+TEST(Denoiser, BringsFewPassesNearerToTheConvergedImage) {
   GLURAY_RELEASE_ONLY();
   for (const bool paths : {false, true}) {
     scene::Snapshot s = paths ? pathScene(96) : litScene(test::Hides::some, 96);
-    const Image truth = test::CountingTrace().picture(many(s));
+    const Image truth = test::CountingTrace().image(many(s));
     for (const int passes : {1, 4, 16}) {
       const double plain = dB(Refined(s, passes).image, truth),
                    filtered = dB(Refined(smoothed(s), passes).image, truth);
@@ -89,7 +89,7 @@ TEST(Denoiser, SmoothsEachSampleOfMultisampledFramebuffers) {
   s.samples = 4;
   s.samplePositions = {{0.4f, 0.1f}, {0.9f, 0.4f}, {0.1f, 0.6f}, {0.6f, 0.9f}};
   s.settings.shading = ShadingRate::sample;
-  const Image truth = test::CountingTrace().picture(many(s));
+  const Image truth = test::CountingTrace().image(many(s));
   EXPECT_GT(dB(Refined(smoothed(s), 4).image, truth), dB(Refined(s, 4).image, truth) + 3);
 }
 
@@ -107,7 +107,7 @@ TEST(Denoiser, ScenesMayHaveAnySize) {
     s.eyeFromWorld = glm::scale(glm::dmat4(1), glm::dvec3(size)) * s.eyeFromWorld;
     s.camera.clipFromEye = glm::perspective(glm::radians(40.0), 1.0, 0.1 * size, 1000.0 * size);
     for (scene::Instance& i : s.instances) i.eyeFromObject = s.eyeFromWorld;
-    const double quality = dB(Refined(s, 4).image, test::CountingTrace().picture(many(s)));
+    const double quality = dB(Refined(s, 4).image, test::CountingTrace().image(many(s)));
     if (size == 1) expected = quality;
     EXPECT_NEAR(quality, expected, 1) << size;
   }
@@ -116,7 +116,7 @@ TEST(Denoiser, ScenesMayHaveAnySize) {
 TEST(Denoiser, TheLibraryOrElseTheFilterSmooths) {
   GLURAY_RELEASE_ONLY();
   scene::Snapshot s = litScene(test::Hides::some, 96);
-  const Image truth = test::CountingTrace().picture(many(s));
+  const Image truth = test::CountingTrace().image(many(s));
   const double plain = dB(Refined(s, 4).image, truth);
   s.settings.denoise = Denoise::oidn;
   EXPECT_GT(dB(Refined(s, 4).image, truth), plain + 4);
@@ -130,7 +130,7 @@ TEST(Denoiser, TakesNoMemoryWhileOff) {
   EXPECT_LE(Refinement::bytesFor(pixels, true), 64 * pixels);
 }
 
-TEST(Denoiser, PicturesStayUnfilteredWhereGuidesFail) {
+TEST(Denoiser, ImagesStayUnfilteredWhereFeaturesFail) {
   const scene::Snapshot s = smoothed(litScene());
   test::CountingTrace tracer;
   tracer.failAt = 2;

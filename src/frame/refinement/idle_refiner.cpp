@@ -39,7 +39,7 @@ void IdleRefiner::start(std::unique_ptr<IdleFrame> frame) noexcept {
     const auto now = Clock::now(), before = std::exchange(started_, now);
     const bool follow = now - before < kFollowing;
     if (frame_->hasWindow()) begin(now + (follow ? std::max(quiet_, (now - before) * 3 / 2) : quiet_));
-  } catch (const std::exception&) {}  // out of memory: the picture keeps its noise
+  } catch (const std::exception&) {}  // out of memory: the image keeps its noise
 }
 
 void IdleRefiner::resume() noexcept {
@@ -123,7 +123,7 @@ void IdleRefiner::workOnce(std::unique_lock<std::mutex>& lock, const std::atomic
   lock.unlock();
   const timeline::Span span("refine");
   const auto ends = [&] { return stop_ || cancelled; };
-  // Another thread's picture may interrupt a pass: then it is traced again.
+  // Another thread's image may interrupt a pass: then it is traced again.
   const Trace trace = [&](const scene::Snapshot& s, Image& image, scene::TraceCost& cost,
                           std::string& error) {
     while (!ends()) {
@@ -135,7 +135,7 @@ void IdleRefiner::workOnce(std::unique_lock<std::mutex>& lock, const std::atomic
   };
   try {
     refine(frame, trace, ends);
-  } catch (const std::exception&) {}  // out of memory: the picture keeps its noise
+  } catch (const std::exception&) {}  // out of memory: the image keeps its noise
   lock.lock();
   state_ = State::empty;
   changed_.notify_all();

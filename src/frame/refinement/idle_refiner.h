@@ -1,8 +1,8 @@
-// Refines the pictures in a window on a thread of its own while the program is idle (adr/0046). Called on the
+// Refines the images in a window on a thread of its own while the program is idle (adr/0046). Called on the
 // GL thread, one per context. The thread starts with the first frame and ends after a second without one.
 #pragma once
 #include "base/background_job.h"
-#include "frame/refinement/idle_picture.h"
+#include "frame/refinement/idle_image.h"
 #include "frame/tracing/tracer.h"
 
 #include <atomic>
@@ -22,8 +22,8 @@ class IdleRefiner {
   /// Totals of the process, for reports.
   struct Counts {
     std::atomic<uint64_t> frames{0},
-        refused{0};  // refined; refused because the window does not show the written pictures
-    std::atomic<uint64_t> passes{0}, shown{0};  // pictures put into windows
+        refused{0};  // refined; refused because the window does not show the written images
+    std::atomic<uint64_t> passes{0}, shown{0};  // images put into windows
     std::atomic<uint64_t> framePasses{0};       // of the last refined frame
     std::atomic<uint64_t> finished{0};          // frames that have reached their target noise
     std::atomic<double> noise{0};               // estimated noise of the last refined frame; 0: none
@@ -45,7 +45,7 @@ class IdleRefiner {
   IdleFrame* frame() noexcept { return frame_.get(); }
   /// Continues with that frame after stop(), if its window has not changed.
   void resume() noexcept;
-  /// Hands over the refinement of the picture with this id; null: none. Call after stop().
+  /// Hands over the refinement of the image with this id; null: none. Call after stop().
   std::unique_ptr<Refinement> takePasses(uint64_t id) noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// Pictures of a window that get better below the program's anti-aliasing.
+// Images of a window that get better below the program's anti-aliasing.
 #include "frame/testing/idle_refiner_stage.h"
 
 namespace gluray::frame {
@@ -6,7 +6,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// The program's anti-aliasing went over the picture and what stood beside it before.
+/// The program's anti-aliasing went over the image and what stood beside it before.
 struct AntialiasedWindow : IdleRefinerTest {
   scene::Fxaa fxaa;
   IdleFxaa pass;
@@ -17,7 +17,7 @@ struct AntialiasedWindow : IdleRefinerTest {
       return renderer.antialias(settings, how, in, width, height, out);
     };
     std::vector<uint32_t> before = first.color;
-    for (size_t i = 0; i < 100; ++i) before[i] = 0xff123456;  // drawn over the picture
+    for (size_t i = 0; i < 100; ++i) before[i] = 0xff123456;  // drawn over the image
     pass = {fxaa, {0, 0, first.width, first.height}, scene->settings, before};
     window->show(first.width, first.height, smoothed(before));
   }
@@ -70,7 +70,7 @@ TEST_F(AntialiasedWindow, WhatWasDrawnAfterwardsStays) {
   EXPECT_NE(after, overlaid);
 }
 
-TEST_F(AntialiasedWindow, OfAnotherPictureIsLeftAlone) {
+TEST_F(AntialiasedWindow, OfAnotherImageIsLeftAlone) {
   for (uint32_t& color : pass.before) color ^= 0x404040;
   expectLeftAlone();
 }

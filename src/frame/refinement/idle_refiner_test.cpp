@@ -1,4 +1,4 @@
-// Pictures of a window that get better while nothing else happens.
+// Images of a window that get better while nothing else happens.
 #include "frame/testing/idle_refiner_stage.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ TEST_F(IdleRefinerTest, TheWindowBecomesCleanerAndThenWorkEnds) {
   EXPECT_FALSE(refiner.takePasses(6));
 }
 
-TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
+TEST_F(IdleRefinerTest, WhatWasDrawnOverTheImageStays) {
   std::vector<uint32_t> overlaid = first.color;
   for (size_t i = 0; i < 200; ++i) overlaid[i] = 0xff123456;
   for (size_t i = 300; i < 400; ++i) overlaid[i] ^= 0x010101;  // blended over
@@ -47,8 +47,8 @@ TEST_F(IdleRefinerTest, WhatWasDrawnOverThePictureStays) {
   EXPECT_NE(after, overlaid);
 }
 
-TEST_F(IdleRefinerTest, NoiseThatEqualsAFlatOverlayIsNotTakenForThePicture) {
-  // An overlay of the picture's commonest colour over its middle: some pixels beneath it are equal by chance.
+TEST_F(IdleRefinerTest, NoiseThatEqualsAFlatOverlayIsNotTakenForTheImage) {
+  // An overlay of the image's commonest colour over its middle: some pixels beneath it are equal by chance.
   std::map<uint32_t, int> counts;
   for (const uint32_t color : first.color) ++counts[color];
   const auto common = std::max_element(counts.begin(), counts.end(),
@@ -76,7 +76,7 @@ TEST_F(IdleRefinerTest, NoiseThatEqualsAFlatOverlayIsNotTakenForThePicture) {
   EXPECT_NE(after, overlaid);
 }
 
-TEST_F(IdleRefinerTest, InsidesOfMultisampledPicturesAreRefined) {
+TEST_F(IdleRefinerTest, InsidesOfMultisampledImagesAreRefined) {
   scene->samples = 4;
   scene->samplePositions = {{0.4f, 0.1f}, {0.9f, 0.4f}, {0.1f, 0.6f}, {0.6f, 0.9f}};
   scene::TraceCost cost;
@@ -84,11 +84,11 @@ TEST_F(IdleRefinerTest, InsidesOfMultisampledPicturesAreRefined) {
   ASSERT_TRUE(renderer.render(*scene, first, cost, error));
   first.color.resize(first.color.size() / 4);
   window->show(first.width, first.height, first.color);
-  std::vector<IdlePicture> pictures = written();
-  pictures[0].mixed.resize(first.color.size());
-  pictures[0].mixed[500] = 1;
+  std::vector<IdleImage> images = written();
+  images[0].mixed.resize(first.color.size());
+  images[0].mixed[500] = 1;
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(frameOf(std::move(pictures), window));
+  refiner.start(frameOf(std::move(images), window));
   waitForRest();
   const std::vector<uint32_t> after = window->colors();
   EXPECT_NE(after, first.color);
@@ -127,7 +127,7 @@ TEST_F(IdleRefinerTest, NothingHappensBeforeItIsQuiet) {
   EXPECT_EQ(window->colors(), first.color);
 }
 
-TEST_F(IdleRefinerTest, StopsAtOnceAndLeavesTheLastPicture) {
+TEST_F(IdleRefinerTest, StopsAtOnceAndLeavesTheLastImage) {
   scene->settings.noise = 1e-6f;
   scene->settings.ao.samples = 1024;  // a pass takes long
   IdleRefiner refiner(tracer, 0ms);
@@ -164,7 +164,7 @@ TEST_F(IdleRefinerTest, EndsWithWorkInHand) {
   waitFor([&] { return passes > 0; });
 }
 
-TEST_F(IdleRefinerTest, AnotherPictureComesFirst) {
+TEST_F(IdleRefinerTest, AnotherImageComesFirst) {
   scene->settings.noise = 1e-6f;
   IdleRefiner refiner(tracer, 0ms);
   refiner.start(frameOf(written(), window));
@@ -192,10 +192,10 @@ TEST_F(IdleRefinerTest, GoesOnFromThePassesSoFar) {
   for (int i = 0; i < 8; ++i) ASSERT_TRUE(before.pass(trace, 0, cost, error));
   before.show(first);
   window->show(first.width, first.height, first.color);
-  std::vector<IdlePicture> pictures = written();
-  pictures[0].refinement = std::move(refinement);
+  std::vector<IdleImage> images = written();
+  images[0].refinement = std::move(refinement);
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(frameOf(std::move(pictures), window));
+  refiner.start(frameOf(std::move(images), window));
   waitForRest();
   EXPECT_EQ(passes, 4);
   EXPECT_EQ(window->painted(), 1);
@@ -204,7 +204,7 @@ TEST_F(IdleRefinerTest, GoesOnFromThePassesSoFar) {
 }
 
 TEST_F(IdleRefinerTest, SeveralViewsOfAWindowAreRefined) {
-  // Two pictures side by side.
+  // Two images side by side.
   auto right = std::make_shared<scene::Snapshot>(*scene);
   const int w = first.width, h = first.height;
   std::vector<uint32_t> both(static_cast<size_t>(2 * w * h));
@@ -212,10 +212,10 @@ TEST_F(IdleRefinerTest, SeveralViewsOfAWindowAreRefined) {
     for (int x = 0; x < 2 * w; ++x)
       both[static_cast<size_t>(y * 2 * w + x)] = first.color[static_cast<size_t>(y * w + x % w)];
   window->show(2 * w, h, both);
-  std::vector<IdlePicture> pictures = written();
-  pictures.push_back({right, 6, {w, 0}, {w, h}, first.color});
+  std::vector<IdleImage> images = written();
+  images.push_back({right, 6, {w, 0}, {w, h}, first.color});
   IdleRefiner refiner(tracer, 1ms);
-  refiner.start(frameOf(std::move(pictures), window));
+  refiner.start(frameOf(std::move(images), window));
   waitForRest();
   const std::vector<uint32_t> after = window->colors();
   for (int y = 0; y < h; ++y)

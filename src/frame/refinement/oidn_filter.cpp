@@ -2,7 +2,7 @@
 
 #ifdef GLURAY_OIDN
 
-#include "render/film/guide_pixels.h"
+#include "render/resolve/feature_pixels.h"
 
 #include <OpenImageDenoise/oidn.hpp>
 
@@ -23,9 +23,9 @@ struct OidnImages {
         const float value = r.mean()[4 * at + c];
         color[3 * i + c] = value > 0 ? std::min(value, 1.0f) : 0;
       }
-      if (!(r.guides.distance[at] > 0)) continue;
-      const glm::vec3 reflectance = glm::min(render::unpackReflectance(r.guides.reflectance[at]), 1.0f);
-      const glm::vec2 n = render::unpackNormal2(r.guides.normal[at]);
+      if (!(r.features.distance[at] > 0)) continue;
+      const glm::vec3 reflectance = glm::min(render::unpackReflectance(r.features.reflectance[at]), 1.0f);
+      const glm::vec2 n = render::unpackNormal2(r.features.normal[at]);
       const float z = std::sqrt(std::max(1 - glm::dot(n, n), 0.0f));
       std::copy_n(&reflectance.x, 3, &albedo[3 * i]);
       normal[3 * i] = n.x, normal[3 * i + 1] = n.y, normal[3 * i + 2] = z;
@@ -62,7 +62,7 @@ bool smoothByOidn(const Refinement& refinement, const Settings& settings, const 
   give("color", in.color), give("albedo", in.albedo), give("normal", in.normal), give("output", out);
   filter.set("hdr", false);
   filter.set("srgb", true);      // colours are encoded as displays show them
-  filter.set("cleanAux", true);  // guides have no noise
+  filter.set("cleanAux", true);  // features have no noise
   filter.commit();
   filter.execute();
   return isWell(device, why);

@@ -1,7 +1,7 @@
 // Averages noise estimates over neighbours, because estimates of single pixels are inaccurate. Any thread.
 #pragma once
 #include "base/image.h"
-#include "render/film/wavelet.h"
+#include "render/resolve/wavelet.h"
 
 #include <algorithm>
 #include <cmath>

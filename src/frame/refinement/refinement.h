@@ -2,7 +2,7 @@
 // thread at a time.
 #pragma once
 #include "base/image.h"
-#include "frame/refinement/light_guides.h"
+#include "frame/refinement/auxiliary_features.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,22 +42,22 @@ class Refinement {
 
   /// From the first pass on, add() keeps the noise of each pixel.
   void keepNoise() { keepsNoise_ = passes_ == 0 || keepsNoise_; }
-  /// Measures the noise of alpha, for pictures whose alpha is a fraction of light (scene::Snapshot::catches).
+  /// Measures the noise of alpha, for images whose alpha is a fraction of light (scene::Snapshot::catches).
   /// Call before add().
   void judgeAlpha() { judgesAlpha_ = true; }
   /// Estimated standard error of each pixel, render::kNoiseOne being 1; empty before the second pass, and
   /// where it is not kept.
   const std::vector<uint16_t>& pixelNoise() const { return pixelNoise_; }
   const std::vector<float>& mean() const { return mean_; }
-  LightGuides guides;  // for denoising
+  AuxiliaryFeatures features;  // for denoising
 
   size_t bytes() const {
-    return 4 * (mean_.capacity() + half_.capacity()) + 2 * pixelNoise_.capacity() + guides.bytes();
+    return 4 * (mean_.capacity() + half_.capacity()) + 2 * pixelNoise_.capacity() + features.bytes();
   }
   /// Memory for refining so many pixels, including an image with wide colours; `filtered`: with guides and
   /// the noise of each pixel.
   static size_t bytesFor(size_t pixels, bool filtered = false) {
-    return pixels * (4 * (4 + 3 + 4 + 1) + (filtered ? sizeof(uint16_t) + LightGuides::kBytes : 0));
+    return pixels * (4 * (4 + 3 + 4 + 1) + (filtered ? sizeof(uint16_t) + AuxiliaryFeatures::kBytes : 0));
   }
 
  private:

@@ -1,4 +1,4 @@
-// Means of passes: equal to one picture of as many samples; known answers; noise against the true error.
+// Means of passes: equal to one image of as many samples; known answers; noise against the true error.
 #include "frame/refinement/refinement.h"
 
 #include "base/sanitized.h"
@@ -15,10 +15,10 @@ using test::difference, test::litScene, test::Refined;
 
 Image reference(scene::Snapshot s, int rays) {
   s.settings.ao.samples = rays;
-  return test::CountingTrace().picture(s);
+  return test::CountingTrace().image(s);
 }
 
-TEST(Refinement, PassesEqualOnePictureOfAsManySamples) {
+TEST(Refinement, PassesEqualOneImageOfAsManySamples) {
   scene::Snapshot s = litScene();
   s.instances[0].color = {0.9f, 0.5f, 0.2f, 1};
   s.wideColors = true;
@@ -41,7 +41,7 @@ TEST(Refinement, RefinesEachSampleOfMultisampledFramebuffers) {
   s.settings.shading = ShadingRate::sample;
   const Image truth = reference(s, 1024), once = reference(s, 4), refined = Refined(s, 16).image;
   EXPECT_EQ(refined.samples, 4);
-  EXPECT_EQ(refined.planes, Image::kPicture);
+  EXPECT_EQ(refined.planes, Image::kColorDepth);
   EXPECT_EQ(refined.depth, once.depth);
   EXPECT_LT(difference(refined, truth), 0.5 * difference(once, truth));
 }
@@ -87,7 +87,7 @@ TEST(Refinement, KeepsTheLocalLookToTheBit) {
   const Refined refined(s, 7);
   EXPECT_EQ(refined.refinement.noise(), 0);
   s.settings.ao.enabled = false;
-  const Image look = test::CountingTrace().picture(s);
+  const Image look = test::CountingTrace().image(s);
   EXPECT_EQ(refined.image.color, look.color);
   EXPECT_EQ(refined.image.depth, look.depth);
 }
@@ -106,7 +106,7 @@ TEST(Refinement, KeepsTheLookOfAveragesAndLayers) {
     }
     const Image refined = Refined(s, 5).image;
     s.settings.ao.enabled = false;
-    const Image look = test::CountingTrace().picture(s);
+    const Image look = test::CountingTrace().image(s);
     EXPECT_EQ(refined.planes, look.planes);
     EXPECT_EQ(refined.color, look.color);
     EXPECT_EQ(refined.depth, look.depth);
@@ -122,7 +122,7 @@ TEST(Refinement, SumsOfLayersStayFloats) {
   s.layers = layers;
   const Image refined = Refined(s, 3).image;
   s.settings.ao.enabled = false;
-  const Image look = test::CountingTrace().picture(s);
+  const Image look = test::CountingTrace().image(s);
   EXPECT_EQ(refined.planes, Image::kSums);
   EXPECT_EQ(refined.wideColor, look.wideColor);
   EXPECT_EQ(refined.transmittance, look.transmittance);
@@ -177,7 +177,7 @@ scene::Snapshot unevenScene() {
   return s;
 }
 
-/// A picture of as many passes as its noise asks for.
+/// An image of as many passes as its noise asks for.
 struct Finished {
   Refinement refinement;
   Image image;

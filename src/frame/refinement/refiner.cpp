@@ -1,7 +1,7 @@
 #include "frame/refinement/refiner.h"
 
 #include "frame/refinement/denoiser.h"
-#include "frame/refinement/noise_picture.h"
+#include "frame/refinement/noise_image.h"
 #include "scene/effects.h"
 
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace gluray::frame {
 namespace {
 
 constexpr size_t kMaxBytes = size_t{1} << 30;  // of sums
-constexpr double kQuiet = 0.5;  // of the noise that a picture may have: tiles with less take no more passes
+constexpr double kQuiet = 0.5;  // of the noise that an image may have: tiles with less take no more passes
 
 size_t valuesOf(const scene::Snapshot& s) {
   return static_cast<size_t>(s.region.width) * static_cast<size_t>(s.region.height) *
          static_cast<size_t>(std::max(s.samples, 1));
 }
 
-/// Whether passes have wide colours where the picture has bytes. Layers and averages are made of bytes: wide
+/// Whether passes have wide colours where the image has bytes. Layers and averages are made of bytes: wide
 /// colours would change the local look.
 bool usesWideColors(const scene::Snapshot& s) {
   return !s.wideColors && !s.layers && (s.samples > 1 || s.settings.spp <= 1);
@@ -33,7 +33,7 @@ void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
 }
 
 /// Whether each pixel is one sample of one surface. Averages and layers are traced as a whole: what the rest
-/// of the picture has decides how.
+/// of the image has decides how.
 bool isSimple(const scene::Snapshot& s) {
   return !s.layers && !(s.settings.camera.aperture > 0) && (s.samples > 1 || s.settings.spp <= 1);
 }
@@ -69,25 +69,25 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
 }
 
 /// False with a line in `error`: there are none; without one: tracing was interrupted.
-bool Refiner::traceGuides(const Trace& trace, scene::TraceCost& cost, std::string& error) {
+bool Refiner::traceFeatures(const Trace& trace, scene::TraceCost& cost, std::string& error) {
   using Mode = scene::LightSampling::Mode;
-  scene::Snapshot guides = snapshot_;
-  guides.wideColors = true;
-  LightGuides found;
+  scene::Snapshot features = snapshot_;
+  features.wideColors = true;
+  AuxiliaryFeatures found;
   Image image;
   for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
-    guides.lightSampling = {mode};
+    features.lightSampling = {mode};
     scene::TraceCost own;
-    if (!trace(guides, image, own, error)) return cost.loss = own.loss, false;
+    if (!trace(features, image, own, error)) return cost.loss = own.loss, false;
     addCost(own, cost);
     try {
-      keepGuides(mode, image, found);
+      keepFeatures(mode, image, found);
     } catch (const std::bad_alloc&) {
       cost.loss = scene::Loss::frames;
       return error = "out of memory", false;
     }
   }
-  refinement_.guides = std::move(found);
+  refinement_.features = std::move(found);
   return true;
 }
 
@@ -104,7 +104,7 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     elsewhere_ = own.elsewhere, finishedElsewhere_ = own.refined;
     if (elsewhere_) return true;
     whole_ = true;
-    if (filters_ && !refinement_.guides.known() && !traceGuides(trace, cost, error)) {
+    if (filters_ && !refinement_.features.known() && !traceFeatures(trace, cost, error)) {
       if (error.empty()) return whole_ = false;
       logNoFilter(error);
       filters_ = false, error.clear();
@@ -113,7 +113,7 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     return true;
   } catch (const std::exception& e) {
     cost.loss = scene::lossOf(e);
-    error = "out of memory while refining a picture";
+    error = "out of memory while refining an image";
     return false;
   }
 }

@@ -7,10 +7,10 @@
 
 namespace gluray::frame {
 
-/// Whether more passes improve the snapshot's picture, and there is memory for their sums.
+/// Whether more passes improve the snapshot's image, and there is memory for their sums.
 bool isRefinable(const scene::Snapshot& snapshot);
 
-/// Whether a picture is finished: its noise is within the setting `noise`, or it has `refine.passes` passes.
+/// Whether an image is finished: its noise is within the setting `noise`, or it has `refine.passes` passes.
 bool isFinished(const Refinement& refinement, const Settings& settings);
 
 /// Fewer passes give no reliable noise estimate, because well distributed rays may agree by chance.
@@ -28,21 +28,21 @@ class Refiner {
   /// Whether show() may be called.
   bool hasPass() const { return whole_; }
   bool finished() const { return isFinished(refinement_, snapshot_.settings); }
-  /// After pass(): the picture of another process that makes the passes; null: this process makes the passes.
+  /// After pass(): the image of another process that makes the passes; null: this process makes the passes.
   const Image* elsewhere() const { return elsewhere_ ? &image_ : nullptr; }
-  /// Whether the picture elsewhere() is finished.
+  /// Whether the image elsewhere() is finished.
   bool finishedElsewhere() const { return finishedElsewhere_; }
   const Refinement& refinement() const { return refinement_; }
 
  private:
-  bool traceGuides(const Trace& trace, scene::TraceCost& cost, std::string& error);
+  bool traceFeatures(const Trace& trace, scene::TraceCost& cost, std::string& error);
 
-  scene::Snapshot snapshot_;  // with wide colours, even if the picture has byte colours
-  bool wide_;                 // the picture's colours are wide
+  scene::Snapshot snapshot_;  // with wide colours, even if the image has byte colours
+  bool wide_;                 // the image's colours are wide
   Refinement& refinement_;
   Image image_;         // of the last pass
   bool whole_ = false;  // image_ has all tiles
-  bool filters_;        // pictures are denoised
+  bool filters_;        // images are denoised
   bool elsewhere_ = false, finishedElsewhere_ = false;
 };
 

@@ -1,4 +1,4 @@
-// A window in memory whose pictures are refined, for idle_refiner*_test.cpp.
+// A window in memory whose images are refined, for idle_refiner*_test.cpp.
 #pragma once
 #include "frame/refinement/idle_refiner.h"
 #include "frame/testing/lit_scene.h"
@@ -57,10 +57,9 @@ class FakeWindow final : public IdleWindow {
   bool gone_ = false;
 };
 
-inline std::unique_ptr<IdleFrame> frameOf(std::vector<IdlePicture> pictures,
-                                          std::shared_ptr<IdleWindow> window,
+inline std::unique_ptr<IdleFrame> frameOf(std::vector<IdleImage> images, std::shared_ptr<IdleWindow> window,
                                           std::vector<IdleFxaa> passes = {}) {
-  return std::make_unique<IdleFrame>(std::move(pictures), std::move(window), std::move(passes));
+  return std::make_unique<IdleFrame>(std::move(images), std::move(window), std::move(passes));
 }
 
 struct IdleRefinerTest : testing::Test {
@@ -82,10 +81,10 @@ struct IdleRefinerTest : testing::Test {
     EXPECT_TRUE(renderer.render(*scene, first, cost, error));
     window->show(first.width, first.height, first.color);
   }
-  std::vector<IdlePicture> written() {
-    std::vector<IdlePicture> pictures;
-    pictures.push_back({scene, 5, {first.x, first.y}, {first.width, first.height}, first.color});
-    return pictures;
+  std::vector<IdleImage> written() {
+    std::vector<IdleImage> images;
+    images.push_back({scene, 5, {first.x, first.y}, {first.width, first.height}, first.color});
+    return images;
   }
   template <class Done>
   static bool waitFor(Done&& done) {

@@ -48,7 +48,7 @@ struct CountingTrace {
     if (++traces == failAt) return error = "a test's failure", false;
     return renderer.render(s, image, cost, error);
   };
-  Image picture(const scene::Snapshot& s) {
+  Image image(const scene::Snapshot& s) {
     Image image;
     scene::TraceCost cost;
     std::string error;

@@ -6,9 +6,9 @@
 #include "base/timeline.h"
 #include "frame/tracing/pace.h"
 #include "parallel/arena.h"
-#include "render/film/anti_alias.h"
-#include "render/film/resolve_samples.h"
 #include "render/ground/staged_scene.h"
+#include "render/resolve/anti_alias.h"
+#include "render/resolve/resolve_samples.h"
 #include "render/tile_tracer.h"
 #include "render/tiles/float_guard.h"
 #include "scene/effects.h"
@@ -198,24 +198,24 @@ bool Renderer::renderTiles(const scene::Snapshot& snapshot, Image& image, scene:
 }
 
 bool Renderer::renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                            std::string& error, render::FilmSource& source, bool averages,
+                            std::string& error, render::MovingTileSource& source, bool averages,
                             const render::MovingRays& rays) noexcept {
   return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
-    options.source = &source, options.film = &source;
+    options.source = &source, options.movingSource = &source;
     options.averages = averages, options.rays = rays;
     engine_->render(snapshot, image, cost, options);
   });
 }
 
 bool Renderer::renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
-                          std::string& error, render::FilmSource& source, bool averages,
+                          std::string& error, render::MovingTileSource& source, bool averages,
                           render::RemoteSurfaces& remote) noexcept {
   return caught(cost, error, [&] {
     const InFront lock(*engine_);
     render::TraceOptions options;
-    options.source = &source, options.film = &source;
+    options.source = &source, options.movingSource = &source;
     options.averages = averages, options.remote = &remote;
     engine_->render(snapshot, image, cost, options);
   });

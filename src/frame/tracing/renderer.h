@@ -12,7 +12,7 @@
 #include <string>
 
 namespace gluray::render {
-class FilmSource;
+class MovingTileSource;
 class RemoteSurfaces;
 class TileSource;
 struct MovingRays;
@@ -23,8 +23,8 @@ namespace gluray::frame {
 /// Renders one snapshot at a time; other threads wait. Keeps acceleration structures between frames.
 class Renderer {
  public:
-  /// Threads that trace: shared by all renderers of the process, or its own, so that a picture may wait for
-  /// another renderer's picture.
+  /// Threads that trace: shared by all renderers of the process, or its own, so that an image may wait for
+  /// another renderer's image.
   enum class Threads : bool { shared, own };
   explicit Renderer(Threads = Threads::shared);
   ~Renderer();
@@ -44,7 +44,7 @@ class Renderer {
   bool renderBehind(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                     const std::function<bool()>& stop) noexcept;
 
-  /// Traces the tiles that `source` hands out, for a picture that several processes trace together.
+  /// Traces the tiles that `source` hands out, for an image that several processes trace together.
   /// `averages` false: one sample per pixel, regardless of settings.
   bool renderTiles(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                    render::TileSource& source, bool averages) noexcept;
@@ -52,18 +52,18 @@ class Renderer {
   /// Like renderTiles(), for a frame of an animation (scene::LightSampling::Mode::moving), whose light is
   /// filtered with the view's earlier frames.
   bool renderMoving(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
-                    render::FilmSource& source, bool averages, const render::MovingRays& rays) noexcept;
+                    render::MovingTileSource& source, bool averages, const render::MovingRays& rays) noexcept;
 
-  /// Traces the picture of this process's part of a view, with light effects. `remote`: the other parts,
+  /// Traces the image of this process's part of a view, with light effects. `remote`: the other parts,
   /// which block light. Frames of animations are filtered with earlier frames of this part.
   bool renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
-                  render::FilmSource& source, bool averages, render::RemoteSurfaces& remote) noexcept;
+                  render::MovingTileSource& source, bool averages, render::RemoteSurfaces& remote) noexcept;
 
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.
   bool improves() const noexcept;
 
-  /// Anti-aliases a finished picture: render::fxaa with the settings' threads. False without memory or
+  /// Anti-aliases a finished image: render::fxaa with the settings' threads. False without memory or
   /// threads. Any thread.
   bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                  uint32_t* out) noexcept;

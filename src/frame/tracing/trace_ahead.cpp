@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto kNapAhead = 20ms;         // longest time until the thread notices that the process exits
-constexpr auto kPatienceAhead = 1000ms;  // time without pictures after which the thread ends
+constexpr auto kPatienceAhead = 1000ms;  // time without images after which the thread ends
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void TraceAhead::run(const std::atomic<bool>& cancelled) {
   changed_.notify_all();
 }
 
-/// When this thread has to show the picture; the maximum: never.
+/// When this thread has to show the image; the maximum: never.
 TraceAhead::Clock::time_point TraceAhead::wakes() const {
   return state_ == State::done && late_.show ? late_.due : Clock::time_point::max();
 }
@@ -71,7 +71,7 @@ TraceAhead::Clock::time_point TraceAhead::wakes() const {
 void TraceAhead::traceOne(std::unique_lock<std::mutex>& lock) {
   state_ = State::tracing;
   lock.unlock();
-  // Nobody else accesses the picture and its cost meanwhile.
+  // Nobody else accesses the image and its cost meanwhile.
   error_.clear();
   const bool done = trace_(*traced_, image_, cost_, error_);
   lock.lock();
@@ -102,7 +102,7 @@ bool TraceAhead::wait() {
   return state_ != State::waiting;
 }
 
-bool TraceAhead::takePicture(Image& image, scene::TraceCost& cost, std::string& error) {
+bool TraceAhead::takeImage(Image& image, scene::TraceCost& cost, std::string& error) {
   const scene::SnapshotPtr snapshot = snapshot_;
   const bool ran = wait();
   std::unique_lock lock(mutex_);

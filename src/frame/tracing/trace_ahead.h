@@ -1,6 +1,6 @@
-// Frame lag: traces one picture on a thread of its own while the program continues. The thread starts with
-// the first picture and ends after a second without one. Called on the GL thread, one per context; the
-// tracing thread shows overdue pictures.
+// Frame lag: traces one image on a thread of its own while the program continues. The thread starts with
+// the first image and ends after a second without one. Called on the GL thread, one per context; the
+// tracing thread shows overdue images.
 #pragma once
 #include "base/background_job.h"
 #include "frame/tracing/tracer.h"
@@ -18,7 +18,7 @@ class TraceAhead {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Deadline of a picture: if nobody has taken it by `due`, `show` is called once.
+  /// Deadline of an image: if nobody has taken it by `due`, `show` is called once.
   struct Late {
     Clock::time_point due{};
     std::function<void(const Image&)> show;  // must not throw; empty: nothing
@@ -29,13 +29,13 @@ class TraceAhead {
   TraceAhead(const TraceAhead&) = delete;
   TraceAhead& operator=(const TraceAhead&) = delete;
 
-  /// Starts tracing, with misses in `missColor`. No picture may be pending. False if no thread can start.
+  /// Starts tracing, with misses in `missColor`. No image may be pending. False if no thread can start.
   bool start(scene::SnapshotPtr snapshot, uint32_t missColor, Late late);
-  /// Whether the pending or finished picture is of this very snapshot object.
+  /// Whether the pending or finished image is of this very snapshot object.
   bool has(const scene::Snapshot& snapshot) const { return snapshot_.get() == &snapshot; }
-  /// Waits for the picture and swaps it into `image`. False, with one line in `error`, if tracing failed.
-  bool takePicture(Image& image, scene::TraceCost& cost, std::string& error);
-  /// Discards the picture, after waiting for it.
+  /// Waits for the image and swaps it into `image`. False, with one line in `error`, if tracing failed.
+  bool takeImage(Image& image, scene::TraceCost& cost, std::string& error);
+  /// Discards the image, after waiting for it.
   void drop() noexcept;
 
  private:
@@ -52,7 +52,7 @@ class TraceAhead {
   std::mutex mutex_;             // guards the members below
   std::condition_variable changed_;
   State state_ = State::empty;
-  bool ended_ = true;  // the thread takes no more pictures
+  bool ended_ = true;  // the thread takes no more images
   bool showing_ = false;
   const scene::Snapshot* traced_ = nullptr;
   Late late_;

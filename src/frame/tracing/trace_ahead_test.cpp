@@ -9,7 +9,7 @@
 namespace gluray::frame {
 namespace {
 
-/// A picture of one pixel whose depth is the frame's number; frame 13 fails.
+/// An image of one pixel whose depth is the frame's number; frame 13 fails.
 bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error) {
   image.resize(1, 1, 1);
   image.depth[0] = static_cast<float>(snapshot.frame);
@@ -24,7 +24,7 @@ scene::SnapshotPtr frame(uint64_t number) {
   return snapshot;
 }
 
-TEST(TraceAhead, PicturesOneAfterTheOther) {
+TEST(TraceAhead, ImagesOneAfterTheOther) {
   TraceAhead ahead(trace);
   for (uint64_t number = 1; number < 50; ++number) {
     const scene::SnapshotPtr snapshot = frame(number);
@@ -33,7 +33,7 @@ TEST(TraceAhead, PicturesOneAfterTheOther) {
     Image image;
     scene::TraceCost cost;
     std::string error;
-    EXPECT_EQ(ahead.takePicture(image, cost, error), number != 13);
+    EXPECT_EQ(ahead.takeImage(image, cost, error), number != 13);
     EXPECT_FALSE(ahead.has(*snapshot));
     if (number == 13) {
       EXPECT_EQ(error, "frame 13");
@@ -45,17 +45,17 @@ TEST(TraceAhead, PicturesOneAfterTheOther) {
   }
 }
 
-TEST(TraceAhead, DroppedPictures) {
+TEST(TraceAhead, DroppedImages) {
   TraceAhead ahead(trace);
   ahead.drop();
   for (uint64_t number = 1; number < 5; ++number) {
     ASSERT_TRUE(ahead.start(frame(number), 0, {}));
     ahead.drop();
   }
-  ASSERT_TRUE(ahead.start(frame(5), 0, {}));  // destroyed with a picture pending
+  ASSERT_TRUE(ahead.start(frame(5), 0, {}));  // destroyed with an image pending
 }
 
-TEST(TraceAhead, OverduePicturesAreShownOnce) {
+TEST(TraceAhead, OverdueImagesAreShownOnce) {
   TraceAhead ahead(trace);
   std::atomic<int> shown{0};
   const scene::SnapshotPtr snapshot = frame(3);
@@ -68,12 +68,12 @@ TEST(TraceAhead, OverduePicturesAreShownOnce) {
   Image image;
   scene::TraceCost cost;
   std::string error;
-  EXPECT_TRUE(ahead.takePicture(image, cost, error));
+  EXPECT_TRUE(ahead.takeImage(image, cost, error));
   EXPECT_EQ(image.depth[0], 3);
   EXPECT_EQ(shown, 1);
 }
 
-TEST(TraceAhead, PicturesThatAreTakenInTimeAreNotShown) {
+TEST(TraceAhead, ImagesThatAreTakenInTimeAreNotShown) {
   TraceAhead ahead(trace);
   std::atomic<int> shown{0};
   Image image;
@@ -83,7 +83,7 @@ TEST(TraceAhead, PicturesThatAreTakenInTimeAreNotShown) {
     ASSERT_TRUE(
         ahead.start(frame(number), 0,
                     {TraceAhead::Clock::now() + std::chrono::hours(1), [&](const Image&) { ++shown; }}));
-    EXPECT_TRUE(ahead.takePicture(image, cost, error));
+    EXPECT_TRUE(ahead.takeImage(image, cost, error));
   }
   EXPECT_EQ(shown, 0);
 }

@@ -21,35 +21,35 @@ using Trace = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCos
 using TraceBehind = std::function<bool(const scene::Snapshot&, Image&, scene::TraceCost&, std::string& error,
                                        const std::function<bool()>& stop)>;
 
-/// Anti-aliases a picture, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
+/// Anti-aliases an image, `in` to `out`. False on failure; never throws. frame::Renderer::antialias in the
 /// engine.
 using Antialias = std::function<bool(const Settings&, const scene::Fxaa&, const uint32_t* in, int width,
                                      int height, uint32_t* out)>;
 
-/// Resolves the samples of a picture into pixels. False on failure; never throws. frame::Renderer::resolve in
+/// Resolves the samples of an image into pixels. False on failure; never throws. frame::Renderer::resolve in
 /// the engine.
 using Resolve = std::function<bool(const Settings&, const scene::Resolve&, const Image& samples, Image& out)>;
 
-/// Whether tracing an unchanged scene again would free memory or speed up later pictures; never throws.
+/// Whether tracing an unchanged scene again would free memory or speed up later images; never throws.
 /// frame::Renderer::improves in the engine.
 using Improves = std::function<bool()>;
 
-/// Whether equal snapshots have equal pictures. False if other processes have surfaces of the view. Never
+/// Whether equal snapshots have equal images. False if other processes have surfaces of the view. Never
 /// throws.
 using StandsAlone = std::function<bool(const scene::Snapshot&)>;
 
-/// Called for each new picture that is shown, after its passes. `finished`: no further passes follow. Never
+/// Called for each new image that is shown, after its passes. `finished`: no further passes follow. Never
 /// throws.
 using Shown = std::function<void(const scene::Snapshot&, const Image&, bool finished)>;
 
-/// Ground and background for MPI programs that composite the pictures of their ranks. Pictures of trace()
+/// Ground and background for MPI programs that composite the images of their ranks. Images of trace()
 /// that show the data of several ranks lack both. Functions never throw.
 struct Scenery {
-  // Whether the last picture is of this snapshot, shows the data of several ranks, and was made for this
+  // Whether the last image is of this snapshot, shows the data of several ranks, and was made for this
   // rank.
   std::function<bool(const scene::Snapshot&)> isGathered;
   Trace trace;                     // traces the snapshot with ground and background
-  std::function<void()> leaveOut;  // reports that the program's picture lacks both
+  std::function<void()> leaveOut;  // reports that the program's image lacks both
 };
 
 /// All functions; empty functions are skipped.

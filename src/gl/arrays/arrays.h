@@ -13,7 +13,7 @@
 
 namespace gluray::gl {
 
-/// One array. `pointer` is an offset into `buffer`, or without one an address of the program's memory.
+/// One array. `pointer` is an offset into `buffer`, or without one an address of the host program's memory.
 struct ArraySource {
   bool enabled = false;
   GLint size = 4;
@@ -107,7 +107,7 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements);
 
-/// Hash that identifies what both would read: versions of buffers, contents of the program's memory.
+/// Hash that identifies what both would read: versions of buffers, contents of the host program's memory.
 Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// Slots that the enabled arrays fill.

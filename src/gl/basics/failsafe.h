@@ -1,5 +1,5 @@
-// Catches our own failures and decides how much of the program the real OpenGL draws after each: a draw, some
-// frames, or all that follows. A part of each Context, GL thread.
+// Catches our own failures and decides how much of the host program's frames the real OpenGL draws after
+// each: a draw, some frames, or all that follows. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "scene/failure.h"

@@ -26,8 +26,8 @@ struct Statistics {
   Count repeated;                                       // those flushes in which nothing had changed
   Count meshesBuilt, meshBytes;
   Seconds captureSeconds, buildSeconds, traceSeconds, presentSeconds;
-  Count lightPasses;                            // refining pictures with light
-  Counter<double> lightNoise;                   // of the last refined picture, estimated; 0: none was
+  Count lightPasses;                            // refining images with light
+  Counter<double> lightNoise;                   // of the last refined image, estimated; 0: none was
   Count blasBuilds, blasRefinements, bvhBytes;  // builds waited for; BLASes replaced by better ones
   Count blasRefining;                           // 1: a better BLAS was being built at the last flush
 

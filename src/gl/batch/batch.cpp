@@ -55,7 +55,7 @@ BatchKey Batch::keyOf(const PixelState& state, const glm::dmat4& projection) {
   key.projection = projection;
   key.viewport = viewport.box;
   key.depthNear = viewport.depthNear, key.depthFar = viewport.depthFar;
-  constexpr int kLargest = 16384;  // no framebuffer is larger: limits the picture's size for absurd viewports
+  constexpr int kLargest = 16384;  // no framebuffer is larger: limits the image's size for absurd viewports
   key.region = intersect(viewport.box, {0, 0, kLargest, kLargest});
   if (state.raster.scissorTest) {
     const scene::Region& r = key.region;
@@ -95,7 +95,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
     snapshot_->layers = std::move(layers);
   }
   drawn_ = 0;
-  if (key.layers == BatchKey::Layers::factors) return startFactors(target);
+  if (key.layers == BatchKey::Layers::visibility) return startVisibility(target);
   // With GL_MULTISAMPLE off all samples of a pixel get the value at its centre: one plane is enough.
   if (key.multisample) {
     snapshot_->samples = target.samples;
@@ -106,7 +106,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
 }
 
 /// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
-void Batch::startFactors(const TargetState& target) {
+void Batch::startVisibility(const TargetState& target) {
   const float slope = target.samples > 1 ? scene::kCatcherSlopeToSamples : scene::kCatcherSlope;
   constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
   snapshot_->catches = true;

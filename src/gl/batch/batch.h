@@ -27,9 +27,9 @@ struct BatchKey {
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
   bool encodes = false;  // GL_FRAMEBUFFER_SRGB
-  // Their kind, if any. `factors`: the surfaces are in the framebuffer already, and the light that they take
-  // from each other is multiplied onto it (Snapshot::catches).
-  enum class Layers : uint8_t { none, peeled, summed, drawn, factors } layers = Layers::none;
+  // Their kind, if any. `visibility`: the surfaces are in the framebuffer already, and the light that they
+  // take from each other is multiplied onto it (Snapshot::catches).
+  enum class Layers : uint8_t { none, peeled, summed, drawn, visibility } layers = Layers::none;
   scene::Blending blending;  // of layers of kind `drawn`
   double depthSteps = 0;     // the same: scene::Layers::depthSteps
   /// The same: what draws them. Draws of one kind can be made again in their order if tracing fails.
@@ -66,18 +66,18 @@ class Batch {
   void seeThrough(std::shared_ptr<const scene::Layers> layers, const scene::Region& region) {
     snapshot_->layers = std::move(layers), snapshot_->region = region;
   }
-  /// Sets what surrounds the batch. Call before it is handed over.
-  void surround(std::shared_ptr<const scene::Surroundings> surroundings) {
-    snapshot_->surroundings = std::move(surroundings);
+  /// Sets the batch's secondary scene. Call before it is handed over.
+  void setSecondaryScene(std::shared_ptr<const scene::SecondaryScene> secondaryScene) {
+    snapshot_->secondaryScene = std::move(secondaryScene);
   }
   /// Colours are not dithered (GL_DITHER).
   void setUndithered() { undithered_ = true; }
-  /// Whether its pixels are data to the program rather than a picture: surfaces of one colour each, without
+  /// Whether its pixels are data to the program rather than an image: surfaces of one colour each, without
   /// light, blending, dither or antialiasing, such as the numbers of objects that a program reads to find
   /// what is under the pointer.
   bool holdsData() const;
-  /// Has it traced as if no setting changed pictures.
-  void dropPictureChanges() { snapshot_->settings = snapshot_->settings.withoutPictureChanges(); }
+  /// Has it traced as if no setting changed images.
+  void dropImageChanges() { snapshot_->settings = snapshot_->settings.withoutImageChanges(); }
   /// Sets which frame of its view it belongs to.
   void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
   void setLightMode(scene::LightSampling::Mode mode) { snapshot_->lightSampling.mode = mode; }
@@ -104,7 +104,7 @@ class Batch {
   std::vector<ProgramDraw> takeProgramDraws() { return std::exchange(programDraws_, {}); }
 
  private:
-  void startFactors(const TargetState& target);
+  void startVisibility(const TargetState& target);
 
   std::shared_ptr<scene::Snapshot> snapshot_;
   glm::dmat4 worldFromEye_{1};  // of snapshot_

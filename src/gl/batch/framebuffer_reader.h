@@ -60,7 +60,7 @@ class FramebufferReader {
   virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }
   /// Puts the copy of the last keep() back into the same framebuffer, which is bound.
   virtual void putBack(const RealGl&) noexcept {}
-  /// The program reads colours of this region of the bound read framebuffer next. If that holds pictures with
+  /// The program reads colours of this region of the bound read framebuffer next. If that holds images with
   /// light as they were written, finishes them and binds a copy with the finished ones for reading. Not
   /// traced: nothing was bound. Never throws.
   virtual PresentResult bindFinished(const RealGl&, const scene::Region& /*region*/) noexcept { return {}; }

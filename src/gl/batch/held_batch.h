@@ -1,4 +1,4 @@
-// A batch that was taken before its picture is in the framebuffer: what it takes to write it there later.
+// A batch that was taken before its image is in the framebuffer: what it takes to write it there later.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/program_draw.h"

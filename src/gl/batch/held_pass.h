@@ -1,7 +1,7 @@
 // Render passes whose draws are held back because their result is traced. Kept by LayerDraws, GL thread.
 #pragma once
 #include "gl/batch/program_draw.h"
-#include "gl/clock/picture_wish.h"
+#include "gl/clock/image_wish.h"
 
 #include <glm/glm.hpp>
 
@@ -27,7 +27,7 @@ struct HeldPass {
   std::vector<ProgramDraw> draws;
 };
 
-/// The passes of a program that peels layers (dual depth peeling), and where the result goes.
+/// The passes of a host program that peels layers (dual depth peeling), and where the result goes.
 struct LayersTarget {
   HeldPass depths;                      // the depth pass: nearest and farthest depths for the program's peels
   HeldPass surfaces;                    // the first peel
@@ -35,12 +35,12 @@ struct LayersTarget {
   std::vector<glm::vec2> opaqueDepths;  // its content; green: depth of opaque surfaces, or -1
   GLuint result = 0;                    // RGBA8 texture: colour times opacity, and opacity
   glm::ivec2 size{0};                   // of all these textures
-  PictureWish wish;
-  bool written = false;  // `result` holds a traced picture
+  ImageWish wish;
+  bool written = false;  // `result` holds a traced image
   bool mayAsk =
-      false;  // picture and later peels may wait until we know how many peels the program draws. Then:
-  std::vector<uint32_t> picture;  // traced, not yet written to `result`, the newest peel's texture
-  std::vector<HeldPass> later;    // the program's clears and draws after the first peel
+      false;  // image and later peels may wait until we know how many peels the program draws. Then:
+  std::vector<uint32_t> image;  // traced, not yet written to `result`, the newest peel's texture
+  std::vector<HeldPass> later;  // the program's clears and draws after the first peel
 };
 
 }  // namespace gluray::gl

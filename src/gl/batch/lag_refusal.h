@@ -11,7 +11,7 @@ enum class LagRefusal : uint8_t {
   none,         // it was not: it lags
   nothingToDo,  // no batch was pending
   target,       // the batch goes elsewhere than into a plain back buffer
-  repeated,     // its picture was known
+  repeated,     // its image was known
   measured,     // engine = auto measured the frame, or left it to the real OpenGL
   state,        // a query, layers, other contexts
   single,       // frames did not follow each other

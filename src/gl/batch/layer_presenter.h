@@ -1,4 +1,4 @@
-// Presents peeled layers: traced in place of the program's peels, or drawn by replaying those peels.
+// Presents peeled layers: traced in place of the host program's peels, or drawn by replaying those peels.
 // Implemented in intercept/present/, called by LayerDraws. GL thread, context current.
 #pragma once
 #include "gl/batch/held_pass.h"
@@ -17,13 +17,13 @@ namespace gluray::gl {
 class LayerPresenter {
  public:
   virtual ~LayerPresenter() = default;
-  /// Traces the layers of `snapshot` into `target.result`, or writes `target.picture` there. If that fails,
+  /// Traces the layers of `snapshot` into `target.result`, or writes `target.image` there. If that fails,
   /// or if `rasterise`, the real OpenGL draws the held passes instead. Otherwise as Presenter::present().
   virtual PresentResult present(const RealGl&, const scene::SnapshotPtr&, const LayersTarget& /*target*/,
                                 bool /*rasterise*/) noexcept {
     return {};
   }
-  /// Only traces layers: returns the picture in PresentResult::picture and writes nothing.
+  /// Only traces layers: returns the image in PresentResult::image and writes nothing.
   virtual PresentResult trace(const scene::SnapshotPtr&, const LayersTarget& /*target*/) noexcept {
     return {};
   }

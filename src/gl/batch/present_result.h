@@ -21,22 +21,22 @@ struct PresentResult {
   } outcome = failed;
   scene::TraceCost cost;
   double presentSeconds = 0;
-  bool repeated = false;  // nothing had changed: the last picture was used again
+  bool repeated = false;  // nothing had changed: the last image was used again
   uint32_t passes = 0;    // of light, traced now
-  double noise = std::numeric_limits<double>::infinity();  // estimated, of the picture; infinite: not known
+  double noise = std::numeric_limits<double>::infinity();  // estimated, of the image; infinite: not known
   bool averages = false;                                   // pixels are averages of several rays
   bool uploaded = false;                                   // into textures, not drawn
-  /// Set if one peel does not show all layers: how many there are. Rasterised, or the picture waits.
+  /// Set if one peel does not show all layers: how many there are. Rasterised, or the image waits.
   std::optional<LayerCounts> layers;
-  std::vector<uint32_t> picture;      // the waiting picture of layers; empty: it was written
+  std::vector<uint32_t> image;        // the waiting image of layers; empty: it was written
   GLenum pendingError = GL_NO_ERROR;  // the program's error that was found on the way, to be reported to it
   std::string why;                    // if not traced: one line for the user, not logged yet
 
-  /// What a picture that was not traced costs. Where the real OpenGL could not draw the instances either, the
+  /// What an image that was not traced costs. Where the real OpenGL could not draw the instances either, the
   /// framebuffer lacks them: tracing ends.
   scene::Loss loss() const { return outcome == failed ? scene::Loss::tracing : cost.loss; }
   /// `why`, or a general line where it is empty.
-  const char* reason() const { return why.empty() ? "the ray tracer could not make a picture" : why.c_str(); }
+  const char* reason() const { return why.empty() ? "the ray tracer could not make an image" : why.c_str(); }
 };
 
 }  // namespace gluray::gl

@@ -8,7 +8,7 @@
 #include "gl/batch/layer_presenter.h"
 #include "gl/batch/present_result.h"
 #include "gl/batch/window_presenter.h"
-#include "gl/clock/picture_wish.h"
+#include "gl/clock/image_wish.h"
 #include "gl/real/real.h"
 #include "gl/sharing/shared_names.h"
 #include "scene/fxaa.h"
@@ -38,13 +38,13 @@ struct PresentTarget {
     scene::MeshPtr mesh;
     glm::dmat4 clipFromObject{1};
   } byMatrix = {};
-  PictureWish wish = {};
-  /// The clear under the snapshot's whole region, if known and if the picture may be uploaded instead of
+  ImageWish wish = {};
+  /// The clear under the snapshot's whole region, if known and if the image may be uploaded instead of
   /// drawn; no stencil value in the framebuffer matters then.
   std::optional<ClearedTarget> cleared = {};
 };
 
-/// Where the pixels go into which a picture's samples are resolved.
+/// Where the pixels go into which an image's samples are resolved.
 struct ResolveTarget {
   scene::Resolve how;
   bool core = false;  // core profile
@@ -52,10 +52,10 @@ struct ResolveTarget {
   /// RGBA8 texture of the resolved size for the colours; 0: the bound draw framebuffer, which takes
   /// the depths in any case.
   GLuint texture = 0;
-  PictureWish wish = {};
+  ImageWish wish = {};
 };
 
-/// Writes pictures into framebuffers, and returns the other presenters, which do nothing by default.
+/// Writes images into framebuffers, and returns the other presenters, which do nothing by default.
 class Presenter {
  public:
   virtual ~Presenter() = default;

@@ -18,7 +18,8 @@ namespace gluray::gl {
 struct ArrayState;
 struct KnownProgram;
 
-/// Fixed function's attributes and state for a draw of a program that reads them (gl_Vertex, gl_LightSource
+/// Fixed function's attributes and state for a draw of a shader program that reads them (gl_Vertex,
+/// gl_LightSource
 /// ...).
 struct BuiltInInputs {
   scene::Instance instance;    // its mesh's triangles are drawn with its matrix, current values and materials

@@ -50,7 +50,7 @@ constexpr uint32_t sizeOf(Slot slot) {
 inline constexpr SlotMask kTexCoordSlots = SlotMask{0xFF} << kTexCoord0;
 constexpr Slot texCoordSlot(uint32_t unit) { return static_cast<Slot>(kTexCoord0 + unit); }
 
-/// Slots that a traced picture can depend on; the others only affect rasterised draws.
+/// Slots that a traced image can depend on; the others only affect rasterised draws.
 inline constexpr SlotMask kTracedSlots = bit(kPosition) | bit(kPositionW) | bit(kNormal) | bit(kColor) |
                                          bit(kSecondaryColor) | bit(kFogCoord) | bit(kMaterialNumber) |
                                          kTexCoordSlots;

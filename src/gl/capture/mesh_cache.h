@@ -9,7 +9,7 @@
 
 namespace gluray::gl {
 
-/// A mesh, and what triage needs to know of the vertices it was built from.
+/// A mesh, and what the classifier needs to know of the vertices it was built from.
 struct KnownMesh {
   scene::MeshPtr mesh;       // null if it cannot be traced (homogeneous vertices)
   bool homogeneous = false;  // some vertex has w != 1

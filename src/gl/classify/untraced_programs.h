@@ -14,16 +14,16 @@ class UntracedPrograms {
  public:
   UntracedPrograms(ShadowState& shadow, const FrameClock& clock) : shadow_(shadow), clock_(clock) {}
 
-  /// Why draws of the program in use are not traced, whatever the state is. Reason::traced: they may be
-  /// traced, or no program is in use. Reads no state back. May throw std::bad_alloc.
+  /// Why draws of the shader program in use are not traced, whatever the state is. Reason::traced: they may
+  /// be traced, or no program is in use. Reads no state back. May throw std::bad_alloc.
   Reason inUse();
   /// Whether its shaders may read which draw of a multi-draw they belong to. Those of a program pipeline are
   /// not inspected: they may.
   bool numbersDraws() { return inUse() == Reason::traced ? isPipeline() : numbersDraws_; }
   /// Whether it takes its vertices from fixed function.
   bool readsFixedVertices() { return inUse() != Reason::traced && readsFixedVertices_; }
-  /// Whether all linked programs of the share group are such, so that no draw by a program will be traced. In
-  /// each frame, recognises one that was not used yet.
+  /// Whether all linked shader programs of the share group are such, so that no draw by a shader program will
+  /// be traced. In each frame, recognises one that was not used yet.
   bool areAll();
 
  private:

@@ -19,7 +19,7 @@ struct ContextInfo {
   int version = 0;                   // of its OpenGL, 10 times major plus minor
   bool packedFloats = false;         // takesPackedFloats()
   bool core = false;                 // core profile: no fixed function
-  bool doubleBuffered = true;        // of its drawable; otherwise glFlush and glFinish show the picture
+  bool doubleBuffered = true;        // of its drawable; otherwise glFlush and glFinish show the image
   bool off = false;                  // pass every call through
   Settings settings;                 // used if `source` is null
   SettingsSource* source = nullptr;  // read when the context is created and when a frame begins
@@ -27,7 +27,7 @@ struct ContextInfo {
   /// unknown. May be slow: called only if a viewport exceeds the largest known size. Empty: never known.
   std::function<glm::ivec2()> drawableSize;
   /// Whether the user sees what the context draws, because its drawable is a window on the screen. Called
-  /// while settings change pictures. Empty: no.
+  /// while settings change images. Empty: no.
   std::function<bool()> isShown;
   std::shared_ptr<DrawKinds> kinds;            // records draws for `gluray explain`; null: not explaining
   std::shared_ptr<Decisions> decisions;        // logs them; null: nobody asks. Needs `kinds`

@@ -14,11 +14,11 @@ bool FrameClock::isShown() const { return info_.isShown && info_.isShown(); }
 scene::LightSampling::Mode FrameClock::lightMode(const Settings& settings) {
   using Sampling = scene::LightSampling;
   isOffscreen_ = animates_ = false;
-  return settings.changesPicture() && isShown() ? Sampling::Mode::moving : Sampling::Mode::full;
+  return settings.changesImage() && isShown() ? Sampling::Mode::moving : Sampling::Mode::full;
 }
 
 bool FrameClock::watchesOffscreen(const Settings& settings) const {
-  return settings.refine.offscreen == RefineOffscreen::animated && settings.changesPicture() && !isShown();
+  return settings.refine.offscreen == RefineOffscreen::animated && settings.changesImage() && !isShown();
 }
 
 scene::LightSampling::Mode FrameClock::offscreenMode(glm::ivec2 size, uint64_t viewFrame) {

@@ -2,8 +2,8 @@
 #pragma once
 #include "base/clock.h"
 #include "gl/clock/context_info.h"
+#include "gl/clock/image_wish.h"
 #include "gl/clock/offscreen_animation.h"
-#include "gl/clock/picture_wish.h"
 #include "gl/trials/engine_choice.h"
 #include "gl/trials/frame_trials.h"
 #include "scene/light_sampling.h"
@@ -25,24 +25,24 @@ class FrameClock {
   /// Whether draws pass through to the real OpenGL. Then only lists are captured, and no state is read.
   bool passesThrough() const { return passesThrough_; }
   void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
-  /// Whether this frame is being measured: then no picture may be repeated or delayed.
+  /// Whether this frame is being measured: then no image may be repeated or delayed.
   bool measured() const { return choice.wantsStop(); }
   /// The program reads what flushes write until it is false again.
   bool reads = false;
   /// Flushes write what somebody is about to see until it is false again: a swap, or glFlush of a window with
   /// one buffer.
   bool shows = false;
-  /// `known`: the picture was shown before, elsewhere.
-  PictureWish wish(bool known = false) const { return {known || !measured(), reads && !animates_}; }
-  /// For a picture that the window shows already: reads find it there (FinishedRead).
-  PictureWish wishAsShown() const { return {true, false, true}; }
-  /// How light is sampled for the next picture: in full where nobody watches frames change. Whether somebody
+  /// `known`: the image was shown before, elsewhere.
+  ImageWish wish(bool known = false) const { return {known || !measured(), reads && !animates_}; }
+  /// For an image that the window shows already: reads find it there (FinishedRead).
+  ImageWish wishAsShown() const { return {true, false, true}; }
+  /// How light is sampled for the next image: in full where nobody watches frames change. Whether somebody
   /// does is known later in programs without a window (watchesOffscreen).
   scene::LightSampling::Mode lightMode(const Settings& settings);
   bool watchesOffscreen(const Settings& settings) const;
-  /// The same for a picture that is about to be traced, of that frame of a view. Throws std::bad_alloc.
+  /// The same for an image that is about to be traced, of that frame of a view. Throws std::bad_alloc.
   scene::LightSampling::Mode offscreenMode(glm::ivec2 size, uint64_t viewFrame);
-  /// The last picture belongs to an animation: reads take it as it is.
+  /// The last image belongs to an animation: reads take it as it is.
   bool animates() const { return animates_; }
   /// It is there.
   void drawn() {
@@ -65,7 +65,7 @@ class FrameClock {
   const ContextInfo& info_;
   bool passesThrough_ = false;
   OffscreenAnimation offscreen_;
-  bool isOffscreen_ = false, animates_ = false;  // of the last picture
+  bool isOffscreen_ = false, animates_ = false;  // of the last image
 };
 
 }  // namespace gluray::gl

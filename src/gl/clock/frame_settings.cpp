@@ -9,8 +9,7 @@
 namespace gluray::gl {
 
 Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked) {
-  const bool choice =
-      !info.off && settings.renderer != Renderer::null && !settings.changesPicture() && !asked;
+  const bool choice = !info.off && settings.renderer != Renderer::null && !settings.changesImage() && !asked;
   return choice || settings.engine == Engine::never ? settings.engine : Engine::always;
 }
 

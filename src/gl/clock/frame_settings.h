@@ -7,7 +7,7 @@
 
 namespace gluray::gl {
 
-/// The engine that draws. `automatic` becomes `always` if settings change the picture, so that the real
+/// The engine that draws. `automatic` becomes `always` if settings change the image, so that the real
 /// OpenGL would show another one, or if the renderer is `null` (to measure interception alone), or if
 /// somebody asks for what is drawn (DrawnObjects).
 Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked = false);

@@ -1,4 +1,4 @@
-// Distinguishes frames of animations from single pictures in programs without a visible window (setting
+// Distinguishes frames of animations from single images in programs without a visible window (setting
 // refine.offscreen = animated). A part of FrameClock, GL thread; the caller passes times.
 #pragma once
 #include <glm/glm.hpp>
@@ -10,14 +10,14 @@ namespace gluray::gl {
 
 class OffscreenAnimation {
  public:
-  /// Seconds without a picture after which the next one is a single one.
+  /// Seconds without an image after which the next one is a single one.
   static constexpr double kPause = 0.5;
 
-  /// Whether a view's frame, which begins or goes on, is one of an animation: it follows a picture of its
+  /// Whether a view's frame, which begins or goes on, is one of an animation: it follows an image of its
   /// size without a pause, or there has been a larger one of the same shape, as where programs reduce
-  /// pictures while the camera turns. Throws std::bad_alloc.
+  /// images while the camera turns. Throws std::bad_alloc.
   bool isAnimated(glm::ivec2 size, uint64_t frame, double now);
-  /// The picture that was asked about last is there.
+  /// The image that was asked about last is there.
   void drawn(double now) {
     if (!views_.empty()) views_.back().drawn = now;
   }

@@ -22,7 +22,7 @@ TEST(OffscreenAnimation, FramesThatFollowEachOther) {
   EXPECT_FALSE(animates(frames, 4, 101.5)) << "after a pause";
 }
 
-TEST(OffscreenAnimation, PicturesThatTakeLongAreNoPause) {
+TEST(OffscreenAnimation, ImagesThatTakeLongAreNoPause) {
   OffscreenAnimation frames;
   EXPECT_FALSE(frames.isAnimated(kLarge, 1, 100));
   frames.drawn(107);
@@ -37,7 +37,7 @@ TEST(OffscreenAnimation, BatchesOfOneFrameAreAlike) {
   EXPECT_TRUE(animates(frames, 2, 105)) << "the program has paused within a frame";
 }
 
-TEST(OffscreenAnimation, ReducedPicturesAreAnimated) {
+TEST(OffscreenAnimation, ReducedImagesAreAnimated) {
   OffscreenAnimation frames;
   EXPECT_FALSE(animates(frames, 1, 100));
   EXPECT_TRUE(animates(frames, 2, 200, kReduced));

@@ -63,7 +63,7 @@ namespace {
 bool joinsRun(Context& c, GLenum mode, const Elements& e) {
   const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays().reason == Reason::traced &&
                      c.shadow.arrays().vertex.enabled;
-  if (!plain || e.count > kSmall || c.triage.classify(classOf(mode)) != Reason::traced) return false;
+  if (!plain || e.count > kSmall || c.classifier.classify(classOf(mode)) != Reason::traced) return false;
   const Reason joined = c.failsafe.attempt([&] {
     c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays(), e), pathOf(e));
     return Reason::traced;

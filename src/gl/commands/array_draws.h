@@ -34,8 +34,8 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
 /// What a draw counts as; an impostor counts as one triangle.
 DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& elements);
 
-/// Whether the real OpenGL makes the draws of the program in use, whatever the state and their vertices are,
-/// and nothing waits for them or asks about them.
+/// Whether the real OpenGL makes the draws of the shader program in use, whatever the state and their
+/// vertices are, and nothing waits for them or asks about them.
 bool drawsUntraced(Context& c);
 /// Call before such a draw, or several together, of `triangles` triangles: counts it and prepares for it.
 void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles);

@@ -1,4 +1,4 @@
-// glBlitFramebuffer, which reads what was drawn so far: resolves waiting pictures, copies depth, or blits.
+// glBlitFramebuffer, which reads what was drawn so far: resolves waiting images, copies depth, or blits.
 #include "gl/context/handlers.h"
 #include "gl/context/stub.h"
 #include "gl/framebuffers/depth_copy.h"

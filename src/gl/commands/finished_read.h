@@ -1,5 +1,5 @@
-// During its lifetime, the program reads finished pictures if the bound read framebuffer shows unfinished
-// pictures with light (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
+// During its lifetime, the program reads finished images if the bound read framebuffer shows unfinished
+// images with light (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
 #pragma once
 #include "gl/context/context.h"
 
@@ -8,7 +8,7 @@ namespace gluray::gl {
 class FinishedRead {
  public:
   FinishedRead(Context& context, const scene::Region& region, GLenum format) noexcept : context_(context) {
-    if (context.shadow.settings.changesPicture()) [[unlikely]]
+    if (context.shadow.settings.changesImage()) [[unlikely]]
       bind(region, format);
   }
   ~FinishedRead() {

@@ -13,13 +13,13 @@ bool FixedArraysDraw::hasKnownVertices() const {
 Reason FixedArraysDraw::classifyState() {
   if (!hasKnownVertices()) return Reason::arrayState;
   if (mode_ > GL_POLYGON) return Reason::program;  // adjacency and patches need shaders
-  const Reason reason = c_.triage.classify(classOf(mode_));
+  const Reason reason = c_.classifier.classify(classOf(mode_));
   return reason == Reason::traced ? c_.shadow.arrays().reason : reason;
 }
 
 KnownMesh FixedArraysDraw::mesh() { return meshOf(c_, c_.shadow.arrays(), mode_, elements_); }
 
-Reason FixedArraysDraw::classifyMesh(const KnownMesh& mesh) { return c_.triage.classify(mesh, {}); }
+Reason FixedArraysDraw::classifyMesh(const KnownMesh& mesh) { return c_.classifier.classify(mesh, {}); }
 
 Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
   c_.filler.add(mesh.mesh, slotsOf(c_.shadow.arrays()), {});

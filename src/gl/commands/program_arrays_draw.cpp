@@ -10,13 +10,13 @@ namespace {
 
 Reason classifyPass(Context& c, PrimitiveClass primitive) {
   switch (layersOf(c.shadow.program())) {
-    case BatchKey::Layers::peeled: return c.layers.triagePeel(primitive);
-    case BatchKey::Layers::summed: return c.layers.triageSum(primitive);
+    case BatchKey::Layers::peeled: return c.layers.classifyPeel(primitive);
+    case BatchKey::Layers::summed: return c.layers.classifySum(primitive);
     case BatchKey::Layers::none:
     case BatchKey::Layers::drawn:
-    case BatchKey::Layers::factors: break;
+    case BatchKey::Layers::visibility: break;
   }
-  return c.programs.triage(primitive);
+  return c.programs.classify(primitive);
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ Reason ProgramArraysDraw::classifyState() {
   if (mode_ > GL_POLYGON) return Reason::program;
   const bool impostors = sentBillboards_ || c_.shadow.currentProgram.drawsImpostors(mode_);
   Reason reason = classifyPass(c_, impostors ? PrimitiveClass::surfaces : classOf(mode_));
-  if (reason == Reason::traced && impostors) reason = c_.programs.triageImpostors();
+  if (reason == Reason::traced && impostors) reason = c_.programs.classifyImpostors();
   if (reason != Reason::traced) return reason;
   // A program that expects impostors draws surfaces in a way that is unknown.
   const bool odd = !impostors && c_.shadow.attributes().shape != scene::Shape::triangles;
@@ -60,8 +60,8 @@ uint64_t ProgramArraysDraw::sent(const KnownMesh& known) const {
 
 Reason ProgramArraysDraw::classifyMesh(const KnownMesh& known) {
   if (takesFixed_) return fixed_.classifyMesh(known);
-  const Reason reason = c_.programs.triage(known, sent(known));
-  return reason == Reason::traced ? c_.programs.triageInstances(*known.mesh, elements_) : reason;
+  const Reason reason = c_.programs.classify(known, sent(known));
+  return reason == Reason::traced ? c_.programs.classifyInstances(*known.mesh, elements_) : reason;
 }
 
 Reason ProgramArraysDraw::trace(const KnownMesh& known) {

@@ -67,14 +67,14 @@ void makeUnlit(scene::Instance& instance, scene::Shading& shading) {
 
 /// A key with the camera of surfaces that wait already, so that they wait together.
 std::optional<BatchKey> likelyKey(const PendingBatch& pending, bool paths) {
-  if (const BatchKey* key = paths ? pending.pictured.likely(pending.batch) : nullptr) return *key;
+  if (const BatchKey* key = paths ? pending.capturedSurfaces.likely(pending.batch) : nullptr) return *key;
   return paths || pending.batch.empty() ? std::nullopt : std::optional(pending.batch.key());
 }
 
 void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject) {
   const bool paths = scene::wantsPaths(c.shadow.settings);
   BatchKey key = Batch::keyOf(c.shadow.pixelState(), clipFromObject);
-  key.layers = BatchKey::Layers::factors;
+  key.layers = BatchKey::Layers::visibility;
   key.depthFunc = GL_LEQUAL;
   c.filler.clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0) return;
@@ -90,7 +90,7 @@ void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFr
   scene::Shading shading;
   if (paths) {
     makeUnlit(instance, shading);
-    return c.pending.pictured.add(key, std::move(instance), std::move(shading), c.pending.batch);
+    return c.pending.capturedSurfaces.add(key, std::move(instance), std::move(shading), c.pending.batch);
   }
   makeMatte(instance, shading);
   c.pending.batch.add(std::move(instance), std::move(shading));

@@ -25,12 +25,12 @@ void clearNow(Context& c, GLbitfield mask) {
   if (c.layers.clearsLater(mask)) return;
   bool later = false;
   c.protect([&] { later = c.window.clearsLater(mask); });
-  const UnresolvedPicture::Cleared clean = later ? UnresolvedPicture::Cleared{} : c.flusher.beforeClear(mask);
+  const UnresolvedImage::Cleared clean = later ? UnresolvedImage::Cleared{} : c.flusher.beforeClear(mask);
   if (mask & GL_STENCIL_BUFFER_BIT) stencilSet(c);
   c.frames.clearing(mask);
   if (!later) c.real.Clear(mask);
   c.frames.cleared(mask);
-  c.resolves.cleanIs(c.clock.passesThrough() ? UnresolvedPicture::Cleared{} : clean);
+  c.resolves.cleanIs(c.clock.passesThrough() ? UnresolvedImage::Cleared{} : clean);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles) 
   c.immediate.closeRunIfOpen();
   c.shadow.refresh(kViewport | kTarget);
   c.protect([&] {
-    const Reason ofContext = c.triage.ofContext(), inUse = c.untraced.inUse();
+    const Reason ofContext = c.classifier.ofContext(), inUse = c.untraced.inUse();
     const Reason ofProgram = inUse == Reason::traced ? Reason::program : inUse;  // a pipeline has no program
     const Reason reason = mode > GL_POLYGON || ofContext == Reason::traced ? ofProgram : ofContext;
     c.counts.rasterised(reason, path, kindOf(mode), triangles);

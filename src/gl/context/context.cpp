@@ -67,9 +67,9 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       pending({shadow, failsafe, clock, counts, surfaces, cleared}, presenter),
       flusher(
           {shadow, failsafe, clock, counts, surfaces, cleared, pending, layers, resolves, window, composed}),
-      triage({shadow, failsafe, clock, surfaces, pending, layers}),
-      filler({shadow, failsafe, clock, surfaces, pending, flusher, triage, layers}),
-      raster({shadow, failsafe, surfaces, cleared, pending, flusher, triage, layers, resolves, window,
+      classifier({shadow, failsafe, clock, surfaces, pending, layers}),
+      filler({shadow, failsafe, clock, surfaces, pending, flusher, classifier, layers}),
+      raster({shadow, failsafe, surfaces, cleared, pending, flusher, classifier, layers, resolves, window,
               composed}),
       draws({shadow, failsafe, counts, raster}),
       layers({shadow, failsafe, clock, counts, cleared, pending, flusher}),
@@ -80,9 +80,9 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
               window, passthrough, immediate, lists}),
       fullscreen({shadow, failsafe, cleared, pending, flusher, resolves}),
       untraced(shadow, clock),
-      programs({shadow, failsafe, clock, surfaces, pending, flusher, triage, filler, raster, layers}),
+      programs({shadow, failsafe, clock, surfaces, pending, flusher, classifier, filler, raster, layers}),
       culled({shadow, failsafe, clock, counts, pending, raster, cleared}),
-      immediate({beginEnd, shadow, failsafe, clock, counts, triage, filler, raster, draws, window,
+      immediate({beginEnd, shadow, failsafe, clock, counts, classifier, filler, raster, draws, window,
                  passthrough, lists, attention},
                 weldingOf(settings.now())),
       lists({*this, shadow, failsafe, clock, immediate, attention}),
@@ -105,7 +105,7 @@ Context::~Context() {
 }
 
 /// After a failure: has the real OpenGL draw the pending batch and the open run, in order, so that nothing is
-/// missing from the picture.
+/// missing from the image.
 void Context::drawHeld() {
   try {
     flusher.flush();

@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/basics/thread_state.h"
-#include "gl/classify/triage.h"
+#include "gl/classify/classifier.h"
 #include "gl/classify/untraced_programs.h"
 #include "gl/clock/frame_settings.h"
 #include "gl/context/attention.h"
@@ -63,7 +63,7 @@ class Context {
   ComposedViews composed;
   PendingBatch pending;
   Flusher flusher;
-  Triage triage;
+  Classifier classifier;
   BatchFiller filler;
   RasterDraws raster;
   Draws draws;

@@ -60,7 +60,7 @@ void FrameEnds::beforeSwap() {
     p_.immediate.closeRunIfOpen();
     p_.window.settle();
     const Showing showing(p_.clock);
-    p_.flusher.flushBatch();  // a picture that waits to be resolved is not in the window
+    p_.flusher.flushBatch();  // an image that waits to be resolved is not in the window
   });
 }
 
@@ -172,7 +172,7 @@ void FrameEnds::cleared(GLbitfield mask) {
     p_.failsafe.depthCleared();
   }
   if (!p_.surfaces.views.empty() || !p_.surfaces.objects.empty() ||
-      scene::needsSurroundings(p_.shadow.settings) || wantsShownViews(p_.shadow.settings))
+      scene::needsSecondaryScene(p_.shadow.settings) || wantsShownViews(p_.shadow.settings))
     endViews(mask);
   p_.cleared.clear(mask);
   if ((mask & kWhole) != kWhole || p_.counts.work() == workForgotten_) return;

@@ -38,7 +38,7 @@ class FrameEnds {
   /// For intercept/, in place of beforeSwap() and the swap: WindowFrames::mayShowDirectly() and lag().
   bool mayShowDirectly() noexcept;
   LagRefusal lag(const LagWindow& window) noexcept;
-  /// Call before a buffer swap: writes all pending pictures into the window.
+  /// Call before a buffer swap: writes all pending images into the window.
   void beforeSwap();
   /// Call after a buffer swap: ends the frame, chooses the next one's engine, forgets old meshes.
   void afterSwap();

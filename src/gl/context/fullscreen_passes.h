@@ -1,5 +1,5 @@
-// Full-screen passes (FXAA, resolve) that we make in place of the program, because a software OpenGL takes
-// longer for them than we for the whole picture. A part of each Context, GL thread.
+// Full-screen passes (FXAA, resolve) that we make in place of the host program, because a software OpenGL
+// takes longer for them than we for the whole image. A part of each Context, GL thread.
 #pragma once
 #include "gl/flush/flusher.h"
 #include "gl/real/elements.h"

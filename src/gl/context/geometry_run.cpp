@@ -150,13 +150,13 @@ class GeometryRun::RunDraw final : public DrawRequest {
  public:
   RunDraw(GeometryRun& run, Context& context) : run_(run), c_(context) {}
   Reason classifyState() override {
-    const Reason reason = c_.triage.classify(run_.kind_);
+    const Reason reason = c_.classifier.classify(run_.kind_);
     if (reason != Reason::traced || !run_.verticesLost_) return reason;
     return run_.kind_ == PrimitiveClass::points ? Reason::points : Reason::lines;
   }
   KnownMesh mesh() override { return run_.mesh(c_); }
   Reason classifyMesh(const KnownMesh& mesh) override {
-    return c_.triage.classify(mesh, run_.captured_.materials);
+    return c_.classifier.classify(mesh, run_.captured_.materials);
   }
   Reason trace(const KnownMesh& mesh) override {
     c_.filler.add(mesh.mesh, run_.layout_.mask, run_.captured_.materials);

@@ -172,7 +172,7 @@ void matrixMode(Context& c, GLenum mode);
 // The following return the groups to touch.
 /// For commands on the current matrix.
 uint32_t matrixGroups(Context& c);
-/// A program gets a binary, is deleted, or is linked again.
+/// A shader program gets a binary, is deleted, or is linked again.
 uint32_t programChanged(Context& c, GLuint program);
 uint32_t programDeleted(Context& c, GLuint program);
 uint32_t programLinked(Context& c, GLuint program);

@@ -137,7 +137,7 @@ void Immediate::begin(GLenum mode) {
     p_.passthrough.works();
     p_.shadow.refresh(kDrawGroups);
     class_ = kind;
-    const Reason reason = p_.triage.classify(kind);
+    const Reason reason = p_.classifier.classify(kind);
     if (reason != Reason::traced && !canBegin(mode)) return;  // no primitive is open
     const bool captured = reason == Reason::traced || p_.raster.needsVertices(kind, reason);
     if (!captured) {

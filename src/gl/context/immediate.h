@@ -30,7 +30,7 @@ class Immediate {
     Failsafe& failsafe;
     FrameClock& clock;
     DrawCounts& counts;
-    Triage& triage;
+    Classifier& classifier;
     BatchFiller& filler;
     RasterDraws& raster;
     Draws& draws;

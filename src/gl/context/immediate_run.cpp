@@ -122,7 +122,9 @@ class Immediate::RunDraw final : public DrawRequest {
   explicit RunDraw(Immediate& immediate) : i_(immediate), run_(immediate.stream_.captured()) {}
   Reason classifyState() override { return i_.p_.failsafe.aside() ? i_.p_.failsafe.reason() : i_.reason_; }
   KnownMesh mesh() override { return i_.meshOfRun(); }
-  Reason classifyMesh(const KnownMesh& mesh) override { return i_.p_.triage.classify(mesh, run_.materials); }
+  Reason classifyMesh(const KnownMesh& mesh) override {
+    return i_.p_.classifier.classify(mesh, run_.materials);
+  }
   Reason trace(const KnownMesh& mesh) override {
     i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
     i_.p_.counts.traced(i_.path_, countTriangles(run_));

@@ -13,7 +13,7 @@ std::string_view nameOf(BatchKey::Layers layers) {
     case BatchKey::Layers::peeled: return "peeled";
     case BatchKey::Layers::summed: return "summed";
     case BatchKey::Layers::drawn: return "blended";
-    case BatchKey::Layers::factors: return "factors of light";
+    case BatchKey::Layers::visibility: return "visibility";
   }
   return "";
 }

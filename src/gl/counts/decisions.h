@@ -22,9 +22,9 @@ class Decisions {
   /// What else became of the draw: it was culled, lit ... or not, and why.
   void detail(std::string_view what, std::string_view why = {});
   /// The draws of a batch are presented: `how` is "traced", or why the real OpenGL makes them, or where the
-  /// traced picture goes in place of the framebuffer.
+  /// traced image goes in place of the framebuffer.
   void batch(const BatchKey& key, size_t instances, std::string_view how);
-  /// A batch was presented. `known`: its picture was shown before.
+  /// A batch was presented. `known`: its image was shown before.
   void presented(const PresentResult& result, bool known);
 
  private:

@@ -45,7 +45,7 @@ class DrawCounts {
   /// Adds to the frame's load. rasterised() and traced() call it; so does the end of a primitive that was
   /// given to the real OpenGL.
   void load(uint64_t triangles) { clock_.choice.drew(triangles, shadow_.viewportPixels()); }
-  /// Grows with everything that is drawn and may be cached: pictures, and meshes that were never traced.
+  /// Grows with everything that is drawn and may be cached: images, and meshes that were never traced.
   uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
 
  private:

@@ -16,7 +16,7 @@ CullReason cullableState(ShadowState& shadow, GLenum mode);
 /// to whether the depth test passes only nearer or equal fragments.
 CullReason hideableState(ShadowState& shadow, GLenum mode, bool& isTested);
 
-/// Returns the reason why hidden surfaces affect the picture through blending, or CullReason::culled.
+/// Returns the reason why hidden surfaces affect the image through blending, or CullReason::culled.
 /// `opaque`: alpha is 1; otherwise alpha is unknown.
 CullReason cullableBlending(ShadowState& shadow, bool opaque);
 

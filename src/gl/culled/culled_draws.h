@@ -71,7 +71,7 @@ class CulledDraws {
     CulledProgram* program = nullptr;        // null: fixed function
   };
   /// Finds the source of draws with the current state. Returns CullReason::culled, or the reason why the
-  /// source is unknown or why hidden triangles affect the picture.
+  /// source is unknown or why hidden triangles affect the image.
   CullReason source(GLenum mode, const Elements& elements, Source& source);
 
   /// The current shader program; requires one.
@@ -109,7 +109,7 @@ class CulledDraws {
     uint64_t lastFrame = 0;          // that drew it
     int frames = 0;                  // that drew it
     bool refused = false;            // its positions cannot be read
-    bool different = false;          // a picture was not the same, without a shader program
+    bool different = false;          // an image was not the same, without a shader program
   };
   /// Data of a draw, found before anything is drawn.
   struct Plan {
@@ -137,7 +137,7 @@ class CulledDraws {
   /// Plans a draw. Returns CullReason::culled, or the reason why the draw is not culled.
   CullReason plan(GLenum mode, const Elements& elements, Plan& plan);
   CullReason sourceOfProgram(GLenum mode, const Elements& elements, Source& source);
-  /// Returns the reason why hidden surfaces affect the picture through blending, or CullReason::culled.
+  /// Returns the reason why hidden surfaces affect the image through blending, or CullReason::culled.
   CullReason blendingOf(CulledProgram& program, const Varyings& varyings, GLenum mode,
                         const Elements& elements);
   CullReason sourceOfFixedFunction(Source& source);
@@ -146,7 +146,7 @@ class CulledDraws {
   /// can be skipped.
   CullReason planUnits(const CulledProgram& program, Plan& plan);
   CullReason planMesh(const Source& source, Plan& plan);
-  /// Plans a draw of a program whose positions need transform feedback.
+  /// Plans a draw of a shader program whose positions need transform feedback.
   CullReason planFeedback(Plan& plan);
   CullReason planClusters(const Hash128& name, const std::function<std::shared_ptr<CulledMesh>()>& make,
                           Plan& plan);

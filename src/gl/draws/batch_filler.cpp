@@ -40,7 +40,7 @@ bool BatchFiller::open(const BatchKey& key, const glm::dmat4& modelview) {
   if (!batch.empty()) return true;
   p_.flusher.settleBelow(key.samples);
   batch.start(key, p_.shadow.target(), modelview, p_.shadow.settings, p_.clock.frame, p_.pending.begin());
-  if (p_.shadow.settings.changesPicture() && !isOn(p_.shadow.real, GL_DITHER)) batch.setUndithered();
+  if (p_.shadow.settings.changesImage() && !isOn(p_.shadow.real, GL_DITHER)) batch.setUndithered();
   return true;
 }
 
@@ -101,7 +101,7 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   clampToTarget(key.region);
   if (mesh->triangleCount == 0) return;
   const bool program = p_.shadow.raster().program != 0;
-  const bool layer = p_.triage.isLayer(*mesh, materials);
+  const bool layer = p_.classifier.isLayer(*mesh, materials);
   if (layer)
     p_.layers.describe(key, program ? BatchKey::DrawnBy::builtIns : BatchKey::DrawnBy::fixedFunction);
   if (program) return addByProgram(key, mesh, slots);
@@ -110,7 +110,7 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   p_.pending.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
   if (!layer || key.blending.writesDepth)
     p_.surfaces.passes.drawn(mesh, p_.shadow.modelview(), MultipassSurfaces::How::pending,
-                             depthPlaceOf(p_.shadow), p_.triage.isPushedBack());
+                             depthPlaceOf(p_.shadow), p_.classifier.isPushedBack());
   settleFailure();
 }
 
@@ -126,7 +126,7 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
   p_.pending.batch.keep(std::move(kept));
   if (key.layers == BatchKey::Layers::none || key.blending.writesDepth)
     p_.surfaces.passes.drawn(mesh, p_.shadow.modelview(), MultipassSurfaces::How::pending,
-                             depthPlaceOf(p_.shadow), p_.triage.isPushedBack());
+                             depthPlaceOf(p_.shadow), p_.classifier.isPushedBack());
   settleFailure();
 }
 

@@ -2,7 +2,7 @@
 // programs. A part of each Context, GL thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
-#include "gl/classify/triage.h"
+#include "gl/classify/classifier.h"
 #include "gl/flush/flusher.h"
 
 #include <glm/glm.hpp>
@@ -20,13 +20,14 @@ class BatchFiller {
     SurfaceHistory& surfaces;
     PendingBatch& pending;
     Flusher& flusher;
-    Triage& triage;
+    Classifier& classifier;
     LayerDraws& layers;
   };
   explicit BatchFiller(const Parts& parts) : p_(parts) {}
 
-  /// Adds a mesh with the current fixed-function state, and the program in use, if there is one. `slots`:
-  /// attributes that its vertices have. `materials`: those that its vertices select beside the current one.
+  /// Adds a mesh with the current fixed-function state, and the shader program in use, if there is one.
+  /// `slots`: attributes that its vertices have. `materials`: those that its vertices select beside the
+  /// current one.
   void add(const scene::MeshPtr& mesh, SlotMask slots, const std::vector<MaterialChange>& materials);
 
   /// Opens a batch for `key`, and flushes a pending one of another key, or of a world that has no place for
@@ -53,7 +54,7 @@ class BatchFiller {
                              const std::vector<MaterialChange>& materials) const;
   scene::Shading shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const;
 
-  /// Adds a surface of the program in use, which takes fixed function's vertices.
+  /// Adds a surface of the shader program in use, which takes fixed function's vertices.
   void addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, SlotMask slots);
   void addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
                  const std::vector<MaterialChange>& materials);

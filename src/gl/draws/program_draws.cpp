@@ -13,7 +13,7 @@
 
 namespace gluray::gl {
 
-Reason ProgramDraws::triageImpostors() {
+Reason ProgramDraws::classifyImpostors() {
   p_.shadow.shareImpostorValues();
   if (p_.shadow.attributes().shape == scene::Shape::triangles) return Reason::traced;
   if (p_.shadow.attributes().sentBillboards &&
@@ -31,8 +31,8 @@ Reason ProgramDraws::triageImpostors() {
   return Reason::traced;
 }
 
-Reason ProgramDraws::triage(PrimitiveClass kind) {
-  if (const Reason reason = p_.triage.ofContext(); reason != Reason::traced) return reason;
+Reason ProgramDraws::classify(PrimitiveClass kind) {
+  if (const Reason reason = p_.classifier.ofContext(); reason != Reason::traced) return reason;
   // The program's reason tells the user more than the kind of primitive.
   if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   const bool solid = drawsSolids(p_.shadow.settings, kind);
@@ -57,7 +57,7 @@ Reason ProgramDraws::triage(PrimitiveClass kind) {
   if (!p_.shadow.info.core && !p_.shadow.clipPlanes().empty())
     return Reason::program;  // programs compute clip distances in unknown ways
   if (p_.shadow.attributes().reason != Reason::traced) return p_.shadow.attributes().reason;
-  return p_.triage.ofPictures(false);
+  return p_.classifier.ofImages(false);
 }
 
 namespace {
@@ -87,26 +87,26 @@ bool haveUnreadableBuffers(const ArrayState& arrays) {
 
 }  // namespace
 
-Reason ProgramDraws::triage(const KnownMesh& known, uint64_t load) {
-  Reason reason = triageAlways(known);
+Reason ProgramDraws::classify(const KnownMesh& known, uint64_t load) {
+  Reason reason = classifyAlways(known);
   const ProgramState& program = p_.shadow.program();
   if (layersOf(program) == BatchKey::Layers::peeled)
-    return reason == Reason::traced ? p_.triage.ofPictures(true) : reason;
+    return reason == Reason::traced ? p_.classifier.ofImages(true) : reason;
   const bool single = reason == Reason::traced && layersOf(program) == BatchKey::Layers::none &&
                       p_.shadow.attributes().instanceTransform.empty();
   if (single &&
       p_.surfaces.coplanar.meets(
-          known.mesh, p_.triage.placeOf(program.clipFromObject, offsetOf(p_.shadow, known.mesh->shape))))
+          known.mesh, p_.classifier.placeOf(program.clipFromObject, offsetOf(p_.shadow, known.mesh->shape))))
     reason = Reason::coincident;
   if (reason != Reason::traced) return reason;
   if (isBlended(*known.mesh))
-    return p_.layers.leavesDrawn(load) ? Reason::smallScene : p_.triage.ofPictures(true);
+    return p_.layers.leavesDrawn(load) ? Reason::smallScene : p_.classifier.ofImages(true);
   // Judged draw by draw, not by their sum, so that a surface drawn again is drawn in the same way.
   const bool leave = p_.clock.leavesAlone(load, p_.shadow.viewportPixels());
-  return leave ? Reason::smallScene : p_.triage.ofPictures(true);
+  return leave ? Reason::smallScene : p_.classifier.ofImages(true);
 }
 
-Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
+Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (known.homogeneous) return Reason::homogeneous;
   if (!known.mesh)  // billboards that are not whole; lines with adjacent vertices
     return p_.shadow.attributes().sentBillboards ? Reason::arrayState : Reason::lines;
@@ -117,7 +117,7 @@ Reason ProgramDraws::triageAlways(const KnownMesh& known) const {
   if (!known.mesh->moderate) return Reason::notFinite;
   if (offsetsProgramDepth(p_.shadow, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.program();
-  if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise triageInstances() looks at each
+  if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise classifyInstances() looks at each
     const glm::ivec4& viewport = p_.shadow.viewport().box;
     const glm::ivec2 size(viewport.z, viewport.w);
     if (RayPrecision::isFarFromOrigin(*known.mesh, program.clipFromObject, size))
@@ -152,8 +152,8 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
                                             offsetOf(p_.shadow, mesh.shape).pushesBack());
 }
 
-/// Prepares batch, camera and `modelview` for the current program's instance. Placed::nowhere: it covers no
-/// pixel.
+/// Prepares batch, camera and `modelview` for the current shader program's instance. Placed::nowhere: it
+/// covers no pixel.
 ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach,
                                                 glm::dmat4& modelview) {
   const scene::Shape shape = mesh.shape;
@@ -195,7 +195,7 @@ std::vector<std::vector<Triangle>> ProgramDraws::sampleArrays(GLenum mode, const
 }
 
 void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements) {
-  if (mode < GL_TRIANGLES || mode > GL_POLYGON || !p_.triage.meetsDepth(kind)) return;
+  if (mode < GL_TRIANGLES || mode > GL_POLYGON || !p_.classifier.meetsDepth(kind)) return;
   const uint32_t framebuffer = p_.shadow.target().framebuffer;
   const uint64_t count = countTriangles(mode, static_cast<uint64_t>(elements.count));
   const bool meets = p_.surfaces.passes.anyByProgram(framebuffer, count),
@@ -218,7 +218,7 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
 
 namespace {
 
-/// The mesh as the program in use draws it.
+/// The mesh as the shader program in use draws it.
 scene::Instance instanceOf(const scene::MeshPtr& mesh, const glm::dmat4& modelview, ShadowState& shadow) {
   const ProgramState& program = shadow.program();
   scene::Instance instance;

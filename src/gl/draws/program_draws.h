@@ -25,20 +25,20 @@ class ProgramDraws {
     SurfaceHistory& surfaces;
     PendingBatch& pending;
     Flusher& flusher;
-    Triage& triage;
+    Classifier& classifier;
     BatchFiller& filler;
     RasterDraws& raster;
     LayerDraws& layers;
   };
   explicit ProgramDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current program cannot be traced now, or Reason::traced. `load`: triangles that the
-  /// real OpenGL would draw.
-  Reason triage(PrimitiveClass kind);
-  Reason triage(const KnownMesh& mesh, uint64_t load);
+  /// Why a surface of the current shader program cannot be traced now, or Reason::traced. `load`: triangles
+  /// that the real OpenGL would draw.
+  Reason classify(PrimitiveClass kind);
+  Reason classify(const KnownMesh& mesh, uint64_t load);
   /// The same for further conditions of impostors, and of the instances of a draw.
-  Reason triageImpostors();
-  Reason triageInstances(const scene::Mesh& mesh, const Elements& elements) const;
+  Reason classifyImpostors();
+  Reason classifyInstances(const scene::Mesh& mesh, const Elements& elements) const;
   /// Adds a mesh to the batch, once for each instance of the draw. Returns Reason::traced, or why it cannot
   /// join the layers traced so far.
   Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
@@ -47,7 +47,7 @@ class ProgramDraws {
   void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
 
  private:
-  Reason triageAlways(const KnownMesh& mesh) const;  // as if engine = always
+  Reason classifyAlways(const KnownMesh& mesh) const;  // as if engine = always
   /// Why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
   Reason ofBlending(const scene::Mesh& mesh) const;
   /// Whether surfaces can now be blended in the order of drawing; whether this one would be.

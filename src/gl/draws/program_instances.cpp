@@ -47,7 +47,7 @@ struct InstanceReaders {
 
 }  // namespace
 
-Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& elements) const {
+Reason ProgramDraws::classifyInstances(const scene::Mesh& mesh, const Elements& elements) const {
   const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes());
   const bool mayBeTranslucent = layersOf(p_.shadow.program()) == BatchKey::Layers::none &&
                                 readers.color.enabled() && p_.shadow.attributes().instanceColor.size == 4 &&
@@ -65,7 +65,7 @@ Reason ProgramDraws::triageInstances(const scene::Mesh& mesh, const Elements& el
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     if (RayPrecision::isFarFromOrigin(mesh, clipFromObject, {viewport.z, viewport.w}, glm::dmat4(*m)))
       return Reason::farFromOrigin;
-    // Edges are painted in the window: the same condition as in triageAlways().
+    // Edges are painted in the window: the same condition as in classifyAlways().
     if (p_.shadow.program().triangleEdges && !isBeforeViewer(mesh, clipFromObject * glm::dmat4(*m)))
       return Reason::program;
     if (glm::mat3(*m) != glm::mat3(0) && !scene::isPlaceable(*m)) return Reason::singularMatrix;

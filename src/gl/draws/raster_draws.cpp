@@ -10,8 +10,8 @@ namespace gluray::gl {
 
 RasterDraws::Needs RasterDraws::needsOf(PrimitiveClass kind, Reason reason) const {
   Needs needs;
-  needs.meets = p_.triage.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.modelview());
-  if (!p_.triage.leavesDepth(kind)) return needs;
+  needs.meets = p_.classifier.meetsDepth(kind) && p_.surfaces.passes.anyUnder(p_.shadow.modelview());
+  if (!p_.classifier.leavesDepth(kind)) return needs;
   // One pass of several, or a surface that other frames trace.
   needs.mesh = reason == Reason::colorMask || reason == Reason::passes || reason == Reason::smallScene;
   if (needs.mesh || !hasFixedVertices()) return needs;
@@ -36,7 +36,7 @@ void RasterDraws::noteUnsampledDraw(PrimitiveClass kind, Reason reason) {
 
 void RasterDraws::leave(std::vector<Triangle> triangles) {
   p_.surfaces.passes.rasterisedFixed(p_.shadow.modelview(), std::move(triangles), depthPlaceOf(p_.shadow),
-                                     p_.triage.isPushedBack());
+                                     p_.classifier.isPushedBack());
 }
 
 void RasterDraws::addUnsampledFixedDraw() {
@@ -46,13 +46,13 @@ void RasterDraws::addUnsampledFixedDraw() {
 void RasterDraws::remember(const KnownMesh& known) {
   if (known.mesh)
     p_.surfaces.passes.drawn(known.mesh, p_.shadow.modelview(), MultipassSurfaces::How::rasterised,
-                             depthPlaceOf(p_.shadow), p_.triage.isPushedBack());
+                             depthPlaceOf(p_.shadow), p_.classifier.isPushedBack());
 }
 
 void RasterDraws::meet(std::span<const Triangle> triangles) {
   p_.failsafe.protect([&] {
     p_.flusher.settleBelow(p_.shadow.target().samples);
-    const bool pushedBack = p_.triage.isPushedBack();
+    const bool pushedBack = p_.classifier.isPushedBack();
     rasteriseMet(p_.surfaces.passes.meets(p_.shadow.modelview(), triangles,
                                           depthPlaceOf(p_.shadow).framebuffer, pushedBack));
   });

@@ -2,7 +2,7 @@
 // coincident traced surfaces. A part of each Context, GL thread.
 #pragma once
 #include "gl/capture/mesh_cache.h"
-#include "gl/classify/triage.h"
+#include "gl/classify/classifier.h"
 #include "gl/counts/draw_kinds.h"
 #include "gl/flush/flusher.h"
 #include "gl/history/multipass_surfaces.h"
@@ -23,7 +23,7 @@ class RasterDraws {
     ClearedFramebuffers& cleared;
     PendingBatch& pending;
     Flusher& flusher;
-    Triage& triage;
+    Classifier& classifier;
     LayerDraws& layers;
     ResolveDraws& resolves;
     WindowFrames& window;

@@ -1,6 +1,7 @@
 // Program families: descriptions, as data, of shader programs that we can trace. A family lists the active
-// variables by which a program is recognised, and which of them hold geometry, matrices, material and lights.
-// Files: spec/programs/*.toml (built in) and those of --program-families; format: docs/program-families.md.
+// variables by which a shader program is recognised, and which of them hold geometry, matrices, material and
+// lights. Files: spec/programs/*.toml (built in) and those of --program-families; format:
+// docs/program-families.md.
 #pragma once
 #include "gl/families/known_code.h"
 #include "scene/fragment_shading.h"
@@ -81,7 +82,7 @@ struct FamilyFog {
   bool given() const { return color.given(); }
 };
 
-/// Impostors that the program's shaders cut out of billboards.
+/// Impostors that the shader program's shaders cut out of billboards.
 struct FamilyImpostors {
   scene::Shape shape = scene::Shape::triangles;  // triangles: no impostors
   FamilyValue radius;                            // `uniform` may be an attribute's name
@@ -110,7 +111,7 @@ struct FamilyImpostors {
   bool given() const { return shape != scene::Shape::triangles; }
 };
 
-/// From a family's name of a variable to the names that a program may have instead, the best first.
+/// From a family's name of a variable to the names that a shader program may have instead, the best first.
 using Alternatives = std::map<std::string, std::vector<std::string>, std::less<>>;
 
 /// Uniforms that have no effect at one value, given column by column. One number stands for all components,
@@ -129,7 +130,7 @@ struct Family {
   /// The cosine that the highlight's exponent is applied to: between reflected ray and viewer, or between
   /// normal and half vector.
   enum class Specular { reflect, half };
-  /// What to do with programs that have no vertex normals: refuse them, or use the triangles' normals.
+  /// What to do with shader programs that have no vertex normals: refuse them, or use the triangles' normals.
   enum class NoNormals { refuse, triangle };
 
   std::string name;
@@ -137,8 +138,8 @@ struct Family {
   std::vector<std::string> sourceHas, sourceLacks;  // texts that the shaders' source must have; must lack
   std::vector<std::string> active, any, absent;     // names for recognition: all of, one of, none of
   std::vector<std::string> absentOutputs;           // fragment shader outputs that must not exist
-  std::vector<std::string> ignored;                 // may be active, but do not affect the picture
-  NeutralValues neutral;                            // do not affect the picture at these values
+  std::vector<std::string> ignored;                 // may be active, but do not affect the image
+  NeutralValues neutral;                            // do not affect the image at these values
   std::vector<std::string> code;    // sections that hold all of its statements; empty: any code
   bool resolvesConditions = false;  // statements are compared after #ifdef and the like
   std::string codeAt;               // file and line that name them
@@ -194,11 +195,11 @@ struct Family {
   /// a multisampled texture.
   enum class Pass { none, fxaa, peelDepths, peel, peelRest, sum, resolve };
   Pass pass = Pass::none;
-  std::string passInput;   // sampler. fxaa, resolve: the picture; peelDepths: opaque depth in green, or -1;
+  std::string passInput;   // sampler. fxaa, resolve: the image; peelDepths: opaque depth in green, or -1;
                            // peel: depths that peelDepths found; peelRest: depths of the remaining layers
   std::string passOutput;  // fragment shader output. peelDepths: depths; peel: colour times opacity, and
                            // opacity; sum: opacity in red (the other output is the colour)
-  std::string passTexel;  // uniform of fxaa: width and height of the picture's pixels, as texture coordinates
+  std::string passTexel;   // uniform of fxaa: width and height of the image's pixels, as texture coordinates
   FamilyValue passSamples, passGamma;  // of resolve: sample count; power of colours before they are averaged
   FamilyValue relativeContrast, hardContrast, subpixelBlendLimit, subpixelContrast, endpointSearchIterations;
 
@@ -217,7 +218,7 @@ struct Family {
   std::set<std::string, std::less<>> mentioned;
   Alternatives alternatives;  // of names in `mentioned`
   bool mentions(std::string_view name) const;
-  /// Whether its programs take their vertices from fixed function's attributes (gl_Vertex ...).
+  /// Whether its shader programs take their vertices from fixed function's attributes (gl_Vertex ...).
   bool hasBuiltInVertices() const;
   bool hasRim() const { return rimColor.given() || rimOpacity.given(); }
 };

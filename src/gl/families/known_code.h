@@ -1,4 +1,4 @@
-// Named sections of shader statements whose effect families describe. A program with other statements
+// Named sections of shader statements whose effect families describe. A shader program with other statements
 // computes something that we do not know. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
@@ -19,7 +19,7 @@ class KnownCode {
   void add(std::string_view text);
   /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
   void addBlocks(std::string_view text);
-  /// Adds a name that some statement of a program must write if another one reads it.
+  /// Adds a name that some statement of a shader program must write if another one reads it.
   void addWritten(const std::string& name) { written_.insert(name); }
   /// Adds the digest of a whole shader (shader_digest.h).
   void addShader(const Hash128& digest) { shaders_.push_back(digest); }
@@ -31,7 +31,7 @@ class KnownCode {
   const std::set<std::string>& written() const { return written_; }
   /// Programs of families that name the section have all its blocks.
   bool complete = false;
-  /// Note for users about programs that have one of these statements; may be empty.
+  /// Note for users about shader programs that have one of these statements; may be empty.
   std::string note;
 
  private:

@@ -1,4 +1,5 @@
-// Checks that the variables of a program have types that match their roles in a family. Part of match.cpp.
+// Checks that the variables of a shader program have types that match their roles in a family. Part of
+// match.cpp.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"
@@ -8,7 +9,7 @@
 
 namespace gluray::gl {
 
-/// One reason why a program does not fit, for the user, with a name in quotes.
+/// One reason why a shader program does not fit, for the user, with a name in quotes.
 std::string about(const char* before, const std::string& name, const std::string& after = "");
 
 /// Adds a reason for each variable of a wrong type.

@@ -22,7 +22,7 @@ void Flusher::flushBatch() {
 
 void Flusher::present(Reason reason) {
   p_.window.showLagged();
-  p_.pending.pictured.collect(p_.pending.batch);
+  p_.pending.capturedSurfaces.collect(p_.pending.batch);
   if (p_.pending.batch.empty()) return;
   const bool isShort = reason == Reason::traced && addressSpaceIsShort();
   presentBatch(isShort ? Reason::shortage : reason);
@@ -34,24 +34,24 @@ void Flusher::presentBatch(Reason reason) {
   const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
   const BatchKey key = p_.pending.batch.key();
   if (key.framebuffer == 0) p_.window.makeClear();
-  const bool factors = key.layers == BatchKey::Layers::factors;
-  if (factors && reason != Reason::traced)
+  const bool isVisibility = key.layers == BatchKey::Layers::visibility;
+  if (isVisibility && reason != Reason::traced)
     return void(p_.pending.batch.takeSnapshot());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
   if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
     reason = Reason::framebuffer;
   const bool rasterise = reason != Reason::traced;
-  if (!rasterise) p_.pending.surround();
+  if (!rasterise) p_.pending.attachSecondaryScene();
   const scene::SnapshotPtr snapshot = p_.pending.batch.takeSnapshot();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
   if (p_.counts.decisions()) [[unlikely]]
     p_.counts.decisions()->batch(key, snapshot->instances.size(), describe(reason));
   p_.shadow.syncCurrent();
-  p_.surfaces.passes.flushed(rasterise || factors ? nullptr : snapshot);
+  p_.surfaces.passes.flushed(rasterise || isVisibility ? nullptr : snapshot);
   if (rasterise) p_.counts.asRasterised(*snapshot, reason);
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : p_.cleared.under(*snapshot, key);
-  const AntialiasedPicture antialiased = p_.cleared.antialiased();
+  const AntialiasedImage antialiased = p_.cleared.antialiased();
   p_.cleared.forget();
   if (!rasterise) p_.composed.presenting(key, *snapshot);
   const PresentResult result =
@@ -75,7 +75,7 @@ void Flusher::presentBatch(Reason reason) {
   if (declined) p_.counts.asRasterised(*snapshot, Reason::programPass);
   const auto wanted = rasterise || declined ? PresentResult::rasterised : PresentResult::traced;
   if (result.outcome == wanted) return;
-  if (!rasterise && !factors) p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
+  if (!rasterise && !isVisibility) p_.counts.asRasterised(*snapshot, reasonOf(result.loss()));
   p_.failsafe.fail(result.loss(), result.reason());
 }
 
@@ -89,14 +89,14 @@ void Flusher::settleBelow(int samples) {
 void Flusher::leave() {
   p_.composed.settle();
   p_.window.showLagged();
-  p_.pending.pictured.collect(p_.pending.batch);
+  p_.pending.capturedSurfaces.collect(p_.pending.batch);
   if (!p_.pending.batch.empty() && !p_.resolves.hold()) present();
 }
 
-UnresolvedPicture::Cleared Flusher::beforeClear(GLbitfield mask) {
+UnresolvedImage::Cleared Flusher::beforeClear(GLbitfield mask) {
   p_.composed.settle();
   p_.pending.stopRefining();
-  const UnresolvedPicture::Cleared clean = p_.resolves.clearedBy(mask);
+  const UnresolvedImage::Cleared clean = p_.resolves.clearedBy(mask);
   present();
   p_.window.clears(mask);
   p_.resolves.clears(clean);

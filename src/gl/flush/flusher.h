@@ -1,7 +1,7 @@
-// Traces the pending batch and writes it into the framebuffer. Also writes pictures that were traced or
+// Traces the pending batch and writes it into the framebuffer. Also writes images that were traced or
 // delayed earlier ("settles" them). A part of each Context, GL thread.
 #pragma once
-#include "gl/batch/unresolved_picture.h"
+#include "gl/batch/unresolved_image.h"
 #include "gl/pending/batch_flush.h"
 #include "gl/pending/pending_batch.h"
 
@@ -32,14 +32,14 @@ class Flusher final : public BatchFlush {
   };
   explicit Flusher(const Parts& parts) : p_(parts) {}
 
-  /// Settles delayed pictures, then traces the pending batch, if any, and writes it into the framebuffer.
+  /// Settles delayed images, then traces the pending batch, if any, and writes it into the framebuffer.
   void flush() {
     settle();
     flushBatch();
   }
   void flushBatch() override;
   /// flush() for a command that sends later draws elsewhere and reads nothing: held peels may wait on.
-  /// Rasterised surfaces, too, wait on to be pictured.
+  /// Rasterised surfaces, too, wait on to be captured.
   void redirect() {
     settle();
     if (!p_.pending.batch.empty()) present();
@@ -49,13 +49,13 @@ class Flusher final : public BatchFlush {
   /// Traces the batch or, for any other `reason`, has the real OpenGL draw it; also where limits of address
   /// space leave too little for both.
   void present(Reason reason = Reason::traced);
-  /// Writes delayed pictures into their framebuffers: all, or those that a draw with so many samples into the
+  /// Writes delayed images into their framebuffers: all, or those that a draw with so many samples into the
   /// current framebuffer may overlap.
   void settle();
   void settleBelow(int samples);
-  /// Call before the draw framebuffer is cleared: presents the batch, and drops or settles delayed pictures.
+  /// Call before the draw framebuffer is cleared: presents the batch, and drops or settles delayed images.
   /// Returns what is clean then, for ResolveDraws::cleanIs() after the real clear.
-  UnresolvedPicture::Cleared beforeClear(GLbitfield mask);
+  UnresolvedImage::Cleared beforeClear(GLbitfield mask);
   /// Call before a glBlitFramebuffer that ResolveDraws::byBlit() does not make.
   void beforeBlit() noexcept;
   /// Call before texture images, or a buffer's contents, change: flushes if pending draws read them.

@@ -18,7 +18,7 @@
 namespace gluray::gl {
 namespace {
 
-UnresolvedPicture::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum attachment) {
+UnresolvedImage::Attachment attachmentOf(const RealGl& real, GLenum target, GLenum attachment) {
   const auto type =
       static_cast<GLenum>(attachmentValue(real, target, attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE));
   if (type == GL_NONE) return {};
@@ -35,7 +35,7 @@ glm::ivec2 boundSamplesSize(const RealGl& real) {
 }
 
 /// Size in pixels of a multisampled attachment; {0, 0}: not known. Call Errors::keepPending() before.
-glm::ivec2 sizeOf(const RealGl& real, const UnresolvedPicture::Attachment& image) {
+glm::ivec2 sizeOf(const RealGl& real, const UnresolvedImage::Attachment& image) {
   if (image.type == GL_RENDERBUFFER) return renderbufferSize(real, image.name);
   const GLint bound = integer(real, GL_TEXTURE_BINDING_2D_MULTISAMPLE);
   real.BindTexture(GL_TEXTURE_2D_MULTISAMPLE, image.name);  // an error for an array's layer
@@ -68,7 +68,7 @@ bool isSampledPerSample(GLenum type) {
 
 }  // namespace
 
-UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
+UnresolvedImage::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if ((mask & kBoth) != kBoth || p_.clock.passesThrough() || p_.failsafe.aside() || p_.shadow.info.off ||
       p_.shadow.activeQueries > 0 || p_.shadow.group.contexts != 1 ||
@@ -91,9 +91,9 @@ UnresolvedPicture::Cleared ResolveDraws::clearedBy(GLbitfield mask) {
           target.depthResolution};
 }
 
-void ResolveDraws::clears(const UnresolvedPicture::Cleared& cleared) {
+void ResolveDraws::clears(const UnresolvedImage::Cleared& cleared) {
   if (!p_.pending.unresolved.waiting) return;
-  const UnresolvedPicture::Cleared& waits = p_.pending.unresolved.waiting->cleared;
+  const UnresolvedImage::Cleared& waits = p_.pending.unresolved.waiting->cleared;
   if (cleared.framebuffer == waits.framebuffer && cleared.drawBuffer == waits.drawBuffer &&
       cleared.covers(waits.box)) {
     p_.pending.unresolved.waiting.reset();  // the clear hides it
@@ -103,7 +103,7 @@ void ResolveDraws::clears(const UnresolvedPicture::Cleared& cleared) {
 }
 
 bool ResolveDraws::hold() {
-  const UnresolvedPicture::Cleared& cleared = p_.pending.unresolved.cleared;
+  const UnresolvedImage::Cleared& cleared = p_.pending.unresolved.cleared;
   const BatchKey& key = p_.pending.batch.key();
   const scene::Region& r = key.region;
   const bool waits = cleared.framebuffer != 0 && key.framebuffer == cleared.framebuffer &&
@@ -114,17 +114,17 @@ bool ResolveDraws::hold() {
                      p_.shadow.group.contexts == 1 && !p_.pending.batch.waiting().wideColors &&
                      cleared.covers({r.x, r.y, r.width, r.height});
   if (!waits) return false;
-  const UnresolvedPicture::Cleared kept = cleared;
+  const UnresolvedImage::Cleared kept = cleared;
   settleAll();
-  p_.pending.surround();
-  p_.pending.unresolved.waiting.emplace(UnresolvedPicture::Waiting{kept, p_.pending.hold("until resolved")});
+  p_.pending.attachSecondaryScene();
+  p_.pending.unresolved.waiting.emplace(UnresolvedImage::Waiting{kept, p_.pending.hold("until resolved")});
   return true;
 }
 
 void ResolveDraws::settle() {
   p_.pending.unresolved.cleared = {};
   if (!p_.pending.unresolved.waiting) return;
-  UnresolvedPicture::Waiting waiting = std::move(*p_.pending.unresolved.waiting);
+  UnresolvedImage::Waiting waiting = std::move(*p_.pending.unresolved.waiting);
   p_.pending.unresolved.waiting.reset();
   p_.pending.presentLate(std::move(waiting.batch), waiting.traced);
 }
@@ -157,7 +157,7 @@ void ResolveDraws::meetRasterDraw() {
 
 bool ResolveDraws::into(ResolveTarget& target) {
   p_.window.meetDraw();
-  UnresolvedPicture::Waiting& waiting = *p_.pending.unresolved.waiting;
+  UnresolvedImage::Waiting& waiting = *p_.pending.unresolved.waiting;
   target.core = p_.shadow.info.core;
   target.how.background = waiting.cleared.background;
   target.how.farthest = farthestHit(waiting.batch.key.depthFunc, waiting.cleared.depthResolution);
@@ -176,7 +176,7 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
   if (!p_.pending.unresolved.waiting || !p_.pending.batch.empty() || region.x != 0 || region.y != 0)
     return false;
   const glm::ivec2 size(region.width, region.height);
-  const UnresolvedPicture::Waiting& waiting = *p_.pending.unresolved.waiting;
+  const UnresolvedImage::Waiting& waiting = *p_.pending.unresolved.waiting;
   const KnownProgram& known = *p_.shadow.program().known;
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
@@ -189,7 +189,7 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
   const auto bound = static_cast<GLuint>(integer(p_.shadow.real, GL_TEXTURE_BINDING_2D_MULTISAMPLE));
   const glm::ivec2 boundSize = boundSamplesSize(p_.shadow.real);
   p_.shadow.real.ActiveTexture(static_cast<GLenum>(active));
-  if (waiting.cleared.color != UnresolvedPicture::Attachment{GL_TEXTURE, bound} || boundSize != size)
+  if (waiting.cleared.color != UnresolvedImage::Attachment{GL_TEXTURE, bound} || boundSize != size)
     return false;
   ResolveTarget target;
   target.how.size = size;
@@ -226,7 +226,7 @@ bool ResolveDraws::byBlit(const Blit& b) {
       to.x != 0 || to.y != 0 || to.z <= 0 || to.w <= 0 || p_.shadow.activeQueries > 0 ||
       (b.filter != GL_NEAREST && (b.filter != GL_LINEAR || depths)))
     return false;
-  const UnresolvedPicture::Cleared& cleared = waiting->cleared;
+  const UnresolvedImage::Cleared& cleared = waiting->cleared;
   const TargetState& target = p_.shadow.target();
   const bool usable = target.reason == Reason::traced || (target.reason == Reason::noDepthBuffer && !depths);
   if (!usable || target.samples > 1 || target.wideColors || target.framebuffer == cleared.framebuffer ||
@@ -252,7 +252,7 @@ bool ResolveDraws::byBlit(const Blit& b) {
 bool ResolveDraws::blitsSamples() {
   if (p_.shadow.target().samples > 1) return true;
   if (integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING) == 0) return false;
-  const UnresolvedPicture::Cleared& cleared = p_.pending.unresolved.waiting->cleared;
+  const UnresolvedImage::Cleared& cleared = p_.pending.unresolved.waiting->cleared;
   const auto buffer = static_cast<GLenum>(integer(p_.shadow.real, GL_READ_BUFFER));
   const bool color =
       buffer != GL_NONE && attachmentOf(p_.shadow.real, GL_READ_FRAMEBUFFER, buffer) == cleared.color;

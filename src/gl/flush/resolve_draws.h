@@ -1,8 +1,8 @@
-// Keeps a traced picture of a multisampled framebuffer until the program resolves it, and then writes the
+// Keeps a traced image of a multisampled framebuffer until the program resolves it, and then writes the
 // resolved pixels only (ADR 0020). A part of each Context, GL thread.
 #pragma once
 #include "gl/batch/presenter.h"
-#include "gl/batch/unresolved_picture.h"
+#include "gl/batch/unresolved_image.h"
 #include "gl/counts/draw_kinds.h"
 #include "gl/pending/pending_batch.h"
 
@@ -29,24 +29,24 @@ class ResolveDraws {
   explicit ResolveDraws(const Parts& parts) : p_(parts) {}
 
   /// What a clear will leave clean. Pass it to clears() before the real clear, and to cleanIs() after it.
-  UnresolvedPicture::Cleared clearedBy(GLbitfield mask);
-  void clears(const UnresolvedPicture::Cleared& cleared);
-  void cleanIs(const UnresolvedPicture::Cleared& cleared) { p_.pending.unresolved.cleared = cleared; }
+  UnresolvedImage::Cleared clearedBy(GLbitfield mask);
+  void clears(const UnresolvedImage::Cleared& cleared);
+  void cleanIs(const UnresolvedImage::Cleared& cleared) { p_.pending.unresolved.cleared = cleared; }
 
-  /// Whether a picture waits to be resolved; whether one waits or a framebuffer is clean.
+  /// Whether an image waits to be resolved; whether one waits or a framebuffer is clean.
   bool waits() const { return p_.pending.unresolved.waiting.has_value(); }
   bool any() const { return p_.pending.unresolved.any(); }
-  /// Whether one of the waiting picture's draws reads `buffer` as a texture.
+  /// Whether one of the waiting image's draws reads `buffer` as a texture.
   bool readsBuffer(GLuint buffer) const {
     return waits() && p_.pending.unresolved.waiting->batch.readsBuffer(buffer);
   }
   /// Takes the pending batch, which then waits to be resolved. False: it must not wait.
   bool hold();
-  /// Writes the waiting picture's samples into its framebuffer.
+  /// Writes the waiting image's samples into its framebuffer.
   void settle();
-  /// Writes all delayed pictures into their framebuffers: composed ones, the window's, and this one.
+  /// Writes all delayed images into their framebuffers: composed ones, the window's, and this one.
   void settleAll();
-  /// Resolves the waiting picture in place of the program's draw, or of a blit. False: nothing was done.
+  /// Resolves the waiting image in place of the program's draw, or of a blit. False: nothing was done.
   bool byProgram(GLuint texture, const scene::Region& region);
   bool byBlit(const Blit& blit);
   /// Call before a rasterised draw; before a blit.

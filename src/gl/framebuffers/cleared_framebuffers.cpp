@@ -29,7 +29,7 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   if (framebuffer != 0 && uploads_) real.Flush();
 }
 
-/// Whether the draw framebuffer's image, of which pictures know one cleared pixel for each colour, has eight
+/// Whether the draw framebuffer's image, of which images know one cleared pixel for each colour, has eight
 /// linear bits of each channel.
 bool ClearedFramebuffers::holdsBytes(GLenum drawBuffer) const {
   const auto value = [&](GLenum name) {
@@ -53,7 +53,7 @@ std::optional<ClearedTarget> ClearedFramebuffers::under(const scene::Snapshot& s
   return cleared_;
 }
 
-void ClearedFramebuffers::wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key) {
+void ClearedFramebuffers::wroteAntialiased(const AntialiasedImage& before, const BatchKey& key) {
   antialiased_ = before;
   antialiased_.wrote(key.framebuffer, key.drawBuffer);
 }

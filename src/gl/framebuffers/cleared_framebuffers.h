@@ -1,11 +1,11 @@
 // Tracks whether the draw framebuffer holds only a clear, how its depths may have changed, and whether
-// pictures in it are anti-aliased already. A part of each Context, GL thread.
+// images in it are anti-aliased already. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"
 #include "gl/batch/cleared_target.h"
 #include "gl/clock/frame_clock.h"
-#include "gl/framebuffers/antialiased_picture.h"
+#include "gl/framebuffers/antialiased_image.h"
 #include "gl/shadow/shadow_state.h"
 #include "settings/samples.h"
 
@@ -25,7 +25,7 @@ class ClearedFramebuffers {
 
   /// The draw framebuffer's clear, if it holds nothing else; tracked only above software OpenGLs.
   const std::optional<ClearedTarget>& target() const { return cleared_; }
-  /// The clear under the whole picture of `snapshot`, if the picture may be uploaded over it.
+  /// The clear under the whole image of `snapshot`, if the image may be uploaded over it.
   std::optional<ClearedTarget> under(const scene::Snapshot& snapshot, const BatchKey& key) const;
   /// Call after a glClear.
   void clear(GLbitfield mask);
@@ -47,19 +47,19 @@ class ClearedFramebuffers {
   /// Call after imageSent() if the pixels were copied from region `from` of the read framebuffer.
   void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 
-  /// A picture was written into the framebuffer: uploaded over its clear, or drawn.
+  /// An image was written into the framebuffer: uploaded over its clear, or drawn.
   void wrote(GLuint framebuffer, bool uploaded) {
     if (framebuffer != 0) uploads_ = uploaded;
   }
 
-  const AntialiasedPicture& antialiased() const { return antialiased_; }
-  /// Pictures of averages were written into the region of the draw framebuffer, which had one colour.
+  const AntialiasedImage& antialiased() const { return antialiased_; }
+  /// Images of averages were written into the region of the draw framebuffer, which had one colour.
   void holdsAntialiased(GLuint framebuffer, GLenum drawBuffer, const scene::Region& region) {
     if (framebuffer != 0 && samplesPerPixel(shadow_.settings) > 1)
-      antialiased_ = AntialiasedPicture(framebuffer, drawBuffer, region);
+      antialiased_ = AntialiasedImage(framebuffer, drawBuffer, region);
   }
-  /// A picture of averages was written over the content described by `before`.
-  void wroteAntialiased(const AntialiasedPicture& before, const BatchKey& key);
+  /// An image of averages was written over the content described by `before`.
+  void wroteAntialiased(const AntialiasedImage& before, const BatchKey& key);
 
  private:
   bool holdsBytes(GLenum drawBuffer) const;
@@ -69,8 +69,8 @@ class ClearedFramebuffers {
   const FrameClock& clock_;
   const Failsafe& failsafe_;
   std::optional<ClearedTarget> cleared_;
-  bool uploads_ = false;  // whether the last picture in a framebuffer object was uploaded
-  AntialiasedPicture antialiased_;
+  bool uploads_ = false;  // whether the last image in a framebuffer object was uploaded
+  AntialiasedImage antialiased_;
   std::array<uint64_t, 2> depthEpochs_{};
 };
 

@@ -8,7 +8,7 @@ namespace {
 using Pixels = std::vector<uint32_t>;
 constexpr uint32_t kBlue = 0xffff0000, kRed = 0xff0000ff, kHalfRed = 0x80000080;  // premultiplied
 
-TEST(ComposedPixels, PictureOverWhatWasThere) {
+TEST(ComposedPixels, ImageOverWhatWasThere) {
   EXPECT_TRUE(isComposed({kBlue, kBlue, 7}, {kRed, 0, 0}, 0, {kRed, kBlue, 7}));
 }
 

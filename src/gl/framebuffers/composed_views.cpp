@@ -14,10 +14,10 @@ namespace {
 
 using Copy = CompletePresenter::Copy;
 
-constexpr int kMaxDraws = 16;       // that are compared for one picture
-constexpr size_t kMaxPictures = 8;  // batches of a view
+constexpr int kMaxDraws = 16;     // that are compared for one image
+constexpr size_t kMaxImages = 8;  // batches of a view
 
-/// A background of the program is kept only as far as the picture says so (setting `background`).
+/// A background of the program is kept only as far as the image says so (setting `background`).
 bool needsEvenBackground(const scene::Snapshot& s) { return s.backdrop != nullptr; }
 
 bool isEven(const std::vector<uint32_t>& colors) {
@@ -26,7 +26,7 @@ bool isEven(const std::vector<uint32_t>& colors) {
 
 }  // namespace
 
-/// Runs `body`; where memory runs out, pictures that wait are not shown.
+/// Runs `body`; where memory runs out, images that wait are not shown.
 template <class Body>
 void ComposedViews::withMemory(const Body& body) noexcept {
   try {
@@ -40,10 +40,10 @@ bool ComposedViews::read(std::vector<uint32_t>& colors) {
   return presenter_.reader().readColors(p_.shadow.real, region_, colors) && !colors.empty();
 }
 
-/// Whether the batch belongs to the view of the pictures that wait.
+/// Whether the batch belongs to the view of the images that wait.
 bool ComposedViews::follows(const BatchKey& key) const {
-  return waits() && pictures_.front().key.framebuffer == key.framebuffer &&
-         pictures_.front().key.viewport == key.viewport;
+  return waits() && images_.front().key.framebuffer == key.framebuffer &&
+         images_.front().key.viewport == key.viewport;
 }
 
 void ComposedViews::presenting(const BatchKey& key, const scene::Snapshot& snapshot) noexcept {
@@ -55,12 +55,12 @@ void ComposedViews::presenting(const BatchKey& key, const scene::Snapshot& snaps
   if (begins || follows(key)) withMemory([&] { watch(key, snapshot); });
 }
 
-/// Finds out whether the framebuffer holds nothing but one colour, or the pictures that wait.
+/// Finds out whether the framebuffer holds nothing but one colour, or the images that wait.
 void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) {
   const bool sameRegion = region_ == snapshot.region;
   region_ = snapshot.region;
   if (!read(colors_)) return drop();
-  const bool continues = follows(key) && sameRegion && pictures_.size() < kMaxPictures && colors_ == shown_;
+  const bool continues = follows(key) && sameRegion && images_.size() < kMaxImages && colors_ == shown_;
   if (!continues) drop();
   watches_ = continues || isEven(colors_);
   if (watches_ && !continues) empty_ = colors_.front();
@@ -70,23 +70,23 @@ void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) 
 void ComposedViews::presented(const BatchKey& key, const scene::SnapshotPtr& snapshot, bool traced) noexcept {
   if (!watches_) return;
   withMemory([&] {
-    std::shared_ptr<const Image> image = presenter_.complete().takePicture();
+    std::shared_ptr<const Image> image = presenter_.complete().takeImage();
     if (!traced || !image || !read(shown_)) return drop();
-    pictures_.push_back({key, snapshot, std::move(image)});
+    images_.push_back({key, snapshot, std::move(image)});
     draws_ = 0;
   });
 }
 
 void ComposedViews::drop() noexcept {
-  for (const Complete& one : pictures_) presenter_.complete().leaveOut(*one.snapshot);
-  pictures_.clear(), drawn_ = false;
+  for (const Complete& one : images_) presenter_.complete().leaveOut(*one.snapshot);
+  images_.clear(), drawn_ = false;
 }
 
-/// Whether the next draw may compose pictures over the whole view.
+/// Whether the next draw may compose images over the whole view.
 bool ComposedViews::isCandidate() {
   if (p_.failsafe.aside() || p_.shadow.activeQueries > 0 || draws_ >= kMaxDraws) return false;
   p_.shadow.refresh(kRaster | kTarget | kViewport);
-  return p_.shadow.viewport().box == pictures_.front().key.viewport && p_.shadow.target().samples == 1 &&
+  return p_.shadow.viewport().box == images_.front().key.viewport && p_.shadow.target().samples == 1 &&
          p_.shadow.raster().colorWrites.all() && !isOn(p_.shadow.real, GL_DEPTH_TEST);
 }
 
@@ -104,7 +104,7 @@ void ComposedViews::finishDraw() noexcept {
   withMemory([&] {
     if (drawFramebuffer(p_.shadow.real) != framebuffer_ || !read(colors_)) return;
     const bool needsEven =
-        std::ranges::any_of(pictures_, [](const Complete& c) { return needsEvenBackground(*c.snapshot); });
+        std::ranges::any_of(images_, [](const Complete& c) { return needsEvenBackground(*c.snapshot); });
     if (needsEven && !isEven(before_)) return;
     if (isComposed(before_, shown_, empty_, colors_)) show();
   });
@@ -115,16 +115,16 @@ void ComposedViews::show() {
   const RealGl& real = p_.shadow.real;
   if (!complete.keep(real, region_, Copy::afterDraw)) return;
   complete.putBack(real, Copy::beforeDraw);
-  const bool written = std::ranges::all_of(pictures_, [&](const Complete& one) {
+  const bool written = std::ranges::all_of(images_, [&](const Complete& one) {
     return complete.write(real, *one.image, *one.snapshot, one.key.depthFunc);
   });
   p_.shadow.latch.restore(real);
   if (!written) return complete.putBack(real, Copy::afterDraw), drop();
   p_.cleared.forget();
   const bool averages =
-      std::ranges::all_of(pictures_, [](const Complete& one) { return one.image->isAverages(); });
+      std::ranges::all_of(images_, [](const Complete& one) { return one.image->isAverages(); });
   if (averages && isEven(before_)) p_.cleared.holdsAntialiased(framebuffer_, drawBuffer_, region_);
-  pictures_.clear();
+  images_.clear();
 }
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Shows complete pictures (CompletePresenter) where an MPI program draws the composed picture of its ranks:
+// Shows complete images (CompletePresenter) where an MPI program draws the composed image of its ranks:
 // compares pixels before and after draws that could do so. A part of each Context, GL thread. Does nothing
 // unless `gather` is on, and a ground, a background or several samples per pixel.
 #pragma once
@@ -28,14 +28,14 @@ class ComposedViews {
 
   /// A batch is about to be presented into the bound framebuffer.
   void presenting(const BatchKey& key, const scene::Snapshot& snapshot) noexcept;
-  /// presenting() was called; `traced`: its picture is in the framebuffer.
+  /// presenting() was called; `traced`: its image is in the framebuffer.
   void presented(const BatchKey& key, const scene::SnapshotPtr& snapshot, bool traced) noexcept;
-  /// Whether a complete picture waits to be shown.
-  bool waits() const { return !pictures_.empty(); }
-  /// The real OpenGL draws surfaces next, while a complete picture waits.
+  /// Whether a complete image waits to be shown.
+  bool waits() const { return !images_.empty(); }
+  /// The real OpenGL draws surfaces next, while a complete image waits.
   void drawing() noexcept;
   /// Call before anything else is drawn or read, and before another framebuffer is bound: shows the complete
-  /// picture if the draw that drawing() announced has composed the ranks' pictures.
+  /// image if the draw that drawing() announced has composed the ranks' images.
   void settle() noexcept {
     if (drawn_) finishDraw();
   }
@@ -58,15 +58,15 @@ class ComposedViews {
 
   Parts p_;
   Presenter& presenter_;
-  std::vector<Complete> pictures_;  // of one view, in the order of drawing
-  scene::Region region_;            // of that view
-  std::vector<uint32_t> shown_;     // what the framebuffer held there after the last one
-  uint32_t empty_ = 0;              // and before the first one, in each pixel
-  bool watches_ = false;            // presenting() found a framebuffer that can be followed
-  int draws_ = 0;                   // that were looked at for pictures_
-  bool drawn_ = false;              // a draw that could have composed the pictures has begun
-  GLuint framebuffer_ = 0;          // of that draw
-  GLenum drawBuffer_ = 0;           // the same
+  std::vector<Complete> images_;  // of one view, in the order of drawing
+  scene::Region region_;          // of that view
+  std::vector<uint32_t> shown_;   // what the framebuffer held there after the last one
+  uint32_t empty_ = 0;            // and before the first one, in each pixel
+  bool watches_ = false;          // presenting() found a framebuffer that can be followed
+  int draws_ = 0;                 // that were looked at for images_
+  bool drawn_ = false;            // a draw that could have composed the images has begun
+  GLuint framebuffer_ = 0;        // of that draw
+  GLenum drawBuffer_ = 0;         // the same
   std::vector<uint32_t> before_, colors_;
 };
 

@@ -10,7 +10,7 @@
 
 namespace gluray::gl {
 
-/// Links a program of these shaders; `prepare` is called before, with its name. 0: it does not link.
+/// Links a shader program of these shaders; `prepare` is called before, with its name. 0: it does not link.
 GLuint buildProgram(const RealGl& real, const std::vector<ShaderTexts::Shader>& shaders,
                     const std::function<void(GLuint)>& prepare = {});
 

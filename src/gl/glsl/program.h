@@ -31,7 +31,7 @@ struct ProgramAttribute {
   GLenum type = 0;
 };
 
-/// From a family's names to the names that a program uses instead.
+/// From a family's names to the names that a shader program uses instead.
 using Renames = std::map<std::string, std::string, std::less<>>;
 
 struct Program {

@@ -1,4 +1,4 @@
-// The source of a program's shaders. GL thread, context current.
+// The source of a shader program's shaders. GL thread, context current.
 #pragma once
 #include "base/hash.h"
 #include "gl/glsl/glsl_statements.h"

@@ -1,4 +1,4 @@
-// The texts of a program's shaders. GL thread, context current.
+// The texts of a shader program's shaders. GL thread, context current.
 #pragma once
 #include "gl/real/real.h"
 

@@ -19,7 +19,7 @@ struct SurfaceHistory {
   /// The batch was traced, or surely will be.
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
     views.traced(key, snapshot);
-    if (key.layers != BatchKey::Layers::factors) objects.traced(key, snapshot);
+    if (key.layers != BatchKey::Layers::visibility) objects.traced(key, snapshot);
   }
 };
 

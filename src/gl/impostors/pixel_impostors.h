@@ -6,8 +6,8 @@
 
 namespace gluray::gl {
 
-/// Completes the impostors of the program in use (ShadowState::setImpostorSize) for a draw of its attributes.
-/// Returns why they cannot be traced, or Reason::traced.
+/// Completes the impostors of the shader program in use (ShadowState::setImpostorSize) for a draw of its
+/// attributes. Returns why they cannot be traced, or Reason::traced.
 Reason readPixelImpostors(ShadowState& shadow);
 
 }  // namespace gluray::gl

@@ -69,7 +69,7 @@ bool LayerDraws::mayAsk() const { return p_.shadow.info.core && behindOf(peeling
 void LayerDraws::ask(PresentResult& result) {
   peeling_.stage = Peeling::Stage::peels;
   peeling_.counts = *result.layers;
-  peeling_.target.picture = std::move(result.picture);
+  peeling_.target.image = std::move(result.image);
   peeling_.peel = 1;
   peeling_.input = peeling_.depthsFound;
   peeling_.behind = behindOf(peeling_.target);
@@ -89,7 +89,7 @@ bool LayerDraws::joinsFirstPeel() const {
 bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   if (joinsFirstPeel()) {
     peeling_.stage = Peeling::Stage::surfaces;
-    peeling_.target.picture.clear();
+    peeling_.target.image.clear();
     return false;
   }
   const glm::ivec4& viewport = peeling_.target.depths.viewport;
@@ -181,7 +181,7 @@ bool LayerDraws::drawsNothing() {
   return peeling_.emptied != 0;
 }
 
-/// Traces the waiting picture again as of `peels` peels (scene::Layers::peels). False if that fails; then
+/// Traces the waiting image again as of `peels` peels (scene::Layers::peels). False if that fails; then
 /// nothing waits any more.
 bool LayerDraws::traceAgain(uint32_t peels) {
   if (peeling_.layers->peels == peels) return true;
@@ -196,7 +196,7 @@ bool LayerDraws::traceAgain(uint32_t peels) {
   }
   peeling_.layers = std::move(layers);
   peeling_.traced = std::move(snapshot);
-  peeling_.target.picture = std::move(result.picture);
+  peeling_.target.image = std::move(result.image);
   return true;
 }
 
@@ -224,13 +224,13 @@ void LayerDraws::queryBegins(GLenum target, GLuint name) {
   if (p_.shadow.activeQueries > 0) return giveUp();
   peeling_.query = target, peeling_.queryName = name;
   if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size())) {
-    // The picture was traced for fewer peels: trace it with all of them.
+    // The image was traced for fewer peels: trace it with all of them.
     if (peeling_.layers->peels >= peeling_.peel || traceAgain(0)) showWaiting();
   } else if (!surelyWritten(peeling_.counts, peeling_.peel))
     giveUp();
 }
 
-/// Shows the waiting picture: the program has drawn enough peels to show all layers, or is about to draw the
+/// Shows the waiting image: the program has drawn enough peels to show all layers, or is about to draw the
 /// remaining ones. False: the real OpenGL drew everything.
 bool LayerDraws::showWaiting() {
   peeling_.stage = Peeling::Stage::none;

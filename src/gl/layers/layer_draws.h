@@ -14,7 +14,8 @@ namespace gluray::gl {
 
 struct Elements;
 
-/// The pass that the program's family is for, and the kind of layers that it draws; `none` where it has none.
+/// The pass that the shader program's family is for, and the kind of layers that it draws; `none` where it
+/// has none.
 Family::Pass passOf(const ProgramState& program);
 BatchKey::Layers layersOf(const ProgramState& program);
 
@@ -31,11 +32,11 @@ class LayerDraws {
   };
   explicit LayerDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current program cannot be traced in the first peel, or Reason::traced. Any later
-  /// rasterised draw makes us give up (meetRasterDraw()).
-  Reason triagePeel(PrimitiveClass kind);
+  /// Why a surface of the current shader program cannot be traced in the first peel, or Reason::traced. Any
+  /// later rasterised draw makes us give up (meetRasterDraw()).
+  Reason classifyPeel(PrimitiveClass kind);
   /// The same for surfaces that are summed.
-  Reason triageSum(PrimitiveClass kind);
+  Reason classifySum(PrimitiveClass kind);
   /// Holds back a draw of the depth pass before the first peel. False: not held; draw it.
   bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
   /// Begins a batch of layers, whose first surface has this modelview matrix, or reopens the pending or
@@ -55,7 +56,7 @@ class LayerDraws {
   /// While asks(): holds back a draw of a later peel, or the counted draw that blends its farthest layers.
   /// False: nothing is held any more; draw or trace it.
   bool holdLater(GLenum mode, const Elements& elements);
-  /// After such a picture was shown: whether the draw would blend remaining layers, of which none is left.
+  /// After such an image was shown: whether the draw would blend remaining layers, of which none is left.
   bool drawsNothing();
   /// While asks(): holds back a clear. False: not held; clear.
   bool clearsLater(GLbitfield mask) noexcept;
@@ -82,7 +83,8 @@ class LayerDraws {
   /// Call before such a batch is taken: reads the colour and depth beneath it. False if they cannot be read.
   bool readUnder();
 
-  /// Call before a rasterised draw; a clear of the draw framebuffer; a program's relinking or deletion.
+  /// Call before a rasterised draw; a clear of the draw framebuffer; a shader program's relinking or
+  /// deletion.
   void meetRasterDraw();
   void clearing();
   void programChanges(GLuint program) noexcept;
@@ -102,7 +104,7 @@ class LayerDraws {
   bool showWaiting();
   void end();
   void countHeld();
-  Reason triageSeenThrough(PrimitiveClass kind);  // the common part of triagePeel() and triageSum()
+  Reason classifySeenThrough(PrimitiveClass kind);  // the common part of classifyPeel() and classifySum()
 
   Peeling peeling_;
   /// A frame's surfaces that could be blended in drawing order, traced or not.

@@ -98,7 +98,7 @@ bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t tria
   return true;
 }
 
-Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
+Reason LayerDraws::classifySeenThrough(PrimitiveClass kind) {
   // The program's reason tells the user more than the kind of primitive.
   if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   if (kind == PrimitiveClass::points) return Reason::points;
@@ -110,11 +110,11 @@ Reason LayerDraws::triageSeenThrough(PrimitiveClass kind) {
   return Reason::traced;
 }
 
-Reason LayerDraws::triagePeel(PrimitiveClass kind) {
+Reason LayerDraws::classifyPeel(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
   if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (peeling_.stage == Stage::none || p_.shadow.activeQueries > 0) return Reason::programPass;
-  if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
+  if (const Reason reason = classifySeenThrough(kind); reason != Reason::traced) return reason;
   if (inputTexture(p_.shadow.real, p_.shadow.program()) != peeling_.depthsFound)
     return Reason::programPass;  // a later peel
   if (!peelsIntoAll() || p_.shadow.viewport().box != peeling_.target.depths.viewport)
@@ -151,12 +151,12 @@ bool LayerDraws::startPeeled(const BatchKey& key, const glm::dmat4& modelview) {
 
 bool LayerDraws::haveSurfaces() const {
   const scene::Snapshot& s = p_.pending.batch.waiting();
-  const auto isPicture = [&](const scene::Instance& instance) {
+  const auto isImage = [&](const scene::Instance& instance) {
     const auto& textures = s.shadings[instance.shading].textures;
     return std::any_of(textures.begin(), textures.end(),
                        [](const scene::Texture& t) { return !t.image->opaque; });
   };
-  return !std::all_of(s.instances.begin(), s.instances.end(), isPicture);
+  return !std::all_of(s.instances.begin(), s.instances.end(), isImage);
 }
 
 PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const BatchKey& key) {
@@ -170,7 +170,7 @@ PresentResult LayerDraws::present(const scene::SnapshotPtr& snapshot, const Batc
     noteUse(Quirk::depthPeeling);
     peeling_.tracedKey = key;
     peeling_.traced = snapshot;
-    target.written = result.picture.empty();
+    target.written = result.image.empty();
     target.written ? peeling_.succeeded() : ask(result);
   } else {
     if (result.layers) {
@@ -209,7 +209,7 @@ void LayerDraws::giveUp() {
   peeling_.stage = Peeling::Stage::none;
   peeling_.failed();
   LayersTarget& target = peeling_.target;
-  target.picture.clear();
+  target.image.clear();
   scene::SnapshotPtr snapshot = peeling_.traced;
   if (!p_.pending.batch.empty() && p_.pending.batch.key().layers == BatchKey::Layers::peeled) {
     for (ProgramDraw& draw : p_.pending.batch.takeProgramDraws())

@@ -15,7 +15,7 @@ uint64_t writtenBehind(const LayerCounts& layers, uint32_t peel);
 /// writtenBehind(), or nullopt where it is so small that rounding at silhouettes could make it 0.
 std::optional<uint64_t> surelyWritten(const LayerCounts& layers, uint32_t peel);
 
-/// Whether `peels` peels show all layers of a picture of `pixels` pixels. Ignores a thousandth of them, where
+/// Whether `peels` peels show all layers of an image of `pixels` pixels. Ignores a thousandth of them, where
 /// silhouettes may differ.
 bool showsAll(uint32_t peels, const LayerCounts& layers, uint64_t pixels);
 

@@ -13,11 +13,11 @@
 
 namespace gluray::gl {
 
-Reason LayerDraws::triageSum(PrimitiveClass kind) {
+Reason LayerDraws::classifySum(PrimitiveClass kind) {
   if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
-  if (const Reason reason = triageSeenThrough(kind); reason != Reason::traced) return reason;
+  if (const Reason reason = classifySeenThrough(kind); reason != Reason::traced) return reason;
   const TargetState& target = p_.shadow.target();
   if (target.framebuffer == 0 || target.samples > 1 ||
       !addsUp(p_.shadow.real, p_.shadow.rare(), p_.shadow.raster()))

@@ -29,7 +29,7 @@ class DrawnObjects {
   void number(const BatchKey& key, scene::Snapshot& batch) noexcept;
   /// The batch was traced, or surely will be.
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept;
-  /// The real OpenGL draws a picture into the window that may fill these rectangles (shown_places.h).
+  /// The real OpenGL draws an image into the window that may fill these rectangles (shown_places.h).
   void placed(const std::vector<glm::ivec4>& places);
   /// A frame of a context that never swaps is over: another context has swapped.
   void endFrame() noexcept { ended_ = true; }

@@ -24,7 +24,7 @@ struct ShownBatch {
 struct ShownFrame {
   uint64_t frame = 0;  // as SettingsSource counts; 0: not known, it may not be whole yet
   std::vector<ShownBatch> batches;
-  std::vector<glm::ivec4> places;  // where pictures of framebuffer objects may be in the window
+  std::vector<glm::ivec4> places;  // where images of framebuffer objects may be in the window
   double when = nowSeconds();      // it was shown
 };
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;

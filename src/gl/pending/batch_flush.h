@@ -5,7 +5,7 @@ namespace gluray::gl {
 
 class BatchFlush {
  public:
-  /// Traces the pending batch, if any, and writes it into the framebuffer; delayed pictures stay delayed.
+  /// Traces the pending batch, if any, and writes it into the framebuffer; delayed images stay delayed.
   virtual void flushBatch() = 0;
 
  protected:

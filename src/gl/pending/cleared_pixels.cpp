@@ -42,11 +42,11 @@ std::optional<scene::Backdrop> backdropWhere(const std::vector<uint32_t>& colors
   return backdrop;
 }
 
-void PendingBatch::surround() {
-  pictured.collect(batch);
+void PendingBatch::attachSecondaryScene() {
+  capturedSurfaces.collect(batch);
   const bool isSeen = p_.clock.shows || (batch.key().framebuffer == 0 && !p_.clock.reads);
-  if (!isSeen && batch.holdsData()) batch.dropPictureChanges();
-  if (batch.key().layers != BatchKey::Layers::factors)
+  if (!isSeen && batch.holdsData()) batch.dropImageChanges();
+  if (batch.key().layers != BatchKey::Layers::visibility)
     p_.surfaces.objects.number(batch.key(), batch.unnumbered());
   const uint64_t frame = p_.surfaces.views.frameOf(batch.key(), batch.waiting());
   batch.setViewFrame(frame);
@@ -54,7 +54,7 @@ void PendingBatch::surround() {
     const scene::Region& region = batch.waiting().region;
     batch.setLightMode(p_.clock.offscreenMode({region.width, region.height}, frame));
   }
-  batch.surround(p_.surfaces.views.around(batch.key(), batch.waiting()));
+  batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting()));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());
 }
 

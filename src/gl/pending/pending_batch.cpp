@@ -27,7 +27,7 @@ bool PendingBatch::canTrace() {
   supported_ = presenter.supports(p_.shadow.real, p_.shadow.info.core, why);
   if (!*supported_)
     log::once(log::Level::warning, "support",
-              "this OpenGL cannot show traced pictures (" + why + "): the real OpenGL draws everything");
+              "this OpenGL cannot show traced images (" + why + "): the real OpenGL draws everything");
   return *supported_;
 }
 
@@ -81,7 +81,7 @@ void PendingBatch::takeResult(const PresentResult& result, bool known) {
   statistics.blasBuilds += result.cost.blasBuilds;
   statistics.blasRefinements += result.cost.blasRefinements;
   if (known && result.repeated) return;
-  if (!result.repeated) statistics.bvhBytes = result.cost.bvhBytes;  // repeated pictures do not report it
+  if (!result.repeated) statistics.bvhBytes = result.cost.bvhBytes;  // repeated images do not report it
   statistics.blasRefining = result.cost.blasRefining;
 }
 

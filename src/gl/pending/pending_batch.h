@@ -1,16 +1,16 @@
-// The batch that waits to be traced, with its presenter and the cost of its pictures. Flusher decides when it
+// The batch that waits to be traced, with its presenter and the cost of its images. Flusher decides when it
 // is presented. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"
 #include "gl/batch/held_batch.h"
 #include "gl/batch/presenter.h"
-#include "gl/batch/unresolved_picture.h"
+#include "gl/batch/unresolved_image.h"
 #include "gl/clock/frame_clock.h"
 #include "gl/counts/draw_counts.h"
 #include "gl/framebuffers/cleared_framebuffers.h"
 #include "gl/history/surface_history.h"
-#include "gl/pending/pictured_surfaces.h"
+#include "gl/pending/captured_surfaces.h"
 #include "gl/shadow/shadow_state.h"
 
 #include <memory>
@@ -33,15 +33,15 @@ class PendingBatch {
     ClearedFramebuffers& cleared;
   };
   PendingBatch(const Parts& parts, Presenter& with)
-      : presenter(with), pictured({parts.shadow, parts.clock, parts.surfaces, with}), p_(parts) {}
+      : presenter(with), capturedSurfaces({parts.shadow, parts.clock, parts.surfaces, with}), p_(parts) {}
 
   Batch batch;
   Presenter& presenter;
-  PicturedSurfaces pictured;
-  UnresolvedPicture unresolved;  // of ResolveDraws
-  bool refines = false;          // pictures of the last frame are refined while the program is idle
+  CapturedSurfaces capturedSurfaces;
+  UnresolvedImage unresolved;  // of ResolveDraws
+  bool refines = false;        // images of the last frame are refined while the program is idle
 
-  /// Whether this OpenGL can show traced pictures (Presenter::supports()). The first call builds shaders.
+  /// Whether this OpenGL can show traced images (Presenter::supports()). The first call builds shaders.
   bool canTrace();
   /// Whether canTrace() was called.
   bool knowsSupport() const { return supported_.has_value(); }
@@ -54,18 +54,18 @@ class PendingBatch {
     stopRefining();
     return p_.clock.lightMode(p_.shadow.settings);
   }
-  /// Numbers the surfaces of the batch, and tells it what surrounds it. Call before it is traced or taken.
-  void surround();
+  /// Numbers the surfaces of the batch, and gives it its secondary scene. Call before it is traced or taken.
+  void attachSecondaryScene();
   /// Peeled layers that were traced are drawn by the real OpenGL after all: they light nothing.
   void withdrawPeeled() noexcept { p_.surfaces.views.withdrawPeeled(p_.clock.frame); }
   /// Takes the batch, which is or will be traced, out before it is in its framebuffer. Call surround()
   /// before. `where`: what shows it, for the log.
   HeldBatch hold(std::string_view where);
-  /// Presents it into its framebuffer. `known`: its picture is traced already. The real OpenGL draws it where
-  /// limits of address space leave too little for compiling what writes pictures.
+  /// Presents it into its framebuffer. `known`: its image is traced already. The real OpenGL draws it where
+  /// limits of address space leave too little for compiling what writes images.
   void presentLate(HeldBatch held, bool known);
   /// Call after each presentation: restores what it changed of the current material, and adds its result to
-  /// the statistics. `known`: the picture was shown before, elsewhere.
+  /// the statistics. `known`: the image was shown before, elsewhere.
   void takeResult(const PresentResult& result, bool known = false);
 
  private:

@@ -16,11 +16,11 @@ class CurrentProgram {
   CurrentProgram(const RealGl& real, ShareGroup& group, const ContextInfo& info)
       : real_(real), group_(group), info_(info) {}
 
-  /// The program `name` with its family; determined once per link.
+  /// The shader program `name` with its family; determined once per link.
   std::shared_ptr<const KnownProgram> known(GLuint name) const;
-  /// Name of the program in use; 0: none.
+  /// Name of the shader program in use; 0: none.
   GLuint name() const;
-  /// Whether the program in use turns the points or lines of a draw of this mode into impostors.
+  /// Whether the shader program in use turns the points or lines of a draw of this mode into impostors.
   bool drawsImpostors(GLenum mode) const;
 
  private:

@@ -32,7 +32,7 @@ class ProgramReader {
   Reason refuse(std::string why) { return out_.why = std::move(why), Reason::programValue; }
   /// Checks the uniforms that must have neutral values (Family::neutral).
   Reason checkNeutral();
-  /// Checks fixed function's state that changes what programs with gl_Vertex draw.
+  /// Checks fixed function's state that changes what shader programs with gl_Vertex draw.
   Reason checkBuiltInState();
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);

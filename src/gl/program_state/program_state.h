@@ -18,7 +18,7 @@ class ShareGroup;
 class TextureCache;
 struct RareState;
 
-/// The current program's uniforms and textures, translated into the scene's terms.
+/// The current shader program's uniforms and textures, translated into the scene's terms.
 struct ProgramState {
   std::shared_ptr<const KnownProgram> known;  // null: not read
   UniformValuesPtr uniforms;                  // current values of all of them
@@ -49,8 +49,8 @@ inline bool readsBuiltIns(const ProgramState& program) {
   return program.known && program.known->family && program.known->family->hasBuiltInVertices();
 }
 
-/// Why draws of a program are not traced, whatever the state is: no family describes it. Reason::traced: one
-/// does.
+/// Why draws of a shader program are not traced, whatever the state is: no family describes it.
+/// Reason::traced: one does.
 inline Reason reasonWithoutFamily(const KnownProgram& known) {
   if (known.family) return Reason::traced;
   return known.unknownCode ? Reason::programCode : Reason::program;
@@ -74,8 +74,8 @@ bool hasTwoTexcoords(const Program& program, const Family& family);
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state, bool solids);
 
-/// Reads the vertex arrays that the program's family names; all other enabled ones go to ArrayState::generic.
-/// `program`: null if its family is unknown.
+/// Reads the vertex arrays that the shader program's family names; all other enabled ones go to
+/// ArrayState::generic. `program`: null if its family is unknown.
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays);
 
 }  // namespace gluray::gl

@@ -1,5 +1,5 @@
 // GLSL's built-in uniforms (gl_ModelViewMatrix, gl_LightSource[0].position ...): fixed function's state,
-// which programs of families with gl_Vertex read. GL thread, context current.
+// which shader programs of families with gl_Vertex read. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"
@@ -9,8 +9,8 @@
 
 namespace gluray::gl {
 
-/// Adds the built-in uniforms that the family mentions to the program's uniforms, in place of those added
-/// before.
+/// Adds the built-in uniforms that the family mentions to the shader program's uniforms, in place of those
+/// added before.
 void nameBuiltIns(Program& program, const Family& family);
 /// Removes those that nameBuiltIns() has added.
 void dropBuiltIns(Program& program);

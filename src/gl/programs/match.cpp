@@ -200,7 +200,7 @@ std::string whyNoneFits(const KnownProgram& known, const Family* nearest,
   for (size_t i = 0; i < found.size() && i < 4; ++i) why.append(i ? ", " : ", but it ").append(found[i]);
   if (found.size() > 4) why.append(" and ").append(std::to_string(found.size() - 4)).append(" more");
   if (known.unknownCode)
-    why.append("; statements that do not affect the picture can be added to [[code]] section \"")
+    why.append("; statements that do not affect the image can be added to [[code]] section \"")
         .append(nearest->code.back())
         .append("\" by a file for --program-families");
   return why;

@@ -10,7 +10,7 @@
 
 namespace gluray::gl {
 
-/// A program with its family.
+/// A shader program with its family.
 struct KnownProgram {
   Program program;
   std::shared_ptr<const Family> family;  // null: none fits
@@ -21,15 +21,15 @@ struct KnownProgram {
   bool unknownCode = false;              // the nearest family fits except for unknown statements
 };
 
-/// For each name of the family that the program lacks, the first alternative that the program has; for
-/// Family::anyTexture the program's only unknown sampler2D.
+/// For each name of the family that the shader program lacks, the first alternative that it has; for
+/// Family::anyTexture the shader program's only unknown sampler2D.
 Renames renamedBy(const Program& program, const Family& family);
 
 /// Reasons why `program` does not fit `family`, whose known sections are in `code`; empty if it fits.
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code = {});
 
-/// Queries the program and finds its family. `texts`: Program::texts.
+/// Queries the shader program and finds its family. `texts`: Program::texts.
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
                                               std::shared_ptr<const ShaderTexts> texts = {});
 

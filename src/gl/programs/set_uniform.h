@@ -1,4 +1,4 @@
-// Copies values of uniforms to the current program. GL thread, context current.
+// Copies values of uniforms to the current shader program. GL thread, context current.
 #pragma once
 #include "gl/programs/uniforms.h"
 #include "gl/real/real.h"

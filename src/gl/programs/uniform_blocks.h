@@ -1,4 +1,4 @@
-// Reads the buffers behind programs' uniform blocks. GL thread, context current.
+// Reads the buffers behind shader programs' uniform blocks. GL thread, context current.
 #pragma once
 #include "gl/real/real.h"
 
@@ -17,13 +17,13 @@ struct BlockBinding {
 };
 BlockBinding boundBlock(const RealGl& real, GLuint binding);
 
-/// A block's contents and the binding point where the program reads them.
+/// A block's contents and the binding point where the shader program reads them.
 struct UniformBlock {
   GLuint binding = 0;
   std::vector<std::byte> contents;
 };
 
-/// The current contents of the program's active blocks that have a buffer.
+/// The current contents of the shader program's active blocks that have a buffer.
 std::vector<UniformBlock> readBlocks(const RealGl& real, GLuint program);
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Queries the values of a program's uniforms from the real OpenGL. GL thread, context current.
+// Queries the values of a shader program's uniforms from the real OpenGL. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"

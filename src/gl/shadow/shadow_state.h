@@ -81,11 +81,11 @@ class ShadowState {
   const ProgramState& program() { return fresh(kProgram | kProgramTextures, program_); }
   /// Vertex arrays of fixed function.
   const ArrayState& arrays() { return fresh(kFixedArrays, arrays_); }
-  /// Vertex arrays of the program in use, whose family says what they mean.
+  /// Vertex arrays of the shader program in use, whose family says what they mean.
   const ArrayState& attributes() { return fresh(kAttributes, attributes_); }
 
-  /// The program in use; `known` is null if there is none. Its textures may be those that program() has read
-  /// last.
+  /// The shader program in use; `known` is null if there is none. Its textures may be those that program()
+  /// has read last.
   const ProgramState& programInUse() {
     refresh(kProgram);
     return program_;
@@ -119,7 +119,7 @@ class ShadowState {
   /// The context has become current with `drawable` (0: unknown): the thread or the drawable may be others.
   void madeCurrent(uintptr_t drawable);
 
-  // What draws find out about the program in use beyond its inputs; until it is read back again.
+  // What draws find out about the shader program in use beyond its inputs; until it is read back again.
   /// Details for the user why it is not traced.
   void setProgramWhy(std::string why) { program_.why = std::move(why); }
   /// scene::Impostors::size of its impostors.
@@ -127,7 +127,8 @@ class ShadowState {
   /// Gives attributes() the radius, and the caps of impostors, that the program has for all of them.
   void shareImpostorValues();
 
-  /// The program `name` with its family. The program sees no errors of this. May throw std::bad_alloc.
+  /// The shader program `name` with its family. The host program sees no errors of this. May throw
+  /// std::bad_alloc.
   std::shared_ptr<const KnownProgram> recognise(GLuint name);
   void syncCurrent() {
     if (current.anyUnsent()) [[unlikely]]

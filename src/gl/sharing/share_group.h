@@ -102,21 +102,22 @@ class ShareGroup {
   const std::shared_ptr<std::atomic<int>> heldBackBuffers = std::make_shared<std::atomic<int>>(0);
   bool anyBuffersHeldBack() const { return *heldBackBuffers > 0; }
 
-  /// The program with its family, which is determined once per link. A context of the group must be current.
+  /// The shader program with its family, which is determined once per link. A context of the group must be
+  /// current.
   std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
-  /// The program got a binary, or was deleted: its family is determined anew, if it is still used.
+  /// The shader program got a binary, or was deleted: its family is determined anew, if it is still used.
   void programChanged(GLuint name);
   void programDeleted(GLuint name);
-  /// The same for a program that was linked: keeps the texts of its shaders, which it may detach. A context
-  /// of the group must be current.
+  /// The same for a shader program that was linked: keeps the texts of its shaders, which the host program
+  /// may detach. A context of the group must be current.
   void programLinked(const RealGl& real, GLuint name);
-  /// Counts programs that were linked, deleted or recognised.
+  /// Counts shader programs that were linked, deleted or recognised.
   uint64_t programChanges() const { return programChanges_; }
   /// What program() has found for the program; null: it was not asked yet.
   std::shared_ptr<const KnownProgram> recognised(GLuint name);
-  /// Some program that was linked or got a binary, for which program() was not asked since; 0: none.
+  /// Some shader program that was linked or got a binary, for which program() was not asked since; 0: none.
   GLuint unrecognised();
-  /// Whether a family describes one of the recognised programs.
+  /// Whether a family describes one of the recognised shader programs.
   bool tracesPrograms();
 
   /// A real list whose owner is gone: the next current context of the group deletes it.

@@ -1,4 +1,4 @@
-// Meshes of separate triangles, for tests of triage.
+// Meshes of separate triangles, for tests of classification.
 #pragma once
 #include "scene/mesh.h"
 

@@ -259,7 +259,7 @@ bool EngineChoice::affords(double loss) const {
   return loss <= 0 || budget_.left() >= std::min(loss, kMaxSavedSeconds);
 }
 
-/// Seconds for the rays of an empty picture and its write-back, on fast cores.
+/// Seconds for the rays of an empty image and its write-back, on fast cores.
 double EngineChoice::leastTraceSeconds(const FrameLoad& load) const {
   constexpr double kFrame = 0.2e-3, kRay = 14e-9, kWriteBack = 1e-9;
   return kFrame + load.pixels * (kRay / threads_ + kWriteBack);

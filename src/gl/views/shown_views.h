@@ -47,7 +47,7 @@ class ShownViews {
 /// Whether settings ask what is shown.
 bool wantsShownViews(const Settings&);
 
-/// Whether the batch shows a surface that the program lights. Pictures to pick from have none.
+/// Whether the batch shows a surface that the program lights. Images to pick from have none.
 bool holdsLitSurface(const scene::Snapshot&);
 
 }  // namespace gluray::gl

@@ -76,7 +76,7 @@ TEST(ShownViews, ManyClearsTakeLittleMemory) {
   EXPECT_TRUE(views.mayPaint(keyAt({0, 0, 8, 8}, 999), {0, 0, 8, 8}, 1));
 }
 
-TEST(LitSurfaces, PicturesToPickFromHaveNone) {
+TEST(LitSurfaces, ImagesToPickFromHaveNone) {
   scene::Snapshot s;
   s.shadings.resize(2);
   s.instances.resize(1);

@@ -2,7 +2,7 @@
 // by ViewScenes, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
-#include "scene/framebuffer_picture.h"
+#include "scene/framebuffer_capture.h"
 
 #include <glm/glm.hpp>
 
@@ -18,7 +18,7 @@ struct ViewEpoch {
     scene::SnapshotPtr snapshot;
     bool still = false;  // in eye space, since the frame before; false if unknown
     // Of surfaces that the real OpenGL has drawn; null: of others, or their colours are not known.
-    std::shared_ptr<const scene::FramebufferPicture> picture;
+    std::shared_ptr<const scene::FramebufferCapture> capture;
   };
   GLuint framebuffer = 0;
   GLenum drawBuffer = 0;

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "gl/batch/clears.h"
-#include "gl/views/surroundings_maker.h"
+#include "gl/views/secondary_scene_builder.h"
 #include "scene/same_camera.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ bool holds(const ViewEpoch& epoch, const BatchKey& key, const scene::Snapshot& s
 
 /// Adds what `last` drew after the batches that are drawn again by now. `first`: of the view in this frame.
 void addLater(const ViewEpoch& last, const Repetition& now, const glm::dmat4& moved,
-              const scene::Snapshot& first, const scene::Snapshot& s, SurroundingsMaker& maker) {
+              const scene::Snapshot& first, const scene::Snapshot& s, SecondarySceneBuilder& maker) {
   maker.nextFrame();
   for (size_t i = 0; i < now.repeated; ++i) maker.skip(*last.batches[i].snapshot);
   for (size_t i = now.repeated; i < last.batches.size(); ++i) {
@@ -53,7 +53,7 @@ void addLater(const ViewEpoch& last, const Repetition& now, const glm::dmat4& mo
     const glm::dmat4 inPart = inView == glm::dmat4(1) || *viewFromPart == glm::dmat4(1)
                                   ? inView
                                   : glm::inverse(*viewFromPart) * inView * *viewFromPart;
-    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, later.picture, inPart);
+    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, later.capture, inPart);
   }
 }
 
@@ -92,29 +92,29 @@ ViewScenes::Ended::iterator ViewScenes::lastOf(const BatchKey& key, const scene:
   return found;
 }
 
-std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& key,
-                                                              const scene::Snapshot& s) noexcept {
+std::shared_ptr<const scene::SecondaryScene> ViewScenes::secondaryScene(const BatchKey& key,
+                                                                        const scene::Snapshot& s) noexcept {
   forgetUnwanted(s.settings);
-  if (!scene::needsSurroundings(s.settings)) return nullptr;
+  if (!scene::needsSecondaryScene(s.settings)) return nullptr;
   try {
     const ViewEpoch* epoch = epochOf(key, s);
     const ViewEpoch* last = epoch ? epoch->last.get() : nullptr;
     if (!epoch && !drawsAside(key))
       if (const auto found = lastOf(key, s); found != ended_.end()) last = found->get();
     if (!epoch && !last) return nullptr;
-    SurroundingsMaker maker(s);
+    SecondarySceneBuilder maker(s);
     const scene::Snapshot& first = epoch ? epoch->first() : s;
     if (epoch)
       for (const ViewEpoch::Drawn& earlier : epoch->batches)
         if (const auto eyeFromPart = eyeFromEye(s, *earlier.snapshot))
-          maker.add(*earlier.snapshot, *eyeFromPart, earlier.picture);
+          maker.add(*earlier.snapshot, *eyeFromPart, earlier.capture);
     if (last) {
       const Repetition now = repetitionOf(*last, epoch ? epoch->repeated : 0, s);
       addLater(*last, now, movementOf(*last, epoch, now, s), first, s, maker);
     }
     const glm::dmat4 eyeFromView = *eyeFromEye(s, first) * first.eyeFromWorld;
-    return maker.takeSurroundings(eyeFromView == s.eyeFromWorld ? glm::dmat4(1)
-                                                                : glm::inverse(eyeFromView) * s.eyeFromWorld);
+    return maker.takeSecondaryScene(
+        eyeFromView == s.eyeFromWorld ? glm::dmat4(1) : glm::inverse(eyeFromView) * s.eyeFromWorld);
   } catch (const std::exception&) {
     forget();
     log::once(log::Level::warning, "views",
@@ -124,7 +124,7 @@ std::shared_ptr<const scene::Surroundings> ViewScenes::around(const BatchKey& ke
 }
 
 void ViewScenes::forgetUnwanted(const Settings& settings) {
-  if (!scene::needsSurroundings(settings)) open_.clear(), ended_.clear();
+  if (!scene::needsSecondaryScene(settings)) open_.clear(), ended_.clear();
   if (!wantsShownViews(settings)) shown_.clear();
 }
 
@@ -143,7 +143,7 @@ void ViewScenes::colorCleared(const ShownViews::Clear& clear) noexcept {
 }
 
 uint64_t ViewScenes::frameOf(const BatchKey& key, const scene::Snapshot& s) noexcept {
-  if (!scene::needsSurroundings(s.settings)) return 0;
+  if (!scene::needsSecondaryScene(s.settings)) return 0;
   try {
     return frames_.traced(key.framebuffer, s.region);
   } catch (const std::exception&) { return 0; }  // no memory
@@ -161,10 +161,10 @@ scene::GroundUse ViewScenes::groundOf(const BatchKey& key, const scene::Snapshot
 }
 
 void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
-                        const std::shared_ptr<const scene::FramebufferPicture>& picture) noexcept {
+                        const std::shared_ptr<const scene::FramebufferCapture>& capture) noexcept {
   try {
     if (wantsShownViews(snapshot->settings)) shown_.traced(key, *snapshot);
-    if (!scene::needsSurroundings(snapshot->settings)) return;
+    if (!scene::needsSecondaryScene(snapshot->settings)) return;
     ViewEpoch* epoch = epochOf(key, *snapshot);
     // Nothing tells when such an epoch would end.
     if (!epoch && drawsAside(key)) return;
@@ -174,7 +174,7 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
         fresh.last = *found, ended_.erase(found);
       epoch = &open_.emplace_back(std::move(fresh));
     }
-    ViewEpoch::Drawn drawn{snapshot, false, picture};
+    ViewEpoch::Drawn drawn{snapshot, false, capture};
     if (epoch->last) {
       const Repetition now = repetitionOf(*epoch->last, epoch->repeated, *snapshot);
       drawn.still = now.of && isStill(*now.of->snapshot, *snapshot);

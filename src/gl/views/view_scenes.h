@@ -5,7 +5,7 @@
 #include "gl/views/shown_views.h"
 #include "gl/views/view_epoch.h"
 #include "gl/views/view_frames.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <memory>
 #include <optional>
@@ -13,23 +13,25 @@
 
 namespace gluray::gl {
 
-class SurroundingsMaker;
+class SecondarySceneBuilder;
 
 /// A view is one camera and viewport of one framebuffer, from one clear of its depth to the next (a depth
-/// epoch). What was drawn before a batch surrounds it; and of what the last frame drew after it, that it will
-/// be drawn again is taken for granted: at the place where it would be if the camera alone had moved.
+/// epoch). What was drawn before a batch is in its secondary scene; and of what the last frame drew after it,
+/// that it will be drawn again is taken for granted: at the place where it would be if the camera alone had
+/// moved.
 class ViewScenes {
  public:
-  /// What surrounds a batch that is about to be traced. Null where nothing does, where no setting asks for
-  /// light, and where memory has run out.
-  std::shared_ptr<const scene::Surroundings> around(const BatchKey&, const scene::Snapshot&) noexcept;
+  /// The secondary scene of a batch that is about to be traced. Null where it is empty, where no setting asks
+  /// for light, and where memory has run out.
+  std::shared_ptr<const scene::SecondaryScene> secondaryScene(const BatchKey&,
+                                                              const scene::Snapshot&) noexcept;
   /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
   /// shows it.
   scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
-  /// The batch was traced, or surely will be: it belongs to its view. `picture`: of surfaces that the real
+  /// The batch was traced, or surely will be: it belongs to its view. `image`: of surfaces that the real
   /// OpenGL has drawn, instead.
   void traced(const BatchKey&, const scene::SnapshotPtr&,
-              const std::shared_ptr<const scene::FramebufferPicture>& picture = nullptr) noexcept;
+              const std::shared_ptr<const scene::FramebufferCapture>& capture = nullptr) noexcept;
   /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
   void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.

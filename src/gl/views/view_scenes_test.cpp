@@ -1,4 +1,4 @@
-// What surrounds a batch, and that nothing is kept without need.
+// The secondary scenes of batches, and that nothing is kept without need.
 #include "gl/views/view_scenes.h"
 
 #include <gtest/gtest.h>
@@ -60,12 +60,12 @@ class ViewScenesTest : public testing::Test {
     return trace(key, snapshotOf(std::move(instances)));
   }
   std::vector<uint64_t> trace(const BatchKey& key, const std::shared_ptr<scene::Snapshot>& s) {
-    s->surroundings = views_.around(key, *s);
+    s->secondaryScene = views_.secondaryScene(key, *s);
     views_.traced(key, s);
     last_ = s;
     std::vector<uint64_t> found;
-    if (s->surroundings)
-      for (const scene::Instance& i : s->surroundings->instances) found.push_back(i.mesh->geometryId.low);
+    if (s->secondaryScene)
+      for (const scene::Instance& i : s->secondaryScene->instances) found.push_back(i.mesh->geometryId.low);
     return found;
   }
   void clear(GLuint framebuffer = 0) { views_.depthCleared(framebuffer, {0, 0, 1000, 1000}); }
@@ -88,16 +88,16 @@ TEST_F(ViewScenesTest, EachSurfaceSurroundsOnce) {
   EXPECT_EQ(trace(keyOf(), {surfaceOf(3)}), (Found{1, 2, 1}));
 }
 
-TEST_F(ViewScenesTest, SurroundingsLieInTheWorldOfTheBatch) {
+TEST_F(ViewScenesTest, SecondaryScenesLieInTheWorldOfTheBatch) {
   trace(keyOf(), {surfaceOf(1, 2)});
   trace(keyOf(), {surfaceOf(2, 5)});
-  const scene::Surroundings& around = *last_->surroundings;
+  const scene::SecondaryScene& around = *last_->secondaryScene;
   EXPECT_EQ(around.instances[0].worldFromObject[3].x, -3);
   EXPECT_EQ(around.instances[0].eyeFromObject[3].x, 2);
   EXPECT_EQ(around.viewFromWorld[3].x, 3);
   trace(keyOf(), {surfaceOf(3, 2)});
-  EXPECT_EQ(last_->surroundings->instances[0].worldFromObject, glm::mat4(1));
-  EXPECT_EQ(last_->surroundings->viewFromWorld, glm::dmat4(1));
+  EXPECT_EQ(last_->secondaryScene->instances[0].worldFromObject, glm::mat4(1));
+  EXPECT_EQ(last_->secondaryScene->viewFromWorld, glm::dmat4(1));
 }
 
 TEST_F(ViewScenesTest, ShadingsAndBlendingComeAlong) {
@@ -108,7 +108,7 @@ TEST_F(ViewScenesTest, ShadingsAndBlendingComeAlong) {
   auto other = snapshotOf({surfaceOf(2)});
   trace(keyOf(), other);
   trace(keyOf(), {surfaceOf(3)});
-  const scene::Surroundings& around = *last_->surroundings;
+  const scene::SecondaryScene& around = *last_->secondaryScene;
   ASSERT_EQ(around.instances.size(), 2u);
   EXPECT_TRUE(around.shadings[around.instances[0].shading].twoSided);
   EXPECT_FALSE(around.shadings[around.instances[1].shading].twoSided);
@@ -118,27 +118,27 @@ TEST_F(ViewScenesTest, ShadingsAndBlendingComeAlong) {
   EXPECT_FALSE(scene::isBlended(*last_, 0));
 }
 
-/// Pictures come along with the matrices of the draws, in later frames, too, although their surfaces have
+/// Images come along with the matrices of the draws, in later frames, too, although their surfaces have
 /// moved.
-TEST_F(ViewScenesTest, PicturesComeAlong) {
-  const auto picture = std::make_shared<const scene::FramebufferPicture>();
+TEST_F(ViewScenesTest, ImagesComeAlong) {
+  const auto capture = std::make_shared<const scene::FramebufferCapture>();
   glm::dmat4 clipFromObject(1);
   for (int frame = 0; frame < 2; ++frame) {
     trace(keyOf(), {surfaceOf(1, frame)});
     if (frame == 0) {
       auto drawn = snapshotOf({surfaceOf(2), surfaceOf(3, 4)});
       clipFromObject = drawn->instances[1].eyeFromObject;
-      views_.traced(keyOf(), drawn, picture);
+      views_.traced(keyOf(), drawn, capture);
       trace(keyOf(), {surfaceOf(4)});
     }
-    const scene::Surroundings& around = *last_->surroundings;
-    const size_t first = frame == 0 ? 1 : 0;  // of the pictured ones
-    ASSERT_EQ(around.pictures.size(), 1u);
-    EXPECT_EQ(around.pictures[0], picture);
-    ASSERT_EQ(around.pictured.size(), first + 2);
-    if (first) { EXPECT_EQ(around.pictured[0].picture, scene::Pictured::kNone); }
-    EXPECT_EQ(around.pictured[first + 1].picture, 0u);
-    EXPECT_EQ(around.pictured[first + 1].clipFromObject, clipFromObject);
+    const scene::SecondaryScene& around = *last_->secondaryScene;
+    const size_t first = frame == 0 ? 1 : 0;  // of the captured ones
+    ASSERT_EQ(around.captures.size(), 1u);
+    EXPECT_EQ(around.captures[0], capture);
+    ASSERT_EQ(around.captured.size(), first + 2);
+    if (first) { EXPECT_EQ(around.captured[0].capture, scene::CapturedSurface::kNone); }
+    EXPECT_EQ(around.captured[first + 1].capture, 0u);
+    EXPECT_EQ(around.captured[first + 1].clipFromObject, clipFromObject);
     EXPECT_EQ(around.instances[first + 1].eyeFromObject[3].x, 4 + frame);
     clear();
   }
@@ -287,7 +287,7 @@ TEST_F(ViewScenesTest, MeshesLiveTwoFramesLonger) {
 
 TEST_F(ViewScenesTest, AnEpochThatNothingEndsIsBounded) {
   for (uint64_t i = 0; i < 1000; ++i) trace(keyOf(3), {surfaceOf(i)});
-  EXPECT_LE(last_->surroundings->instances.size(), 256u);
+  EXPECT_LE(last_->secondaryScene->instances.size(), 256u);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
     refusal = whyNotLag(window.overdue.buffer);
     if (refusal != LagRefusal::none) return;
     p_.shadow.errors.keepPending();
-    p_.pending.surround();
+    p_.pending.attachSecondaryScene();
     LaggedFrame frame{{}, window, {}, 1, {}};
     const GLenum depthFunc = p_.pending.batch.key().depthFunc;
     const glm::ivec2 size = window.overdue.size;

@@ -16,8 +16,8 @@ namespace gluray::gl {
 struct LagWindow {
   std::function<bool()> stands;  // whether the window still exists
   std::function<void()> swap;    // the swap that the program asked for
-  ShowPicture show;              // shows a picture over a clear in place of the swap; may be empty
-  Overdue overdue;               // shows the picture if the program does not go on
+  ShowImage show;                // shows an image over a clear in place of the swap; may be empty
+  Overdue overdue;               // shows the image if the program does not go on
 };
 
 struct LaggedFrame {

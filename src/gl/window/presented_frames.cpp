@@ -1,4 +1,4 @@
-// WindowFrames: pictures that are shown without the back buffer (ADR 0024).
+// WindowFrames: images that are shown without the back buffer (ADR 0024).
 #include "base/timeline.h"
 #include "gl/batch/clears.h"
 #include "gl/pending/address_space_gate.h"
@@ -32,7 +32,7 @@ bool WindowFrames::mayShowDirectly() noexcept {
   });
 }
 
-bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const ShowPicture& show) noexcept {
+bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const ShowImage& show) noexcept {
   return p_.failsafe.protect([&] {
     if (!contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) return false;
     showLagged();
@@ -44,13 +44,13 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
     p_.shadow.syncCurrent();
-    p_.pending.surround();
+    p_.pending.attachSecondaryScene();
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(p_.pending.batch.key().depthFunc, depthResolution),
                             p_.shadow.info.core, p_.clock.wish(), show};
     const PresentResult result =
         p_.pending.presenter.window().show(p_.shadow.real, p_.pending.batch.pending(), target);
-    if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced picture is known
+    if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced image is known
       p_.shadow.latch.restore(p_.shadow.real);
       p_.counts.statistics.buildSeconds += result.cost.buildSeconds;
       p_.counts.statistics.traceSeconds += result.cost.traceSeconds;
@@ -68,7 +68,7 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
 
 void WindowFrames::refineWhileIdle(const OpenIdleWindow& open) noexcept {
   const Settings& settings = p_.shadow.settings;
-  const bool lit = settings.changesPicture() && !p_.failsafe.aside();
+  const bool lit = settings.changesImage() && !p_.failsafe.aside();
   if (!lit && !p_.pending.refines) return;
   p_.pending.refines = lit;
   WindowPresenter& window = p_.pending.presenter.window();

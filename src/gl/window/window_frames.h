@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/pending/pending_batch.h"
 #include "gl/window/lagged_frame.h"
-#include "gl/window/presented_picture.h"
+#include "gl/window/presented_image.h"
 
 #include <GL/gl.h>
 #include <glm/glm.hpp>
@@ -32,15 +32,15 @@ class WindowFrames {
   /// Whether the swap would show only a clear and the pending batch.
   bool mayShowDirectly() noexcept;
   /// If mayShowDirectly(), in place of FrameEnds::beforeSwap() and the swap of a window of this size: traces
-  /// the batch and gives the picture to `show`. False: nothing was shown; the batch stays pending. `window`
+  /// the batch and gives the image to `show`. False: nothing was shown; the batch stays pending. `window`
   /// outlives this context.
-  bool showWithoutSwap(ShownWindow& window, glm::ivec2 size, const ShowPicture& show) noexcept;
+  bool showWithoutSwap(ShownWindow& window, glm::ivec2 size, const ShowImage& show) noexcept;
   /// Whether nothing of the next frame is in the back buffer: its clear is held back, and so are its draws.
   bool holdsFrame() const { return presented_.clear && !presented_.waiting; }
   /// In place of both: starts tracing the batch, to show the frame later. Returns `none` or why not.
   LagRefusal lag(const LagWindow& window) noexcept;
 
-  /// Call after a swap: if light is on, remembers the frame's pictures, and refines them in the window while
+  /// Call after a swap: if light is on, remembers the frame's images, and refines them in the window while
   /// the program draws nothing. `open` may return null.
   void refineWhileIdle(const OpenIdleWindow& open) noexcept;
 
@@ -51,20 +51,20 @@ class WindowFrames {
   /// Delays a clear until the lagged frame is shown, or holds it back while frames are shown directly. False:
   /// clear now.
   bool clearsLater(GLbitfield mask);
-  /// Whether the back buffer lacks a clear, or the picture that the window shows.
+  /// Whether the back buffer lacks a clear, or the image that the window shows.
   bool lacks() const { return presented_.waiting || presented_.clear; }
   /// Makes that clear in the back buffer.
   void makeClear();
-  /// The same, and writes that picture: always, or only if the draw framebuffer is the window.
+  /// The same, and writes that image: always, or only if the draw framebuffer is the window.
   void settle();
   void settleInWindow();
   /// Call before the real OpenGL draws: shows the lagged frame, and settles in the window.
   void meetDraw();
-  /// Call before a draw that will be traced, too: settleInWindow() if there is a picture.
+  /// Call before a draw that will be traced, too: settleInWindow() if there is an image.
   void settleBelow() {
     if (presented_.waiting) settleInWindow();
   }
-  /// Call before the draw framebuffer is cleared: drops the picture if the clear hides it, else settles it.
+  /// Call before the draw framebuffer is cleared: drops the image if the clear hides it, else settles it.
   void clears(GLbitfield mask);
   /// Whether a draw kept for these frames reads a texture; whether one reads `buffer` as a texture.
   bool readsImages() const;
@@ -75,13 +75,13 @@ class WindowFrames {
   void noteBegin();
   /// Holds a clear of the whole window back if it hides what the back buffer lacks.
   bool holdsClear(GLbitfield mask);
-  /// Writes the picture that the window shows, and makes the real OpenGL swap, if the window has changed its
+  /// Writes the image that the window shows, and makes the real OpenGL swap, if the window has changed its
   /// size since.
   void meetNewSize();
   bool showsDirectly(const LaggedFrame& frame);
   PresentResult presentLagged(LaggedFrame& frame);
 
-  PresentedPicture presented_;
+  PresentedImage presented_;
   std::optional<LaggedFrame> lagged_;
   Parts p_;
 };

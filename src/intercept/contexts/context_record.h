@@ -4,7 +4,7 @@
 #include "gl/context/context.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/hud/hud.h"
-#include "intercept/present/read_back/frame_picture.h"
+#include "intercept/present/read_back/frame_image.h"
 #include "intercept/tracing/make_presenter.h"
 #include "intercept/windows/idle_window_of_context.h"
 #include "intercept/windows/lag.h"
@@ -24,11 +24,11 @@ using Key = std::pair<Api, const void*>;
 
 struct Record {
   std::shared_ptr<gl::ShareGroup> group;
-  std::unique_ptr<gl::Presenter> presenter;        // outlives the context, which uses it
-  std::unique_ptr<present::FramePicture> picture;  // if pictures are wanted; outlives the context, too
-  std::unique_ptr<Hud> hud;                        // if wanted
-  std::optional<present::Features> features;       // read when a picture is kept first
-  std::unique_ptr<Lag> lag;                        // if frames may lag
+  std::unique_ptr<gl::Presenter> presenter;    // outlives the context, which uses it
+  std::unique_ptr<present::FrameImage> image;  // if images are wanted; outlives the context, too
+  std::unique_ptr<Hud> hud;                    // if wanted
+  std::optional<present::Features> features;   // read when an image is kept first
+  std::unique_ptr<Lag> lag;                    // if frames may lag
   WindowOfContext window;
   IdleWindowOfContext idle;
   std::shared_ptr<gl::Context> context;  // null until first current, or if it could not be made

@@ -79,11 +79,11 @@ void noteDrawable(Record& record, Api api, uintptr_t drawable) {
   context.setDoubleBuffered(doubleBuffered);
 }
 
-/// Callback for each traced picture of the context; may be empty.
+/// Callback for each traced image of the context; may be empty.
 present::Written noteWritten(const Record& record) {
-  if (!record.picture) return {};
-  return [picture = record.picture.get()](const gl::RealGl& real, const Image& image) {
-    guarded("cannot note what was traced", [&] { picture->written(real, image); });
+  if (!record.image) return {};
+  return [recorder = record.image.get()](const gl::RealGl& real, const Image& image) {
+    guarded("cannot note what was traced", [&] { recorder->written(real, image); });
   };
 }
 

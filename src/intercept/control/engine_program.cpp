@@ -6,7 +6,7 @@
 #include "frame/refinement/idle_refiner.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
-#include "intercept/windows/window_pictures.h"
+#include "intercept/windows/window_images.h"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>
@@ -89,7 +89,7 @@ json EngineProgram::state() {
           {"noise", noise > 0 ? json(noise) : json()},
           {"passes", std::move(done)},
           {"windows", windows()},
-          {"pictures", keptPictures()},
+          {"pictures", keptImages()},
           {"opengl", {{"vendor", sum.vendor}, {"renderer", sum.renderer}, {"version", sum.version}}},
           {"warnings", log::recent()}};
 }
@@ -140,9 +140,9 @@ void EngineProgram::tellSize(bool wider) noexcept {
   } catch (const std::exception&) {}  // out of memory: it draws when it draws
 }
 
-void EngineProgram::wantPicture(control::Wanted wanted) noexcept { wantWindowPicture(wanted); }
+void EngineProgram::wantImage(control::Wanted wanted) noexcept { wantWindowImage(wanted); }
 
-std::unique_ptr<control::KeptPicture> EngineProgram::takePicture() noexcept { return takeWindowPicture(); }
+std::unique_ptr<control::KeptImage> EngineProgram::takeImage() noexcept { return takeWindowImage(); }
 
 void EngineProgram::linkBegan(bool here) noexcept {
   if (here) leaveFile();
@@ -150,8 +150,8 @@ void EngineProgram::linkBegan(bool here) noexcept {
 
 void EngineProgram::linkEnded() noexcept {
   gl::shownFrames().wantUntil(0);
-  wantWindowPicture(control::Wanted::none);
-  takeWindowPicture();
+  wantWindowImage(control::Wanted::none);
+  takeWindowImage();
   servers_.close();
 }
 

@@ -23,8 +23,8 @@ class EngineProgram final : public control::ControlledProgram {
                        std::string& why) override;
   void wake() noexcept override;
   void tellSize(bool wider) noexcept override;
-  void wantPicture(control::Wanted wanted) noexcept override;
-  std::unique_ptr<control::KeptPicture> takePicture() noexcept override;
+  void wantImage(control::Wanted wanted) noexcept override;
+  std::unique_ptr<control::KeptImage> takeImage() noexcept override;
   void linkBegan(bool here) noexcept override;
   void linkEnded() noexcept override;
 

@@ -19,7 +19,7 @@ namespace gluray::intercept {
 class SceneCalls {
  public:
   static constexpr double kRemembered = 60;  // seconds after the last call
-  // Seconds after the first call: a frame without surfaces may be one that shows an old picture, and one
+  // Seconds after the first call: a frame without surfaces may be one that shows an old image, and one
   // whose end is not known may not be whole.
   static constexpr double kDoubt = 2;
   static constexpr double kWhole = 0.1;  // seconds without another batch

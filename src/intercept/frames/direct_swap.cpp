@@ -5,7 +5,7 @@
 #include "intercept/session/session.h"
 #include "intercept/window_systems/drawable_size.h"
 #include "intercept/windows/glx_windows.h"
-#include "intercept/windows/window_pictures.h"
+#include "intercept/windows/window_images.h"
 
 namespace gluray::intercept {
 namespace {
@@ -19,21 +19,21 @@ bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record)
   const glm::ivec2 size = window.size();
   if (size.x == 0) return window.put.reset(), false;  // do not try again
   window.realSwap = [=] { swap(display, drawable); };
-  const auto shows = [&](const gl::ShownPicture& picture) {
+  const auto shows = [&](const gl::ShownImage& image) {
     if (size != window.swapped) {
       window.swapped = size;
-      window.swapAlone();  // the picture follows
+      window.swapAlone();  // the image follows
     }
-    if (!put->put(picture, size)) return false;
+    if (!put->put(image, size)) return false;
     window.frameSize = {0, 0};
-    keepShownPicture(picture, size, ShownFrame::now);
+    keepShownImage(image, size, ShownFrame::now);
     return true;
   };
   return (frames.holdsFrame() || window.isKnown(size)) && frames.showWithoutSwap(window, size, shows);
 }
 
-/// Before a swap by the real OpenGL that comes before the context's first picture: remembers the window's
-/// size, so that the picture may be shown directly. Programs show a few empty frames first. After more of
+/// Before a swap by the real OpenGL that comes before the context's first image: remembers the window's
+/// size, so that the image may be shown directly. Programs show a few empty frames first. After more of
 /// them the size is unknown, because asking costs a round trip.
 void noteEmptySwap(_XDisplay* display, uintptr_t drawable, Record& record) {
   constexpr int kMax = 8;
@@ -56,7 +56,7 @@ bool shownDirectly(_XDisplay* display, uintptr_t drawable, RealSwap swap) noexce
       current().drawables.draw != drawable || current().drawables.read != drawable ||
       !record->context->info().doubleBuffered)
     return false;
-  guarded("cannot show a picture", [&] {
+  guarded("cannot show an image", [&] {
     if (!record->context->frames.mayShowDirectly()) return noteEmptySwap(display, drawable, *record);
     if (!show(display, drawable, swap, *record)) return;
     shown = true;

@@ -22,9 +22,9 @@ void endFrame() noexcept {
   writeReportIfDue();
 }
 
-/// Keeps the picture of the frame that is about to be shown; reads it from the window's `buffer`.
-void takePicture(Record& record, GLenum buffer) {
-  if (!record.picture || !record.context) return;
+/// Keeps the image of the frame that is about to be shown; reads it from the window's `buffer`.
+void takeImage(Record& record, GLenum buffer) {
+  if (!record.image || !record.context) return;
   glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
   if (size.x <= 0 || size.y <= 0) {
     GLint viewport[4] = {};
@@ -32,7 +32,7 @@ void takePicture(Record& record, GLenum buffer) {
     size = {viewport[0] + viewport[2], viewport[1] + viewport[3]};
   }
   if (size.x > 0 && size.y > 0)
-    keepPicture(record.picture->readFrame(record.context->real, buffer, size.x, size.y, framesEnded() + 1));
+    keepImage(record.image->readFrame(record.context->real, buffer, size.x, size.y, framesEnded() + 1));
 }
 
 /// Draws the HUD over the frame that is about to be shown, unless the program could notice it.
@@ -52,17 +52,17 @@ class Watcher final : public ContextWatcher {
  public:
   void making(Record& record, gl::ContextInfo& info) override {
     if (!session().reportFile.empty()) info.frameEnded = endFrame;
-    const bool pictures = session().explainFrames && session().picture;
+    const bool images = session().explainFrames && session().picture;
     const bool es = record.version.starts_with("OpenGL ES");
-    if (!es && (pictures || mayBeControlled()))
+    if (!es && (images || mayBeControlled()))
       info.frameEnding = [&record] {
-        takePicture(record, GL_FRONT);
+        takeImage(record, GL_FRONT);
         keepBuffer(record, GL_FRONT, ShownFrame::now);
       };
     if (log::enabled(log::Level::trace)) info.decisions = std::make_shared<gl::Decisions>();
     if (!session().explainFrames && !info.decisions) return;
     info.kinds = std::make_shared<gl::DrawKinds>(!info.core);
-    if (!es && pictures) record.picture = std::make_unique<present::FramePicture>();
+    if (!es && images) record.image = std::make_unique<present::FrameImage>();
   }
   void made() noexcept override { watchForReport(); }
 };
@@ -80,13 +80,13 @@ void swapping(uintptr_t drawable) noexcept {
     if (gl::t_thread.context && current().drawables.draw == drawable)
       gl::t_thread.context->passthrough.stopMeasuring();
   });
-  const bool wanted = wantedPicture() != control::Wanted::none;
+  const bool wanted = wantedImage() != control::Wanted::none;
   if (!session().picture && !session().hud && !wanted) return;
   if (!current().record || current().drawables.draw != drawable || !current().record->context ||
       !current().record->context->info().doubleBuffered)
     return;
-  guarded("cannot take a picture", [&] {
-    if (session().picture) takePicture(*current().record, GL_BACK);
+  guarded("cannot take an image", [&] {
+    if (session().picture) takeImage(*current().record, GL_BACK);
   });
   guarded("cannot show figures", [&] {
     if (session().hud) drawHud(*current().record);

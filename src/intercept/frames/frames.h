@@ -1,4 +1,4 @@
-// The end of a frame: counts it, keeps its picture, draws the HUD. GL threads.
+// The end of a frame: counts it, keeps its image, draws the HUD. GL threads.
 #pragma once
 #include <cstdint>
 
@@ -7,7 +7,7 @@ namespace gluray::intercept {
 /// Call once, before the first context is made: contexts then record what reports and hubs want.
 void followContexts() noexcept;
 
-/// Before a buffer swap of `drawable`: flushes pending draws, and keeps the frame's picture if wanted.
+/// Before a buffer swap of `drawable`: flushes pending draws, and keeps the frame's image if wanted.
 void swapping(uintptr_t drawable) noexcept;
 /// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.
 void swapped(uintptr_t drawable) noexcept;

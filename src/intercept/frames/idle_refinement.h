@@ -1,4 +1,4 @@
-// Refines pictures in windows while their programs are idle. GL thread.
+// Refines images in windows while their programs are idle. GL thread.
 #pragma once
 #include <cstdint>
 
@@ -7,7 +7,7 @@ struct _XDisplay;  // Xlib's Display, without its header's macros
 namespace gluray::intercept {
 
 /// Call when a swap of `drawable` has shown a frame: refines it while the program draws nothing. Without a
-/// display (EGL) its pictures are only remembered for reads.
+/// display (EGL) its images are only remembered for reads.
 void refineShown(_XDisplay* display, uintptr_t drawable) noexcept;
 
 }  // namespace gluray::intercept

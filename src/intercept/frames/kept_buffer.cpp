@@ -7,11 +7,11 @@
 
 namespace gluray::intercept {
 
-using control::KeptPicture;
+using control::KeptImage;
 
 void keepBuffer(Record& record, GLenum buffer, ShownFrame shown) noexcept {
-  if (!isPictureWanted(shown)) return;
-  guarded("cannot keep a picture", [&] {
+  if (!isImageWanted(shown)) return;
+  guarded("cannot keep an image", [&] {
     gl::Context* const context = record.context.get();
     if (!context || record.version.starts_with("OpenGL ES") || context->lists.compiling() ||
         context->immediate.insideBegin())
@@ -19,12 +19,12 @@ void keepBuffer(Record& record, GLenum buffer, ShownFrame shown) noexcept {
     const glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
     if (size.x <= 0 || size.y <= 0) return;
     if (!record.features) record.features = present::readFeatures(context->real);
-    auto picture = newWindowPicture(size, KeptPicture::Layout::openGl, shown);
+    auto image = newWindowImage(size, KeptImage::Layout::openGl, shown);
     bool read = false;
     const GLenum pending =
-        present::readColors(context->real, *record.features, size, buffer, picture->pixels, read);
+        present::readColors(context->real, *record.features, size, buffer, image->pixels, read);
     if (pending != GL_NO_ERROR) context->errors.set(pending);
-    if (read) keepWindowPicture(std::move(picture));
+    if (read) keepWindowImage(std::move(image));
   });
 }
 

@@ -20,7 +20,7 @@ bool mayLag(XId drawable) {
   return session().lag != LagMode::off && !neverLags() && record && record->context &&
          gl::t_thread.context == record->context.get() && current().drawables.draw == drawable &&
          current().drawables.read == drawable && record->context->info().doubleBuffered &&
-         !session().picture && wantedPicture() != control::Wanted::next;
+         !session().picture && wantedImage() != control::Wanted::next;
 }
 
 LagRefusal lagged(Record& record, _XDisplay* display, XId drawable, RealSwap swap) {

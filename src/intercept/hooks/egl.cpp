@@ -1,5 +1,5 @@
 // EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps, fences. EGL 1.5 and the extensions
-// that show pictures and make fences.
+// that show images and make fences.
 #include "base/timeline.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/shown_windows.h"

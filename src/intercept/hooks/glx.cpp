@@ -1,4 +1,4 @@
-// GLX hooks: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show pictures.
+// GLX hooks: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show images.
 #include "base/timeline.h"
 #include "gl/context/stub.h"
 #include "intercept/contexts/contexts.h"

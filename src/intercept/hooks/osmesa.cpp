@@ -43,7 +43,7 @@ void destroyContext(OSMesaContext context) {
   contextDestroyed(Api::osmesa, context);
 }
 
-/// The buffer is the drawable: a picture is complete when the program changes the buffer or context.
+/// The buffer is the drawable: an image is complete when the program changes the buffer or context.
 GLboolean makeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
   REAL(decltype(&OSMesaMakeCurrent), "OSMesaMakeCurrent");
   leaveCurrent();

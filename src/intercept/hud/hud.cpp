@@ -49,7 +49,7 @@ std::string share(const HudFigures& f) {
   return text;
 }
 
-/// How far pictures with light are refined.
+/// How far images with light are refined.
 std::string light(const HudFigures& f) {
   char text[64];
   std::snprintf(text, sizeof text, "LIGHT %s PASSES, NOISE %.4f",
@@ -88,15 +88,15 @@ GLenum Hud::draw(const gl::Statistics& now, double seconds) {
     since_ = now, sinceSeconds_ = seconds;
   } else if (seconds - sinceSeconds_ >= kEvery) {
     lines_ = hudLines(between(*since_, now, seconds - sinceSeconds_));
-    ++picture_;
+    ++imageId_;
     since_ = now, sinceSeconds_ = seconds;
   }
   lastSeconds_ = seconds;
-  if (lines_.empty()) lines_ = hudLines({}), ++picture_;
+  if (lines_.empty()) lines_ = hudLines({}), ++imageId_;
   drawText(lines_, {}, image_);
   image_.x = image_.y = kFromCorner;
   present::PendingErrors pending;
-  writeBack_.write(image_, {.picture = picture_, .over = GL_BACK}, pending);
+  writeBack_.write(image_, {.imageId = imageId_, .over = GL_BACK}, pending);
   return pending.empty() ? GLenum{GL_NO_ERROR} : pending.front();
 }
 

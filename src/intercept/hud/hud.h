@@ -16,10 +16,10 @@ struct HudFigures {
   double seconds = 0;
   uint64_t frames = 0, framesPassedThrough = 0;  // shown; of these passed through
   uint64_t traced = 0, rasterised = 0;           // triangles
-  uint64_t flushes = 0, repeated = 0;            // pictures; of these repeated ones
+  uint64_t flushes = 0, repeated = 0;            // images; of these repeated ones
   uint64_t bvhBytes = 0;                         // of all acceleration structures at present
-  uint64_t lightPasses = 0;                      // refining pictures with light
-  double lightNoise = 0;                         // of the last refined picture; 0: not known
+  uint64_t lightPasses = 0;                      // refining images with light
+  double lightNoise = 0;                         // of the last refined image; 0: not known
   bool refining = false;                         // a full-quality one is being built
 };
 
@@ -45,7 +45,7 @@ class Hud {
   double sinceSeconds_ = 0, lastSeconds_ = 0;
   std::vector<std::string> lines_;
   Image image_;
-  uint64_t picture_ = 0;
+  uint64_t imageId_ = 0;
 };
 
 }  // namespace gluray::intercept

@@ -44,7 +44,7 @@ const Letter* find(char letter) {
   return found == std::end(kLetters) ? nullptr : found;
 }
 
-/// A square of a letter; `column` and `row` count squares from the picture's upper left corner.
+/// A square of a letter; `column` and `row` count squares from the image's upper left corner.
 void fillSquare(Image& image, int column, int row, const TextStyle& style) {
   for (int y = 0; y < style.scale; ++y) {
     const int line = image.height - 1 - (row * style.scale + y);

@@ -1,4 +1,4 @@
-// Renders lines of text into a picture, with letters of 5x7 squares, so that no font library is needed. Any
+// Renders lines of text into an image, with letters of 5x7 squares, so that no font library is needed. Any
 // thread.
 #pragma once
 #include "base/image.h"
@@ -15,7 +15,7 @@ struct TextStyle {
   uint32_t ink = 0xFFFFFFFF, ground = 0xFF302018;
 };
 
-/// Whether the letter has a picture. Small letters are drawn as capitals, missing ones as blanks.
+/// Whether the letter has an image. Small letters are drawn as capitals, missing ones as blanks.
 bool isDrawable(char letter);
 
 /// Draws the lines into `image`, first line on top, with a margin, at image.x, image.y. Every pixel is a hit

@@ -1,4 +1,4 @@
-// Text as pictures.
+// Text as images.
 #include "intercept/hud/text_image.h"
 
 #include <gtest/gtest.h>

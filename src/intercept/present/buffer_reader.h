@@ -1,10 +1,10 @@
-// Reads depths and colours of the bound draw framebuffer, and finishes pictures that the program reads. GL
+// Reads depths and colours of the bound draw framebuffer, and finishes images that the program reads. GL
 // thread, context current; restores all state.
 #pragma once
 #include "gl/batch/framebuffer_reader.h"
 #include "intercept/present/finished_framebuffer.h"
 #include "intercept/present/kept_framebuffer.h"
-#include "intercept/present/presented_pictures.h"
+#include "intercept/present/presented_images.h"
 #include "intercept/present/read_back/blending_trial.h"
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace gluray::present {
 
 class BufferReader final : public gl::FramebufferReader {
  public:
-  explicit BufferReader(PresentedPictures& shared) : shared_(shared) {}
+  explicit BufferReader(PresentedImages& shared) : shared_(shared) {}
   bool readDepth(const gl::RealGl& real, const scene::Region& region,
                  std::vector<float>& out) noexcept override;
   bool readColors(const gl::RealGl& real, const scene::Region& region,
@@ -39,7 +39,7 @@ class BufferReader final : public gl::FramebufferReader {
   bool read(const gl::RealGl& real, const scene::Region& region, GLenum format, GLenum type,
             void* out) noexcept;
 
-  PresentedPictures& shared_;
+  PresentedImages& shared_;
   FinishedFramebuffer finished_;
   KeptFramebuffer kept_;
   BlendingTrial blending_;

@@ -68,11 +68,11 @@ int64_t overlap(int a, int aSize, int b, int bSize) {
   return std::min(int64_t{a} + aSize, int64_t{b} + bSize) - std::max(a, b);
 }
 
-/// Whether the program reads so much of the pictures as for a screenshot, not a few picked pixels.
-bool coversMuch(const scene::Region& read, const std::vector<scene::Region>& pictures) {
+/// Whether the program reads so much of the images as for a screenshot, not a few picked pixels.
+bool coversMuch(const scene::Region& read, const std::vector<scene::Region>& images) {
   constexpr int64_t kShare = 4;
   int64_t covered = 0, all = 0;
-  for (const scene::Region& r : pictures) {
+  for (const scene::Region& r : images) {
     const int64_t x = overlap(read.x, read.width, r.x, r.width),
                   y = overlap(read.y, read.height, r.y, r.height);
     if (x > 0 && y > 0) covered += x * y;
@@ -81,11 +81,11 @@ bool coversMuch(const scene::Region& read, const std::vector<scene::Region>& pic
   return covered > 0 && kShare * covered >= all;
 }
 
-/// The size of a framebuffer that has room for what is read and for the pictures; 0: it is larger than
+/// The size of a framebuffer that has room for what is read and for the images; 0: it is larger than
 /// `most`.
-glm::ivec2 sizeFor(const scene::Region& read, const std::vector<scene::Region>& pictures, int64_t most) {
+glm::ivec2 sizeFor(const scene::Region& read, const std::vector<scene::Region>& images, int64_t most) {
   int64_t x = int64_t{read.x} + read.width, y = int64_t{read.y} + read.height;
-  for (const scene::Region& r : pictures)
+  for (const scene::Region& r : images)
     x = std::max(x, int64_t{r.x} + r.width), y = std::max(y, int64_t{r.y} + r.height);
   return x <= most && y <= most ? glm::ivec2(x, y) : glm::ivec2(0);
 }
@@ -106,15 +106,15 @@ WindowPixels FinishedFramebuffer::read(const gl::RealGl& real, StateGuard& guard
   return pixels;
 }
 
-PresentResult FinishedFramebuffer::bind(const gl::RealGl& real, PresentedPictures& shared,
+PresentResult FinishedFramebuffer::bind(const gl::RealGl& real, PresentedImages& shared,
                                         const scene::Region& region) {
   PresentResult result;
   result.repeated = true;  // until something is traced
-  frame::FramePictures& frame = shared.pictures.frame();
-  const std::vector<scene::Region> pictures = frame.regions();
-  if (!coversMuch(region, pictures)) return result;
+  frame::FrameImages& frame = shared.images.frame();
+  const std::vector<scene::Region> images = frame.regions();
+  if (!coversMuch(region, images)) return result;
   const Features& has = shared.features(real);
-  const glm::ivec2 size = sizeFor(region, pictures, has.maxTextureSize);
+  const glm::ivec2 size = sizeFor(region, images, has.maxTextureSize);
   if (!has.readFramebuffers || size.x == 0) return result;
   const PendingErrors pending = takeErrors(real);
   if (!pending.empty()) result.pendingError = pending.front();
@@ -124,7 +124,7 @@ PresentResult FinishedFramebuffer::bind(const gl::RealGl& real, PresentedPicture
     WindowPixels pixels = read(real, guard, size);
     if (pixels.colors.empty()) return result;
     const auto window = std::make_shared<ReadPixels>(std::move(pixels));
-    const frame::FramePictures::Finished finished = frame.finishIn(window);
+    const frame::FrameImages::Finished finished = frame.finishIn(window);
     result.passes = finished.passes, result.cost = finished.cost, result.repeated = finished.passes == 0;
     if (finished.noise > 0) result.noise = finished.noise;
     if (!finished.any) return result;

@@ -1,17 +1,17 @@
-// A copy of the bound read framebuffer in which pictures with light are finished, for a program that reads
+// A copy of the bound read framebuffer in which images with light are finished, for a program that reads
 // it. GL thread, context current.
 #pragma once
 #include "gl/batch/present_result.h"
-#include "intercept/present/presented_pictures.h"
+#include "intercept/present/presented_images.h"
 #include "intercept/present/state/state_guard.h"
 
 namespace gluray::present {
 
 class FinishedFramebuffer {
  public:
-  /// Makes it and binds it for reading, if the program reads enough of the pictures, and the framebuffer
+  /// Makes it and binds it for reading, if the program reads enough of the images, and the framebuffer
   /// shows them. Not traced: nothing was bound. Throws std::bad_alloc.
-  gl::PresentResult bind(const gl::RealGl& real, PresentedPictures& pictures, const scene::Region& read);
+  gl::PresentResult bind(const gl::RealGl& real, PresentedImages& images, const scene::Region& read);
   /// Binds the framebuffer again that was bound before, and deletes the copy.
   void unbind(const gl::RealGl& real, const Features& features) noexcept;
 

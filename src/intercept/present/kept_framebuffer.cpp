@@ -51,7 +51,7 @@ bool hasExactDepth(const gl::RealGl& real, bool window) {
 
 }  // namespace
 
-bool KeptFramebuffer::keep(const gl::RealGl& real, PresentedPictures& shared, const scene::Region& region) {
+bool KeptFramebuffer::keep(const gl::RealGl& real, PresentedImages& shared, const scene::Region& region) {
   const Features& has = shared.features(real);
   if (!has.readFramebuffers) return false;
   const auto framebuffer = static_cast<GLuint>(gl::integer(real, GL_DRAW_FRAMEBUFFER_BINDING));
@@ -59,7 +59,7 @@ bool KeptFramebuffer::keep(const gl::RealGl& real, PresentedPictures& shared, co
   if (!colors || !hasExactDepth(real, framebuffer == 0)) return takeErrors(real), false;
   colors_ = *colors != Colors::none;
   const bool wide = *colors == Colors::floats;
-  image_.resize(region.width, region.height, 1, wide ? Image::kWide : Image::kPicture);
+  image_.resize(region.width, region.height, 1, wide ? Image::kWide : Image::kColorDepth);
   image_.x = region.x, image_.y = region.y;
   std::string why;
   if (!shared.writeBack(real, WriteBack::colorsOf(image_)).ready(why)) return false;
@@ -75,7 +75,7 @@ bool KeptFramebuffer::keep(const gl::RealGl& real, PresentedPictures& shared, co
   return takeErrors(real).empty();
 }
 
-void KeptFramebuffer::putBack(const gl::RealGl& real, PresentedPictures& shared) {
+void KeptFramebuffer::putBack(const gl::RealGl& real, PresentedImages& shared) {
   WriteBackTarget target;
   target.depthFunc = GL_ALWAYS, target.colors = colors_, target.encodes = false;
   PendingErrors pending;

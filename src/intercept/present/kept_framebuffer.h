@@ -3,7 +3,7 @@
 #pragma once
 #include "base/image.h"
 #include "gl/real/real.h"
-#include "intercept/present/presented_pictures.h"
+#include "intercept/present/presented_images.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>
@@ -16,9 +16,9 @@ class KeptFramebuffer {
  public:
   /// Copies colours of the first draw buffer and depths of the bound draw framebuffer. False: they cannot be
   /// copied, or not be put back exactly.
-  bool keep(const gl::RealGl& real, PresentedPictures& shared, const scene::Region& region);
+  bool keep(const gl::RealGl& real, PresentedImages& shared, const scene::Region& region);
   /// Copies them back.
-  void putBack(const gl::RealGl& real, PresentedPictures& shared);
+  void putBack(const gl::RealGl& real, PresentedImages& shared);
 
  private:
   Image image_;

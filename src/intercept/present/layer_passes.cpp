@@ -190,10 +190,10 @@ bool drawLayers(const RealGl& real, const Features& features, const gl::LayersTa
                      [&](const HeldPass& pass) { return drawPass(real, features, pass); });
 }
 
-bool showPicture(const RealGl& real, const Features& features, const gl::LayersTarget& target) {
+bool showImage(const RealGl& real, const Features& features, const gl::LayersTarget& target) {
   for (const HeldPass& pass : target.later)
     if (pass.clear && !drawPass(real, features, pass)) return false;
-  return writeTexture(real, features, target.result, target.size, target.picture.data());
+  return writeTexture(real, features, target.result, target.size, target.image.data());
 }
 
 bool countPixels(const RealGl& real, const Features& features, const HeldPass& pass, GLuint texture,

@@ -18,12 +18,12 @@ bool readDepths(const gl::RealGl& real, const Features& features, GLint unit, gl
 bool writeTexture(const gl::RealGl& real, const Features& features, GLuint texture, glm::ivec2 size,
                   const uint32_t* pixels);
 
-/// Clears an earlier picture from the result.
+/// Clears an earlier image from the result.
 bool clearResult(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
 
-/// Writes the pending picture into the newest peel's result; of the passes after the first peel, performs
+/// Writes the pending image into the newest peel's result; of the passes after the first peel, performs
 /// only clears.
-bool showPicture(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
+bool showImage(const gl::RealGl& real, const Features& features, const gl::LayersTarget& target);
 
 /// gl::LayerPresenter::countPixels.
 bool countPixels(const gl::RealGl& real, const Features& features, const gl::HeldPass& pass, GLuint texture,

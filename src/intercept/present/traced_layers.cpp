@@ -27,10 +27,10 @@ PresentResult TracedLayers::trace(const scene::SnapshotPtr& snapshot,
                                   const gl::LayersTarget& target) noexcept {
   return resultOf([&] {
     PresentResult result;
-    const frame::LastPictures::Picture* traced =
-        shared_.pictureOf(*snapshot, target.wish, 0u, result, result.why);
+    const frame::ImageCache::CachedImage* traced =
+        shared_.imageOf(*snapshot, target.wish, 0u, result, result.why);
     if (!traced || !fills(traced->image, target)) return result;
-    result.picture = traced->image.color;
+    result.image = traced->image.color;
     result.outcome = PresentResult::traced;
     return result;
   });
@@ -47,16 +47,16 @@ PresentResult TracedLayers::tracedOrRasterised(const gl::RealGl& real, const sce
                                                const gl::LayersTarget& target) {
   PresentResult result;
   const PendingErrors pending = takeErrors(real);
-  const frame::LastPictures::Picture* traced =
-      snapshot ? shared_.pictureOf(*snapshot, target.wish, 0u, result, result.why) : nullptr;
+  const frame::ImageCache::CachedImage* traced =
+      snapshot ? shared_.imageOf(*snapshot, target.wish, 0u, result, result.why) : nullptr;
   const double start = nowSeconds();
   const bool whole = traced && fills(traced->image, target);
   if (whole && !gl::showsAll(1, traced->image.layers, target.opaqueDepths.size()))
     result.layers = traced->image.layers;
   const bool waits = result.layers && target.mayAsk && gl::surelyWritten(*result.layers, 1) &&
                      (!target.written || clearResult(real, shared_.features(real), target));
-  if (waits) result.picture = traced->image.color;
-  if (waits || (!target.picture.empty() && showPicture(real, shared_.features(real), target)))
+  if (waits) result.image = traced->image.color;
+  if (waits || (!target.image.empty() && showImage(real, shared_.features(real), target)))
     result.outcome = PresentResult::traced;
   else if (whole && !result.layers &&
            writeTexture(real, shared_.features(real), target.result, target.size, traced->image.color.data()))

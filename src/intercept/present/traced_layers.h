@@ -1,7 +1,7 @@
 // Traces layers into textures of the program. GL thread.
 #pragma once
 #include "gl/batch/layer_presenter.h"
-#include "intercept/present/presented_pictures.h"
+#include "intercept/present/presented_images.h"
 
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace gluray::present {
 
 class TracedLayers final : public gl::LayerPresenter {
  public:
-  explicit TracedLayers(PresentedPictures& shared) : shared_(shared) {}
+  explicit TracedLayers(PresentedImages& shared) : shared_(shared) {}
   gl::PresentResult present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::LayersTarget& target, bool rasterise) noexcept override;
   gl::PresentResult trace(const scene::SnapshotPtr& snapshot,
@@ -23,7 +23,7 @@ class TracedLayers final : public gl::LayerPresenter {
   gl::PresentResult tracedOrRasterised(const gl::RealGl& real, const scene::Snapshot* snapshot,
                                        const gl::LayersTarget& target);
 
-  PresentedPictures& shared_;
+  PresentedImages& shared_;
 };
 
 }  // namespace gluray::present

@@ -17,7 +17,7 @@ using gl::LagRefusal, gl::PresentResult;
 
 namespace {
 
-/// Callback that shows the picture merged with the window's content.
+/// Callback that shows the image merged with the window's content.
 std::function<void(const Image&)> showOver(std::shared_ptr<frame::WindowContent> under,
                                            const gl::AheadTarget& target) {
   const auto test = target.depthFunc == GL_LESS ? frame::DepthTest::less : frame::DepthTest::lessOrEqual;
@@ -48,7 +48,7 @@ LagRefusal TracedWindow::traceAhead(const gl::RealGl& real, const scene::Snapsho
     PendingErrors none;  // the caller has taken errors
     if (target.cleared)
       background = shared_.clearedWindow.bits(real, shared_.features(real), *target.cleared, none);
-    if (shared_.pictures.knows(*snapshot, background)) return LagRefusal::repeated;
+    if (shared_.images.knows(*snapshot, background)) return LagRefusal::repeated;
     frame::TraceAhead::Late late;
     late.due = frame::TraceAhead::Clock::now() + target.overdue.after;
     if (target.overdue.show && background) {
@@ -59,19 +59,18 @@ LagRefusal TracedWindow::traceAhead(const gl::RealGl& real, const scene::Snapsho
         return LagRefusal::window;
       late.show = showOver(std::move(under), target);
     }
-    return shared_.pictures.startAhead(snapshot, background.value_or(0), std::move(late))
-               ? LagRefusal::none
-               : LagRefusal::failure;
+    return shared_.images.startAhead(snapshot, background.value_or(0), std::move(late)) ? LagRefusal::none
+                                                                                        : LagRefusal::failure;
   } catch (const std::exception&) { return LagRefusal::failure; }
 }
 
 void TracedWindow::refineWhileIdle(const gl::OpenIdleWindow& open) noexcept {
-  shared_.pictures.frame().refineWhileIdle(open);
+  shared_.images.frame().refineWhileIdle(open);
 }
 
-void TracedWindow::stopRefining() noexcept { shared_.pictures.frame().stop(); }
+void TracedWindow::stopRefining() noexcept { shared_.images.frame().stop(); }
 
-void TracedWindow::dropAhead() noexcept { shared_.pictures.dropAhead(); }
+void TracedWindow::dropAhead() noexcept { shared_.images.dropAhead(); }
 
 bool TracedWindow::knowsClear(const gl::ClearedTarget& cleared) const noexcept {
   return shared_.clearedWindow.knows(cleared);
@@ -98,14 +97,13 @@ PresentResult TracedWindow::show(const gl::RealGl& real, const scene::SnapshotPt
         shared_.clearedWindow.bits(real, shared_.features(real), target.cleared, pending);
     if (!pending.empty()) result.pendingError = pending.front();
     if (!background) return result;
-    const frame::LastPictures::Picture* traced =
-        shared_.pictureOf(*snapshot, target.wish, background, result, result.why);
-    if (!traced || traced->image.planes != Image::kPicture || traced->image.missColor != *background)
+    const frame::ImageCache::CachedImage* traced =
+        shared_.imageOf(*snapshot, target.wish, background, result, result.why);
+    if (!traced || traced->image.planes != Image::kColorDepth || traced->image.missColor != *background)
       return result;
     const double start = nowSeconds();
     if (target.show({traced->image, target.farthest, traced->id, snapshot->settings.threads}))
-      result.outcome = PresentResult::traced,
-      shared_.pictures.frame().wrote(snapshot, *traced, traced->image);
+      result.outcome = PresentResult::traced, shared_.images.frame().wrote(snapshot, *traced, traced->image);
     result.presentSeconds = nowSeconds() - start;
     return result;
   });

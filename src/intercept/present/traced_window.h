@@ -1,14 +1,14 @@
-// Shows pictures in a window without a swap: at once, or traced while the program prepares its next frame
+// Shows images in a window without a swap: at once, or traced while the program prepares its next frame
 // (frame lag). GL thread.
 #pragma once
 #include "gl/batch/window_presenter.h"
-#include "intercept/present/presented_pictures.h"
+#include "intercept/present/presented_images.h"
 
 namespace gluray::present {
 
 class TracedWindow final : public gl::WindowPresenter {
  public:
-  explicit TracedWindow(PresentedPictures& shared) : shared_(shared) {}
+  explicit TracedWindow(PresentedImages& shared) : shared_(shared) {}
   gl::PresentResult show(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                          const gl::ShowTarget& target) noexcept override;
   gl::LagRefusal traceAhead(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
@@ -20,7 +20,7 @@ class TracedWindow final : public gl::WindowPresenter {
   GLenum clear(const gl::RealGl& real, const gl::WindowClear& clear) noexcept override;
 
  private:
-  PresentedPictures& shared_;
+  PresentedImages& shared_;
 };
 
 }  // namespace gluray::present

@@ -10,7 +10,7 @@
 #include "intercept/present/result_of.h"
 #include "intercept/present/write_back/seen_catchers.h"
 #include "scene/catcher_offset.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <exception>
 
@@ -41,12 +41,12 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     if (!pending.empty()) result.pendingError = pending.front();
     return result;
   }
-  const frame::LastPictures::Picture* traced = nullptr;
+  const frame::ImageCache::CachedImage* traced = nullptr;
   if (!target.rasterise && shared_.supported(real, why)) {
     const std::optional<uint32_t> under =
         target.cleared ? clearedObject_.bits(real, shared_.features(real), *target.cleared, pending)
                        : std::nullopt;
-    traced = shared_.pictureOf(snapshot, target.wish, under, result, why);
+    traced = shared_.imageOf(snapshot, target.wish, under, result, why);
   }
   const double start = nowSeconds();
   const Way way = traced ? write(real, *traced, snapshot, target, pending, why) : Way::none;
@@ -54,9 +54,9 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     result.outcome = PresentResult::traced;
     result.uploaded = way == Way::uploaded;
     result.averages = traced->image.isAverages();
-    if (!snapshot.catches) shared_.pictures.frame().wrote(shared, *traced, traced->image);
+    if (!snapshot.catches) shared_.images.frame().wrote(shared, *traced, traced->image);
   } else {
-    result.why = why.empty() ? "the picture could not be written back" : std::move(why);
+    result.why = why.empty() ? "the image could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);
     pending.insert(pending.end(), more.begin(), more.end());
     // What takes only light stands in the framebuffer already.
@@ -76,33 +76,33 @@ scene::SnapshotPtr TracingPresenter::withDepths(const gl::RealGl& real, const sc
                                                 PendingErrors& pending) {
   const scene::Snapshot& s = *catchers;
   pending = takeErrors(real);
-  const std::shared_ptr<scene::FramebufferPicture> picture = depths_.takePicture();
-  if (!reader_.readDepth(real, s.region, picture->depths)) return catchers;
-  picture->viewport = s.camera.viewport, picture->region = s.region;
-  picture->depthNear = s.camera.depthNear, picture->depthFar = s.camera.depthFar;
-  picture->offset.factor = s.polygonOffset.factor - scene::kCatcherSlope;  // the program's own
-  picture->offset.units = s.polygonOffset.units - scene::kCatcherUnits;
+  const std::shared_ptr<scene::FramebufferCapture> capture = depths_.takeCapture();
+  if (!reader_.readDepth(real, s.region, capture->depths)) return catchers;
+  capture->viewport = s.camera.viewport, capture->region = s.region;
+  capture->depthNear = s.camera.depthNear, capture->depthFar = s.camera.depthFar;
+  capture->offset.factor = s.polygonOffset.factor - scene::kCatcherSlope;  // the program's own
+  capture->offset.units = s.polygonOffset.units - scene::kCatcherUnits;
   auto known = std::make_shared<scene::Snapshot>(s);
-  auto around = s.surroundings ? std::make_shared<scene::Surroundings>(*s.surroundings)
-                               : std::make_shared<scene::Surroundings>();
-  around->framebuffer = picture;
-  known->surroundings = std::move(around);
+  auto around = s.secondaryScene ? std::make_shared<scene::SecondaryScene>(*s.secondaryScene)
+                                 : std::make_shared<scene::SecondaryScene>();
+  around->framebuffer = capture;
+  known->secondaryScene = std::move(around);
   return known;
 }
 
 TracingPresenter::Way TracingPresenter::write(const gl::RealGl& real,
-                                              const frame::LastPictures::Picture& picture,
+                                              const frame::ImageCache::CachedImage& cached,
                                               const scene::Snapshot& snapshot,
                                               const gl::PresentTarget& target, PendingErrors& pending,
                                               std::string& why) noexcept {
   try {
     PendingErrors more;
     const bool sent = target.cleared &&
-                      put_.put(real, shared_.features(real), picture.image, snapshot.settings.threads, more);
+                      put_.put(real, shared_.features(real), cached.image, snapshot.settings.threads, more);
     pending.insert(pending.end(), more.begin(), more.end());
     if (sent) return noteUse(Quirk::softwarePut), Way::uploaded;
     WriteBackTarget into{.depthFunc = target.depthFunc,
-                         .picture = picture.id,
+                         .imageId = cached.id,
                          .keepsDepth = snapshot.catches,
                          .colorWrites = snapshot.colorWrites,
                          .encodes = snapshot.encodes};
@@ -110,12 +110,12 @@ TracingPresenter::Way TracingPresenter::write(const gl::RealGl& real,
       into.depthFunc = GL_ALWAYS;
       into.depths = snapshot.layers->blending.writesDepth;
     }
-    const bool hides = snapshot.catches && snapshot.surroundings && snapshot.surroundings->framebuffer;
+    const bool hides = snapshot.catches && snapshot.secondaryScene && snapshot.secondaryScene->framebuffer;
     if (hides) {
-      findSeenCatchers(picture.image, snapshot, snapshot.surroundings->framebuffer->depths, seen_);
-      into.picture = 0;
+      findSeenCatchers(cached.image, snapshot, snapshot.secondaryScene->framebuffer->depths, seen_);
+      into.imageId = 0;
     }
-    const Image& image = hides ? seen_ : picture.image;
+    const Image& image = hides ? seen_ : cached.image;
     const bool drawn = shared_.writeBack(real, WriteBack::colorsOf(image)).write(image, into, more);
     pending.insert(pending.end(), more.begin(), more.end());
     return drawn ? Way::drawn : Way::none;
@@ -147,7 +147,7 @@ bool TracingPresenter::antialias(const gl::RealGl& real, const scene::Fxaa& fxaa
     real.TexSubImage2D(GL_TEXTURE_2D, 0, region.x, region.y, region.width, region.height, GL_RGBA,
                        GL_UNSIGNED_BYTE, after_.data());
     if (!takeErrors(real).empty()) return false;
-    shared_.pictures.frame().antialiased(fxaa, region, before_.data(), settings);
+    shared_.images.frame().antialiased(fxaa, region, before_.data(), settings);
     return true;
   } catch (const std::exception&) { return false; }
 }

@@ -3,9 +3,9 @@
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/present/buffer_reader.h"
-#include "intercept/present/complete_pictures.h"
-#include "intercept/present/presented_pictures.h"
-#include "intercept/present/reused_pictures.h"
+#include "intercept/present/complete_images.h"
+#include "intercept/present/presented_images.h"
+#include "intercept/present/reused_captures.h"
 #include "intercept/present/traced_layers.h"
 #include "intercept/present/traced_window.h"
 #include "intercept/present/write_back/texture_upload.h"
@@ -47,29 +47,29 @@ class TracingPresenter final : public gl::Presenter {
   scene::SnapshotPtr withDepths(const gl::RealGl& real, const scene::SnapshotPtr& catchers,
                                 PendingErrors& pending);
   enum class Way { none, uploaded, drawn };
-  /// Writes a picture into the framebuffer, and returns how; none, with the reason, if that fails.
-  Way write(const gl::RealGl& real, const frame::LastPictures::Picture& picture,
+  /// Writes an image into the framebuffer, and returns how; none, with the reason, if that fails.
+  Way write(const gl::RealGl& real, const frame::ImageCache::CachedImage& cached,
             const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
             std::string& why) noexcept;
   gl::PresentResult resolved(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                              const gl::ResolveTarget& target);
 
-  CompletePictures complete_;
-  PresentedPictures shared_;
+  CompleteImages complete_;
+  PresentedImages shared_;
   TracedLayers layers_;
   TracedWindow window_;
   BufferReader reader_;
   TextureUpload put_;
   ClearedColor clearedObject_;
   struct Pixels {
-    uint64_t of = 0;  // id of the picture; 0: none
+    uint64_t of = 0;  // id of the image; 0: none
     scene::Resolve how;
     Image image;
   };
   Pixels pixels_;  // the last ones: a program may resolve colours and depths separately
   std::vector<uint32_t> before_, after_;  // of anti-aliasing; reused memory
-  // Of catchers: the framebuffer's depths, and the picture without hidden pixels. Reused memory.
-  ReusedPictures depths_;
+  // Of catchers: the framebuffer's depths, and the image without hidden pixels. Reused memory.
+  ReusedCaptures depths_;
   Image seen_;
 };
 

@@ -23,8 +23,8 @@ using nlohmann::json;
 struct Notes {
   std::mutex mutex;
   std::set<std::string> unknownFunctions;
-  std::optional<present::Picture> picture;  // not yet written to files
-  json pictureText;
+  std::optional<present::RecordedImage> image;  // not yet written to files
+  json imageText;
 };
 
 Notes& notes() {
@@ -167,26 +167,26 @@ json machine() {
           {"problem", info.problem}};
 }
 
-uint64_t countOf(const present::Picture& picture, present::PixelOrigin origin) {
-  return static_cast<uint64_t>(std::count(picture.origin.begin(), picture.origin.end(), origin));
+uint64_t countOf(const present::RecordedImage& image, present::PixelOrigin origin) {
+  return static_cast<uint64_t>(std::count(image.origin.begin(), image.origin.end(), origin));
 }
 
-json pictureText(const present::Picture& picture, const std::string& base) {
-  return {{"frame", picture.frame},
-          {"width", picture.width},
-          {"height", picture.height},
-          {"traced", countOf(picture, present::PixelOrigin::traced)},
-          {"drawnOver", countOf(picture, present::PixelOrigin::drawnOver)},
-          {"elsewhere", picture.elsewhere},
+json imageText(const present::RecordedImage& image, const std::string& base) {
+  return {{"frame", image.frame},
+          {"width", image.width},
+          {"height", image.height},
+          {"traced", countOf(image, present::PixelOrigin::traced)},
+          {"drawnOver", countOf(image, present::PixelOrigin::drawnOver)},
+          {"elsewhere", image.elsewhere},
           {"file", base}};
 }
 
-json newestPicture(const std::string& base) {
+json newestImage(const std::string& base) {
   Notes& n = notes();
   const std::lock_guard lock(n.mutex);
-  if (n.picture && present::writePicture(*n.picture, base)) n.pictureText = pictureText(*n.picture, base);
-  n.picture.reset();
-  return n.pictureText;
+  if (n.image && present::writeImage(*n.image, base)) n.imageText = imageText(*n.image, base);
+  n.image.reset();
+  return n.imageText;
 }
 
 }  // namespace
@@ -201,10 +201,10 @@ void noteUnknownFunction(const char* name) noexcept {
   }
 }
 
-void keepPicture(present::Picture picture) {
+void keepImage(present::RecordedImage image) {
   Notes& n = notes();
   const std::lock_guard lock(n.mutex);
-  n.picture = std::move(picture);
+  n.image = std::move(image);
 }
 
 json explanation(const Totals& totals, bool complete, const std::string& base) {
@@ -225,7 +225,7 @@ json explanation(const Totals& totals, bool complete, const std::string& base) {
           {"quirks", quirksNow()},
           {"unknownFunctions", askedByProgram(unknown)},
           {"machine", onceMachine},
-          {"picture", newestPicture(base)}};
+          {"picture", newestImage(base)}};
 }
 
 }  // namespace gluray::intercept

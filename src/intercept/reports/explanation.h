@@ -1,7 +1,7 @@
 // Data about this process for `gluray explain`, besides the report's totals. Any thread.
 #pragma once
 #include "intercept/contexts/contexts.h"
-#include "intercept/present/read_back/frame_picture.h"
+#include "intercept/present/read_back/frame_image.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -13,10 +13,10 @@ namespace gluray::intercept {
 /// OpenGL unseen.
 void noteUnknownFunction(const char* name) noexcept;
 
-/// Stores the latest frame's picture; the next report writes it to files.
-void keepPicture(present::Picture picture);
+/// Stores the latest frame's image; the next report writes it to files.
+void keepImage(present::RecordedImage image);
 
-/// The report's section "explain". If there is a new picture, writes it as BASE.ppm and BASE.origin.pgm.
+/// The report's section "explain". If there is a new image, writes it as BASE.ppm and BASE.origin.pgm.
 nlohmann::json explanation(const Totals& totals, bool complete, const std::string& base);
 
 }  // namespace gluray::intercept

@@ -9,7 +9,7 @@
 namespace gluray::intercept {
 
 /// A presenter for one context. The null renderer traces nothing and makes every pixel a miss, to measure the
-/// cost of interception. `onWritten` is called for each picture written into a framebuffer; may be empty.
+/// cost of interception. `onWritten` is called for each image written into a framebuffer; may be empty.
 /// `refinesWindows`: the context's windows may be refined while the program draws nothing.
 std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::Written onWritten = {},
                                              bool refinesWindows = false);

@@ -64,7 +64,7 @@ struct Xcb {
   decltype(xcb_glx_get_drawable_attributes_attribs)* list;
 
   Xcb();
-  /// Whether all functions for showing pictures exist.
+  /// Whether all functions for showing images exist.
   bool canPut() const;
 };
 

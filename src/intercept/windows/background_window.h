@@ -1,4 +1,4 @@
-// Shows pictures in an X window over its own connection, without the program's connection or OpenGL. Made by
+// Shows images in an X window over its own connection, without the program's connection or OpenGL. Made by
 // a GL thread, used by one thread at a time.
 #pragma once
 #include "base/idle_window.h"

@@ -3,7 +3,7 @@
 #include "base/never_destroyed.h"
 #include "intercept/windows/background_window.h"
 #include "intercept/windows/glx_windows.h"
-#include "intercept/windows/window_pictures.h"
+#include "intercept/windows/window_images.h"
 
 #include <X11/Xlib.h>
 

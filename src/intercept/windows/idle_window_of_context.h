@@ -1,5 +1,5 @@
-// X windows whose pictures are refined while their programs are idle. Swaps of a window are announced, so
-// that an older picture never replaces a newer one.
+// X windows whose images are refined while their programs are idle. Swaps of a window are announced, so
+// that an older image never replaces a newer one.
 #pragma once
 #include "base/idle_window.h"
 
@@ -25,7 +25,7 @@ class IdleWindowOfContext {
   std::shared_ptr<BackgroundWindow> window_;
 };
 
-/// Call before the program shows something else in the drawable's window. Waits while a picture is being put
+/// Call before the program shows something else in the drawable's window. Waits while an image is being put
 /// into it. Any thread; costs one comparison while no window is refined.
 void windowChanges(uintptr_t drawable) noexcept;
 

@@ -6,7 +6,7 @@
 #include "intercept/windows/background_window.h"
 #include "intercept/windows/glx_windows.h"
 #include "intercept/windows/idle_window_of_context.h"
-#include "intercept/windows/window_pictures.h"
+#include "intercept/windows/window_images.h"
 
 #include <GL/glx.h>
 
@@ -45,12 +45,12 @@ LagRefusal Lag::prepare(Display* display, GLXDrawable drawable, RealSwap swap, L
     shown.swapped = {0, 0};  // of a size that the next command sees
   };
   window.overdue.size = size;
-  window.show = [=, &shown](const gl::ShownPicture& picture) {
+  window.show = [=, &shown](const gl::ShownImage& image) {
     ShmWindow* const put = shmWindowFor(display, drawable, shown);
     if (!put) return false;
     const glm::ivec2 now = put->size();
-    if (!shown.isKnown(now) || !put->put(picture, now)) return false;
-    keepShownPicture(picture, now, ShownFrame::later);
+    if (!shown.isKnown(now) || !put->put(image, now)) return false;
+    keepShownImage(image, now, ShownFrame::later);
     return true;
   };
   if (!background_) return LagRefusal::none;

@@ -23,7 +23,7 @@ class Lag {
   FollowingFrames following;
 
   /// Prepares showing a frame of `drawable` later, by `swap` or in `shown`, which must outlive `window`;
-  /// returns the reason if that is impossible. `keep`: called before the swap, to keep the frame's picture.
+  /// returns the reason if that is impossible. `keep`: called before the swap, to keep the frame's image.
   gl::LagRefusal prepare(_XDisplay* display, XId drawable, RealSwap swap, LagMode mode,
                          WindowOfContext& shown, std::function<void()> keep, gl::LagWindow& window);
 

@@ -15,8 +15,8 @@
 namespace gluray::intercept {
 namespace {
 
-void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
-  const Image& image = picture.image;
+void fillRow(const gl::ShownImage& shown, int y, int width, uint32_t* out) {
+  const Image& image = shown.image;
   const uint32_t background = image.missColor, back = frame::bgra(background);
   const int from = std::clamp(image.x, 0, width),
             to = std::clamp(image.x + image.width, from, std::max(from, width));
@@ -27,19 +27,19 @@ void fillRow(const gl::ShownPicture& picture, int y, int width, uint32_t* out) {
   std::fill(out, out + from, back);
   const size_t first = static_cast<size_t>(y - image.y) * static_cast<size_t>(image.width) +
                        static_cast<size_t>(from - image.x);
-  frame::toWindow(&image.color[first], &image.depth[first], picture.farthest, background,
+  frame::toWindow(&image.color[first], &image.depth[first], shown.farthest, background,
                   static_cast<size_t>(to - from), out + from);
   std::fill(out + to, out + width, back);
 }
 
 }  // namespace
 
-void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels) {
+void fillWindow(const gl::ShownImage& shown, glm::ivec2 size, uint32_t* pixels) {
   constexpr int kRows = 32;  // rows per task
-  forEachPart(picture.threads, (size.y + kRows - 1) / kRows, [&](int part) {
+  forEachPart(shown.threads, (size.y + kRows - 1) / kRows, [&](int part) {
     const int first = part * kRows, end = std::min(first + kRows, size.y);
     for (int row = first; row < end; ++row)
-      fillRow(picture, size.y - 1 - row, size.x,
+      fillRow(shown, size.y - 1 - row, size.x,
               pixels + static_cast<size_t>(row) * static_cast<size_t>(size.x));
   });
 }
@@ -124,14 +124,14 @@ glm::ivec2 ShmWindow::size() noexcept {
   return reply && shown ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
 }
 
-bool ShmWindow::put(const gl::ShownPicture& picture, glm::ivec2 size) noexcept try {
+bool ShmWindow::put(const gl::ShownImage& shown, glm::ivec2 size) noexcept try {
   const timeline::Span span("show");
   const size_t pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
   if (std::exchange(sent_, false) && !succeeded(put_)) return false;  // waits until the server has read it
   if (pixels == 0 || !reserve(pixels * 4)) return false;
-  if (held_ != picture.number || heldSize_ != size || heldFarthest_ != picture.farthest) {
-    fillWindow(picture, size, pixels_);
-    held_ = picture.number, heldSize_ = size, heldFarthest_ = picture.farthest;
+  if (held_ != shown.number || heldSize_ != size || heldFarthest_ != shown.farthest) {
+    fillWindow(shown, size, pixels_);
+    held_ = shown.number, heldSize_ = size, heldFarthest_ = shown.farthest;
   }
   return send(size);
 } catch (const std::exception&) { return false; }

@@ -1,4 +1,4 @@
-// Shows pictures in an X window without OpenGL, through shared memory (MIT-SHM). Called on the thread in
+// Shows images in an X window without OpenGL, through shared memory (MIT-SHM). Called on the thread in
 // which the window's context is current.
 #pragma once
 #include "gl/batch/presenter.h"
@@ -13,8 +13,8 @@
 
 namespace gluray::intercept {
 
-/// Writes the picture into `pixels`: `size.x` x `size.y`, top row first, blue in the lowest byte.
-void fillWindow(const gl::ShownPicture& picture, glm::ivec2 size, uint32_t* pixels);
+/// Writes the image into `pixels`: `size.x` x `size.y`, top row first, blue in the lowest byte.
+void fillWindow(const gl::ShownImage& image, glm::ivec2 size, uint32_t* pixels);
 
 class ShmWindow {
  public:
@@ -34,11 +34,11 @@ class ShmWindow {
   /// Asks for the window's size, as it is now, unless a question is open. Does not wait.
   void askSize() noexcept;
   /// The window's size in pixels, as it was at askSize(), or as it is if no question is open; {0, 0}: the
-  /// window is gone, or the last picture could not be shown. Waits until the server has read that.
+  /// window is gone, or the last image could not be shown. Waits until the server has read that.
   glm::ivec2 size() noexcept;
-  /// Shows a picture in a window of that size. False if out of memory or the connection is lost.
-  bool put(const gl::ShownPicture& picture, glm::ivec2 size) noexcept;
-  /// Shows the last picture again, at its size.
+  /// Shows an image in a window of that size. False if out of memory or the connection is lost.
+  bool put(const gl::ShownImage& image, glm::ivec2 size) noexcept;
+  /// Shows the last image again, at its size.
   void putAgain() noexcept;
 
  private:
@@ -62,10 +62,10 @@ class ShmWindow {
   uint32_t context_ = 0, segment_ = 0;  // X ids of the graphics context and the shared memory
   uint32_t* pixels_ = nullptr;
   size_t bytes_ = 0;
-  uint64_t held_ = 0;  // id of the picture in the shared memory; 0: none
+  uint64_t held_ = 0;  // id of the image in the shared memory; 0: none
   glm::ivec2 heldSize_{0};
   float heldFarthest_ = 0;
-  bool sent_ = false, asked_ = false;  // a picture, a question; these are their requests:
+  bool sent_ = false, asked_ = false;  // an image, a question; these are their requests:
   xcb_void_cookie_t put_{};
   xcb_get_geometry_cookie_t geometry_{};
   Closed closed_;

@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t kMissColor = 0xff102030, kMissShown = 0xff302010;
 
 /// Three by two pixels, of which one is a miss and one is too far away.
-Image picture(int x, int y) {
+Image makeImage(int x, int y) {
   Image image;
   image.missColor = kMissColor;
   image.x = x, image.y = y;
@@ -27,17 +27,17 @@ std::vector<uint32_t> shown(const Image& image, glm::ivec2 size, float farthest 
 }
 
 TEST(ShmWindow, RowsComeFromTheTopWithBlueFirst) {
-  EXPECT_EQ(shown(picture(0, 0), {3, 2}),
+  EXPECT_EQ(shown(makeImage(0, 0), {3, 2}),
             (std::vector<uint32_t>{0x31343332, 0x41444342, 0x51545352, 0x01040302, 0x11141312, kMissShown}));
 }
 
 TEST(ShmWindow, HitsBeyondTheFarthestAreMisses) {
-  EXPECT_EQ(shown(picture(0, 0), {3, 2}, 0.9995f)[0], kMissShown);
-  EXPECT_EQ(shown(picture(0, 0), {3, 2}, 0.9995f)[1], 0x41444342u);
+  EXPECT_EQ(shown(makeImage(0, 0), {3, 2}, 0.9995f)[0], kMissShown);
+  EXPECT_EQ(shown(makeImage(0, 0), {3, 2}, 0.9995f)[1], 0x41444342u);
 }
 
 TEST(ShmWindow, TheRestOfTheWindowHasTheMissColour) {
-  const std::vector<uint32_t> pixels = shown(picture(1, 1), {5, 4});
+  const std::vector<uint32_t> pixels = shown(makeImage(1, 1), {5, 4});
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 5; ++x) {
       const bool inside = x >= 1 && x < 4 && y >= 1 && y < 3;  // rows from the top: 1 and 2 either way
@@ -47,12 +47,12 @@ TEST(ShmWindow, TheRestOfTheWindowHasTheMissColour) {
   EXPECT_EQ(pixels[11], 0x01040302u);
 }
 
-TEST(ShmWindow, PicturesMayReachBeyondTheWindow) {
-  EXPECT_EQ(shown(picture(-1, -1), {2, 1}), (std::vector<uint32_t>{0x41444342, 0x51545352}));
-  EXPECT_EQ(shown(picture(1, 0), {2, 2}),
+TEST(ShmWindow, ImagesMayReachBeyondTheWindow) {
+  EXPECT_EQ(shown(makeImage(-1, -1), {2, 1}), (std::vector<uint32_t>{0x41444342, 0x51545352}));
+  EXPECT_EQ(shown(makeImage(1, 0), {2, 2}),
             (std::vector<uint32_t>{kMissShown, 0x31343332, kMissShown, 0x01040302}));
-  EXPECT_EQ(shown(picture(7, 0), {2, 1}), (std::vector<uint32_t>{kMissShown, kMissShown}));
-  EXPECT_EQ(shown(picture(-7, 0), {2, 1}), (std::vector<uint32_t>{kMissShown, kMissShown}));
+  EXPECT_EQ(shown(makeImage(7, 0), {2, 1}), (std::vector<uint32_t>{kMissShown, kMissShown}));
+  EXPECT_EQ(shown(makeImage(-7, 0), {2, 1}), (std::vector<uint32_t>{kMissShown, kMissShown}));
 }
 
 }  // namespace

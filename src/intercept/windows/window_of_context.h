@@ -1,4 +1,4 @@
-// The window that shows a context's pictures without a swap of the real OpenGL. On the thread in which the
+// The window that shows a context's images without a swap of the real OpenGL. On the thread in which the
 // context is current.
 #pragma once
 #include "gl/batch/window_presenter.h"
@@ -10,13 +10,13 @@
 
 namespace gluray::intercept {
 
-/// The window into which a context's pictures go.
+/// The window into which a context's images go.
 struct WindowOfContext final : gl::ShownWindow {
   uintptr_t drawable = 0;  // the last one tried
   std::unique_ptr<ShmWindow> put;
   glm::ivec2 swapped{0};  // that of the real OpenGL's buffers, if frames are shown without it; 0: unknown
   uintptr_t sized = 0;    // the drawable whose size it is; 0: none
-  int swapsBefore = 0;    // by the real OpenGL, before the first picture was tried
+  int swapsBefore = 0;    // by the real OpenGL, before the first image was tried
   std::function<void()> realSwap;  // of the drawable
   glm::ivec2 frameSize{0};         // the size for the frame that is drawn, once the answer is read
   void askSize() noexcept override;
@@ -24,7 +24,7 @@ struct WindowOfContext final : gl::ShownWindow {
   /// The size at askSize(), or now if it was not called for this frame; {0, 0}: the window is gone.
   glm::ivec2 size() noexcept;
   void swap() noexcept override;
-  /// swap() without showing the last picture again.
+  /// swap() without showing the last image again.
   void swapAlone() noexcept;
   /// Whether the real OpenGL knows the window's size: it updates its buffers' size only after a swap. False:
   /// let it make this swap.

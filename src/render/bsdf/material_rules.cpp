@@ -5,7 +5,7 @@
 #include "base/never_destroyed.h"
 #include "base/toml_text.h"
 #include "render/bsdf/object_rules.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <toml++/toml.h>
 

@@ -40,9 +40,9 @@ std::vector<MaterialRule> readMaterialRules(const std::string& toml, const Mater
 /// settings.material.objects. Empty if nothing is hidden.
 accel::HiddenFrom hiddenByRules(const scene::Snapshot&);
 
-/// Returns one model for each instance of the snapshot and its surroundings. Settings apply to lit surfaces,
-/// rules and entries to all surfaces. `diagonal`: of the scene's bounds, eye space. If the file cannot be
-/// read, logs one line and keeps the last valid rules.
+/// Returns one model for each instance of the snapshot and its secondary scene. Settings apply to lit
+/// surfaces, rules and entries to all surfaces. `diagonal`: of the scene's bounds, eye space. If the file
+/// cannot be read, logs one line and keeps the last valid rules.
 std::vector<MaterialModel> materialsOf(const scene::Snapshot&, float diagonal);
 
 }  // namespace gluray::render

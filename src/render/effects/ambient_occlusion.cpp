@@ -71,8 +71,8 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of, const Metric& m, const O
                                                    : of.snapshot->settings.ao.radius * metric.diagonal),
       strength(of.snapshot->settings.ao.strength) {}
 
-void AmbientOcclusion::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
-  HWY_DYNAMIC_DISPATCH(occlude)(*this, asked, factors.occlusion);
+void AmbientOcclusion::estimate(const AskedPoints& asked, Visibility& visibility) const noexcept {
+  HWY_DYNAMIC_DISPATCH(occlude)(*this, asked, visibility.occlusion);
 }
 
 }  // namespace gluray::render

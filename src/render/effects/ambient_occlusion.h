@@ -1,6 +1,6 @@
 // Ambient occlusion: surfaces that hide the sky above a point darken the point.
 #pragma once
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
 
@@ -12,8 +12,8 @@ namespace gluray::render {
 /// samples. Source: Zhukov, Iones, Kronin, "An Ambient Light Illumination Model", 1998.
 struct AmbientOcclusion {
   AmbientOcclusion(const FrameData&, const Metric&, const Occluders&);
-  /// Fills Factors::occlusion.
-  void estimate(const AskedPoints&, Factors&) const noexcept;
+  /// Fills Visibility::occlusion.
+  void estimate(const AskedPoints&, Visibility&) const noexcept;
 
   const FrameData& frame;
   const Metric& metric;

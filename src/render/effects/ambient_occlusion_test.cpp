@@ -192,7 +192,7 @@ TEST(AmbientOcclusion, ConvexSurfacesDoNotDarkenThemselves) {
     }
 }
 
-/// The picture of a corner, its world scaled by `scale` while eye space stays the same.
+/// The image of a corner, its world scaled by `scale` while eye space stays the same.
 test::Traced corner(const glm::dvec3& scale) {
   const glm::dmat4 place = glm::scale(glm::dmat4(1), scale);
   const glm::vec3 inverse(1.0 / scale);
@@ -227,7 +227,7 @@ TEST(AmbientOcclusion, IsTheSameHoweverTheWorldIsScaled) {
 }
 
 TEST(AmbientOcclusion, OfScenesOfAnySize) {
-  const auto pictureOf = [](double size) {
+  const auto imageOf = [](double size) {
     const auto sized = [&](glm::vec3 v) { return v * static_cast<float>(size); };
     scene::Snapshot s =
         occludedView({test::parallelogram({0, 0, 0}, sized({50, 0, 0}), sized({0, 50, 0})),
@@ -238,10 +238,10 @@ TEST(AmbientOcclusion, OfScenesOfAnySize) {
     s.settings.ao.radius = 0.02f;
     return test::trace(s);
   };
-  const test::Traced plain = pictureOf(1);
+  const test::Traced plain = imageOf(1);
   EXPECT_LT(meanOfHits(plain), 0.95f);
   for (const double size : {1e-6, 1e-3, 1e3, 1e6})
-    EXPECT_NEAR(meanOfHits(plain), meanOfHits(pictureOf(size)), 0.002f) << size;
+    EXPECT_NEAR(meanOfHits(plain), meanOfHits(imageOf(size)), 0.002f) << size;
 }
 
 TEST(AmbientOcclusion, IsTheSameForAnyNumberOfThreadsAndNearlyForAnyInstructionSet) {
@@ -255,7 +255,7 @@ TEST(AmbientOcclusion, IsTheSameForAnyNumberOfThreadsAndNearlyForAnyInstructionS
   test::withEachTarget([&](int64_t) { EXPECT_NEAR(meanOfHits(test::trace(s)), meanOfHits(one), 0.002f); });
 }
 
-TEST(AmbientOcclusion, MultisampledAndAveragedPicturesHaveIt) {
+TEST(AmbientOcclusion, MultisampledAndAveragedImagesHaveIt) {
   scene::Snapshot s =
       occludedView({backWall(), test::parallelogram({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})});
   s.samples = 4;

@@ -1,6 +1,6 @@
 #include "render/effects/make_integrator.h"
 
-#include "render/effects/guides.h"
+#include "render/effects/feature_integrators.h"
 #include "render/effects/surface_light.h"
 #include "render/ground/catcher.h"
 #include "render/integrators/integrator.h"
@@ -25,7 +25,7 @@ std::unique_ptr<const Integrator> makeCaught(const FrameData& frame) {
 }
 
 std::unique_ptr<const Integrator> makeLight(const FrameData& frame) {
-  if (wantsGuide(*frame.snapshot)) return makeGuide(frame);
+  if (wantsFeatures(*frame.snapshot)) return makeFeatureIntegrator(frame);
   if (frame.snapshot->catches) return makeCaught(frame);
   if (frame.honest) return nullptr;
   if (scene::wantsPaths(frame.snapshot->settings)) return std::make_unique<PathIntegrator>(frame);

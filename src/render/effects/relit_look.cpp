@@ -52,7 +52,7 @@ struct Arriving {
     return load(result);
   }
   HWY_INLINE Float3 shared(int row, const Float3& color) const {
-    return row < 0 ? color : times(color, load3(what.factors.visibility[row], first));
+    return row < 0 ? color : times(color, load3(what.visibility.lights[row], first));
   }
 };
 

@@ -2,7 +2,7 @@
 // Tracing threads.
 #pragma once
 #include "render/effects/shadow_lights.h"
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/integrators/metric.h"
 
 namespace gluray::render {
@@ -17,7 +17,7 @@ struct AreaLights {
 /// Incident light at hits on one instance.
 struct Arrival {
   const ShadowLights::Rows& rows;
-  const Factors& factors;
+  const Visibility& visibility;
   const scene::Dome* dome;            // null: none shines on the surface
   const AreaLights* areas = nullptr;  // null: no light has an area
 };

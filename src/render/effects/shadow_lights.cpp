@@ -1,7 +1,7 @@
 #include "render/effects/shadow_lights.h"
 
 #include "base/log.h"
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/lights/light_conversion.h"
 #include "render/lights/relit.h"
 #include "render/local/lighting_space.h"

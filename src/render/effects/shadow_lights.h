@@ -9,7 +9,7 @@
 
 namespace gluray::render {
 
-/// Light `r` has row `r` of Factors::visibility.
+/// Light `r` has row `r` of Visibility::lights.
 struct ShadowLights {
   /// The row of each light of a surface; -1 for lights without shadows.
   struct Rows {

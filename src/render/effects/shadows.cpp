@@ -115,11 +115,11 @@ HWY_ATTR inline uint32_t litLanes(const Shadows& s, const AskedPoints& asked, in
   return lit;
 }
 
-HWY_ATTR void traceShadows(const Shadows& s, const AskedPoints& asked, Factors& factors) {
+HWY_ATTR void traceShadows(const Shadows& s, const AskedPoints& asked, Visibility& visibility) {
   const PixelSeeds seeds = seedsOf(s.frame, asked);
   LightSamples samples;
   for (int row = 0; row < static_cast<int>(s.lights.lights.size()); ++row) {
-    for (Row& channel : factors.visibility[row]) std::fill_n(channel, kLanes, 1.0f);  // nothing to hide
+    for (Row& channel : visibility.lights[row]) std::fill_n(channel, kLanes, 1.0f);  // nothing to hide
     const uint32_t lit = litLanes(s, asked, row);
     if (!lit) continue;
     const int count = s.raysOf(row);
@@ -132,7 +132,7 @@ HWY_ATTR void traceShadows(const Shadows& s, const AskedPoints& asked, Factors& 
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < kLanes; ++i) {
         const float seen = all[i] > 0 ? sums[c][i] / all[i] : 0;
-        if (lit >> i & 1) factors.visibility[row][c][i] = 1 - s.strength * (1 - seen);
+        if (lit >> i & 1) visibility.lights[row][c][i] = 1 - s.strength * (1 - seen);
       }
   }
 }
@@ -164,8 +164,8 @@ int Shadows::raysOf(int row) const {
   return sized ? samples : 1;
 }
 
-void Shadows::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
-  HWY_DYNAMIC_DISPATCH(traceShadows)(*this, asked, factors);
+void Shadows::estimate(const AskedPoints& asked, Visibility& visibility) const noexcept {
+  HWY_DYNAMIC_DISPATCH(traceShadows)(*this, asked, visibility);
 }
 
 }  // namespace gluray::render

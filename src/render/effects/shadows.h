@@ -1,7 +1,7 @@
 // Shadows: the visibility of each light. Made once a frame, called on all tracing threads.
 #pragma once
 #include "render/effects/shadow_lights.h"
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
 
@@ -16,8 +16,8 @@ struct Shadows {
   Shadows(const FrameData&, const Metric&, const Occluders&, const ShadowLights&);
   /// Rays per point for a light; one for hard shadows.
   int raysOf(int row) const;
-  /// Fills the rows of Factors::visibility.
-  void estimate(const AskedPoints&, Factors&) const noexcept;
+  /// Fills the rows of Visibility::lights.
+  void estimate(const AskedPoints&, Visibility&) const noexcept;
 
   const FrameData& frame;
   const Metric& metric;

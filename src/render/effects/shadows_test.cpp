@@ -187,7 +187,7 @@ TEST(Shadows, AreTheSameForAnyNumberOfThreadsAndNearlyForAnyInstructionSet) {
   });
 }
 
-TEST(Shadows, MultisampledAndAveragedPicturesHaveThem) {
+TEST(Shadows, MultisampledAndAveragedImagesHaveThem) {
   scene::Snapshot s = screened(Shader::fixedFunction);
   s.settings.spp = 4;
   EXPECT_EQ(test::trace(s).color(60, 10).g, 0);

@@ -13,11 +13,11 @@
 namespace gluray::render {
 namespace {
 
-bool shows(uint32_t lanes, const ShadowLights::Rows& rows, const Factors& factors) {
+bool shows(uint32_t lanes, const ShadowLights::Rows& rows, const Visibility& visibility) {
   for (int row = 0; row < kShadowLights; ++row)
     for (int c = 0; c < 3 && (rows.used >> row & 1); ++c)
       for (int i = 0; i < kLanes; ++i)
-        if ((lanes >> i & 1) && factors.visibility[row][c][i] != 1) return true;
+        if ((lanes >> i & 1) && visibility.lights[row][c][i] != 1) return true;
   return false;
 }
 
@@ -41,23 +41,23 @@ SurfaceLight::SurfaceLight(const FrameData& frame)
               "instance with lights=headlight+key");
 }
 
-UsedFactors SurfaceLight::used() const noexcept {
+UsedVisibility SurfaceLight::used() const noexcept {
   const int lights = shadows_ ? static_cast<int>(lights_.lights.size()) : 0;
   return {occlusion_.has_value(), lights, lights > 0 && occluders_.areTranslucent()};
 }
 
-void SurfaceLight::estimate(const AskedPoints& asked, Factors& factors) const noexcept {
-  if (occlusion_) occlusion_->estimate(asked, factors);
-  if (shadows_) shadows_->estimate(asked, factors);
+void SurfaceLight::estimate(const AskedPoints& asked, Visibility& visibility) const noexcept {
+  if (occlusion_) occlusion_->estimate(asked, visibility);
+  if (shadows_) shadows_->estimate(asked, visibility);
 }
 
 void SurfaceLight::locate(const ColoredHits& hits, AskedPoints& points) const noexcept {
   askedPointsOf(metric_, frame_, hits, points);
 }
 
-bool SurfaceLight::replaces(uint32_t instance, uint32_t lanes, const Factors& factors) const noexcept {
+bool SurfaceLight::replaces(uint32_t instance, uint32_t lanes, const Visibility& visibility) const noexcept {
   const ShadowLights::Rows& used = lights_.rowsOf(instance);
-  return isDomed(used) || hasAreas_ || (shadows_ && shows(lanes, used, factors));
+  return isDomed(used) || hasAreas_ || (shadows_ && shows(lanes, used, visibility));
 }
 
 std::vector<float> SurfaceLight::meaning() const {
@@ -74,30 +74,32 @@ std::vector<float> SurfaceLight::meaning() const {
   return numbers;
 }
 
-void SurfaceLight::apply(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const noexcept {
+void SurfaceLight::apply(const ColoredHits& hits, const Visibility& visibility,
+                         ColorRows& rows) const noexcept {
   const ColorRows* direct = hits.direct;
   ColorRows relitDirect, fog;
-  if (relight(hits, factors, rows) && occlusion_ && direct) {
-    shadeArriving(frame_.direct->surfaces[hits.instance], hits, factors, nullptr, relitDirect);
+  if (relight(hits, visibility, rows) && occlusion_ && direct) {
+    shadeArriving(frame_.direct->surfaces[hits.instance], hits, visibility, nullptr, relitDirect);
     direct = &relitDirect;
   }
   if (!occlusion_) return;
   // Fog lies before the surface. It is in the direct look, too.
   if (!direct && hits.surface.lighting->shading->fog.mode != scene::Fog::off)
     fogAlone(hits, fog), direct = &fog;
-  occlude(hits, factors, direct, rows);
+  occlude(hits, visibility, direct, rows);
 }
 
-bool SurfaceLight::relight(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const {
-  if (!replaces(hits.instance, hits.group.lanes, factors)) return false;
+bool SurfaceLight::relight(const ColoredHits& hits, const Visibility& visibility, ColorRows& rows) const {
+  if (!replaces(hits.instance, hits.group.lanes, visibility)) return false;
   const ShadowLights::Rows& used = lights_.rowsOf(hits.instance);
-  shadeArriving(hits.surface, hits, factors, isDomed(used) ? dome_ : nullptr, rows);
+  shadeArriving(hits.surface, hits, visibility, isDomed(used) ? dome_ : nullptr, rows);
   return true;
 }
 
-void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits, const Factors& factors,
-                                 const scene::Dome* dome, ColorRows& rows) const {
-  Arrival arrival{lights_.rowsOf(hits.instance), factors, dome};
+void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits,
+                                 const Visibility& visibility, const scene::Dome* dome,
+                                 ColorRows& rows) const {
+  Arrival arrival{lights_.rowsOf(hits.instance), visibility, dome};
   if (!hasAreas_) return shadeAgain(frame_, surface, hits, arrival, rows);
   const Relit& relit = *frame_.relit;
   const AreaLights areas{metric_, relit.sources, relit.firstSource[frame_.shadingOf(hits.instance)]};
@@ -106,12 +108,12 @@ void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits
 }
 
 /// `kept`: the part of the colours that stays as it is; null: none.
-void SurfaceLight::occlude(const ColoredHits&, const Factors& factors, const ColorRows* kept,
+void SurfaceLight::occlude(const ColoredHits&, const Visibility& visibility, const ColorRows* kept,
                            ColorRows& rows) const {
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < kLanes; ++i) {
       const float ambient = rows.value[c][i] - (kept ? kept->value[c][i] : 0);
-      rows.value[c][i] -= occlusion_->strength * (1 - factors.occlusion[i]) * ambient;
+      rows.value[c][i] -= occlusion_->strength * (1 - visibility.occlusion[i]) * ambient;
     }
   }
 }

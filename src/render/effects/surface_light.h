@@ -8,27 +8,27 @@
 namespace gluray::render {
 
 /// The local look with shadows, ambient occlusion, or both.
-class SurfaceLight final : public FactorIntegrator {
+class SurfaceLight final : public VisibilityIntegrator {
  public:
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit SurfaceLight(const FrameData& frame);
   /// Whether it changes anything.
   bool acts() const { return occlusion_ || shadows_ || dome_ || hasAreas_; }
 
-  UsedFactors used() const noexcept override;
-  void estimate(const AskedPoints&, Factors&) const noexcept override;
+  UsedVisibility used() const noexcept override;
+  void estimate(const AskedPoints&, Visibility&) const noexcept override;
   void locate(const ColoredHits&, AskedPoints&) const noexcept override;
-  bool replaces(uint32_t instance, uint32_t lanes, const Factors&) const noexcept override;
-  void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
+  bool replaces(uint32_t instance, uint32_t lanes, const Visibility&) const noexcept override;
+  void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override;
 
  private:
   bool isDomed(const ShadowLights::Rows& used) const { return dome_ && used.up != glm::vec3(0); }
   /// Shades hits again if they have shadows, a dome or area lights. Returns whether it did.
-  bool relight(const ColoredHits&, const Factors&, ColorRows&) const;
-  void shadeArriving(const Surface&, const ColoredHits&, const Factors&, const scene::Dome*,
+  bool relight(const ColoredHits&, const Visibility&, ColorRows&) const;
+  void shadeArriving(const Surface&, const ColoredHits&, const Visibility&, const scene::Dome*,
                      ColorRows&) const;
-  void occlude(const ColoredHits&, const Factors&, const ColorRows* kept, ColorRows&) const;
+  void occlude(const ColoredHits&, const Visibility&, const ColorRows* kept, ColorRows&) const;
 
   const FrameData& frame_;
   Metric metric_;

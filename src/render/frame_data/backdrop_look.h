@@ -1,8 +1,8 @@
 // The background of a view (setting `background`). Made once a frame, called on all tracing threads.
 #pragma once
 #include "render/camera/ray_setup.h"
-#include "render/film/tone.h"
 #include "render/lights/environment.h"
+#include "render/resolve/tone.h"
 #include "scene/backdrop.h"
 #include "scene/snapshot.h"
 

@@ -2,12 +2,12 @@
 
 #include "render/camera/focus.h"
 #include "render/camera/lens.h"
-#include "render/film/pixel_filter.h"
 #include "render/lights/lamps.h"
 #include "render/lights/relit.h"
+#include "render/resolve/pixel_filter.h"
 #include "scene/catcher_offset.h"
 #include "scene/effects.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 #include "settings/samples.h"
 
 #include <tbb/parallel_for.h>
@@ -67,7 +67,7 @@ double reachOfLeastDepth(const FrameData& frame, bool atCenters) {
 /// Fills lightings of what rays from the viewer meet, and widestEdge.
 void addLightings(FrameData& frame) {
   const std::vector<scene::Shading>& own = frame.shadings();
-  const scene::Surroundings* around = frame.snapshot->surroundings.get();
+  const scene::SecondaryScene* around = frame.snapshot->secondaryScene.get();
   frame.lightings.reserve(own.size() + (around ? around->shadings.size() : 0));
   for (const scene::Shading& shading : own) {
     frame.lightings.emplace_back(shading);
@@ -194,16 +194,16 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   for (size_t i = 0; i < s.instances.size() && scene::wantsCatcher(s.settings); ++i)
     if (s.instances[i].ground) catcher = static_cast<uint32_t>(i);
   if (s.catches && !lens && !averages) knownDepths = findKnownDepths(s, rays, w);
-  if (s.surroundings) addSurroundings(view);
+  if (s.secondaryScene) addSecondaryScene(view);
   if (relit) lamps = makeLamps(s, *relit, eyeRays, depth);
 }
 
 /// After all that rays from the viewer meet is known: they do not meet these.
-void FrameData::addSurroundings(const View& view) {
-  const scene::Surroundings& around = *snapshot->surroundings;
+void FrameData::addSecondaryScene(const View& view) {
+  const scene::SecondaryScene& around = *snapshot->secondaryScene;
   const size_t drawn = surfaces.size(), first = lightings.size();
-  const bool relights = relit && !relit->surroundings.empty();
-  for (const scene::Shading& shading : relights ? relit->surroundings : around.shadings)
+  const bool relights = relit && !relit->secondaryShadings.empty();
+  for (const scene::Shading& shading : relights ? relit->secondaryShadings : around.shadings)
     lightings.emplace_back(shading);
   surfaces.resize(drawn + around.instances.size());
   tbb::parallel_for(size_t{0}, around.instances.size(), [&](size_t i) {

@@ -5,11 +5,11 @@
 #include "base/image.h"
 #include "render/camera/depth_map.h"
 #include "render/camera/ray_setup.h"
-#include "render/film/tone.h"
 #include "render/frame_data/backdrop_look.h"
 #include "render/frame_data/known_depths.h"
 #include "render/local/honest_look.h"
 #include "render/local/surface.h"
+#include "render/resolve/tone.h"
 
 #include <array>
 #include <atomic>
@@ -25,10 +25,10 @@ struct Lens;
 class Integrator;
 class RemoteSurfaces;
 struct Relit;
-struct HitFilm;
+struct HitBuffer;
 struct MovingFrame;
 
-/// Whether the picture is blended over the framebuffer, because it has a catcher or a background.
+/// Whether the image is blended over the framebuffer, because it has a catcher or a background.
 bool isComposed(const scene::Snapshot&);
 
 struct FrameData {
@@ -73,7 +73,7 @@ struct FrameData {
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
   // Null: traceTile() writes final colours. Otherwise traceTile() stores the hits here, the collector stores
   // their factors of light, and relightTile() colours them.
-  HitFilm* hits = nullptr;
+  HitBuffer* hits = nullptr;
   const Integrator* collector = nullptr;
   const MovingFrame* moving = nullptr;   // null: light uses all samples of the settings
   std::optional<HonestLook> honest;      // none: the local look is the program's
@@ -93,7 +93,7 @@ struct FrameData {
 
  private:
   void prepareAverages();
-  void addSurroundings(const View&);
+  void addSecondaryScene(const View&);
 };
 
 }  // namespace gluray::render

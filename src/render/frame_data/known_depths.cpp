@@ -12,14 +12,14 @@ std::optional<KnownDepths> findKnownDepths(const scene::Snapshot& snapshot, cons
   constexpr double kReach = 0.01;  // of the diagonal of the scene's bounds
   constexpr double kSteps = 64;    // of depth
   constexpr double kRounding = 1e-5;
-  const auto& around = snapshot.surroundings;
-  const scene::FramebufferPicture* picture = around ? around->framebuffer.get() : nullptr;
-  if (!picture || !rays.linear.usable || !rays.clipPlanes.empty()) return {};
-  if (!(picture->depthNear < picture->depthFar) || !(picture->offset == scene::PolygonOffset{})) return {};
+  const auto& around = snapshot.secondaryScene;
+  const scene::FramebufferCapture* capture = around ? around->framebuffer.get() : nullptr;
+  if (!capture || !rays.linear.usable || !rays.clipPlanes.empty()) return {};
+  if (!(capture->depthNear < capture->depthFar) || !(capture->offset == scene::PolygonOffset{})) return {};
   KnownDepths known;
-  known.picture = picture;
-  known.depthNear = double{picture->depthNear}, known.clear = picture->depthFar;
-  known.perDepth = 2 / (double{picture->depthFar} - double{picture->depthNear});
+  known.capture = capture;
+  known.depthNear = double{capture->depthNear}, known.clear = capture->depthFar;
+  known.perDepth = 2 / (double{capture->depthFar} - double{capture->depthNear});
   known.growth = rays.step.w / rays.start.w, known.perScale = 1 / rays.directionScale;
   known.reach = kReach * glm::length(glm::dvec3(world.upper() - world.lower()));
   const double resolution = std::max(double{snapshot.polygonOffset.resolution}, 0x1p-24);

@@ -1,9 +1,9 @@
-// Shortens primary rays to the depths that the framebuffer already has (scene::Surroundings::framebuffer,
+// Shortens primary rays to the depths that the framebuffer already has (scene::SecondaryScene::framebuffer,
 // docs/adr/0075). Any thread.
 #pragma once
 #include "accel/world.h"
 #include "render/camera/ray_setup.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <optional>
 
@@ -12,7 +12,7 @@ namespace gluray::render {
 /// Maps window depths to ray intervals. A ray reaches NDC depth z at t = k / (s (1 + k r)), where k = z + 1
 /// is the way from the near plane, s RaySetup::directionScale and r the growth of w along the ray.
 struct KnownDepths {
-  const scene::FramebufferPicture* picture = nullptr;  // the snapshot's
+  const scene::FramebufferCapture* capture = nullptr;  // the snapshot's
   double depthNear = 0, perDepth = 0;                  // k = (window depth - depthNear) * perDepth
   double growth = 0, perScale = 0;                     // r, 1 / s
   float clear = 1;                                     // window depths from here on show no surface

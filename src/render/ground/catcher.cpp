@@ -25,10 +25,10 @@ void CatcherLook::light(const ColoredHits& hits, ColorRows& rows) const noexcept
   showTaken(open, rows);
 }
 
-void AllCaught::apply(const ColoredHits& hits, const Factors& factors, ColorRows& rows) const noexcept {
+void AllCaught::apply(const ColoredHits& hits, const Visibility& visibility, ColorRows& rows) const noexcept {
   ColorRows open = rows;
   light_->lightAlone(hits, open);
-  light_->apply(hits, factors, rows);
+  light_->apply(hits, visibility, rows);
   showTaken(open, rows);
 }
 

@@ -1,7 +1,7 @@
 // Shading of shadow catchers: only the light that other surfaces remove. Tracing threads.
 #pragma once
-#include "render/integrators/factors.h"
 #include "render/integrators/integrator.h"
+#include "render/integrators/light_visibility.h"
 
 #include <cstdint>
 #include <memory>
@@ -28,22 +28,22 @@ class CatcherLook final : public Integrator {
 };
 
 /// Treats all surfaces as catchers (scene::Snapshot::catches), with the factors of `light`.
-class AllCaught final : public FactorIntegrator {
+class AllCaught final : public VisibilityIntegrator {
  public:
-  explicit AllCaught(std::unique_ptr<const FactorIntegrator> light) : light_(std::move(light)) {}
-  UsedFactors used() const noexcept override { return light_->used(); }
-  void estimate(const AskedPoints& points, Factors& factors) const noexcept override {
-    light_->estimate(points, factors);
+  explicit AllCaught(std::unique_ptr<const VisibilityIntegrator> light) : light_(std::move(light)) {}
+  UsedVisibility used() const noexcept override { return light_->used(); }
+  void estimate(const AskedPoints& points, Visibility& visibility) const noexcept override {
+    light_->estimate(points, visibility);
   }
   void locate(const ColoredHits& hits, AskedPoints& points) const noexcept override {
     light_->locate(hits, points);
   }
-  bool replaces(uint32_t, uint32_t, const Factors&) const noexcept override { return false; }
-  void apply(const ColoredHits&, const Factors&, ColorRows&) const noexcept override;
+  bool replaces(uint32_t, uint32_t, const Visibility&) const noexcept override { return false; }
+  void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept override;
   std::vector<float> meaning() const override { return light_->meaning(); }
 
  private:
-  std::unique_ptr<const FactorIntegrator> light_;
+  std::unique_ptr<const VisibilityIntegrator> light_;
 };
 
 /// Treats all surfaces as catchers without missing light.

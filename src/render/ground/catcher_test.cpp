@@ -1,4 +1,4 @@
-// What a catcher leaves in pictures.
+// What a catcher leaves in images.
 #include "render/testing/test_ground.h"
 
 #include <gtest/gtest.h>
@@ -19,18 +19,18 @@ TEST(Catcher, AlphaIsTheShareOfLightThatDoesNotArrive) {
   for (const float strength : {1.0f, 0.6f}) {
     scene::Snapshot s = plate(GroundKind::catcher);
     s.settings.shadows.strength = strength;
-    const Traced picture = traceStaged(s);
-    ASSERT_TRUE(picture.image.isAverages());
+    const Traced image = traceStaged(s);
+    ASSERT_TRUE(image.image.isAverages());
     int shadowed = 0;
     for (int y = 0; y < kLitSize / 2; ++y) {
       for (int x = 0; x < kLitSize; ++x) {
         const glm::dvec3 p = onGround(x, y);
         if (!isClearCase(p) || !isOnGround(p)) continue;
         const float hidden = isShadowed(p) ? strength : 0;
-        ASSERT_NEAR(picture.color(x, y).a, 255 * hidden, 0.51) << x << ' ' << y;
-        ASSERT_EQ(glm::vec3(picture.color(x, y)), glm::vec3(0));
-        ASSERT_EQ(picture.image.centerDepth[picture.at(x, y, 0)], Image::kMiss) << "it hides nothing";
-        ASSERT_LT(picture.depth(x, y), 1) << "but lies where it is";
+        ASSERT_NEAR(image.color(x, y).a, 255 * hidden, 0.51) << x << ' ' << y;
+        ASSERT_EQ(glm::vec3(image.color(x, y)), glm::vec3(0));
+        ASSERT_EQ(image.image.centerDepth[image.at(x, y, 0)], Image::kMiss) << "it hides nothing";
+        ASSERT_LT(image.depth(x, y), 1) << "but lies where it is";
         shadowed += isShadowed(p);
       }
     }
@@ -43,11 +43,11 @@ TEST(Catcher, PathsGiveTheSameOfDirectLight) {
   s.settings.integrator = LightIntegrator::path;
   s.settings.path.depth = 1;
   s.settings.environment.strength = 0;
-  const Traced picture = traceStaged(s);
+  const Traced image = traceStaged(s);
   for (int y = 0; y < kLitSize / 2; ++y)
     for (int x = 0; x < kLitSize; ++x)
       if (const glm::dvec3 p = onGround(x, y); isClearCase(p) && isOnGround(p)) {
-        ASSERT_NEAR(picture.color(x, y).a, isShadowed(p) ? 255 : 0, 0.51) << x << ' ' << y;
+        ASSERT_NEAR(image.color(x, y).a, isShadowed(p) ? 255 : 0, 0.51) << x << ' ' << y;
       }
 }
 

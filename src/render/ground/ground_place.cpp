@@ -1,6 +1,6 @@
 #include "render/ground/ground_place.h"
 
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,7 +71,7 @@ Box boundsOf(const scene::Snapshot& s, const glm::dmat4& viewFromWorld, const gl
 }  // namespace
 
 std::optional<GroundPlace> placeGround(const scene::Snapshot& s) {
-  const glm::dmat4 viewFromWorld = s.surroundings ? s.surroundings->viewFromWorld : glm::dmat4(1);
+  const glm::dmat4 viewFromWorld = s.secondaryScene ? s.secondaryScene->viewFromWorld : glm::dmat4(1);
   const glm::dmat4 worldFromView = glm::inverse(viewFromWorld);
   const glm::dvec3 axes = axesOf(s.eyeFromWorld * worldFromView);
   const Box box = boundsOf(s, viewFromWorld, axes);

@@ -16,7 +16,7 @@ struct GroundPlace {
   float half = 1;
 };
 
-/// Places the ground settings.ground.offset below the bounds of the snapshot and its surroundings,
+/// Places the ground settings.ground.offset below the bounds of the snapshot and its secondary scene,
 /// perpendicular to the upward axis of the view's first object (settings.lights.up), with width
 /// settings.ground.size. None if there are no bounds.
 std::optional<GroundPlace> placeGround(const scene::Snapshot&);

@@ -3,7 +3,7 @@
 #include "render/lights/light_conversion.h"
 #include "render/local/lighting_space.h"
 #include "scene/effects.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <array>
 #include <cstring>

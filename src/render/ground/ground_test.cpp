@@ -2,7 +2,7 @@
 #include "render/ground/ground_place.h"
 #include "render/ground/staged_scene.h"
 #include "render/testing/test_ground.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -22,17 +22,17 @@ using test::traceStaged;
 
 TEST(Ground, LiesWhereItShouldWithItsDepthAndShadow) {
   const scene::Snapshot s = plate(GroundKind::plane);
-  const Traced picture = traceStaged(s);
+  const Traced image = traceStaged(s);
   int lit = 0, shadowed = 0;
   for (int y = 0; y < kLitSize / 2; ++y) {
     for (int x = 0; x < kLitSize; ++x) {
       const glm::dvec3 p = onGround(x, y);
       if (!isClearCase(p)) continue;
-      ASSERT_EQ(picture.hit(x, y), isOnGround(p)) << x << ' ' << y;
+      ASSERT_EQ(image.hit(x, y), isOnGround(p)) << x << ' ' << y;
       if (!isOnGround(p)) continue;
       const glm::dvec4 clip = s.camera.clipFromEye * s.eyeFromWorld * glm::dvec4(p, 1);
-      ASSERT_NEAR(picture.depth(x, y), 0.5 * clip.z / clip.w + 0.5, 1e-6);
-      ASSERT_EQ(picture.color(x, y), glm::vec4(glm::vec3(isShadowed(p) ? 0 : 255), 255)) << x << ' ' << y;
+      ASSERT_NEAR(image.depth(x, y), 0.5 * clip.z / clip.w + 0.5, 1e-6);
+      ASSERT_EQ(image.color(x, y), glm::vec4(glm::vec3(isShadowed(p) ? 0 : 255), 255)) << x << ' ' << y;
       ++(isShadowed(p) ? shadowed : lit);
     }
   }
@@ -97,8 +97,8 @@ TEST(Ground, HidesTheSkyOfOtherBatchesWithoutBeingSeenInThem) {
   s.ground = scene::GroundUse::around;
   const StagedScene staged(s);
   EXPECT_EQ(staged.snapshot().instances.size(), 1u);
-  ASSERT_TRUE(staged.snapshot().surroundings);
-  EXPECT_TRUE(staged.snapshot().surroundings->instances.back().ground);
+  ASSERT_TRUE(staged.snapshot().secondaryScene);
+  EXPECT_TRUE(staged.snapshot().secondaryScene->instances.back().ground);
   const Traced with = traceStaged(s);
   s.ground = scene::GroundUse::none;
   const Traced without = traceStaged(s);

@@ -2,7 +2,7 @@
 
 #include "render/bsdf/material_rules.h"
 #include "render/ground/ground_surface.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <memory>
 #include <utility>
@@ -29,13 +29,13 @@ void StagedScene::addGround() {
     own_->instances.push_back(std::move(ground.instance));
     return;
   }
-  auto around = given_.surroundings ? std::make_shared<scene::Surroundings>(*given_.surroundings)
-                                    : std::make_shared<scene::Surroundings>();
+  auto around = given_.secondaryScene ? std::make_shared<scene::SecondaryScene>(*given_.secondaryScene)
+                                      : std::make_shared<scene::SecondaryScene>();
   ground.instance.shading = static_cast<uint32_t>(around->shadings.size());
   around->shadings.push_back(std::move(ground.shading));
   around->instances.push_back(std::move(ground.instance));
   around->blended.push_back(0);
-  own_->surroundings = std::move(around);
+  own_->secondaryScene = std::move(around);
 }
 
 }  // namespace gluray::render

@@ -1,4 +1,4 @@
-// Pictures of impostors against closed forms, and equal results of every instruction set.
+// Images of impostors against closed forms, and equal results of every instruction set.
 #include "render/kernels/kernels.h"
 #include "render/testing/test_targets.h"
 #include "render/testing/test_trace.h"

@@ -6,20 +6,20 @@
 
 namespace gluray::render {
 
-struct Factors;
+struct Visibility;
 struct WaitingPoints;
 
 /// Hits on one instance, coloured by the local look.
 struct ColoredHits {
   const Surface& surface;
   uint32_t instance;
-  const Group& group;                 // u and v: position of the visible point
-  uint32_t back;                      // bit i: lane i shows its back face
-  int sample;                         // index of the pixel's sample
-  const float *x, *y;                 // window positions of the lanes
-  const ColorRows* direct = nullptr;  // the hits without ambient light, if FrameData::direct is set
-  const Factors* factors = nullptr;   // if already known
-  WaitingPoints* waiting = nullptr;   // queue of points, if factors are collected
+  const Group& group;                      // u and v: position of the visible point
+  uint32_t back;                           // bit i: lane i shows its back face
+  int sample;                              // index of the pixel's sample
+  const float *x, *y;                      // window positions of the lanes
+  const ColorRows* direct = nullptr;       // the hits without ambient light, if FrameData::direct is set
+  const Visibility* visibility = nullptr;  // if already known
+  WaitingPoints* waiting = nullptr;        // queue of points, if visibility is collected
 };
 
 class Integrator {

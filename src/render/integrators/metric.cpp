@@ -2,7 +2,7 @@
 
 #include "render/remote/remote_surfaces.h"
 #include "scene/failure.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <cmath>
 
@@ -27,7 +27,7 @@ Metric::Metric(const FrameData& frame) {
   axes = axisScales(m);
   const accel::Bounds bounds = frame.remote ? frame.remote->bounds() : frame.world->lightBounds();
   const glm::dvec3 size(bounds.upper - bounds.lower);
-  const auto* around = frame.snapshot->surroundings.get();
+  const auto* around = frame.snapshot->secondaryScene.get();
   const bool elsewhere = around && around->viewFromWorld != glm::dmat4(1);
   const glm::vec3 sides = elsewhere ? axisScales(m * glm::inverse(around->viewFromWorld)) : axes;
   diagonal = static_cast<float>(glm::length(glm::dvec3(sides) * size));

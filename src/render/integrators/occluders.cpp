@@ -1,6 +1,6 @@
 #include "render/integrators/occluders.h"
 
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 

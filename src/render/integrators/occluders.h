@@ -9,7 +9,7 @@
 
 namespace gluray::render {
 
-/// The occluders of a snapshot and its surroundings, which must outlive it, as must their surfaces. Both
+/// The occluders of a snapshot and its secondary scene, which must outlive it, as must their surfaces. Both
 /// sides of surfaces block, even if the program culls one: back faces still belong to a solid. The opacity is
 /// that of material and vertices, without textures.
 class Occluders {

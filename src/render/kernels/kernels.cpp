@@ -26,8 +26,8 @@ HWY_EXPORT(targetName);
 void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {
   HWY_DYNAMIC_DISPATCH(traceTile)(frame, tile, waiting);
 }
-void relightTile(const FrameData& frame, const Tile& tile, const TileFactors& factors) {
-  HWY_DYNAMIC_DISPATCH(relightTile)(frame, tile, factors);
+void relightTile(const FrameData& frame, const Tile& tile, const TileVisibility& visibility) {
+  HWY_DYNAMIC_DISPATCH(relightTile)(frame, tile, visibility);
 }
 const char* kernelTarget() { return HWY_DYNAMIC_DISPATCH(targetName)(); }
 

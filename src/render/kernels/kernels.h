@@ -6,16 +6,16 @@
 
 namespace gluray::render {
 
-struct TileFactors;
+struct TileVisibility;
 struct WaitingPoints;
 
 /// Traces and shades one tile of every sample plane. Threads may run it in parallel on different tiles.
-/// `waiting`: queue of points, if factors of light are collected (FrameData::collector).
+/// `waiting`: queue of points, if visibility is collected (FrameData::collector).
 void traceTile(const FrameData&, const Tile&, WaitingPoints* waiting = nullptr);
 
 /// Second pass over a tile of a moving frame (FrameData::moving): colours the hits that the first pass
 /// stored.
-void relightTile(const FrameData&, const Tile&, const TileFactors&);
+void relightTile(const FrameData&, const Tile&, const TileVisibility&);
 
 /// Name of the instruction set that traceTile uses, such as "AVX3".
 const char* kernelTarget();

@@ -1,4 +1,4 @@
-// Every instruction set of this processor gives the same picture.
+// Every instruction set of this processor gives the same image.
 #include "render/kernels/kernels.h"
 
 #include "render/testing/test_targets.h"

@@ -1,5 +1,5 @@
-// The second pass over a moving frame: colours the hits that the first one kept, whose factors of light are
-// smooth by now. Part of kernels.cpp (compiled once for each instruction set).
+// The second pass over a moving frame: colours the hits that the first one kept, whose visibility is smooth
+// by now. Part of kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_RELIGHT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_RELIGHT_INL_H_
 #undef GLURAY_RENDER_RELIGHT_INL_H_
@@ -18,12 +18,12 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 /// Last stage: colours the hits and writes the pixels.
-HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const TileFactors& factors,
+HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const TileVisibility& visibility,
                                  Work& work) {
   clearPixels(frame.image->missColor, work);
   if (work.hits) {
     work.edged = frame.moving->hits->lanes[frame.moving->hits->at(work.imageX, work.imageY)].edged;
-    work.factors = &factors.at(work.imageX - tile.x0, work.imageY - tile.y0);
+    work.visibility = &visibility.at(work.imageX - tile.x0, work.imageY - tile.y0);
     const bool wide = frame.image->has(Plane::wideColor);
     shadeHits(frame, work.hits, false, work,
               [&](uint32_t lanes, const LitRows& rows, const float* depth)
@@ -35,9 +35,9 @@ HWY_ATTR inline void relightWork(const FrameData& frame, const Tile& tile, const
 
 /// Pipelined as the first pass is, but no rays are traced meanwhile: the stages are several packets apart,
 /// because memory takes longer than colours.
-HWY_ATTR void relightTile(const FrameData& frame, const Tile& tile, const TileFactors& factors) {
+HWY_ATTR void relightTile(const FrameData& frame, const Tile& tile, const TileVisibility& visibility) {
   constexpr int kApart = 2;  // packets
-  const HitFilm& film = *frame.moving->hits;
+  const HitBuffer& buffer = *frame.moving->hits;
   const int columns = (tile.x1 - tile.x0 + 3) / 4, count = columns * ((tile.y1 - tile.y0 + 3) / 4);
   const auto xOf = [&](int packet) { return tile.x0 + packet % columns * 4; };
   const auto yOf = [&](int packet) { return tile.y0 + packet / columns * 4; };
@@ -49,20 +49,20 @@ HWY_ATTR void relightTile(const FrameData& frame, const Tile& tile, const TileFa
   initPacket(work.packet);
   const auto color = [&](int packet) HWY_ATTR {
     aim(frame, tile, xOf(packet), yOf(packet), 0, work);
-    recall(film, work);
+    recall(buffer, work);
     std::memcpy(work.vertex, fetched[packet % kApart].vertex, sizeof work.vertex);
-    relightWork(frame, tile, factors, work);
+    relightWork(frame, tile, visibility, work);
   };
   for (int first = 0; first < count + 2 * kApart; ++first) {
     if (first >= 2 * kApart) color(first - 2 * kApart);
     if (const int second = first - kApart; second >= 0 && second < count) {
-      const size_t at = film.at(xOf(second), yOf(second));
-      fetchVertices(frame, film.lanes[at].shown, film.hits[at].instance, film.hits[at].primitive,
+      const size_t at = buffer.at(xOf(second), yOf(second));
+      fetchVertices(frame, buffer.lanes[at].shown, buffer.hits[at].instance, buffer.hits[at].primitive,
                     fetched[second % kApart].vertex);
     }
     if (first < count) {
-      const size_t at = film.at(xOf(first), yOf(first));
-      prefetchTriangles(frame, film.lanes[at].shown, film.hits[at].instance, film.hits[at].primitive);
+      const size_t at = buffer.at(xOf(first), yOf(first));
+      prefetchTriangles(frame, buffer.lanes[at].shown, buffer.hits[at].instance, buffer.hits[at].primitive);
     }
   }
 }

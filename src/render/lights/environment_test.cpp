@@ -1,8 +1,8 @@
-// Environments: pictures of the sky against brute force, files that cannot be read, rotation.
+// Environments: images of the sky against brute force, files that cannot be read, rotation.
 #include "base/testing/temporary_folder.h"
 #include "render/lights/make_environment.h"
-#include "render/lights/picture_files.h"
 #include "render/lights/preetham.h"
+#include "render/lights/sky_files.h"
 #include "render/lights/sky_image.h"
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ glm::vec3 directionOf(const glm::vec2& u) {
 }
 
 /// Dim all over, with one bright spot.
-SkyPicture spotted() {
-  SkyPicture p{32, 16, std::vector<glm::vec3>(32 * 16, glm::vec3(0.1f))};
+SkyPixels spotted() {
+  SkyPixels p{32, 16, std::vector<glm::vec3>(32 * 16, glm::vec3(0.1f))};
   p.pixels[5 * 32 + 20] = {300, 200, 100};
   p.pixels[9 * 32 + 3] = {0, 50, 0};
   return p;
@@ -73,7 +73,7 @@ TEST(SkyImage, DensitiesIntegrateToOneAndAreThoseOfSamples) {
 TEST(SkyImage, HoldsWhatIsNoColourToBlackAndHugeOnesToALimit) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN(),
                   kInfinite = std::numeric_limits<float>::infinity();
-  SkyPicture p{8, 4, std::vector<glm::vec3>(32, glm::vec3(kNan, -1, kInfinite))};
+  SkyPixels p{8, 4, std::vector<glm::vec3>(32, glm::vec3(kNan, -1, kInfinite))};
   p.pixels[9] = glm::vec3(1e30f);
   const SkyImage sky(p);
   for (uint32_t i = 0; i < 1000; ++i) {
@@ -81,7 +81,7 @@ TEST(SkyImage, HoldsWhatIsNoColourToBlackAndHugeOnesToALimit) {
     for (int k = 0; k < 3; ++k) EXPECT_TRUE(c[k] >= 0 && c[k] <= 1e6f);
     EXPECT_TRUE(std::isfinite(sky.sample(pointOf(i)).pdf));
   }
-  const SkyImage black(SkyPicture{8, 4, std::vector<glm::vec3>(32, glm::vec3(0))});
+  const SkyImage black(SkyPixels{8, 4, std::vector<glm::vec3>(32, glm::vec3(0))});
   EXPECT_EQ(black.sample({0.5f, 0.5f}).pdf, 0);
   EXPECT_EQ(black.pdf({0, 1, 0}), 0);
 }
@@ -113,19 +113,19 @@ std::string header(int width, int height) {
          std::to_string(width) + "\n";
 }
 
-TEST(RadianceFile, PlainAndRunLengthPicturesAreRead) {
+TEST(RadianceFile, PlainAndRunLengthImagesAreRead) {
   // Exponent 129: mantissas / 128.
   const std::string pixel = {'\x80', '\x40', '\x20', '\x81'};
-  const SkyPicture plain = readRadiance(header(2, 1) + pixel + std::string{'\0', '\0', '\0', '\0'});
+  const SkyPixels plain = readRadiance(header(2, 1) + pixel + std::string{'\0', '\0', '\0', '\0'});
   EXPECT_EQ(plain.pixels[0], glm::vec3(1, 0.5f, 0.25f));
   EXPECT_EQ(plain.pixels[1], glm::vec3(0));
-  const SkyPicture repeated = readRadiance(header(4, 1) + pixel + std::string{'\1', '\1', '\1', '\3'});
+  const SkyPixels repeated = readRadiance(header(4, 1) + pixel + std::string{'\1', '\1', '\1', '\3'});
   EXPECT_EQ(repeated.pixels[3], glm::vec3(1, 0.5f, 0.25f));
   // Eight pixels: red in a run of 8, green in literals, blue in two runs, exponents in a run.
   std::string row = {2, 2, 0, 8, '\x88', '\x80', 8};
   for (int i = 0; i < 8; ++i) row += static_cast<char>(i * 16);
   row += std::string{'\x84', '\x20', '\x84', '\x40', '\x88', '\x81'};
-  const SkyPicture runs = readRadiance(header(8, 1) + row);
+  const SkyPixels runs = readRadiance(header(8, 1) + row);
   EXPECT_EQ(runs.pixels[0], glm::vec3(1, 0, 0.25f));
   EXPECT_EQ(runs.pixels[7], glm::vec3(1, 0.875f, 0.5f));
 }
@@ -165,15 +165,15 @@ struct TestFile {
   }
 };
 
-std::string evenPicture(char mantissa) {
+std::string evenImage(char mantissa) {
   std::string bytes = header(4, 2);
   for (int i = 0; i < 8; ++i) bytes += std::string{mantissa, mantissa, mantissa, '\x81'};
   return bytes;
 }
 
-TEST(Environment, APictureStaysWhileItsFileCannotBeRead) {
+TEST(Environment, AImageStaysWhileItsFileCannotBeRead) {
   const TestFile file("gluray_environment_test.hdr");
-  file.write(evenPicture('\x40'));
+  file.write(evenImage('\x40'));
   Settings s;
   s.environment.kind = EnvironmentKind::image;
   s.environment.file = file.path;
@@ -182,14 +182,14 @@ TEST(Environment, APictureStaysWhileItsFileCannotBeRead) {
   EXPECT_EQ(brightness(), 1);
   file.write("nonsense");
   EXPECT_EQ(brightness(), 1) << "the last good one";
-  file.write(evenPicture('\x20'));
+  file.write(evenImage('\x20'));
   EXPECT_EQ(brightness(), 0.5f);
   s.environment.file = "/nowhere/at/all.hdr";
   EXPECT_EQ(brightness(), 0.5f);
 }
 
 #ifdef GLURAY_OPENEXR
-TEST(Environment, OpenExrPicturesAreRead) {
+TEST(Environment, OpenExrImagesAreRead) {
   const TestFile file("gluray_environment_test.exr");
   {
     Imf::Rgba pixels[8];
@@ -198,10 +198,10 @@ TEST(Environment, OpenExrPicturesAreRead) {
     out.setFrameBuffer(pixels, 1, 4);
     out.writePixels(2);
   }
-  const SkyPicture picture = readSkyPicture(file.path);
-  ASSERT_EQ(picture.width, 4);
-  ASSERT_EQ(picture.height, 2);
-  for (size_t i = 0; i < 8; ++i) EXPECT_EQ(picture.pixels[i], glm::vec3(0.25f, 0.5f, static_cast<float>(i)));
+  const SkyPixels image = readSkyPixels(file.path);
+  ASSERT_EQ(image.width, 4);
+  ASSERT_EQ(image.height, 2);
+  for (size_t i = 0; i < 8; ++i) EXPECT_EQ(image.pixels[i], glm::vec3(0.25f, 0.5f, static_cast<float>(i)));
   std::ifstream in(file.path, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(in)), {});
   EXPECT_THROW(readOpenExr(bytes.substr(0, bytes.size() / 2)), std::exception);

@@ -35,7 +35,7 @@ class Lamps {
   float factor_;  // of their colours
 };
 
-/// Null if no light is visible, or if the batch has layers or no lit surface, as in pictures for picking.
+/// Null if no light is visible, or if the batch has layers or no lit surface, as in images for picking.
 /// Arguments as for the constructor.
 std::unique_ptr<const Lamps> makeLamps(const scene::Snapshot&, const Relit&, const RaySetup& eyeRays,
                                        const DepthMap&);

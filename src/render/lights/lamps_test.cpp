@@ -38,17 +38,17 @@ TEST(Lamps, AreSeenAtTheirPlaceAndDepth) {
   for (const bool paths : {false, true}) {
     const LightFile file(std::string("[[light]]\nkind = 'sphere'\nposition = [0, 0, 1]\nradius = 0.5\n") +
                          kGreen);
-    const Radiances picture = radiances(halfWall(file.name, paths));
-    EXPECT_NEAR(picture.traced.depth(kMiddle, kMiddle), depthOf(1.5f), 2e-4f);
+    const Radiances image = radiances(halfWall(file.name, paths));
+    EXPECT_NEAR(image.traced.depth(kMiddle, kMiddle), depthOf(1.5f), 2e-4f);
     // The rim of a ball of radius 0.5 at distance 4.
     const float rim = std::tan(std::asin(0.5f / 4)) / std::tan(glm::radians(20.0f)) * kMiddle;
     for (int y = 0; y < kPathSize; ++y)
       for (int x = 0; x < kPathSize; ++x) {
         const float from = std::hypot(float(x - kMiddle) + 0.5f, float(y - kMiddle) + 0.5f);
-        EXPECT_EQ(isGreen(picture, x, y), from < rim) << x << ',' << y;
+        EXPECT_EQ(isGreen(image, x, y), from < rim) << x << ',' << y;
       }
-    EXPECT_TRUE(picture.hit(0, 0));
-    EXPECT_FALSE(picture.hit(kPathSize - 1, 0)) << "nothing is there";
+    EXPECT_TRUE(image.hit(0, 0));
+    EXPECT_FALSE(image.hit(kPathSize - 1, 0)) << "nothing is there";
   }
 }
 
@@ -56,10 +56,10 @@ TEST(Lamps, AreHiddenBySurfacesBeforeThem) {
   const LightFile file(
       std::string("[[light]]\nkind = 'disc'\nposition = [0, 0, -1]\ndirection = [0, 0, 1]\n") + kGreen);
   for (const bool paths : {false, true}) {
-    const Radiances picture = radiances(halfWall(file.name, paths));
-    EXPECT_FALSE(isGreen(picture, kMiddle - 1, kMiddle));
-    EXPECT_TRUE(isGreen(picture, kMiddle, kMiddle));
-    EXPECT_NEAR(picture.traced.depth(kMiddle, kMiddle), depthOf(-1), 1e-5f);
+    const Radiances image = radiances(halfWall(file.name, paths));
+    EXPECT_FALSE(isGreen(image, kMiddle - 1, kMiddle));
+    EXPECT_TRUE(isGreen(image, kMiddle, kMiddle));
+    EXPECT_NEAR(image.traced.depth(kMiddle, kMiddle), depthOf(-1), 1e-5f);
   }
 }
 
@@ -67,9 +67,9 @@ TEST(Lamps, ShowTheirFrontAlone) {
   for (const char* kind : {"disc", "rectangle"}) {
     const LightFile file("[[light]]\nkind = '" + std::string(kind) +
                          "'\nposition = [0, 0, 1]\ndirection = [0, 0, -1]\n" + kGreen);
-    const Radiances picture = radiances(halfWall(file.name, false));
-    EXPECT_FALSE(isGreen(picture, kMiddle - 1, kMiddle));
-    EXPECT_FALSE(picture.hit(kMiddle, kMiddle));
+    const Radiances image = radiances(halfWall(file.name, false));
+    EXPECT_FALSE(isGreen(image, kMiddle - 1, kMiddle));
+    EXPECT_FALSE(image.hit(kMiddle, kMiddle));
   }
 }
 
@@ -77,10 +77,10 @@ TEST(Lamps, AreSeenBeforeTheNearPlaneAndBeyondTheFarOne) {
   for (const float z : {4.95f, -2000.0f}) {
     const LightFile file("[[light]]\nkind = 'rectangle'\nposition = [0, 0, " + std::to_string(z) +
                          "]\ndirection = [0, 0, 1]\nwidth = 1e4\nheight = 1e4\n" + kGreen);
-    const Radiances picture = radiances(halfWall(file.name, false));
-    EXPECT_EQ(isGreen(picture, 0, 0), z > 0);
-    EXPECT_TRUE(isGreen(picture, kPathSize - 1, 0));
-    const float depth = picture.traced.depth(kPathSize - 1, 0);
+    const Radiances image = radiances(halfWall(file.name, false));
+    EXPECT_EQ(isGreen(image, 0, 0), z > 0);
+    EXPECT_TRUE(isGreen(image, kPathSize - 1, 0));
+    const float depth = image.traced.depth(kPathSize - 1, 0);
     EXPECT_EQ(depth == 0, z > 0) << depth;
     EXPECT_LT(depth, 1) << "in front of what the framebuffer is cleared to";
   }
@@ -89,19 +89,19 @@ TEST(Lamps, AreSeenBeforeTheNearPlaneAndBeyondTheFarOne) {
 TEST(Lamps, DistantOnesAreDiscsBehindEverything) {
   const LightFile file(std::string("[[light]]\nkind = 'distant'\ndirection = [0, 0, 1]\nangle = 10\n") +
                        kGreen);
-  const Radiances picture = radiances(halfWall(file.name, false));
+  const Radiances image = radiances(halfWall(file.name, false));
   const float rim = std::tan(glm::radians(5.0f)) / std::tan(glm::radians(20.0f)) * kMiddle;
   for (int x = 0; x < kPathSize; ++x) {
     const float from = std::hypot(float(x - kMiddle) + 0.5f, 0.5f);
-    EXPECT_EQ(isGreen(picture, x, kMiddle), x >= kMiddle && from < rim) << x;
+    EXPECT_EQ(isGreen(image, x, kMiddle), x >= kMiddle && from < rim) << x;
   }
 }
 
 TEST(Lamps, InvisibleOnesAreNotSeen) {
   for (const bool paths : {false, true}) {
     const LightFile file("[[light]]\nkind = 'sphere'\nposition = [1, 0, 1]\nradius = 0.5\n");
-    const Radiances picture = radiances(halfWall(file.name, paths));
-    for (int x = kMiddle; x < kPathSize; ++x) EXPECT_FALSE(picture.hit(x, kMiddle));
+    const Radiances image = radiances(halfWall(file.name, paths));
+    for (int x = kMiddle; x < kPathSize; ++x) EXPECT_FALSE(image.hit(x, kMiddle));
   }
 }
 
@@ -128,21 +128,21 @@ TEST(Lamps, AreSeenInParallelViewsFromThePlaneOfTheEye) {
                          "]\nradius = 0.5\n" + kGreen);
     scene::Snapshot s = halfWall(file.name, false);
     s.camera.clipFromEye = glm::ortho(-2.0, 2.0, -2.0, 2.0, 2.0, 100.0);
-    const Radiances picture = radiances(s);
+    const Radiances image = radiances(s);
     for (int x = 0; x < kPathSize; ++x) {
       const float at = (float(x) + 0.5f - kMiddle) / kMiddle * 2, y = 0.5f / kMiddle * 2;
-      EXPECT_EQ(isGreen(picture, x, kMiddle), z < 5 && std::hypot(at - 1, y) < 0.5f) << x;
+      EXPECT_EQ(isGreen(image, x, kMiddle), z < 5 && std::hypot(at - 1, y) < 0.5f) << x;
     }
   }
 }
 
-TEST(Lamps, PicturesToPickFromHaveNone) {
+TEST(Lamps, ImagesToPickFromHaveNone) {
   const LightFile file(std::string("[[light]]\nkind = 'sphere'\nposition = [1, 0, 1]\nradius = 0.5\n") +
                        kGreen);
   scene::Snapshot s = halfWall(file.name, false);
   s.shadings[0].lighting = false;
-  const Radiances picture = radiances(s);
-  for (int x = kMiddle; x < kPathSize; ++x) EXPECT_FALSE(picture.hit(x, kMiddle));
+  const Radiances image = radiances(s);
+  for (int x = kMiddle; x < kPathSize; ++x) EXPECT_FALSE(image.hit(x, kMiddle));
 }
 
 }  // namespace

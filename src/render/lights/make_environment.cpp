@@ -3,8 +3,8 @@
 #include "base/log.h"
 #include "base/never_destroyed.h"
 #include "render/lights/dome.h"
-#include "render/lights/picture_files.h"
 #include "render/lights/preetham.h"
+#include "render/lights/sky_files.h"
 #include "render/lights/sky_image.h"
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 namespace gluray::render {
 namespace {
 
-/// The last picture that was read or computed.
+/// The last image that was read or computed.
 class LastSky {
  public:
   /// `make` is called where `key` differs from the last one's. Null: it failed and there is no earlier one.
@@ -60,9 +60,9 @@ std::shared_ptr<const SkyImage> skyOf(const Settings& settings) {
   return lastSky().get("image " + e.file + ' ' + std::to_string(time), [&] {
     if (e.file.empty()) throw std::runtime_error("environment = image needs environment.file");
     try {
-      return readSkyPicture(e.file);
+      return readSkyPixels(e.file);
     } catch (const std::bad_alloc&) {
-      throw std::runtime_error(e.file + ": no memory for the picture");
+      throw std::runtime_error(e.file + ": no memory for the image");
     } catch (const std::exception& why) { throw std::runtime_error(e.file + ": " + why.what()); }
   });
 }

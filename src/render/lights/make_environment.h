@@ -7,8 +7,8 @@
 
 namespace gluray::render {
 
-/// Makes the environment in the eye space of a view. The last picture stays in memory while its file does not
-/// change. If a file cannot be read, logs one line and uses the last valid picture, or a constant
+/// Makes the environment in the eye space of a view. The last image stays in memory while its file does not
+/// change. If a file cannot be read, logs one line and uses the last valid image, or a constant
 /// environment.
 std::shared_ptr<const Environment> makeEnvironment(const Settings&, const glm::dmat4& eyeFromWorld);
 

@@ -47,31 +47,31 @@ glm::vec3 colorOf(float luminance, float x, float y) {
 }
 
 /// Adds the sun to the pixels near its direction, as if it were `kRadius` wide.
-void addSun(SkyPicture& picture, const glm::vec3& sun, const glm::vec3& irradiance) {
-  constexpr float kRadius = 0.02f;  // radians; the true sun has 0.0047, less than a pixel of the picture
+void addSun(SkyPixels& image, const glm::vec3& sun, const glm::vec3& irradiance) {
+  constexpr float kRadius = 0.02f;  // radians; the true sun has 0.0047, less than a pixel of the image
   const float cosine = std::cos(kRadius);
   const glm::vec3 radiance = irradiance / (2 * kPi * (1 - cosine));
-  for (int y = 0; y < picture.height / 2; ++y)
-    for (int x = 0; x < picture.width; ++x) {
+  for (int y = 0; y < image.height / 2; ++y)
+    for (int x = 0; x < image.width; ++x) {
       // The share of the pixel that the disc covers, by 4 x 4 points.
       int covered = 0;
       for (int k = 0; k < 16; ++k) {
         const float polar = kPi * (static_cast<float>(y) + (static_cast<float>(k / 4) + 0.5f) / 4) /
-                            static_cast<float>(picture.height),
+                            static_cast<float>(image.height),
                     azimuth = 2 * kPi * (static_cast<float>(x) + (static_cast<float>(k % 4) + 0.5f) / 4) /
-                              static_cast<float>(picture.width);
+                              static_cast<float>(image.width);
         const glm::vec3 d(std::sin(polar) * std::cos(azimuth), std::cos(polar),
                           std::sin(polar) * std::sin(azimuth));
         covered += glm::dot(d, sun) > cosine;
       }
-      picture.pixels[static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)] +=
+      image.pixels[static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x)] +=
           radiance * (static_cast<float>(covered) / 16);
     }
 }
 
 }  // namespace
 
-SkyPicture preethamSky(const glm::vec3& towardsSun, float t, const glm::vec3& ground) {
+SkyPixels preethamSky(const glm::vec3& towardsSun, float t, const glm::vec3& ground) {
   constexpr int kWidth = 512, kHeight = 256;
   const float length = glm::length(towardsSun);
   glm::vec3 sun = length > 0 ? towardsSun / length : glm::vec3(0, 1, 0);
@@ -86,7 +86,7 @@ SkyPicture preethamSky(const glm::vec3& towardsSun, float t, const glm::vec3& gr
   const float zenithX = zenith(kZenithX, t, angle), zenithY = zenith(kZenithY, t, angle);
   // The zenith's luminance is the unit.
   const float atZenith[] = {luminance(1, angle), x(1, angle), y(1, angle)};
-  SkyPicture picture{kWidth, kHeight, std::vector<glm::vec3>(size_t{kWidth} * kHeight, ground)};
+  SkyPixels image{kWidth, kHeight, std::vector<glm::vec3>(size_t{kWidth} * kHeight, ground)};
   double light = 0;  // irradiance of a level surface
   for (int row = 0; row < kHeight / 2; ++row)
     for (int column = 0; column < kWidth; ++column) {
@@ -97,18 +97,18 @@ SkyPicture preethamSky(const glm::vec3& towardsSun, float t, const glm::vec3& gr
       const float cosTheta = std::max(d.y, 0.01f),
                   gamma = std::acos(std::clamp(glm::dot(d, sun), -1.0f, 1.0f));
       const float bright = luminance(cosTheta, gamma) / atZenith[0];
-      picture.pixels[static_cast<size_t>(row) * kWidth + static_cast<size_t>(column)] = colorOf(
+      image.pixels[static_cast<size_t>(row) * kWidth + static_cast<size_t>(column)] = colorOf(
           bright, zenithX * x(cosTheta, gamma) / atZenith[1], zenithY * y(cosTheta, gamma) / atZenith[2]);
       light +=
           double{bright} * double{d.y} * std::sin(double{polar}) * (M_PI / kHeight) * (2 * M_PI / kWidth);
     }
   // A level white surface under the sky alone shows 1.
   const auto scale = static_cast<float>(M_PI / light);
-  for (int i = 0; i < kWidth * kHeight / 2; ++i) picture.pixels[static_cast<size_t>(i)] *= scale;
+  for (int i = 0; i < kWidth * kHeight / 2; ++i) image.pixels[static_cast<size_t>(i)] *= scale;
   // The sun gives what it faces 1.5 times that; lower, it is redder.
   const float low = 1 - sun.y;
-  addSun(picture, sun, 1.5f * kPi * glm::vec3(1, 0.95f - 0.35f * low * low, 0.88f - 0.7f * low * low));
-  return picture;
+  addSun(image, sun, 1.5f * kPi * glm::vec3(1, 0.95f - 0.35f * low * low, 0.88f - 0.7f * low * low));
+  return image;
 }
 
 }  // namespace gluray::render

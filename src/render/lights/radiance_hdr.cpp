@@ -1,4 +1,4 @@
-#include "render/lights/picture_files.h"
+#include "render/lights/sky_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +15,12 @@ struct Bytes {
   const std::string& all;
   size_t at = 0;
   uint8_t next() {
-    if (at >= all.size()) throw std::runtime_error("the picture ends early");
+    if (at >= all.size()) throw std::runtime_error("the image ends early");
     return static_cast<uint8_t>(all[at++]);
   }
   std::string line() {
     const size_t end = all.find('\n', at);
-    if (end == std::string::npos) throw std::runtime_error("the picture has no header");
+    if (end == std::string::npos) throw std::runtime_error("the image has no header");
     std::string text = all.substr(at, end - at);
     at = end + 1;
     return text;
@@ -71,25 +71,25 @@ void readRow(Bytes& bytes, size_t width, std::vector<uint8_t>& row) {
 
 }  // namespace
 
-SkyPicture readRadiance(const std::string& content) {
+SkyPixels readRadiance(const std::string& content) {
   Bytes bytes{content};
   const std::string magic = bytes.line();
-  if (!magic.starts_with("#?")) throw std::runtime_error("it is no Radiance picture");
+  if (!magic.starts_with("#?")) throw std::runtime_error("it is no Radiance image");
   for (std::string line = bytes.line(); !line.empty() && line != "\r"; line = bytes.line())
     if (line.starts_with("FORMAT=") && line.find("32-bit_rle_rgbe") == std::string::npos)
-      throw std::runtime_error("only Radiance pictures of the format 32-bit_rle_rgbe can be read");
+      throw std::runtime_error("only Radiance images of the format 32-bit_rle_rgbe can be read");
   int width = 0, height = 0;
   if (std::sscanf(bytes.line().c_str(), "-Y %d +X %d", &height, &width) != 2 || width <= 0 || height <= 0)
     throw std::runtime_error("rows must go down and columns right (-Y height +X width)");
   const auto w = static_cast<size_t>(width), h = static_cast<size_t>(height);
-  if (w * h > kMaxPixels) throw std::runtime_error("the picture has more than 33 million pixels");
-  SkyPicture picture{width, height, std::vector<glm::vec3>(w * h)};
+  if (w * h > kMaxPixels) throw std::runtime_error("the image has more than 33 million pixels");
+  SkyPixels image{width, height, std::vector<glm::vec3>(w * h)};
   std::vector<uint8_t> row(4 * w);
   for (size_t y = 0; y < h; ++y) {
     readRow(bytes, w, row);
-    for (size_t x = 0; x < w; ++x) picture.pixels[y * w + x] = colorOf(&row[4 * x]);
+    for (size_t x = 0; x < w; ++x) image.pixels[y * w + x] = colorOf(&row[4 * x]);
   }
-  return picture;
+  return image;
 }
 
 }  // namespace gluray::render

@@ -4,7 +4,7 @@
 #include "render/lights/light_file.h"
 #include "render/lights/rig.h"
 #include "render/local/lighting_space.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +35,9 @@ class Relighter {
   void relightAll() {
     for (const scene::Instance& instance : snapshot_.instances) out_.shadingOf.push_back(shadingOf(instance));
     for (size_t i = 0; i < snapshot_.instances.size(); ++i) placeLighting(i);
-    if (!rig_ || !snapshot_.surroundings) return;
-    out_.surroundings = snapshot_.surroundings->shadings;
-    for (scene::Shading& s : out_.surroundings)
+    if (!rig_ || !snapshot_.secondaryScene) return;
+    out_.secondaryShadings = snapshot_.secondaryScene->shadings;
+    for (scene::Shading& s : out_.secondaryShadings)
       if (isLit(s)) lightByRig(s);
   }
 

@@ -21,7 +21,7 @@ struct Relit {
   // For each shading: index of its light that is source 0; its number of lights if it has no sources.
   std::vector<size_t> firstSource;
   // Shadings of the snapshot's surroundings, without sources; empty: the surroundings keep their lights.
-  std::vector<scene::Shading> surroundings;
+  std::vector<scene::Shading> secondaryShadings;
   scene::Dome dome;  // shines on all lit surfaces
 };
 

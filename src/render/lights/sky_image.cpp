@@ -10,7 +10,7 @@ namespace {
 
 using bsdf::kPi;
 
-/// From a direction to the picture, and the sine of its angle to the zenith.
+/// From a direction to the image, and the sine of its angle to the zenith.
 glm::vec2 placeOf(const glm::vec3& d, float& sine) {
   const float azimuth = std::atan2(d.z, d.x);
   sine = std::sqrt(d.x * d.x + d.z * d.z);
@@ -27,16 +27,16 @@ glm::vec3 directionAt(const glm::vec2& place, float& sine) {
 
 }  // namespace
 
-SkyImage::SkyImage(SkyPicture picture) : picture_(std::move(picture)) {
+SkyImage::SkyImage(SkyPixels pixels) : pixels_(std::move(pixels)) {
   constexpr float kMax = 1e6f;
-  // The distribution's cells hold several pixels of a large picture.
+  // The distribution's cells hold several pixels of a large image.
   constexpr int kMaxColumns = 2048, kMaxRows = 1024;
-  const int columns = std::min(picture_.width, kMaxColumns), rows = std::min(picture_.height, kMaxRows);
+  const int columns = std::min(pixels_.width, kMaxColumns), rows = std::min(pixels_.height, kMaxRows);
   std::vector<float> weights(static_cast<size_t>(columns) * static_cast<size_t>(rows));
-  for (size_t i = 0; i < picture_.pixels.size(); ++i) {
-    glm::vec3& c = picture_.pixels[i];
+  for (size_t i = 0; i < pixels_.pixels.size(); ++i) {
+    glm::vec3& c = pixels_.pixels[i];
     for (int k = 0; k < 3; ++k) c[k] = std::isfinite(c[k]) ? std::clamp(c[k], 0.0f, kMax) : 0;
-    const auto w = static_cast<size_t>(picture_.width), h = static_cast<size_t>(picture_.height);
+    const auto w = static_cast<size_t>(pixels_.width), h = static_cast<size_t>(pixels_.height);
     const size_t column = i % w * static_cast<size_t>(columns) / w,
                  row = i / w * static_cast<size_t>(rows) / h;
     const float sine = std::sin(kPi * (static_cast<float>(row) + 0.5f) / static_cast<float>(rows));
@@ -48,11 +48,10 @@ SkyImage::SkyImage(SkyPicture picture) : picture_(std::move(picture)) {
 /// Constant in each pixel, as the distribution is: bright pixels beside dark ones are drawn as they are seen.
 glm::vec3 SkyImage::at(const glm::vec2& place) const {
   const int x =
-      std::clamp(static_cast<int>(place.x * static_cast<float>(picture_.width)), 0, picture_.width - 1);
+      std::clamp(static_cast<int>(place.x * static_cast<float>(pixels_.width)), 0, pixels_.width - 1);
   const int y =
-      std::clamp(static_cast<int>(place.y * static_cast<float>(picture_.height)), 0, picture_.height - 1);
-  return picture_
-      .pixels[static_cast<size_t>(y) * static_cast<size_t>(picture_.width) + static_cast<size_t>(x)];
+      std::clamp(static_cast<int>(place.y * static_cast<float>(pixels_.height)), 0, pixels_.height - 1);
+  return pixels_.pixels[static_cast<size_t>(y) * static_cast<size_t>(pixels_.width) + static_cast<size_t>(x)];
 }
 
 glm::vec3 SkyImage::radiance(const glm::vec3& direction) const {
@@ -65,7 +64,7 @@ Environment::Arriving SkyImage::sample(const glm::vec2& u) const {
   const glm::vec2 place = distribution_.sample(u, density);
   const glm::vec3 direction = directionAt(place, sine);
   if (!(density > 0) || !(sine > 0)) return {};
-  // The picture covers 2 pi * pi of angles, and a part at the zenith less of the sphere.
+  // The image covers 2 pi * pi of angles, and a part at the zenith less of the sphere.
   return {direction, at(place), density / (2 * kPi * kPi * sine)};
 }
 

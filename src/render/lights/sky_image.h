@@ -1,4 +1,4 @@
-// Environment light from a latitude-longitude picture. Immutable once made; any thread.
+// Environment light from a latitude-longitude image. Immutable once made; any thread.
 #pragma once
 #include "render/lights/distribution2d.h"
 #include "render/lights/environment.h"
@@ -10,7 +10,7 @@ namespace gluray::render {
 
 /// Linear colours; the first row is the zenith. Column 0 begins at azimuth 0, where +x is; y is up; azimuth
 /// grows to +z.
-struct SkyPicture {
+struct SkyPixels {
   int width = 0, height = 0;
   std::vector<glm::vec3> pixels;
 };
@@ -18,14 +18,14 @@ struct SkyPicture {
 class SkyImage {
  public:
   /// Values that are not finite count as 0; others are kept within 0 .. 1e6.
-  explicit SkyImage(SkyPicture);
+  explicit SkyImage(SkyPixels);
   glm::vec3 radiance(const glm::vec3& direction) const;
   Environment::Arriving sample(const glm::vec2&) const;
   float pdf(const glm::vec3& direction) const;
 
  private:
   glm::vec3 at(const glm::vec2& place) const;
-  SkyPicture picture_;
+  SkyPixels pixels_;
   Distribution2D distribution_;
 };
 

@@ -210,7 +210,7 @@ TEST(Lighting, NormalsThroughScaledModelviews) {
   auto s = litScene(normal);
   const glm::dmat4 modelview = glm::scale(glm::dmat4(1), {2, 2, 2});
   s.eyeFromWorld = s.instances[0].eyeFromObject = modelview;
-  s.camera.clipFromEye = s.camera.clipFromEye * glm::inverse(modelview);  // keeps the picture
+  s.camera.clipFromEye = s.camera.clipFromEye * glm::inverse(modelview);  // keeps the image
   const auto red = [&] { return trace(s).color(16, 16).r; };
   const float ambient = 0.04f * 255, diffuse = 0.8f * 255 * 2 / 3;
   EXPECT_NEAR(red(), ambient + diffuse / 2, kTolerance);  // raw: the inverse transpose halves the normal

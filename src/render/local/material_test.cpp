@@ -68,7 +68,7 @@ TEST(ColorMaterial, EachModeFollowsTheVertexColors) {
   s.instances[0].materials[0] = {black, black};
   const struct {
     Mode::Mode mode;
-    float factor;  // of the colour that reaches the picture
+    float factor;  // of the colour that reaches the image
     bool alpha;
   } cases[] = {{Mode::emission, 1, false},
                {Mode::ambient, 0.5f, false},

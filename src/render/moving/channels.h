@@ -1,6 +1,6 @@
 // The channels of Factors that a film stores: the used ones, with grey visibility stored once. Any thread.
 #pragma once
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 
 #include <algorithm>
 
@@ -9,21 +9,21 @@ namespace gluray::render {
 struct Channels {
   static constexpr int kMax = 1 + 3 * kShadowLights;
 
-  UsedFactors used;
+  UsedVisibility used;
   int perLight() const { return used.colored ? 3 : 1; }
   int count() const { return (used.occlusion ? 1 : 0) + used.lights * perLight(); }
-  Row& rowOf(Factors& factors, int channel) const {
-    if (used.occlusion && channel-- == 0) return factors.occlusion;
-    return factors.visibility[channel / perLight()][channel % perLight()];
+  Row& rowOf(Visibility& visibility, int channel) const {
+    if (used.occlusion && channel-- == 0) return visibility.occlusion;
+    return visibility.lights[channel / perLight()][channel % perLight()];
   }
-  const Row& rowOf(const Factors& factors, int channel) const {
-    return rowOf(const_cast<Factors&>(factors), channel);
+  const Row& rowOf(const Visibility& visibility, int channel) const {
+    return rowOf(const_cast<Visibility&>(visibility), channel);
   }
   /// Copies grey visibility to its other two rows.
-  void spread(Factors& factors) const {
+  void spread(Visibility& visibility) const {
     for (int light = 0; light < used.lights && !used.colored; ++light)
       for (int c = 1; c < 3; ++c)
-        std::copy_n(factors.visibility[light][0], kLanes, factors.visibility[light][c]);
+        std::copy_n(visibility.lights[light][0], kLanes, visibility.lights[light][c]);
   }
   bool operator==(const Channels&) const = default;
 };

@@ -25,67 +25,69 @@ HWY_ATTR inline uint32_t tracedLanes(const MovingFrame& moving, uint32_t lanes, 
   return traced & lanes;
 }
 
-/// Indices of the packet's pixels on the film.
+/// Indices of the packet's pixels in the buffer.
 HWY_ATTR inline void pixelsOf(const MovingFrame& moving, const ColoredHits& hits, const scene::Region& region,
                               uint32_t (&pixels)[kLanes]) {
   const IntTag d;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Ints x = hn::ConvertTo(d, hn::Sub(load(hits.x + i), splat(static_cast<float>(region.x)))),
                y = hn::ConvertTo(d, hn::Sub(load(hits.y + i), splat(static_cast<float>(region.y))));
-    const Ints at = hn::Add(hn::Mul(y, hn::Set(d, moving.film->width)), x);
+    const Ints at = hn::Add(hn::Mul(y, hn::Set(d, moving.visibility->width)), x);
     hn::Store(hn::BitCast(WordTag(), at), WordTag(), pixels + i);
   }
 }
 
-/// Puts the surfaces and what is known of them onto the film.
+/// Puts the surfaces and what is known of them into the buffer.
 HWY_ATTR inline void storePixels(const MovingFrame& moving, uint32_t lanes, const uint32_t (&pixels)[kLanes],
                                  const SurfacePoints& points, const Known& known) {
-  FactorFilm& film = *moving.film;
-  const FilmSpace& space = moving.space;
+  VisibilityBuffer& buffer = *moving.visibility;
+  const PixelSpace& space = moving.space;
   alignas(64) uint32_t word0[kLanes], word1[kLanes];
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float depth =
         hn::Add(dot(splat(glm::vec3(space.depth)), load3(points.eye, i)), splat(space.depth.w));
-    const Float second = film.factors > 1 ? load(moving.channels.rowOf(known.factors, 1) + i) : splat(0);
-    const FactorPixels packed{depth, load(known.samples + i),
-                              load(moving.channels.rowOf(known.factors, 0) + i), second,
-                              load3(points.shading, i)};
+    const Float second =
+        buffer.channels > 1 ? load(moving.channels.rowOf(known.visibility, 1) + i) : splat(0);
+    const VisibilityPixels packed{depth, load(known.samples + i),
+                                  load(moving.channels.rowOf(known.visibility, 0) + i), second,
+                                  load3(points.shading, i)};
     hn::Store(packed.word0(), WordTag(), word0 + i), hn::Store(packed.word1(), WordTag(), word1 + i);
   }
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    film.words[2 * size_t{pixels[i]}] = word0[i], film.words[2 * size_t{pixels[i]} + 1] = word1[i];
-    for (int f = 2; f < film.factors; ++f)
-      film.setMore(f, pixels[i], moving.channels.rowOf(known.factors, f)[i]);
+    buffer.words[2 * size_t{pixels[i]}] = word0[i], buffer.words[2 * size_t{pixels[i]} + 1] = word1[i];
+    for (int f = 2; f < buffer.channels; ++f)
+      buffer.setMore(f, pixels[i], moving.channels.rowOf(known.visibility, f)[i]);
   }
 }
 
 /// Traces the rays of the points that wait, and adds their samples to what is known.
 HWY_ATTR void traceWaiting(const Collector& c, WaitingPoints& waiting) {
   const MovingFrame& moving = c.moving;
-  FactorFilm& film = *moving.film;
+  VisibilityBuffer& buffer = *moving.visibility;
   waiting.asked.lanes = (1u << waiting.count) - 1;
-  Factors fresh{};
-  c.factors.estimate(waiting.asked, fresh);
+  Visibility fresh{};
+  c.integrator.estimate(waiting.asked, fresh);
   alignas(64) uint32_t first[kLanes], second[kLanes] = {};
   const Float added = splat(static_cast<float>(moving.rays.perPixel));
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float before = load(waiting.samples + i), sum = hn::Add(before, added), share = hn::Div(added, sum);
-    for (int f = 0; f < film.factors; ++f) {
-      const Float old = load(waiting.factors[f] + i), now = load(moving.channels.rowOf(fresh, f) + i);
-      store(hn::MulAdd(share, hn::Sub(now, old), old), waiting.factors[f] + i);
+    for (int f = 0; f < buffer.channels; ++f) {
+      const Float old = load(waiting.visibility[f] + i), now = load(moving.channels.rowOf(fresh, f) + i);
+      store(hn::MulAdd(share, hn::Sub(now, old), old), waiting.visibility[f] + i);
     }
-    const Words samples = toWord(hn::Min(sum, splat(static_cast<float>(FactorFilm::kMaxSamples))));
-    hn::Store(packFactor(load(waiting.factors[0] + i)), WordTag(), first + i);
-    const Words other = film.factors > 1 ? packFactor(load(waiting.factors[1] + i)) : hn::Zero(WordTag());
+    const Words samples = toWord(hn::Min(sum, splat(static_cast<float>(VisibilityBuffer::kMaxSamples))));
+    hn::Store(packVisibility(load(waiting.visibility[0] + i)), WordTag(), first + i);
+    const Words other =
+        buffer.channels > 1 ? packVisibility(load(waiting.visibility[1] + i)) : hn::Zero(WordTag());
     hn::Store(hn::Or(hn::ShiftLeft<12>(samples), other), WordTag(), second + i);
   }
   for (int i = 0; i < waiting.count; ++i) {
     const uint32_t pixel = waiting.pixel[i];
-    uint32_t* words = film.words.data() + 2 * size_t{pixel};
-    words[0] = (words[0] & ~FactorFilm::kFactorBits) | first[i];
-    words[1] = (words[1] & FactorFilm::kNormalBits) | second[i];
-    for (int f = 2; f < film.factors; ++f) film.setMore(f, pixel, waiting.factors[f][i]);
+    uint32_t* words = buffer.words.data() + 2 * size_t{pixel};
+    words[0] = (words[0] & ~VisibilityBuffer::kVisibilityBits) | first[i];
+    words[1] = (words[1] & VisibilityBuffer::kNormalBits) | second[i];
+    for (int f = 2; f < buffer.channels; ++f) buffer.setMore(f, pixel, waiting.visibility[f][i]);
   }
   waiting.count = 0;
 }
@@ -104,8 +106,8 @@ HWY_ATTR inline void wait(const Collector& c, const ColoredHits& hits, const Sur
   to.asked.x[at] = hits.x[lane], to.asked.y[at] = hits.y[lane];
   to.asked.instance[at] = hits.instance, to.asked.place[at] = static_cast<uint32_t>(lane);
   to.pixel[at] = pixel, to.samples[at] = known.samples[lane];
-  for (int f = 0; f < c.moving.film->factors; ++f)
-    to.factors[f][at] = c.moving.channels.rowOf(known.factors, f)[lane];
+  for (int f = 0; f < c.moving.visibility->channels; ++f)
+    to.visibility[f][at] = c.moving.channels.rowOf(known.visibility, f)[lane];
   if (to.count == kLanes) traceWaiting(c, to);
 }
 
@@ -118,7 +120,7 @@ HWY_ATTR void collect(const Collector& c, const ColoredHits& hits) {
   } else {
     for (float& samples : known.samples) samples = 0;
     for (int f = 0; f < c.moving.channels.count(); ++f)
-      std::fill_n(c.moving.channels.rowOf(known.factors, f), kLanes, 0.0f);
+      std::fill_n(c.moving.channels.rowOf(known.visibility, f), kLanes, 0.0f);
   }
   alignas(64) uint32_t pixels[kLanes];
   pixelsOf(c.moving, hits, c.frame.snapshot->region, pixels);

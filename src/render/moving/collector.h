@@ -1,6 +1,6 @@
-// Writes hits to the film with their reprojected history, and traces their factors of light.
+// Writes hits to the film with their reprojected history, and traces their visibility.
 #pragma once
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/integrators/metric.h"
 #include "render/moving/moving_frame.h"
 #include "render/moving/waiting_points.h"
@@ -11,9 +11,9 @@ namespace gluray::render {
 class Collector final : public Integrator {
  public:
   /// All must outlive it.
-  Collector(const FrameData& frame, const MovingFrame& moving, const FactorIntegrator& factors,
+  Collector(const FrameData& frame, const MovingFrame& moving, const VisibilityIntegrator& integrator,
             const Metric& metric)
-      : frame(frame), moving(moving), factors(factors), metric(metric) {}
+      : frame(frame), moving(moving), integrator(integrator), metric(metric) {}
   /// Adds points that need rays to ColoredHits::waiting, and traces each full packet of them.
   void light(const ColoredHits&, ColorRows&) const noexcept override;
   /// Traces the remaining points.
@@ -21,7 +21,7 @@ class Collector final : public Integrator {
 
   const FrameData& frame;
   const MovingFrame& moving;
-  const FactorIntegrator& factors;
+  const VisibilityIntegrator& integrator;
   const Metric& metric;
 };
 

@@ -17,7 +17,7 @@ namespace gluray::render {
 
 HWY_EXPORT(filterTile);
 
-void filterTile(const MovingFrame& moving, const Tile& tile, TileFactors& out) {
+void filterTile(const MovingFrame& moving, const Tile& tile, TileVisibility& out) {
   HWY_DYNAMIC_DISPATCH(filterTile)(moving, tile, out);
 }
 

@@ -1,4 +1,4 @@
-// The edge-stopping filter of factors. Compiled once for each instruction set.
+// The edge-stopping filter of visibility. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FILTER_INL_H_
 #undef GLURAY_RENDER_FILTER_INL_H_
@@ -6,8 +6,8 @@
 #define GLURAY_RENDER_FILTER_INL_H_
 #endif
 
-#include "render/moving/factor_pixels.inl.h"
 #include "render/moving/filter.h"
+#include "render/moving/visibility_pixels.inl.h"
 #include "render/tiles/tile.h"
 
 #include <cstring>
@@ -16,33 +16,35 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-constexpr int kReach = 4, kNarrow = 2;             // pixels about one that count: at most; usually
-constexpr int kFilmRows = kTileSize + 2 * kReach;  // of a tile with its surroundings
-constexpr int kPadded = kTileSize + kLanes;        // columns: whole vectors about any pixel's surroundings
+constexpr int kReach = 4, kNarrow = 2;                 // pixels about one that count: at most; usually
+constexpr int kUnpackedRows = kTileSize + 2 * kReach;  // of a tile with its surroundings
+constexpr int kPadded = kTileSize + kLanes;  // columns: whole vectors about any pixel's surroundings
 // Weights by distance: both kinds see each of the 4 x 4 directions of a packet equally often.
 constexpr float kNarrowWeights[] = {1, 1, 0.5f, 0, 0}, kWideWeights[] = {1, 1, 1, 1, 0.5f};
 constexpr float kFewSamples = 8;  // pixels with so few are smoothed over more of their neighbours
 
-using FilmRow = float[kPadded];
+using UnpackedRow = float[kPadded];
 
-/// A tile's part of the film, unpacked; pixel (x, y) of the tile is at [y + kReach][x + kReach].
+/// A tile's part of the buffer, unpacked; pixel (x, y) of the tile is at [y + kReach][x + kReach].
 struct UnpackedTile {
-  alignas(64) FilmRow depth[kFilmRows], samples[kFilmRows], x[kFilmRows], y[kFilmRows], z[kFilmRows];
-  alignas(64) FilmRow factor[2][kFilmRows];
+  alignas(64) UnpackedRow depth[kUnpackedRows], samples[kUnpackedRows], x[kUnpackedRows], y[kUnpackedRows],
+      z[kUnpackedRows];
+  alignas(64) UnpackedRow visibility[2][kUnpackedRows];
   bool shows = false;  // anything
 };
 
-HWY_ATTR inline void unpackTile(const FactorFilm& film, const Tile& tile, UnpackedTile& out) {
+HWY_ATTR inline void unpackTile(const VisibilityBuffer& buffer, const Tile& tile, UnpackedTile& out) {
   const WordTag d;
-  const int left = tile.x0 - kReach, from = std::max(left, 0), to = std::min(left + kFilmRows, film.width);
+  const int left = tile.x0 - kReach, from = std::max(left, 0),
+            to = std::min(left + kUnpackedRows, buffer.width);
   Words any = hn::Zero(d);
   alignas(64) uint32_t words[2 * kPadded] = {};
-  for (int row = 0; row < kFilmRows; ++row) {
+  for (int row = 0; row < kUnpackedRows; ++row) {
     const int y = tile.y0 - kReach + row;
-    if (y >= 0 && y < film.height) {
+    if (y >= 0 && y < buffer.height) {
       const size_t first =
-          static_cast<size_t>(y) * static_cast<size_t>(film.width) + static_cast<size_t>(from);
-      std::memcpy(words + 2 * (from - left), film.words.data() + 2 * first,
+          static_cast<size_t>(y) * static_cast<size_t>(buffer.width) + static_cast<size_t>(from);
+      std::memcpy(words + 2 * (from - left), buffer.words.data() + 2 * first,
                   8 * static_cast<size_t>(to - from));
     } else {
       std::memset(words, 0, sizeof words);
@@ -51,24 +53,26 @@ HWY_ATTR inline void unpackTile(const FactorFilm& film, const Tile& tile, Unpack
       Words word0, word1;
       hn::LoadInterleaved2(d, words + 2 * x, word0, word1);
       any = hn::Or(any, word1);
-      const FactorPixels p = FactorPixels::unpacked(word0, word1);
+      const VisibilityPixels p = VisibilityPixels::unpacked(word0, word1);
       store(p.depth, out.depth[row] + x), store(p.samples, out.samples[row] + x);
       store(p.normal.x, out.x[row] + x), store(p.normal.y, out.y[row] + x), store(p.normal.z, out.z[row] + x);
-      store(p.first, out.factor[0][row] + x), store(p.second, out.factor[1][row] + x);
+      store(p.first, out.visibility[0][row] + x), store(p.second, out.visibility[1][row] + x);
     }
   }
   out.shows = !hn::AllTrue(d, hn::Eq(any, hn::Zero(d)));
 }
 
-HWY_ATTR inline void unpackMore(const FactorFilm& film, const Tile& tile, int factor, UnpackedTile& out) {
-  const std::vector<uint16_t>& plane = film.more[static_cast<size_t>(factor - 2)];
-  const int left = tile.x0 - kReach, from = std::max(left, 0), to = std::min(left + kFilmRows, film.width);
-  for (int row = 0; row < kFilmRows; ++row) {
+HWY_ATTR inline void unpackMore(const VisibilityBuffer& buffer, const Tile& tile, int channel,
+                                UnpackedTile& out) {
+  const std::vector<uint16_t>& plane = buffer.more[static_cast<size_t>(channel - 2)];
+  const int left = tile.x0 - kReach, from = std::max(left, 0),
+            to = std::min(left + kUnpackedRows, buffer.width);
+  for (int row = 0; row < kUnpackedRows; ++row) {
     const int y = tile.y0 - kReach + row;
-    if (y < 0 || y >= film.height) continue;  // has no samples
-    const uint16_t* in = plane.data() + static_cast<size_t>(y) * static_cast<size_t>(film.width);
+    if (y < 0 || y >= buffer.height) continue;  // has no samples
+    const uint16_t* in = plane.data() + static_cast<size_t>(y) * static_cast<size_t>(buffer.width);
     for (int x = from; x < to; ++x)
-      out.factor[0][row][x - left] = static_cast<float>(in[x]) * (1 / FactorFilm::kLargestMore);
+      out.visibility[0][row][x - left] = static_cast<float>(in[x]) * (1 / VisibilityBuffer::kLargestMore);
   }
 }
 
@@ -81,7 +85,7 @@ struct Center {
   Float alongRay;  // dot(normal, ray)
 };
 
-HWY_ATTR inline Center centerAt(const FilmSpace& space, const UnpackedTile& tile, int x0, int y0, int row,
+HWY_ATTR inline Center centerAt(const PixelSpace& space, const UnpackedTile& tile, int x0, int y0, int row,
                                 int x) {
   constexpr float kOnPlane = 0.5f;  // pixels
   Center c;
@@ -95,7 +99,7 @@ HWY_ATTR inline Center centerAt(const FilmSpace& space, const UnpackedTile& tile
 }
 
 /// 1 where the pixels `step` columns or rows away show the same surface, else 0. `base`, `ray`: change of
-/// FilmSpace's for one column or row.
+/// PixelSpace's for one column or row.
 HWY_ATTR inline Float sameSurface(const Center& c, const UnpackedTile& tile, int row, int x, float step,
                                   const glm::vec3& base, const glm::vec3& ray) {
   constexpr float kSameNormal = 0.8f;  // cosine
@@ -109,12 +113,13 @@ HWY_ATTR inline Float sameSurface(const Center& c, const UnpackedTile& tile, int
 
 /// Sums over the pixels of rows.
 struct Sums {
-  alignas(64) float weight[kFilmRows][kTileSize], value[kFilmRows][kTileSize], square[kFilmRows][kTileSize];
+  alignas(64) float weight[kUnpackedRows][kTileSize], value[kUnpackedRows][kTileSize],
+      square[kUnpackedRows][kTileSize];
 };
 /// Which pixels of rows and columns show the same surface as the middle one.
 struct Sides {
   // Bit t: tap t counts; the middle one always does, and has none.
-  alignas(64) uint8_t rows[kFilmRows][kTileSize], columns[kTileSize][kTileSize];
+  alignas(64) uint8_t rows[kUnpackedRows][kTileSize], columns[kTileSize][kTileSize];
   int least = 0;  // of the four nearest: so many must count where pixels farther away do
 };
 
@@ -163,18 +168,18 @@ HWY_ATTR inline Ints loadBits(const uint8_t* from) {
   return hn::PromoteTo(IntTag(), hn::LoadU(bytes, from));
 }
 
-HWY_ATTR inline void findSides(const FilmSpace& space, const UnpackedTile& tile, const Tile& at,
+HWY_ATTR inline void findSides(const PixelSpace& space, const UnpackedTile& tile, const Tile& at,
                                Sides& sides) {
   const IntTag d;
   const auto bit = [&](Float same, int tap) HWY_ATTR {
     const auto counts = hn::RebindMask(d, hn::Ne(same, hn::Zero(FloatTag())));
     return hn::IfThenElseZero(counts, hn::Set(d, bitOf(tap)));
   };
-  for (int row = 0; row < kFilmRows; ++row) {
+  for (int row = 0; row < kUnpackedRows; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       const Center c = centerAt(space, tile, at.x0, at.y0, row, x + kReach);
       Ints rows = hn::Zero(d), columns = rows;
-      const bool inside = row >= kReach && row < kFilmRows - kReach;
+      const bool inside = row >= kReach && row < kUnpackedRows - kReach;
       const TapRange taps(isWide(loadAt(tile.samples[row] + x + kReach)));
       for (int tap = taps.first; tap <= taps.last; ++tap) {
         if (tap == kReach) continue;
@@ -193,16 +198,17 @@ HWY_ATTR inline void findSides(const FilmSpace& space, const UnpackedTile& tile,
   }
 }
 
-HWY_ATTR inline void sumRows(const UnpackedTile& tile, const FilmRow* factor, const Sides& sides, Sums& out) {
+HWY_ATTR inline void sumRows(const UnpackedTile& tile, const UnpackedRow* visibility, const Sides& sides,
+                             Sums& out) {
   const FloatTag d;
-  for (int row = 0; row < kFilmRows; ++row) {
+  for (int row = 0; row < kUnpackedRows; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       const Ints bits = loadBits(sides.rows[row] + x);
       const FloatMask wide = isWide(loadAt(tile.samples[row] + x + kReach), bits, sides.least);
       const TapRange taps(wide);
       Float weight = hn::Zero(d), value = weight, square = weight;
       for (int tap = taps.first; tap <= taps.last; ++tap) {
-        const Float f = loadAt(factor[row] + x + tap);
+        const Float f = loadAt(visibility[row] + x + tap);
         const Float w = hn::Mul(weightOf(bits, wide, tap), loadAt(tile.samples[row] + x + tap));
         weight = hn::Add(weight, w), value = hn::MulAdd(w, f, value),
         square = hn::MulAdd(hn::Mul(w, f), f, square);
@@ -223,7 +229,7 @@ HWY_INLINE Float balanced(Float own, Float samples, Float mean, Float meanSquare
   return hn::MulAdd(share, hn::Sub(own, mean), mean);
 }
 
-HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const FilmRow* factor, const Sides& sides,
+HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const UnpackedRow* visibility, const Sides& sides,
                                 const Sums& sums, int row, Float* out, int x) {
   const FloatTag d;
   const Ints bits = loadBits(sides.columns[row] + x);
@@ -237,33 +243,34 @@ HWY_ATTR inline void sumColumns(const UnpackedTile& tile, const FilmRow* factor,
     square = hn::MulAdd(w, load(sums.square[row + tap] + x), square);
   }
   const Float inverse = hn::Div(splat(1), hn::Max(weight, splat(1e-3f)));
-  const Float own = loadAt(factor[row + kReach] + x + kReach);
+  const Float own = loadAt(visibility[row + kReach] + x + kReach);
   *out = balanced(own, loadAt(tile.samples[row + kReach] + x + kReach), hn::Mul(value, inverse),
                   hn::Mul(square, inverse));
 }
 
-HWY_ATTR inline void filterFactor(const UnpackedTile& tile, const FilmRow* factor, const Sides& sides,
-                                  Sums& sums, const Channels& channels, int number, TileFactors& out) {
-  sumRows(tile, factor, sides, sums);
+HWY_ATTR inline void filterChannel(const UnpackedTile& tile, const UnpackedRow* visibility,
+                                   const Sides& sides, Sums& sums, const Channels& channels, int number,
+                                   TileVisibility& out) {
+  sumRows(tile, visibility, sides, sums);
   alignas(64) float line[kTileSize];
   for (int row = 0; row < kTileSize; ++row) {
     for (int x = 0; x < kTileSize; x += lanesOfVector()) {
       Float filtered;
-      sumColumns(tile, factor, sides, sums, row, &filtered, x);
+      sumColumns(tile, visibility, sides, sums, row, &filtered, x);
       store(filtered, line + x);
     }
     // Lanes are in Z order of 2 x 2 quads.
     const int lane = (row & 1) * 2 + (row & 2) * 4;
     for (int x = 0; x < kTileSize; x += 2)
-      std::memcpy(
-          channels.rowOf(out.packets[row / 4 * TileFactors::kColumns + x / 4], number) + lane + (x & 2) * 2,
-          line + x, 8);
+      std::memcpy(channels.rowOf(out.packets[row / 4 * TileVisibility::kColumns + x / 4], number) + lane +
+                      (x & 2) * 2,
+                  line + x, 8);
   }
 }
 
-HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileFactors& out) {
+HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileVisibility& out) {
   UnpackedTile tile;
-  unpackTile(*moving.film, at, tile);
+  unpackTile(*moving.visibility, at, tile);
   if (!tile.shows) return;
   // Where surfaces are as small as pixels, neighbours farther away show others by chance. That matters less
   // than noise while nothing is known of earlier frames.
@@ -273,10 +280,10 @@ HWY_ATTR void filterTile(const MovingFrame& moving, const Tile& at, TileFactors&
   findSides(moving.space, tile, at, sides);
   Sums sums;
   for (int f = 0; f < moving.channels.count(); ++f) {
-    if (f >= 2) unpackMore(*moving.film, at, f, tile);
-    filterFactor(tile, tile.factor[f == 1], sides, sums, moving.channels, f, out);
+    if (f >= 2) unpackMore(*moving.visibility, at, f, tile);
+    filterChannel(tile, tile.visibility[f == 1], sides, sums, moving.channels, f, out);
   }
-  for (Factors& packet : out.packets) moving.channels.spread(packet);
+  for (Visibility& packet : out.packets) moving.channels.spread(packet);
 }
 
 }  // namespace HWY_NAMESPACE

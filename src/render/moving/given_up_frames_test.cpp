@@ -1,5 +1,5 @@
 // Frames of animations that are given up.
-#include "render/moving/film_source.h"
+#include "render/moving/moving_tile_source.h"
 #include "render/testing/test_animation.h"
 #include "render/tiles/tile.h"
 
@@ -11,7 +11,7 @@ namespace gluray::render {
 namespace {
 
 /// Gives a frame up when all its tiles have been collected.
-class GivesUp final : public FilmSource {
+class GivesUp final : public MovingTileSource {
  public:
   void begin(const Image& image) noexcept override {
     const Tiles tiles(image, kTileSize);
@@ -20,8 +20,8 @@ class GivesUp final : public FilmSource {
   int nextTile() noexcept override { return --left_; }
   void done(int, double, bool) noexcept override { ADD_FAILURE() << "no tile is coloured"; }
   uint32_t index(uint32_t own) const noexcept override { return own; }
-  void collected(const FactorFilm&, int, double) noexcept override { ++tiles; }
-  bool complete(FactorFilm&) noexcept override { return false; }
+  void collected(const VisibilityBuffer&, int, double) noexcept override { ++tiles; }
+  bool complete(VisibilityBuffer&) noexcept override { return false; }
   int nextToColor() noexcept override { return -1; }
 
   std::atomic<int> tiles{0};
@@ -40,7 +40,7 @@ TEST(GivenUpFrames, LeaveTheHistory) {
       GivesUp source;
       Image image;
       TraceOptions options;
-      options.histories = &other.histories, options.source = &source, options.film = &source;
+      options.histories = &other.histories, options.source = &source, options.movingSource = &source;
       other.world.update(s, other.arena);
       traceImage(s, other.world, other.arena, image, options);
       EXPECT_EQ(source.tiles, 9);

@@ -1,5 +1,5 @@
-// What earlier frames know of points: factors at the place where the last frame saw them. Compiled once for
-// each instruction set.
+// What earlier frames know of points: visibility at the place where the last frame saw them. Compiled once
+// for each instruction set.
 #if defined(GLURAY_RENDER_HISTORY_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_HISTORY_INL_H_
 #undef GLURAY_RENDER_HISTORY_INL_H_
@@ -7,24 +7,24 @@
 #define GLURAY_RENDER_HISTORY_INL_H_
 #endif
 
-#include "render/moving/factor_pixels.inl.h"
 #include "render/moving/moving_frame.h"
+#include "render/moving/visibility_pixels.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// A packet's factors that are known already. Lanes without samples know nothing.
+/// A packet's visibility where it is known already. Lanes without samples know nothing.
 struct Known {
   alignas(64) Row samples;
-  Factors factors;
+  Visibility visibility;
 };
 
 // The same surface: its point lies on the plane of the one sought, its normal is about the same.
 constexpr float kOnPlane = 0.7f;      // pixels
 constexpr float kSameNormal = 0.85f;  // cosine
 
-/// The four pixels of the earlier film about a position, and the plane on which they must lie.
+/// The four pixels of the earlier buffer about a position, and the plane on which they must lie.
 struct Taps {
   Float column, row, right, upper;  // of the lower left one; weights of the right and upper ones
   Float3 normal;
@@ -35,22 +35,23 @@ struct Taps {
 HWY_ATTR inline void addTap(const MovingFrame& moving, const Taps& taps, int dx, int dy, Float& weights,
                             Float& samples, Float* sums) {
   const FloatTag d;
-  const FactorFilm& film = *moving.earlier;
-  const FilmSpace& space = moving.earlierSpace;
+  const VisibilityBuffer& buffer = *moving.earlier;
+  const PixelSpace& space = moving.earlierSpace;
   const Float x = hn::Add(taps.column, splat(static_cast<float>(dx))),
               y = hn::Add(taps.row, splat(static_cast<float>(dy)));
   const Float bilinear = hn::Mul(dx ? taps.right : hn::Sub(splat(1), taps.right),
                                  dy ? taps.upper : hn::Sub(splat(1), taps.upper));
-  auto there = hn::And(hn::And(hn::Ge(x, hn::Zero(d)), hn::Lt(x, splat(static_cast<float>(film.width)))),
-                       hn::And(hn::Ge(y, hn::Zero(d)), hn::Lt(y, splat(static_cast<float>(film.height)))));
+  auto there = hn::And(hn::And(hn::Ge(x, hn::Zero(d)), hn::Lt(x, splat(static_cast<float>(buffer.width)))),
+                       hn::And(hn::Ge(y, hn::Zero(d)), hn::Lt(y, splat(static_cast<float>(buffer.height)))));
   there = hn::And(there, hn::Gt(bilinear, splat(1e-3f)));
   const IntTag di;
   const Ints pixel = hn::IfThenElseZero(
       hn::RebindMask(di, there),
-      hn::Add(hn::Mul(hn::ConvertTo(di, y), hn::Set(di, film.width)), hn::ConvertTo(di, x)));
+      hn::Add(hn::Mul(hn::ConvertTo(di, y), hn::Set(di, buffer.width)), hn::ConvertTo(di, x)));
   const Ints at = hn::ShiftLeft<1>(pixel);
-  const FactorPixels p = FactorPixels::unpacked(hn::GatherIndex(WordTag(), film.words.data(), at),
-                                                hn::GatherIndex(WordTag(), film.words.data() + 1, at));
+  const VisibilityPixels p =
+      VisibilityPixels::unpacked(hn::GatherIndex(WordTag(), buffer.words.data(), at),
+                                 hn::GatherIndex(WordTag(), buffer.words.data() + 1, at));
   const auto at3 = [&](const glm::vec3& base, const glm::vec3& perX, const glm::vec3& perY) HWY_ATTR {
     return dot(taps.normal, add(splat(base), add(scaled(splat(perX), x), scaled(splat(perY), y))));
   };
@@ -66,12 +67,13 @@ HWY_ATTR inline void addTap(const MovingFrame& moving, const Taps& taps, int dx,
   samples = hn::MulAdd(weight, p.samples, samples);
   sums[0] = hn::MulAdd(weight, p.first, sums[0]);
   sums[1] = hn::MulAdd(weight, p.second, sums[1]);
-  for (size_t f = 0; f < film.more.size(); ++f) {
+  for (size_t f = 0; f < buffer.more.size(); ++f) {
     alignas(64) int32_t index[kLanes];
     alignas(64) Row value;
     hn::Store(pixel, di, index);
-    for (int i = 0; i < lanesOfVector(); ++i) value[i] = film.more[f][static_cast<size_t>(index[i])];
-    sums[2 + f] = hn::MulAdd(weight, hn::Mul(load(value), splat(1 / FactorFilm::kLargestMore)), sums[2 + f]);
+    for (int i = 0; i < lanesOfVector(); ++i) value[i] = buffer.more[f][static_cast<size_t>(index[i])];
+    sums[2 + f] =
+        hn::MulAdd(weight, hn::Mul(load(value), splat(1 / VisibilityBuffer::kLargestMore)), sums[2 + f]);
   }
 }
 
@@ -82,7 +84,7 @@ HWY_ATTR inline void lookUp(const MovingFrame& moving, const Row (&point)[3], co
   const Reprojection& r = moving.reprojection;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float3 now = load3(point, i);
-    const glm::mat4& m = r.earlierFilmFromEye;
+    const glm::mat4& m = r.earlierPixelFromEye;
     const auto row = [&](int c) HWY_ATTR {
       return hn::MulAdd(splat(m[0][c]), now.x,
                         hn::MulAdd(splat(m[1][c]), now.y, hn::MulAdd(splat(m[2][c]), now.z, splat(m[3][c]))));
@@ -108,7 +110,7 @@ HWY_ATTR inline void lookUp(const MovingFrame& moving, const Row (&point)[3], co
     const Float inverse = hn::IfThenElseZero(known, hn::Div(splat(1), hn::Max(weights, splat(0.05f))));
     store(hn::Min(hn::Mul(samples, inverse), splat(moving.mostSamples)), out.samples + i);
     for (int f = 0; f < moving.channels.count(); ++f)
-      store(hn::Mul(sums[f], inverse), moving.channels.rowOf(out.factors, f) + i);
+      store(hn::Mul(sums[f], inverse), moving.channels.rowOf(out.visibility, f) + i);
   }
 }
 

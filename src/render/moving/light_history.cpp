@@ -17,32 +17,33 @@ bool isNear(const std::vector<float>& a, const std::vector<float>& b) {
 
 }  // namespace
 
-void LightHistory::begin(const FrameData& frame, const FactorIntegrator& factors, MovingFrame& moving) {
+void LightHistory::begin(const FrameData& frame, const VisibilityIntegrator& integrator,
+                         MovingFrame& moving) {
   constexpr float kMax = 16, kMaxSamplesAfterChange = 1;  // samples
   const scene::Snapshot& snapshot = *frame.snapshot;
   const int width = snapshot.region.width, height = snapshot.region.height;
   same_ = known_ && region_ == snapshot.region && settings_ == snapshot.settings &&
-          isNear(meaning_, factors.meaning()) && channels_ == Channels{factors.used()};
+          isNear(meaning_, integrator.meaning()) && channels_ == Channels{integrator.used()};
   known_ = false;  // until it is finished
-  settings_ = snapshot.settings, region_ = snapshot.region, meaning_ = factors.meaning();
-  moving.channels = channels_ = {factors.used()};
+  settings_ = snapshot.settings, region_ = snapshot.region, meaning_ = integrator.meaning();
+  moving.channels = channels_ = {integrator.used()};
   Frame &now = frames_[now_], &before = frames_[1 - now_];
-  now.film.resize(width, height, moving.channels.count());
+  now.visibility.resize(width, height, moving.channels.count());
   hits_.resize(width, height, frame.widestEdge > 0);
-  now.space = FilmSpace(frame);
+  now.space = PixelSpace(frame);
   now.placement.rememberScene(snapshot);
-  moving.space = now.space, moving.film = &now.film, moving.hits = &hits_;
+  moving.space = now.space, moving.visibility = &now.visibility, moving.hits = &hits_;
   moving.mostSamples = kMax;
   moving.earlier = nullptr;
   if (!same_ || !before.space.usable) return;
-  moving.earlier = &before.film, moving.earlierSpace = before.space;
+  moving.earlier = &before.visibility, moving.earlierSpace = before.space;
   moving.reprojection = Reprojection(before.placement, before.space, now.placement, frame);
   if (moving.reprojection.changed || (frame.remote && frame.remote->changed()))
     moving.mostSamples = kMaxSamplesAfterChange;
 }
 
 size_t LightHistory::bytes() const {
-  return frames_[0].film.bytes() + frames_[1].film.bytes() + hits_.bytes();
+  return frames_[0].visibility.bytes() + frames_[1].visibility.bytes() + hits_.bytes();
 }
 
 LightHistory& LightHistories::historyOf(uint64_t view) {

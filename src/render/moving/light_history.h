@@ -1,7 +1,7 @@
 // History of factors of light for the following frames of an animation, per view. Owned by frame::Renderer,
 // which traces one frame at a time.
 #pragma once
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/moving/moving_frame.h"
 
 #include <list>
@@ -9,13 +9,13 @@
 
 namespace gluray::render {
 
-/// The films of one view.
+/// The buffers of one view.
 class LightHistory {
  public:
-  /// Prepares the films for a frame with these factors, and fills `moving`. Uses earlier frames only if the
-  /// view's size, the settings and the lights are equal; reduces their weight if surfaces have moved or
+  /// Prepares the buffers for a frame with this integrator, and fills `moving`. Uses earlier frames only if
+  /// the view's size, the settings and the lights are equal; reduces their weight if surfaces have moved or
   /// changed. Throws std::bad_alloc.
-  void begin(const FrameData&, const FactorIntegrator&, MovingFrame& moving);
+  void begin(const FrameData&, const VisibilityIntegrator&, MovingFrame& moving);
   /// The frame is complete: the next frame may use it.
   void finish() { now_ = 1 - now_, ++index_, known_ = true; }
   /// The frame was abandoned: the next frame uses the same history as this one.
@@ -27,12 +27,12 @@ class LightHistory {
 
  private:
   struct Frame {
-    FactorFilm film;
-    FilmSpace space;
+    VisibilityBuffer visibility;
+    PixelSpace space;
     Placement placement;
   };
   Frame frames_[2];
-  HitFilm hits_;
+  HitBuffer hits_;
   int now_ = 0;  // frames_[now_]: the one to be traced
   uint32_t index_ = 0;
   bool known_ = false;

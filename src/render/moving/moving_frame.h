@@ -1,11 +1,11 @@
 // State of one animation frame while it is traced: the film for its factors of light, and the reusable
-// history. Made once a frame, read by all tracing threads, which write the films.
+// history. Made once a frame, read by all tracing threads, which write the buffers.
 #pragma once
 #include "render/moving/channels.h"
-#include "render/moving/factor_film.h"
-#include "render/moving/film_space.h"
-#include "render/moving/hit_film.h"
+#include "render/moving/hit_buffer.h"
+#include "render/moving/pixel_space.h"
 #include "render/moving/reprojection.h"
+#include "render/moving/visibility_buffer.h"
 
 namespace gluray::render {
 
@@ -19,12 +19,12 @@ struct MovingFrame {
   uint32_t index = 0;  // of the frame among those accumulated on the films
   MovingRays rays;
   float mostSamples = 32;  // of a pixel's history
-  FilmSpace space;
+  PixelSpace space;
   Channels channels;
-  FactorFilm* film = nullptr;
-  HitFilm* hits = nullptr;
-  const FactorFilm* earlier = nullptr;  // null: no history
-  FilmSpace earlierSpace;
+  VisibilityBuffer* visibility = nullptr;
+  HitBuffer* hits = nullptr;
+  const VisibilityBuffer* earlier = nullptr;  // null: no history
+  PixelSpace earlierSpace;
   Reprojection reprojection;
 };
 

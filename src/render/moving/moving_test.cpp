@@ -86,7 +86,7 @@ TEST(Moving, IsTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(Moving, AnythingButPlainPicturesTakeAllSamples) {
+TEST(Moving, AnythingButPlainImagesTakeAllSamples) {
   Animation animation;
   scene::Snapshot s = boards();
   turn(s, 0);

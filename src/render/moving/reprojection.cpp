@@ -1,6 +1,6 @@
 #include "render/moving/reprojection.h"
 
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ Corners cornersOf(const FrameData& frame) {
 }
 
 /// Whether two transforms put all of the world to the same pixels.
-bool isSameMotion(const glm::dmat4& a, const glm::dmat4& b, const Corners& corners, const FilmSpace& space) {
+bool isSameMotion(const glm::dmat4& a, const glm::dmat4& b, const Corners& corners, const PixelSpace& space) {
   constexpr double kUnseen = 0.05;  // of a pixel's width
   for (const glm::dvec4& corner : corners) {
     const glm::dvec4 p = a * corner;
@@ -68,7 +68,7 @@ glm::dmat4 motionOf(const Placement::Object& earlier, const Placement::Object& n
 
 }  // namespace
 
-Reprojection::Reprojection(const Placement& earlier, const FilmSpace& earlierSpace, const Placement& now,
+Reprojection::Reprojection(const Placement& earlier, const PixelSpace& earlierSpace, const Placement& now,
                            const FrameData& frame) {
   const size_t known = std::min(earlier.objects.size(), now.objects.size());
   const Corners corners = cornersOf(frame);
@@ -109,7 +109,7 @@ Reprojection::Reprojection(const Placement& earlier, const FilmSpace& earlierSpa
   earlierFromEye = glm::mat4(motion);
   const glm::dmat3 linear(motion);
   earlierFromEyeNormal = glm::mat3(glm::transpose(glm::inverse(linear)));
-  earlierFilmFromEye = glm::mat4(earlierSpace.filmFromEye * motion);
+  earlierPixelFromEye = glm::mat4(earlierSpace.pixelFromEye * motion);
 }
 
 }  // namespace gluray::render

@@ -1,13 +1,13 @@
 // Maps points of this frame to pixels of an earlier frame, and detects changes. Made once a frame, read by
 // all tracing threads.
 #pragma once
-#include "render/moving/film_space.h"
+#include "render/moving/pixel_space.h"
 
 #include <vector>
 
 namespace gluray::render {
 
-/// Positions of the surfaces of a snapshot and its surroundings; kept for the next frame.
+/// Positions of the surfaces of a snapshot and its secondary scene; kept for the next frame.
 struct Placement {
   struct Object {
     Hash128 geometry;
@@ -26,14 +26,14 @@ struct Placement {
 struct Reprojection {
   glm::mat4 earlierFromEye{1};        // for points of surfaces that did not move
   glm::mat3 earlierFromEyeNormal{1};  // their normals, not of unit length
-  glm::mat4 earlierFilmFromEye{1};    // as FilmSpace::filmFromEye
+  glm::mat4 earlierPixelFromEye{1};   // as PixelSpace::pixelFromEye
   std::vector<uint8_t> moved;         // by instance: moved relative to the others, or new
   bool changed = false;               // some instance moved, changed, appeared or disappeared
 
   Reprojection() = default;
   /// `earlier`: placement and space of the earlier frame. The motion of most triangles counts as the camera's
   /// motion.
-  Reprojection(const Placement& earlier, const FilmSpace& earlierSpace, const Placement& now,
+  Reprojection(const Placement& earlier, const PixelSpace& earlierSpace, const Placement& now,
                const FrameData& frame);
   bool stayed(uint32_t instance) const { return moved.empty() || !moved[instance]; }
 };

@@ -30,14 +30,14 @@ struct Prepared {
   Image image;
   scene::Snapshot snapshot;
   std::unique_ptr<FrameData> frame;
-  FilmSpace space;
+  PixelSpace space;
   Placement placement;
 
   explicit Prepared(const scene::Snapshot& s) : snapshot(s) {
     world.update(snapshot, arena);
     image.resize(kReprojectedSize, kReprojectedSize, 1);
     frame = std::make_unique<FrameData>(snapshot, world, image);
-    space = FilmSpace(*frame);
+    space = PixelSpace(*frame);
     placement.rememberScene(snapshot);
   }
   Reprojection since(const Prepared& earlier) const {
@@ -49,12 +49,12 @@ const glm::dmat4 kPerspective = glm::perspective(glm::radians(40.0), 1.0, 0.5, 2
 const glm::dmat4 kParallel = glm::ortho(-2.0, 2.0, -2.0, 2.0, 0.5, 20.0);
 const glm::dmat4 kAway = glm::translate(glm::dmat4(1), {0, 0, -5});
 
-glm::dvec2 filmAt(const glm::dmat4& filmFromEye, const glm::dvec3& p) {
-  const glm::dvec4 clip = filmFromEye * glm::dvec4(p, 1);
+glm::dvec2 pixelAt(const glm::dmat4& pixelFromEye, const glm::dvec3& p) {
+  const glm::dvec4 clip = pixelFromEye * glm::dvec4(p, 1);
   return glm::dvec2(clip) / clip.w;
 }
 
-TEST(FilmSpace, PixelsAndDepthsGiveThePointsThatTheyShow) {
+TEST(PixelSpace, PixelsAndDepthsGiveThePointsThatTheyShow) {
   for (const glm::dmat4& projection : {kPerspective, kParallel, glm::scale(kPerspective, {-1, 1, 1})}) {
     scene::Snapshot s = twoSquares(projection);
     s.region = {3, 5, kReprojectedSize - 3, kReprojectedSize - 5};
@@ -67,12 +67,12 @@ TEST(FilmSpace, PixelsAndDepthsGiveThePointsThatTheyShow) {
         const glm::vec3 base = p.space.base + x * p.space.baseX + y * p.space.baseY,
                         ray = p.space.ray + x * p.space.rayX + y * p.space.rayY, point = base + depth * ray;
         EXPECT_NEAR(glm::dot(p.space.depth, glm::vec4(point, 1)), depth, 1e-5f);
-        EXPECT_LT(glm::length(filmAt(p.space.filmFromEye, point) - pixel), 1e-3);
+        EXPECT_LT(glm::length(pixelAt(p.space.pixelFromEye, point) - pixel), 1e-3);
       }
   }
 }
 
-TEST(FilmSpace, PixelsAreAsWideAsTheyAre) {
+TEST(PixelSpace, PixelsAreAsWideAsTheyAre) {
   scene::Snapshot s = twoSquares(kParallel);
   look(s, kAway);
   const Prepared p(s);
@@ -100,8 +100,8 @@ TEST(Reprojection, FollowsTheCamera) {
     for (const glm::dvec4 world : {glm::dvec4(0, 0, 0, 1), glm::dvec4(-0.7, 0.4, 0.5, 1)}) {
       const glm::dvec3 eye(s.eyeFromWorld * world), earlier(kAway * world);
       EXPECT_LT(glm::length(glm::dvec3(r.earlierFromEye * glm::vec4(eye, 1)) - earlier), 1e-5);
-      EXPECT_LT(glm::length(filmAt(glm::dmat4(r.earlierFilmFromEye), eye) -
-                            filmAt(before.space.filmFromEye, earlier)),
+      EXPECT_LT(glm::length(pixelAt(glm::dmat4(r.earlierPixelFromEye), eye) -
+                            pixelAt(before.space.pixelFromEye, earlier)),
                 1e-3);
     }
   }

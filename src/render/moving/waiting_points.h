@@ -9,9 +9,9 @@ namespace gluray::render {
 /// is full although few pixels of each block trace rays.
 struct WaitingPoints {
   AskedPoints asked;
-  alignas(64) uint32_t pixel[kLanes];  // of the film
+  alignas(64) uint32_t pixel[kLanes];  // of the buffer
   alignas(64) Row samples;
-  alignas(64) Row factors[Channels::kMax];
+  alignas(64) Row visibility[Channels::kMax];
   int count = 0;  // number of points, in the first lanes
 };
 

@@ -10,8 +10,8 @@
 #include "render/hit_points/capsule.inl.h"
 #include "render/hit_points/stick.inl.h"
 #include "render/integrators/direct_look.h"
-#include "render/integrators/factors.h"
 #include "render/integrators/integrator.h"
+#include "render/integrators/light_visibility.h"
 #include "render/packets/work.inl.h"
 
 #include <algorithm>
@@ -137,14 +137,14 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
 /// that frames without either keep their code. Bit i of `back`: lane i shows its back face.
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
-                                            LitRows& rows, const Factors* factors = nullptr,
+                                            LitRows& rows, const Visibility* visibility = nullptr,
                                             WaitingPoints* waiting = nullptr) {
   if (!group.lanes || (frame.lens && sample == 0)) return;
   if (frame.integrator) {
     ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
-    hits.factors = factors, hits.waiting = waiting;
+    hits.visibility = visibility, hits.waiting = waiting;
     LitRows direct;
-    const bool collects = frame.collector && !factors;
+    const bool collects = frame.collector && !visibility;
     if (frame.direct && !collects) {
       shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
       hits.direct = &direct;
@@ -155,11 +155,12 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
 }
 
 /// Whether the integrator shades hits again, and no alpha decides whether they are there.
-inline bool isReplaced(const FrameData& frame, uint32_t instance, uint32_t lanes, const Factors& factors) {
+inline bool isReplaced(const FrameData& frame, uint32_t instance, uint32_t lanes,
+                       const Visibility& visibility) {
   const bool tested =
       frame.surfaces[instance].lighting->shading->alphaTest.function != scene::AlphaTest::always;
   return !tested &&
-         static_cast<const FactorIntegrator*>(frame.integrator)->replaces(instance, lanes, factors);
+         static_cast<const VisibilityIntegrator*>(frame.integrator)->replaces(instance, lanes, visibility);
 }
 
 /// Shades the hits in `lanes` and calls take(lanes, colours, depths). Returns the lanes whose hit is
@@ -191,14 +192,14 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     if (surface.mesh->shape == scene::Shape::triangles) moveToSamples(seen, work.edged, group);
     const uint32_t back = (surface.frontIsCcw ? ~seen.ccw : seen.ccw) & group.lanes;
     // Hits that are kept need colours now only if these decide whether they are there.
-    const bool kept = frame.hits && !work.factors &&
+    const bool kept = frame.hits && !work.visibility &&
                       surface.lighting->shading->alphaTest.function == scene::AlphaTest::always;
-    const bool replaced = work.factors && isReplaced(frame, instance, group.lanes, *work.factors);
+    const bool replaced = work.visibility && isReplaced(frame, instance, group.lanes, *work.visibility);
     const uint32_t failing = kept || replaced ? 0 : shade(frame, surface, group, back, x, y, rows);
     rejected |= failing;
     group.lanes &= ~failing;
     if (frame.changesColors())
-      lightHits(frame, instance, group, back, work.sample, x, y, rows, work.factors, work.waiting);
+      lightHits(frame, instance, group, back, work.sample, x, y, rows, work.visibility, work.waiting);
     if (instance == frame.catcher) {
       if (!frame.averages || !frame.integrator) continue;
       for (float& depth : seen.depth) depth = caughtAt(depth);

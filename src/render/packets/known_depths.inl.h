@@ -22,16 +22,16 @@ namespace HWY_NAMESPACE {
 
 /// The framebuffer's depths at a packet's pixels; no numbers outside of what is known. Prefetches those of
 /// the packets that follow in its row.
-HWY_ATTR inline void depthsAt(const scene::FramebufferPicture& picture, const Work& work, Row& depth) {
+HWY_ATTR inline void depthsAt(const scene::FramebufferCapture& capture, const Work& work, Row& depth) {
   constexpr int kAhead = 32;  // pixels
-  const scene::Region& r = picture.region;
+  const scene::Region& r = capture.region;
   const auto width = static_cast<size_t>(r.width);
   for (int y = work.imageY; y < std::min(work.imageY + 4, r.height) && work.imageX + kAhead < r.width; ++y)
     hwy::Prefetch(
-        &picture.depths[static_cast<size_t>(y) * width + static_cast<size_t>(work.imageX + kAhead)]);
+        &capture.depths[static_cast<size_t>(y) * width + static_cast<size_t>(work.imageX + kAhead)]);
   if (work.imageX + 4 <= r.width && work.imageY + 4 <= r.height) {
     const float* first =
-        picture.depths.data() + static_cast<size_t>(work.imageY) * width + static_cast<size_t>(work.imageX);
+        capture.depths.data() + static_cast<size_t>(work.imageY) * width + static_cast<size_t>(work.imageX);
     for (int i = 0; i < kLanes; i += 2)
       std::memcpy(depth + i, first + static_cast<size_t>(laneY(i)) * width + static_cast<size_t>(laneX(i)),
                   2 * sizeof *first);
@@ -40,13 +40,13 @@ HWY_ATTR inline void depthsAt(const scene::FramebufferPicture& picture, const Wo
   for (int i = 0; i < kLanes; ++i) {
     const int x = work.imageX + laneX(i), y = work.imageY + laneY(i);
     depth[i] = x < r.width && y < r.height
-                   ? picture.depths[static_cast<size_t>(y) * width + static_cast<size_t>(x)]
+                   ? capture.depths[static_cast<size_t>(y) * width + static_cast<size_t>(x)]
                    : std::numeric_limits<float>::quiet_NaN();
   }
 }
 
 /// Shortens a packet's rays to where the framebuffer has surfaces. `valid` becomes 0 where it has none, at
-/// the depth of its clear. Not inline: pictures without known depths need it not.
+/// the depth of its clear. Not inline: images without known depths need it not.
 HWY_ATTR HWY_NOINLINE inline void shortenRays(const KnownDepths& known, Work& work,
                                               int32_t (&valid)[kLanes]) {
   const DoubleTag d;
@@ -55,7 +55,7 @@ HWY_ATTR HWY_NOINLINE inline void shortenRays(const KnownDepths& known, Work& wo
   const auto one = hn::Set(d, 1.0);
   constexpr double kFarAway = std::numeric_limits<float>::max();
   alignas(64) Row depths;
-  depthsAt(*known.picture, work, depths);
+  depthsAt(*known.capture, work, depths);
   for (int i = 0; i < kLanes; i += static_cast<int>(hn::Lanes(d))) {
     const auto k =
         hn::Mul(hn::Sub(loadDouble(depths + i), hn::Set(d, known.depthNear)), hn::Set(d, known.perDepth));

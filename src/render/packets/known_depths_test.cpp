@@ -31,19 +31,19 @@ scene::Snapshot catchers(bool lid, bool parallel) {
   return s;
 }
 
-/// The snapshot with the depths of a picture in the framebuffer, which was cleared to 1.
+/// The snapshot with the depths of an image in the framebuffer, which was cleared to 1.
 scene::Snapshot over(scene::Snapshot s, const Image& shown) {
-  auto picture = std::make_shared<scene::FramebufferPicture>();
-  picture->viewport = s.camera.viewport;
-  picture->region = s.region;
-  for (const float depth : shown.depth) picture->depths.push_back(depth == Image::kMiss ? 1 : depth);
-  auto around = std::make_shared<scene::Surroundings>();
-  around->framebuffer = picture;
-  s.surroundings = around;
+  auto capture = std::make_shared<scene::FramebufferCapture>();
+  capture->viewport = s.camera.viewport;
+  capture->region = s.region;
+  for (const float depth : shown.depth) capture->depths.push_back(depth == Image::kMiss ? 1 : depth);
+  auto around = std::make_shared<scene::SecondaryScene>();
+  around->framebuffer = capture;
+  s.secondaryScene = around;
   return s;
 }
 
-TEST(KnownDepths, LeaveThePictureToTheBit) {
+TEST(KnownDepths, LeaveTheImageToTheBit) {
   for (const bool parallel : {false, true})
     for (const bool lid : {false, true}) {
       const scene::Snapshot s = catchers(lid, parallel);

@@ -144,7 +144,7 @@ HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& w
   fetchVertices(frame, work);
 }
 
-// Shades the nearest accepted hit of each lane, or keeps it, if factors of light are collected first.
+// Shades the nearest accepted hit of each lane, or keeps it, if visibility is collected first.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = frame.image->has(Plane::wideColor);
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {

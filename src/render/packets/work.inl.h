@@ -8,7 +8,7 @@
 
 #include "render/hit_points/impostor.inl.h"
 #include "render/hit_points/lens_hits.inl.h"
-#include "render/integrators/factors.h"
+#include "render/integrators/light_visibility.h"
 #include "render/packets/drawn_fragments.h"
 #include "render/packets/peeled_layers.h"
 #include "render/shading/shade.inl.h"
@@ -36,9 +36,9 @@ struct Work {
   uint32_t edged = 0;          // bit i: lane i hit a triangle grown by its edges; its depth is edgeDepth
   int imageX = 0, imageY = 0;  // pixel of lane 0
   int sample = 0;
-  const Factors* factors = nullptr;  // of light, where these are known
-  WaitingPoints* waiting = nullptr;  // where points wait for rays, if factors are collected
-  const Lens* lens = nullptr;        // null: the rays leave the viewpoint
+  const Visibility* visibility = nullptr;  // where it is known
+  WaitingPoints* waiting = nullptr;        // where points wait for rays, if visibility is collected
+  const Lens* lens = nullptr;              // null: the rays leave the viewpoint
   LensPoints lensPoints;
   /// Rays of neighbouring pixels leave different points of a lens.
   accel::Coherence coherence() const {

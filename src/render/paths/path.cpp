@@ -41,7 +41,7 @@ Path::Path(const FrameData& of)
       lights(of),
       materials(materialsOf(*of.snapshot, metric.diagonal)),
       seen(surfaceColors(of, true)),
-      pictured(PicturedColors::create(of)),
+      captured(CapturedColors::create(of)),
       environment(environmentOf(of)),
       lightScale(of.snapshot->settings.path.lights),
       samples(of.snapshot->settings.path.samples),

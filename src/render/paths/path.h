@@ -6,7 +6,7 @@
 #include "render/integrators/occluders.h"
 #include "render/lights/environment.h"
 #include "render/paths/added_lights.h"
-#include "render/paths/pictured_colors.h"
+#include "render/paths/captured_colors.h"
 #include "render/paths/shading_lights.h"
 
 #include <memory>
@@ -37,7 +37,7 @@ struct Path {
   AddedLights added;
   std::vector<MaterialModel> materials;            // as FrameData::surfaces
   SurfaceColors seen, unseen;                      // at camera hits; at other hits if different
-  std::shared_ptr<const PicturedColors> pictured;  // null: no surface is pictured
+  std::shared_ptr<const CapturedColors> captured;  // null: no surface is captured
   std::shared_ptr<const Environment> environment;
   float lightScale;    // of the lights
   int samples;         // paths per pixel sample

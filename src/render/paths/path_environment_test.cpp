@@ -75,9 +75,9 @@ TEST(PathEnvironment, AgreesWithAPlainImplementation) {
   EXPECT_NEAR(found, mean, 4 * deviation + 0.005 * mean);
 }
 
-TEST(PathEnvironment, AnEvenPictureIsAConstantEnvironment) {
+TEST(PathEnvironment, AnEvenImageIsAConstantEnvironment) {
   GLURAY_RELEASE_ONLY();
-  // Both ways to draw directions are used for the picture, one for the constant.
+  // Both ways to draw directions are used for the image, one for the constant.
   scene::Snapshot s = test::pathView({test::backWall(), test::ballMesh(40, 1, {0, 0, 1.5f})});
   for (const SurfaceMaterial kind :
        {SurfaceMaterial::program, SurfaceMaterial::plastic, SurfaceMaterial::metal}) {

@@ -8,7 +8,7 @@
 
 #include "accel/rays/traceable.h"
 #include "render/paths/path_wave.inl.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

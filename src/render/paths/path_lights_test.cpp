@@ -16,14 +16,14 @@ using test::radiances;
 /// What a white wall shows at the origin, and the standard error of its 1024 pixels of 64 paths.
 void expectOnWall(const LightFile& file, double wanted) {
   const scene::Snapshot s = litBy(file);
-  const auto picture = radiances(s);
+  const auto image = radiances(s);
   double square = 0;
   for (int y = 0; y < test::kPathSize; ++y)
-    for (int x = 0; x < test::kPathSize; ++x) square += std::pow(picture.at(x, y).g - wanted, 2);
+    for (int x = 0; x < test::kPathSize; ++x) square += std::pow(image.at(x, y).g - wanted, 2);
   const double pixels = test::kPathSize * test::kPathSize;
   const double error = std::sqrt(square) / pixels;
   EXPECT_LT(error, 0.002 * wanted) << "so little noise that the mean tells something";
-  EXPECT_NEAR(picture.mean().g, wanted, 5 * error + 1e-4 * wanted);
+  EXPECT_NEAR(image.mean().g, wanted, 5 * error + 1e-4 * wanted);
 }
 
 constexpr char kTowards[] = "target = [0, 0, 0]\n";
@@ -88,15 +88,15 @@ TEST(PathLights, LightsWithoutASizeHaveThatOfShadows) {
 
 TEST(PathLights, SpotsLightTheirCone) {
   const LightFile file("[[light]]\nkind = 'spot'\nposition = [0, 0, 3]\ndirection = [0, 0, -1]\ncone = 20\n");
-  const auto picture = radiances(litBy(file, {test::backWall()}, 40));
+  const auto image = radiances(litBy(file, {test::backWall()}, 40));
   const float half = 5 * std::tan(glm::radians(20.0f)), rim = 3 * std::tan(glm::radians(20.0f));
   for (int x = 0; x < test::kPathSize; ++x) {
     const auto at = [&](int i) {
       return ((static_cast<float>(i) + 0.5f) / (test::kPathSize / 2) - 1) * half;
     };
     const float from = std::hypot(at(x), at(16));
-    EXPECT_EQ(picture.at(x, 16).g > 0, from < rim) << x;
-    if (from < rim) { EXPECT_NEAR(picture.at(x, 16).g, 3 / std::hypot(3.0f, from), 1e-4f); }
+    EXPECT_EQ(image.at(x, 16).g > 0, from < rim) << x;
+    if (from < rim) { EXPECT_NEAR(image.at(x, 16).g, 3 / std::hypot(3.0f, from), 1e-4f); }
   }
 }
 

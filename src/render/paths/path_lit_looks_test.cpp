@@ -1,7 +1,7 @@
 // Lights of files in paths: beside shadows of the local look, where they are seen, and of absurd values.
 #include "base/sanitized.h"
 #include "render/testing/path_lit_scenes.h"
-#include "scene/surroundings.h"
+#include "scene/secondary_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ scene::Snapshot localShadows(scene::Snapshot s) {
 TEST(PathLights, AgreeWithShadowsOfTheLocalLook) {
   GLURAY_RELEASE_ONLY();
   // A ball between the wall and lights whose middles are partly below the horizon of what they shine on. Both
-  // pictures take 1024 samples a pixel; their noise is measured by halves of the paths.
+  // images take 1024 samples a pixel; their noise is measured by halves of the paths.
   const LightFile file(
       "[[light]]\nkind = 'rectangle'\nposition = [-2, 1, 2]\ntarget = [0, 0, 0]\nwidth = 2\nheight = 3\n"
       "[[light]]\nkind = 'disc'\nposition = [2, -1, 1]\ndirection = [-1, 0.5, 0]\nradius = 0.8\nstrength = "
@@ -69,8 +69,8 @@ TEST(PathLights, WhiteBodiesVanishInAVisibleSphere) {
       scene::Snapshot s = litBy(file, {test::ballMesh(60)}, 40);
       s.settings.material.kind = kind, s.settings.material.roughness = roughness;
       s.settings.path.depth = 64;
-      const auto picture = radiances(s);
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.mean()[c], 1, 0.01f) << int(kind) << ' ' << roughness;
+      const auto image = radiances(s);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.mean()[c], 1, 0.01f) << int(kind) << ' ' << roughness;
     }
 }
 
@@ -178,16 +178,16 @@ TEST(PathLights, OfAbsurdValuesAreNumbers) {
       scene::Snapshot s = litBy(file, {test::backWall(), test::ballMesh(12)}, 40);
       s.settings.path.samples = kSanitized ? 1 : 4, s.settings.path.depth = 4;
       s.settings.shadows.size = 90;
-      const auto picture = radiances(paths ? s : localShadows(s));
+      const auto image = radiances(paths ? s : localShadows(s));
       for (int y = 0; y < test::kPathSize; ++y)
         for (int x = 0; x < test::kPathSize; ++x)
           for (int c = 0; c < 3; ++c)
-            ASSERT_TRUE(std::isfinite(picture.at(x, y)[c]) && picture.at(x, y)[c] >= 0) << text;
+            ASSERT_TRUE(std::isfinite(image.at(x, y)[c]) && image.at(x, y)[c] >= 0) << text;
     }
 }
 
 TEST(PathLights, OfScenesOfAnySize) {
-  const auto pictureOf = [](double size) {
+  const auto imageOf = [](double size) {
     char text[400];
     std::snprintf(text, sizeof text,
                   "[[light]]\nkind = 'rectangle'\nposition = [0, %g, %g]\ntarget = [0, 0, 0]\nwidth = %g\n"
@@ -202,23 +202,23 @@ TEST(PathLights, OfScenesOfAnySize) {
     for (scene::Instance& i : s.instances) i.eyeFromObject = s.eyeFromWorld;
     return radiances(s).mean().g;
   };
-  const float plain = pictureOf(1);
+  const float plain = imageOf(1);
   for (const double size : {1e-9, 1e-6, 1e-3, 1e3, 1e6, 1e9})
-    EXPECT_NEAR(pictureOf(size), plain, 0.002f) << size;
+    EXPECT_NEAR(imageOf(size), plain, 0.002f) << size;
 }
 
-TEST(PathLights, ShineOnTheSurroundingsInPlaceOfTheirOwn) {
+TEST(PathLights, ShineOnTheSecondarySceneInPlaceOfItsOwn) {
   // A mirror shows a wall behind the viewer, which another batch drew under a light of its own.
   scene::Snapshot s = test::pathView({test::parallelogram({0, 0, 0}, {3, 0, 0}, {0, 3, 0})});
   const scene::Snapshot behind = test::pathView({test::parallelogram({0, 0, 20}, {500, 0, 0}, {0, 500, 0})});
-  auto around = std::make_shared<scene::Surroundings>();
+  auto around = std::make_shared<scene::SecondaryScene>();
   around->instances = behind.instances, around->blended = {0};
   around->shadings = behind.shadings;
   around->shadings[0].lights.resize(1);
   around->shadings[0].lights[0].position = {1, 0, -1, 0},
   around->shadings[0].lights[0].diffuse = glm::vec4(9);
   around->instances[0].order = 1;
-  s.surroundings = around;
+  s.secondaryScene = around;
   const LightFile rules("[[rule]]\nobjects = [0]\nmaterial = 'mirror'\n");
   s.settings.material.file = rules.name;
   s.settings.environment.strength = 0, s.settings.path.depth = 2, s.settings.path.samples = 16;

@@ -24,8 +24,8 @@ TEST(PathMaterials, WhiteLosslessBodiesVanishInAWhiteSky) {
       s.settings.material.kind = kind;
       s.settings.material.roughness = roughness;
       s.settings.path.depth = 64;
-      const Radiances picture = radiances(s);
-      for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.mean()[c], 1, 0.01f) << int(kind) << ' ' << roughness;
+      const Radiances image = radiances(s);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.mean()[c], 1, 0.01f) << int(kind) << ' ' << roughness;
     }
 }
 
@@ -82,12 +82,12 @@ scene::MeshPtr slab(float thick, float degrees) {
   return test::makeMesh(data);
 }
 
-/// The column of pixels where the picture's red turns to green.
-float edgeOf(const Radiances& picture) {
+/// The column of pixels where the image's red turns to green.
+float edgeOf(const Radiances& image) {
   double red = 0, all = 0;
   for (int y = 12; y < 20; ++y)
     for (int x = 0; x < test::kPathSize; ++x) {
-      const glm::vec3 c = picture.at(x, y);
+      const glm::vec3 c = image.at(x, y);
       red += double{c.r}, all += double{c.r} + double{c.g};
     }
   return static_cast<float>(red / all * 2 - 1);

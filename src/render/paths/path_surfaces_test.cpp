@@ -89,7 +89,7 @@ TEST(PathSurfaces, WhatClipPlanesCutAwayIsNotThere) {
   EXPECT_NEAR(radiances(s).mean().g, 1, 1e-4f);
 }
 
-/// Mean brightness of the picture's green bytes.
+/// Mean brightness of the image's green bytes.
 float middle(const scene::Snapshot& s) {
   const test::Traced traced = test::trace(s);
   float sum = 0;
@@ -203,11 +203,11 @@ TEST(PathSurfaces, PlacesWithoutLightOrWithoutNormalsAreNumbers) {
   s.instances[1].materials[0].front.diffuse = {std::nanf(""), 1e30f, -1, 1};
   for (const float strength : {0.0f, 1000.0f}) {
     s.settings.environment.strength = strength;
-    const auto picture = radiances(s);
+    const auto image = radiances(s);
     for (int y = 0; y < test::kPathSize; ++y)
       for (int x = 0; x < test::kPathSize; ++x)
-        if (picture.hit(x, y)) {
-          const glm::vec3 c = picture.at(x, y);
+        if (image.hit(x, y)) {
+          const glm::vec3 c = image.at(x, y);
           ASSERT_TRUE(std::isfinite(c.x + c.y + c.z)) << x << ',' << y;
         }
   }

@@ -8,11 +8,11 @@ namespace {
 using test::Radiances;
 using test::radiances;
 
-void expectAll(const Radiances& picture, const glm::vec3& color, float tolerance) {
+void expectAll(const Radiances& image, const glm::vec3& color, float tolerance) {
   for (int y = 0; y < test::kPathSize; ++y)
     for (int x = 0; x < test::kPathSize; ++x)
-      if (picture.hit(x, y)) {
-        for (int c = 0; c < 3; ++c) ASSERT_NEAR(picture.at(x, y)[c], color[c], tolerance) << x << ',' << y;
+      if (image.hit(x, y)) {
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(image.at(x, y)[c], color[c], tolerance) << x << ',' << y;
       }
 }
 
@@ -33,8 +33,8 @@ TEST(Path, WhiteSurfacesOfAnyShapeVanishInAWhiteSky) {
   scene::Snapshot s = test::pathView({test::backWall(), test::ballMesh(40, 1, {0, 0, 1.5f}),
                                       test::parallelogram({-1, 0, 1}, {0, 1, 0}, {0, 0, 1})});
   s.settings.path.depth = 64;
-  const Radiances picture = radiances(s);
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(picture.mean()[c], 1, 0.005f);
+  const Radiances image = radiances(s);
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(image.mean()[c], 1, 0.005f);
 }
 
 TEST(Path, DirectSkyIsAmbientOcclusion) {
@@ -90,7 +90,7 @@ scene::Snapshot localLook(scene::Snapshot s) {
   return s;
 }
 
-void expectEqualPictures(const Radiances& a, const Radiances& b, float tolerance) {
+void expectEqualImages(const Radiances& a, const Radiances& b, float tolerance) {
   for (int y = 0; y < test::kPathSize; ++y)
     for (int x = 0; x < test::kPathSize; ++x) {
       ASSERT_EQ(a.hit(x, y), b.hit(x, y));
@@ -117,12 +117,12 @@ TEST(Path, WithoutBouncesAndSkyItIsTheLocalLookOfDiffuseSurfaces) {
   test::setAlbedo(s.instances[0], {0.9f, 0.5f, 0.25f});
   s.instances[0].materials[0].front.ambient = {0, 0, 0, 1};
   s.shadings[0].lights = {lightAt({0, 0, 1, 0}, {0.5f, 0.6f, 0.7f})};
-  expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
+  expectEqualImages(radiances(s), radiances(localLook(s)), 2e-3f);
   scene::Light lamp = lightAt({0, 0, 0, 1}, {0.9f, 0.9f, 0.9f});  // at the viewer, with a cone
   lamp.attenuation = {0.5f, 0.1f, 0.01f};
   lamp.spotCutoff = 8, lamp.spotExponent = 3;
   s.shadings[0].lights = {lamp};
-  expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
+  expectEqualImages(radiances(s), radiances(localLook(s)), 2e-3f);
 }
 
 TEST(Path, PhongSurfacesOfProgramsAreAsBrightAsTheirLocalLook) {
@@ -134,7 +134,7 @@ TEST(Path, PhongSurfacesOfProgramsAreAsBrightAsTheirLocalLook) {
   s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
   s.instances[0].materials[0].front.ambient = {0.1f, 0, 0.2f, 1};
   s.instances[0].materials[0].front.diffuse = {0.5f, 0.6f, 0.7f, 1};
-  expectEqualPictures(radiances(s), radiances(localLook(s)), 2e-3f);
+  expectEqualImages(radiances(s), radiances(localLook(s)), 2e-3f);
 }
 
 // A program whose only light is at the viewer gives its normals' matrix alone.
@@ -152,7 +152,7 @@ TEST(Path, LightsAtTheViewerTurnWithTheNormalsOfPrograms) {
     s.instances[0].eyeFromObject = s.eyeFromWorld;
     s.instances[0].normalMatrix = glm::mat3(s.eyeFromWorld);
     const auto lit = radiances(s);
-    expectEqualPictures(lit, radiances(localLook(s)), 2e-3f);
+    expectEqualImages(lit, radiances(localLook(s)), 2e-3f);
     EXPECT_GT(lit.at(16, 16).g, 0.95f) << "what faces the viewer is lit";
   }
 }
@@ -169,7 +169,7 @@ TEST(Path, HighlightsAreThoseOfTheLocalLook) {
   s.shadings[0].lights[0].specular = {0.6f, 0.7f, 0.8f, 1};
   for (const bool localViewer : {false, true}) {
     s.shadings[0].localViewer = localViewer;
-    expectEqualPictures(radiances(s), radiances(localLook(s)), 3e-3f);
+    expectEqualImages(radiances(s), radiances(localLook(s)), 3e-3f);
   }
   s.shadings[0].fragment.model = scene::FragmentShading::Model::phong;
   s.shadings[0].fragment.lights.resize(1);
@@ -181,7 +181,7 @@ TEST(Path, HighlightsAreThoseOfTheLocalLook) {
          {scene::FragmentShading::Specular::half, scene::FragmentShading::Specular::reflect}) {
       s.shadings[0].fragment.lights[0].kind = kind;
       s.shadings[0].fragment.specular = specular;
-      expectEqualPictures(radiances(s), radiances(localLook(s)), 3e-3f);
+      expectEqualImages(radiances(s), radiances(localLook(s)), 3e-3f);
     }
 }
 
@@ -198,7 +198,7 @@ TEST(Path, VtksPhysicallyBasedSurfacesAreAsBrightAsTheirLocalLook) {
   for (const float metallic : {0.0f, 0.5f, 1.0f})
     for (const float roughness : {0.2f, 0.5f, 0.9f}) {
       s.shadings[0].fragment.pbr.metallic = metallic, s.shadings[0].fragment.pbr.roughness = roughness;
-      expectEqualPictures(radiances(s), radiances(localLook(s)), 6e-3f);
+      expectEqualImages(radiances(s), radiances(localLook(s)), 6e-3f);
     }
 }
 
@@ -239,7 +239,7 @@ TEST(Path, PassesContinueOneSequence) {
 }
 
 TEST(Path, OfScenesOfAnySizeHoweverTheWorldIsScaled) {
-  const auto pictureOf = [](double size, const glm::dvec3& scale) {
+  const auto imageOf = [](double size, const glm::dvec3& scale) {
     const auto piece = [&](glm::vec3 c, glm::vec3 a, glm::vec3 b) {
       const glm::vec3 by(size / scale);
       return test::parallelogram(c * by, a * by, b * by);
@@ -258,12 +258,12 @@ TEST(Path, OfScenesOfAnySizeHoweverTheWorldIsScaled) {
     s.shadings[0].lights = {lightAt({0, 0, 1, 0}, glm::vec3(1))};
     return radiances(s).mean().g;
   };
-  const float plain = pictureOf(1, glm::dvec3(1));
+  const float plain = imageOf(1, glm::dvec3(1));
   EXPECT_TRUE(std::isfinite(plain));
   for (const double size : {1e-6, 1e-3, 1e3, 1e6})
-    EXPECT_NEAR(plain, pictureOf(size, glm::dvec3(1)), 0.004f) << size;
+    EXPECT_NEAR(plain, imageOf(size, glm::dvec3(1)), 0.004f) << size;
   for (const glm::dvec3& scale : {glm::dvec3(1, 1, 10), glm::dvec3(100, 1, 0.01)})
-    EXPECT_NEAR(plain, pictureOf(1, scale), 0.004f);
+    EXPECT_NEAR(plain, imageOf(1, scale), 0.004f);
 }
 
 }  // namespace

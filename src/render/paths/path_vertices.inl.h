@@ -99,8 +99,8 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
   const bool mirrored = path.mirrored;
   const uint32_t ccw = mirrored ? ~rows.ccw : rows.ccw, back = (s.frontIsCcw ? ~ccw : ccw) & group.lanes;
   LitRows albedo, emission;
-  const bool pictured = path.pictured && path.pictured->has(instance);
-  if (!pictured) shade(path.frame, (*colors.albedo)[instance], group, back, x, y, albedo);
+  const bool captured = path.captured && path.captured->has(instance);
+  if (!captured) shade(path.frame, (*colors.albedo)[instance], group, back, x, y, albedo);
   const MaterialModel& model = path.materials[instance];
   const scene::Shading& shading = *s.lighting->shading;
   const bool program = shading.fragment.model != scene::FragmentShading::Model::off;
@@ -115,11 +115,11 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
     v.point = at(rows.point, i), v.geometric = at(rows.geometric, i), v.lift = at(rows.lift, i);
     v.shading = seenNormal(at(rows.shading, i), at(from, i));
     v.error = rows.error[i];
-    const glm::vec3 color = pictured ? path.pictured->at(instance, v.point) : at(albedo.value, i);
+    const glm::vec3 color = captured ? path.captured->at(instance, v.point) : at(albedo.value, i);
     v.albedo = unlit ? glm::vec3(0) : glm::clamp(color, 0.0f, 1.0f);
     v.emission = unlit ? color : emits ? at(emission.value, i) : glm::vec3(0);
     if (model.isEmissive()) v.albedo = glm::vec3(0), v.emission = model.emission * color;
-    v.opacity = pictured ? 1 : albedo.value[3][i];
+    v.opacity = captured ? 1 : albedo.value[3][i];
     const bool backMaterial = sided && (back >> i & 1);
     const scene::Material& m = faceOf(s.materials[materialIndex(s, group.vertex[2][i])], backMaterial);
     v.specular = model.isProgram() ? glm::vec3(m.specular) : glm::vec3(0);

@@ -37,7 +37,7 @@ class RemoteSurfaces {
   virtual void begin(const FrameData&) = 0;
   /// Called instead of begin() if this process has no surface of the view.
   virtual void beginEmpty(const scene::Snapshot&) = 0;
-  /// After begin(): bounds of the scene in all processes, in the space of Surroundings::viewFromWorld.
+  /// After begin(): bounds of the scene in all processes, in the space of SecondaryScene::viewFromWorld.
   virtual accel::Bounds bounds() const noexcept = 0;
   /// After begin(): whether surfaces of any process have moved relative to others, or changed, since the last
   /// moving frame of the view.
@@ -51,7 +51,7 @@ class RemoteSurfaces {
   virtual bool recall(uint32_t& blocked) noexcept = 0;
   /// Whether this thread traces its tile a second time.
   virtual bool isReplaying() const noexcept = 0;
-  /// Called when all tiles are traced. Calls `whole` unless the picture must be traced again; then answers
+  /// Called when all tiles are traced. Calls `whole` unless the image must be traced again; then answers
   /// other processes until this process has another frame to trace.
   virtual void hold(const std::function<void()>& whole) noexcept = 0;
 };

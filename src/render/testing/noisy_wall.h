@@ -1,7 +1,7 @@
-// A noisy picture for tests of the wavelet filter.
+// A noisy image for tests of the wavelet filter.
 #pragma once
-#include "render/film/guide_pixels.h"
-#include "render/film/wavelet.h"
+#include "render/resolve/feature_pixels.h"
+#include "render/resolve/wavelet.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace gluray::test {
 
-/// A picture of a wall that faces the viewer, white, of light 0.5 with a standard error of 0.1.
+/// An image of a wall that faces the viewer, white, of light 0.5 with a standard error of 0.1.
 struct NoisyWall {
   int width, height;
   std::vector<float> color, reflectance, geometry, depth;
@@ -37,10 +37,10 @@ struct NoisyWall {
   void light(size_t pixel, float light) {
     for (size_t c = 0; c < 3; ++c) color[4 * pixel + c] = light * reflectance[4 * pixel + c];
   }
-  render::NoisyPicture picture(bool knowsNoise) {
+  render::NoisyImage image(bool knowsNoise) {
     const size_t n = depth.size();
     packedReflectance.resize(n), normal.resize(n), facing.resize(n), distance.resize(n);
-    render::packGuides(reflectance.data(), n, packedReflectance.data());
+    render::packReflectances(reflectance.data(), n, packedReflectance.data());
     render::packGeometry(geometry.data(), depth.data(), n, normal.data(), facing.data(), distance.data());
     return {width,
             height,
@@ -50,9 +50,9 @@ struct NoisyWall {
             target,
             most};
   }
-  /// The smoothed picture's reds; `changed` tells whether any tile was smoothed.
+  /// The smoothed image's reds; `changed` tells whether any tile was smoothed.
   std::vector<float> smooth(bool knowsNoise = true, bool* changed = nullptr) {
-    const render::NoisyPicture in = picture(knowsNoise);
+    const render::NoisyImage in = image(knowsNoise);
     std::vector<float> memory(render::waveletFloats()),
         tile(3 * render::WaveletTile::kSize * render::WaveletTile::kSize), out;
     for (size_t i = 0; i < depth.size(); ++i) out.push_back(color[4 * i]);

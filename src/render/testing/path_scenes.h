@@ -44,7 +44,7 @@ inline void setAlbedo(scene::Instance& instance, const glm::vec3& albedo) {
 /// The wall z = 0 that fills the view.
 inline scene::MeshPtr backWall() { return parallelogram({0, 0, 0}, {500, 0, 0}, {0, 500, 0}); }
 
-/// A picture of float colours.
+/// An image of float colours.
 struct Radiances {
   Traced traced;
   bool hit(int x, int y) const { return traced.hit(x, y); }

@@ -1,7 +1,7 @@
 // The wavelet filter from its definition, for tests.
 #pragma once
-#include "render/film/guide_pixels.h"
-#include "render/film/wavelet.h"
+#include "render/resolve/feature_pixels.h"
+#include "render/resolve/wavelet.h"
 
 #include <glm/glm.hpp>
 
@@ -15,7 +15,7 @@ namespace gluray::test {
 /// The filter once more, pixel by pixel, from its definition.
 class ReferenceWavelet {
  public:
-  explicit ReferenceWavelet(const render::NoisyPicture& in)
+  explicit ReferenceWavelet(const render::NoisyImage& in)
       : in_(in), pixels_(static_cast<size_t>(in.width * in.height)) {
     for (size_t i = 0; i < pixels_.size(); ++i) unpack(i);
   }
@@ -43,11 +43,11 @@ class ReferenceWavelet {
   };
   void unpack(size_t i) {
     Pixel& p = pixels_[i];
-    p.distance = in_.guides.distance[i], p.shows = p.distance > 0;
+    p.distance = in_.features.distance[i], p.shows = p.distance > 0;
     if (!p.shows) return;
-    p.reflectance = render::unpackReflectance(in_.guides.reflectance[i]),
-    p.facing = render::unpackFacing(in_.guides.facing[i]);
-    const glm::dvec2 n = render::unpackNormal2(in_.guides.normal[i]);
+    p.reflectance = render::unpackReflectance(in_.features.reflectance[i]),
+    p.facing = render::unpackFacing(in_.features.facing[i]);
+    const glm::dvec2 n = render::unpackNormal2(in_.features.normal[i]);
     p.normal = {n, std::sqrt(std::max(1 - glm::dot(n, n), 0.0))};
     for (int c = 0; c < 3; ++c) p.light[c] = in_.color[4 * i + static_cast<size_t>(c)] / p.reflectance[c];
     const double error = in_.noise[i] / double{render::kNoiseOne};
@@ -101,7 +101,7 @@ class ReferenceWavelet {
     pixels_ = next;
   }
 
-  const render::NoisyPicture& in_;
+  const render::NoisyImage& in_;
   std::vector<Pixel> pixels_;
 };
 

@@ -14,7 +14,7 @@ inline scene::Snapshot screened(Shader shader, const glm::vec4& light = kFromThe
   return litView({wall(), screen()}, shader, light);
 }
 
-/// The picture's colours as shares of those without shadows, 0 .. 1.
+/// The image's colours as shares of those without shadows, 0 .. 1.
 inline std::vector<float> sharesOf(scene::Snapshot s, int channel = 1, int row = kLitSize / 2) {
   const Traced shadowed = trace(s);
   s.settings.shadows.enabled = false;

@@ -6,7 +6,7 @@
 
 namespace gluray::test {
 
-/// A traced picture with accessors by pixel and sample.
+/// A traced image with accessors by pixel and sample.
 struct Traced {
   Image image;
   size_t at(int x, int y, int sample) const {

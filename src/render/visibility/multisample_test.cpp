@@ -1,4 +1,4 @@
-// Multisampled pictures: coverage and depth per sample, shading once per pixel.
+// Multisampled images: coverage and depth per sample, shading once per pixel.
 #include "render/testing/test_targets.h"
 #include "render/testing/test_trace.h"
 

@@ -34,7 +34,7 @@ TEST(ShippedProfiles, AreValidAndReachTheirProgramsByName) {
 TEST(ShippedProfiles, SwitchNothingOn) {
   for (const FileSetting& s : shippedProfiles()) {
     const Settings settings = layersFor(s.section.name).session.settings;
-    EXPECT_FALSE(settings.changesPicture()) << s.section.name << ": " << s.name;
+    EXPECT_FALSE(settings.changesImage()) << s.section.name << ": " << s.name;
   }
 }
 

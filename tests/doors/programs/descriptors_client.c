@@ -5,7 +5,7 @@
    descriptors_client devices       prints how many devices eglQueryDevicesEXT lists
    descriptors_client plain         only draws
 
-   Ends with 0 if the picture is right and its files hold what it wrote. */
+   Ends with 0 if the image is right and its files hold what it wrote. */
 #define _GNU_SOURCE
 #include "egl_config.h"
 
@@ -18,7 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { kSize = 64, kFiles = 64, kWrongPicture = 3, kWrongFile = 4, kNoContext = 5 };
+enum { kSize = 64, kFiles = 64, kWrongImage = 3, kWrongFile = 4, kNoContext = 5 };
 
 static EGLDisplay display;
 static EGLSurface surface;
@@ -68,23 +68,23 @@ static int second(const char* path) {
   const int file = openFile(path);
   if (file < 0) return kWrongFile;
   if (!start()) return kNoContext;
-  if (!draw()) return kWrongPicture;
+  if (!draw()) return kWrongImage;
   return holdsTheLine(file) ? 0 : kWrongFile;
 }
 
 static int all(const char* folder) {
   int files[kFiles];
   if (!start()) return kNoContext;
-  if (!draw()) return kWrongPicture;
+  if (!draw()) return kWrongImage;
   for (int number = 3; number < 256; ++number) close(number);
   for (int i = 0; i < kFiles; ++i) {
     char path[4096];
     snprintf(path, sizeof path, "%s/%d", folder, i);
     files[i] = openFile(path);
   }
-  if (!draw()) return kWrongPicture;
+  if (!draw()) return kWrongImage;
   usleep(700 * 1000); /* longer than the timeline waits between two writes */
-  if (!draw()) return kWrongPicture;
+  if (!draw()) return kWrongImage;
   for (int i = 0; i < kFiles; ++i)
     if (!holdsTheLine(files[i])) return kWrongFile;
   return 0;
@@ -96,7 +96,7 @@ static int devices(void) {
   EGLint count = -1;
   if (query) query(32, found, &count);
   printf("%d devices\n", (int)count);
-  return start() && draw() ? 0 : kWrongPicture;
+  return start() && draw() ? 0 : kWrongImage;
 }
 
 int main(int argc, char** argv) {
@@ -104,5 +104,5 @@ int main(int argc, char** argv) {
   if (argc == 3 && !strcmp(argv[1], "all")) return all(argv[2]);
   if (argc == 2 && !strcmp(argv[1], "devices")) return devices();
   if (!start()) return kNoContext;
-  return draw() ? 0 : kWrongPicture;
+  return draw() ? 0 : kWrongImage;
 }

@@ -1,4 +1,4 @@
-/* Text by glXUseXFont: prints how many pixels are lit and a checksum of the picture. */
+/* Text by glXUseXFont: prints how many pixels are lit and a checksum of the image. */
 #include "linked.h"
 
 int main(void) {

@@ -69,7 +69,7 @@ static inline void showClient(void* user) {
   client->glx->SwapBuffers(client->display, client->window);
 }
 
-/* Window, legacy context, frames, end. 0 (success) if the picture was right. */
+/* Window, legacy context, frames, end. 0 (success) if the image was right. */
 static inline int runGlxClient(const Glx* glx, const Gl* gl) {
   Client client = openClient(glx);
   GLXContext context = glx->CreateContext(client.display, client.visual, NULL, True);

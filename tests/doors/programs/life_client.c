@@ -45,7 +45,7 @@ static int shared(void) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glColor3f(1, 0, 0);
   glCallList(list);
-  const int right = pictureIsRight(&gl);
+  const int right = imageIsRight(&gl);
   return right && drawAll(&client, second);
 }
 

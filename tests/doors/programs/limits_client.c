@@ -1,10 +1,10 @@
-/* Draws a few frames of a shaded scene where something is short, and writes the last one as a PPM picture to
+/* Draws a few frames of a shaded scene where something is short, and writes the last one as a PPM image to
    standard output, VmHWM in kB to standard error. Arguments: glx or egl (surfaceless, without a display);
    small, grows, lowers, large or sizes; the stack of the drawing thread in kB, 0: the main thread draws.
    small, large: a lit ball of few or many triangles over a floor.
    grows: small; after the first frame, the program takes all but 200 MB of its limit of address space.
    lowers: small, and more frames; after the first, the program sets a limit that leaves 200 MB.
-   sizes: the small scene, ten times into each of three framebuffers of very different shapes; the picture is
+   sizes: the small scene, ten times into each of three framebuffers of very different shapes; the image is
    the middle of the last one. */
 #define GL_GLEXT_PROTOTYPES
 #include "egl_config.h"
@@ -75,7 +75,7 @@ static void drawScene(int width, int height, int step) {
   glEnd();
 }
 
-static void writePicture(int x, int y) {
+static void writeImage(int x, int y) {
   static unsigned char pixels[kSide * kSide * 3];
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(x, y, kSide, kSide, GL_RGB, GL_UNSIGNED_BYTE, pixels);
@@ -113,7 +113,7 @@ static void drawFrames(void (*show)(void)) {
     drawScene(kSide, kSide, i);
     if (i + 1 < frames) show();
   }
-  writePicture(0, 0);
+  writeImage(0, 0);
   show();
 }
 
@@ -136,7 +136,7 @@ static void drawSizes(void) {
       drawScene(width, height, i);
       if (i % 2 == 0) glFinish();
     }
-    if (width >= kSide && height >= kSide) writePicture((width - kSide) / 2, (height - kSide) / 2);
+    if (width >= kSide && height >= kSide) writeImage((width - kSide) / 2, (height - kSide) / 2);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteRenderbuffers(2, planes);

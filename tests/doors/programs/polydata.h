@@ -1,6 +1,6 @@
 /* A mesh drawn as by VTK's polydata mapper: core profile, the array of each attribute in a buffer of its
    own, one indexed draw, uniforms of VTK's names (VTK 9, vtkPolyDataVS.glsl and what vtkOpenGLPolyDataMapper
-   puts into it). Frames go to a framebuffer object and are written to standard output as PPM pictures. */
+   puts into it). Frames go to a framebuffer object and are written to standard output as PPM images. */
 #pragma once
 #define GL_GLEXT_PROTOTYPES /* for the types; nothing is linked */
 #include <GL/gl.h>
@@ -87,7 +87,7 @@ enum {
   kAcross = 30,
   kPoints = kAround * kAcross,
   kIndices = kPoints * 6,
-  kPictures = 3
+  kImages = 3
 };
 
 /* A torus whose tube swells and shrinks: positions, normals of the plain torus, triangles. */
@@ -198,7 +198,7 @@ static inline void setCamera(const Functions* gl, GLuint program, float angle) {
   gl->UniformMatrix3fv(gl->GetUniformLocation(program, "normalMatrix"), 1, GL_FALSE, normal);
 }
 
-static inline void writePicture(const Functions* gl) {
+static inline void writeImage(const Functions* gl) {
   static unsigned char pixels[kHeight][kWidth][3];
   gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl->ReadPixels(0, 0, kWidth, kHeight, GL_RGB, GL_UNSIGNED_BYTE, pixels);
@@ -220,7 +220,7 @@ static inline int drawPolydata(const Functions* gl) {
   fillArray(gl, program, buffers[1], "normalMC", normals);
   gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[2]);
   gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices, GL_STATIC_DRAW);
-  for (int i = 0; i < kPictures; ++i) {
+  for (int i = 0; i < kImages; ++i) {
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl->Viewport(0, 0, kWidth, kHeight);
     gl->Scissor(0, 0, kWidth, kHeight);
@@ -235,7 +235,7 @@ static inline int drawPolydata(const Functions* gl) {
     setMaterial(gl, program);
     setCamera(gl, program, 0.5f + 0.6f * (float)i);
     gl->DrawRangeElements(GL_TRIANGLES, 0, kPoints - 1, kIndices, GL_UNSIGNED_INT, NULL);
-    writePicture(gl);
+    writeImage(gl);
   }
   const GLenum error = gl->GetError();
   if (error) fprintf(stderr, "OpenGL error 0x%x\n", error);

@@ -152,7 +152,7 @@ static void resized_then_drawn(void) {
   frame(49), frame(50), resize(230, 160), glClear(GL_DEPTH_BUFFER_BIT), clear(), lines(), swap();
   window_shows();
 }
-/* A new context whose first frame is empty; the window may change its size before its first picture. */
+/* A new context whose first frame is empty; the window may change its size before its first image. */
 static void after_empty(int wider) {
   GLXContext other = glXCreateContext(display, visual, NULL, True);
   glXMakeCurrent(display, window, other), glEnable(GL_DEPTH_TEST);

@@ -11,7 +11,7 @@ XVisualInfo* visual;
 GLXContext context;
 int width = 200, height = 150;
 
-static void writePicture(const unsigned char* rgb, int w, int h) {
+static void writeImage(const unsigned char* rgb, int w, int h) {
   printf("P6\n%d %d\n255\n", w, h);
   fwrite(rgb, 3, (size_t)(w * h), stdout);
 }
@@ -28,7 +28,7 @@ void window_shows(void) {
       to[0] = (unsigned char)(pixel >> 16), to[1] = (unsigned char)(pixel >> 8), to[2] = (unsigned char)pixel;
     }
   XDestroyImage(image);
-  writePicture(rgb, width, height);
+  writeImage(rgb, width, height);
 }
 
 /* The buffers, as the program reads them: colours, and the higher bytes of depths. */
@@ -37,11 +37,11 @@ void buffer_holds(void) {
   static unsigned depth[kMax * kMax];
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rgb);
-  writePicture(rgb, width, height);
+  writeImage(rgb, width, height);
   glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depth);
   for (int i = 0; i < width * height; ++i)
     for (int c = 0; c < 3; ++c) rgb[3 * i + c] = (unsigned char)(depth[i] >> (24 - 8 * c));
-  writePicture(rgb, width, height);
+  writeImage(rgb, width, height);
 }
 
 void swap(void) { glXSwapBuffers(display, window); }

@@ -1,6 +1,6 @@
 /* Loads OpenGL as VTK 9.4 does: nothing is linked; the libraries of GLX, EGL and OSMesa are opened in turn
    until one gives a context, and glad fetches every function. Argument: auto, or the one to be used: glx,
-   egl, osmesa. Then draws a mesh as VTK's polydata mapper does and writes the pictures to standard output. */
+   egl, osmesa. Then draws a mesh as VTK's polydata mapper does and writes the images to standard output. */
 #define GL_GLEXT_PROTOTYPES /* before the first gl.h, for polydata.h */
 #include "intercept/window_systems/osmesa_api.h"
 #include "polydata.h"

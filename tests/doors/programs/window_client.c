@@ -1,4 +1,4 @@
-/* Habits of programs with windows: window_client HABIT writes the pictures it read back to standard output,
+/* Habits of programs with windows: window_client HABIT writes the images it read back to standard output,
  * as PPM, to be compared with those of the same program without GLuRay. */
 #include "ring.h"
 #include "x_window.h"
@@ -43,7 +43,7 @@ static void clear(float red) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-static void writePicture(int width, int height) {
+static void writeImage(int width, int height) {
   const size_t bytes = (size_t)width * (size_t)height * 3;
   unsigned char* pixels = malloc(bytes);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -63,9 +63,9 @@ static void front(void) {
   clear(0.8f);
   drawRing(kWidth, kHeight, 50);
   glReadBuffer(GL_FRONT);
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
   glReadBuffer(GL_BACK);
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
 }
 
 /* Habit 3: reads the back buffer after the swap. Its content is undefined; programs rely on what Mesa leaves
@@ -75,17 +75,17 @@ static void readAfterSwap(void) {
   drawRing(kWidth, kHeight, 10);
   glXSwapBuffers(g_display, g_window);
   glFinish();
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
 }
 
-/* A window without a back buffer: glFlush shows the picture. */
+/* A window without a back buffer: glFlush shows the image. */
 static void singleBuffered(void) {
   for (int frame = 0; frame < 3; ++frame) {
     clear(0.2f);
     drawRing(kWidth, kHeight, 20 * (float)frame);
     glFlush();
   }
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
 }
 
 /* The window grows and shrinks while a frame is drawn. */
@@ -104,7 +104,7 @@ static void resized(void) {
     drawRing(kWidth, kHeight, 30);
     if (frame == 0) glXSwapBuffers(g_display, g_window);
   }
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
 }
 
 /* Windows destroyed and made again while one context exists. */
@@ -120,14 +120,14 @@ static void remade(void) {
   }
   clear(0.5f);
   drawRing(kWidth, kHeight, 33);
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
 }
 
 /* Many samples a pixel, read back resolved. */
 static void multisampled(void) {
   clear(0.2f);
   drawRing(kWidth, kHeight, 10);
-  writePicture(kWidth, kHeight);
+  writeImage(kWidth, kHeight);
 }
 
 int main(int argc, char** argv) {

@@ -1,5 +1,5 @@
 /* The workload of every door test once it has a context: fixed numbers of calls, so that the test can check
-   that each was seen, and a picture whose colour it knows. tests/doors/check.py knows the numbers. */
+   that each was seen, and an image whose colour it knows. tests/doors/check.py knows the numbers. */
 #pragma once
 #include <GL/gl.h>
 #include <stdio.h>
@@ -39,7 +39,7 @@ static inline int loadGl(Gl* gl, GlLookup lookup) {
   return 1;
 }
 
-/* One frame: queries that change nothing, and red triangles over the middle of a black picture. */
+/* One frame: queries that change nothing, and red triangles over the middle of a black image. */
 static inline void drawFrame(const Gl* gl) {
   gl->ClearColor(0, 0, 0, 1);
   gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -56,27 +56,27 @@ static inline void drawFrame(const Gl* gl) {
   gl->End();
 }
 
-/* Whether the middle of the picture is red. */
+/* Whether the middle of the image is red. */
 static inline int middleIsRed(const Gl* gl) {
   unsigned char pixel[4] = {0, 0, 0, 0};
   gl->ReadPixels(kWindowSize / 2, kWindowSize / 2, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
   if (pixel[0] > 250 && pixel[1] < 5 && pixel[2] < 5) return 1;
-  fprintf(stderr, "the middle of the picture is %d %d %d, not red\n", pixel[0], pixel[1], pixel[2]);
+  fprintf(stderr, "the middle of the image is %d %d %d, not red\n", pixel[0], pixel[1], pixel[2]);
   return 0;
 }
 
 /* The same, after glFinish. */
-static inline int pictureIsRight(const Gl* gl) {
+static inline int imageIsRight(const Gl* gl) {
   gl->Finish();
   return middleIsRed(gl);
 }
 
-/* All frames; `show` swaps buffers. 1 if the picture is right. */
+/* All frames; `show` swaps buffers. 1 if the image is right. */
 static inline int workload(const Gl* gl, void (*show)(void*), void* user) {
   int right = 1;
   for (int frame = 0; frame < kFrames; ++frame) {
     drawFrame(gl);
-    right = pictureIsRight(gl) && right;
+    right = imageIsRight(gl) && right;
     if (show) show(user);
   }
   return right;

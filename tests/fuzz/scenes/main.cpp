@@ -1,5 +1,5 @@
 // Random scenes, each drawn by the real OpenGL and through GLuRay: compares query results, colours and
-// depths. Prints the seeds of scenes that differ, and keeps their pictures.
+// depths. Prints the seeds of scenes that differ, and keeps their images.
 //   gluray_fuzz_scenes [--seed N] [--scenes N] [--out FOLDER]
 #include "tests/fuzz/scenes/outcome.h"
 #include "tests/fuzz/scenes/scene.h"

@@ -20,7 +20,7 @@ bool same(const std::vector<float>& a, const std::vector<float>& b) {
   return equal;
 }
 
-test::Picture emptyPicture() {
+test::DrawnImage emptyImage() {
   return {kSceneSize, kSceneSize, std::vector<uint32_t>(kPixels), std::vector<float>(kPixels)};
 }
 
@@ -31,20 +31,20 @@ std::string fileOf(const std::string& folder, uint64_t seed) {
 }  // namespace
 
 Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed) {
-  Outcome outcome{{}, emptyPicture()};
+  Outcome outcome{{}, emptyImage()};
   drawScene(gl, seed, outcome.answers);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_RGBA, GL_UNSIGNED_BYTE, outcome.picture.colors.data());
-  gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_DEPTH_COMPONENT, GL_FLOAT, outcome.picture.depths.data());
+  gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_RGBA, GL_UNSIGNED_BYTE, outcome.image.colors.data());
+  gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_DEPTH_COMPONENT, GL_FLOAT, outcome.image.depths.data());
   return outcome;
 }
 
 std::string difference(uint64_t seed, const Outcome& expected, const Outcome& got,
                        const std::string& folder) {
   if (!same(expected.answers, got.answers)) return "answers differ";
-  const test::Comparison c = test::compare(expected.picture, got.picture, kTolerance);
+  const test::Comparison c = test::compare(expected.image, got.image, kTolerance);
   if (c.accepted) return "";
-  if (!folder.empty()) test::writeFailure(folder, std::to_string(seed), expected.picture, got.picture);
+  if (!folder.empty()) test::writeFailure(folder, std::to_string(seed), expected.image, got.image);
   return c.text;
 }
 
@@ -56,8 +56,8 @@ bool save(const std::string& folder, uint64_t seed, const Outcome& outcome) {
   const uint64_t answers = outcome.answers.size();
   put(&answers, sizeof answers);
   put(outcome.answers.data(), answers * sizeof(float));
-  put(outcome.picture.colors.data(), kPixels * sizeof(uint32_t));
-  put(outcome.picture.depths.data(), kPixels * sizeof(float));
+  put(outcome.image.colors.data(), kPixels * sizeof(uint32_t));
+  put(outcome.image.depths.data(), kPixels * sizeof(float));
   return out.good();
 }
 
@@ -70,10 +70,10 @@ bool load(const std::string& folder, uint64_t seed, Outcome& outcome) {
   uint64_t answers = 0;
   get(&answers, sizeof answers);
   if (!in || answers > kMaxAnswers) return false;
-  outcome = {std::vector<float>(answers), emptyPicture()};
+  outcome = {std::vector<float>(answers), emptyImage()};
   get(outcome.answers.data(), answers * sizeof(float));
-  get(outcome.picture.colors.data(), kPixels * sizeof(uint32_t));
-  get(outcome.picture.depths.data(), kPixels * sizeof(float));
+  get(outcome.image.colors.data(), kPixels * sizeof(uint32_t));
+  get(outcome.image.depths.data(), kPixels * sizeof(float));
   return in.good();
 }
 

@@ -1,7 +1,7 @@
 // The outcome of a random scene: query results, colours and depths; compared, and kept in files.
 #pragma once
 #include "gl/real/real.h"
-#include "tests/support/picture.h"
+#include "tests/support/drawn_image.h"
 
 #include <cstdint>
 #include <string>
@@ -11,13 +11,13 @@ namespace gluray::fuzz {
 
 struct Outcome {
   std::vector<float> answers;
-  test::Picture picture;
+  test::DrawnImage image;
 };
 
 /// Draws the scene of `seed` into the current framebuffer and reads it back.
 Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed);
 
-/// Empty if both agree, else the difference; their pictures then go to `folder` unless that is empty.
+/// Empty if both agree, else the difference; their images then go to `folder` unless that is empty.
 std::string difference(uint64_t seed, const Outcome& expected, const Outcome& got, const std::string& folder);
 
 /// Writes or reads a scene's file in a folder. False if it cannot be written, or is incomplete.

@@ -1,4 +1,4 @@
-// Draws of any shader program, made without what cannot be seen: pictures are those of whole draws to the
+// Draws of any shader program, made without what cannot be seen: images are those of whole draws to the
 // bit.
 #include "tests/reference/culled/turned_draws.h"
 

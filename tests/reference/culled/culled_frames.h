@@ -114,7 +114,7 @@ inline void drawByFixedFunction(Gl gl, const ProgramMesh& mesh, int frame, GLenu
   gl.DrawElements(mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, indices.data());
 }
 
-inline std::string whereDifferent(const Picture& a, const Picture& b) {
+inline std::string whereDifferent(const DrawnImage& a, const DrawnImage& b) {
   std::ostringstream words;
   words << std::hex;
   int count = 0;
@@ -127,10 +127,10 @@ inline std::string whereDifferent(const Picture& a, const Picture& b) {
   return words.str();
 }
 
-inline Picture readWindow(Gl gl) { return readPicture(gl, kSide, kSide); }
+inline DrawnImage readWindow(Gl gl) { return readImage(gl, kSide, kSide); }
 
-/// A picture and state after each frame.
-using Frames = std::vector<std::pair<Picture, GlState>>;
+/// An image and state after each frame.
+using Frames = std::vector<std::pair<DrawnImage, GlState>>;
 
 inline void expectSameFrames(const std::string& name, const Frames& whole, const Frames& culled) {
   for (size_t i = 0; i < whole.size(); ++i) {
@@ -143,14 +143,14 @@ inline void expectSameFrames(const std::string& name, const Frames& whole, const
   }
 }
 
-/// Pictures, which `read` reads, and state after each frame, with draws whole and culled. Returns the counts
+/// Images, which `read` reads, and state after each frame, with draws whole and culled. Returns the counts
 /// of the latter.
 inline gl::Statistics compareFrames(const std::string& name, int frames,
                                     const std::function<void(Gl)>& prepare,
                                     const std::function<void(Gl, int)>& draw,
                                     const Settings* settings = nullptr,
                                     const ContextWish& wish = {kSide, kSide, true, 3, 2},
-                                    const std::function<Picture(Gl)>& read = readWindow) {
+                                    const std::function<DrawnImage(Gl)>& read = readWindow) {
   const auto seen = [&](Culling how, gl::Statistics* counts) {
     TracedContext context(wish, counts && settings ? *settings : culling(how));
     Frames all;

@@ -1,4 +1,4 @@
-// Triangles that programs of no family draw, and where pictures show points: for tests of light on and from
+// Triangles that programs of no family draw, and where images show points: for tests of light on and from
 // rasterised surfaces.
 #pragma once
 #include "tests/reference/programs/program_stage.h"
@@ -46,28 +46,28 @@ inline void drawTriangles(Gl gl, GLuint program, const Triangles& triangles, con
   gl.UseProgram(0);
 }
 
-struct CountedPicture {
-  Picture picture;
+struct CountedImage {
+  DrawnImage image;
   gl::Statistics counts;
 };
 
 /// The last of so many frames that `frame` draws into a window of size x size pixels, and the counts of all.
-inline CountedPicture seenThrough(const Settings& settings, int size, const std::function<void(Gl)>& frame,
-                                  int frames = 1) {
+inline CountedImage seenThrough(const Settings& settings, int size, const std::function<void(Gl)>& frame,
+                                int frames = 1) {
   TracedContext context({size, size}, settings);
   Gl gl = context.gl();
-  CountedPicture result;
+  CountedImage result;
   for (int i = 0; i < frames; ++i) {
     frame(gl);
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-    result.picture = readPicture(gl, size, size);
+    result.image = readImage(gl, size, size);
   }
   result.counts = context.context().counts.statistics;
   return result;
 }
 
-/// Number of the pixel of a square picture that shows a point in front of the viewer, inside the window.
-inline size_t pixelOf(const Picture& p, const glm::mat4& clipFromWorld, const glm::vec3& point) {
+/// Number of the pixel of a square image that shows a point in front of the viewer, inside the window.
+inline size_t pixelOf(const DrawnImage& p, const glm::mat4& clipFromWorld, const glm::vec3& point) {
   const glm::vec4 clip = clipFromWorld * glm::vec4(point, 1);
   const glm::ivec2 pixel((glm::vec2(clip) / clip.w * 0.5f + 0.5f) * static_cast<float>(p.width));
   return static_cast<size_t>(pixel.y * p.width + pixel.x);

@@ -1,4 +1,4 @@
-// Draws whose parameters are in a buffer object, culled as the draws that these describe: pictures, state and
+// Draws whose parameters are in a buffer object, culled as the draws that these describe: images, state and
 // errors are those of the real OpenGL.
 #include "tests/reference/culled/swarm.h"
 

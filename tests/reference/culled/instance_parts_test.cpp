@@ -1,4 +1,4 @@
-// A draw of instances made in parts by the real OpenGL has the picture of the whole draw to the bit, with a
+// A draw of instances made in parts by the real OpenGL has the image of the whole draw to the bit, with a
 // base instance, with vertex buffer bindings, and without both. State is as before.
 #include "gl/arrays/signed_fractions.h"
 #include "gl/culled/instances/instance_draws.h"
@@ -65,7 +65,7 @@ class InstanceParts : public ::testing::TestWithParam<bool> {
     turn(context_->real(), program_, 1);
   }
   gl::Elements whole() const { return {0, mesh_.count(), GL_UNSIGNED_INT, nullptr, 0, countOf(swarm_) - 3}; }
-  Picture picture() const { return readPicture(context_->real(), kSide, kSide); }
+  DrawnImage image() const { return readImage(context_->real(), kSide, kSide); }
 
   /// Draws all instances in runs of random lengths.
   void drawParts(const gl::RealGl& real, unsigned seed) {
@@ -99,7 +99,7 @@ TEST_P(InstanceParts, AreTheWholeDraw) {
     sendPlaces(rates);
     begin();
     gl::drawReal(context_->real(), GL_TRIANGLES, whole());
-    const Picture expected = picture();
+    const DrawnImage expected = image();
     EXPECT_GT(std::ranges::count_if(expected.depths, [](float depth) { return depth < 1; }), 5000);
     for (const Older& older : {Older{}, Older{true, false}, Older{true, true}, Older{false, true}}) {
       SCOPED_TRACE(std::to_string(rates.places) + " " + std::to_string(rates.tints) +
@@ -109,7 +109,7 @@ TEST_P(InstanceParts, AreTheWholeDraw) {
       const GlState before = queryState(context_->real());
       drawParts(real, rates.tints);
       for (const std::string& line : differences(before, queryState(context_->real()))) ADD_FAILURE() << line;
-      const Picture got = picture();
+      const DrawnImage got = image();
       EXPECT_TRUE(got.colors == expected.colors && got.depths == expected.depths)
           << whereDifferent(expected, got);
       EXPECT_EQ(context_->real().GetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -1,4 +1,4 @@
-// Instanced draws, made without the instances that cannot be seen: pictures are those of whole draws to the
+// Instanced draws, made without the instances that cannot be seen: images are those of whole draws to the
 // bit.
 #include "tests/reference/culled/instanced_scene.h"
 

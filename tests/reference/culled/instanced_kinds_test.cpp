@@ -1,5 +1,5 @@
 // Instanced draws whose arrays have several divisors or signed fractions, whose positions are fed back, and
-// whose shaders read numbers of instances: pictures are those of whole draws to the bit.
+// whose shaders read numbers of instances: images are those of whole draws to the bit.
 #include "tests/reference/culled/instanced_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Triangles that the real OpenGL draws and light.rasterised lights, with pictures of them.
+// Triangles that the real OpenGL draws and light.rasterised lights, with images of them.
 #pragma once
 #include "tests/reference/culled/drawn_triangles.h"
 
@@ -74,28 +74,28 @@ inline void drawTraced(Gl gl, const Triangles& triangles, const glm::vec3& tint 
   gl.End();
 }
 
-inline CountedPicture seen(const Settings& settings, const std::function<void(Gl)>& frame) {
+inline CountedImage seen(const Settings& settings, const std::function<void(Gl)>& frame) {
   return seenThrough(settings, kSize, [&](Gl gl) {
     begin(gl);
     frame(gl);
   });
 }
 
-inline CountedPicture byProgram(const Settings& settings, const char* fragment = kFlatFragment) {
+inline CountedImage byProgram(const Settings& settings, const char* fragment = kFlatFragment) {
   return seen(settings, [&](Gl gl) { draw(gl, makeProgram(gl, kFlatVertex, fragment), corner()); });
 }
 
 inline int channel(uint32_t color, int c) { return static_cast<int>(color >> (8 * c) & 255); }
 
-inline uint32_t at(const Picture& p, int x, int y) { return p.colors[static_cast<size_t>(y * kSize + x)]; }
+inline uint32_t at(const DrawnImage& p, int x, int y) { return p.colors[static_cast<size_t>(y * kSize + x)]; }
 
 /// The pixel that shows a point.
-inline uint32_t at(const Picture& p, const glm::vec3& point) {
+inline uint32_t at(const DrawnImage& p, const glm::vec3& point) {
   return p.colors[pixelOf(p, camera() * view(), point)];
 }
 
 /// Mean of the channels in a block of pixels.
-inline std::array<double, 3> meanOf(const Picture& p, int x0, int y0) {
+inline std::array<double, 3> meanOf(const DrawnImage& p, int x0, int y0) {
   std::array<double, 3> mean{};
   for (int y = y0; y < y0 + kBlock; ++y)
     for (int x = x0; x < x0 + kBlock; ++x)
@@ -104,7 +104,7 @@ inline std::array<double, 3> meanOf(const Picture& p, int x0, int y0) {
   return mean;
 }
 
-inline void expectAlike(const Picture& a, const Picture& b, double most) {
+inline void expectAlike(const DrawnImage& a, const DrawnImage& b, double most) {
   for (int y = 0; y < kSize; y += kBlock)
     for (int x = 0; x < kSize; x += kBlock) {
       const auto one = meanOf(a, x, y), other = meanOf(b, x, y);

@@ -1,4 +1,4 @@
-// Random swarms, programs that place them, and states: pictures of culled instances are those of whole draws
+// Random swarms, programs that place them, and states: images of culled instances are those of whole draws
 // to the bit.
 #include "tests/reference/culled/swarm.h"
 

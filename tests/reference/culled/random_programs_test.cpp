@@ -1,4 +1,4 @@
-// Random shader programs, meshes and states: pictures of culled draws are those of whole ones to the bit.
+// Random shader programs, meshes and states: images of culled draws are those of whole ones to the bit.
 #include "tests/reference/culled/swarm.h"
 
 #include <gtest/gtest.h>

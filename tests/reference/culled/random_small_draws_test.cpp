@@ -1,4 +1,4 @@
-// Random draws of small meshes among random commands that change depths and state: pictures are those of all
+// Random draws of small meshes among random commands that change depths and state: images are those of all
 // draws to the bit, and no draw that was left out would have shown.
 #include "tests/reference/culled/small_scene.h"
 #include "tests/reference/culled/timed_frames.h"

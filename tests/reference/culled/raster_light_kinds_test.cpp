@@ -15,8 +15,8 @@ namespace {
 
 /// Indices that begin primitives anew are no vertices.
 TEST(RasterLight, LeavesRestartedPrimitivesAlone) {
-  const auto picture = [](bool on) {
-    const CountedPicture got = seen(lit(on), [](Gl gl) {
+  const auto image = [](bool on) {
+    const CountedImage got = seen(lit(on), [](Gl gl) {
       const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
       const std::vector<GLuint> indices{0, 1, 2, ~0u, 3, 4, 5};
       GLuint buffer = 0;
@@ -28,14 +28,14 @@ TEST(RasterLight, LeavesRestartedPrimitivesAlone) {
       gl.Disable(GL_PRIMITIVE_RESTART);
     });
     EXPECT_EQ(got.counts.drawsLit, 0u);
-    return got.picture.colors;
+    return got.image.colors;
   };
-  EXPECT_EQ(picture(true), picture(false));
+  EXPECT_EQ(image(true), image(false));
 }
 
 TEST(RasterLight, LightsMultisampledFramebuffers) {
   const auto resolved = [](const char* fragment, gl::Statistics* counts) {
-    const CountedPicture got = seen(lit(true), [&](Gl gl) {
+    const CountedImage got = seen(lit(true), [&](Gl gl) {
       bindNewFramebuffer(gl, {kSize, kSize}, GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
       begin(gl);
       draw(gl, makeProgram(gl, kFlatVertex, fragment), corner());
@@ -44,10 +44,10 @@ TEST(RasterLight, LightsMultisampledFramebuffers) {
       gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     });
     *counts = got.counts;
-    return got.picture;
+    return got.image;
   };
   gl::Statistics counts;
-  const Picture sampled = resolved(kFlatFragment, &counts), single = byProgram(lit(true)).picture;
+  const DrawnImage sampled = resolved(kFlatFragment, &counts), single = byProgram(lit(true)).image;
   EXPECT_EQ(counts.drawsLit, 1u);
   expectAlike(sampled, single, 5);  // edges: blocks of eight pixels, one of which is half covered
   // Where holes are is not known.
@@ -60,13 +60,13 @@ TEST(RasterLight, StaysBelowWhatIsDrawnLater) {
   const glm::vec3 red(1, 0, 0);
   const Triangles front = square(0.5f, 0.3f);
   for (const bool tested : {true, false}) {
-    const CountedPicture got = seen(lit(true), [&](Gl gl) {
+    const CountedImage got = seen(lit(true), [&](Gl gl) {
       const GLuint program = makeProgram(gl, kFlatVertex, kFlatFragment);
       draw(gl, program, corner());
       if (!tested) gl.Disable(GL_DEPTH_TEST);
       draw(gl, program, front, view(), red);
     });
-    const uint32_t color = at(got.picture, {0, 0.5f, 0});
+    const uint32_t color = at(got.image, {0, 0.5f, 0});
     EXPECT_EQ(channel(color, 1), 0);
     if (!tested) { EXPECT_EQ(channel(color, 0), 255) << "it has no depth: it takes no light"; }
   }
@@ -77,10 +77,10 @@ TEST(RasterLight, JoinsDrawsOfAllKinds) {
   const Triangles floor = square(0, 1), lid = square(0.1f, 0.5f);
   const glm::vec3 below(0.53f, 0, 0.3f), away(0.9f, 0, -0.9f);  // beside the lid's edge, and far from it
   const auto share = [&](const std::function<void(Gl)>& frame) {
-    const CountedPicture got = seen(lit(true), frame);
+    const CountedImage got = seen(lit(true), frame);
     EXPECT_GT(got.counts.drawsLit, 0u);
-    EXPECT_GT(channel(at(got.picture, away), 0), 190);
-    return channel(at(got.picture, below), 0) / 204.0;
+    EXPECT_GT(channel(at(got.image, away), 0), 190);
+    return channel(at(got.image, below), 0) / 204.0;
   };
   const glm::mat4 raised = view() * glm::translate(glm::mat4(1), glm::vec3(0, 0.1f, 0));
   const double oneDraw = share([&](Gl gl) {
@@ -106,7 +106,7 @@ TEST(RasterLight, ShadowsAreThoseOfARig) {
   Settings settings = TracedContext::tracing();
   settings.light.rasterised = true;
   settings.shadows.enabled = true;
-  const auto picture = [&](LightRig rig, bool rasterised) {
+  const auto image = [&](LightRig rig, bool rasterised) {
     settings.lights.rig = rig, settings.light.rasterised = rasterised;
     return seen(settings,
                 [](Gl gl) {
@@ -114,9 +114,9 @@ TEST(RasterLight, ShadowsAreThoseOfARig) {
                   draw(gl, program, square(0, 1));
                   draw(gl, program, square(0.4f, 0.3f));
                 })
-        .picture;
+        .image;
   };
-  const Picture none = picture(LightRig::program, true), sun = picture(LightRig::sun, true);
+  const DrawnImage none = image(LightRig::program, true), sun = image(LightRig::sun, true);
   size_t darker = 0, brighter = 0;
   for (size_t i = 0; i < none.colors.size(); ++i) {
     darker += channel(sun.colors[i], 0) < channel(none.colors[i], 0) - 20;
@@ -125,7 +125,7 @@ TEST(RasterLight, ShadowsAreThoseOfARig) {
   EXPECT_GT(darker, 50u);
   EXPECT_LT(darker, none.colors.size() / 4);
   EXPECT_EQ(brighter, 0u);
-  EXPECT_EQ(none.colors, picture(LightRig::program, false).colors) << "no light is known";
+  EXPECT_EQ(none.colors, image(LightRig::program, false).colors) << "no light is known";
 }
 
 }  // namespace

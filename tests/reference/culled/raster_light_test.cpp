@@ -16,15 +16,15 @@ namespace gluray::test::raster_light {
 namespace {
 
 TEST(RasterLight, OccludesAsIfTheSurfacesWereTraced) {
-  const CountedPicture traced = seen(lit(false), [](Gl gl) { drawTraced(gl, corner()); });
-  const CountedPicture drawn = byProgram(lit(true)), plain = byProgram(lit(false));
+  const CountedImage traced = seen(lit(false), [](Gl gl) { drawTraced(gl, corner()); });
+  const CountedImage drawn = byProgram(lit(true)), plain = byProgram(lit(false));
   ASSERT_EQ(traced.counts.drawsTraced, 1u);
   ASSERT_EQ(drawn.counts.drawsTraced, 0u);
   EXPECT_EQ(drawn.counts.drawsLit, 1u);
   // Noise is 0.01 of white at most; eight pixels beside each other share an edge of the silhouette.
-  expectAlike(traced.picture, drawn.picture, 3);
-  EXPECT_LT(channel(at(drawn.picture, {-0.95f, 0.02f, -0.95f}), 0), 140) << "most of the sky is hidden";
-  EXPECT_EQ(drawn.picture.depths, plain.picture.depths);
+  expectAlike(traced.image, drawn.image, 3);
+  EXPECT_LT(channel(at(drawn.image, {-0.95f, 0.02f, -0.95f}), 0), 140) << "most of the sky is hidden";
+  EXPECT_EQ(drawn.image.depths, plain.image.depths);
 }
 
 /// Text and captions are flattened by a matrix without inverse: they stay as drawn, and the rest stays lit.
@@ -43,13 +43,13 @@ TEST(RasterLight, AMatrixWithoutInverseCostsItsOwnDrawAlone) {
   for (const LightIntegrator integrator : {LightIntegrator::local, LightIntegrator::path}) {
     Settings settings = lit(true);
     settings.integrator = integrator;
-    const CountedPicture with = seen(settings, [&](Gl gl) { frames(gl, true); });
-    const CountedPicture without = seen(settings, [&](Gl gl) { frames(gl, false); });
+    const CountedImage with = seen(settings, [&](Gl gl) { frames(gl, true); });
+    const CountedImage without = seen(settings, [&](Gl gl) { frames(gl, false); });
     EXPECT_EQ(with.counts.drawsLit, 4u) << "two in each frame";
     EXPECT_EQ(with.counts.rasterisedBecause[static_cast<size_t>(gl::Reason::failure)], 0u);
     size_t different = 0;
-    for (size_t i = 0; i < with.picture.colors.size(); ++i)
-      different += with.picture.colors[i] != without.picture.colors[i];
+    for (size_t i = 0; i < with.image.colors.size(); ++i)
+      different += with.image.colors[i] != without.image.colors[i];
     if (integrator == LightIntegrator::local) { EXPECT_LT(different, 30u) << "the text's own"; }
   }
 }
@@ -58,12 +58,12 @@ TEST(RasterLight, SwitchedOffChangesNoBit) {
   const Settings none = TracedContext::tracing();
   Settings noEffect = none;
   noEffect.light.rasterised = true;
-  const Picture expected = byProgram(none).picture;
+  const DrawnImage expected = byProgram(none).image;
   for (const Settings& settings : {lit(false), noEffect}) {
-    const CountedPicture got = byProgram(settings);
+    const CountedImage got = byProgram(settings);
     EXPECT_EQ(got.counts.drawsLit, 0u);
-    EXPECT_EQ(got.picture.colors, expected.colors);
-    EXPECT_EQ(got.picture.depths, expected.depths);
+    EXPECT_EQ(got.image.colors, expected.colors);
+    EXPECT_EQ(got.image.depths, expected.depths);
   }
 }
 
@@ -82,14 +82,14 @@ TEST(RasterLight, KeepsStateAndShowsNoErrors) {
 
 /// What shows through them is not lit as if they were closed.
 TEST(RasterLight, LeavesHolesAlone) {
-  const CountedPicture plain = byProgram(lit(false), kHoles), got = byProgram(lit(true), kHoles),
-                       closed = byProgram(lit(true));
+  const CountedImage plain = byProgram(lit(false), kHoles), got = byProgram(lit(true), kHoles),
+                     closed = byProgram(lit(true));
   EXPECT_EQ(got.counts.drawsLit, 1u);
   size_t holes = 0, wrong = 0;
-  for (size_t i = 0; i < plain.picture.colors.size(); ++i) {
-    const bool hole = plain.picture.depths[i] == plain.picture.depths[0];  // that of the clear
+  for (size_t i = 0; i < plain.image.colors.size(); ++i) {
+    const bool hole = plain.image.depths[i] == plain.image.depths[0];  // that of the clear
     holes += hole;
-    wrong += got.picture.colors[i] != (hole ? plain : closed).picture.colors[i];
+    wrong += got.image.colors[i] != (hole ? plain : closed).image.colors[i];
   }
   EXPECT_GT(holes, 1000u);
   EXPECT_EQ(wrong, 0u);
@@ -107,7 +107,7 @@ void main() {
   const std::string vertex = std::string(kFlatVertex)
                                  .replace(std::string(kFlatVertex).find("void main() {"), 13,
                                           "varying float height;\nvoid main() { height = position.y;");
-  const auto picture = [&](bool on) {
+  const auto image = [&](bool on) {
     return seen(lit(on),
                 [&](Gl gl) {
                   Triangles both = square(0, 1);
@@ -115,9 +115,9 @@ void main() {
                   both.insert(both.end(), lid.begin(), lid.end());
                   draw(gl, makeProgram(gl, vertex, lidWithHoles), both);
                 })
-        .picture;
+        .image;
   };
-  const Picture plain = picture(false), got = picture(true);
+  const DrawnImage plain = image(false), got = image(true);
   const auto depthOf = [](const glm::vec3& point) {
     const glm::vec4 clip = camera() * view() * glm::vec4(point, 1);
     return 0.5f + 0.5f * clip.z / clip.w;
@@ -136,13 +136,13 @@ void main() {
 
 /// Their depths in the framebuffer lie elsewhere than the surfaces.
 TEST(RasterLight, LightsSurfacesWithAPolygonOffset) {
-  const CountedPicture got = seen(lit(true), [](Gl gl) {
+  const CountedImage got = seen(lit(true), [](Gl gl) {
     gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(1, 40);
     draw(gl, makeProgram(gl, kFlatVertex, kFlatFragment), corner());
     gl.Disable(GL_POLYGON_OFFSET_FILL);
   });
   EXPECT_EQ(got.counts.drawsLit, 1u);
-  expectAlike(got.picture, byProgram(lit(true)).picture, 3);
+  expectAlike(got.image, byProgram(lit(true)).image, 3);
 }
 
 }  // namespace

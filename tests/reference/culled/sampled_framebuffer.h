@@ -32,10 +32,10 @@ class SampledFramebuffer {
     gl.Enable(GL_DEPTH_TEST), gl.Enable(GL_MULTISAMPLE);
   }
 
-  /// One picture above the other, of the samples in their order. Call after bind().
-  Picture read(Gl gl) const {
+  /// One image above the other, of the samples in their order. Call after bind().
+  DrawnImage read(Gl gl) const {
     const size_t pixels = size_t{kSide} * kSide;
-    Picture all{kSide, kSide * samples_, {}, {}};
+    DrawnImage all{kSide, kSide * samples_, {}, {}};
     all.colors.resize(pixels * static_cast<size_t>(samples_)), all.depths.resize(all.colors.size());
     gl.BindFramebuffer(GL_FRAMEBUFFER, reader_);
     gl.BindVertexArray(array_), gl.UseProgram(program_);

@@ -1,5 +1,5 @@
 // Small draws among depths that are copied between framebuffers, and among several framebuffers in a frame:
-// pictures of all of them are those of all draws to the bit.
+// images of all of them are those of all draws to the bit.
 #include "tests/reference/culled/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -61,13 +61,13 @@ class Framebuffers {
                        GL_NEAREST);
   }
   /// The window and all objects, one above the other.
-  Picture read(Gl gl) const {
-    Picture all{kSide, kSide * (int(kCount) + 1), {}, {}};
+  DrawnImage read(Gl gl) const {
+    DrawnImage all{kSide, kSide * (int(kCount) + 1), {}, {}};
     std::vector<GLuint> names(names_.begin(), names_.end());
     names.push_back(0);
     for (const GLuint name : names) {
       gl.BindFramebuffer(GL_READ_FRAMEBUFFER, name);
-      const Picture one = readPicture(gl, kSide, kSide);
+      const DrawnImage one = readImage(gl, kSide, kSide);
       all.colors.insert(all.colors.end(), one.colors.begin(), one.colors.end());
       all.depths.insert(all.depths.end(), one.depths.begin(), one.depths.end());
     }

@@ -1,4 +1,4 @@
-// Small draws that are left out as a whole: pictures are those of all draws to the bit, whatever happens
+// Small draws that are left out as a whole: images are those of all draws to the bit, whatever happens
 // between a look at the depths and a draw.
 #include "tests/reference/culled/small_scene.h"
 

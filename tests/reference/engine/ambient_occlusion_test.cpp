@@ -12,7 +12,7 @@ namespace {
 constexpr int kCornerSize = 64;
 
 /// A slightly tilted floor that fills the window, and a wall on it at the right, seen edge-on.
-Picture cornerPicture(const Settings& settings) {
+DrawnImage cornerImage(const Settings& settings) {
   TracedContext context({kCornerSize, kCornerSize}, settings);
   const gl::RealGl& gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
@@ -35,11 +35,11 @@ Settings fineAo(bool on) {
 }
 
 TEST(AmbientOcclusionInPrograms, DarkensCornersAndKeepsDepthAndAlpha) {
-  const Picture off = cornerPicture(fineAo(false)), on = cornerPicture(fineAo(true));
+  const DrawnImage off = cornerImage(fineAo(false)), on = cornerImage(fineAo(true));
   ASSERT_EQ(off.depths, on.depths);
-  const auto channel = [](const Picture& picture, int x, int c) {
-    return static_cast<int>(
-        picture.colors[static_cast<size_t>(kCornerSize / 2 * kCornerSize + x)] >> (8 * c) & 255);
+  const auto channel = [](const DrawnImage& image, int x, int c) {
+    return static_cast<int>(image.colors[static_cast<size_t>(kCornerSize / 2 * kCornerSize + x)] >> (8 * c) &
+                            255);
   };
   const int beside = 59, away = 4;
   EXPECT_EQ(channel(off, beside, 0), 255);
@@ -53,14 +53,14 @@ TEST(AmbientOcclusionInPrograms, DarkensCornersAndKeepsDepthAndAlpha) {
 TEST(AmbientOcclusionInPrograms, SwitchedOffChangesNoBitWhateverElseIsSet) {
   Settings settings = fineAo(false);
   settings.ao.strength = 0.3f, settings.ao.samples = 1;
-  const Picture plain = cornerPicture(TracedContext::tracing()), off = cornerPicture(settings);
+  const DrawnImage plain = cornerImage(TracedContext::tracing()), off = cornerImage(settings);
   EXPECT_EQ(plain.colors, off.colors);
   EXPECT_EQ(plain.depths, off.depths);
 }
 
-TEST(AmbientOcclusionInPrograms, ChangesThePictureOnlyWhileItIsOn) {
-  EXPECT_FALSE(fineAo(false).changesPicture());
-  EXPECT_TRUE(fineAo(true).changesPicture());
+TEST(AmbientOcclusionInPrograms, ChangesTheImageOnlyWhileItIsOn) {
+  EXPECT_FALSE(fineAo(false).changesImage());
+  EXPECT_TRUE(fineAo(true).changesImage());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A rank of an MPI program reads its picture, composes it with others, and draws the result over a background
-// (adr/0089): where the picture is recognised, the framebuffer is that of one process; elsewhere it is what
+// A rank of an MPI program reads its image, composes it with others, and draws the result over a background
+// (adr/0089): where the image is recognised, the framebuffer is that of one process; elsewhere it is what
 // the program has drawn.
 #include "frame/tracing/renderer.h"
 #include "intercept/present/tracing_presenter.h"
@@ -121,7 +121,7 @@ class ComposingProgram {
     clear(kEmpty), drawData(gl());
     return context_.read().colors;
   }
-  Picture read() const { return context_.read(); }
+  DrawnImage read() const { return context_.read(); }
   void makeCurrent() { context_.makeCurrent(); }
 
  private:
@@ -146,7 +146,7 @@ TEST_P(ComposedViewsTest, AreThoseOfOneProcess) {
   Settings settings = settingsOf(GroundKind::plane);
   GetParam().change(settings);
   constexpr size_t kFrames = 3;
-  std::vector<Picture> one;
+  std::vector<DrawnImage> one;
   {
     ComposingProgram program(settings);
     while (one.size() < kFrames)
@@ -155,11 +155,11 @@ TEST_P(ComposedViewsTest, AreThoseOfOneProcess) {
   Rank rank;
   ComposingProgram program(settings, &rank);
   for (size_t frame = 0; frame < kFrames; ++frame) {
-    const Picture& expected = one[frame];
+    const DrawnImage& expected = one[frame];
     const Pixels composed = program.draw();
     EXPECT_NE(composed, expected.colors);
     program.clear(kBackground), drawComposed(program.gl(), composed);
-    const Picture got = program.read();
+    const DrawnImage got = program.read();
     EXPECT_EQ(got.colors, expected.colors) << frame;
     EXPECT_EQ(got.depths, expected.depths) << frame;
     EXPECT_EQ(program.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
@@ -204,7 +204,7 @@ TEST(ComposedViews, OverABackgroundOfTheProgram) {
   EXPECT_EQ(rank.leftOut, 0);
 }
 
-/// The program's picture, as the real OpenGL draws it.
+/// The program's image, as the real OpenGL draws it.
 Pixels drawnOver(const Pixels& composed, const glm::vec4& background) {
   Settings off = settingsOf(GroundKind::off);
   ComposingProgram plain(off);
@@ -212,12 +212,12 @@ Pixels drawnOver(const Pixels& composed, const glm::vec4& background) {
   return plain.read().colors;
 }
 
-TEST(ComposedViews, OtherPicturesStayAsTheyAreDrawn) {
+TEST(ComposedViews, OtherImagesStayAsTheyAreDrawn) {
   const Settings settings = settingsOf(GroundKind::plane);
   const std::function<void(Pixels&)> changes[] = {
       [](Pixels& p) { p[5] = 0xff00ff00; },                 // something that another rank has drawn
       [](Pixels& p) { p.assign(p.size(), 0); },             // nothing
-      [](Pixels& p) { std::reverse(p.begin(), p.end()); },  // another picture
+      [](Pixels& p) { std::reverse(p.begin(), p.end()); },  // another image
       [](Pixels& p) {                                       // without a surface
         for (uint32_t& pixel : p)
           if (pixel != 0) pixel = 0, p.back() = 0;
@@ -266,7 +266,7 @@ TEST(ComposedViews, BackgroundOfTheProgramIsNotReplacedInPart) {
     EXPECT_EQ(after[i], composed[i] >> 24 == 0 ? before[i] : composed[i]) << i;
 }
 
-TEST(ComposedViews, PicturesThatNobodyShowsAreNotMadeForEver) {
+TEST(ComposedViews, ImagesThatNobodyShowsAreNotMadeForEver) {
   Rank rank;
   ComposingProgram program(settingsOf(GroundKind::plane), &rank);
   for (int frame = 0; frame < 40; ++frame) program.draw();

@@ -1,4 +1,4 @@
-// engine = auto: changes between tracing and the real OpenGL keep pictures, errors and state.
+// engine = auto: changes between tracing and the real OpenGL keep images, errors and state.
 #include "scenes/stage.h"
 #include "tests/reference/drawn_scene.h"
 #include "tests/reference/engine/large_backdrop.h"
@@ -33,27 +33,27 @@ std::vector<const scenes::Scene*> allScenes() {
 
 class EngineTest : public testing::TestWithParam<const scenes::Scene*> {
  protected:
-  /// The pictures of frames drawn by `gl` one after another.
-  std::vector<Picture> play(Gl gl, int frames, const std::function<void(int)>& before = {}) {
-    std::vector<Picture> pictures;
+  /// The images of frames drawn by `gl` one after another.
+  std::vector<DrawnImage> play(Gl gl, int frames, const std::function<void(int)>& before = {}) {
+    std::vector<DrawnImage> images;
     for (int i = 0; i < frames; ++i) {
       if (before) before(i);
       GetParam()->draw(gl, kSceneWidth, kSceneHeight);
       gl.Finish();
-      pictures.push_back(readPicture(gl, kSceneWidth, kSceneHeight));
+      images.push_back(readImage(gl, kSceneWidth, kSceneHeight));
       errors.push_back(gl.GetError());
     }
-    return pictures;
+    return images;
   }
   std::vector<GLenum> errors;
 };
 
-TEST_P(EngineTest, FramesLeftToTheRealOneAreItsPictures) {
+TEST_P(EngineTest, FramesLeftToTheRealOneAreItsImages) {
   const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
-  const std::vector<Picture> expected = play(real->real(), 2);
+  const std::vector<DrawnImage> expected = play(real->real(), 2);
   const std::vector<GLenum> wanted = std::exchange(errors, {});
   TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::never));
-  const std::vector<Picture> got = play(ours.gl(), 2);
+  const std::vector<DrawnImage> got = play(ours.gl(), 2);
   for (size_t i = 0; i < expected.size(); ++i) {
     const Comparison c = compare(expected[i], got[i],
                                  {1, 0, 0, "in lists colours come with each vertex, and are interpolated"});
@@ -64,17 +64,17 @@ TEST_P(EngineTest, FramesLeftToTheRealOneAreItsPictures) {
 }
 
 /// Frame 0 is mixed and frame 1 direct; frame 2 begins with a large draw, after which GLuRay chooses tracing.
-TEST_P(EngineTest, ThePictureIsTheSameWhileTheEngineChanges) {
+TEST_P(EngineTest, TheImageIsTheSameWhileTheEngineChanges) {
   const auto with = [](Gl gl) {
     return [&gl](int frame) {
       if (frame >= 2) backdrop(gl);
     };
   };
   const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
-  const std::vector<Picture> expected = play(real->real(), 4, with(real->real()));
+  const std::vector<DrawnImage> expected = play(real->real(), 4, with(real->real()));
   const std::vector<GLenum> wanted = std::exchange(errors, {});
   TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
-  const std::vector<Picture> got = play(ours.gl(), 4, with(ours.gl()));
+  const std::vector<DrawnImage> got = play(ours.gl(), 4, with(ours.gl()));
   for (size_t i = 0; i < expected.size(); ++i) {
     const Comparison c = compare(expected[i], got[i], GetParam()->tolerance);
     EXPECT_TRUE(c.accepted) << "frame " << i << ": " << c.text;
@@ -152,7 +152,7 @@ struct Mixture {
   }
 };
 
-TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
+TEST(Engine, ImageIsRightAcrossChangesInBothDirections) {
   const auto real = OsmesaContext::create({kSceneWidth, kSceneHeight});
   Mixture theirs, mine;
   theirs.inherits = mine.inherits = listsInherit(real->real());
@@ -168,10 +168,10 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
     direct = ours.context().clock.passesThrough();
     real->makeCurrent();
     theirs.frame(real->real(), i);
-    const Picture expected = readPicture(real->real(), kSceneWidth, kSceneHeight);
+    const DrawnImage expected = readImage(real->real(), kSceneWidth, kSceneHeight);
     ours.makeCurrent();
     mine.frame(ours.gl(), i);
-    const Picture got = ours.read();
+    const DrawnImage got = ours.read();
     changes += direct != before;
     const Comparison c = compare(expected, got, {2, 0.004, 1e-5f, "few pixels, many edges"});
     ASSERT_TRUE(c.accepted) << "frame " << i << (direct ? ", direct: " : ": ") << c.text;
@@ -186,7 +186,7 @@ TEST(Engine, PictureIsRightAcrossChangesInBothDirections) {
 }
 
 /// They take long to build, and most programs with a small scene never need them.
-TEST(Engine, ShadersOfPicturesAreBuiltForTheFirstLargeDraw) {
+TEST(Engine, ShadersOfImagesAreBuiltForTheFirstLargeDraw) {
   TracedContext ours({kSceneWidth, kSceneHeight}, withEngine(Engine::automatic));
   for (const char* name : {"directional-light", "nested-lists"})
     if (const scenes::Scene* scene = scenes::findScene(name))

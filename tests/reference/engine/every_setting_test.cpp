@@ -1,5 +1,5 @@
-// Every setting that changes pictures changes one, and leaves nothing behind when it is set back: not a bit
-// of the picture, no acceleration structure.
+// Every setting that changes images changes one, and leaves nothing behind when it is set back: not a bit
+// of the image, no acceleration structure.
 #include "scenes/stage.h"
 #include "settings/live/settings_source.h"
 #include "settings/values.h"
@@ -33,7 +33,7 @@ void tiltedQuad(Gl gl, float z, float tilt, const scenes::Color& color) {
 
 /// A wall with a ball, a line and a point before it, under two translucent sheets that are drawn in the wrong
 /// order, all turned against the viewer.
-Picture nextFrame(TracedContext& context) {
+DrawnImage nextFrame(TracedContext& context) {
   Gl gl = context.gl();
   scenes::begin(gl, kEverySettingSize, kEverySettingSize);
   scenes::camera(gl, kEverySettingSize, kEverySettingSize);
@@ -55,9 +55,9 @@ Picture nextFrame(TracedContext& context) {
   tiltedQuad(gl, 0.3f, 0, {0.9f, 0.2f, 0.3f, 0.5f});
   gl.DepthMask(GL_TRUE);
   gl.Disable(GL_BLEND);
-  Picture picture = context.read();
+  DrawnImage image = context.read();
   gl.Finish();  // the frame ends
-  return picture;
+  return image;
 }
 
 std::string written(const std::string& name, const std::string& text) {
@@ -67,7 +67,7 @@ std::string written(const std::string& name, const std::string& text) {
   return (folder / name).string();
 }
 
-/// A Radiance picture of 2x1 pixels.
+/// A Radiance image of 2x1 pixels.
 std::string sky(const std::string& name, const std::string& pixels) {
   return written(name, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + pixels);
 }
@@ -167,7 +167,7 @@ std::vector<Change> changes() {
   };
 }
 
-/// Settings of how pictures are made, of passes, of which these pictures have one, of ranks, of which there
+/// Settings of how images are made, of passes, of which these images have one, of ranks, of which there
 /// is one, and of opaque surfaces that are rasterised, of which there are none.
 const std::set<std::string> kElsewhere = {
     "engine",
@@ -189,7 +189,7 @@ const std::set<std::string> kElsewhere = {
     "light.rasterised",
 };
 
-/// One read is one pass: samples, not the wish for little noise, make the picture.
+/// One read is one pass: samples, not the wish for little noise, make the image.
 Session plain() {
   Session session;
   session.settings = TracedContext::tracing();
@@ -214,7 +214,7 @@ TEST(EverySetting, IsInTheTable) {
     if (row.applies == Applies::frame) { EXPECT_TRUE(known.count(std::string(row.name))) << row.name; }
 }
 
-TEST(EverySetting, ChangesThePictureAndLeavesNothingBehind) {
+TEST(EverySetting, ChangesTheImageAndLeavesNothingBehind) {
   SettingsSource source(plain().settings);
   TracedContext context({kEverySettingSize, kEverySettingSize}, {}, nullptr, nullptr, familiesOfTests(),
                         &source);
@@ -223,14 +223,14 @@ TEST(EverySetting, ChangesThePictureAndLeavesNothingBehind) {
     nextFrame(context);  // what is drawn later in a frame lights the next one
     return nextFrame(context);
   };
-  const Picture first = shown(plain().settings);
+  const DrawnImage first = shown(plain().settings);
   const gl::Statistics& counts = context.context().counts.statistics;
   const uint64_t builds = counts.blasBuilds;
   EXPECT_GT(counts.drawsTraced, 0u);
   for (const Change& change : changes()) {
     Values changed = change.base;
     changed.emplace_back(change.name, change.value);
-    const Picture before = shown(set(change.base)), after = shown(set(changed));
+    const DrawnImage before = shown(set(change.base)), after = shown(set(changed));
     EXPECT_FALSE(before.colors == after.colors) << change.name << " changes nothing";
     EXPECT_TRUE(shown(set(change.base)) == before) << change.name << " leaves something behind";
     EXPECT_TRUE(shown(plain().settings) == first) << change.name << " leaves something behind";
@@ -239,15 +239,15 @@ TEST(EverySetting, ChangesThePictureAndLeavesNothingBehind) {
   EXPECT_LE(counts.blasBuilds, builds + 2 * 3 + 2);
 }
 
-TEST(EverySetting, LightSwitchedAHundredTimesLeavesThePicture) {
+TEST(EverySetting, LightSwitchedAHundredTimesLeavesTheImage) {
   SettingsSource source(plain().settings);
   TracedContext context({kEverySettingSize, kEverySettingSize}, {}, nullptr, nullptr, familiesOfTests(),
                         &source);
-  const Picture off = nextFrame(context);
+  const DrawnImage off = nextFrame(context);
   const uint64_t builds = context.context().counts.statistics.blasBuilds;
   const Settings lit = set({{"ao", "on"}, {"shadows", "on"}, {"lights", "three-point"}});
   source.store(lit);
-  const Picture on = nextFrame(context);
+  const DrawnImage on = nextFrame(context);
   EXPECT_FALSE(on.colors == off.colors);
   for (int i = 0; i < 100; ++i) {
     source.store(i % 2 ? lit : plain().settings);

@@ -53,7 +53,8 @@ class GroundProgram {
     gl().MatrixMode(GL_MODELVIEW);
   }
   Gl gl() const { return context_.gl(); }
-  Picture frame(const std::vector<GroundStep>& steps, const glm::vec4& clear = {0, 0, 1, 1}, float turn = 0) {
+  DrawnImage frame(const std::vector<GroundStep>& steps, const glm::vec4& clear = {0, 0, 1, 1},
+                   float turn = 0) {
     context_.makeCurrent();
     const glm::mat4 tilted = glm::rotate(glm::mat4(1), glm::radians(15.0f), {1, 0, 0});
     const glm::mat4 camera =
@@ -83,16 +84,16 @@ Settings with(GroundKind ground, BackgroundKind background = BackgroundKind::pro
   return settings;
 }
 
-uint32_t at(const Picture& picture, int x, int y) {
-  return picture.colors[static_cast<size_t>(y * kGroundSize + x)];
+uint32_t at(const DrawnImage& image, int x, int y) {
+  return image.colors[static_cast<size_t>(y * kGroundSize + x)];
 }
 int red(uint32_t color) { return static_cast<int>(color & 255); }
 
 constexpr uint32_t kBluePixel = 0xffff0000, kGreenPixel = 0xff00ff00, kRedPixel = 0xff0000ff;
 
 TEST(GroundInPrograms, FillsTheViewBelowTheScene) {
-  const Picture without = GroundProgram(with(GroundKind::off)).frame({plate}),
-                with = GroundProgram(test::with(GroundKind::plane)).frame({plate});
+  const DrawnImage without = GroundProgram(with(GroundKind::off)).frame({plate}),
+                   with = GroundProgram(test::with(GroundKind::plane)).frame({plate});
   EXPECT_EQ(at(without, 5, 5), kBluePixel);
   for (const int x : {2, 32, 61}) EXPECT_NEAR(red(at(with, x, 3)), 204, 2) << x;
   int seen = 0;
@@ -107,8 +108,8 @@ TEST(GroundInPrograms, FillsTheViewBelowTheScene) {
 
 TEST(GroundInPrograms, ALayerOverTheSceneAndAnInsetHaveNone) {
   const GroundStep layer = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), plateAt(gl, 0.9f, 0.1f); };
-  const Picture one = GroundProgram(with(GroundKind::plane)).frame({plate}),
-                two = GroundProgram(with(GroundKind::plane)).frame({plate, layer});
+  const DrawnImage one = GroundProgram(with(GroundKind::plane)).frame({plate}),
+                   two = GroundProgram(with(GroundKind::plane)).frame({plate, layer});
   int same = 0;
   for (size_t i = 0; i < one.colors.size(); ++i) same += one.colors[i] == two.colors[i];
   EXPECT_GT(same, kGroundSize * kGroundSize - 60) << "all but the small plate";
@@ -119,7 +120,7 @@ TEST(GroundInPrograms, ALayerOverTheSceneAndAnInsetHaveNone) {
     plate(gl);
     gl.Disable(GL_SCISSOR_TEST);
   };
-  const Picture marked = GroundProgram(with(GroundKind::plane)).frame({plate, inset});
+  const DrawnImage marked = GroundProgram(with(GroundKind::plane)).frame({plate, inset});
   EXPECT_EQ(at(marked, 1, 1), kBluePixel);
   EXPECT_NEAR(red(at(marked, 20, 1)), 204, 2);
 }
@@ -132,21 +133,21 @@ TEST(GroundInPrograms, SeveralBatchesOfAViewShowOne) {
   };
   GroundProgram program(with(GroundKind::plane));
   program.frame({plate, flushed});
-  const Picture picture = program.frame({plate, flushed});
+  const DrawnImage image = program.frame({plate, flushed});
   GroundProgram whole(with(GroundKind::plane));
-  const Picture expected = whole.frame({plate, [](Gl gl) { plateAt(gl, 1.2f, 0.2f); }});
+  const DrawnImage expected = whole.frame({plate, [](Gl gl) { plateAt(gl, 1.2f, 0.2f); }});
   int differ = 0;
-  for (size_t i = 0; i < picture.colors.size(); ++i) differ += picture.colors[i] != expected.colors[i];
+  for (size_t i = 0; i < image.colors.size(); ++i) differ += image.colors[i] != expected.colors[i];
   EXPECT_LE(differ, 4) << "the second frame knows the bounds of both";
 }
 
-TEST(GroundInPrograms, PicturesToPickFromHaveNone) {
+TEST(GroundInPrograms, ImagesToPickFromHaveNone) {
   const GroundStep flat = [](Gl gl) {
     gl.Color3ub(7, 0, 0), quad(gl, {-1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0});
   };
-  const Picture picture =
+  const DrawnImage image =
       GroundProgram(with(GroundKind::plane, BackgroundKind::color)).frame({flat}, {0, 0, 0, 0});
-  EXPECT_EQ(at(picture, 5, 3), 0u);
+  EXPECT_EQ(at(image, 5, 3), 0u);
 }
 
 TEST(GroundInPrograms, MovingTheCameraBuildsNothing) {
@@ -163,8 +164,8 @@ TEST(CatcherInPrograms, DarkensTheBackgroundAndKeepsTheShadowInAlpha) {
   settings.shadows.enabled = true;
   settings.shadows.size = 0;
   settings.shadows.strength = 0.5f;
-  const Picture white = GroundProgram(settings).frame({plate}, {1, 1, 1, 1}),
-                clear = GroundProgram(settings).frame({plate}, {0, 0, 0, 0});
+  const DrawnImage white = GroundProgram(settings).frame({plate}, {1, 1, 1, 1}),
+                   clear = GroundProgram(settings).frame({plate}, {0, 0, 0, 0});
   int shadow = 0, open = 0;
   for (int y = 0; y < kGroundSize; ++y) {
     for (int x = 0; x < kGroundSize; ++x) {
@@ -182,22 +183,24 @@ TEST(CatcherInPrograms, DarkensTheBackgroundAndKeepsTheShadowInAlpha) {
 }
 
 TEST(BackgroundInPrograms, ReplacesTheClearColourAlone) {
-  const Picture picture = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({overlay, plate});
-  const Picture before = GroundProgram(with(GroundKind::off)).frame({overlay, plate});
+  const DrawnImage image =
+      GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({overlay, plate});
+  const DrawnImage before = GroundProgram(with(GroundKind::off)).frame({overlay, plate});
   int red = 0, green = 0;
-  for (size_t i = 0; i < picture.colors.size(); ++i) {
-    EXPECT_EQ(picture.depths[i], before.depths[i]);
-    EXPECT_EQ(picture.colors[i], before.colors[i] == kBluePixel ? kGreenPixel : before.colors[i]);
-    red += picture.colors[i] == kRedPixel, green += picture.colors[i] == kGreenPixel;
+  for (size_t i = 0; i < image.colors.size(); ++i) {
+    EXPECT_EQ(image.depths[i], before.depths[i]);
+    EXPECT_EQ(image.colors[i], before.colors[i] == kBluePixel ? kGreenPixel : before.colors[i]);
+    red += image.colors[i] == kRedPixel, green += image.colors[i] == kGreenPixel;
   }
   EXPECT_GT(red, 900);
   EXPECT_GT(green, 1000);
 }
 
 TEST(BackgroundInPrograms, OverlaysDrawnLaterStay) {
-  const Picture picture = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({plate, overlay});
-  EXPECT_EQ(at(picture, 5, 60), kRedPixel);
-  EXPECT_EQ(at(picture, 60, 60), kGreenPixel);
+  const DrawnImage image =
+      GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({plate, overlay});
+  EXPECT_EQ(at(image, 5, 60), kRedPixel);
+  EXPECT_EQ(at(image, 60, 60), kGreenPixel);
 }
 
 TEST(BackgroundInPrograms, AProgramsOwnBackgroundStays) {
@@ -209,8 +212,8 @@ TEST(BackgroundInPrograms, AProgramsOwnBackgroundStays) {
     gl.PopMatrix(), gl.MatrixMode(GL_MODELVIEW), gl.PopMatrix();
     gl.Enable(GL_DEPTH_TEST);
   };
-  const Picture picture = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({own, plate});
-  EXPECT_EQ(at(picture, 60, 0), kBluePixel);
+  const DrawnImage image = GroundProgram(with(GroundKind::off, BackgroundKind::color)).frame({own, plate});
+  EXPECT_EQ(at(image, 60, 0), kBluePixel);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(HiddenExtensions, AreMissingFromEveryList) {
 
 /// Draws two frames from a buffer that it writes through a persistent mapping, if it finds that, or else by
 /// glBufferSubData.
-Picture drawAsFound(Gl gl) {
+DrawnImage drawAsFound(Gl gl) {
   constexpr GLbitfield kBits = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
   using Vertices = std::array<GLfloat, 9>;
   const Names names = listed(gl);
@@ -114,7 +114,7 @@ Picture drawAsFound(Gl gl) {
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
     gl.Finish();
   }
-  return readPicture(gl, kHiddenExtensionsSize, kHiddenExtensionsSize);
+  return readImage(gl, kHiddenExtensionsSize, kHiddenExtensionsSize);
 }
 
 /// Colours of which no component differs by more than one, by rounding.
@@ -125,14 +125,14 @@ bool isClose(uint32_t a, uint32_t b) {
 }
 
 TEST(HiddenExtensions, TheProgramThatDoesNotFindThemIsTraced) {
-  Picture expected;
+  DrawnImage expected;
   {
     const auto real = OsmesaContext::create({kHiddenExtensionsSize, kHiddenExtensionsSize});
     expected = drawAsFound(real->real());
   }
   for (const bool hide : {false, true}) {
     TracedContext ours({kHiddenExtensionsSize, kHiddenExtensionsSize}, settings(hide));
-    const Picture got = drawAsFound(ours.gl());
+    const DrawnImage got = drawAsFound(ours.gl());
     size_t differing = 0;
     for (size_t i = 0; i < got.colors.size(); ++i) differing += !isClose(got.colors[i], expected.colors[i]);
     EXPECT_LE(differing, hide ? 8u : 0u) << "pixels on the edges, where it is traced";

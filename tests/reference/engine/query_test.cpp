@@ -87,7 +87,7 @@ TEST(RareState, IsRasterisedWithItsReason) {
       gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
       rare.set(gl);
       gl.Color3f(0.2f, 0.7f, 0.4f), triangle(gl, 0.2f);
-      return readPicture(gl, kQuerySize, kQuerySize);
+      return readImage(gl, kQuerySize, kQuerySize);
     };
     EXPECT_TRUE(draw(real->real()) == draw(ours.gl())) << rare.name;
     EXPECT_EQ(ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(rare.reason)], 1u)

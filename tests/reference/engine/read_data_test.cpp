@@ -50,7 +50,7 @@ std::vector<uint32_t> numbersRead(const Settings& settings, const NumbersDrawn& 
   return pixels;
 }
 
-std::vector<Settings> settingsThatChangePictures() {
+std::vector<Settings> settingsThatChangeImages() {
   std::vector<Settings> all(5, TracedContext::tracing());
   all[0].ao.enabled = true;
   all[1].spp = 4;
@@ -61,7 +61,7 @@ std::vector<Settings> settingsThatChangePictures() {
 }
 
 TEST(ReadData, IsWhatTheProgramDrewWhateverTheSettings) {
-  for (const Settings& settings : settingsThatChangePictures())
+  for (const Settings& settings : settingsThatChangeImages())
     for (const bool ownFramebuffer : {false, true})
       for (const bool depthOnly : {false, true}) {
         const NumbersDrawn how{.ownFramebuffer = ownFramebuffer, .depthOnly = depthOnly};
@@ -81,10 +81,10 @@ TEST(ReadData, UnderAScissorIsWhatTheProgramDrew) {
     return read;
   };
   const uint32_t plain = pixel(TracedContext::tracing());
-  for (const Settings& settings : settingsThatChangePictures()) EXPECT_EQ(pixel(settings), plain);
+  for (const Settings& settings : settingsThatChangeImages()) EXPECT_EQ(pixel(settings), plain);
 }
 
-TEST(ReadData, PicturesHaveLight) {
+TEST(ReadData, ImagesHaveLight) {
   Settings lit = TracedContext::tracing();
   lit.ao.enabled = true;
   for (const NumbersDrawn how : {NumbersDrawn{.dither = true}, NumbersDrawn{.lit = true}})

@@ -43,7 +43,7 @@ void light(const gl::RealGl& gl, float brightness, float x) {
 }
 
 /// One frame: cleared, drawn from a camera that turns with `frame`, read back.
-Picture framePicture(TracedContext& context, int frame, const std::function<void()>& draw) {
+DrawnImage frameImage(TracedContext& context, int frame, const std::function<void()>& draw) {
   const gl::RealGl& gl = context.gl();
   gl.Viewport(0, 0, kRebuiltSize, kRebuiltSize);
   gl.Enable(GL_DEPTH_TEST);
@@ -61,11 +61,11 @@ Picture framePicture(TracedContext& context, int frame, const std::function<void
 /// before.
 uint64_t buildsOver(TracedContext& context, const std::function<void(int frame)>& draw) {
   const uint64_t before = context.context().counts.statistics.blasBuilds;
-  Picture last;
+  DrawnImage last;
   for (int frame = 0; frame < 8; ++frame) {
-    const Picture picture = framePicture(context, frame, [&] { draw(frame); });
-    EXPECT_FALSE(frame > 0 && picture == last) << "frame " << frame << " looks like the one before";
-    last = picture;
+    const DrawnImage image = frameImage(context, frame, [&] { draw(frame); });
+    EXPECT_FALSE(frame > 0 && image == last) << "frame " << frame << " looks like the one before";
+    last = image;
   }
   EXPECT_GT(context.context().counts.statistics.drawsTraced, 0u);
   EXPECT_EQ(context.context().counts.statistics.drawsRasterised, 0u);

@@ -91,16 +91,16 @@ TEST(SettingsOfFrames, SettingsOfContextsStay) {
   EXPECT_EQ(old.context().settings.now(), other());
 }
 
-/// The picture of a frame in a context that has these settings from its first frame on.
-Picture pictureWith(const Settings& settings) {
+/// The image of a frame in a context that has these settings from its first frame on.
+DrawnImage imageWith(const Settings& settings) {
   TracedContext context({kSettingsSize, kSettingsSize}, settings);
   drawSquares(context.gl());
   return context.read();
 }
 
-TEST(SettingsOfFrames, PicturesFollow) {
+TEST(SettingsOfFrames, ImagesFollow) {
   const Settings first = TracedContext::vertexShading();
-  const Picture before = pictureWith(first), after = pictureWith(other());
+  const DrawnImage before = imageWith(first), after = imageWith(other());
   EXPECT_NE(before.colors, after.colors);
   SettingsSource source(first);
   TracedContext context({kSettingsSize, kSettingsSize}, first, nullptr, nullptr, familiesOfTests(), &source);
@@ -111,7 +111,7 @@ TEST(SettingsOfFrames, PicturesFollow) {
   EXPECT_EQ(context.read().depths, after.depths);
 }
 
-TEST(SettingsOfFrames, SmallScenesAreTracedIfASettingChangesThePicture) {
+TEST(SettingsOfFrames, SmallScenesAreTracedIfASettingChangesTheImage) {
   Settings automatic = TracedContext::vertexShading();
   automatic.engine = Engine::automatic;
   SettingsSource source(automatic);

@@ -20,7 +20,7 @@ void cornersQuad(const gl::RealGl& gl, const glm::vec3& a, const glm::vec3& b, c
 
 /// A lit floor that fills the window, seen along z, with a light from the right at 45 degrees, and a screen
 /// at its right, 0.5 above it, that covers x > 0.75.
-Picture screened(const Settings& settings) {
+DrawnImage screened(const Settings& settings) {
   TracedContext context({kShadowsSize, kShadowsSize}, settings);
   const gl::RealGl& gl = context.gl();
   gl.Enable(GL_DEPTH_TEST);
@@ -39,9 +39,9 @@ Picture screened(const Settings& settings) {
   return context.read();
 }
 
-int channel(const Picture& picture, int x, int c) {
-  return static_cast<int>(
-      picture.colors[static_cast<size_t>(kShadowsSize / 2 * kShadowsSize + x)] >> (8 * c) & 255);
+int channel(const DrawnImage& image, int x, int c) {
+  return static_cast<int>(image.colors[static_cast<size_t>(kShadowsSize / 2 * kShadowsSize + x)] >> (8 * c) &
+                          255);
 }
 
 Settings withShadows(bool on) {
@@ -52,7 +52,7 @@ Settings withShadows(bool on) {
 }
 
 TEST(ShadowsInPrograms, DarkenWhatTheLightDoesNotReachAndKeepDepthAndAlpha) {
-  const Picture off = screened(withShadows(false)), on = screened(withShadows(true));
+  const DrawnImage off = screened(withShadows(false)), on = screened(withShadows(true));
   ASSERT_EQ(off.depths, on.depths);
   // The global ambient light is 0.2. The shadow begins at x = 0.25: column 40.
   for (int x = 0; x < 56; ++x) {
@@ -66,20 +66,20 @@ TEST(ShadowsInPrograms, AreSoftByDefault) {
   EXPECT_GT(Settings().shadows.size, 0);
   Settings settings = withShadows(true);
   settings.shadows.size = 20;
-  const Picture picture = screened(settings);
-  EXPECT_EQ(channel(picture, 10, 0), channel(picture, 30, 0));
-  EXPECT_LT(channel(picture, 40, 0), channel(picture, 30, 0) - 10);
-  EXPECT_GT(channel(picture, 40, 0), channel(picture, 50, 0) + 10);
+  const DrawnImage image = screened(settings);
+  EXPECT_EQ(channel(image, 10, 0), channel(image, 30, 0));
+  EXPECT_LT(channel(image, 40, 0), channel(image, 30, 0) - 10);
+  EXPECT_GT(channel(image, 40, 0), channel(image, 50, 0) + 10);
 }
 
 TEST(ShadowsInPrograms, SwitchedOffChangeNoBitWhateverElseIsSet) {
   Settings settings = withShadows(false);
   settings.shadows.strength = 0.3f, settings.shadows.samples = 1;
   settings.lights.azimuth = 10, settings.lights.strength = 5;
-  const Picture plain = screened(TracedContext::tracing()), off = screened(settings);
+  const DrawnImage plain = screened(TracedContext::tracing()), off = screened(settings);
   EXPECT_EQ(plain.colors, off.colors);
   EXPECT_EQ(plain.depths, off.depths);
-  EXPECT_FALSE(settings.changesPicture());
+  EXPECT_FALSE(settings.changesImage());
 }
 
 TEST(ShadowsInPrograms, RigsReplaceTheProgramsLights) {
@@ -87,16 +87,16 @@ TEST(ShadowsInPrograms, RigsReplaceTheProgramsLights) {
   settings.lights.rig = LightRig::headlightAndKey;
   settings.lights.azimuth = -90, settings.lights.elevation = 0;
   settings.lights.attached = LightsAttached::camera;
-  EXPECT_TRUE(settings.changesPicture());
-  const Picture picture = screened(settings);
+  EXPECT_TRUE(settings.changesImage());
+  const DrawnImage image = screened(settings);
   // The key grazes the floor: the light at the viewer is left, 0.4 / |(1, 0.4)|.
-  EXPECT_NEAR(channel(picture, 20, 0), 255 * (0.2f + 0.3714f), 3);
+  EXPECT_NEAR(channel(image, 20, 0), 255 * (0.2f + 0.3714f), 3);
 }
 
-TEST(ShadowsInPrograms, ALightFileAloneChangesThePicture) {
+TEST(ShadowsInPrograms, ALightFileAloneChangesTheImage) {
   Settings settings = TracedContext::tracing();
   settings.lights.file = "lights.toml";
-  EXPECT_TRUE(settings.changesPicture());
+  EXPECT_TRUE(settings.changesImage());
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class LitProgram {
     gl().ClearColor(0, 0, 0, 0);
   }
   Gl gl() const { return context_.gl(); }
-  Picture frame(const std::vector<Step>& steps) {
+  DrawnImage frame(const std::vector<Step>& steps) {
     context_.makeCurrent();
     gl().DepthFunc(GL_LESS);
     gl().Viewport(0, 0, kLitViewSize, kLitViewSize);
@@ -60,16 +60,16 @@ class LitProgram {
   TracedContext context_;
 };
 
-Picture frameOf(const std::vector<Step>& steps, const Settings& settings = coarseAo()) {
+DrawnImage frameOf(const std::vector<Step>& steps, const Settings& settings = coarseAo()) {
   return LitProgram(settings).frame(steps);
 }
 
 /// Red of the floor's pixels, left of the wall.
-std::vector<int> floorOf(const Picture& picture) {
+std::vector<int> floorOf(const DrawnImage& image) {
   std::vector<int> result;
   for (int y = 4; y < kLitViewSize - 4; ++y)
     for (int x = 4; x < 60; ++x)
-      result.push_back(static_cast<int>(picture.colors[static_cast<size_t>(y * kLitViewSize + x)] & 255));
+      result.push_back(static_cast<int>(image.colors[static_cast<size_t>(y * kLitViewSize + x)] & 255));
   return result;
 }
 
@@ -120,7 +120,7 @@ class SplitView : public testing::TestWithParam<LitViewCase> {};
 
 TEST_P(SplitView, IsLitAsInOneBatch) {
   LitProgram program(coarseAo());
-  const Picture split = program.frame({wall, GetParam().between, floor});
+  const DrawnImage split = program.frame({wall, GetParam().between, floor});
   EXPECT_GE(program.statistics().flushes, 2u);
   const std::vector<int> whole = floorOf(frameOf({wall, floor}));
   EXPECT_EQ(floorOf(split), whole);
@@ -166,7 +166,7 @@ TEST(ViewLight, AMarkerInACornerNeitherShadesNorIsShaded) {
   const Step later = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
   LitProgram with(coarseAo()), without(coarseAo());
   for (int i = 0; i < 3; ++i) {
-    const Picture marked = with.frame({wall, marker, floor}), plain = without.frame({wall, later, floor});
+    const DrawnImage marked = with.frame({wall, marker, floor}), plain = without.frame({wall, later, floor});
     for (int y = 16; y < kLitViewSize; ++y)
       for (int x = 4; x < 60; ++x) {
         const auto at = static_cast<size_t>(y * kLitViewSize + x);
@@ -186,7 +186,7 @@ TEST(ViewLight, WhatComesLaterIsKnownFromTheFrameBefore) {
   EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
   const uint64_t repeated = program.statistics().repeated;
   EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
-  EXPECT_EQ(program.statistics().repeated, repeated + 2) << "pictures are used again while nothing changes";
+  EXPECT_EQ(program.statistics().repeated, repeated + 2) << "images are used again while nothing changes";
   EXPECT_EQ(floorOf(program.frame({floor})), whole) << "what the program leaves out is missed a frame later";
   EXPECT_EQ(floorOf(program.frame({floor})), alone);
 }
@@ -204,7 +204,7 @@ TEST(ViewLight, WhatComesLaterMovesWithTheCamera) {
   };
   LitProgram program(coarseAo());
   for (const float degrees : {0.0f, 10.0f, 20.0f}) {
-    const Picture split = program.frame({turned(degrees), floor, kSplit, wall});
+    const DrawnImage split = program.frame({turned(degrees), floor, kSplit, wall});
     if (degrees == 0) continue;
     const std::vector<int> now = floorOf(split), whole = floorOf(frameOf({turned(degrees), floor, wall})),
                            alone = floorOf(frameOf({turned(degrees), floor}));
@@ -224,7 +224,7 @@ TEST(ViewLight, WhatStandsStillIsNotTakenForTurningWithWhatIsDrawnFirst) {
   };
   LitProgram program(coarseAo());
   for (const float degrees : {0.0f, 90.0f, 180.0f, 270.0f}) {
-    const Picture split = program.frame({spinning(degrees), kSplit, wall});
+    const DrawnImage split = program.frame({spinning(degrees), kSplit, wall});
     if (degrees <= 90) continue;  // not known yet
     const std::vector<int> whole = floorOf(frameOf({spinning(degrees), wall}));
     EXPECT_GT(meanOf(floorOf(frameOf({spinning(degrees)}))) - meanOf(whole), 5);
@@ -233,21 +233,21 @@ TEST(ViewLight, WhatStandsStillIsNotTakenForTurningWithWhatIsDrawnFirst) {
 }
 
 TEST(ViewLight, LayersOfRenderersStayApartFromFrameToFrame) {
-  // Two cameras' pictures one over the other, with a depth clear between them; the wall is in the second.
+  // Two cameras' images one over the other, with a depth clear between them; the wall is in the second.
   const Step lowerHalf = [](Gl gl) { quad(gl, {-1, -1, 0.4f}, {1, -1, 0.4f}, {1, 0, 0.4f}, {-1, 0, 0.4f}); };
   const Step speck = [](Gl gl) {
     quad(gl, {-1, -1, -0.9f}, {-0.99f, -1, -0.9f}, {-0.99f, -0.99f, -0.9f}, {-1, -0.99f, -0.9f});
   };
   const Step over = [](Gl gl) { gl.Clear(GL_DEPTH_BUFFER_BIT), gl.DepthFunc(GL_LESS); };
   LitProgram program(coarseAo());
-  const auto upper = [](const Picture& picture) {
-    std::vector<int> result = floorOf(picture);
+  const auto upper = [](const DrawnImage& image) {
+    std::vector<int> result = floorOf(image);
     return std::vector<int>(result.begin() + static_cast<std::ptrdiff_t>(result.size() / 2 + 112),
                             result.end());
   };
   const std::vector<int> alone = upper(frameOf({floor, speck}));
   for (int i = 0; i < 4; ++i) {
-    const Picture both = program.frame({floor, kSplit, speck, over, lowerHalf, kSplit, wall});
+    const DrawnImage both = program.frame({floor, kSplit, speck, over, lowerHalf, kSplit, wall});
     EXPECT_EQ(upper(both), alone) << "frame " << i;
   }
 }
@@ -255,7 +255,7 @@ TEST(ViewLight, LayersOfRenderersStayApartFromFrameToFrame) {
 TEST(ViewLight, SwitchedOffKeepsNothing) {
   LitProgram program(coarseAo(false));
   const Step split = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
-  const Picture off = program.frame({wall, split, floor});
+  const DrawnImage off = program.frame({wall, split, floor});
   EXPECT_TRUE(program.views().empty());
   EXPECT_EQ(off.colors, frameOf({wall, floor}, coarseAo(false)).colors);
 }

@@ -33,7 +33,7 @@ void setStage(Gl gl) {
 using Draw = std::function<void(Gl)>;
 
 struct SeenChannels {
-  Picture picture;
+  DrawnImage image;
   GlState state;
 };
 
@@ -42,10 +42,10 @@ SeenChannels seenBy(Gl gl, const Draw& draw) {
   draw(gl);
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
   GlState state = queryState(gl);
-  return {readPicture(gl, kChannelsWidth, kChannelsHeight), std::move(state)};
+  return {readImage(gl, kChannelsWidth, kChannelsHeight), std::move(state)};
 }
 
-/// Draws with and without GLuRay and expects equal pictures, alpha included, and equal state. Returns how
+/// Draws with and without GLuRay and expects equal images, alpha included, and equal state. Returns how
 /// many draws were traced.
 uint64_t compareBoth(const std::string& name, const Draw& draw) {
   SCOPED_TRACE(name);
@@ -57,9 +57,9 @@ uint64_t compareBoth(const std::string& name, const Draw& draw) {
   TracedContext ours({kChannelsWidth, kChannelsHeight});
   const SeenChannels got = seenBy(ours.gl(), draw);
   for (const std::string& line : differences(expected.state, got.state)) ADD_FAILURE() << line;
-  const Comparison c = compare(expected.picture, got.picture, {});
+  const Comparison c = compare(expected.image, got.image, {});
   EXPECT_TRUE(c.accepted) << c.text;
-  if (!c.accepted) writeFailure(TEST_OUTPUT "/channels", name, expected.picture, got.picture);
+  if (!c.accepted) writeFailure(TEST_OUTPUT "/channels", name, expected.image, got.image);
   return ours.context().counts.statistics.drawsTraced;
 }
 
@@ -97,7 +97,7 @@ TEST(Channels, ThatNobodyWritesLeaveDepthAlone) {
   expectEqual("depth", draw, 1);
 }
 
-TEST(Channels, OfTwoEyesMeetInOnePicture) {
+TEST(Channels, OfTwoEyesMeetInOneImage) {
   const auto draw = [](Gl gl) {
     setMask(gl, {1, 0, 0, 1});
     coloredBall(gl, -0.2f, 0, {0.9f, 0.9f, 0.8f, 1});

@@ -32,7 +32,7 @@ TEST(Fog, TakesTheSumOfBothColors) {
     for (const GLenum mode : {GL_LINEAR, GL_EXP, GL_EXP2}) {
       const auto real = OsmesaContext::create({kFogSize, kFogSize});
       drawBall(real->real(), control, mode);
-      const Picture expected = readPicture(real->real(), kFogSize, kFogSize);
+      const DrawnImage expected = readImage(real->real(), kFogSize, kFogSize);
       const TracedContext ours({kFogSize, kFogSize});
       drawBall(ours.gl(), control, mode);
       const Comparison c =

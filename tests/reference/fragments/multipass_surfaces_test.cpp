@@ -49,18 +49,18 @@ void drawFrame(Gl gl, bool tinted, bool labelled, bool hidden = false) {
 
 constexpr int kTinted = 6, kFrames = kTinted + 110;
 
-std::vector<Picture> expectedFrames(bool labelled) {
+std::vector<DrawnImage> expectedFrames(bool labelled) {
   const auto real = OsmesaContext::create({kPassesWidth, kPassesHeight});
-  std::vector<Picture> pictures;
+  std::vector<DrawnImage> images;
   for (int frame = 0; frame < kFrames; ++frame) {
     drawFrame(real->real(), frame < kTinted, labelled);
-    pictures.push_back(readPicture(real->real(), kPassesWidth, kPassesHeight));
+    images.push_back(readImage(real->real(), kPassesWidth, kPassesHeight));
   }
-  return pictures;
+  return images;
 }
 
 void expectFrames(bool labelled) {
-  const std::vector<Picture> expected = expectedFrames(labelled);
+  const std::vector<DrawnImage> expected = expectedFrames(labelled);
   TracedContext ours({kPassesWidth, kPassesHeight});
   const gl::Statistics& s = ours.context().counts.statistics;
   for (int frame = 0; frame < kFrames; ++frame) {
@@ -87,7 +87,7 @@ TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
     GlState state = queryState(gl);
     gl.PixelTransferf(GL_DEPTH_SCALE, 1), gl.PixelTransferf(GL_DEPTH_BIAS, 0);
-    return std::make_pair(std::move(state), readPicture(gl, kPassesWidth, kPassesHeight));
+    return std::make_pair(std::move(state), readImage(gl, kPassesWidth, kPassesHeight));
   };
   const auto real = OsmesaContext::create({kPassesWidth, kPassesHeight});
   const auto expected = draw(real->real());
@@ -100,17 +100,17 @@ TEST(Passes, DepthThatIsDrawnAgainLeavesTheStateAlone) {
 
 /// Copies the bound framebuffer to the window. If it is multisampled, the specification does not say which
 /// sample gives the depth: copies colours only.
-Picture resolved(Gl gl) {
+DrawnImage resolved(Gl gl) {
   GLint framebuffer = 0;
   gl.GetIntegerv(GL_FRAMEBUFFER_BINDING, &framebuffer);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
   gl.BlitFramebuffer(0, 0, kPassesWidth, kPassesHeight, 0, 0, kPassesWidth, kPassesHeight,
                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  Picture picture = readPicture(gl, kPassesWidth, kPassesHeight);
-  picture.depths.assign(picture.depths.size(), 1.0f);
+  DrawnImage image = readImage(gl, kPassesWidth, kPassesHeight);
+  image.depths.assign(image.depths.size(), 1.0f);
   gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
-  return picture;
+  return image;
 }
 
 void expectFirstFrame(GLenum depthFormat, bool perSample) {

@@ -1,4 +1,4 @@
-// Surfaces for which rays cannot reproduce OpenGL's picture: coplanar surfaces, and triangles much larger
+// Surfaces for which rays cannot reproduce OpenGL's image: coplanar surfaces, and triangles much larger
 // than their visible part.
 #include "tests/reference/programs/program_stage.h"
 
@@ -8,7 +8,7 @@
 namespace gluray::test {
 namespace {
 
-constexpr scenes::Tolerance kSamePicture{1, 0, 1e-7f, "both are drawn by the real OpenGL"};
+constexpr scenes::Tolerance kSameImage{1, 0, 1e-7f, "both are drawn by the real OpenGL"};
 constexpr scenes::Tolerance kEdges{1, 0.002, 1e-6f, "edges fall on either side of a pixel's centre"};
 
 /// A rectangle in the plane z = 0, of n x n squares.
@@ -59,7 +59,7 @@ TEST(Precision, OverlappingCoplanarSurfacesAreShownInTheOrderOfDrawing) {
   for (const GLenum func : {GL_LESS, GL_LEQUAL}) {
     for (const View& view : {perspectiveView(), perspectiveView(25), parallelView(), parallelView(40)})
       expectSame(
-          "coplanar", [&](Gl gl) { drawRectangles(gl, kUponEachOther, view, func); }, 0, {}, kSamePicture);
+          "coplanar", [&](Gl gl) { drawRectangles(gl, kUponEachOther, view, func); }, 0, {}, kSameImage);
   }
 }
 

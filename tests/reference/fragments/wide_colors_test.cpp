@@ -14,7 +14,7 @@ TEST(WideColors, BrighterThanOneStaySo) {
   for (const GLenum format : {GL_RGBA32F, GL_RGBA16F}) {
     std::vector<std::vector<float>> found;
     const auto draw = [&](Gl gl) {
-      pictureFramebuffer(gl, {pictureTexture(gl, format)});
+      imageFramebuffer(gl, {imageTexture(gl, format)});
       beginFrame(gl);
       Layer one = seen(ball(24), {2.5f, 0.7f, 0.3f}, 1, placed({0, 0, 0}));
       one.surface.lights = Lights::headlight;
@@ -38,7 +38,7 @@ TEST(WideColors, BrighterThanOneStaySo) {
 
 TEST(WideColors, OfWhatTheRealOneDrawsAgain) {
   const auto draw = [](Gl gl) {
-    pictureFramebuffer(gl, {pictureTexture(gl, GL_RGBA32F)});
+    imageFramebuffer(gl, {imageTexture(gl, GL_RGBA32F)});
     beginFrame(gl);
     const Layer one = seen(ball(24), {2.5f, 0.7f, 0.3f}, 1, placed({0, 0, 0}));
     drawFresh(gl, makeProgram(gl, one.surface), one);
@@ -49,7 +49,7 @@ TEST(WideColors, OfWhatTheRealOneDrawsAgain) {
 
 TEST(WideColors, OfFixedFunctionAreDrawnByTheRealOne) {
   const auto draw = [](Gl gl) {
-    pictureFramebuffer(gl, {pictureTexture(gl, GL_RGBA32F)});
+    imageFramebuffer(gl, {imageTexture(gl, GL_RGBA32F)});
     beginFrame(gl);
     gl.Begin(GL_TRIANGLES);
     gl.Color3f(2, 0.5f, 0.25f);

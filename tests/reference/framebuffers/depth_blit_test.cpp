@@ -1,5 +1,5 @@
 // Depth blits between framebuffer objects, which GLuRay replaces by copies where the result is the same:
-// pictures, depths, stencil values and errors must equal the real OpenGL's either way.
+// images, depths, stencil values and errors must equal the real OpenGL's either way.
 #include "settings/quirks.h"
 #include "tests/support/traced_context.h"
 

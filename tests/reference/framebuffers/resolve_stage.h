@@ -147,7 +147,7 @@ struct Stage {
   void averageBy(const std::string& fragment) {
     average = simple(kPassVertex, fragment, kPassData, {"ndCoordIn", "texCoordIn"}, 2);
   }
-  /// Lets the real OpenGL draw a line across the picture in the bound framebuffer.
+  /// Lets the real OpenGL draw a line across the image in the bound framebuffer.
   void line() const {
     gl.UseProgram(flat.program);
     gl.BindVertexArray(flat.array);
@@ -190,7 +190,7 @@ struct Stage {
                        {-0.9f, -0.8f, -0.99f, 0.7f, 0.9f, -0.99f}, {"at"}, 3);
 };
 
-/// Expects equal pictures from `plain` and `ours`, `traced` traced draws, `resolves` resolves by GLuRay.
+/// Expects equal images from `plain` and `ours`, `traced` traced draws, `resolves` resolves by GLuRay.
 inline void expectResolves(const std::string& name, uint64_t resolves, int traced,
                            const std::function<void(Stage&)>& draw, bool textures = true,
                            const scenes::Tolerance& tolerance = kResolveTolerance) {

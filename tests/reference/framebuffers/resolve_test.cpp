@@ -225,21 +225,21 @@ TEST(Resolve, QueriesCountNothingOfIt) {
 
 /// With and without the quirk.
 Comparison switched(const std::function<void(const Stage&)>& draw, int channel) {
-  const auto picture = [&](bool on) {
+  const auto image = [&](bool on) {
     Settings settings = TracedContext::tracing();
     EXPECT_TRUE(settings.quirks.set("software-resolve", on));
     const uint64_t before = useCount(Quirk::softwareResolve);
     const TracedContext context(coreWish(), settings);
     const Stage stage(context.gl());
     draw(stage);
-    Picture result = readPicture(context.gl(), kWidth, kHeight);
+    DrawnImage result = readImage(context.gl(), kWidth, kHeight);
     EXPECT_EQ(useCount(Quirk::softwareResolve) - before, on ? 2u : 0u);
     return result;
   };
-  return compare(picture(false), picture(true), {channel, 0, 0, "the real OpenGL's powers are rounded"});
+  return compare(image(false), image(true), {channel, 0, 0, "the real OpenGL's powers are rounded"});
 }
 
-TEST(Resolve, SwitchedOffItIsTheSamePicture) {
+TEST(Resolve, SwitchedOffItIsTheSameImage) {
   const Comparison pass = switched([](const Stage& s) { s.frame(), s.resolve(), s.blit(kDepth); }, 1);
   EXPECT_TRUE(pass.accepted) << pass.text;
   EXPECT_EQ(pass.depthMax, 0) << pass.text;

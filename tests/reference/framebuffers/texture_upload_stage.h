@@ -1,4 +1,4 @@
-// Framebuffer objects of textures into which pictures may be sent, and what is drawn into them.
+// Framebuffer objects of textures into which images may be sent, and what is drawn into them.
 #pragma once
 #include "gl/real/real.h"
 

@@ -1,5 +1,5 @@
-// Uploads of pictures into the textures of a framebuffer object: only if it is known to hold just its clear
-// values, and with the same result, bit by bit, as a drawn picture.
+// Uploads of images into the textures of a framebuffer object: only if it is known to hold just its clear
+// values, and with the same result, bit by bit, as a drawn image.
 #include "settings/quirks.h"
 #include "tests/reference/framebuffers/texture_upload_stage.h"
 #include "tests/support/traced_context.h"
@@ -31,7 +31,7 @@ void reuseName(Gl gl, const Canvas& c, GLuint texture) {
 
 struct UploadCase {
   const char* name;
-  int sent;  // expected number of uploaded pictures
+  int sent;  // expected number of uploaded images
   void (*frame)(Gl gl, const Canvas& canvas) = [](Gl gl, const Canvas&) { clear(gl), flatSheet(gl); };
 };
 void PrintTo(const UploadCase& c, std::ostream* out) { *out << c.name; }
@@ -90,7 +90,7 @@ const UploadCase kUploadCases[] = {
        clear(gl), gl.Viewport(10, 20, 40, 30), flatSheet(gl), gl.Viewport(0, 0, kUploadSize, kUploadSize);
      }},
     {"LinesAfterwards", 1, [](Gl gl, const Canvas&) { clear(gl), flatSheet(gl), crossingLine(gl); }},
-    {"SecondPicture", 1,
+    {"SecondImage", 1,
      [](Gl gl, const Canvas&) {
        clear(gl), flatSheet(gl);
        GLuint pixel = 0;
@@ -235,7 +235,7 @@ UploadResult runUpload(const UploadCase& c, bool on) {
 
 class TextureUploads : public testing::TestWithParam<UploadCase> {};
 
-TEST_P(TextureUploads, EqualDrawnPictures) {
+TEST_P(TextureUploads, EqualDrawnImages) {
   const UploadResult off = runUpload(GetParam(), false), on = runUpload(GetParam(), true);
   EXPECT_EQ(off.sent, 0u);
   EXPECT_EQ(on.sent, static_cast<uint64_t>(GetParam().sent));
@@ -247,7 +247,7 @@ TEST_P(TextureUploads, EqualDrawnPictures) {
 INSTANTIATE_TEST_SUITE_P(All, TextureUploads, testing::ValuesIn(kUploadCases),
                          [](const auto& info) { return info.param.name; });
 
-/// Another context of the group draws into the texture between the clear and the picture.
+/// Another context of the group draws into the texture between the clear and the image.
 TEST(TextureUploads, NoticeDrawsOfOtherContexts) {
   TracedContext one;
   const TracedContext other({}, TracedContext::vertexShading(), nullptr, &one);
@@ -270,7 +270,7 @@ TEST(TextureUploads, NoticeDrawsOfOtherContexts) {
   EXPECT_EQ(useCount(Quirk::softwarePut), before);
 }
 
-/// A fence comes after the picture only where another context may wait for it.
+/// A fence comes after the image only where another context may wait for it.
 TEST(TextureUploads, ComeBeforeFencesOfSharedTextures) {
   const auto drawThenFence = [](Gl gl) {
     const GLuint texture = makeCanvas(gl).color;

@@ -1,4 +1,4 @@
-// Absurd input: nothing here may crash, hang, or leave the context unable to draw the next picture.
+// Absurd input: nothing here may crash, hang, or leave the context unable to draw the next image.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ const Abuse kAbuses[] = {
      }},
 };
 
-TEST(Abuse, NeverStopsTheNextPicture) {
+TEST(Abuse, NeverStopsTheNextImage) {
   for (const Abuse& abuse : kAbuses) {
     SCOPED_TRACE(abuse.name);
     TracedContext context({32, 32});

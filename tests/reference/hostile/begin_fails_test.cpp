@@ -1,4 +1,4 @@
-// glBegin that succeeds, and then fails because of a command in between: errors and pictures are those of the
+// glBegin that succeeds, and then fails because of a command in between: errors and images are those of the
 // real OpenGL, which GLuRay asks once only while nothing changes.
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/programs/program_stage.h"

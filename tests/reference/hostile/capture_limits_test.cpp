@@ -12,7 +12,7 @@ using Gl = const gl::RealGl&;
 constexpr int kCapturedSize = 64;
 
 /// A Bezier patch as strips of evaluated points, the first row of each sent as plain vertices.
-Picture evaluated(Gl gl) {
+DrawnImage evaluated(Gl gl) {
   static const GLfloat points[4][3] = {
       {-0.8f, -0.8f, 0}, {0.8f, -0.8f, 0.3f}, {-0.8f, 0.8f, -0.3f}, {0.8f, 0.8f, 0}};
   gl.Enable(GL_DEPTH_TEST), gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -30,13 +30,13 @@ Picture evaluated(Gl gl) {
   gl.Begin(GL_TRIANGLES), gl.Color3f(1, 1, 0);  // capture must work again afterwards
   gl.Vertex3f(-0.2f, -0.2f, -0.9f), gl.Vertex3f(0.2f, -0.2f, -0.8f), gl.Vertex3f(0, 0.2f, -0.9f);
   gl.End();
-  return readPicture(gl, kCapturedSize, kCapturedSize);
+  return readImage(gl, kCapturedSize, kCapturedSize);
 }
 
 TEST(CaptureLimits, EvaluatorsInsideBeginAreTheRealOnes) {
   const auto real = OsmesaContext::create({kCapturedSize, kCapturedSize});
   TracedContext ours({kCapturedSize, kCapturedSize});
-  const Picture expected = evaluated(real->real()), got = evaluated(ours.gl());
+  const DrawnImage expected = evaluated(real->real()), got = evaluated(ours.gl());
   size_t different = 0;
   for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
   EXPECT_LE(different, got.colors.size() / 100) << "the traced triangle's edge";
@@ -83,7 +83,7 @@ void triangleAt(Gl gl, float x) {
 }
 
 /// Two triangles into a framebuffer object with depth, `between` after the first; then reads another one.
-Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
+DrawnImage inObject(Gl gl, void (*between)(Gl, GLuint)) {
   GLuint objects[2], buffers[4];
   gl.GenFramebuffers(2, objects), gl.GenRenderbuffers(4, buffers);
   for (int i = 0; i < 2; ++i) {
@@ -100,7 +100,7 @@ Picture inObject(Gl gl, void (*between)(Gl, GLuint)) {
   triangleAt(gl, -0.9f);
   between(gl, objects[1]);
   triangleAt(gl, 0.3f);
-  return readPicture(gl, kCapturedSize, kCapturedSize);
+  return readImage(gl, kCapturedSize, kCapturedSize);
 }
 
 TEST(CaptureLimits, OnlyAnotherFramebufferEndsABatch) {
@@ -122,7 +122,7 @@ TEST(CaptureLimits, OnlyAnotherFramebufferEndsABatch) {
   for (const auto& c : cases) {
     const auto real = OsmesaContext::create({kCapturedSize, kCapturedSize});
     TracedContext ours({kCapturedSize, kCapturedSize});
-    const Picture expected = inObject(real->real(), c.between), got = inObject(ours.gl(), c.between);
+    const DrawnImage expected = inObject(real->real(), c.between), got = inObject(ours.gl(), c.between);
     size_t different = 0;
     for (size_t i = 0; i < got.colors.size(); ++i) different += got.colors[i] != expected.colors[i];
     EXPECT_LE(different, got.colors.size() / 100) << &c - cases;

@@ -1,4 +1,4 @@
-// The tracer fails for some pictures: each failure costs what it concerns (scene::Loss), and every picture is
+// The tracer fails for some images: each failure costs what it concerns (scene::Loss), and every image is
 // the real OpenGL's.
 #include "base/files.h"
 #include "frame/tracing/renderer.h"
@@ -49,10 +49,10 @@ Outcome frames(int count, const std::vector<int>& failing, scene::Loss loss) {
     return error = "this test lets tracing fail", false;
   };
   const auto real = OsmesaContext::create({kSize, kSize});
-  std::vector<Picture> expected;
+  std::vector<DrawnImage> expected;
   for (int i = 0; i < count; ++i) {
     drawFrame(real->real(), i);
-    expected.push_back(readPicture(real->real(), kSize, kSize));
+    expected.push_back(readImage(real->real(), kSize, kSize));
   }
   Outcome outcome;
   testing::internal::CaptureStderr();

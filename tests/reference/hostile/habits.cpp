@@ -6,7 +6,7 @@ namespace gluray::test::twenty_points {
 namespace {
 
 struct Run {
-  Picture picture;
+  DrawnImage image;
   Seen seen;
   GLenum error = GL_NO_ERROR;
 };
@@ -14,7 +14,7 @@ struct Run {
 Run runWith(Gl gl, const Program& program) {
   Run run;
   program(gl, run.seen);
-  run.picture = readPicture(gl, kWidth, kHeight);
+  run.image = readImage(gl, kWidth, kHeight);
   run.error = gl.GetError();
   return run;
 }
@@ -26,11 +26,11 @@ gl::Statistics expectSame(const Program& program, const Expected& wanted) {
   const Run expected = runWith(real->real(), program);
   TracedContext ours({kWidth, kHeight});
   const Run got = runWith(ours.gl(), program);
-  const Comparison c = compare(expected.picture, got.picture, wanted.tolerance);
+  const Comparison c = compare(expected.image, got.image, wanted.tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted)
-    writeFailure(TEST_OUTPUT, testing::UnitTest::GetInstance()->current_test_info()->name(), expected.picture,
-                 got.picture);
+    writeFailure(TEST_OUTPUT, testing::UnitTest::GetInstance()->current_test_info()->name(), expected.image,
+                 got.image);
   EXPECT_EQ(expected.error, got.error);
   EXPECT_EQ(expected.seen.size(), got.seen.size());
   for (size_t i = 0; i < std::min(expected.seen.size(), got.seen.size()); ++i)

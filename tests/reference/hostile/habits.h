@@ -24,7 +24,7 @@ struct Expected {
   uint64_t traced = 1;  // draws, at least
 };
 
-/// Runs the program both ways and compares pictures, read-back values and errors. Returns GLuRay's counts.
+/// Runs the program both ways and compares images, read-back values and errors. Returns GLuRay's counts.
 gl::Statistics expectSame(const Program& program, const Expected& wanted = {});
 
 /// Cleared, with camera, light and material.

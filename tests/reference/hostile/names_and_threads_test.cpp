@@ -67,7 +67,7 @@ TEST(TwentyPoints, P15NamesAreUsedAgain) {
   });
 }
 
-TEST(TwentyPoints, P16TransparencyOverTheTracedPicture) {
+TEST(TwentyPoints, P16TransparencyOverTheTracedImage) {
   const gl::Statistics s = expectSame([](Gl gl, Seen&) {
     stage(gl);
     send(gl, sphere(16, 24));
@@ -162,12 +162,12 @@ TEST(TwentyPoints, P19MultiPassTechniquesAreRasterised) {
 TEST(TwentyPoints, P20UnchangedFramesBuildNothing) {
   TracedContext ours({kWidth, kHeight});
   const Model m = torus(0.9f, 0.3f, 60, 40);
-  Picture first;
+  DrawnImage first;
   uint64_t builds = 0, meshes = 0;
   for (int frame = 0; frame < 20; ++frame) {
     stage(ours.gl());
     send(ours.gl(), m);
-    const Picture now = ours.read();
+    const DrawnImage now = ours.read();
     const gl::Statistics& s = ours.context().counts.statistics;
     if (frame == 0) first = now, builds = s.blasBuilds, meshes = s.meshesBuilt;
     EXPECT_TRUE(now == first) << "frame " << frame;

@@ -82,11 +82,11 @@ std::vector<uint32_t> pair(Gl gl, const Habit& habit, GLenum first, GLenum secon
 
 std::vector<std::vector<uint32_t>> allPairs(Gl gl, const Habit& habit) {
   prepare(gl, habit.into);
-  std::vector<std::vector<uint32_t>> pictures;
+  std::vector<std::vector<uint32_t>> images;
   for (const GLenum first : kModes)
-    for (const GLenum second : kModes) pictures.push_back(pair(gl, habit, first, second));
+    for (const GLenum second : kModes) images.push_back(pair(gl, habit, first, second));
   EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
-  return pictures;
+  return images;
 }
 
 void expectSamePairs(const Habit& habit) {

@@ -79,7 +79,7 @@ void evaluatedStrip(Gl gl) {
   gl.End();
 }
 
-/// A framebuffer object of two textures, into which pictures may be sent after a clear.
+/// A framebuffer object of two textures, into which images may be sent after a clear.
 void bindTextures(Gl gl) {
   GLuint names[2] = {}, framebuffer = 0;
   gl.GenTextures(2, names), gl.GenFramebuffers(1, &framebuffer);
@@ -98,7 +98,7 @@ void bindTextures(Gl gl) {
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, names[1], 0);
 }
 
-TEST(RunBoundaries, EvaluatedVerticesAreUnderAPictureThatIsSentIntoTextures) {
+TEST(RunBoundaries, EvaluatedVerticesAreUnderAImageThatIsSentIntoTextures) {
   expectSame([](Gl gl, Seen&) {
     bindTextures(gl);
     evaluators(gl);

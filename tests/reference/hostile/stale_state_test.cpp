@@ -1,4 +1,4 @@
-// State that is read back with one group and changed by another group's call: the picture must follow.
+// State that is read back with one group and changed by another group's call: the image must follow.
 #include "scenes/texels.h"
 #include "tests/reference/framebuffer.h"
 #include "tests/reference/hostile/habits.h"
@@ -165,7 +165,7 @@ TEST(StaleState, PixelsReadIntoAVertexBuffer) {
   });
 }
 
-/// The middle of the picture after a textured sphere was drawn.
+/// The middle of the image after a textured sphere was drawn.
 uint32_t middleOfSphere(TracedContext& context, GLuint texture) {
   const gl::RealGl& gl = context.gl();
   stage(gl);

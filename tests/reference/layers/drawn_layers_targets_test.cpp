@@ -175,14 +175,14 @@ TEST(DrawnLayers, AreDrawnByTheRealOneWhereTracingFails) {
       for (const Ball& b : kBalls) ball(gl, b);
       gl.BlendEquation(GL_FUNC_ADD), gl.BlendFunc(GL_ZERO, GL_ONE), gl.DepthMask(GL_TRUE);
     };
-    int pictures = 0;
+    int images = 0;
     auto fails = std::make_unique<present::TracingPresenter>(
         frame::Tracer{[&](const scene::Snapshot&, Image&, scene::TraceCost&, std::string& why) {
-          ++pictures;
+          ++images;
           return why = "this test lets tracing fail", false;
         }});
     compareBoth(theStage(), writes ? "failing, writing" : "failing", draw, std::move(fails));
-    EXPECT_GT(pictures, 0);
+    EXPECT_GT(images, 0);
   }
 }
 

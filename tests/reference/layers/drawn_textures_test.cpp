@@ -99,7 +99,7 @@ TEST(DrawnTextures, OfTwoUnits) {
   expectTraced("two units", draw, 3);
 }
 
-/// As in programs that leave blending on for everything: opaque surfaces are traced in one picture.
+/// As in programs that leave blending on for everything: opaque surfaces are traced in one image.
 TEST(BlendedOpaque, IsTracedInOneBatch) {
   const struct {
     const char* name;

@@ -48,7 +48,7 @@ void drawFresh(Gl gl, GLuint program, const Layer& layer) {
   drawLayer(gl, program, upload(gl, layer.mesh, program), layer);
 }
 
-GLuint pictureTexture(Gl gl, GLenum internalFormat) {
+GLuint imageTexture(Gl gl, GLenum internalFormat) {
   GLuint name = 0;
   gl.GenTextures(1, &name);
   gl.BindTexture(GL_TEXTURE_2D, name);
@@ -59,7 +59,7 @@ GLuint pictureTexture(Gl gl, GLenum internalFormat) {
   return name;
 }
 
-GLuint pictureFramebuffer(Gl gl, std::initializer_list<GLuint> colors) {
+GLuint imageFramebuffer(Gl gl, std::initializer_list<GLuint> colors) {
   GLuint name = 0, depth = 0;
   gl.GenFramebuffers(1, &name);
   gl.BindFramebuffer(GL_FRAMEBUFFER, name);

@@ -32,8 +32,8 @@ void drawLayer(Gl gl, GLuint program, const Upload& uploaded, const Layer& layer
 void drawFresh(Gl gl, GLuint program, const Layer& layer);
 
 /// A texture of the window's size without filtering; a bound framebuffer object of it and a depth buffer.
-GLuint pictureTexture(Gl gl, GLenum internalFormat);
-GLuint pictureFramebuffer(Gl gl, std::initializer_list<GLuint> colors);
+GLuint imageTexture(Gl gl, GLenum internalFormat);
+GLuint imageFramebuffer(Gl gl, std::initializer_list<GLuint> colors);
 /// Copies the colours of the framebuffer bound for reading to the window, and binds the window.
 void showInWindow(Gl gl);
 

@@ -17,25 +17,25 @@ Settings ordered() {
 }
 
 /// Red, green and blue alone.
-Picture visible(Picture picture) {
-  for (uint32_t& color : picture.colors) color |= 0xFF000000u;
-  std::fill(picture.depths.begin(), picture.depths.end(), 1.0f);
-  return picture;
+DrawnImage visible(DrawnImage image) {
+  for (uint32_t& color : image.colors) color |= 0xFF000000u;
+  std::fill(image.depths.begin(), image.depths.end(), 1.0f);
+  return image;
 }
 
 /// Expects that `ours` through GLuRay with ordered layers shows what `expected` shows in the real OpenGL.
 gl::Statistics expectOrdered(const std::string& name, const ContextWish& wish, const Draw& expected,
                              const Draw& ours, const scenes::Tolerance& tolerance,
-                             const std::function<Picture(Picture)>& compared) {
+                             const std::function<DrawnImage(DrawnImage)>& compared) {
   SCOPED_TRACE(name);
-  const Picture real = [&] {
+  const DrawnImage real = [&] {
     const auto context = OsmesaContext::create(wish);
     expected(context->real());
-    return compared(readPicture(context->real(), wish.width, wish.height));
+    return compared(readImage(context->real(), wish.width, wish.height));
   }();
   TracedContext context(wish, ordered());
   ours(context.gl());
-  const Picture got = compared(context.read());
+  const DrawnImage got = compared(context.read());
   const Comparison c = compare(real, got, tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
   if (!c.accepted) writeFailure(TEST_OUTPUT "/ordered_layers", name, real, got);
@@ -65,7 +65,7 @@ TEST(OrderedLayers, OfFixedFunctionLookAsIfSorted) {
     do {
       const gl::Statistics counted =
           expectOrdered("drawn", {stage.width, stage.height}, sorted, drawIn(order, writes), stage.tolerance,
-                        [](Picture whole) { return whole; });
+                        [](DrawnImage whole) { return whole; });
       EXPECT_EQ(counted.drawsTraced, 3u);
     } while (std::next_permutation(order.begin(), order.end()));
   }

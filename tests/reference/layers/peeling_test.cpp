@@ -119,7 +119,7 @@ TEST(Peeling, ColorsOfVerticesMapsAndCells) {
   });
 }
 
-TEST(Peeling, PicturesThatChangeBetweenPeelsAreNotTraced) {
+TEST(Peeling, ImagesThatChangeBetweenPeelsAreNotTraced) {
   auto all = balls();
   all[1].surface.color = Color::mapped;
   all[1].before = [](Gl gl, GLuint program) { colorMap(gl, 6), setInteger(gl, program, "colortexture", 6); };

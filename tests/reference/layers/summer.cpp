@@ -14,9 +14,9 @@ std::string summedText(const Surface& surface) {
 }  // namespace
 
 Summer::Summer(Gl gl) : gl_(gl) {
-  below_ = pictureFramebuffer(gl, {pictureTexture(gl, GL_RGBA8)});
-  colors_ = pictureTexture(gl, GL_RGBA32F), opacities_ = pictureTexture(gl, GL_R32F);
-  sums_ = pictureFramebuffer(gl, {colors_, opacities_});
+  below_ = imageFramebuffer(gl, {imageTexture(gl, GL_RGBA8)});
+  colors_ = imageTexture(gl, GL_RGBA32F), opacities_ = imageTexture(gl, GL_R32F);
+  sums_ = imageFramebuffer(gl, {colors_, opacities_});
   over_ = makeProgram(
       gl,
       "#version 150\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : "

@@ -22,7 +22,7 @@ void facingQuad(const gl::RealGl& gl, float z) {
 }
 
 TEST(LitTubes, FollowTheProgramsLights) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     const float right[] = {1, 0, 0, 0}, dark[] = {0, 0, 0, 1}, red[] = {1, 0, 0, 1}, white[] = {1, 1, 1, 1};
     gl.Enable(GL_LIGHTING), gl.Enable(GL_LIGHT0);
     gl.Lightfv(GL_LIGHT0, GL_POSITION, right);
@@ -40,7 +40,7 @@ TEST(LitTubes, FollowTheProgramsLights) {
 }
 
 TEST(LitTubes, FadeIntoFog) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     const float fog[] = {0, 1, 0, 1};
     gl.Enable(GL_FOG);
     gl.Fogi(GL_FOG_MODE, GL_LINEAR);
@@ -64,12 +64,12 @@ TEST(LitTubes, HideAndAreHiddenByDepth) {
     };
   };
   // The tube reaches from z = -2.5 to z = -1.5.
-  const LinePicture before = drawnRound(draw(-1.4f)), within = drawnRound(draw(-1.6f)),
-                    behind = drawnRound(draw(-2.7f));
+  const LineImage before = drawnRound(draw(-1.4f)), within = drawnRound(draw(-1.6f)),
+                  behind = drawnRound(draw(-2.7f));
   EXPECT_EQ(before.channel(32, 32, 0), 0);
   EXPECT_GE(within.channel(32, 32, 0), 245);
   EXPECT_GE(behind.channel(32, 32, 0), 245);
-  const auto visible = [](const LinePicture& p) {
+  const auto visible = [](const LineImage& p) {
     int count = 0;
     for (int x = 0; x < kLineStage; ++x) count += p.channel(x, 32, 1) > 0;
     return count;
@@ -78,7 +78,7 @@ TEST(LitTubes, HideAndAreHiddenByDepth) {
 }
 
 TEST(LitTubes, ClipPlanesCutTheLine) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     const double plane[] = {0, 1, 0, 0};
     gl.ClipPlane(GL_CLIP_PLANE0, plane);
     gl.Enable(GL_CLIP_PLANE0);
@@ -107,8 +107,8 @@ TEST(LitTubes, DarkenWhereAnotherTubeIsNear) {
       if (pair) line(gl, 0.42f);
     };
   };
-  const LinePicture alone = drawnRound(draw(false), withOcclusion()),
-                    pair = drawnRound(draw(true), withOcclusion());
+  const LineImage alone = drawnRound(draw(false), withOcclusion()),
+                  pair = drawnRound(draw(true), withOcclusion());
   const int side = 28;  // of the left tube, towards the other one
   ASSERT_TRUE(alone.covered(side, 32));
   EXPECT_LT(pair.channel(side, 32, 0), alone.channel(side, 32, 0) * 0.88);
@@ -124,8 +124,8 @@ TEST(LitTubes, DarkenTheSurfaceThatTheyLieOn) {
       if (tube) line(gl, 0.03f);
     };
   };
-  const LinePicture bare = drawnRound(draw(false), withOcclusion()),
-                    with = drawnRound(draw(true), withOcclusion());
+  const LineImage bare = drawnRound(draw(false), withOcclusion()),
+                  with = drawnRound(draw(true), withOcclusion());
   // A tube that is seen between 23 and 78 degrees from the normal: (sin 78 - sin 23) / 2 of the sky is
   // hidden.
   EXPECT_NEAR(with.channel(43, 32, 1), bare.channel(43, 32, 1) * 0.7, 8) << "beside the tube";
@@ -136,7 +136,7 @@ TEST(TubesInUnits, ShrinkWithTheirDistance) {
   Settings settings = asTubes();
   settings.lines.radius = 0.25f;
   const auto width = [&](float z) {
-    const LinePicture round = drawnRound([=](const gl::RealGl& gl) { line(gl, 0.02f, z); }, settings);
+    const LineImage round = drawnRound([=](const gl::RealGl& gl) { line(gl, 0.02f, z); }, settings);
     int count = 0;
     for (int x = 0; x < kLineStage; ++x) count += round.covered(x, 32);
     return count;
@@ -149,7 +149,7 @@ TEST(TubesInUnits, ShrinkWithTheirDistance) {
 TEST(TubesInUnits, ScaleWithTheModelview) {
   Settings settings = asTubes();
   settings.lines.radius = 0.05f;
-  const LinePicture round = drawnRound(
+  const LineImage round = drawnRound(
       [](const gl::RealGl& gl) {
         gl.Scalef(5, 5, 5);
         line(gl, 0.004f, -0.4f);
@@ -167,7 +167,7 @@ TEST(Spheres, AreRoundAndAsLargeAsThePoint) {
     gl.Vertex3f(0.03f, 0.03f, -2);
     gl.End();
   };
-  const LinePicture flat = drawnFlat(point), round = drawnRound(point);
+  const LineImage flat = drawnFlat(point), round = drawnRound(point);
   EXPECT_NEAR(round.coveredInColumn(32), flat.coveredInColumn(32), 2);
   EXPECT_NEAR(round.coveredInAll(), 3.14159 / 4 * flat.coveredInAll(), 40) << "a disc in a square";
   EXPECT_GE(round.channel(32, 32, 0), 250);
@@ -178,7 +178,7 @@ TEST(Spheres, AreRoundAndAsLargeAsThePoint) {
 TEST(Spheres, HaveARadiusInUnits) {
   Settings settings = asTubes();
   settings.points.radius = 0.5f;
-  const LinePicture round = drawnRound(
+  const LineImage round = drawnRound(
       [](const gl::RealGl& gl) {
         gl.Begin(GL_POINTS);
         gl.Vertex3f(0.03f, 0.03f, -2.4f);

@@ -13,16 +13,14 @@ using DrawLines = std::function<void(const gl::RealGl&)>;
 
 constexpr int kLineStage = 64;  // pixels, both sides of the window
 
-struct LinePicture {
-  Picture picture;
+struct LineImage {
+  DrawnImage image;
   gl::Statistics statistics;
 
   size_t at(int x, int y) const { return static_cast<size_t>(y) * kLineStage + static_cast<size_t>(x); }
-  bool covered(int x, int y) const { return picture.depths[at(x, y)] < 1; }
-  float depth(int x, int y) const { return picture.depths[at(x, y)]; }
-  int channel(int x, int y, int c) const {
-    return static_cast<int>(picture.colors[at(x, y)] >> (8 * c) & 255);
-  }
+  bool covered(int x, int y) const { return image.depths[at(x, y)] < 1; }
+  float depth(int x, int y) const { return image.depths[at(x, y)]; }
+  int channel(int x, int y, int c) const { return static_cast<int>(image.colors[at(x, y)] >> (8 * c) & 255); }
   int coveredInColumn(int x) const {
     int count = 0;
     for (int y = 0; y < kLineStage; ++y) count += covered(x, y);
@@ -57,24 +55,24 @@ inline void prepareLineStage(const gl::RealGl& gl) {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-inline LinePicture drawnFlat(const DrawLines& draw) {
+inline LineImage drawnFlat(const DrawLines& draw) {
   const auto context = OsmesaContext::create({kLineStage, kLineStage});
   prepareLineStage(context->real());
   draw(context->real());
-  return {readPicture(context->real(), kLineStage, kLineStage), {}};
+  return {readImage(context->real(), kLineStage, kLineStage), {}};
 }
 
-inline LinePicture drawnRound(const DrawLines& draw, const Settings& settings = asTubes()) {
+inline LineImage drawnRound(const DrawLines& draw, const Settings& settings = asTubes()) {
   TracedContext context({kLineStage, kLineStage}, settings);
   prepareLineStage(context.gl());
   draw(context.gl());
   EXPECT_EQ(context.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
-  Picture picture = context.read();
-  return {std::move(picture), context.context().counts.statistics};
+  DrawnImage image = context.read();
+  return {std::move(image), context.context().counts.statistics};
 }
 
-inline uint64_t rasterisedBecause(const LinePicture& picture, gl::Reason reason) {
-  return picture.statistics.rasterisedBecause[static_cast<size_t>(reason)];
+inline uint64_t rasterisedBecause(const LineImage& image, gl::Reason reason) {
+  return image.statistics.rasterisedBecause[static_cast<size_t>(reason)];
 }
 
 }  // namespace gluray::test

@@ -14,7 +14,7 @@ void segment(const gl::RealGl& gl, float x0, float y0, float x1, float y1) {
 }
 
 TEST(OddLines, WithoutLengthAreInvisible) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.LineWidth(9);
     gl.Begin(GL_LINES);
     segment(gl, 0, 0, 0, 0);
@@ -25,7 +25,7 @@ TEST(OddLines, WithoutLengthAreInvisible) {
 
 TEST(OddLines, OfOneVertexDrawNothing) {
   for (const GLenum mode : {GL_LINES, GL_LINE_STRIP, GL_LINE_LOOP}) {
-    const LinePicture round = drawnRound([=](const gl::RealGl& gl) {
+    const LineImage round = drawnRound([=](const gl::RealGl& gl) {
       gl.Begin(mode);
       gl.Vertex3f(0, 0, -2);
       gl.End();
@@ -35,7 +35,7 @@ TEST(OddLines, OfOneVertexDrawNothing) {
 }
 
 TEST(OddLines, ThatAreNotFiniteLeaveTheOthers) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.LineWidth(9);
     gl.Begin(GL_LINES);
     segment(gl, kNotANumber, 0, 1, 1), segment(gl, 0, 0, kInfinity, 1), segment(gl, -1, 0.03f, 1, 0.03f);
@@ -47,7 +47,7 @@ TEST(OddLines, ThatAreNotFiniteLeaveTheOthers) {
 
 TEST(OddLines, DrawnTwiceShowWhatTheDepthFunctionLeaves) {
   for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
-    const LinePicture round = drawnRound([=](const gl::RealGl& gl) {
+    const LineImage round = drawnRound([=](const gl::RealGl& gl) {
       gl.DepthFunc(function);
       gl.LineWidth(9);
       gl.Begin(GL_LINES);
@@ -61,7 +61,7 @@ TEST(OddLines, DrawnTwiceShowWhatTheDepthFunctionLeaves) {
 }
 
 TEST(OddLines, OfTwoWidthsInOnePlaceAreBothThere) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.DepthFunc(GL_LEQUAL);
     for (const float width : {20.0f, 4.0f}) {
       gl.LineWidth(width);
@@ -74,7 +74,7 @@ TEST(OddLines, OfTwoWidthsInOnePlaceAreBothThere) {
 }
 
 TEST(OddLines, ThatReachBehindTheViewerStayThere) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.LineWidth(6);
     gl.Begin(GL_LINES);
     gl.Vertex3f(-0.5f, -0.5f, -2.9f), gl.Vertex3f(4, 4, 14);
@@ -86,7 +86,7 @@ TEST(OddLines, ThatReachBehindTheViewerStayThere) {
 }
 
 TEST(OddLines, BeyondWhatRaysReachAreLeftToTheRealOpenGl) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.Begin(GL_LINES);
     gl.Vertex3f(-1e25f, 0, -2), gl.Vertex3f(1e25f, 0, -2);
     gl.End();
@@ -100,14 +100,14 @@ void plainStrip(const gl::RealGl& gl) {
   gl.End();
 }
 
-/// Why the line is rasterised after `prepare`; its picture is then the real OpenGL's.
+/// Why the line is rasterised after `prepare`; its image is then the real OpenGL's.
 gl::Reason reasonAfter(const DrawLines& prepare) {
   const auto draw = [&](const gl::RealGl& gl) {
     prepare(gl);
     plainStrip(gl);
   };
-  const LinePicture flat = drawnFlat(draw), ours = drawnRound(draw);
-  EXPECT_EQ(ours.picture.colors, flat.picture.colors);
+  const LineImage flat = drawnFlat(draw), ours = drawnRound(draw);
+  EXPECT_EQ(ours.image.colors, flat.image.colors);
   for (int i = 0; i < gl::kReasonCount; ++i)
     if (ours.statistics.rasterisedBecause[static_cast<size_t>(i)] > 0) return static_cast<gl::Reason>(i);
   return gl::Reason::traced;
@@ -154,7 +154,7 @@ TEST(OddLines, PolygonStateDoesNotMatter) {
 }
 
 TEST(OddLines, WithAdjacentVerticesStayLines) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.Begin(0x000A);  // GL_LINES_ADJACENCY
     for (const float x : {-2.0f, -1.0f, 1.0f, 2.0f}) gl.Vertex3f(x, 0.03f, -2);
     gl.End();
@@ -171,7 +171,7 @@ TEST(OddLines, SettingsGiveTheirWidth) {
 TEST(OddLines, OnlyWhatIsAskedForChanges) {
   Settings settings = asTubes();
   settings.points.look = PointLook::program;
-  const LinePicture round = drawnRound(
+  const LineImage round = drawnRound(
       [](const gl::RealGl& gl) {
         plainStrip(gl);
         gl.Begin(GL_POINTS);
@@ -183,7 +183,7 @@ TEST(OddLines, OnlyWhatIsAskedForChanges) {
   EXPECT_EQ(rasterisedBecause(round, gl::Reason::points), 1u);
 }
 
-/// The same picture at every size of the scene.
+/// The same image at every size of the scene.
 TEST(OddLines, OfAnySize) {
   const auto draw = [](double size) {
     return [=](const gl::RealGl& gl) {
@@ -199,11 +199,11 @@ TEST(OddLines, OfAnySize) {
       gl.End();
     };
   };
-  const LinePicture usual = drawnRound(draw(1));
+  const LineImage usual = drawnRound(draw(1));
   EXPECT_GT(usual.coveredInAll(), 300);
   for (const double size : {1e-15, 1e-8, 1e8, 1e16}) {
     SCOPED_TRACE(size);
-    const LinePicture other = drawnRound(draw(size));
+    const LineImage other = drawnRound(draw(size));
     EXPECT_EQ(other.statistics.drawsTraced, 1u);
     EXPECT_NEAR(other.coveredInAll(), usual.coveredInAll(), 8);
     EXPECT_NEAR(other.channel(32, 32, 0), usual.channel(32, 32, 0), 2);

@@ -18,7 +18,7 @@ DrawLines across(float width, float slope = 0) {
 TEST(Tubes, AreAsWideAsTheLine) {
   for (const float width : {1.0f, 2.0f, 5.0f, 12.0f}) {
     SCOPED_TRACE(width);
-    const LinePicture flat = drawnFlat(across(width)), round = drawnRound(across(width));
+    const LineImage flat = drawnFlat(across(width)), round = drawnRound(across(width));
     EXPECT_EQ(round.statistics.drawsTraced, 1u);
     for (int x = 0; x < kLineStage; ++x)
       EXPECT_NEAR(round.coveredInColumn(x), flat.coveredInColumn(x), 1) << "column " << x;
@@ -26,7 +26,7 @@ TEST(Tubes, AreAsWideAsTheLine) {
 }
 
 TEST(Tubes, ShineInTheMiddleAndDarkenTowardsTheirSides) {
-  const LinePicture round = drawnRound(across(16));
+  const LineImage round = drawnRound(across(16));
   EXPECT_GE(round.channel(32, 32, 0), 250);
   EXPECT_EQ(round.channel(32, 32, 3), 255);
   // The axis is at 32.16. Perspective makes the tube slightly wider than 16 pixels.
@@ -35,7 +35,7 @@ TEST(Tubes, ShineInTheMiddleAndDarkenTowardsTheirSides) {
 }
 
 TEST(Tubes, HaveTheDepthOfTheirSurface) {
-  const LinePicture flat = drawnFlat(across(16)), round = drawnRound(across(16));
+  const LineImage flat = drawnFlat(across(16)), round = drawnRound(across(16));
   // 8 of 64 pixels of a window 4 units wide: the radius is 0.5, so the tube begins at z = -1.5.
   const auto depth = [](double z) { return 0.5 * (2 * (8 - z) - 15) / (8 - z) + 0.5; };
   EXPECT_NEAR(flat.depth(32, 32), depth(-2), 1e-4);
@@ -43,9 +43,9 @@ TEST(Tubes, HaveTheDepthOfTheirSurface) {
 }
 
 TEST(Tubes, AreOffByDefaultAndThenLinesStayLines) {
-  const LinePicture flat = drawnFlat(across(7)), ours = drawnRound(across(7), TracedContext::tracing());
-  EXPECT_EQ(ours.picture.colors, flat.picture.colors);
-  EXPECT_EQ(ours.picture.depths, flat.picture.depths);
+  const LineImage flat = drawnFlat(across(7)), ours = drawnRound(across(7), TracedContext::tracing());
+  EXPECT_EQ(ours.image.colors, flat.image.colors);
+  EXPECT_EQ(ours.image.depths, flat.image.depths);
   EXPECT_EQ(rasterisedBecause(ours, gl::Reason::lines), 1u);
 }
 

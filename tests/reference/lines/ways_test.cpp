@@ -61,7 +61,7 @@ struct LineWay {
   DrawLines draw;
 };
 
-/// The same picture from every way; all in one context state: width 6.
+/// The same image from every way; all in one context state: width 6.
 void expectAllEqual(const std::vector<LineWay>& ways) {
   const auto wide = [](const DrawLines& draw) {
     return [=](const gl::RealGl& gl) {
@@ -69,15 +69,15 @@ void expectAllEqual(const std::vector<LineWay>& ways) {
       draw(gl);
     };
   };
-  const LinePicture first = drawnRound(wide(ways.front().draw));
+  const LineImage first = drawnRound(wide(ways.front().draw));
   EXPECT_GT(first.coveredInAll(), 100);
   EXPECT_EQ(first.statistics.drawsRasterised, 0u);
   for (const LineWay& way : ways) {
     SCOPED_TRACE(way.name);
-    const LinePicture other = drawnRound(wide(way.draw));
+    const LineImage other = drawnRound(wide(way.draw));
     EXPECT_EQ(other.statistics.drawsRasterised, 0u);
-    EXPECT_EQ(other.picture.colors, first.picture.colors);
-    EXPECT_EQ(other.picture.depths, first.picture.depths);
+    EXPECT_EQ(other.image.colors, first.image.colors);
+    EXPECT_EQ(other.image.depths, first.image.depths);
   }
 }
 
@@ -157,7 +157,7 @@ TEST(WaysOfLines, LargeArraysEqualSmallOnes) {
 }
 
 TEST(WaysOfLines, ColorsAreInterpolated) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.LineWidth(9);
     gl.Begin(GL_LINES);
     gl.Color3f(1, 0, 0), gl.Vertex3f(-2, 0.03f, -2);
@@ -172,7 +172,7 @@ TEST(WaysOfLines, ColorsAreInterpolated) {
 }
 
 TEST(WaysOfLines, FlatShadingTakesTheLastVertex) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     gl.ShadeModel(GL_FLAT);
     gl.LineWidth(9);
     gl.Begin(GL_LINES);
@@ -185,7 +185,7 @@ TEST(WaysOfLines, FlatShadingTakesTheLastVertex) {
 }
 
 TEST(WaysOfLines, WidthsHoldForTheLinesThatFollow) {
-  const LinePicture round = drawnRound([](const gl::RealGl& gl) {
+  const LineImage round = drawnRound([](const gl::RealGl& gl) {
     for (const float at : {-1.0f, 1.0f}) {
       gl.LineWidth(at < 0 ? 3 : 11);
       gl.Begin(GL_LINES);

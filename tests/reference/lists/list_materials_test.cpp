@@ -1,5 +1,5 @@
 // Materials in display lists while they follow the colour (GL_COLOR_MATERIAL): their values afterwards, and
-// the picture of the next draws, must be the same as without GLuRay.
+// the image of the next draws, must be the same as without GLuRay.
 #include "tests/support/traced_context.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The quirk "material-latch": Mesa before 23 keeps glMaterial values that were set since the last draw and
 // stores them a second time after GL_COLOR_MATERIAL was enabled. A program whose frames end with materials
-// and begin with colour material sees that in its picture, so the picture with GLuRay must be Mesa's,
+// and begin with colour material sees that in its image, so the image with GLuRay must be Mesa's,
 // not the correct one.
 #include "gl/shadow/material_latch.h"
 
@@ -55,7 +55,7 @@ std::vector<uint32_t> middles(const gl::RealGl& gl, const std::function<uint32_t
   return seen;
 }
 
-TEST(MaterialLatch, PictureIsTheRealOne) {
+TEST(MaterialLatch, ImageIsTheRealOne) {
   const auto real = OsmesaContext::create({kLatchSize, kLatchSize});
   const auto middle = [](const OsmesaContext& context) {
     return context.colors()[kLatchSize / 2 * kLatchSize + kLatchSize / 2];
@@ -66,7 +66,7 @@ TEST(MaterialLatch, PictureIsTheRealOne) {
   EXPECT_EQ(ours.context().counts.statistics.drawsTraced, 4u);
 }
 
-/// A picture is written back between a material, colour material that is switched on and off, and the draw.
+/// An image is written back between a material, colour material that is switched on and off, and the draw.
 uint32_t replaced(const gl::RealGl& gl, const GLfloat* color) {
   const auto triangle = [&] {
     gl.Begin(GL_TRIANGLES);
@@ -129,7 +129,7 @@ TEST(ColorMaterial, TakesColorsSentWhileLightingIsOff) {
 
 TEST(MaterialLatch, IsSwitchedOffByName) {
   bool needed = false;
-  const auto picturesWith = [&](const char* value) {
+  const auto imagesWith = [&](const char* value) {
     Settings settings = TracedContext::vertexShading();
     EXPECT_EQ(readQuirks(std::string("material-latch=") + value, settings.quirks), "");
     const TracedContext traced({kLatchSize, kLatchSize}, settings);
@@ -138,10 +138,10 @@ TEST(MaterialLatch, IsSwitchedOffByName) {
                    [&] { return traced.below().colors()[kLatchSize / 2 * kLatchSize + kLatchSize / 2]; });
   };
   const uint64_t before = useCount(Quirk::materialLatch);
-  const auto off = picturesWith("off");
+  const auto off = imagesWith("off");
   EXPECT_EQ(useCount(Quirk::materialLatch), before);
   EXPECT_EQ(off, std::vector<uint32_t>(4, off.front())) << "the material follows the colour in each frame";
-  const auto on = picturesWith("on");
+  const auto on = imagesWith("on");
   EXPECT_EQ(useCount(Quirk::materialLatch) > before, needed);
   EXPECT_EQ(on != off, needed);
 }

@@ -1,7 +1,7 @@
-// gluray-scene-player --out FOLDER [SCENE ...]: draws scenes in a window and writes their pictures.
+// gluray-scene-player --out FOLDER [SCENE ...]: draws scenes in a window and writes their images.
 // gluray-scene-player --compare EXPECTED GOT: compares two such folders by the scenes' tolerances.
 #include "tests/reference/player/window.h"
-#include "tests/support/picture.h"
+#include "tests/support/drawn_image.h"
 
 #include <cstdio>
 #include <cstring>
@@ -14,24 +14,24 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 240;
 
-std::string fileOf(const std::string& folder, const char* name) { return folder + "/" + name + ".picture"; }
+std::string fileOf(const std::string& folder, const char* name) { return folder + "/" + name + ".image"; }
 
-/// Colours, then depths, of kWidth x kHeight pixels, as in test::Picture.
-bool save(const std::string& file, const test::Picture& picture) {
+/// Colours, then depths, of kWidth x kHeight pixels, as in test::DrawnImage.
+bool save(const std::string& file, const test::DrawnImage& image) {
   std::ofstream out(file, std::ios::binary);
-  out.write(reinterpret_cast<const char*>(picture.colors.data()),
-            static_cast<std::streamsize>(picture.colors.size() * 4));
-  out.write(reinterpret_cast<const char*>(picture.depths.data()),
-            static_cast<std::streamsize>(picture.depths.size() * 4));
+  out.write(reinterpret_cast<const char*>(image.colors.data()),
+            static_cast<std::streamsize>(image.colors.size() * 4));
+  out.write(reinterpret_cast<const char*>(image.depths.data()),
+            static_cast<std::streamsize>(image.depths.size() * 4));
   return out.good();
 }
 
-bool load(const std::string& file, test::Picture& picture) {
+bool load(const std::string& file, test::DrawnImage& image) {
   constexpr size_t kPixels = size_t{kWidth} * kHeight;
-  picture = {kWidth, kHeight, std::vector<uint32_t>(kPixels), std::vector<float>(kPixels)};
+  image = {kWidth, kHeight, std::vector<uint32_t>(kPixels), std::vector<float>(kPixels)};
   std::ifstream in(file, std::ios::binary);
-  in.read(reinterpret_cast<char*>(picture.colors.data()), kPixels * 4);
-  in.read(reinterpret_cast<char*>(picture.depths.data()), kPixels * 4);
+  in.read(reinterpret_cast<char*>(image.colors.data()), kPixels * 4);
+  in.read(reinterpret_cast<char*>(image.depths.data()), kPixels * 4);
   return in.good();
 }
 
@@ -46,17 +46,17 @@ int play(const std::string& folder, char** names, int count) {
       window.freshContext();
       const gl::RealGl& gl = window.gl();
       scene.draw(gl, kWidth, kHeight);
-      test::Picture picture{kWidth, kHeight, std::vector<uint32_t>(size_t{kWidth} * kHeight),
-                            std::vector<float>(size_t{kWidth} * kHeight)};
+      test::DrawnImage image{kWidth, kHeight, std::vector<uint32_t>(size_t{kWidth} * kHeight),
+                             std::vector<float>(size_t{kWidth} * kHeight)};
       gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
-      gl.ReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE, picture.colors.data());
-      gl.ReadPixels(0, 0, kWidth, kHeight, GL_DEPTH_COMPONENT, GL_FLOAT, picture.depths.data());
+      gl.ReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE, image.colors.data());
+      gl.ReadPixels(0, 0, kWidth, kHeight, GL_DEPTH_COMPONENT, GL_FLOAT, image.depths.data());
       window.swap();
       if (const GLenum error = gl.GetError()) {
         std::fprintf(stderr, "%s: OpenGL error 0x%x\n", scene.name, error);
         ++failures;
       }
-      failures += !save(fileOf(folder, scene.name), picture);
+      failures += !save(fileOf(folder, scene.name), image);
     }
   return failures ? 1 : 0;
 }
@@ -65,7 +65,7 @@ int compareFolders(const std::string& expectedFolder, const std::string& gotFold
   int failures = 0;
   for (const auto list : {scenes::scenes(), scenes::variants()})
     for (const scenes::Scene& scene : list) {
-      test::Picture expected, got;
+      test::DrawnImage expected, got;
       if (!load(fileOf(expectedFolder, scene.name), expected) || !load(fileOf(gotFolder, scene.name), got)) {
         std::printf("%-28s missing\n", scene.name);
         ++failures;

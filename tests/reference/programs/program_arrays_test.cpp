@@ -98,7 +98,7 @@ void positionsOfFour(Gl gl) {
   s.draw();
 }
 
-/// Points at w = 2 are not traced, but the picture is the same.
+/// Points at w = 2 are not traced, but the image is the same.
 void homogeneous(Gl gl) {
   Stage s{gl};
   s.begin();

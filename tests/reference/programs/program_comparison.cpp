@@ -24,14 +24,14 @@ GlState withoutNames(GlState state) {
   return state;
 }
 
-/// Picture, errors and state after a program's draws.
+/// Image, errors and state after a program's draws.
 struct DrawnResult {
-  Picture picture;
+  DrawnImage image;
   GlState state;
   GLenum error = GL_NO_ERROR;
 };
 
-/// Records errors and state, then the picture. Pending draws must not change the former.
+/// Records errors and state, then the image. Pending draws must not change the former.
 DrawnResult drawn(Gl gl, const DrawProgram& draw, const ContextWish& wish) {
   DrawnResult result;
   draw(gl);
@@ -42,7 +42,7 @@ DrawnResult drawn(Gl gl, const DrawProgram& draw, const ContextWish& wish) {
   result.state = queryState(gl);
   EXPECT_EQ(joined(differences(before, result.state)), "") << "state, by showing what was pending";
   result.state = withoutNames(std::move(result.state));
-  result.picture = readPicture(gl, wish.width, wish.height);
+  result.image = readImage(gl, wish.width, wish.height);
   return result;
 }
 
@@ -53,15 +53,15 @@ DrawnResult drawnByRealOpenGl(const DrawProgram& draw, const ContextWish& wish) 
 
 ContextWish orCore(const ContextWish& wish) { return wish.width == 64 ? coreWish() : wish; }
 
-/// Expects the real OpenGL's picture within `tolerance`, and the same errors and state.
+/// Expects the real OpenGL's image within `tolerance`, and the same errors and state.
 void expectLike(const DrawnResult& expected, const DrawnResult& got, const scenes::Tolerance& tolerance,
                 const std::string& file) {
   EXPECT_EQ(got.error, expected.error);
   EXPECT_EQ(joined(differences(expected.state, got.state)), "");
-  const Comparison c = compare(expected.picture, got.picture, tolerance);
+  const Comparison c = compare(expected.image, got.image, tolerance);
   EXPECT_TRUE(c.accepted) << c.text;
   std::printf("%s: %s", file.c_str(), c.text.c_str());
-  if (!c.accepted) writeFailure(TEST_OUTPUT, file, expected.picture, got.picture);
+  if (!c.accepted) writeFailure(TEST_OUTPUT, file, expected.image, got.image);
 }
 
 std::string reasons(const gl::Statistics& s) {
@@ -86,7 +86,7 @@ Outcome traced(const DrawnResult& expected, const std::string& name, const DrawP
   if (draws >= 0) { EXPECT_EQ(s.drawsTraced, static_cast<uint64_t>(draws)) << reasons(s); }
   std::printf("; %d traced, %d rasterised %s\n", static_cast<int>(s.drawsTraced),
               static_cast<int>(s.drawsRasterised), reasons(s).c_str());
-  return {s, expected.picture, got.picture};
+  return {s, expected.image, got.image};
 }
 
 void drawnAgain(const DrawnResult& expected, const std::string& name, const DrawProgram& draw,

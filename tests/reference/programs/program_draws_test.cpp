@@ -153,7 +153,7 @@ TEST(ProgramDraws, RoundingOfMatricesSplitsNoBatch) {
 }
 
 TEST(ProgramDraws, FarFromTheOrigin) {
-  // Rounding moves points of either picture by some 1e-7 of a million: silhouettes differ by a pixel.
+  // Rounding moves points of either image by some 1e-7 of a million: silhouettes differ by a pixel.
   constexpr double kFar = 1e6;
   expectBoth("far",
              [](Gl gl) {

@@ -42,7 +42,7 @@ const FamilyCase kFamilyCases[] = {
      [](Gl gl, GLuint program) {
        setVec3(gl, program, "sun", {3, 9, 6}), setFloat(gl, program, "shine", 12);
      }},
-    // A picture without light.
+    // An image without light.
     {"textured",
      "in vec3 vertexMC; in vec2 tcoord; uniform mat4 mvp; out vec2 t;\n"
      "void main() { t = tcoord; gl_Position = mvp * vec4(vertexMC, 1); }\n",

@@ -1,6 +1,6 @@
 #include "tests/reference/programs/program_mutants.h"
 
-#include "tests/support/picture.h"
+#include "tests/support/drawn_image.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ const std::pair<const char*, const char*> kChanges[] = {
     {"1.0", "0.25"}, {"true", "false"}, {"false", "true"}, {"== 0", "== 1"}, {"0.0", "0.5"}};
 
 struct Drawn {
-  Picture picture;
+  DrawnImage image;
   uint64_t traced = 0;
 };
 
@@ -88,7 +88,7 @@ void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
     if (!program) return Drawn{};
     const uint64_t before = ours.context().counts.statistics.drawsTraced;
     draw(gl, program);
-    Drawn result{readPicture(gl, kProgramWidth, kProgramHeight),
+    Drawn result{readImage(gl, kProgramWidth, kProgramHeight),
                  ours.context().counts.statistics.drawsTraced - before};
     gl.UseProgram(0), gl.DeleteProgram(program);
     while (gl.GetError()) {}
@@ -103,12 +103,12 @@ void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
       texts[s].second = mutant.text;
       real->makeCurrent();
       const Drawn expected = drawn(real->real(), texts);
-      if (expected.picture.colors.empty()) continue;
+      if (expected.image.colors.empty()) continue;
       ours.makeCurrent();
       const Drawn got = drawn(ours.gl(), texts);
       ++compiled, traced += got.traced;
       if (!got.traced) continue;  // some use values that OpenGL leaves undefined, so are not compared
-      const Comparison c = compare(expected.picture, got.picture, kProgramTolerance);
+      const Comparison c = compare(expected.image, got.image, kProgramTolerance);
       EXPECT_TRUE(c.accepted) << mutant.what << "\n" << c.text;
     }
   }

@@ -24,7 +24,7 @@ struct Mutant {
 std::vector<Mutant> mutantsOf(const std::string& text);
 
 /// Draws each mutant of each shader that can be linked by the real OpenGL and through ours, and expects the
-/// same picture. The unchanged program must be traced, and only few mutants: those that change nothing.
+/// same image. The unchanged program must be traced, and only few mutants: those that change nothing.
 void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
                        const std::function<void(Gl, GLuint program)>& draw,
                        const ContextWish& wish = coreWish());

@@ -1,5 +1,5 @@
 // Programs that differ from VTK's in one statement of main, as when users replace parts of VTK's
-// shaders: removed, repeated, changed, or exchanged with the next one. The picture must show the change,
+// shaders: removed, repeated, changed, or exchanged with the next one. The image must show the change,
 // traced or not.
 #include "tests/reference/programs/program_mutants.h"
 

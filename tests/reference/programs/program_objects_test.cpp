@@ -171,24 +171,24 @@ TEST(ProgramObjects, TwoContextsOfAShareGroup) {
     const Upload up = upload(gl, mesh, program);
     beginFrame(gl);
     drawSurface(gl, program, up, mesh, perspectiveView(), surface);
-    return readPicture(gl, kProgramWidth, kProgramHeight);
+    return readImage(gl, kProgramWidth, kProgramHeight);
   };
   const Surface first{.lightCount = 2};
   const ProgramMesh mesh = ball(24);
   const auto all = [&](Gl one, Gl two, auto&& useOne, auto&& useTwo) {
-    std::vector<Picture> pictures;
+    std::vector<DrawnImage> images;
     useOne();
     const GLuint program = makeProgram(one, first);
-    pictures.push_back(frame(one, program, first, mesh));
+    images.push_back(frame(one, program, first, mesh));
     useTwo();
-    pictures.push_back(frame(two, program, first, mesh));
+    images.push_back(frame(two, program, first, mesh));
     two.BindAttribLocation(program, 5, "vertexMC"), two.LinkProgram(program);
-    pictures.push_back(frame(two, program, first, mesh));
+    images.push_back(frame(two, program, first, mesh));
     useOne();
-    pictures.push_back(frame(one, program, first, mesh));
-    return pictures;
+    images.push_back(frame(one, program, first, mesh));
+    return images;
   };
-  std::vector<Picture> expected;
+  std::vector<DrawnImage> expected;
   {
     const auto one = OsmesaContext::create(coreWish()), two = OsmesaContext::create(coreWish(), one.get());
     expected = all(
@@ -196,7 +196,7 @@ TEST(ProgramObjects, TwoContextsOfAShareGroup) {
   }
   TracedContext one(coreWish(), TracedContext::tracing()),
       two(coreWish(), TracedContext::tracing(), nullptr, &one);
-  const std::vector<Picture> got = all(
+  const std::vector<DrawnImage> got = all(
       one.gl(), two.gl(), [&] { one.makeCurrent(); }, [&] { two.makeCurrent(); });
   for (size_t i = 0; i < expected.size(); ++i) {
     const Comparison c = compare(expected[i], got[i], kProgramTolerance);

@@ -160,7 +160,7 @@ TEST(ProgramPasses, TheProgramIsLinkedAfterTheRasterisedPass) {
   EXPECT_GE(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 3u);
 }
 
-/// A picture of one frame is traced though other surfaces and lines were drawn before its program was linked.
+/// An image of one frame is traced though other surfaces and lines were drawn before its program was linked.
 TEST(ProgramPasses, TheProgramIsLinkedAfterOtherSurfaces) {
   for (const bool several : {false, true}) {
     const Outcome o = expectSame(

@@ -203,7 +203,7 @@ void bufferTexture(Gl gl, GLenum unit, GLenum format, GLsizeiptr bytes, const vo
   gl.TexBuffer(GL_TEXTURE_BUFFER, format, names[0]);
 }
 
-void picture(Gl gl, GLenum unit, int width, int height, GLenum format, const void* texels, GLint filter) {
+void makeTexture(Gl gl, GLenum unit, int width, int height, GLenum format, const void* texels, GLint filter) {
   GLuint name = 0;
   gl.GenTextures(1, &name);
   gl.ActiveTexture(GL_TEXTURE0 + unit);
@@ -246,7 +246,7 @@ void colorMap(Gl gl, GLenum unit) {
       const float t = static_cast<float>(i) / 9;
       texels.push_back(row ? 0xff00ffffu : packed({t, 0.4f, 1 - t}));
     }
-  picture(gl, unit, 10, 2, GL_RGBA, texels.data(), GL_NEAREST);
+  makeTexture(gl, unit, 10, 2, GL_RGBA, texels.data(), GL_NEAREST);
 }
 
 void chequers(Gl gl, GLenum unit) {
@@ -255,7 +255,7 @@ void chequers(Gl gl, GLenum unit) {
     for (int x = 0; x < 8; ++x)
       for (int c = 0; c < 3; ++c)
         texels.push_back((x + y) % 2 ? 250 : static_cast<uint8_t>(90 + 10 * x * (c == 1)));
-  picture(gl, unit, 8, 8, GL_RGB, texels.data(), GL_LINEAR);
+  makeTexture(gl, unit, 8, 8, GL_RGB, texels.data(), GL_LINEAR);
 }
 
 void beginFrame(Gl gl) {

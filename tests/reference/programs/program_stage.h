@@ -59,7 +59,7 @@ void setAll(Gl gl, GLuint program, const View& view, const Surface& surface);
 /// triangles.
 void cellColors(Gl gl, const ProgramMesh& mesh, GLenum unit, size_t before = 0);
 void cellNormals(Gl gl, const ProgramMesh& mesh, GLenum unit, size_t before = 0);
-/// Textures on `unit`: VTK's colour map of 8 colours (nearest, clamped), and a chequered picture without
+/// Textures on `unit`: VTK's colour map of 8 colours (nearest, clamped), and a chequered image without
 /// alpha.
 void colorMap(Gl gl, GLenum unit);
 void chequers(Gl gl, GLenum unit);
@@ -81,10 +81,10 @@ inline constexpr scenes::Tolerance kProgramTolerance = {
 
 struct Outcome {
   gl::Statistics statistics;
-  Picture expected, got;
+  DrawnImage expected, got;
 };
 using DrawProgram = std::function<void(Gl)>;
-/// Draws with the real OpenGL and through GLuRay; expects the same picture, no error, and the same state
+/// Draws with the real OpenGL and through GLuRay; expects the same image, no error, and the same state
 /// afterwards. `draws`: how many must be traced; negative: any number. `families`: text of a family file;
 /// empty: the built-in families.
 Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, ContextWish wish = {},
@@ -92,7 +92,7 @@ Outcome expectSame(const std::string& name, const DrawProgram& draw, int draws, 
 /// The same while tracing fails at the first flush: the real OpenGL draws from what each draw has kept.
 void expectSameWhenTracingFails(const std::string& name, const DrawProgram& draw, ContextWish wish = {},
                                 const std::string& families = "");
-/// Both of these, with one picture of the real OpenGL; the last three arguments as above.
+/// Both of these, with one image of the real OpenGL; the last three arguments as above.
 void expectBoth(const std::string& name, const DrawProgram& draw, int draws, const ContextWish& wish = {},
                 const scenes::Tolerance& tolerance = kProgramTolerance, const std::string& families = "");
 

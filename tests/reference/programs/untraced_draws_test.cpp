@@ -152,14 +152,14 @@ TEST(UntracedDrawsAmongOthers, AreNumberedWhereTheyEndAPassthroughFrame) {
     beginFrame(gl);
     EXPECT_TRUE(passesThrough());
     gl.MultiDrawElements(GL_TRIANGLES, counts.data(), GL_UNSIGNED_SHORT, starts.data(), 3);
-    return readPicture(gl, kProgramWidth, kProgramHeight);
+    return readImage(gl, kProgramWidth, kProgramHeight);
   };
   const auto real = OsmesaContext::create(kOld);
-  const Picture expected = drawn(real->real(), [] { return true; });
+  const DrawnImage expected = drawn(real->real(), [] { return true; });
   Settings settings = TracedContext::tracing();
   settings.engine = Engine::automatic;
   TracedContext ours(kOld, settings);
-  const Picture got = drawn(ours.gl(), [&] { return ours.context().clock.passesThrough(); });
+  const DrawnImage got = drawn(ours.gl(), [&] { return ours.context().clock.passesThrough(); });
   EXPECT_TRUE(got == expected);
   EXPECT_EQ(ours.context().counts.statistics.drawsRasterised, 3u);
 }

@@ -1,4 +1,4 @@
-// One scene sent through every path of OpenGL (lists, arrays, ...): bit-identical pictures.
+// One scene sent through every path of OpenGL (lists, arrays, ...): bit-identical images.
 #include "tests/reference/drawn_scene.h"
 
 namespace gluray::test {
@@ -6,23 +6,23 @@ namespace {
 
 class VariantTest : public testing::TestWithParam<const scenes::Scene*> {};
 
-Picture drawTraced(const scenes::Scene& scene, uint64_t& draws) {
+DrawnImage drawTraced(const scenes::Scene& scene, uint64_t& draws) {
   TracedContext ours({kSceneWidth, kSceneHeight});
   scene.draw(ours.gl(), kSceneWidth, kSceneHeight);
-  Picture picture = ours.read();
+  DrawnImage image = ours.read();
   draws = ours.context().counts.statistics.drawsTraced;
-  return picture;
+  return image;
 }
 
 TEST_P(VariantTest, EqualsTheFirstToTheBit) {
   const scenes::Scene& first = scenes::variants().front();
   uint64_t draws = 0;
-  static const Picture expected = drawTraced(first, draws);
-  const Picture got = drawTraced(*GetParam(), draws);
+  static const DrawnImage expected = drawTraced(first, draws);
+  const DrawnImage got = drawTraced(*GetParam(), draws);
   EXPECT_GT(draws, 0u) << "nothing was traced";
   const Comparison c = compare(expected, got, {0, 0, 0, "none"});
   EXPECT_TRUE(expected == got) << c.text;
-  const Comparison real = compare(realPicture(first), got, first.tolerance);
+  const Comparison real = compare(realImage(first), got, first.tolerance);
   EXPECT_TRUE(real.accepted) << "against the real OpenGL: " << real.text;
   if (!(expected == got)) writeFailure(TEST_OUTPUT, GetParam()->name, expected, got);
 }

@@ -1,4 +1,4 @@
-"""Passes over the whole picture: anti-aliasing, ambient occlusion, hidden lines, depth of field."""
+"""Passes over the whole image: anti-aliasing, ambient occlusion, hidden lines, depth of field."""
 import shapes
 from registry import state
 
@@ -155,7 +155,7 @@ def fxaa_of_vtk(stage):
 
 @state("vtk")
 def fxaa_of_two_views(stage):
-    """Each view has a pass over its own part of the picture."""
+    """Each view has a pass over its own part of the image."""
     stage.renderer.SetViewport(0, 0, 0.5, 0.7)
     beside = stage.new_renderer((0.5, 0.2, 1, 1))
     for renderer in (stage.renderer, beside):

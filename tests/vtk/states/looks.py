@@ -34,7 +34,7 @@ def light_by_lamps(stage):
 
 
 def shoot_and_pick(stage):
-    """A picture, a selection by two points and an area, and another picture."""
+    """An image, a selection by two points and an area, and another image."""
     stage.look()
     stage.shoot()
     stage.keep_selected((200, 150), (230, 120), (10, 10))

@@ -138,7 +138,7 @@ def caption_and_corner_text(stage):
 
 @state("vtk")
 def picture_behind(stage):
-    """An image actor in the scene, and a 2D mapper's picture in front of it."""
+    """An image actor in the scene, and a 2D mapper's image in front of it."""
     vtk = stage.vtk
     image = shapes.dotted_image(vtk)
     flat, actor, mapper = vtk.vtkImageActor(), vtk.vtkActor2D(), vtk.vtkImageMapper()

@@ -1,4 +1,4 @@
-"""ParaView in several processes: pictures composited from those of all processes, or sent by a server."""
+"""ParaView in several processes: images composited from those of all processes, or sent by a server."""
 from registry import state
 
 EVERYWHERE = ("mpi2", "mpi4", "remote")

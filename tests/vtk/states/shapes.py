@@ -1,11 +1,11 @@
-"""Data and pictures that several states draw. Functions are given the vtk module of the program that they run in."""
+"""Data and images that several states draw. Functions are given the vtk module of the program that they run in."""
 import pathlib
 import sys
 
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "live"))
-import pictures  # noqa: E402
+import images  # noqa: E402
 
 
 def vtk_modules():
@@ -27,9 +27,9 @@ def vtk_modules():
 def checkers(path, size=64, step=8):
     """A PNG of dark and bright squares, one corner red so that its orientation shows."""
     i, j = np.indices((size, size)) // step
-    picture = np.where(((i + j) % 2)[..., None] == 0, [60, 60, 200], [240, 230, 120]).astype(np.uint8)
-    picture[: 2 * step, : 2 * step] = [255, 0, 0]
-    pictures.write_png(path, picture)
+    image = np.where(((i + j) % 2)[..., None] == 0, [60, 60, 200], [240, 230, 120]).astype(np.uint8)
+    image[: 2 * step, : 2 * step] = [255, 0, 0]
+    images.write_png(path, image)
     return path
 
 

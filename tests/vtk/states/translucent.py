@@ -33,7 +33,7 @@ def peeled_scalars(stage):
 
 
 def six_balls(stage, peels, ratio=0):
-    """One picture of twelve layers, with a limit on peels or a minimum share of pixels for a peel (occlusion ratio)."""
+    """One image of twelve layers, with a limit on peels or a minimum share of pixels for a peel (occlusion ratio)."""
     for i in range(6):
         stage.show(shapes.sphere(stage.vtk, 16, 0.5), at=(0.1 * i, 0, i), color=(i % 2, i / 6, 1 - i / 6)).GetProperty().SetOpacity(0.2)
     stage.window.SetAlphaBitPlanes(True)

@@ -1,4 +1,4 @@
-"""Windows: viewports, layers, stereo, pictures larger than the window, several windows at once, swaps."""
+"""Windows: viewports, layers, stereo, images larger than the window, several windows at once, swaps."""
 import shapes
 from registry import state
 

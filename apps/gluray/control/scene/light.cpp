@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-// Of the rigs with a key light, this one keeps the picture's brightness: it has a light at the viewer, too.
+// Of the rigs with a key light, this one keeps the image's brightness: it has a light at the viewer, too.
 // By lights.attached = auto it is fixed to the scene, as what the program answers where there is no key
 // light; three-point is fixed to the camera. The panel and Python take the same one.
 constexpr const char* kRigForHighlight = "headlight+key";

@@ -18,7 +18,7 @@ std::vector<double> shareIn(const nlohmann::json& found);
 /// Prints tables of objects. Returns the exit code.
 int listObjects(const CommandLine& line);
 
-/// Prints what is seen at a point of a program's picture. Returns the exit code.
+/// Prints what is seen at a point of a program's image. Returns the exit code.
 int pickObject(const CommandLine& line);
 
 }  // namespace gluray::launcher

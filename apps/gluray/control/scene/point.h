@@ -1,4 +1,4 @@
-// A point of a window's picture, as users give it: X Y in pixels from the top left, or in percent.
+// A point of a window's image, as users give it: X Y in pixels from the top left, or in percent.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 
@@ -9,7 +9,7 @@ namespace gluray::launcher {
 
 struct Point {
   double x = 0, y = 0;
-  bool percent = false;  // of the picture's width and height
+  bool percent = false;  // of the image's width and height
 };
 
 /// Reads what follows the words of `command` in `words`: "320" "240", or "50%" "50%". `command` is "pick",

@@ -7,7 +7,7 @@
 namespace gluray::launcher {
 namespace {
 
-constexpr int kMaxPictures = 1000000;
+constexpr int kMaxImages = 1000000;
 
 void describeMaterial(CLI::App& app, ControlOptions& options) {
   app.description(
@@ -32,23 +32,21 @@ void describeMaterial(CLI::App& app, ControlOptions& options) {
 
 void describeFilm(CLI::App& app, ControlOptions& options) {
   app.description(
-      "Saves the next frames in the window of a running program as numbered pictures, each of a later frame\n"
-      "than the one before. Overwrites PNG files only. Ctrl+C ends it and keeps the pictures saved so far.");
-  app.add_option("FILE", options.file, "Name of the pictures, such as film-%04d.png, or film.png")
-      ->required();
-  app.add_option("--frames", options.film.frames, "End after N pictures")
-      ->check(CLI::Range(1, kMaxPictures))
+      "Saves the next frames in the window of a running program as numbered images, each of a later frame\n"
+      "than the one before. Overwrites PNG files only. Ctrl+C ends it and keeps the images saved so far.");
+  app.add_option("FILE", options.file, "Name of the images, such as film-%04d.png, or film.png")->required();
+  app.add_option("--frames", options.film.frames, "End after N images")
+      ->check(CLI::Range(1, kMaxImages))
       ->type_name("N");
   app.add_option("--seconds", options.seconds, "End after S seconds")
       ->check(CLI::Range(0.001, 1e6))
       ->type_name("S");
-  app.add_option(
-         "--set", options.film.ramps,
-         "Vary a setting from picture to picture, and restore it at the end. May be given several times")
+  app.add_option("--set", options.film.ramps,
+                 "Vary a setting from image to image, and restore it at the end. May be given several times")
       ->allow_extra_args(false)
       ->type_name("NAME=FROM..TO");
   app.add_option("--passes", options.film.passes,
-                 "Wait until each picture has been refined N times or is finished, for 60 s at most")
+                 "Wait until each image has been refined N times or is finished, for 60 s at most")
       ->check(CLI::Range(1, 65536))
       ->type_name("N");
 }
@@ -67,7 +65,7 @@ void describeSceneCommand(CLI::App& app, CommandLine& line) {
     case Command::pick:
       app.description("Prints the object at a point of a program's window.");
       app.add_option("POINT", options.words,
-                     "X Y: pixels from the top left of the picture, or percent: 50% 50%")
+                     "X Y: pixels from the top left of the image, or percent: 50% 50%")
           ->required();
       break;
     case Command::material: describeMaterial(app, options); break;

@@ -44,7 +44,7 @@ FilmDialog::FilmDialog(Controls& controls, QWidget* parent) : QDialog(parent), c
   makeFields(form);
   makeVaried(form);
   progress_ = new QProgressBar(this);
-  progress_->setAccessibleName(tr("Pictures that are saved"));
+  progress_->setAccessibleName(tr("Images that are saved"));
   progress_->setRange(0, 1);
   progress_->setValue(0);
   progress_->setFormat(tr("%v of %m"));
@@ -92,7 +92,7 @@ void FilmDialog::makeFields(QFormLayout* form) {
   });
   name_ = new QLineEdit("film", fields_);
   name_->setObjectName("film-name");
-  name_->setToolTip(tr("Pictures are NAME-0001.png, NAME-0002.png and so on"));
+  name_->setToolTip(tr("Images are NAME-0001.png, NAME-0002.png and so on"));
   form->addRow(tr("&Name"), name_);
   frames_ = new QSpinBox(fields_);
   frames_->setObjectName("film-frames");
@@ -100,7 +100,7 @@ void FilmDialog::makeFields(QFormLayout* form) {
   frames_->setSpecialValueText(tr("until it is stopped"));
   frames_->setValue(kUsualFrames);
   frames_->setToolTip(tr("0: until it is stopped"));
-  form->addRow(tr("&Pictures"), frames_);
+  form->addRow(tr("&Images"), frames_);
 }
 
 void FilmDialog::makeVaried(QFormLayout* form) {
@@ -139,7 +139,7 @@ QString FilmDialog::check() const {
     return tr("There is no folder %1.").arg(folder_->text());
   if (name_->text().isEmpty() || name_->text().contains('/')) return tr("Type a name without slashes.");
   if (setting_->currentIndex() > 0 && frames_->value() == 0)
-    return tr("A varying setting needs a number of pictures.");
+    return tr("A varying setting needs a number of images.");
   return {};
 }
 
@@ -168,7 +168,7 @@ void FilmDialog::begin() {
   progress_->setValue(0);
   connect(film_, &Film::progressed, this, [this](int saved) {
     progress_->setValue(saved);
-    message_->setText(tr("%1 pictures are saved.").arg(saved));
+    message_->setText(tr("%1 images are saved.").arg(saved));
   });
   connect(film_, &Film::finished, this, &FilmDialog::ended);
   showRunning();
@@ -179,13 +179,13 @@ void FilmDialog::showRunning() {
   fields_->setEnabled(!film_);
   progress_->setVisible(film_);
   start_->setText(film_ ? tr("C&ancel") : tr("&Start"));
-  start_->setToolTip(film_ ? tr("Saved pictures stay") : QString());
+  start_->setToolTip(film_ ? tr("Saved images stay") : QString());
 }
 
 void FilmDialog::ended(const QString& why) {
   if (!film_) return;
   Film* film = std::exchange(film_, nullptr);
-  const QString saved = tr("%1 pictures are saved in %2.").arg(film->saved()).arg(folder_->text());
+  const QString saved = tr("%1 images are saved in %2.").arg(film->saved()).arg(folder_->text());
   message_->setText(why.isEmpty() ? saved : tr("Stopped: %1. %2").arg(why, saved));
   film->deleteLater();
   showRunning();

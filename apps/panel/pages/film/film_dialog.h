@@ -1,4 +1,4 @@
-// Asks for a film's folder, names and length, and makes it: pictures of a program's window, one after the
+// Asks for a film's folder, names and length, and makes it: images of a program's window, one after the
 // other. GUI thread; the window stays usable meanwhile.
 #pragma once
 #include "model/film.h"

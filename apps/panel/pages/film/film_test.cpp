@@ -39,7 +39,7 @@ struct FilmTest : testing::Test {
   QStringList ended;
 };
 
-TEST_F(FilmTest, SavesOnePictureAfterTheOther) {
+TEST_F(FilmTest, SavesOneImageAfterTheOther) {
   make(plan(3));
   ASSERT_TRUE(program.until([&] { return !ended.isEmpty(); }));
   EXPECT_EQ(ended, QStringList{""});
@@ -134,7 +134,7 @@ TEST_F(FilmDialogTest, MakesAndCancels) {
   ASSERT_TRUE(program.until([&] { return progress->value() > 2; }));
   start.click();
   EXPECT_EQ(start.text(), "&Start");
-  EXPECT_TRUE(message().contains("pictures are saved in " + folder.path())) << message().toStdString();
+  EXPECT_TRUE(message().contains("images are saved in " + folder.path())) << message().toStdString();
   EXPECT_TRUE(part<QLineEdit>("film-name").isEnabled());
   EXPECT_GE(files().size(), 3);
 }
@@ -154,7 +154,7 @@ TEST_F(FilmDialogTest, SaysWhatIsWrongBeforeItBegins) {
   EXPECT_EQ(part<QDoubleSpinBox>("film-from").value(), 45);
   part<QSpinBox>("film-frames").setValue(0);
   start.click();
-  EXPECT_EQ(message(), "A varying setting needs a number of pictures.");
+  EXPECT_EQ(message(), "A varying setting needs a number of images.");
   program.end();
   start.click();
   EXPECT_EQ(message(), "No program is chosen.");

@@ -35,7 +35,7 @@ nlohmann::json lightValues(const Controls& controls, const LightDirection& direc
 /// Says so before it happens; empty: lightValues() does not change the rig.
 QString lineAboutRig(const Controls& controls);
 
-/// The rig that lightValues() chooses: it keeps the picture's brightness, and is fixed to the scene by
+/// The rig that lightValues() chooses: it keeps the image's brightness, and is fixed to the scene by
 /// lights.attached = auto.
 inline constexpr const char* kRigWithKey = "headlight+key";
 

@@ -2,7 +2,7 @@
 
 #include "control/messages/members.h"
 #include "pages/light/light_direction.h"
-#include "pages/live/picture_call.h"
+#include "pages/live/image_call.h"
 
 #include <algorithm>
 #include <utility>
@@ -20,16 +20,16 @@ constexpr double kMaxAzimuth = 360, kMaxElevation = 90;
 LightDrag::LightDrag(Controls& controls, QObject* parent)
     : QObject(parent), controls_(controls), movement_(controls, this) {}
 
-void LightDrag::point(const PicturePoint& at, LivePicture::Stage stage) {
+void LightDrag::point(const ImagePoint& at, LiveImage::Stage stage) {
   const Program* program = controls_.shown();
   if (!program) return;
-  if (stage == LivePicture::Stage::press) {
+  if (stage == LiveImage::Stage::press) {
     movement_.end();
     ++drag_;
     program_ = program->number;
     if (const QString line = lineAboutRig(controls_); !line.isEmpty()) emit said(line);
   }
-  released_ = stage == LivePicture::Stage::release;
+  released_ = stage == LiveImage::Stage::release;
   if (program_ != program->number) return finish();
   next_ = at;
   ask();

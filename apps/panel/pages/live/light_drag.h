@@ -1,9 +1,9 @@
-// Puts the key light's highlight where the user drags over the picture: the call `highlight` says which
+// Puts the key light's highlight where the user drags over the image: the call `highlight` says which
 // direction of light that takes. GUI thread.
 #pragma once
 #include "model/controls.h"
 #include "model/movement.h"
-#include "pages/live/live_picture.h"
+#include "pages/live/live_image.h"
 
 #include <QObject>
 #include <optional>
@@ -15,7 +15,7 @@ class LightDrag : public QObject {
 
  public:
   LightDrag(Controls& controls, QObject* parent);
-  void point(const PicturePoint& at, LivePicture::Stage stage);
+  void point(const ImagePoint& at, LiveImage::Stage stage);
 
  signals:
   void said(const QString& line);
@@ -27,8 +27,8 @@ class LightDrag : public QObject {
 
   Controls& controls_;
   Movement movement_;
-  std::optional<PicturePoint> next_;  // the newest place that was not asked for
-  bool underWay_ = false;             // a call; there is one at a time
+  std::optional<ImagePoint> next_;  // the newest place that was not asked for
+  bool underWay_ = false;           // a call; there is one at a time
   bool released_ = true;
   uint64_t drag_ = 0;  // counts them
   int program_ = 0;

@@ -1,9 +1,9 @@
-// The live picture with its tools: picking objects, light and focus by the mouse, the real OpenGL's picture
+// The live image with its tools: picking objects, light and focus by the mouse, the real OpenGL's image
 // beside GLuRay's, saving. GUI thread.
 #pragma once
 #include "model/comparison.h"
 #include "pages/live/light_drag.h"
-#include "pages/live/live_picture.h"
+#include "pages/live/live_image.h"
 
 #include <QWidget>
 
@@ -17,12 +17,12 @@ class LiveView : public QWidget {
 
  public:
   LiveView(Controls& controls, QWidget* parent);
-  LivePicture& picture() { return *picture_; }
+  LiveImage& liveImage() { return *image_; }
   /// The real OpenGL's, while it is compared; null: there is none.
-  const QImage& openGlPicture() const { return comparison_.picture(); }
+  const QImage& openGlImage() const { return comparison_.image(); }
   /// Leaves out the button that shows it in a window of its own: it is in that window.
   void isLarge();
-  /// Saves the window's picture in full size as a PNG file.
+  /// Saves the window's image in full size as a PNG file.
   void saveTo(const QString& file);
 
  signals:
@@ -36,13 +36,13 @@ class LiveView : public QWidget {
                          const QString& key, const QString& help);
   void makeTools(QGridLayout* grid);
   void makeButtons(QGridLayout* grid);
-  void point(const PicturePoint& at, LivePicture::Stage stage);
-  void pick(const PicturePoint& at);
+  void point(const ImagePoint& at, LiveImage::Stage stage);
+  void pick(const ImagePoint& at);
   void chooseFile();
   void enable();
 
   Controls& controls_;
-  LivePicture* picture_;
+  LiveImage* image_;
   LightDrag light_;
   Comparison comparison_;
   QToolButton *lightTool_ = nullptr, *focusTool_ = nullptr, *compareTool_ = nullptr, *renew_ = nullptr;

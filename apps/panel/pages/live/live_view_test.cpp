@@ -19,7 +19,7 @@ TEST_F(LiveViewTest, AClickAsksWhatIsThere) {
   EXPECT_EQ(said.back(), "Object 4 at 0.5, -2, 0.001, distance 12.35");
 }
 
-TEST_F(LiveViewTest, PlacesAreThoseOfThePictureAndNotOfTheWidget) {
+TEST_F(LiveViewTest, PlacesAreThoseOfTheImageAndNotOfTheWidget) {
   program.thumbnail(40, 10);  // 200 x 50 in the middle
   click(100, 20);
   EXPECT_TRUE(program.calls("pick").empty()) << "above it";

@@ -24,8 +24,8 @@ LiveWindow::LiveWindow(Controls& controls, QWidget* owner)
   connect(view_, &LiveView::said, line_, &QLabel::setText);
   view_->isLarge();
   resize(900, 740);
-  connect(&still_, &StillPicture::changed, this,
-          [this](const QImage& picture) { view_->picture().setStill(picture); });
+  connect(&still_, &StillImage::changed, this,
+          [this](const QImage& image) { view_->liveImage().setStill(image); });
   connect(&controls_, &Controls::chosenChanged, this, &LiveWindow::showTitle);
   connect(&controls_, &Controls::programsChanged, this, &LiveWindow::showTitle);
   connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, this, &QWidget::close);

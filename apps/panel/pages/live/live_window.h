@@ -1,7 +1,7 @@
-// The live picture in a window of its own: larger thumbnails, and the full size while the program stands
+// The live image in a window of its own: larger thumbnails, and the full size while the program stands
 // still. GUI thread.
 #pragma once
-#include "model/still_picture.h"
+#include "model/still_image.h"
 
 #include <QWidget>
 
@@ -30,7 +30,7 @@ class LiveWindow : public QWidget {
   Controls& controls_;
   LiveView* view_;
   QLabel* line_;  // what the tools say
-  StillPicture still_;
+  StillImage still_;
 };
 
 }  // namespace gluray::panel

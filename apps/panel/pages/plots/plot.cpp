@@ -73,9 +73,9 @@ void FpsPlot::paintEvent(QPaintEvent*) {
 }
 
 NoisePlot::NoisePlot(Controls& controls, QWidget* parent)
-    : Plot(controls, tr("Noise and passes of the picture"), parent) {
+    : Plot(controls, tr("Noise and passes of the image"), parent) {
   setObjectName("noise-plot");
-  setToolTip(tr("Remaining noise of the picture, and its passes (thin line)"));
+  setToolTip(tr("Remaining noise of the image, and its passes (thin line)"));
   stateCame();
 }
 

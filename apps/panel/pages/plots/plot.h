@@ -34,7 +34,7 @@ class FpsPlot : public Plot {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// Noise and passes of the picture that is refined; hidden while there is none.
+/// Noise and passes of the image that is refined; hidden while there is none.
 class NoisePlot : public Plot {
   Q_OBJECT
 

@@ -2,7 +2,7 @@
 // a fake one in tests. All calls on the control thread, which may have a descriptor table of its own; call()
 // on a thread with that of the process (control/link/apart.h).
 #pragma once
-#include "control/link/program/kept_picture.h"
+#include "control/link/program/kept_image.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,7 +19,7 @@ struct Figures {
   uint64_t scene = 0;  // draws of its scenes: those that were traced, or left out because scenes are small
 };
 
-/// Which shown frame is to be kept as a picture.
+/// Which shown frame is to be kept as an image.
 enum class Wanted {
   none,
   any,  // the next one that is shown, whenever the program ended it
@@ -48,9 +48,9 @@ class ControlledProgram {
   /// as wide as they are.
   virtual void tellSize(bool /*wider*/) noexcept {}
   /// Keeps such a frame, once; the newest wish counts.
-  virtual void wantPicture(Wanted /*wanted*/) noexcept {}
-  /// The picture that was kept since the last call; null: none was.
-  virtual std::unique_ptr<KeptPicture> takePicture() noexcept { return nullptr; }
+  virtual void wantImage(Wanted /*wanted*/) noexcept {}
+  /// The image that was kept since the last call; null: none was.
+  virtual std::unique_ptr<KeptImage> takeImage() noexcept { return nullptr; }
   /// The hub has said hello. `here`: it runs on this machine, and its runtime directory is used.
   virtual void linkBegan(bool /*here*/) noexcept {}
   /// The connection to the hub has ended: lets go of what is needed only for that.

@@ -23,7 +23,7 @@ void Waker::tellWider(double now) {
   go(Step::wider, now + kWider);
 }
 
-/// A program that has begun and shown a frame since, but has drawn nothing of its scene, kept a picture.
+/// A program that has begun and shown a frame since, but has drawn nothing of its scene, kept an image.
 void Waker::seeExposure(double now) {
   if (drew()) return go(Step::rest, 0);
   if (std::exchange(wanted_, false)) program_.wake();

@@ -1,5 +1,5 @@
 // Makes an idle program redraw its scene. Most programs redraw when a window is exposed. Toolkits that cache
-// pictures of their views only show these again, and redraw when a window's size seems to change. The waker
+// images of their views only show these again, and redraw when a window's size seems to change. The waker
 // tries both methods. Control thread; times in seconds.
 #pragma once
 #include "control/link/program/controlled_program.h"

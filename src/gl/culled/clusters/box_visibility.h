@@ -1,4 +1,4 @@
-// Tests whether bounding boxes, transformed by a matrix, may be visible in front of a depth picture. Any
+// Tests whether bounding boxes, transformed by a matrix, may be visible in front of a depth image. Any
 // thread.
 #pragma once
 #include "gl/culled/clusters/depth_pyramid.h"

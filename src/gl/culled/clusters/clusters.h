@@ -1,5 +1,5 @@
 // Clusters: a few neighbouring primitives of a draw with a bounding box, in groups with boxes of their own.
-// Finds the clusters that may be visible in front of a depth picture. Loops run in the shared arena. Any
+// Finds the clusters that may be visible in front of a depth image. Loops run in the shared arena. Any
 // thread, one at a time for each object.
 #pragma once
 #include "gl/culled/clusters/box_visibility.h"

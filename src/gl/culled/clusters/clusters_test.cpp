@@ -3,7 +3,7 @@
 #include "gl/culled/clusters/clusters.h"
 
 #include "base/sanitized.h"
-#include "gl/testing/test_pictures.h"
+#include "gl/testing/test_images.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ void expectNearerOnesShown(bool anywhere) {
     const Clusters clusters(p);
     EXPECT_EQ(clusters.areRuns(), round % 2 == 0);
     const glm::dmat4 m = randomView(random);
-    const std::vector<float> depths = depthPicture(random);
+    const std::vector<float> depths = depthImage(random);
     DepthPyramid pyramid;
     pyramid.build(depths.data(), kWidth, kHeight);
     std::vector<uint64_t> visible;
@@ -78,7 +78,7 @@ void expectNearerOnesShown(bool anywhere) {
   EXPECT_GT(hidden, 150 * rounds);
 }
 
-TEST(Clusters, NeverMissWhatIsNearerThanThePicture) { expectNearerOnesShown(false); }
+TEST(Clusters, NeverMissWhatIsNearerThanTheImage) { expectNearerOnesShown(false); }
 
 TEST(Clusters, NeverMissSamplesThatAreNearer) { expectNearerOnesShown(true); }
 

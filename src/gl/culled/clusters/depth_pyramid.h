@@ -1,4 +1,4 @@
-// A hierarchy of the farthest depths of a picture's pixels. GL thread; the loop runs in the shared arena.
+// A hierarchy of the farthest depths of an image's pixels. GL thread; the loop runs in the shared arena.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@ class DepthPyramid {
   void build(const float* depths, int width, int height);
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Upper bound of the depths of the pixels in [x0, x1] x [y0, y1], clamped to the picture. Any thread.
+  /// Upper bound of the depths of the pixels in [x0, x1] x [y0, y1], clamped to the image. Any thread.
   float farthest(int x0, int y0, int x1, int y1) const;
 
  private:

@@ -1,5 +1,5 @@
 // Bounds of instances whose positions were captured by transform feedback, in clip space: clusters of each
-// unit of instances. Finds the units that may be visible in front of a depth picture. Loops run in the shared
+// unit of instances. Finds the units that may be visible in front of a depth image. Loops run in the shared
 // arena. A part of CulledMesh, GL thread.
 #pragma once
 #include "gl/culled/clusters/clusters.h"

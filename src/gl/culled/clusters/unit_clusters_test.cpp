@@ -2,7 +2,7 @@
 // mostly are.
 #include "gl/culled/clusters/unit_clusters.h"
 
-#include "gl/testing/test_pictures.h"
+#include "gl/testing/test_images.h"
 
 #include <gtest/gtest.h>
 
@@ -41,13 +41,13 @@ std::vector<glm::vec4> positionsOf(std::mt19937& random, size_t instances) {
   return all;
 }
 
-TEST(UnitClusters, NeverMissOneThatIsNearerThanThePicture) {
+TEST(UnitClusters, NeverMissOneThatIsNearerThanTheImage) {
   std::mt19937 random(4);
   uint64_t tested = 0, hidden = 0;
   for (int round = 0; round < 60; ++round) {
     constexpr uint32_t kCount = 150;
     const std::vector<glm::vec4> positions = positionsOf(random, kCount);
-    const std::vector<float> depths = depthPicture(random);
+    const std::vector<float> depths = depthImage(random);
     DepthPyramid pyramid;
     pyramid.build(depths.data(), kWidth, kHeight);
     UnitClusters instances;

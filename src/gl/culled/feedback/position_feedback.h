@@ -1,5 +1,5 @@
 // Captures the positions of a draw for any vertex shader: the real OpenGL runs the shader, and transform
-// feedback captures gl_Position. One per program. GL thread, context current.
+// feedback captures gl_Position. One per shader program. GL thread, context current.
 #pragma once
 #include "gl/culled/feedback/program_copy.h"
 #include "gl/real/elements.h"
@@ -20,7 +20,8 @@ class PositionFeedback {
 
   explicit PositionFeedback(const Program& original) : original_(original) {}
 
-  /// Whether positions can be captured. The first call links a copy of the program. No error may be pending.
+  /// Whether positions can be captured. The first call links a copy of the shader program. No error may be
+  /// pending.
   bool works(const RealGl& real);
   /// Whether so many positions fit into a buffer.
   static bool isPossible(uint32_t first, uint32_t end, uint32_t instances);

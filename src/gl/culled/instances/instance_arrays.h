@@ -25,7 +25,7 @@ void forEnabled(const ArrayState& arrays, const Each& each) {
 /// The array of the attribute; null: none.
 const ArraySource* arrayOf(const ArrayState& arrays, GLint location);
 
-/// Attributes of the program all of whose columns come from arrays with a divisor.
+/// Attributes of the shader program all of whose columns come from arrays with a divisor.
 InstanceAttributes instanceAttributes(const Program& program, const ArrayState& arrays);
 
 /// Finds the arrays of the instance attributes in `position`. Returns CullReason::culled, or the reason why

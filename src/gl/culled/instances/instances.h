@@ -1,6 +1,6 @@
 // The instances of a draw whose positions are an instance matrix times a vertex attribute. Reads their
 // matrices from arrays with a divisor, and finds the instances that may be visible in front of a depth
-// picture. Loops run in the shared arena. A part of a plan of CulledDraws, GL thread.
+// image. Loops run in the shared arena. A part of a plan of CulledDraws, GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/culled/clusters/clusters.h"

@@ -1,7 +1,7 @@
 // Instances that may show are never left out, also where a shader rounds; those that cannot mostly are.
 #include "gl/culled/instances/instances.h"
 
-#include "gl/testing/test_pictures.h"
+#include "gl/testing/test_images.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ Moved swarm(std::mt19937& random, size_t count, float far) {
   return values;
 }
 
-TEST(Instances, NeverMissOneThatIsNearerThanThePicture) {
+TEST(Instances, NeverMissOneThatIsNearerThanTheImage) {
   std::mt19937 random(6);
   uint64_t tested = 0, hidden = 0;
   for (int round = 0; round < 60; ++round) {
@@ -84,7 +84,7 @@ TEST(Instances, NeverMissOneThatIsNearerThanThePicture) {
     NoUniforms u;
     u.view = glm::mat4(randomView(random) * glm::translate(glm::dmat4(1), glm::dvec3(-double{far}, 0, 0)));
     const Instances instances = instancesOf(values, u);
-    const std::vector<float> depths = depthPicture(random);
+    const std::vector<float> depths = depthImage(random);
     DepthPyramid pyramid;
     pyramid.build(depths.data(), kWidth, kHeight);
     std::vector<uint64_t> visible;

@@ -18,7 +18,7 @@
 
 namespace gluray::gl {
 
-/// Values of the uniforms of a program, in use while PositionSlice::evaluate() runs.
+/// Values of the uniforms of a shader program, in use while PositionSlice::evaluate() runs.
 class UniformSource {
  public:
   virtual ~UniformSource() = default;
@@ -104,7 +104,8 @@ class ShaderSlice {
 
 class PositionSlice : public ShaderSlice {
  public:
-  /// `source`: text of the vertex shaders of a program, one after the other, as the program gave them.
+  /// `source`: text of the vertex shaders of a shader program, one after the other, as the host program gave
+  /// them.
   explicit PositionSlice(std::string_view source) : ShaderSlice(source) {}
 
   /// Short reason why positions are unknown for any uniforms; empty: none.
@@ -118,7 +119,7 @@ class PositionSlice : public ShaderSlice {
 
 class AlphaSlice : public ShaderSlice {
  public:
-  /// `source`: text of the fragment shaders of a program, as above.
+  /// `source`: text of the fragment shaders of a shader program, as above.
   explicit AlphaSlice(std::string_view source) : ShaderSlice(source) {}
 
   /// `varyings`: outputs of the vertex shader, including "gl_Color".

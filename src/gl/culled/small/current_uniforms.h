@@ -1,4 +1,4 @@
-// Reads the current values of a program's uniforms one by one. GL thread, context current.
+// Reads the current values of a shader program's uniforms one by one. GL thread, context current.
 #pragma once
 #include "gl/culled/shader_slice/position_slice.h"
 #include "gl/glsl/program.h"

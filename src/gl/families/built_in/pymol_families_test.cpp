@@ -64,7 +64,7 @@ TEST_F(InstalledPyMol, OtherEffectsDoNotFit) {
          {"chromadepth", "ray_trace_mode_3", "transparency_mode_3", "precomputed_lighting", "ANAGLYPH",
           "ray_transparency_oblique", "PURE_OPENGL_ES_2"})
       EXPECT_EQ(familyOf(file, {"depth_cue", "bg_image_mode_solid", effect}), "") << file << " " << effect;
-    EXPECT_EQ(familyOf(file, {"depth_cue"}), "") << "a picture behind it";
+    EXPECT_EQ(familyOf(file, {"depth_cue"}), "") << "an image behind it";
     EXPECT_EQ(familyOf(file, {"depth_cue", "bg_image_mode_1_or_3", "bg_image_mode_2_or_3"}), "");
     EXPECT_EQ(familyOf(file, {"bg_image_mode_solid", "transparency_mode_3", "NO_ORDER_TRANSP"}), "");
     EXPECT_EQ(familyOf(file, {"bg_image_mode_solid", "chromadepth", "chromadepth_postlighting", "ortho"}),

@@ -84,7 +84,7 @@ TEST_F(InstalledPyMolImpostors, WithOtherEffectsDoNotFit) {
       EXPECT_EQ(familyOf(sticks, {"depth_cue", "bg_image_mode_solid", effect}), "") << effect;
     EXPECT_EQ(familyOf(sticks, {"bg_image_mode_solid", "transparency_mode_3", "NO_ORDER_TRANSP"}), "");
     EXPECT_EQ(familyOf(sticks, {"bg_image_mode_solid", "chromadepth", "chromadepth_postlighting"}), "");
-    EXPECT_EQ(familyOf(sticks, {"depth_cue"}), "") << "a picture behind it";
+    EXPECT_EQ(familyOf(sticks, {"depth_cue"}), "") << "an image behind it";
   }
 }
 

@@ -22,7 +22,7 @@ class FamilyReader : FamilyTable {
   /// Starts with a copy of the inherited family, if any.
   void inherit(const std::vector<std::shared_ptr<const Family>>& known);
   void readMatch();
-  /// code = "any": programs of the family may have any statements.
+  /// code = "any": shader programs of the family may have any statements.
   void readCode();
   void readVertex();
   void readInstance();

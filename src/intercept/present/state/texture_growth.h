@@ -1,4 +1,4 @@
-// Chooses the new size of a reused texture for a picture of another size. GL thread.
+// Chooses the new size of a reused texture for an image of another size. GL thread.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -8,7 +8,7 @@
 namespace gluray::present {
 
 /// The new size in texels of a texture that has `held` and needs `wanted`; `held` if that suffices. Covers
-/// both, so that pictures of similar shapes share the texture, unless that takes more than twice the texels
+/// both, so that images of similar shapes share the texture, unless that takes more than twice the texels
 /// of the larger one: a texture for both 16384x16 and 16x16384 pixels would have 512 times as many.
 inline glm::ivec2 grownSize(glm::ivec2 held, glm::ivec2 wanted) {
   if (wanted.x <= held.x && wanted.y <= held.y) return held;

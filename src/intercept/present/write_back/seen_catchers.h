@@ -1,4 +1,4 @@
-// Finds the visible surfaces of a picture of light fractions (scene::Snapshot::catches) in the framebuffer.
+// Finds the visible surfaces of an image of light fractions (scene::Snapshot::catches) in the framebuffer.
 // Any thread.
 #pragma once
 #include "base/image.h"
@@ -8,7 +8,7 @@
 
 namespace gluray::present {
 
-/// `seen` becomes the picture without pixels whose framebuffer's depth lies behind what they show: there the
+/// `seen` becomes the image without pixels whose framebuffer's depth lies behind what they show: there the
 /// program drew nothing, as where its shader discards fragments. `depths`: window depths, one for each pixel
 /// of the image, bottom row first. The image has one sample a pixel, and its depths lie before the surfaces
 /// by the snapshot's polygon offset. Throws std::bad_alloc; reuses the memory of `seen`.

@@ -1,4 +1,4 @@
-// Uploads a traced picture into the textures of a framebuffer object that has only been cleared, instead of
+// Uploads a traced image into the textures of a framebuffer object that has only been cleared, instead of
 // drawing it. GL thread, context current, outside glBegin/glEnd.
 #pragma once
 #include "base/image.h"

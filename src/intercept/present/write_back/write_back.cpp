@@ -192,7 +192,7 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
 
   // One texture holds as many sample planes as fit, one above the other.
   const int planes = std::min(image.samples, limit / height);
-  if (target.picture == 0 || target.picture != held_) {
+  if (target.imageId == 0 || target.imageId != held_) {
     held_ = 0;
     findSheets(image, planes);
   }
@@ -200,7 +200,7 @@ bool WriteBack::write(const Image& image, const WriteBackTarget& target, Pending
   StateGuard guard(real_, features_);
   if (!writeInto(guard, image, target, planes) || real_.GetError() != GL_NO_ERROR) return held_ = 0, false;
   const bool all = !image.isAverages() && planes == image.samples && target.colors;
-  held_ = all ? target.picture : 0;
+  held_ = all ? target.imageId : 0;
   return true;
 }
 

@@ -1,4 +1,4 @@
-// Writes a traced picture, colour and depth, into the framebuffer that the program has bound. One per
+// Writes a traced image, colour and depth, into the framebuffer that the program has bound. One per
 // context. GL thread, context current, outside glBegin/glEnd, GL_RENDER mode, and before any query,
 // conditional rendering or transform feedback starts that the program's own draws were not part of.
 #pragma once
@@ -18,7 +18,7 @@ namespace gluray::present {
 /// Parameters of a write, besides the image's own rectangle.
 struct WriteBackTarget {
   GLenum depthFunc = GL_LEQUAL;  // depth test of traced pixels against the framebuffer
-  uint64_t picture = 0;          // id of the image: an equal id is not uploaded again; 0: it has none
+  uint64_t imageId = 0;          // id of the image: an equal id is not uploaded again; 0: it has none
   GLenum over = 0;  // write into this buffer of the window instead, without depth test; keeps its depth
   bool colors = true, depths = true;    // planes to write; without depths there is no depth test
   bool keepsDepth = false;              // blended over the framebuffer, whose depth is tested and stays
@@ -48,7 +48,7 @@ class WriteBack {
   /// as alpha, and write their centres' depth. Sums ignore and keep depth; blending as in gl::addsUp adds
   /// them to the first two draw buffers: premultiplied colours and transmittance to the first, opacities to
   /// the second's red. Restores all queryable state; moves pending errors to `pending`. False, with nothing
-  /// drawn or a picture to be drawn again, if the real OpenGL refuses.
+  /// drawn or an image to be drawn again, if the real OpenGL refuses.
   bool write(const Image& image, const WriteBackTarget& target, PendingErrors& pending);
 
   /// Releases ownership of our names in the share group, and returns them.

@@ -22,7 +22,7 @@ const BuiltInTexture kBuiltInTextures[] = {
     {"constant", GL_LINEAR, GL_REPEAT, false, false},
 };
 
-/// A picture of 32 x 32 soft waves, with mipmaps.
+/// An image of 32 x 32 soft waves, with mipmaps.
 void waves(Gl gl, const BuiltInTexture& c) {
   std::vector<GLubyte> texels;
   for (int y = 0; y < 32; ++y)

@@ -1,0 +1,67 @@
+// Decides whether draws of the fixed-function pipeline are traced or rasterised, and has the checks that all
+// draws share. A part of each Context, GL thread.
+#pragma once
+#include "gl/basics/failsafe.h"
+#include "gl/basics/reasons.h"
+#include "gl/capture/mesh_cache.h"
+#include "gl/clock/frame_clock.h"
+#include "gl/counts/draw_kinds.h"
+#include "gl/history/surface_history.h"
+#include "gl/pending/pending_batch.h"
+#include "gl/shadow/shadow_state.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::gl {
+
+class LayerDraws;
+
+class Classifier {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    const Failsafe& failsafe;
+    FrameClock& clock;
+    SurfaceHistory& surfaces;
+    PendingBatch& pending;
+    LayerDraws& layers;
+  };
+  explicit Classifier(const Parts& parts) : p_(parts) {}
+
+  /// Why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer), or
+  /// Reason::traced.
+  Reason ofContext() const;
+  /// Reason::noGlsl if this OpenGL cannot show traced images, else Reason::traced. A mixed frame asks only
+  /// for draws that are too large for the real OpenGL: call it again for these, with `large`.
+  Reason ofImages(bool large) const;
+  /// Why a draw of fixed function's vertices, by fixed function or by a shader program, cannot be traced now,
+  /// if it is of this primitive class, or Reason::traced.
+  Reason classify(PrimitiveClass kind) const;
+  /// The same for a surface with this mesh, after classify(kind).
+  Reason classify(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
+  /// Whether a surface that can be traced is a layer, blended in drawing order (LayerDraws::mayBeDrawn()).
+  bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+
+  /// Whether draws of this class are surfaces that are depth-tested against the framebuffer.
+  bool meetsDepth(PrimitiveClass kind) const;
+  /// Whether such draws leave depths that later ones are tested against.
+  bool leavesDepth(PrimitiveClass kind) const;
+  /// Whether surfaces are now drawn with a polygon offset away from the viewer.
+  bool isPushedBack() const;
+  /// The place of a mesh that is drawn now with this matrix and polygon offset.
+  SurfacePlace placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;
+
+ private:
+  Reason ofProgram() const;
+  bool isOpaqueByProgram(const scene::Mesh& mesh) const;
+  Reason ofProgramsMesh(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+  Reason whereEverythingIsTraced(const KnownMesh& mesh, const std::vector<MaterialChange>& materials) const;
+  Reason ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+  bool isOpaque(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
+
+  Parts p_;
+};
+
+}  // namespace gluray::gl

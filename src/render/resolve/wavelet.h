@@ -1,0 +1,55 @@
+// Edge-stopping wavelet denoiser for light. Any thread; pure.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace gluray::render {
+
+/// Guides of the filter, row by row. Packed by packReflectances() and packGeometry().
+struct FeatureView {
+  const uint32_t* reflectance = nullptr;  // reflectance: three mantissas, one exponent
+  const uint32_t* normal = nullptr;       // two coordinates (GeometryFeatures: a, b), 16 bits each
+  const uint16_t* facing = nullptr;       // c: the leading bits of a float
+  const float* distance = nullptr;        // d; 0: no guides, so that the pixel does not change
+};
+
+/// A noisy image with an estimate of its noise.
+struct NoisyImage {
+  int width = 0, height = 0;
+  const float* color = nullptr;     // RGBA
+  const uint16_t* noise = nullptr;  // estimated standard error, kNoiseOne being 1; null: not known
+  FeatureView features;
+  float target = 0;  // pixels with less noise do not change
+  // The largest displayed value. Brighter values are clamped to it, because noise is measured on displayed
+  // values.
+  float most = std::numeric_limits<float>::max();
+};
+
+constexpr float kNoiseOne = 65535;
+
+/// Packs the guides of `count` pixels from the wide colours of passes of the modes reflectance and geometry.
+/// Pixels with depth `miss` show no surface.
+void packReflectances(const float* reflectance, size_t count, uint32_t* packed);
+void packGeometry(const float* geometry, const float* depth, size_t count, uint32_t* normal, uint16_t* facing,
+                  float* distance);
+
+/// A square of the image that is filtered in one call.
+struct WaveletTile {
+  static constexpr int kSize = 64, kReach = 32;  // kReach: pixels read beyond its border
+  int x = 0, y = 0;                              // its corner
+};
+
+/// An edge-stopping wavelet transform of light, that is colour divided by reflectance (H. Dammertz and
+/// others, "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering", 2010): four
+/// rounds of 5 x 5 pixels 1, 2, 4 and 8 apart. Neighbours count that lie on the plane of the pixel, with
+/// about its normal and reflectance, and whose light differs by no more than the noise allows (C. Schied and
+/// others, "Spatiotemporal Variance-Guided Filtering", 2017). Differs: weights are Tukey's biweights, which
+/// end, so that nothing crosses an edge. A pixel gets the share 1 - (target / noise)^2 of its smoothed light:
+/// none where its noise is no more than the target. Where noise is not known it is the deviation among
+/// neighbours. Writes kSize x kSize RGB to `out`, row by row, as far as they are inside. False: all pixels
+/// stay, and nothing was written. `memory`: waveletFloats() floats.
+bool smoothTile(const NoisyImage&, const WaveletTile&, float* memory, float* out);
+size_t waveletFloats();
+
+}  // namespace gluray::render
