@@ -21,8 +21,8 @@ class LightScene {
   /// built. Throws Error; the scene is then empty.
   bool update(const scene::Snapshot&, const std::vector<PlacedBlas>& drawn, std::vector<PlacedBlas> around,
               const HiddenFrom& hidden = {});
-  /// For a snapshot without surroundings: secondary rays then use the scene of primary rays. Frees memory if
-  /// later snapshots will have no surroundings either.
+  /// For a snapshot without a secondary scene: secondary rays then use the scene of primary rays. Frees
+  /// memory if later snapshots will have no secondary scene either.
   void clear(const scene::Snapshot&);
   /// Releases all contents. Returns whether there were any.
   bool release();

@@ -38,8 +38,8 @@ class World {
   /// Replaces the contents by the snapshot's instances and builds missing structures. Throws Error or
   /// std::bad_alloc: then nothing may be traced until an update succeeds. Primary rays hit only these
   /// instances. occluded() and intersectBounced() also hit the snapshot's secondary scene, whose instances
-  /// have the following numbers. Surroundings that cannot be built are omitted. Rays do not hit instances in
-  /// `hidden`; BLASes do not depend on `hidden`.
+  /// have the following numbers. Surfaces of the secondary scene that cannot be built are omitted. Rays do
+  /// not hit instances in `hidden`; BLASes do not depend on `hidden`.
   UpdateStatistics update(const scene::Snapshot&, Arena&, const HiddenFrom& hidden = {});
 
   /// Finds the nearest hit of each lane with valid[i] = -1 (others 0). `valid` is aligned to 64 bytes; the
@@ -56,7 +56,7 @@ class World {
                      Coherence coherence = Coherence::coherent) const noexcept;
 
   /// Finds the nearest hits of secondary rays, which hit impostors as solids (impostors/solid.h), and the
-  /// surroundings. Otherwise like intersect(), but reports any of coincident triangles.
+  /// secondary scene. Otherwise like intersect(), but reports any of coincident triangles.
   void intersectBounced(const int32_t* valid, RayPacket&) const noexcept;
 
   /// Returns bit i if a surface blocks ray i, for lanes with valid[i] = -1 (others 0). `valid` is aligned to

@@ -27,7 +27,7 @@ struct TraceOptions {
   MovingRays rays;
   Interrupt interrupt = {};  // of all other frames
   // Null: this process traces all tiles. Otherwise it traces the tiles of this source; moving frames are
-  // traced as such only if the source is also `film`.
+  // traced as such only if the source is also movingSource.
   TileSource* source = nullptr;
   MovingTileSource* movingSource = nullptr;
   // Null: this process has all surfaces of the view. Only with a source and with light effects.

@@ -1,4 +1,4 @@
-// Traces frames of animations: first the factors of light, which are then filtered, and finally the colours
+// Traces frames of animations: first visibility, which are then filtered, and finally the colours
 // of hits. Called by traceImage().
 #pragma once
 #include "render/frame_data/frame_data.h"
@@ -8,14 +8,14 @@
 namespace gluray::render {
 
 /// Whether the frame is one of an animation (scene::LightSampling::Mode::moving) whose pixels have one
-/// nearest hit each, so that factors can be filtered.
+/// nearest hit each, so that visibility can be filtered.
 bool isMoving(const FrameData&);
 
 class MovingTileSource;
 
-/// Traces all factors, filters them, and then colours the hits. `kept`: history of earlier frames; null:
+/// Traces all visibility, filters them, and then colours the hits. `kept`: history of earlier frames; null:
 /// none. `source`: hands out the tiles; null: this process traces all of them. Returns false, with nothing
-/// traced, if the settings use no factors or memory is short.
+/// traced, if the settings use no visibility or memory is short.
 bool traceMoving(FrameData&, LightHistories* kept, const MovingRays&, MovingTileSource* source);
 
 }  // namespace gluray::render

@@ -10,7 +10,7 @@ struct LightSampling {
   enum class Mode : uint8_t {
     full,    // all samples of the settings
     moving,  // few samples with temporal reuse and filtering: a frame of an animation
-    // No light; colours are guides for denoising (render/effects/feature_integrators.h):
+    // No light; colours are auxiliary features for denoising (render/effects/feature_integrators.h):
     reflectance,  // reflectance of the surface
     geometry,     // position and normal of the surface
     // or for picking:

@@ -1,5 +1,5 @@
-// The surroundings of a batch: other surfaces of its view, which block and reflect the batch's light. Made by
-// gl/views/view_scenes, shared, immutable.
+// The secondary scene of a batch: other surfaces of its view, which block and reflect the batch's light. Made
+// by gl/views/view_scenes, shared, immutable.
 #pragma once
 #include "scene/effects.h"
 #include "scene/framebuffer_capture.h"
@@ -29,7 +29,7 @@ struct SecondaryScene {
   bool operator==(const SecondaryScene&) const = default;
 };
 
-/// Whether two surroundings have equal images of their surfaces, and equal framebuffer depths.
+/// Whether two secondary scenes have equal images of their surfaces, and equal framebuffer depths.
 inline bool haveSameCaptures(const SecondaryScene& a, const SecondaryScene& b) {
   if (!a.framebuffer != !b.framebuffer) return false;
   if (a.framebuffer && a.framebuffer != b.framebuffer && a.framebuffer->depths != b.framebuffer->depths)
@@ -39,7 +39,7 @@ inline bool haveSameCaptures(const SecondaryScene& a, const SecondaryScene& b) {
          std::equal(a.captures.begin(), a.captures.end(), b.captures.begin(), b.captures.end(), alike);
 }
 
-/// Whether snapshots need surroundings: for light effects between surfaces, or for a ground.
+/// Whether snapshots need a secondary scene: for light effects between surfaces, or for a ground.
 inline bool needsSecondaryScene(const Settings& settings) {
   return wantsLight(settings) || wantsGround(settings);
 }

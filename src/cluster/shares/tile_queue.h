@@ -27,7 +27,7 @@ class TileQueue final : public render::TileSource {
 
   /// For a moving frame: no more tiles follow.
   void setVisibility(VisibilityReady comes);
-  /// Waits for the film. None if the queue was closed.
+  /// Waits for the visibility buffer. None if the queue was closed.
   std::optional<VisibilityReady> waitForVisibility();
   /// Sends the tile of a moving frame.
   void collected(const render::VisibilityBuffer& buffer, int tile, double seconds) noexcept;

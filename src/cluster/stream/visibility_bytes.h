@@ -1,4 +1,4 @@
-// Serialises films of factors of light (render/moving/visibility_buffer.h): single tiles and whole films. Any
+// Serialises buffers of visibility (render/moving/visibility_buffer.h): single tiles and whole buffers. Any
 // thread.
 #pragma once
 #include "cluster/stream/byte_stream.h"

@@ -82,7 +82,8 @@ class Head {
   static MovingOrder movingOrderOf(ConnectedProgram& program);
   /// Assigns further tiles after tiles have arrived or ranks were lost.
   void goOn(ConnectedProgram& program, double now);
-  /// Sends the film of a moving image after all tiles were collected, so that ranks colour their tiles.
+  /// Sends the visibility buffer of a moving image after all tiles were collected, so that ranks colour their
+  /// tiles.
   void giveVisibility(ConnectedProgram& program, double now);
   void broadcastVisibility(ConnectedProgram& program, const Array& visibility);
   void forgetVisibility(ConnectedProgram& program);

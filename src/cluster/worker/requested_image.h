@@ -21,7 +21,7 @@ class RequestedImage {
     alone,  // all on this rank
     shared,
     paged,   // the geometry is in pages
-    moving,  // first collected on the film, then coloured by the same rank
+    moving,  // first collected on the visibility buffer, then coloured by the same rank
   };
   /// `costs`: of the tiles, as measured before; other numbers of tiles count as unknown.
   RequestedImage(const TraceRequest& request, uint64_t id, bool averages, const RankStates& ranks,
@@ -40,7 +40,7 @@ class RequestedImage {
   /// Writes the tile into `memory`, which it enlarges if necessary (`grew`). Throws Malformed if the tile
   /// does not fit the image; std::system_error.
   void addTile(int rank, const TracedTile& tile, WrittenMemory& memory, bool& grew, double now);
-  /// Adds a tile to a moving image's film.
+  /// Adds a tile to a moving image's visibility buffer.
   void addTile(int rank, const CollectedTile& tile, double now);
   void finished(int rank, const Finished& result);
   void drop(int rank);

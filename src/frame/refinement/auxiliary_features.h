@@ -6,7 +6,7 @@
 
 namespace gluray::frame {
 
-/// Packed (render/resolve/wavelet.h). Empty: no guides.
+/// Packed (render/resolve/wavelet.h). Empty: no auxiliary features.
 struct AuxiliaryFeatures {
   static constexpr size_t kBytes = 14;  // bytes per pixel
 

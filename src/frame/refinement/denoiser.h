@@ -9,7 +9,7 @@
 
 namespace gluray::frame {
 
-/// Stores the guides of a pass of the mode reflectance or geometry. Throws std::bad_alloc.
+/// Stores the auxiliary features of a pass of the mode reflectance or geometry. Throws std::bad_alloc.
 void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, AuxiliaryFeatures& features);
 
 /// Denoises the colours of `out`, the mean of the passes. Returns false on failure; some pixels may then be

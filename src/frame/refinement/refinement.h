@@ -54,8 +54,8 @@ class Refinement {
   size_t bytes() const {
     return 4 * (mean_.capacity() + half_.capacity()) + 2 * pixelNoise_.capacity() + features.bytes();
   }
-  /// Memory for refining so many pixels, including an image with wide colours; `filtered`: with guides and
-  /// the noise of each pixel.
+  /// Memory for refining so many pixels, including an image with wide colours; `filtered`: with auxiliary
+  /// features and the noise of each pixel.
   static size_t bytesFor(size_t pixels, bool filtered = false) {
     return pixels * (4 * (4 + 3 + 4 + 1) + (filtered ? sizeof(uint16_t) + AuxiliaryFeatures::kBytes : 0));
   }

@@ -1,5 +1,5 @@
 // History of draws that affects later draws: surfaces drawn in several passes, coplanar surfaces, triangles
-// too large for rays, the surroundings of batches, and their objects. A part of each Context, GL thread.
+// too large for rays, the secondary scenes of batches, and their objects. A part of each Context, GL thread.
 #pragma once
 #include "gl/history/coplanar_surfaces.h"
 #include "gl/history/multipass_surfaces.h"

@@ -1,5 +1,5 @@
-// Integrators that replace colours by guides: reflectance, geometry or points, for the filter of finished
-// images and for picking. Made for passes of the modes reflectance, geometry and surfaces
+// Integrators that replace colours by auxiliary features: reflectance, geometry or points, for the filter of
+// finished images and for picking. Made for passes of the modes reflectance, geometry and surfaces
 // (scene/light_sampling.h); called on all tracing threads.
 #pragma once
 #include "render/integrators/altered_look.h"
@@ -50,7 +50,7 @@ class SurfaceFeatures final : public Integrator {
 
 /// Makes the guide of the snapshot's mode; null if the mode uses colours.
 std::unique_ptr<const Integrator> makeFeatureIntegrator(const FrameData&);
-/// Whether the snapshot's mode uses guides instead of colours.
+/// Whether the snapshot's mode uses auxiliary features instead of colours.
 bool wantsFeatures(const scene::Snapshot&);
 
 }  // namespace gluray::render

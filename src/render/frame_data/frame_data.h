@@ -39,7 +39,7 @@ struct FrameData {
   DepthMap depth;
   std::shared_ptr<const Relit> relit;  // shadings in place of the snapshot's, if settings change lights
   // One entry for each shading and instance of the snapshot (or relit), followed by those of the
-  // surroundings. Surfaces that cannot be visible have no instance.
+  // secondary scene. Surfaces that cannot be visible have no instance.
   std::vector<Lighting> lightings;
   std::vector<Surface> surfaces;
   std::vector<glm::dvec2> samplePositions;  // from the pixel's lower left corner, one per sample
@@ -72,7 +72,7 @@ struct FrameData {
   std::optional<KnownDepths> knownDepths;  // of catchers; none: their rays are not shortened
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
   // Null: traceTile() writes final colours. Otherwise traceTile() stores the hits here, the collector stores
-  // their factors of light, and relightTile() colours them.
+  // their visibility, and relightTile() colours them.
   HitBuffer* hits = nullptr;
   const Integrator* collector = nullptr;
   const MovingFrame* moving = nullptr;   // null: light uses all samples of the settings

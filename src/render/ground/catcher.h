@@ -27,7 +27,7 @@ class CatcherLook final : public Integrator {
   uint32_t catcher_;
 };
 
-/// Treats all surfaces as catchers (scene::Snapshot::catches), with the factors of `light`.
+/// Treats all surfaces as catchers (scene::Snapshot::catches), with the visibility of `light`.
 class AllCaught final : public VisibilityIntegrator {
  public:
   explicit AllCaught(std::unique_ptr<const VisibilityIntegrator> light) : light_(std::move(light)) {}

@@ -29,7 +29,7 @@ struct UsedVisibility {
   bool operator==(const UsedVisibility&) const = default;
 };
 
-/// An integrator whose noise is confined to factors, so that a filter does not blur colours.
+/// An integrator whose noise is confined to visibility, so that a filter does not blur colours.
 class VisibilityIntegrator : public Integrator {
  public:
   virtual UsedVisibility used() const noexcept = 0;
@@ -41,7 +41,7 @@ class VisibilityIntegrator : public Integrator {
   virtual bool replaces(uint32_t instance, uint32_t lanes, const Visibility&) const noexcept = 0;
   /// Applies visibility to colours of the local look.
   virtual void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept = 0;
-  /// World-space positions and directions of lights. Earlier factors are reusable while these numbers stay
+  /// World-space positions and directions of lights. Earlier visibility is reusable while these numbers stay
   /// equal, up to rounding.
   virtual std::vector<float> meaning() const { return {}; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {

@@ -20,7 +20,7 @@ struct Relit {
   std::vector<scene::LightSource> sources;  // eye space
   // For each shading: index of its light that is source 0; its number of lights if it has no sources.
   std::vector<size_t> firstSource;
-  // Shadings of the snapshot's surroundings, without sources; empty: the surroundings keep their lights.
+  // Shadings of the snapshot's secondary scene, without sources; empty: its surfaces keep their lights.
   std::vector<scene::Shading> secondaryShadings;
   scene::Dome dome;  // shines on all lit surfaces
 };

@@ -1,4 +1,5 @@
-// The channels of Factors that a film stores: the used ones, with grey visibility stored once. Any thread.
+// The channels of Visibility that a visibility buffer stores: the used ones, with grey visibility stored
+// once. Any thread.
 #pragma once
 #include "render/integrators/light_visibility.h"
 

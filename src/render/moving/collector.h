@@ -1,4 +1,4 @@
-// Writes hits to the film with their reprojected history, and traces their visibility.
+// Writes hits to the visibility buffer with their reprojected history, and traces their visibility.
 #pragma once
 #include "render/integrators/light_visibility.h"
 #include "render/integrators/metric.h"

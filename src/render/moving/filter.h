@@ -1,4 +1,5 @@
-// Filters the factors on a film without crossing edges of surfaces. Called on all tracing threads.
+// Filters a visibility buffer without crossing edges of surfaces. Called on all tracing
+// threads.
 #pragma once
 #include "render/integrators/light_visibility.h"
 #include "render/moving/moving_frame.h"
@@ -10,7 +11,7 @@ namespace gluray::render {
 struct TileVisibility {
   static constexpr int kColumns = kTileSize / 4;
   Visibility packets[kColumns * kColumns];
-  /// Factors of the packet that begins at a pixel of the tile.
+  /// Visibility of the packet that begins at a pixel of the tile.
   const Visibility& at(int x, int y) const { return packets[y / 4 * kColumns + x / 4]; }
 };
 

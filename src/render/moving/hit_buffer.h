@@ -1,4 +1,4 @@
-// The nearest hits of a frame's pixels, stored until their factors of light are filtered. One thread at a
+// The nearest hits of a frame's pixels, stored until their visibility is filtered. One thread at a
 // time writes or reads the packets of a tile.
 #pragma once
 #include "accel/rays/ray_packet.h"

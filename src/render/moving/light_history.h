@@ -1,4 +1,4 @@
-// History of factors of light for the following frames of an animation, per view. Owned by frame::Renderer,
+// History of visibility for the following frames of an animation, per view. Owned by frame::Renderer,
 // which traces one frame at a time.
 #pragma once
 #include "render/integrators/light_visibility.h"

@@ -1,4 +1,4 @@
-// State of one animation frame while it is traced: the film for its factors of light, and the reusable
+// State of one animation frame while it is traced: the visibility buffer, and the reusable
 // history. Made once a frame, read by all tracing threads, which write the buffers.
 #pragma once
 #include "render/moving/channels.h"
@@ -16,7 +16,7 @@ struct MovingRays {
 };
 
 struct MovingFrame {
-  uint32_t index = 0;  // of the frame among those accumulated on the films
+  uint32_t index = 0;  // of the frame among those accumulated on the buffers
   MovingRays rays;
   float mostSamples = 32;  // of a pixel's history
   PixelSpace space;

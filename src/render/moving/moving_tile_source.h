@@ -8,13 +8,13 @@
 namespace gluray::render {
 
 /// Hands out the tiles of a moving frame (scene::LightSampling::Mode::moving). A process first collects each
-/// of its tiles: hits, and surfaces and factors on the film. Once the film is complete, the process colours
-/// the tiles that it has collected. Frames that cannot be traced in this way use only the functions of
-/// TileSource.
+/// of its tiles: hits, and surfaces and visibility on the visibility buffer. Once the visibility buffer is
+/// complete, the process colours the tiles that it has collected. Frames that cannot be traced in this way
+/// use only the functions of TileSource.
 class MovingTileSource : public TileSource {
  public:
-  /// Number of the frame in its view, equal in all processes that share the film. `own`: this process's own
-  /// count.
+  /// Number of the frame in its view, equal in all processes that share the visibility buffer. `own`: this
+  /// process's own count.
   virtual uint32_t index(uint32_t own) const noexcept = 0;
   /// Reports that a tile from nextTile() has been collected. All tracing threads.
   virtual void collected(const VisibilityBuffer& buffer, int tile, double seconds) noexcept = 0;

@@ -1,4 +1,4 @@
-// Maps the pixels of a film to eye space. Made once a frame, read by all tracing threads.
+// Maps the pixels of a visibility buffer to eye space. Made once a frame, read by all tracing threads.
 #pragma once
 #include "render/frame_data/frame_data.h"
 

@@ -1,4 +1,4 @@
-// Factors of light and surfaces of a frame's pixels, packed because reprojection is limited by memory
+// Visibility and surfaces of a frame's pixels, packed because reprojection is limited by memory
 // bandwidth. Written by the tracing threads of a frame, read by those of the next frame.
 #pragma once
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Packs the guides of a pixel. Any thread.
+// Packs the auxiliary features of a pixel. Any thread.
 #pragma once
 #include <glm/glm.hpp>
 

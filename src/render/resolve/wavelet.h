@@ -11,7 +11,7 @@ struct FeatureView {
   const uint32_t* reflectance = nullptr;  // reflectance: three mantissas, one exponent
   const uint32_t* normal = nullptr;       // two coordinates (GeometryFeatures: a, b), 16 bits each
   const uint16_t* facing = nullptr;       // c: the leading bits of a float
-  const float* distance = nullptr;        // d; 0: no guides, so that the pixel does not change
+  const float* distance = nullptr;        // d; 0: no auxiliary features, so that the pixel does not change
 };
 
 /// A noisy image with an estimate of its noise.
@@ -28,8 +28,8 @@ struct NoisyImage {
 
 constexpr float kNoiseOne = 65535;
 
-/// Packs the guides of `count` pixels from the wide colours of passes of the modes reflectance and geometry.
-/// Pixels with depth `miss` show no surface.
+/// Packs the auxiliary features of `count` pixels from the wide colours of passes of the modes reflectance
+/// and geometry. Pixels with depth `miss` show no surface.
 void packReflectances(const float* reflectance, size_t count, uint32_t* packed);
 void packGeometry(const float* geometry, const float* depth, size_t count, uint32_t* normal, uint16_t* facing,
                   float* distance);

@@ -13,7 +13,8 @@ class GatheredVisibility {
  public:
   GatheredVisibility(int width, int height);
 
-  /// Adds a tile that `rank` has collected to the film. Returns false for a duplicate. Throws Malformed.
+  /// Adds a tile that `rank` has collected to the visibility buffer. Returns false for a duplicate. Throws
+  /// Malformed.
   bool addTile(int rank, const CollectedTile& tile);
   /// Whether the rank has collected the tile and not coloured it.
   bool isAwaited(int rank, int tile) const;
@@ -24,7 +25,7 @@ class GatheredVisibility {
   /// The tiles that the rank is to colour.
   std::vector<int32_t> tilesOf(int rank) const;
 
-  /// Returns the film to send to the ranks.
+  /// Returns the visibility buffer to send to the ranks.
   Array give();
   bool isGiven() const { return given_; }
 
