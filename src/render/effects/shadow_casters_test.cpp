@@ -55,6 +55,30 @@ TEST(Shadows, WhatClipPlanesCutAwayCastsNone) {
   for (const float share : sharesOf(s)) EXPECT_EQ(share, 1);
 }
 
+TEST(Shadows, HolesOfTheAlphaTestCastNone) {
+  scene::Snapshot s = screened(Shader::fixedFunction);
+  s.shadings.push_back(s.shadings[0]);
+  s.shadings[1].alphaTest = {scene::AlphaTest::greater, false, 0.5f};
+  s.instances[1].shading = 1;
+  const auto shareWithAlpha = [&](float alpha) {
+    s.instances[1].materials[0].front.diffuse = s.instances[1].materials[0].back.diffuse = {1, 1, 1, alpha};
+    return sharesOf(s)[60];
+  };
+  EXPECT_EQ(shareWithAlpha(0.3f), 1);
+  EXPECT_EQ(shareWithAlpha(0.7f), 0);
+  auto image = std::make_shared<scene::TextureImage>();
+  image->width = 2, image->height = 1, image->opaque = false;
+  image->texels = {0x00FFFFFFu, 0xFFFFFFFFu};  // a hole at the left
+  scene::Texture texture;
+  texture.image = image, texture.magFilter = scene::Filter::nearest;
+  s.shadings[1].textures = {texture};
+  s.instances[1].texcoord = {0.25f, 0.5f, 0, 1};
+  EXPECT_EQ(shareWithAlpha(1), 1);
+  s.instances[1].texcoord = {0.75f, 0.5f, 0, 1};
+  EXPECT_EQ(shareWithAlpha(1), 0);
+  EXPECT_EQ(shareWithAlpha(0.3f), 1) << "the alpha of the material is a factor";
+}
+
 TEST(Shadows, CulledSidesCastThem) {
   for (const scene::CullFace cull : {scene::CullFace::front, scene::CullFace::back}) {
     scene::Snapshot s = screened(Shader::fixedFunction);

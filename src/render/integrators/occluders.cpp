@@ -1,5 +1,7 @@
 #include "render/integrators/occluders.h"
 
+#include "render/integrators/occluder_alpha.h"
+#include "render/local/alpha_test.h"
 #include "scene/secondary_scene.h"
 
 #include <algorithm>
@@ -44,12 +46,14 @@ glm::vec4 colorOfFixedFunction(const Surface& s, const accel::Occluder& o) {
 }  // namespace
 
 Occluders::Occluders(const scene::Snapshot& snapshot, const std::vector<Surface>& surfaces)
-    : surfaces_(surfaces), snapshot_(snapshot), translucent_(snapshot.layers != nullptr) {
+    : surfaces_(surfaces), snapshot_(snapshot), translucent_(snapshot.layers != nullptr), tested_(false) {
   const size_t count = scene::countAll(snapshot);
   bool clipped = false;
   for (size_t i = 0; i < count; ++i) {
     clipped |= !scene::instanceOf(snapshot, i).clipPlanes.empty();
     translucent_ |= scene::isBlended(snapshot, i);
+    tested_ |= surfaces_[i].instance &&
+               surfaces_[i].lighting->shading->alphaTest.function != scene::AlphaTest::always;
   }
   if (!clipped) return;
   planes_.resize(count);
@@ -61,20 +65,36 @@ Occluders::Occluders(const scene::Snapshot& snapshot, const std::vector<Surface>
   }
 }
 
+bool Occluders::keeps(uint32_t instance, float alpha) const {
+  const Surface& s = surfaces_[instance];
+  return !s.instance || passes(s.lighting->shading->alphaTest, alpha);
+}
+
 bool Occluders::isThere(const accel::Occluder& occluder) const {
-  if (planes_.empty()) return true;
-  const glm::dvec4 point(occluder.point, 1);
-  const std::vector<glm::dvec4>& planes = planes_[occluder.instance];
-  return std::all_of(planes.begin(), planes.end(), [&](const auto& p) { return glm::dot(p, point) >= 0; });
+  if (!planes_.empty()) {
+    const glm::dvec4 point(occluder.point, 1);
+    for (const glm::dvec4& plane : planes_[occluder.instance])
+      if (!(glm::dot(plane, point) >= 0)) return false;
+  }
+  const Surface& s = surfaces_[occluder.instance];
+  if (!tested_ || !s.instance) return true;
+  const scene::AlphaTest& test = s.lighting->shading->alphaTest;
+  return test.function == scene::AlphaTest::always || passes(test, colorAt(s, occluder).a);
+}
+
+glm::vec4 Occluders::colorAt(const Surface& s, const accel::Occluder& occluder) const {
+  if (s.lighting->shading->fragment.model != scene::FragmentShading::Model::off)
+    return glm::clamp(colorOfProgram(s, occluder), 0.0f, 1.0f);
+  glm::vec4 color = glm::clamp(colorOfFixedFunction(s, occluder), 0.0f, 1.0f);
+  color.a = fragmentAlpha(s, occluder, color.a);
+  return color;
 }
 
 glm::vec4 Occluders::surfaceAt(const accel::Occluder& occluder) const {
   if (!translucent_ || !scene::isBlended(snapshot_, occluder.instance)) return glm::vec4(1);
   const Surface& s = surfaces_[occluder.instance];
   if (!s.instance) return glm::vec4(1);
-  const bool program = s.lighting->shading->fragment.model != scene::FragmentShading::Model::off;
-  const glm::vec4 color = program ? colorOfProgram(s, occluder) : colorOfFixedFunction(s, occluder);
-  return glm::clamp(color, 0.0f, 1.0f);
+  return colorAt(s, occluder);
 }
 
 glm::vec3 Occluders::transmittanceOf(const accel::Occluder& occluder) const {

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_FRAGMENT_INL_H_
 #endif
 
+#include "render/local/alpha_test.h"
 #include "render/local/attributes.inl.h"
 #include "render/local/light.inl.h"
 #include "render/local/surface.h"
@@ -114,24 +115,8 @@ HWY_ATTR inline void applyFog(const Surface& s, const Group& group, LitRows& row
 // Lanes whose alpha fails the comparison.
 HWY_ATTR inline uint32_t failingLanes(const scene::AlphaTest& test, const LitRows& rows) {
   if (test.function == scene::AlphaTest::always) return 0;
-  const auto compared = [&](float alpha) {
-    return test.asBytes ? std::nearbyint(std::clamp(alpha, 0.0f, 1.0f) * 255) : alpha;
-  };
-  const float reference = compared(test.reference);
-  const auto passes = [&](float alpha) {
-    switch (test.function) {
-      case scene::AlphaTest::never: return false;
-      case scene::AlphaTest::less: return alpha < reference;
-      case scene::AlphaTest::lessOrEqual: return alpha <= reference;
-      case scene::AlphaTest::equal: return alpha == reference;
-      case scene::AlphaTest::greaterOrEqual: return alpha >= reference;
-      case scene::AlphaTest::greater: return alpha > reference;
-      case scene::AlphaTest::notEqual: return alpha != reference;
-      default: return true;
-    }
-  };
   uint32_t failing = 0;
-  for (int i = 0; i < kLanes; ++i) failing |= static_cast<uint32_t>(!passes(compared(rows.value[3][i]))) << i;
+  for (int i = 0; i < kLanes; ++i) failing |= static_cast<uint32_t>(!passes(test, rows.value[3][i])) << i;
   return failing;
 }
 

@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-/// Those of the lanes' rays that go on behind their hits: where clip planes cut the surface away, and by the
-/// share that translucent surfaces let through. `u`: random numbers, used up.
+/// Those of the lanes' rays that go on behind their hits: where clip planes or the alpha test cut the surface
+/// away, and by the share that translucent surfaces let through. `u`: random numbers, used up.
 inline uint32_t Wave::passing(uint32_t lanes, Row& u, accel::RayPacket& packet) const {
   constexpr float kBehind = 1 + 0x1p-20f;
   uint32_t passed = 0;
@@ -25,7 +25,8 @@ inline uint32_t Wave::passing(uint32_t lanes, Row& u, accel::RayPacket& packet) 
     const scene::Snapshot& snapshot = *path_.frame.snapshot;
     const auto& planes = scene::instanceOf(snapshot, v.instance).clipPlanes;
     const auto cuts = [&](const glm::dvec4& plane) { return glm::dot(plane, glm::dvec4(v.point, 1)) < 0; };
-    const bool cut = std::any_of(planes.begin(), planes.end(), cuts);
+    const bool cut =
+        std::any_of(planes.begin(), planes.end(), cuts) || !path_.occluders.keeps(v.instance, v.opacity);
     const float opacity = scene::isBlended(snapshot, v.instance) ? std::clamp(v.opacity, 0.0f, 1.0f) : 1;
     if (!cut && u[i] < opacity) continue;
     if (!cut) u[i] = std::min((u[i] - opacity) / (1 - opacity), 0x1.fffffep-1f);
