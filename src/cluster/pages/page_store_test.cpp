@@ -82,7 +82,7 @@ TEST_F(StoredPage, ThatItsOwnerHasForgotten) {
   store_.receivePage({kId, {}});
   EXPECT_FALSE(loaded.get());
   EXPECT_TRUE(store_.hasFailed());
-  EXPECT_EQ(store_.end(), "rank 3 does not have the geometry any more");
+  EXPECT_EQ(store_.end(), "rank 3 no longer has the geometry");
 }
 
 TEST_F(StoredPage, OfAnotherLength) {

@@ -12,14 +12,15 @@ namespace {
 constexpr size_t kGrain = 1 << 14;  // elements
 
 struct Readers {
-  Readers(const RealGl& real, const ArrayState& arrays)
-      : vertex(real, arrays.vertex),
-        normal(real, arrays.normal),
-        color(real, arrays.color),
-        secondaryColor(real, arrays.secondaryColor),
-        fogCoord(real, arrays.fogCoord),
-        texcoord(real, arrays.texcoord) {
-    for (const ArraySource& source : arrays.texcoordsAbove) texcoordsAbove.emplace_back(real, source);
+  Readers(const RealGl& real, const ArrayState& arrays, Fractions fractions = Fractions::ofArrays)
+      : vertex(real, arrays.vertex, fractions),
+        normal(real, arrays.normal, fractions),
+        color(real, arrays.color, fractions),
+        secondaryColor(real, arrays.secondaryColor, fractions),
+        fogCoord(real, arrays.fogCoord, fractions),
+        texcoord(real, arrays.texcoord, fractions) {
+    for (const ArraySource& source : arrays.texcoordsAbove)
+      texcoordsAbove.emplace_back(real, source, fractions);
   }
   ArrayReader vertex, normal, color, secondaryColor, fogCoord, texcoord;
   std::vector<ArrayReader> texcoordsAbove;
@@ -162,9 +163,9 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
   return result;
 }
 
-CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mode,
-                         const Elements& elements) {
-  const Readers readers(real, arrays);
+CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
+                         Fractions fractions) {
+  const Readers readers(real, arrays, fractions);
   Taken taken = takenBy(real, arrays, mode, elements, readers.available());
   const Range range = taken.range;
   CapturedVertices result;

@@ -174,7 +174,9 @@ void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state) {
     state.reason = Reason::arrayState;
 }
 
-ArrayReader::ArrayReader(const RealGl& real, const ArraySource& source) : source_(source) {
+ArrayReader::ArrayReader(const RealGl& real, const ArraySource& source, Fractions fractions)
+    : source_(source) {
+  if (fractions == Fractions::ofCommands) source_.symmetric = false;
   if (!source.enabled) return;
   if (!source.buffer) {
     data_ = source.pointer;

@@ -74,9 +74,15 @@ std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name);
 void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state);
 
 /// Reads single elements of an array as floats. The program's memory must outlive it.
+/// Which rule turns signed integers that stand for fractions into floats.
+enum class Fractions : uint8_t {
+  ofArrays,    // ArraySource::symmetric
+  ofCommands,  // that of glNormal3b and its like, for glArrayElement and draws in display lists
+};
+
 class ArrayReader {
  public:
-  ArrayReader(const RealGl& real, const ArraySource& source);
+  ArrayReader(const RealGl& real, const ArraySource& source, Fractions fractions = Fractions::ofArrays);
   bool enabled() const { return source_.enabled; }
   /// Number of elements in the buffer; the largest uint32_t for the program's memory, whose size is unknown.
   uint32_t available() const { return available_; }
@@ -97,7 +103,8 @@ class ArrayReader {
 std::vector<uint32_t> vertexNumbers(const RealGl& real, const ArrayState& arrays, const Elements& elements);
 
 /// Copies the vertices of a draw into a capture.
-CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
+CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements,
+                         Fractions fractions = Fractions::ofArrays);
 
 /// Builds the mesh of a surface draw; buffers are read in place if their format allows it.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);

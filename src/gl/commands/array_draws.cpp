@@ -45,7 +45,7 @@ Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
            Fate::joinedRun;
   std::unique_ptr<ListOp> op;
   const Reason captured = c.failsafe.attempt([&] {
-    CapturedVertices run = capture(c.real, c.shadow.arrays(), mode, e);
+    CapturedVertices run = capture(c.real, c.shadow.arrays(), mode, e, Fractions::ofCommands);
     if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.shadow.sharedGroup);
     return Reason::traced;
   });

@@ -81,14 +81,15 @@ namespace {
 /// Sends single vertices of the enabled arrays through attribute calls.
 class ElementSender {
  public:
-  ElementSender(const RealGl& real, const ArrayState& arrays)
-      : normal_(real, arrays.normal),
-        color_(real, arrays.color),
-        secondaryColor_(real, arrays.secondaryColor),
-        fogCoord_(real, arrays.fogCoord),
-        texcoord_(real, arrays.texcoord),
-        vertex_(real, arrays.vertex) {
-    for (const ArraySource& source : arrays.texcoordsAbove) texcoordsAbove_.emplace_back(real, source);
+  ElementSender(const RealGl& real, const ArrayState& arrays, Fractions fractions)
+      : normal_(real, arrays.normal, fractions),
+        color_(real, arrays.color, fractions),
+        secondaryColor_(real, arrays.secondaryColor, fractions),
+        fogCoord_(real, arrays.fogCoord, fractions),
+        texcoord_(real, arrays.texcoord, fractions),
+        vertex_(real, arrays.vertex, fractions) {
+    for (const ArraySource& source : arrays.texcoordsAbove)
+      texcoordsAbove_.emplace_back(real, source, fractions);
   }
 
   void operator()(uint32_t i) const {
@@ -134,7 +135,7 @@ void arrayElement(Context& c, GLint i) {
     c.touch(kCurrent);
     return c.real.ArrayElement(i);
   }
-  const ElementSender send(c.real, c.shadow.arrays());
+  const ElementSender send(c.real, c.shadow.arrays(), Fractions::ofCommands);
   send(static_cast<uint32_t>(i));
 }
 
@@ -148,7 +149,9 @@ void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, Dr
                   sizeOf(static_cast<Slot>(s)) * 4);
   begin(mode);
   if (stream_.empty()) path_ = path;
-  const ElementSender send(p_.shadow.real, p_.shadow.arrays());
+  const bool recorded = p_.lists.compiling();
+  const ElementSender send(p_.shadow.real, p_.shadow.arrays(),
+                           recorded ? Fractions::ofCommands : Fractions::ofArrays);
   for (const uint32_t i : vertices) send(i);
   end();
   for (int s = kNormal; s < kSlotCount; ++s)

@@ -111,20 +111,26 @@ TEST(OddValues, RoundingsOfFarVerticesAreThoseOfTheRealOpenGL) {
 
 /// Strong highlights at normals of integers, where half a step shows.
 template <class T>
-void drawIntegerNormals(scenes::Gl gl, GLenum type, bool byCommands) {
+void drawIntegerNormals(scenes::Gl gl, GLenum type, bool byCommands, bool inList) {
   constexpr float kOne[] = {1, 1, 1, 1}, kFrom[] = {0.65f, 0.65f, 1, 0};
   gl.Lightfv(GL_LIGHT0, GL_POSITION, kFrom);
   gl.Materialfv(GL_FRONT, GL_SPECULAR, kOne), gl.Materialf(GL_FRONT, GL_SHININESS, 100);
   gl.Rotatef(40, 0.3f, 1, 0.2f);
-  const Sheet sheet;
-  std::vector<T> normals;
-  for (const float n : sheet.normals)
-    normals.push_back(static_cast<T>(n * static_cast<float>(std::numeric_limits<T>::max())));
+  static const Sheet sheet;  // both contexts get the same pointers
+  static const std::vector<T> normals = [] {
+    std::vector<T> all;
+    for (const float n : sheet.normals)
+      all.push_back(static_cast<T>(n * static_cast<float>(std::numeric_limits<T>::max())));
+    return all;
+  }();
   if (!byCommands) {
     gl.EnableClientState(GL_VERTEX_ARRAY), gl.EnableClientState(GL_NORMAL_ARRAY);
     gl.VertexPointer(3, GL_FLOAT, 0, sheet.positions.data()), gl.NormalPointer(type, 0, normals.data());
-    return gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(sheet.indices.size()), GL_UNSIGNED_INT,
-                           sheet.indices.data());
+    if (inList) gl.NewList(1, GL_COMPILE);
+    gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(sheet.indices.size()), GL_UNSIGNED_INT,
+                    sheet.indices.data());
+    if (inList) gl.EndList(), gl.CallList(1);
+    return;
   }
   gl.Begin(GL_TRIANGLES);
   for (const GLuint i : sheet.indices) {
@@ -135,17 +141,19 @@ void drawIntegerNormals(scenes::Gl gl, GLenum type, bool byCommands) {
     gl.Vertex3fv(&sheet.positions[3 * size_t{i}]);
   }
   gl.End();
+  gl.Normal3f(0, 0, 1);
 }
 
 TEST(OddValues, IntegerNormalsAreConvertedAsTheRealOpenGLConvertsThem) {
   BothStage stage = kValuesStage;
   stage.tolerance = {2, 0.002, 1e-6f, "edges fall on either side of a pixel's centre"};
-  for (const bool byCommands : {false, true}) {
-    SCOPED_TRACE(byCommands);
+  for (const char* how : {"arrays", "commands", "list"}) {
+    SCOPED_TRACE(how);
+    const bool byCommands = *how == 'c', inList = *how == 'l';
     for (int form = 0; form < 2; ++form) {
       const gl::Statistics counts = compareBoth(stage, form ? "shorts" : "bytes", [&](scenes::Gl gl) {
-        form ? drawIntegerNormals<int16_t>(gl, GL_SHORT, byCommands)
-             : drawIntegerNormals<int8_t>(gl, GL_BYTE, byCommands);
+        form ? drawIntegerNormals<int16_t>(gl, GL_SHORT, byCommands, inList)
+             : drawIntegerNormals<int8_t>(gl, GL_BYTE, byCommands, inList);
       });
       EXPECT_EQ(counts.drawsTraced, 1u);
     }
