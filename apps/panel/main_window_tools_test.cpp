@@ -44,10 +44,10 @@ TEST_F(WindowToolsTest, ALineOfAToolStaysWhenARequestIsCarriedOut) {
   program.values["pick"] = {{"object", nullptr}};
   LiveImage& image_ = live().liveImage();
   QTest::mouseClick(&image_, Qt::LeftButton, {}, image_.imageRect().center().toPoint());
-  ASSERT_TRUE(program.until([&] { return status().startsWith("Nothing"); }));
+  ASSERT_TRUE(program.until([&] { return status().startsWith("There is no"); }));
   program.controls.set("ao", true);
   program.settle();
-  EXPECT_TRUE(status().startsWith("Nothing"));
+  EXPECT_TRUE(status().startsWith("There is no"));
   program.controls.set("ao", true);
   program.receiveMessage({{"type", "answer"}, {"id", program.sent.back()["id"]}, {"why", "it is busy"}});
   EXPECT_EQ(status(), "it is busy");

@@ -159,7 +159,7 @@ TEST_F(LiveViewTest, FocusStaysWhereNothingCanBeRead) {
   }
   program.values["pick"] = {{"object", nullptr}, {"share", nullptr}};
   click(100, 75);
-  ASSERT_TRUE(program.until([&] { return said.back().startsWith("Nothing"); }));
+  ASSERT_TRUE(program.until([&] { return said.back().startsWith("There is no"); }));
   program.refusals["pick"] = "the view is shown at a place that is not known";
   click(100, 75);
   ASSERT_TRUE(program.until([&] { return said.back().startsWith("the view is shown"); }));
