@@ -15,7 +15,7 @@ scene::Instance instanceOf(uint64_t geometry, double x = 0) {
   return instance;
 }
 
-struct DrawState {
+struct StateOfDraw {
   TargetState target;
   RasterState raster;
   ViewportState viewport;
@@ -23,15 +23,15 @@ struct DrawState {
   BatchKey key() const { return Batch::keyOf({target, raster, viewport}, projection); }
 };
 
-DrawState stateWith(GLenum depthFunc) {
-  DrawState state;
+StateOfDraw stateWith(GLenum depthFunc) {
+  StateOfDraw state;
   state.viewport.box = {0, 0, 100, 50};
   state.raster.depthFunc = depthFunc;
   return state;
 }
 
 struct Started : Batch {
-  explicit Started(const DrawState& state) { start(state.key(), state.target, glm::dmat4(1), {}, 1); }
+  explicit Started(const StateOfDraw& state) { start(state.key(), state.target, glm::dmat4(1), {}, 1); }
 };
 
 TEST(Batch, LaterOfTwoEqualSurfacesWinsUnderLequalAndEarlierUnderLess) {
@@ -62,7 +62,7 @@ TEST(Batch, EqualMeshesInOtherPlacesAreInstances) {
 
 TEST(Batch, ViewsAreOfTheirContextAndWindow) {
   const auto viewOf = [](uint64_t context, uintptr_t window, GLuint framebuffer) {
-    DrawState state = stateWith(GL_LESS);
+    StateOfDraw state = stateWith(GL_LESS);
     state.target.context = context, state.target.drawable = window, state.target.framebuffer = framebuffer;
     Started batch(state);
     batch.add(instanceOf(1), {});
@@ -88,7 +88,7 @@ TEST(Batch, SharesEqualShadings) {
 }
 
 TEST(Batch, RegionIsViewportAndScissorWithinLimits) {
-  DrawState state = stateWith(GL_LESS);
+  StateOfDraw state = stateWith(GL_LESS);
   EXPECT_EQ(state.key().region, (scene::Region{0, 0, 100, 50}));
   state.raster.scissorTest = true;
   state.viewport.scissor = {90, -5, 100, 10};
@@ -101,12 +101,12 @@ TEST(Batch, RegionIsViewportAndScissorWithinLimits) {
 }
 
 TEST(Batch, StateChangesGiveAnotherKey) {
-  const DrawState base = stateWith(GL_LESS);
-  DrawState offset = base, range = base, projection = base;
+  const StateOfDraw base = stateWith(GL_LESS);
+  StateOfDraw offset = base, range = base, projection = base;
   offset.raster.offsetFill = true, offset.raster.offsetFactor = 1;
   range.viewport.depthFar = 0.5f;
   projection.projection[0][0] = 2;
-  for (const DrawState* s : {&offset, &range, &projection}) EXPECT_FALSE(s->key() == base.key());
+  for (const StateOfDraw* s : {&offset, &range, &projection}) EXPECT_FALSE(s->key() == base.key());
   EXPECT_TRUE(stateWith(GL_LESS).key() == base.key());
 }
 
