@@ -16,7 +16,7 @@
 namespace gluray::gl {
 namespace {
 
-struct Fake {
+struct CountingGl {
   std::map<GLenum, int> asked;  // times, by name
   int queries = 0;              // of state
   int errorQueries = 0;
@@ -24,52 +24,52 @@ struct Fake {
   bool colorMaterial = false;
   bool fails = false;
 };
-Fake g_fake;
+CountingGl g_counting;
 
-void count(GLenum name) {
-  ++g_fake.asked[name], ++g_fake.queries;
-  if (g_fake.fails) throw std::bad_alloc();
+void countQuery(GLenum name) {
+  ++g_counting.asked[name], ++g_counting.queries;
+  if (g_counting.fails) throw std::bad_alloc();
 }
 
-void APIENTRY getIntegerv(GLenum name, GLint* values) {
-  count(name);
-  if (name == GL_VIEWPORT) std::copy_n(std::array<GLint, 4>{0, 0, g_fake.width, 200}.data(), 4, values);
+void APIENTRY countIntegerv(GLenum name, GLint* values) {
+  countQuery(name);
+  if (name == GL_VIEWPORT) std::copy_n(std::array<GLint, 4>{0, 0, g_counting.width, 200}.data(), 4, values);
   if (name == GL_COLOR_MATERIAL_PARAMETER) *values = GL_DIFFUSE;
 }
-void APIENTRY getFloatv(GLenum name, GLfloat*) { count(name); }
-void APIENTRY getDoublev(GLenum name, GLdouble*) { count(name); }
-void APIENTRY getBooleanv(GLenum name, GLboolean*) { count(name); }
-GLboolean APIENTRY isEnabled(GLenum name) {
-  count(name);
+void APIENTRY countFloatv(GLenum name, GLfloat*) { countQuery(name); }
+void APIENTRY countDoublev(GLenum name, GLdouble*) { countQuery(name); }
+void APIENTRY countBooleanv(GLenum name, GLboolean*) { countQuery(name); }
+GLboolean APIENTRY countEnabled(GLenum name) {
+  countQuery(name);
   const bool lights = name == GL_LIGHTING || name == GL_COLOR_MATERIAL;
-  return g_fake.colorMaterial && lights ? GL_TRUE : GL_FALSE;
+  return g_counting.colorMaterial && lights ? GL_TRUE : GL_FALSE;
 }
-void APIENTRY getMaterialfv(GLenum, GLenum name, GLfloat*) { count(name); }
-const GLubyte* APIENTRY getString(GLenum name) {
-  count(name);
+void APIENTRY countMaterialfv(GLenum, GLenum name, GLfloat*) { countQuery(name); }
+const GLubyte* APIENTRY countString(GLenum name) {
+  countQuery(name);
   return reinterpret_cast<const GLubyte*>(name == GL_VERSION ? "2.1 Fake" : "");
 }
-GLenum APIENTRY getError() {
-  ++g_fake.errorQueries;
+GLenum APIENTRY countError() {
+  ++g_counting.errorQueries;
   return GL_NO_ERROR;
 }
 
-RealGl table() {
+RealGl countingTable() {
   RealGl real;
   loadRealGl(
       real, [](void*, const char*) -> void* { return nullptr; }, nullptr);
-  real.GetIntegerv = getIntegerv, real.GetFloatv = getFloatv, real.GetDoublev = getDoublev;
-  real.GetBooleanv = getBooleanv, real.IsEnabled = isEnabled, real.GetMaterialfv = getMaterialfv;
-  real.GetString = getString, real.GetError = getError;
+  real.GetIntegerv = countIntegerv, real.GetFloatv = countFloatv, real.GetDoublev = countDoublev;
+  real.GetBooleanv = countBooleanv, real.IsEnabled = countEnabled, real.GetMaterialfv = countMaterialfv;
+  real.GetString = countString, real.GetError = countError;
   real.UseProgram = [](GLuint) {};
   return real;
 }
 
-struct Read {
+struct StateRead {
   uint32_t groups;  // that it needs
   void (*read)(ShadowState&);
 };
-const Read kReads[] = {
+const StateRead kStateReads[] = {
     {kModelview, [](ShadowState& s) { s.modelview(), s.modelviewIsInvertible(); }},
     {kProjection, [](ShadowState& s) { s.projection(), s.projectionIsInvertible(); }},
     {kViewport, [](ShadowState& s) { s.viewport(), s.viewportPixels(); }},
@@ -91,17 +91,17 @@ class ShadowStateTest : public ::testing::Test {
     info.core = core;
     shadow_ = std::make_unique<ShadowState>(real_, beginEnd_, std::make_shared<ShareGroup>(), info, settings_,
                                             errors_, failsafe_);
-    g_fake = {};
+    g_counting = {};
   }
   void SetUp() override { create(false); }
   /// Number of queries of state that reading takes.
-  int queriesOf(const Read& one) {
-    const int before = g_fake.queries;
+  int queriesOf(const StateRead& one) {
+    const int before = g_counting.queries;
     one.read(*shadow_);
-    return g_fake.queries - before;
+    return g_counting.queries - before;
   }
 
-  RealGl real_ = table();
+  RealGl real_ = countingTable();
   BeginEnd beginEnd_;
   Errors errors_{real_, beginEnd_};
   Failsafe failsafe_{[] {}};
@@ -111,7 +111,7 @@ class ShadowStateTest : public ::testing::Test {
 
 TEST_F(ShadowStateTest, AsksOnceForEachTouch) {
   shadow_->refresh(kAllGroups);
-  for (const Read& one : kReads) {
+  for (const StateRead& one : kStateReads) {
     EXPECT_EQ(queriesOf(one), 0) << one.groups << " is clean";
     for (uint32_t group = 1; group < kAllGroups; group <<= 1) {
       shadow_->touch(group);
@@ -124,40 +124,40 @@ TEST_F(ShadowStateTest, AsksOnceForEachTouch) {
 
 TEST_F(ShadowStateTest, ReturnsWhatTheRealOpenGLHolds) {
   EXPECT_EQ(shadow_->viewport().box, glm::ivec4(0, 0, 300, 200));
-  g_fake.width = 400;
+  g_counting.width = 400;
   EXPECT_EQ(shadow_->viewport().box.z, 300) << "no call has touched it";
   shadow_->touch(kViewport);
   EXPECT_EQ(shadow_->viewportPixels(), 400 * 200);
   EXPECT_EQ(shadow_->viewport().box.z, 400);
-  EXPECT_EQ(g_fake.asked[GL_VIEWPORT], 2);
+  EXPECT_EQ(g_counting.asked[GL_VIEWPORT], 2);
 }
 
 TEST_F(ShadowStateTest, ReadsGroupsTogetherWhenADrawBegins) {
   shadow_->refresh(kDrawGroups);
-  const int queries = g_fake.queries;
-  EXPECT_EQ(g_fake.errorQueries, 2) << "one for the program's error, one for ours";
+  const int queries = g_counting.queries;
+  EXPECT_EQ(g_counting.errorQueries, 2) << "one for the program's error, one for ours";
   EXPECT_EQ(shadow_->pixelState().viewport.box.z, 300);
   shadow_->shading(), shadow_->material(), shadow_->modelview(), shadow_->clipPlanes(), shadow_->rare();
-  EXPECT_EQ(g_fake.queries, queries);
-  EXPECT_EQ(g_fake.errorQueries, 2);
+  EXPECT_EQ(g_counting.queries, queries);
+  EXPECT_EQ(g_counting.errorQueries, 2);
 }
 
 TEST_F(ShadowStateTest, RareStateIsAskedOnce) {
   EXPECT_TRUE(shadow_->rare().asked);
-  const int queries = g_fake.queries;
+  const int queries = g_counting.queries;
   EXPECT_GT(queries, 0);
   shadow_->rare();
-  EXPECT_EQ(g_fake.queries, queries);
+  EXPECT_EQ(g_counting.queries, queries);
 }
 
 TEST_F(ShadowStateTest, CoreProfilesAreNeverAskedForFixedFunction) {
   create(true);
   shadow_->refresh(kAllGroups);
-  EXPECT_EQ(g_fake.asked.count(GL_MODELVIEW_MATRIX) + g_fake.asked.count(GL_LIGHTING) +
-                g_fake.asked.count(GL_AMBIENT) + g_fake.asked.count(GL_MAX_CLIP_PLANES),
+  EXPECT_EQ(g_counting.asked.count(GL_MODELVIEW_MATRIX) + g_counting.asked.count(GL_LIGHTING) +
+                g_counting.asked.count(GL_AMBIENT) + g_counting.asked.count(GL_MAX_CLIP_PLANES),
             0u);
   EXPECT_FALSE(shadow_->isDirty(kAllGroups));
-  for (const Read& one : kReads) {
+  for (const StateRead& one : kStateReads) {
     shadow_->touch(kFixedFunction);
     EXPECT_EQ(queriesOf(one), 0) << one.groups;
   }
@@ -167,13 +167,13 @@ TEST_F(ShadowStateTest, CoreProfilesAreNeverAskedForFixedFunction) {
 
 TEST_F(ShadowStateTest, NothingIsAskedBetweenBeginAndEnd) {
   shadow_->refresh(kAllGroups);
-  g_fake = {.width = 400};
+  g_counting = {.width = 400};
   shadow_->touch(kAllGroups);
   beginEnd_.inside = BeginEnd::Inside::rasterised;
-  for (const Read& one : kReads) EXPECT_EQ(queriesOf(one), 0) << one.groups;
+  for (const StateRead& one : kStateReads) EXPECT_EQ(queriesOf(one), 0) << one.groups;
   shadow_->refresh(kAllGroups);
   EXPECT_EQ(shadow_->viewport().box.z, 300);
-  EXPECT_EQ(g_fake.queries + g_fake.errorQueries, 0);
+  EXPECT_EQ(g_counting.queries + g_counting.errorQueries, 0);
   beginEnd_.inside = BeginEnd::Inside::captured;  // the real OpenGL is outside
   EXPECT_EQ(shadow_->viewport().box.z, 400);
 }
@@ -181,43 +181,43 @@ TEST_F(ShadowStateTest, NothingIsAskedBetweenBeginAndEnd) {
 TEST_F(ShadowStateTest, RareStateIsNotAskedBetweenBeginAndEnd) {
   beginEnd_.executed = BeginEnd::Inside::rasterised;
   EXPECT_FALSE(shadow_->rare().asked);
-  EXPECT_EQ(g_fake.queries + g_fake.errorQueries, 0);
+  EXPECT_EQ(g_counting.queries + g_counting.errorQueries, 0);
 }
 
 TEST_F(ShadowStateTest, ColoursChangeTheMaterialWithColorMaterial) {
   shadow_->refresh(kAllGroups);
   shadow_->colorSet();
   EXPECT_FALSE(shadow_->isDirty(kAllGroups)) << "it is off";
-  g_fake = {.colorMaterial = true};
+  g_counting = {.colorMaterial = true};
   shadow_->touch(kLighting);
   shadow_->colorSet();
-  EXPECT_EQ(g_fake.queries, 0) << "colours are set between glBegin and glEnd, too";
+  EXPECT_EQ(g_counting.queries, 0) << "colours are set between glBegin and glEnd, too";
   shadow_->material();
-  EXPECT_EQ(g_fake.asked[GL_AMBIENT], 2) << "front and back, because lighting was dirty";
+  EXPECT_EQ(g_counting.asked[GL_AMBIENT], 2) << "front and back, because lighting was dirty";
   shadow_->colorSet();
   EXPECT_TRUE(shadow_->isDirty(kMaterial));
 }
 
 TEST_F(ShadowStateTest, ExpiredGroupsHoldUntilTheNextDraw) {
   shadow_->refresh(kProgramGroups);
-  g_fake = {};
+  g_counting = {};
   shadow_->expire(kProgram);
   EXPECT_TRUE(shadow_->isDirty(kProgram));
   shadow_->program();
-  EXPECT_EQ(g_fake.queries, 0);
+  EXPECT_EQ(g_counting.queries, 0);
   shadow_->refresh(kProgramGroups);
-  EXPECT_EQ(g_fake.asked[GL_CURRENT_PROGRAM], 1);
+  EXPECT_EQ(g_counting.asked[GL_CURRENT_PROGRAM], 1);
   shadow_->refresh(kProgramGroups);
-  EXPECT_EQ(g_fake.asked[GL_CURRENT_PROGRAM], 1);
+  EXPECT_EQ(g_counting.asked[GL_CURRENT_PROGRAM], 1);
 }
 
 TEST_F(ShadowStateTest, ReadingAgainAfterAFailureWaitsForTheNextDraw) {
   shadow_->refresh(kAllGroups);
-  g_fake = {.width = 400, .fails = true};
+  g_counting = {.width = 400, .fails = true};
   shadow_->touch(kViewport);
   EXPECT_EQ(shadow_->viewport().box.z, 300);
   EXPECT_TRUE(failsafe_.aside());
-  g_fake.fails = false;
+  g_counting.fails = false;
   EXPECT_EQ(shadow_->viewport().box.z, 300);
   shadow_->refresh(kViewport);
   EXPECT_EQ(shadow_->viewport().box.z, 400);
