@@ -72,7 +72,7 @@ class Workers(Jobs):
         self.kill(job)
         self.check_goes_on(painter)
         self.assertTrue(wait_for(lambda: said.read_text().count("\n") == 1), said.read_text())
-        self.assertIn("this process traces until", said.read_text())
+        self.assertIn("this process traces in the meantime", said.read_text())
         _, log = self.job()
         self.assertTrue(wait_for(lambda: "is connected" in log.read_text()))
         self.check_goes_on(painter)
