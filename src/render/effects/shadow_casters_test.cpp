@@ -55,6 +55,43 @@ TEST(Shadows, WhatClipPlanesCutAwayCastsNone) {
   for (const float share : sharesOf(s)) EXPECT_EQ(share, 1);
 }
 
+/// A box about the origin whose normals point inwards; the viewer sees its side z = 1.
+scene::MeshPtr insideOutBox() {
+  test::MeshData data;
+  for (int side = 0; side < 6; ++side) {
+    const int axis = side / 2;
+    const float sign = side % 2 ? 1.0f : -1.0f;
+    glm::vec3 n(0), u(0), v(0);
+    n[axis] = sign, u[(axis + 1) % 3] = 1, v[(axis + 2) % 3] = sign;
+    const auto first = static_cast<uint32_t>(data.positions.size());
+    for (const glm::vec2 k : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
+      data.positions.push_back(n + k.x * u + k.y * v);
+      data.normals.push_back(-n);
+    }
+    for (const uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) data.indices.push_back(first + k);
+  }
+  return test::makeMesh(data);
+}
+
+// Programs whose normals point inwards have their lights on the other side, too.
+TEST(Shadows, SurfacesThatAreLitFromTheirFarSideDoNotShadeThemselves) {
+  const glm::vec4 behind{0.1f, 0, -1, 0};
+  for (const bool twoSided : {false, true}) {
+    scene::Snapshot s = test::litView({insideOutBox()}, Shader::fixedFunction, behind);
+    s.shadings[0].twoSided = twoSided;
+    const Traced shadowed = test::trace(s);
+    s.settings.shadows.enabled = false;
+    const Traced plain = test::trace(s);
+    const int middle = kLitSize / 2;
+    EXPECT_GT(plain.color(middle, middle).g, 200);
+    EXPECT_EQ(shadowed.color(middle, middle), plain.color(middle, middle)) << twoSided;
+  }
+  // What lies between it and the light does.
+  scene::Snapshot s = test::litView({insideOutBox(), test::parallelogram({0, 0, -5}, {50, 0, 0}, {0, 50, 0})},
+                                    Shader::fixedFunction, behind);
+  EXPECT_LT(test::trace(s).color(kLitSize / 2, kLitSize / 2).g, 10);
+}
+
 TEST(Shadows, HolesOfTheAlphaTestCastNone) {
   scene::Snapshot s = screened(Shader::fixedFunction);
   s.shadings.push_back(s.shadings[0]);

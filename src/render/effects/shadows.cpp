@@ -63,9 +63,11 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
     } else {
       const scene::LightSource& light = s.lights.lights[static_cast<size_t>(row)];
       towards = towardsLight(light, s.size, load3(points.eye, i), sample);
-      const Float cosine = hn::Max(dot(normal, towards.direction), hn::Zero(FloatTag()));
+      const auto turned = hn::Gt(load(points.turned + i), hn::Zero(FloatTag()));
+      const Float ahead = dot(normal, towards.direction);
+      const Float cosine = hn::Max(hn::IfThenElse(turned, hn::Neg(ahead), ahead), hn::Zero(FloatTag()));
       towards.weight = hn::Mul(towards.weight, cosine);
-      past = grazing(points, i, towards.direction, cosine);
+      past = hn::IfThenElse(turned, splat(1), grazing(points, i, towards.direction, cosine));
     }
     const Float3 world = transform(worldFromEye, towards.direction);
     store(load(points.origin[0] + i), rays.orgX + i), store(load(points.origin[1] + i), rays.orgY + i),
@@ -86,17 +88,23 @@ const glm::vec3* lampOf(const Shadows& s, int row) {
                                                                                          : nullptr;
 }
 
-/// Adds what arrives along one packet's rays.
-HWY_ATTR inline void addArriving(const Shadows& s, int row, uint32_t lanes, LightSamples& samples,
-                                 Row (&sums)[3], Row& all) {
+/// Adds what arrives along one packet's rays. Where a program lights a surface from its far side, that
+/// surface does not block the light.
+HWY_ATTR inline void addArriving(const Shadows& s, int row, const AskedPoints& asked, uint32_t lanes,
+                                 LightSamples& samples, Row (&sums)[3], Row& all) {
   alignas(64) int32_t valid[kLanes];
+  bool anyTurned = false;
   for (int i = 0; i < kLanes; ++i) {
     valid[i] = (lanes >> i & 1) && samples.weights[i] * samples.grazing[i] > 0 ? -1 : 0;
     all[i] += samples.weights[i];
   }
   const std::vector<uint32_t>& lamps = s.lights.lamps[static_cast<size_t>(row)];
-  const ColoredTransmittance light(s.occluders, lamps);
-  const bool plain = s.occluders.areSolid() && lamps.empty();
+  ColoredTransmittance light(s.occluders, lamps);
+  for (int i = 0; row != s.lights.dome && i < kLanes; ++i) {
+    if (!valid[i] || asked.points.turned[i] == 0) continue;
+    light.ignoredByLane[i] = asked.instance[i], anyTurned = true;
+  }
+  const bool plain = s.occluders.areSolid() && lamps.empty() && !anyTurned;
   const uint32_t blocked =
       occludedAnywhere(s.frame, valid, samples.rays, accel::RayKind::shadow, plain ? nullptr : &light,
                        {.colored = light.through}, lampOf(s, row));
@@ -127,7 +135,7 @@ HWY_ATTR void traceShadows(const Shadows& s, const AskedPoints& asked, Visibilit
     Row sums[3] = {}, all = {};
     for (int k = 0; k < count; ++k) {
       aimAtLight(s, row, asked.points, seeds, first + static_cast<uint32_t>(k), samples);
-      addArriving(s, row, lit, samples, sums, all);
+      addArriving(s, row, asked, lit, samples, sums, all);
     }
     for (int c = 0; c < 3; ++c)
       for (int i = 0; i < kLanes; ++i) {

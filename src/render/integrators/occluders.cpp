@@ -115,6 +115,7 @@ bool Transmittance::blocks(const accel::Occluder& occluder) const noexcept {
 bool ColoredTransmittance::blocks(const accel::Occluder& occluder) const noexcept {
   constexpr float kNothing = 0.5f / 255;  // less is not seen
   if (!occluders_.isThere(occluder)) return false;
+  if (occluder.instance == ignoredByLane[occluder.lane]) return false;
   if (std::binary_search(ignored_.begin(), ignored_.end(), occluder.instance)) return false;
   glm::vec3& left = through[occluder.lane];
   left *= occluders_.transmittanceOf(occluder);

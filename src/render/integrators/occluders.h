@@ -6,6 +6,7 @@
 #include "render/local/surface.h"
 #include "scene/snapshot.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gluray::render {
@@ -59,14 +60,18 @@ class Transmittance final : public accel::OccluderFilter {
 /// Accumulates the transmittance in three channels.
 class ColoredTransmittance final : public accel::OccluderFilter {
  public:
+  static constexpr uint32_t kNone = ~0u;
+
   /// `ignored`: instances that block nothing, sorted.
   ColoredTransmittance(const Occluders& occluders, const std::vector<uint32_t>& ignored)
       : occluders_(occluders), ignored_(ignored) {
     for (glm::vec3& t : through) t = glm::vec3(1);
+    std::fill_n(ignoredByLane, accel::kLanes, kNone);
   }
   bool blocks(const accel::Occluder&) const noexcept override;
 
   mutable glm::vec3 through[accel::kLanes];  // of rays that are not blocked
+  uint32_t ignoredByLane[accel::kLanes];     // an instance that does not block the lane's ray, or kNone
 
  private:
   const Occluders& occluders_;

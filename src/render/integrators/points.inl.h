@@ -85,7 +85,9 @@ HWY_INLINE Float3 towardsSmooth(const Surface& s, const Group& group, const Weig
 HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& hits, SurfacePoints& out) {
   const Surface& s = hits.surface;
   const Group& group = hits.group;
-  const bool smooth = s.mesh->normals && s.lighting->shading->smooth;
+  const scene::Shading& how = *s.lighting->shading;
+  const bool smooth = s.mesh->normals && how.smooth;
+  const bool knowsSide = smooth && how.fragment.model == scene::FragmentShading::Model::off;
   alignas(64) Row normal[3][3];
   if (smooth)
     for (int k = 0; k < 3; ++k) loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], normal[k]);
@@ -103,15 +105,24 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
                  edge1 = direction(transform(linear, sub(corner[2], corner[0])), viewer);
     const Float3 flat = facing(direction(cross(edge0, edge1), viewer), viewer);
     Float3 shading = flat, lift = splat(glm::vec3(0));
+    Float turned = hn::Zero(FloatTag());
     if (smooth) {
       Float3 corners[3];
       for (int k = 0; k < 3; ++k)
         corners[k] = direction(transform(s.eyeFromVertexNormal, load3(normal[k], i)), flat);
-      shading = facing(direction(weights(corners[0], corners[1], corners[2]), flat), flat);
+      const Float3 given = direction(weights(corners[0], corners[1], corners[2]), flat);
+      if (knowsSide) turned = hn::IfThenElseZero(hn::Lt(dot(given, flat), hn::Zero(FloatTag())), splat(1));
+      shading = facing(given, flat);
       lift = towardsSmooth(s, group, weights, object, corners, flat, i);
     }
     store3(flat, out.geometric, i), store3(shading, out.shading, i);
+    store(turned, out.turned + i);
     placeOrigin(metric, s, eye, flat, lift, out, i);
+  }
+  if (!knowsSide || !how.twoSided) return;
+  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    if (s.isCcw(group.primitive[i]) != s.frontIsCcw) out.turned[i] = 1 - out.turned[i];
   }
 }
 
@@ -123,6 +134,7 @@ HWY_ATTR inline void pointsOfImpostors(const Metric& metric, const FrameData& fr
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float3 normal = load3(out.geometric, i);
     store3(normal, out.shading, i);
+    store(hn::Zero(FloatTag()), out.turned + i);
     placeOrigin(metric, hits.surface, load3(point, i), normal, splat(glm::vec3(0)), out, i);
   }
 }

@@ -15,6 +15,9 @@ struct SurfacePoints {
   alignas(64) Row lift;          // height of the curved surface above the triangle; 0: below rounding
   alignas(64) Row geometric[3];  // of the triangle
   alignas(64) Row shading[3];    // of the curved surface that the triangles approximate
+  // 1 where fixed function lights the surface by a normal on the other side, as programs do whose normals
+  // point inwards; otherwise 0.
+  alignas(64) Row turned;
 };
 
 /// Points to estimate light at, from one or several packets of pixels.
