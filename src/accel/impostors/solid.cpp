@@ -17,6 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Ray {
   glm::dvec3 org, dir;
   double tNear, tFar;
+  bool leaves = true;  // whether it meets a solid that it starts in where it leaves it
   glm::dvec3 at(double t) const { return org + t * dir; }
   bool holds(double t) const { return t >= tNear && t <= tFar; }
 };
@@ -52,7 +53,7 @@ Interval inBall(const Ray& ray, const glm::dvec3& center, double radius) {
 std::optional<double> first(const Ray& ray, const Interval& in) {
   if (in.empty()) return std::nullopt;
   if (ray.holds(in.enter)) return in.enter;
-  return ray.holds(in.leave) ? std::optional(in.leave) : std::nullopt;
+  return ray.leaves && ray.holds(in.leave) ? std::optional(in.leave) : std::nullopt;
 }
 
 struct Hit {
@@ -248,6 +249,7 @@ std::optional<RoundHull> hullOf(const PlacedImpostors& placed, uint32_t primitiv
       hull.end[k] = scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex));
       hull.radius[k] = static_cast<float>(halfWidth(placed, vertex));
     }
+    hull.leaves = false;
     hull.whole = placed.look.centerPlanes.empty();
     return hull;
   }
@@ -269,7 +271,7 @@ std::optional<SolidHit> meetSolid(const PlacedImpostors& placed, uint32_t primit
   const glm::dmat4 lightingFromObject(placed.lightingFromObject);
   const glm::dmat3 linear(lightingFromObject);
   const Ray inLighting{glm::dvec3(lightingFromObject * glm::dvec4(ray.org, 1)), linear * ray.dir, ray.tNear,
-                       ray.tFar};
+                       ray.tFar, !scene::isSizedInPixels(placed.mesh->shape)};
   const std::optional<Hit> hit = meetInLighting(placed, primitive, inLighting);
   if (!hit) return std::nullopt;
   return SolidHit{static_cast<float>(hit->t), glm::vec3(glm::transpose(linear) * hit->normal)};

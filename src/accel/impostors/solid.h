@@ -30,6 +30,8 @@ struct SolidHit {
 ///   ball, capsule  themselves
 ///   stick     itself; open ends are closed
 ///   splat     the ball that the program flattens into an ellipse
+/// Beads and tubes are met from outside only: their points are where pixels show them, which may be inside of
+/// the next segment of a line by less than a pixel.
 /// None if the ray misses it or the instance's clip planes cut it away. Computed in double precision: radii
 /// and distances may differ by any factor.
 std::optional<SolidHit> meetSolid(const PlacedImpostors&, uint32_t primitive, const ObjectRay&);

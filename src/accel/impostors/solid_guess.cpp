@@ -129,13 +129,15 @@ HWY_INLINE Mask misses(const Hull& hull, const Rays& r) {
 }
 
 /// Surely meets the ball.
-HWY_INLINE Mask meetsBall(const Hull& hull, const Rays& r) {
+HWY_INLINE Mask meetsBall(const Hull& hull, const Rays& r, bool leaves) {
   const float radius = hull.largest;
   const Float d = hn::Sub(splat(radius * radius), dot(r.from, r.from));
   const Float half = hn::Sqrt(hn::Max(d, hn::Zero(Tag()))), error = hn::Mul(r.error, splat(16));
   const Mask inside =
       hn::And(hn::Ge(d, splat(0.04f * radius * radius)), hn::Le(error, splat(0.05f * radius)));
-  return hn::And(inside, hn::Or(isWithin(r, hn::Neg(half), error), isWithin(r, half, error)));
+  Mask met = isWithin(r, hn::Neg(half), error);
+  if (leaves) met = hn::Or(met, isWithin(r, half, error));
+  return hn::And(inside, met);
 }
 
 /// Surely meets the cone between the circles where it touches the balls; where a line first meets that, it
@@ -182,7 +184,7 @@ SolidGuess guessLanes(const PlacedImpostors& placed, const RoundHull& round, con
     guess.misses |= bitsOf(misses(hull, r), i);
     if (!round.whole) continue;
     if (hull.half == 0)
-      guess.hits |= bitsOf(meetsBall(hull, r), i);
+      guess.hits |= bitsOf(meetsBall(hull, r, round.leaves), i);
     else if (hull.isSlender())
       guess.hits |= bitsOf(meetsCone(hull, r), i);
   }

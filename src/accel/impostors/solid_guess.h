@@ -14,7 +14,8 @@ namespace gluray::accel {
 struct RoundHull {
   glm::vec3 end[2];
   float radius[2];
-  bool whole = true;  // the solid equals the hull
+  bool whole = true;   // the solid equals the hull
+  bool leaves = true;  // rays that start inside meet it where they leave it
 };
 
 /// The hull of an impostor's solid (solid.h); none if the solid is not such a hull or does not exist.
