@@ -51,16 +51,6 @@ Hash128 geometryIdentity(const scene::Mesh& mesh) {
   return identityOf(hashes, mesh.triangleCount);
 }
 
-uint32_t componentsOf(scene::Format format) {
-  switch (format) {
-    case scene::Format::float1: return 1;
-    case scene::Format::float2: return 2;
-    case scene::Format::float3: return 3;
-    case scene::Format::float4: return 4;
-    default: return 0;
-  }
-}
-
 bool allOpaque(const scene::Attribute& colors, uint32_t count) {
   if (!colors || colors.format == scene::Format::float3) return true;
   for (uint32_t i = 0; i < count; ++i)
@@ -68,20 +58,39 @@ bool allOpaque(const scene::Attribute& colors, uint32_t count) {
   return true;
 }
 
+constexpr uint32_t kMagnitude = 0x7fffffffu;  // of a float's bits; larger numbers and NaN have larger ones
+
+/// Largest magnitude of the elements' components, and `most`.
+template <uint32_t kComponents>
+uint32_t largestBits(const scene::Attribute& a, size_t first, size_t last, uint32_t most) {
+  const auto bitsOf = [&](size_t i) { return reinterpret_cast<const uint32_t*>(a.data + i * a.stride); };
+  if (a.stride == kComponents * sizeof(float)) {
+    const uint32_t* const bits = bitsOf(first);
+    for (size_t i = 0; i < (last - first) * kComponents; ++i) most = std::max(most, bits[i] & kMagnitude);
+    return most;
+  }
+  for (size_t i = first; i < last; ++i)
+    for (uint32_t c = 0; c < kComponents; ++c) most = std::max(most, bitsOf(i)[c] & kMagnitude);
+  return most;
+}
+
 /// Whether no component of the elements is NaN, infinite, or so large that its square may be.
 bool isModerate(const scene::Attribute& a, size_t count) {
-  constexpr uint32_t kMagnitude = 0x7fffffffu, kLimit = std::bit_cast<uint32_t>(1e15f);
-  const uint32_t components = componentsOf(a.format);
-  if (components == 0) return true;
-  const auto largest = [&](size_t first, size_t last, uint32_t most) {
-    for (size_t i = first; i < last; ++i) {
-      const auto* bits = reinterpret_cast<const uint32_t*>(a.data + i * a.stride);
-      for (uint32_t c = 0; c < components; ++c) most = std::max(most, bits[c] & kMagnitude);
-    }
-    return most;
+  constexpr uint32_t kLimit = std::bit_cast<uint32_t>(1e15f);
+  const auto within = [&](auto&& largest) {
+    const auto larger = [](uint32_t x, uint32_t y) { return std::max(x, y); };
+    const auto piece = [&](size_t first, size_t last, uint32_t most) {
+      return largest(a, first, last, most);
+    };
+    return reducePieces(count, kBoundsGrain, uint32_t{0}, piece, larger) <= kLimit;
   };
-  const auto larger = [](uint32_t x, uint32_t y) { return std::max(x, y); };
-  return reducePieces(count, kBoundsGrain, uint32_t{0}, largest, larger) <= kLimit;
+  switch (a.format) {
+    case scene::Format::float1: return within(largestBits<1>);
+    case scene::Format::float2: return within(largestBits<2>);
+    case scene::Format::float3: return within(largestBits<3>);
+    case scene::Format::float4: return within(largestBits<4>);
+    default: return true;
+  }
 }
 
 bool areModerate(const scene::Mesh& mesh) {
