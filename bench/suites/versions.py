@@ -171,10 +171,16 @@ def version(build):
     return machine.describe(build.resolve().parent.parent)["versions"]["source"]
 
 
+def named(argv, options):
+    """The arguments with OLD and NEW in place of build folders, whose commits the result has."""
+    names = {str(options.old): "OLD", str(options.new): "NEW"}
+    return [names.get(str(pathlib.Path(word)), word) for word in argv]
+
+
 def run(options, argv):
     for build in (options.old, options.new):
         programs.require(build / "apps" / "gluray" / "gluray")
-    result = {"suite": "versions", "command": "scripts/bench versions " + shlex.join(argv), **machine.describe(ROOT),
+    result = {"suite": "versions", "command": "scripts/bench versions " + shlex.join(named(argv, options)), **machine.describe(ROOT),
               "old": version(options.old), "new": version(options.new), "threads": options.threads, "rounds": options.rounds, "rows": []}
     print(f"{'program':34} {'figure':15} {'old':>9} {'new':>9} {'new/old':>8}")
     with display(own=options.xvfb) as name, tempfile.TemporaryDirectory(prefix="gluray-bench-") as folder:
