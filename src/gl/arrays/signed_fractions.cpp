@@ -1,7 +1,7 @@
 #include "gl/arrays/signed_fractions.h"
 
 #include "gl/glsl/build_program.h"
-#include "gl/glsl/feedback_stage.h"
+#include "gl/real/feedback_stage.h"
 #include "gl/real/state_queries.h"
 
 #include <GL/glext.h>

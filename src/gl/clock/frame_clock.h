@@ -68,4 +68,16 @@ class FrameClock {
   bool isOffscreen_ = false, animates_ = false;  // of the last image
 };
 
+/// Sets FrameClock::reads or FrameClock::shows while it lives.
+class FlushPurpose {
+ public:
+  FlushPurpose(FrameClock& clock, bool FrameClock::*purpose) : flag_(clock.*purpose) { flag_ = true; }
+  ~FlushPurpose() { flag_ = false; }
+  FlushPurpose(const FlushPurpose&) = delete;
+  FlushPurpose& operator=(const FlushPurpose&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 }  // namespace gluray::gl

@@ -29,15 +29,6 @@ bool usedByThreads() noexcept { return g_usedByThreads; }
 
 namespace {
 
-/// The program reads what is flushed during its life.
-struct Reading {
-  FrameClock& clock;
-  explicit Reading(FrameClock& of) : clock(of) { clock.reads = true; }
-  ~Reading() { clock.reads = false; }
-  Reading(const Reading&) = delete;
-  Reading& operator=(const Reading&) = delete;
-};
-
 /// Large runs are welded on a second thread if the setting `threads` allows more than one.
 VertexStream::Welding weldingOf(const Settings& settings) {
   const unsigned threads =
@@ -150,7 +141,7 @@ void Context::prepareToForward(Flush how) noexcept {
   protect([&] {
     if (how == Flush::look) return flusher.flush(), shadow.sendBuffers();
     if (how == Flush::read) {
-      const Reading reading(clock);
+      const FlushPurpose reading(clock, &FrameClock::reads);
       return flusher.flush(), shadow.sendBuffers();
     }
     switch (how) {

@@ -29,15 +29,6 @@ bool clearsViewport(const RealGl& real) {
          box[1] + box[3] >= viewport[1] + viewport[3];
 }
 
-/// What is flushed during its life is shown.
-struct Showing {
-  FrameClock& clock;
-  explicit Showing(FrameClock& of) : clock(of) { clock.shows = true; }
-  ~Showing() { clock.shows = false; }
-  Showing(const Showing&) = delete;
-  Showing& operator=(const Showing&) = delete;
-};
-
 }  // namespace
 
 bool FrameEnds::mayShowDirectly() noexcept {
@@ -51,7 +42,7 @@ LagRefusal FrameEnds::lag(const LagWindow& window) noexcept {
   if (p_.lists.compiling()) return LagRefusal::state;
   if (p_.immediate.insideBegin()) return LagRefusal::failure;
   p_.failsafe.protect([&] { p_.immediate.closeRunIfOpen(); });
-  const Showing showing(p_.clock);
+  const FlushPurpose showing(p_.clock, &FrameClock::shows);
   return p_.window.lag(window);
 }
 
@@ -59,7 +50,7 @@ void FrameEnds::beforeSwap() {
   p_.failsafe.protect([&] {
     p_.immediate.closeRunIfOpen();
     p_.window.settle();
-    const Showing showing(p_.clock);
+    const FlushPurpose showing(p_.clock, &FrameClock::shows);
     p_.flusher.flushBatch();  // an image that waits to be resolved is not in the window
   });
 }
@@ -264,7 +255,7 @@ void FrameEnds::show(bool objects, bool windows) {
       object ? objects || sharing > 1 : windows || !doubleBuffered || isFront(batch.key().drawBuffer);
   if (!visible) return;
   {
-    const Showing showing(p_.clock);
+    const FlushPurpose showing(p_.clock, &FrameClock::shows);
     p_.flusher.flush();
   }
   if (object) return;

@@ -1,7 +1,7 @@
 #include "gl/culled/feedback/position_feedback.h"
 
 #include "gl/culled/clusters/assembly.h"
-#include "gl/glsl/feedback_stage.h"
+#include "gl/real/feedback_stage.h"
 #include "gl/real/state_queries.h"
 
 #include <GL/glext.h>

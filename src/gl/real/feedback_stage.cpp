@@ -1,4 +1,4 @@
-#include "gl/glsl/feedback_stage.h"
+#include "gl/real/feedback_stage.h"
 
 #include "gl/real/extensions.h"
 #include "gl/real/state_queries.h"
