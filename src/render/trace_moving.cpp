@@ -83,6 +83,7 @@ bool traceMoving(FrameData& frame, LightHistories* kept, const MovingRays& rays,
   LightHistories& histories = kept ? *kept : own;
   LightHistory& history = histories.historyOf(frame.snapshot->view);
   MovingFrame moving;
+  if (frame.snapshot->lightSampling.anew) history.forget();
   moving.index = source ? source->index(history.index()) : history.index(), moving.rays = rays;
   frame.moving = &moving;
   const std::unique_ptr<const Integrator> integrator = makeIntegrator(frame);

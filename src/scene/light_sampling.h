@@ -23,6 +23,8 @@ struct LightSampling {
   /// image stay unchanged. Null: all.
   std::shared_ptr<const std::vector<uint8_t>> tiles;
   static constexpr int kTile = 32;
+  /// Of a moving frame: uses no visibility of earlier frames, whose scene was another one.
+  bool anew = false;
   bool operator==(const LightSampling&) const = default;
 };
 

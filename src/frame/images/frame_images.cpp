@@ -60,6 +60,11 @@ void FrameImages::wrote(const scene::SnapshotPtr& snapshot, const ImageCache::Ca
   } catch (const std::exception&) { tooMany_ = true; }  // out of memory: the frame keeps its noise
 }
 
+void FrameImages::replaces(const scene::Snapshot& before) noexcept {
+  takeBackPasses();
+  std::erase_if(written_, [&](const IdleImage& one) { return one.snapshot.get() == &before; });
+}
+
 void FrameImages::antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
                               const Settings& settings) noexcept {
   if (written_.empty()) return;

@@ -21,6 +21,8 @@ class FrameImages {
   /// Remembers the image if it can be refined.
   void wrote(const scene::SnapshotPtr& snapshot, const ImageCache::CachedImage& cached, const Image& pixels,
              const scene::Resolve* how = nullptr) noexcept;
+  /// The image of `before` is no longer in the frame. Call before wrote() for the one in its place.
+  void replaces(const scene::Snapshot& before) noexcept;
   /// Reports that a region of the frame was anti-aliased. `before`: its previous pixels, RGBA8.
   void antialiased(const scene::Fxaa& how, const scene::Region& region, const uint32_t* before,
                    const Settings& settings) noexcept;

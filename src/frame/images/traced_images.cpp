@@ -142,14 +142,15 @@ ImageCache::CachedImage* TracedImages::known(const scene::Snapshot& snapshot, co
 }
 
 /// Traces a new image in one pass: with all samples, whatever the snapshot asks for, if it is to be `full`.
-bool TracedImages::traceOnce(const scene::Snapshot& snapshot, bool full, ImageCache::CachedImage& cached,
-                             Result& result) {
+bool TracedImages::traceOnce(const scene::Snapshot& snapshot, bool full, bool anew,
+                             ImageCache::CachedImage& cached, Result& result) {
   using Mode = scene::LightSampling::Mode;
   cached.moving = !full && snapshot.lightSampling.mode == Mode::moving;
-  if (cached.moving || snapshot.lightSampling.mode == Mode::full)
+  if (!anew && (cached.moving || snapshot.lightSampling.mode == Mode::full))
     return tracer_.trace(snapshot, cached.image, result.cost, result.why);
   scene::Snapshot all = snapshot;
-  all.lightSampling.mode = Mode::full;
+  all.lightSampling.anew = anew;
+  if (!cached.moving) all.lightSampling.mode = Mode::full;
   return tracer_.trace(all, cached.image, result.cost, result.why);
 }
 
@@ -185,7 +186,7 @@ TracedImages::Result TracedImages::imageOf(const scene::Snapshot& snapshot, cons
   fresh.moving = false;
   const bool finished = !ahead && refines && full && finish(snapshot, fresh, result);
   const bool done = finished || (ahead ? ahead_->takeImage(fresh.image, result.cost, result.why)
-                                       : traceOnce(snapshot, full, fresh, result));
+                                       : traceOnce(snapshot, full, wish.anew, fresh, result));
   if (!done) return result;
   if (!finished && !result.cost.elsewhere) paintUnrefined(snapshot, fresh.image);
   if (result.cost.elsewhere) fresh.refined = result.cost.refined;

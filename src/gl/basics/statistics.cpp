@@ -3,10 +3,12 @@
 namespace gluray::gl {
 
 Statistics& Statistics::operator+=(const Statistics& o) {
-  frames += o.frames, framesInFront += o.framesInFront, framesPassedThrough += o.framesPassedThrough;
+  frames += o.frames, framesInFront += o.framesInFront, framesInMemory += o.framesInMemory;
+  framesPassedThrough += o.framesPassedThrough;
   drawsTraced += o.drawsTraced, drawsRasterised += o.drawsRasterised;
   trianglesTraced += o.trianglesTraced, trianglesRasterised += o.trianglesRasterised;
-  drawsLit += o.drawsLit, drawsCulled += o.drawsCulled, trianglesLeftOut += o.trianglesLeftOut;
+  drawsLit += o.drawsLit, imagesRelit += o.imagesRelit;
+  drawsCulled += o.drawsCulled, trianglesLeftOut += o.trianglesLeftOut;
   for (size_t i = 0; i < rasterisedBecause.size(); ++i) rasterisedBecause[i] += o.rasterisedBecause[i];
   flushes += o.flushes;
   repeated += o.repeated;

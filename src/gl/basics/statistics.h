@@ -13,13 +13,16 @@ namespace gluray::gl {
 struct Statistics {
   using Count = Counter<uint64_t>;
   using Seconds = Counter<double>;
-  Count frames;         // buffer swaps (or finishes of single-buffered drawing)
-  Count framesInFront;  // of double-buffered contexts that do not swap: glFlush or glFinish after drawing
-                        // into the front buffer; counted if ContextInfo::frameEnded is set, not in `frames`
+  Count frames;          // buffer swaps (or finishes of single-buffered drawing)
+  Count framesInFront;   // of double-buffered contexts that do not swap: glFlush or glFinish after drawing
+                         // into the front buffer; counted if ContextInfo::frameEnded is set, not in `frames`
+  Count framesInMemory;  // pictures of contexts that do not swap, in framebuffer objects or pixel
+                         // buffers: read, copied or flushed before they were cleared again; not in `frames`
   Count framesPassedThrough;  // passthrough frames
   Count drawsTraced, drawsRasterised;
   Count drawsCulled, trianglesLeftOut;  // rasterised without what cannot be seen
   Count drawsLit;                       // rasterised, with light that is multiplied onto them
+  Count imagesRelit;                    // traced again in their frame, with other light (adr/0095)
   Count trianglesTraced, trianglesRasterised;
   std::array<Count, kReasonCount> rasterisedBecause{};  // draws, by reason
   Count flushes;                                        // batches written to a framebuffer

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,7 +31,9 @@ struct PresentResult {
   std::optional<LayerCounts> layers;
   std::vector<uint32_t> image;        // the waiting image of layers; empty: it was written
   GLenum pendingError = GL_NO_ERROR;  // the program's error that was found on the way, to be reported to it
-  std::string why;                    // if not traced: one line for the user, not logged yet
+  /// The written part of the image, as scene::writtenPart() returns it, if PresentTarget::keepsPixels.
+  std::shared_ptr<const Image> written;
+  std::string why;  // if not traced: one line for the user, not logged yet
 
   /// What an image that was not traced costs. Where the real OpenGL could not draw the instances either, the
   /// framebuffer lacks them: tracing ends.

@@ -42,6 +42,14 @@ struct PresentTarget {
   /// The clear under the snapshot's whole region, if known and if the image may be uploaded instead of
   /// drawn; no stencil value in the framebuffer matters then.
   std::optional<ClearedTarget> cleared = {};
+  bool keepsPixels = false;  // the result gets the written pixels, which Presenter::relight() may replace
+};
+
+/// An image that was written with other light than its view has.
+struct RelightTarget {
+  const Image& written;  // PresentResult::written
+  bool core = false;     // core profile
+  ImageWish wish = {};
 };
 
 /// Where the pixels go into which an image's samples are resolved.
@@ -68,6 +76,13 @@ class Presenter {
   /// whatever that holds. Otherwise as present(); not traced: nothing was drawn.
   virtual PresentResult resolve(const RealGl&, const scene::SnapshotPtr&,
                                 const ResolveTarget& /*target*/) noexcept {
+    return {};
+  }
+  /// Traces `now`, which equals the snapshot `before` of an earlier image but for its secondary scene, and
+  /// replaces that image wherever the bound framebuffer still shows it. Not traced: nothing was drawn. Never
+  /// throws.
+  virtual PresentResult relight(const RealGl&, const scene::SnapshotPtr& /*before*/,
+                                const scene::SnapshotPtr& /*now*/, const RelightTarget&) noexcept {
     return {};
   }
   /// Makes the program's FXAA pass: reads the texture bound to GL_TEXTURE_2D of unit `unit`, RGBA8 of the

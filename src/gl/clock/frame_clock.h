@@ -8,7 +8,11 @@
 #include "gl/trials/frame_trials.h"
 #include "scene/light_sampling.h"
 
+#include <GL/gl.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -32,6 +36,15 @@ class FrameClock {
   /// Flushes write what somebody is about to see until it is false again: a swap, or glFlush of a window with
   /// one buffer.
   bool shows = false;
+  /// The picture in a framebuffer is finished: it is shown, read or copied next. Throws std::bad_alloc.
+  void finishPicture(GLuint framebuffer) {
+    if (!hasPicture(framebuffer)) pictures_.push_back(framebuffer);
+  }
+  /// Whether the framebuffer's picture was finished since forgetPictures().
+  bool hasPicture(GLuint framebuffer) const {
+    return std::find(pictures_.begin(), pictures_.end(), framebuffer) != pictures_.end();
+  }
+  void forgetPictures() { pictures_.clear(); }
   /// `known`: the image was shown before, elsewhere.
   ImageWish wish(bool known = false) const { return {known || !measured(), reads && !animates_}; }
   /// For an image that the window shows already: reads find it there (FinishedRead).
@@ -64,6 +77,7 @@ class FrameClock {
 
   const ContextInfo& info_;
   bool passesThrough_ = false;
+  std::vector<GLuint> pictures_;  // framebuffers
   OffscreenAnimation offscreen_;
   bool isOffscreen_ = false, animates_ = false;  // of the last image
 };

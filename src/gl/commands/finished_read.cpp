@@ -2,13 +2,27 @@
 
 #include "gl/context/handlers.h"
 
+#include <cstdint>
+
 namespace gluray::gl {
+namespace {
+
+/// Whether so much is read as of a picture: a quarter of the viewport's pixels. Programs pick objects by
+/// small reads.
+bool isPicture(const RealGl& real, const scene::Region& region) {
+  GLint viewport[4] = {};
+  real.GetIntegerv(GL_VIEWPORT, viewport);
+  return 4 * int64_t{region.width} * region.height >= int64_t{viewport[2]} * viewport[3];
+}
+
+}  // namespace
 
 void FinishedRead::bind(const scene::Region& region, GLenum format) noexcept {
   if (flushToRead(format) != Context::Flush::read || context_.clock.passesThrough() ||
       context_.failsafe.aside() || context_.clock.animates())
     return;
   context_.protect([&] {
+    if (isPicture(context_.real, region)) context_.relighting.finishRead();
     const PresentResult result = context_.pending.presenter.reader().bindFinished(context_.real, region);
     context_.pending.takeResult(result, true);
     bound_ = result.outcome == PresentResult::traced;

@@ -213,6 +213,14 @@ Context::Flush flushToRead(GLenum format) {
   return colors ? Context::Flush::read : Context::Flush::look;
 }
 
+void pictureCopied(Context& c) {
+  c.protect([&] { c.relighting.finishRead(); });
+}
+
+void imagesRead(Context& c) {
+  c.protect([&] { c.relighting.finishObjects(); });
+}
+
 uint32_t framebufferBound(Context& c) {
   c.shadow.textures.framebufferBound();
   return kTarget | kTexture;

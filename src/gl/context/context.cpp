@@ -56,20 +56,21 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       cleared(shadow, clock, failsafe),
       composed({shadow, failsafe, cleared}, presenter),
       pending({shadow, failsafe, clock, counts, surfaces, cleared}, presenter),
-      flusher(
-          {shadow, failsafe, clock, counts, surfaces, cleared, pending, layers, resolves, window, composed}),
+      relighting({shadow, failsafe, clock, counts, surfaces, pending}),
+      flusher({shadow, failsafe, clock, counts, surfaces, cleared, pending, layers, resolves, window,
+               composed, relighting}),
       classifier({shadow, failsafe, clock, surfaces, pending, layers}),
       filler({shadow, failsafe, clock, surfaces, pending, flusher, classifier, layers}),
-      raster({shadow, failsafe, surfaces, cleared, pending, flusher, classifier, layers, resolves, window,
-              composed}),
+      raster({shadow, failsafe, surfaces, cleared, pending, flusher, relighting, classifier, layers, resolves,
+              window, composed}),
       draws({shadow, failsafe, counts, raster}),
       layers({shadow, failsafe, clock, counts, cleared, pending, flusher}),
       resolves({shadow, failsafe, clock, surfaces, cleared, pending, window, composed}),
       window({shadow, failsafe, clock, counts, surfaces, cleared, pending, layers}),
       passthrough({shadow, failsafe, clock, counts, cleared, flusher, window, attention}),
-      frames({settings, shadow, failsafe, clock, counts, surfaces, cleared, pending, flusher, resolves,
-              window, passthrough, immediate, lists}),
-      fullscreen({shadow, failsafe, cleared, pending, flusher, resolves}),
+      frames({settings, shadow, failsafe, clock, counts, surfaces, cleared, pending, flusher, relighting,
+              resolves, window, passthrough, immediate, lists}),
+      fullscreen({shadow, failsafe, cleared, pending, flusher, relighting, resolves}),
       untraced(shadow, clock),
       programs({shadow, failsafe, clock, surfaces, pending, flusher, classifier, filler, raster, layers}),
       culled({shadow, failsafe, clock, counts, pending, raster, cleared}),
@@ -170,7 +171,7 @@ void Context::loseCurrent() {
     syncCurrent();
     // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their static
     // objects.
-    if (!isExiting()) flusher.flush();
+    if (!isExiting()) flusher.flush(), relighting.finishAll();
   });
   cleared.forget();
   if (t_thread.context == this) t_thread = {};

@@ -18,6 +18,7 @@
 #include "gl/draws/program_draws.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/flush/flusher.h"
+#include "gl/flush/relighting.h"
 #include "gl/flush/resolve_draws.h"
 #include "gl/framebuffers/composed_views.h"
 #include "gl/layers/layer_draws.h"
@@ -62,6 +63,7 @@ class Context {
   ClearedFramebuffers cleared;
   ComposedViews composed;
   PendingBatch pending;
+  Relighting relighting;
   Flusher flusher;
   Classifier classifier;
   BatchFiller filler;

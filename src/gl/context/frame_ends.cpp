@@ -41,6 +41,8 @@ bool FrameEnds::mayShowDirectly() noexcept {
 LagRefusal FrameEnds::lag(const LagWindow& window) noexcept {
   if (p_.lists.compiling()) return LagRefusal::state;
   if (p_.immediate.insideBegin()) return LagRefusal::failure;
+  // Images of the frame that are in the window may have to be lit again before it is shown.
+  if (p_.surfaces.views.holdsUnchecked(0)) return LagRefusal::state;
   p_.failsafe.protect([&] { p_.immediate.closeRunIfOpen(); });
   const FlushPurpose showing(p_.clock, &FrameClock::shows);
   return p_.window.lag(window);
@@ -52,6 +54,7 @@ void FrameEnds::beforeSwap() {
     p_.window.settle();
     const FlushPurpose showing(p_.clock, &FrameClock::shows);
     p_.flusher.flushBatch();  // an image that waits to be resolved is not in the window
+    p_.relighting.finish(0);
   });
 }
 
@@ -63,6 +66,7 @@ void FrameEnds::afterSwap() {
 
 void FrameEnds::nextFrame() {
   p_.cleared.forget();  // the back buffer is undefined
+  p_.clock.forgetPictures();
   p_.surfaces.objects.shown(p_.settings.frame());
   ++p_.counts.statistics.frames;
   if (p_.clock.passesThrough()) ++p_.counts.statistics.framesPassedThrough;
@@ -104,9 +108,30 @@ void FrameEnds::endWithOthers(GLbitfield mask) {
   begun_ = false, drawsBefore_ = draws();
 }
 
+/// In a context that never swaps a frame is one picture of the framebuffer that was cleared first. Others,
+/// such as those of peeled layers or shadow maps, may be cleared and read many times while a picture is made.
+void FrameEnds::endInMemory(GLbitfield mask) {
+  Statistics& statistics = p_.counts.statistics;
+  const bool swaps = statistics.frames > 0 || statistics.framesInFront > 0 || othersSwap_;
+  if (!begun_ || swaps || !(mask & GL_COLOR_BUFFER_BIT) || !p_.clock.hasPicture(firstCleared_)) return;
+  const bool isFirst = p_.shadow.target().framebuffer == firstCleared_;
+  if (!isFirst || draws() == drawsBefore_ || !clearsViewport(p_.shadow.real)) return;
+  p_.clock.forgetPictures();
+  p_.surfaces.objects.shown(p_.settings.frame());
+  ++statistics.framesInMemory;
+  ++p_.clock.frame;
+  begun_ = false, drawsBefore_ = draws();
+  p_.settings.endFrame();
+  sourceFrame_ = p_.settings.sourceFrame();
+}
+
 void FrameEnds::beforeClear(GLbitfield mask) noexcept {
   endWithOthers(mask);
-  if (std::exchange(begun_, true)) return;
+  p_.failsafe.protect([&] { endInMemory(mask); });
+  if (begun_) return;
+  begun_ = true;
+  if (p_.counts.statistics.frames == 0)
+    p_.failsafe.protect([&] { firstCleared_ = p_.shadow.target().framebuffer; });
   p_.settings.beginFrame();
   if (draws() != drawsBefore_) return;
   p_.failsafe.protect([&] { takeSettings(); });
@@ -170,11 +195,6 @@ void FrameEnds::cleared(GLbitfield mask) {
   const int patience = p_.counts.statistics.frames > 0 ? 64 : 4;
   if (++clears_ < patience) return;
   forgetOld();
-  if (p_.counts.statistics.frames == 0 && !othersSwap_) {
-    p_.settings.endFrame();
-    sourceFrame_ = p_.settings.sourceFrame();
-    p_.failsafe.protect([&] { takeSettings(); });
-  }
   p_.surfaces.passes.forgetMany();  // in framebuffers whose depth is never cleared
 }
 
@@ -249,14 +269,21 @@ void FrameEnds::show(bool objects, bool windows) {
   const int sharing = p_.shadow.group.contexts;
   if (p_.resolves.waits() && sharing > 1) p_.failsafe.protect([&] { p_.flusher.settle(); });
   const Batch& batch = p_.pending.batch;
-  if (batch.empty()) return doubleBuffered ? showFront() : showDrawn();
+  if (batch.empty()) {
+    const GLuint framebuffer = p_.shadow.target().framebuffer;
+    const bool isRead = framebuffer == 0 ? windows || !doubleBuffered : objects || sharing > 1;
+    if (isRead) p_.failsafe.protect([&] { p_.relighting.finish(framebuffer); });
+    return doubleBuffered ? showFront() : showDrawn();
+  }
   const bool object = batch.key().framebuffer != 0;
   const bool visible =
       object ? objects || sharing > 1 : windows || !doubleBuffered || isFront(batch.key().drawBuffer);
   if (!visible) return;
   {
     const FlushPurpose showing(p_.clock, &FrameClock::shows);
+    const GLuint framebuffer = batch.key().framebuffer;
     p_.flusher.flush();
+    p_.failsafe.protect([&] { p_.relighting.finish(framebuffer); });
   }
   if (object) return;
   doubleBuffered ? showFront() : endFrame();

@@ -1,10 +1,12 @@
-// Decides when frames begin and end: at swaps, at glFlush and glFinish, or at clears of programs that only
-// draw into memory. A part of each Context, GL thread.
+// Decides when frames begin and end. They end at swaps and, in windows with one buffer, at glFlush and
+// glFinish. In contexts that never swap they end where a framebuffer is cleared again whose picture is
+// finished: it was read, copied or flushed, or the context was left. A part of each Context, GL thread.
 #pragma once
 #include "gl/clock/frame_settings.h"
 #include "gl/context/passthrough_frames.h"
 #include "gl/counts/draw_counts.h"
 #include "gl/flush/flusher.h"
+#include "gl/flush/relighting.h"
 #include "gl/window/window_frames.h"
 
 #include <GL/gl.h>
@@ -27,6 +29,7 @@ class FrameEnds {
     ClearedFramebuffers& cleared;
     PendingBatch& pending;
     Flusher& flusher;
+    Relighting& relighting;
     ResolveDraws& resolves;
     WindowFrames& window;
     PassthroughFrames& passthrough;
@@ -57,6 +60,7 @@ class FrameEnds {
  private:
   void takeSettings();
   void endWithOthers(GLbitfield mask);
+  void endInMemory(GLbitfield mask);
   uint64_t draws() const;
   void nextFrame();
   void endFrame();
@@ -73,6 +77,7 @@ class FrameEnds {
 
   Parts p_;
   bool begun_ = false;          // this frame has cleared
+  GLuint firstCleared_ = 0;     // the framebuffer that this frame cleared first
   uint64_t drawsBefore_ = 0;    // draws before this frame
   uint64_t sourceFrame_;        // FrameSettings::sourceFrame() when a frame was begun last
   bool othersSwap_ = false;     // frames end with those of another context

@@ -2,6 +2,7 @@
 // takes longer for them than we for the whole image. A part of each Context, GL thread.
 #pragma once
 #include "gl/flush/flusher.h"
+#include "gl/flush/relighting.h"
 #include "gl/real/elements.h"
 
 #include <GL/gl.h>
@@ -16,6 +17,7 @@ class FullscreenPasses {
     ClearedFramebuffers& cleared;
     PendingBatch& pending;
     Flusher& flusher;
+    Relighting& relighting;
     ResolveDraws& resolves;
   };
   explicit FullscreenPasses(const Parts& parts) : p_(parts) {}

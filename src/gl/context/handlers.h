@@ -181,6 +181,10 @@ uint32_t programLinked(Context& c, GLuint program);
 Context::Flush flushToBind(Context& c, GLenum target, GLuint framebuffer);
 /// The flush that a command needs that reads pixels of this format.
 Context::Flush flushToRead(GLenum format);
+/// The bound read framebuffer is copied into a texture, or textures are read: the pictures in them are
+/// finished.
+void pictureCopied(Context& c);
+void imagesRead(Context& c);
 /// A texture is attached to a framebuffer; another framebuffer is bound.
 uint32_t textureAttached(Context& c, GLuint texture);
 uint32_t framebufferBound(Context& c);

@@ -57,6 +57,8 @@ void Decisions::batch(const BatchKey& key, size_t instances, std::string_view ho
         key.framebuffer & "->" & how);
 }
 
+void Decisions::relit(size_t instances) { write(std::string("lit again") & "instances" & instances); }
+
 void Decisions::presented(const PresentResult& result, bool known) {
   std::string line = std::string("presented") & nameOf(result.outcome);
   if (known) line = std::move(line) & "known";

@@ -24,6 +24,8 @@ class Decisions {
   /// The draws of a batch are presented: `how` is "traced", or why the real OpenGL makes them, or where the
   /// traced image goes in place of the framebuffer.
   void batch(const BatchKey& key, size_t instances, std::string_view how);
+  /// A batch of so many instances is lit again (Relighting).
+  void relit(size_t instances);
   /// A batch was presented. `known`: its image was shown before.
   void presented(const PresentResult& result, bool known);
 

@@ -5,6 +5,7 @@
 #include "gl/classify/classifier.h"
 #include "gl/counts/draw_kinds.h"
 #include "gl/flush/flusher.h"
+#include "gl/flush/relighting.h"
 #include "gl/history/multipass_surfaces.h"
 
 #include <optional>
@@ -23,6 +24,7 @@ class RasterDraws {
     ClearedFramebuffers& cleared;
     PendingBatch& pending;
     Flusher& flusher;
+    Relighting& relighting;
     Classifier& classifier;
     LayerDraws& layers;
     ResolveDraws& resolves;

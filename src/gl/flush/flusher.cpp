@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/timeline.h"
+#include "gl/flush/relighting.h"
 #include "gl/flush/resolve_draws.h"
 #include "gl/framebuffers/composed_views.h"
 #include "gl/layers/layer_draws.h"
@@ -62,8 +63,12 @@ void Flusher::presentBatch(Reason reason) {
                                              .rasterise = rasterise,
                                              .programDraws = p_.pending.batch.takeProgramDraws(),
                                              .wish = p_.clock.wish(),
-                                             .cleared = under});
-  if (result.outcome == PresentResult::traced && !rasterise) p_.surfaces.traced(key, snapshot);
+                                             .cleared = under,
+                                             .keepsPixels = !rasterise && isRelightable(key, *snapshot)});
+  if (result.outcome == PresentResult::traced && !rasterise) {
+    p_.surfaces.traced(key, snapshot);
+    if (result.written) p_.surfaces.views.wrote(snapshot, result.written);
+  }
   if (!rasterise) p_.composed.presented(key, snapshot, result.outcome == PresentResult::traced);
   p_.cleared.wrote(key.framebuffer, result.uploaded);
   if (result.averages) p_.cleared.wroteAntialiased(antialiased, key);
@@ -98,6 +103,8 @@ UnresolvedImage::Cleared Flusher::beforeClear(GLbitfield mask) {
   p_.pending.stopRefining();
   const UnresolvedImage::Cleared clean = p_.resolves.clearedBy(mask);
   present();
+  const bool shows = (mask & GL_DEPTH_BUFFER_BIT) && !(mask & GL_COLOR_BUFFER_BIT);  // what was drawn so far
+  if (shows && !p_.surfaces.views.empty()) p_.relighting.update(p_.shadow.target().framebuffer);
   p_.window.clears(mask);
   p_.resolves.clears(clean);
   return clean;
@@ -110,6 +117,7 @@ void Flusher::beforeBlit() noexcept {
     p_.resolves.meetBlit();
     p_.composed.settle();
     p_.window.settle();
+    p_.relighting.finishRead();
     p_.shadow.sendBuffers();
   });
 }

@@ -10,6 +10,7 @@
 namespace gluray::gl {
 
 class ComposedViews;
+class Relighting;
 class LayerDraws;
 class ResolveDraws;
 class WindowFrames;
@@ -29,6 +30,7 @@ class Flusher final : public BatchFlush {
     ResolveDraws& resolves;
     WindowFrames& window;
     ComposedViews& composed;
+    Relighting& relighting;
   };
   explicit Flusher(const Parts& parts) : p_(parts) {}
 

@@ -158,6 +158,7 @@ void ResolveDraws::meetRasterDraw() {
 bool ResolveDraws::into(ResolveTarget& target) {
   p_.window.meetDraw();
   UnresolvedImage::Waiting& waiting = *p_.pending.unresolved.waiting;
+  if (!waiting.traced) waiting.batch.snapshot = p_.surfaces.views.broughtUpToDate(waiting.batch.snapshot);
   target.core = p_.shadow.info.core;
   target.how.background = waiting.cleared.background;
   target.how.farthest = farthestHit(waiting.batch.key.depthFunc, waiting.cleared.depthResolution);

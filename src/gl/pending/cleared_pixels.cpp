@@ -54,7 +54,8 @@ void PendingBatch::attachSecondaryScene() {
     const scene::Region& region = batch.waiting().region;
     batch.setLightMode(p_.clock.offscreenMode({region.width, region.height}, frame));
   }
-  batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting()));
+  const bool isLast = p_.clock.shows && batch.key().framebuffer == 0 && p_.shadow.info.doubleBuffered;
+  batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting(), isLast));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());
 }
 

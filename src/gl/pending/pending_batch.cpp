@@ -50,8 +50,10 @@ void PendingBatch::presentLate(HeldBatch held, bool known) {
                               .core = p_.shadow.info.core,
                               .rasterise = isShort,
                               .programDraws = std::move(held.draws),
-                              .wish = known ? p_.clock.wishAsShown() : p_.clock.wish()});
+                              .wish = known ? p_.clock.wishAsShown() : p_.clock.wish(),
+                              .keepsPixels = isRelightable(held.key, *held.snapshot)});
   }();
+  if (result.written) p_.surfaces.views.wrote(held.snapshot, result.written);
   takeResult(result, known);
   if (result.outcome == PresentResult::traced) return;
   const bool costsFrames = isShort && result.outcome == PresentResult::rasterised;

@@ -12,6 +12,7 @@
 #include "gl/history/surface_history.h"
 #include "gl/pending/captured_surfaces.h"
 #include "gl/shadow/shadow_state.h"
+#include "scene/secondary_scene.h"
 
 #include <memory>
 #include <optional>
@@ -21,6 +22,13 @@ namespace gluray::gl {
 
 /// Why the draws of a batch that could not be traced were rasterised.
 Reason reasonOf(scene::Loss loss);
+
+/// Whether the image of such a batch may be lit again (Relighting): others are blended by the real OpenGL.
+inline bool isRelightable(const BatchKey& key, const scene::Snapshot& snapshot) {
+  using Layers = BatchKey::Layers;
+  return (key.layers == Layers::none || key.layers == Layers::drawn) && !snapshot.catches &&
+         !snapshot.wideColors && scene::needsSecondaryScene(snapshot.settings);
+}
 
 class PendingBatch {
  public:

@@ -47,12 +47,13 @@ void SecondarySceneBuilder::skip(const scene::Snapshot& part) {
 
 void SecondarySceneBuilder::add(const scene::Snapshot& part, const glm::dmat4& eyeFromPart,
                                 const std::shared_ptr<const scene::FramebufferCapture>& capture,
-                                const glm::dmat4& moved) {
+                                const std::vector<uint8_t>& erased, const glm::dmat4& moved) {
   const auto shadings = static_cast<uint32_t>(made_->shadings.size());
   const bool inPlace = eyeFromPart == glm::dmat4(1) && moved == glm::dmat4(1);
   const size_t before = made_->instances.size();
-  for (const scene::Instance& instance : part.instances) {
-    if (!isNew(instance)) continue;
+  for (size_t i = 0; i < part.instances.size(); ++i) {
+    const scene::Instance& instance = part.instances[i];
+    if ((!erased.empty() && erased[i]) || !isNew(instance)) continue;
     scene::Instance& added =
         made_->instances.emplace_back(inPlace ? instance : seenFrom(instance, eyeFromPart, moved));
     added.shading += shadings;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace gluray::gl {
 
@@ -18,11 +19,12 @@ class SecondarySceneBuilder {
   explicit SecondarySceneBuilder(const scene::Snapshot& of);
   /// Leaves out what equals a surface of `part`, of the same frame as later parts.
   void skip(const scene::Snapshot& part);
-  /// Adds the surfaces of `part`. `eyeFromPart`: from its eye space to that of the snapshot. `moved`: how
-  /// what it shows has moved in its eye space since. `capture`: of its surfaces, if they are captured.
+  /// Adds the surfaces of `part`, but for those that a clear has `erased` (empty: none). `eyeFromPart`: from
+  /// its eye space to that of the snapshot. `moved`: how what it shows has moved in its eye space since.
+  /// `capture`: of its surfaces, if they are captured.
   void add(const scene::Snapshot& part, const glm::dmat4& eyeFromPart,
            const std::shared_ptr<const scene::FramebufferCapture>& capture,
-           const glm::dmat4& moved = glm::dmat4(1));
+           const std::vector<uint8_t>& erased, const glm::dmat4& moved = glm::dmat4(1));
   /// Parts from here on were drawn in another frame than those before: equal places mean nothing.
   void nextFrame() { seen_.clear(); }
   /// Null where nothing was added.

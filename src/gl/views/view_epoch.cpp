@@ -4,8 +4,6 @@
 #include <cmath>
 
 namespace gluray::gl {
-namespace {
-
 bool areNear(const glm::dmat4& a, const glm::dmat4& b) {
   constexpr double kRounding = 1e-4;
   const double distance = std::max(glm::length(glm::dvec3(a[3])), glm::length(glm::dvec3(b[3])));
@@ -14,8 +12,6 @@ bool areNear(const glm::dmat4& a, const glm::dmat4& b) {
       if (!(std::abs(a[c][r] - b[c][r]) <= kRounding * (c == 3 ? distance : 1))) return false;
   return true;
 }
-
-}  // namespace
 
 Likeness likenessOf(const scene::Snapshot& earlier, const scene::Snapshot& now) {
   const bool layers = !earlier.layers == !now.layers && (!now.layers || earlier.layers->of == now.layers->of);

@@ -1,6 +1,7 @@
 // One view during one depth epoch: its traced surfaces, and the corresponding epoch of an earlier frame. Kept
 // by ViewScenes, GL thread.
 #pragma once
+#include "base/image.h"
 #include "gl/batch/batch.h"
 #include "scene/framebuffer_capture.h"
 
@@ -19,6 +20,8 @@ struct ViewEpoch {
     bool still = false;  // in eye space, since the frame before; false if unknown
     // Of surfaces that the real OpenGL has drawn; null: of others, or their colours are not known.
     std::shared_ptr<const scene::FramebufferCapture> capture;
+    std::shared_ptr<const Image> written;  // PresentResult::written; null: it cannot be lit again
+    std::vector<uint8_t> erased = {};      // by instance: not 0: a clear has removed it; empty: none
   };
   GLuint framebuffer = 0;
   GLenum drawBuffer = 0;
@@ -29,6 +32,7 @@ struct ViewEpoch {
   uint64_t ended = 0;          // when
   std::shared_ptr<const ViewEpoch> last;  // null: nothing is known
   size_t repeated = 0;                    // number of its batches that are drawn again by now
+  bool isChecked = false;                 // no batch was added since ViewScenes::outdated()
 
   const scene::Snapshot& first() const { return *batches.front().snapshot; }
 };
@@ -56,6 +60,9 @@ class Movement {
   static constexpr size_t kMax = 16;  // surfaces are enough
   std::vector<glm::dmat4> moved_;
 };
+
+/// Whether two places are equal but for the rounding of products of matrices.
+bool areNear(const glm::dmat4& a, const glm::dmat4& b);
 
 /// Whether all surfaces have equal places in eye space.
 bool isStill(const scene::Snapshot& before, const scene::Snapshot& now);

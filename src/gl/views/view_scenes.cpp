@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "gl/batch/clears.h"
 #include "gl/views/secondary_scene_builder.h"
+#include "gl/views/view_changes.h"
 #include "scene/same_camera.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ void addLater(const ViewEpoch& last, const Repetition& now, const glm::dmat4& mo
     const glm::dmat4 inPart = inView == glm::dmat4(1) || *viewFromPart == glm::dmat4(1)
                                   ? inView
                                   : glm::inverse(*viewFromPart) * inView * *viewFromPart;
-    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, later.capture, inPart);
+    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, later.capture, later.erased, inPart);
   }
 }
 
@@ -93,13 +94,15 @@ ViewScenes::Ended::iterator ViewScenes::lastOf(const BatchKey& key, const scene:
 }
 
 std::shared_ptr<const scene::SecondaryScene> ViewScenes::secondaryScene(const BatchKey& key,
-                                                                        const scene::Snapshot& s) noexcept {
+                                                                        const scene::Snapshot& s,
+                                                                        bool isLast) noexcept {
   forgetUnwanted(s.settings);
   if (!scene::needsSecondaryScene(s.settings)) return nullptr;
   try {
     const ViewEpoch* epoch = epochOf(key, s);
     const ViewEpoch* last = epoch ? epoch->last.get() : nullptr;
-    if (!epoch && !drawsAside(key))
+    if (isLast) last = nullptr;
+    if (!epoch && !drawsAside(key) && !isLast)
       if (const auto found = lastOf(key, s); found != ended_.end()) last = found->get();
     if (!epoch && !last) return nullptr;
     SecondarySceneBuilder maker(s);
@@ -107,7 +110,7 @@ std::shared_ptr<const scene::SecondaryScene> ViewScenes::secondaryScene(const Ba
     if (epoch)
       for (const ViewEpoch::Drawn& earlier : epoch->batches)
         if (const auto eyeFromPart = eyeFromEye(s, *earlier.snapshot))
-          maker.add(*earlier.snapshot, *eyeFromPart, earlier.capture);
+          maker.add(*earlier.snapshot, *eyeFromPart, earlier.capture, earlier.erased);
     if (last) {
       const Repetition now = repetitionOf(*last, epoch ? epoch->repeated : 0, s);
       addLater(*last, now, movementOf(*last, epoch, now, s), first, s, maker);
@@ -174,7 +177,7 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
         fresh.last = *found, ended_.erase(found);
       epoch = &open_.emplace_back(std::move(fresh));
     }
-    ViewEpoch::Drawn drawn{snapshot, false, capture};
+    ViewEpoch::Drawn drawn{snapshot, false, capture, nullptr};
     if (epoch->last) {
       const Repetition now = repetitionOf(*epoch->last, epoch->repeated, *snapshot);
       drawn.still = now.of && isStill(*now.of->snapshot, *snapshot);
@@ -183,8 +186,60 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
     }
     if (epoch->batches.size() >= kMaxBatches) epoch->batches.erase(epoch->batches.begin());
     epoch->batches.push_back(std::move(drawn));
+    epoch->isChecked = false;
     if (!drawsAside(key)) epoch->region = united(epoch->region, snapshot->region);
   } catch (const std::exception&) { forget(); }
+}
+
+void ViewScenes::wrote(const scene::SnapshotPtr& snapshot, std::shared_ptr<const Image> written) noexcept {
+  for (auto epoch = open_.rbegin(); epoch != open_.rend(); ++epoch)
+    for (ViewEpoch::Drawn& drawn : epoch->batches)
+      if (drawn.snapshot == snapshot) return void(drawn.written = std::move(written));
+}
+
+std::vector<GLuint> ViewScenes::unchecked() const {
+  std::vector<GLuint> found;
+  for (const ViewEpoch& epoch : open_)
+    if (!epoch.isChecked && std::find(found.begin(), found.end(), epoch.framebuffer) == found.end())
+      found.push_back(epoch.framebuffer);
+  return found;
+}
+
+std::vector<ViewScenes::Outdated> ViewScenes::outdated(GLuint framebuffer) noexcept {
+  std::vector<Outdated> found;
+  try {
+    for (ViewEpoch& epoch : open_) {
+      if (epoch.framebuffer != framebuffer || std::exchange(epoch.isChecked, true)) continue;
+      for (size_t i = 0; i < epoch.batches.size(); ++i) {
+        ViewEpoch::Drawn& drawn = epoch.batches[i];
+        if (!drawn.written) continue;
+        const scene::SnapshotPtr now = relitOf(epoch, i);
+        const bool isOver = !found.empty() && now->layers && now->layers->of == scene::Layers::Of::drawn;
+        if (now != drawn.snapshot || isOver)
+          found.push_back({epoch.drawBuffer, drawn.snapshot, now, drawn.written});
+      }
+    }
+  } catch (const std::exception&) { forget(); }
+  return found;
+}
+
+void ViewScenes::relit(const Outdated& batch, std::shared_ptr<const Image> written) noexcept {
+  for (ViewEpoch& epoch : open_)
+    for (ViewEpoch::Drawn& drawn : epoch.batches) {
+      if (drawn.snapshot != batch.before) continue;
+      if (drawn.snapshot->instances.size() != batch.now->instances.size()) drawn.erased.clear();
+      drawn.snapshot = batch.now, drawn.written = std::move(written);
+      return;
+    }
+}
+
+scene::SnapshotPtr ViewScenes::broughtUpToDate(const scene::SnapshotPtr& snapshot) noexcept {
+  try {
+    for (ViewEpoch& epoch : open_)
+      for (size_t i = 0; i < epoch.batches.size(); ++i)
+        if (epoch.batches[i].snapshot == snapshot) return epoch.batches[i].snapshot = relitOf(epoch, i);
+  } catch (const std::exception&) { forget(); }
+  return snapshot;
 }
 
 void ViewScenes::withdrawPeeled(uint64_t frame) noexcept {
@@ -206,6 +261,7 @@ void ViewScenes::end(const Ends& ends) noexcept {
     for (auto epoch = first; epoch != open_.end(); ++epoch) {
       if (epoch->batches.size() < 2) continue;  // nothing comes later
       epoch->last.reset();
+      for (ViewEpoch::Drawn& drawn : epoch->batches) drawn.written.reset();
       epoch->ended = clock_;
       ended_.push_back(std::make_shared<const ViewEpoch>(std::move(*epoch)));
     }
@@ -230,6 +286,10 @@ void ViewScenes::depthCleared(GLuint framebuffer, const scene::Region& box) noex
   end([&](const ViewEpoch& epoch) {
     return epoch.framebuffer == framebuffer && contains(box, epoch.region);
   });
+  try {
+    for (ViewEpoch& epoch : open_)
+      if (epoch.framebuffer == framebuffer) eraseSurfaces(epoch, box);
+  } catch (const std::exception&) { forget(); }
 }
 
 void ViewScenes::swapped() noexcept {

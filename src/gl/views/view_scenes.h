@@ -7,6 +7,7 @@
 #include "gl/views/view_frames.h"
 #include "scene/secondary_scene.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,8 +24,9 @@ class ViewScenes {
  public:
   /// The secondary scene of a batch that is about to be traced. Null where it is empty, where no setting asks
   /// for light, and where memory has run out.
-  std::shared_ptr<const scene::SecondaryScene> secondaryScene(const BatchKey&,
-                                                              const scene::Snapshot&) noexcept;
+  /// `isLast`: nothing is drawn after it in this frame.
+  std::shared_ptr<const scene::SecondaryScene> secondaryScene(const BatchKey&, const scene::Snapshot&,
+                                                              bool isLast = false) noexcept;
   /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
   /// shows it.
   scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
@@ -32,9 +34,36 @@ class ViewScenes {
   /// OpenGL has drawn, instead.
   void traced(const BatchKey&, const scene::SnapshotPtr&,
               const std::shared_ptr<const scene::FramebufferCapture>& capture = nullptr) noexcept;
+  /// The traced batch is in its framebuffer. `written`: PresentResult::written.
+  void wrote(const scene::SnapshotPtr&, std::shared_ptr<const Image> written) noexcept;
+
+  /// A batch whose view holds other surfaces than it was lit with.
+  struct Outdated {
+    GLenum drawBuffer;
+    scene::SnapshotPtr before;             // as it was traced
+    scene::SnapshotPtr now;                // equal, but for its secondary scene
+    std::shared_ptr<const Image> written;  // PresentResult::written
+  };
+  /// The framebuffers with views to which batches were added since outdated() looked at them.
+  std::vector<GLuint> unchecked() const;
+  bool holdsUnchecked(GLuint framebuffer) const {
+    return std::any_of(open_.begin(), open_.end(), [&](const ViewEpoch& epoch) {
+      return epoch.framebuffer == framebuffer && !epoch.isChecked;
+    });
+  }
+  /// Those batches of the framebuffer's views, in the order of drawing, if they are written: of what was
+  /// taken for granted something did not come, or something else came. Behind them also layers that are drawn
+  /// over them (scene::Layers::Of::drawn). Call relit() for those that are traced again. Call where a picture
+  /// is finished; later draws are unknown then. Out of memory, there are none.
+  std::vector<Outdated> outdated(GLuint framebuffer) noexcept;
+  /// The batch was traced again as `now`, and is written.
+  void relit(const Outdated&, std::shared_ptr<const Image> written) noexcept;
+  /// The snapshot of a batch that is not traced yet, lit by what its view holds now.
+  scene::SnapshotPtr broughtUpToDate(const scene::SnapshotPtr&) noexcept;
   /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
   void withdrawPeeled(uint64_t frame) noexcept;
-  /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew.
+  /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew, and others
+  /// lose the surfaces that lie there.
   void depthCleared(GLuint framebuffer, const scene::Region& box) noexcept;
   /// The clear in whose place the batch shows a background (setting `background`), if it does.
   std::optional<ShownViews::Clear> paintsOver(const BatchKey&, const scene::Snapshot&) const noexcept;

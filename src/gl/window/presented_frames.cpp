@@ -44,7 +44,10 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
     p_.shadow.syncCurrent();
-    p_.pending.attachSecondaryScene();
+    {
+      const FlushPurpose showing(p_.clock, &FrameClock::shows);
+      p_.pending.attachSecondaryScene();
+    }
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(p_.pending.batch.key().depthFunc, depthResolution),
                             p_.shadow.info.core, p_.clock.wish(), show};

@@ -20,8 +20,9 @@ void addExplained(Totals& sum, const Record& record) {
                       es          ? "ES"
                       : info.core ? "core"
                                   : "compatibility",
-                      record.version, record.renderer, info.doubleBuffered, s.frames + s.framesInFront,
-                      s.frames > 0, s.drawsTraced, s.drawsRasterised});
+                      record.version, record.renderer, info.doubleBuffered,
+                      s.frames + s.framesInFront + s.framesInMemory, s.frames > 0, s.drawsTraced,
+                      s.drawsRasterised});
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ const frame::ImageCache::CachedImage* PresentedImages::imageOf(const scene::Snap
                                                                std::optional<uint32_t> missColor,
                                                                gl::PresentResult& result, std::string& why) {
   frame::TracedImages::Result got =
-      images.imageOf(snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown});
+      images.imageOf(snapshot, {wish.mayRepeat, missColor, wish.finished, wish.asShown, wish.anew});
   result.cost = got.cost;
   result.passes = got.passes;
   result.noise = got.noise;

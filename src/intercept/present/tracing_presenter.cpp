@@ -18,6 +18,18 @@ namespace gluray::present {
 
 using gl::PresentResult;
 
+namespace {
+
+/// Null: out of memory; then the image keeps its light.
+std::shared_ptr<const Image> keepWritten(const Image& image) noexcept {
+  try {
+    auto part = std::make_shared<const Image>(scene::writtenPart(image));
+    return part->color.empty() ? nullptr : std::move(part);
+  } catch (const std::exception&) { return nullptr; }
+}
+
+}  // namespace
+
 PresentResult TracingPresenter::present(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                                         const gl::PresentTarget& target) noexcept {
   return resultOf([&] { return tracedOrRasterised(real, snapshot, target); });
@@ -55,6 +67,7 @@ PresentResult TracingPresenter::tracedOrRasterised(const gl::RealGl& real, const
     result.uploaded = way == Way::uploaded;
     result.averages = traced->image.isAverages();
     if (!snapshot.catches) shared_.images.frame().wrote(shared, *traced, traced->image);
+    if (target.keepsPixels) result.written = keepWritten(traced->image);
   } else {
     result.why = why.empty() ? "the image could not be written back" : std::move(why);
     const PendingErrors more = takeErrors(real);

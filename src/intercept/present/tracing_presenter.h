@@ -9,6 +9,7 @@
 #include "intercept/present/traced_layers.h"
 #include "intercept/present/traced_window.h"
 #include "intercept/present/write_back/texture_upload.h"
+#include "scene/replaced_pixels.h"
 
 #include <string>
 #include <utility>
@@ -32,6 +33,8 @@ class TracingPresenter final : public gl::Presenter {
                             const gl::PresentTarget& target) noexcept override;
   gl::PresentResult resolve(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                             const gl::ResolveTarget& target) noexcept override;
+  gl::PresentResult relight(const gl::RealGl& real, const scene::SnapshotPtr& before,
+                            const scene::SnapshotPtr& now, const gl::RelightTarget& target) noexcept override;
   bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
                  const scene::Region& region, const Settings& settings) noexcept override;
   gl::LayerPresenter& layers() noexcept override { return layers_; }
@@ -51,6 +54,9 @@ class TracingPresenter final : public gl::Presenter {
   Way write(const gl::RealGl& real, const frame::ImageCache::CachedImage& cached,
             const scene::Snapshot& snapshot, const gl::PresentTarget& target, PendingErrors& pending,
             std::string& why) noexcept;
+  gl::PresentResult relit(const gl::RealGl& real, const scene::SnapshotPtr& before,
+                          const scene::SnapshotPtr& now, const gl::RelightTarget& target);
+  bool readShown(const gl::RealGl& real, const Image& written, bool layers, scene::ShownPixels& shown);
   gl::PresentResult resolved(const gl::RealGl& real, const scene::SnapshotPtr& snapshot,
                              const gl::ResolveTarget& target);
 
@@ -71,6 +77,7 @@ class TracingPresenter final : public gl::Presenter {
   // Of catchers: the framebuffer's depths, and the image without hidden pixels. Reused memory.
   ReusedCaptures depths_;
   Image seen_;
+  Image replaced_;  // of relight(); reused memory
 };
 
 }  // namespace gluray::present

@@ -66,7 +66,7 @@ json idleReport() {
 
 json makeReport(const Totals& totals) {
   const gl::Statistics& s = totals.statistics;
-  const uint64_t frames = s.frames + s.framesInFront;
+  const uint64_t frames = s.frames + s.framesInFront + s.framesInMemory;
   const double perFrame = frames ? 1000.0 / static_cast<double>(frames) : 0;
   json reasons = json::object();
   for (int i = 0; i < gl::kReasonCount; ++i)
@@ -86,7 +86,7 @@ json makeReport(const Totals& totals) {
       {"lag", lagReport()},
       {"draws", {{"traced", s.drawsTraced}, {"rasterised", reasons}}},
       {"triangles", {{"traced", s.trianglesTraced}, {"rasterised", s.trianglesRasterised}}},
-      {"lit", {{"draws", s.drawsLit}}},
+      {"lit", {{"draws", s.drawsLit}, {"imagesAgain", s.imagesRelit}}},
       {"culled", {{"draws", s.drawsCulled}, {"trianglesLeftOut", s.trianglesLeftOut}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
       {"light", {{"passes", s.lightPasses}, {"noise", s.lightNoise}, {"idle", idleReport()}}},

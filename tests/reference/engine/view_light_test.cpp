@@ -1,77 +1,14 @@
 // Surfaces of one view light each other although they are traced in several batches; those of other views do
 // not (adr/0047).
-#include "tests/reference/engine/quad.h"
-#include "tests/support/traced_context.h"
+#include "tests/reference/engine/lit_program.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <memory>
 #include <string>
 
-namespace gluray::test {
+namespace gluray::test::lit {
 namespace {
-
-constexpr int kLitViewSize = 64;
-using Gl = const gl::RealGl&;
-using Step = std::function<void(Gl)>;
-
-/// A slightly tilted floor that fills the window.
-void floor(Gl gl) {
-  gl.Color4f(1, 1, 1, 1);
-  quad(gl, {-1, -1, 0.5f}, {1, -1, 0.51f}, {1, 1, 0.51f}, {-1, 1, 0.5f});
-}
-/// On it at the right, seen edge-on: nearly nothing of it is visible.
-void wall(Gl gl) {
-  gl.Color4f(1, 1, 1, 1);
-  quad(gl, {0.9f, -1, 0.51f}, {0.95f, -1, -0.9f}, {0.95f, 1, -0.9f}, {0.9f, 1, 0.51f});
-}
-void nothing(Gl) {}
-
-Settings coarseAo(bool on = true) {
-  Settings settings = TracedContext::tracing();
-  settings.ao.enabled = on;
-  settings.ao.samples = 64;
-  settings.ao.distance = 2;
-  return settings;
-}
-
-class LitProgram {
- public:
-  explicit LitProgram(const Settings& settings) : context_({kLitViewSize, kLitViewSize}, settings) {
-    gl().Enable(GL_DEPTH_TEST);
-    gl().ClearColor(0, 0, 0, 0);
-  }
-  Gl gl() const { return context_.gl(); }
-  DrawnImage frame(const std::vector<Step>& steps) {
-    context_.makeCurrent();
-    gl().DepthFunc(GL_LESS);
-    gl().Viewport(0, 0, kLitViewSize, kLitViewSize);
-    gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (const Step& step : steps) step(gl());
-    gl().Finish();
-    return context_.read();
-  }
-  const gl::Statistics& statistics() const { return context_.context().counts.statistics; }
-  const gl::ViewScenes& views() const { return context_.context().surfaces.views; }
-
- private:
-  TracedContext context_;
-};
-
-DrawnImage frameOf(const std::vector<Step>& steps, const Settings& settings = coarseAo()) {
-  return LitProgram(settings).frame(steps);
-}
-
-/// Red of the floor's pixels, left of the wall.
-std::vector<int> floorOf(const DrawnImage& image) {
-  std::vector<int> result;
-  for (int y = 4; y < kLitViewSize - 4; ++y)
-    for (int x = 4; x < 60; ++x)
-      result.push_back(static_cast<int>(image.colors[static_cast<size_t>(y * kLitViewSize + x)] & 255));
-  return result;
-}
 
 /// Has the real OpenGL draw a blended line at the window's rim.
 void blendedLine(Gl gl) {
@@ -175,22 +112,6 @@ TEST(ViewLight, AMarkerInACornerNeitherShadesNorIsShaded) {
   }
 }
 
-const Step kSplit = [](Gl gl) { gl.DepthFunc(GL_LEQUAL); };
-
-TEST(ViewLight, WhatComesLaterIsKnownFromTheFrameBefore) {
-  LitProgram program(coarseAo());
-  const std::vector<int> whole = floorOf(frameOf({floor, wall})), alone = floorOf(frameOf({floor}));
-  ASSERT_NE(whole, alone);
-  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), alone);
-  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
-  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
-  const uint64_t repeated = program.statistics().repeated;
-  EXPECT_EQ(floorOf(program.frame({floor, kSplit, wall})), whole);
-  EXPECT_EQ(program.statistics().repeated, repeated + 2) << "images are used again while nothing changes";
-  EXPECT_EQ(floorOf(program.frame({floor})), whole) << "what the program leaves out is missed a frame later";
-  EXPECT_EQ(floorOf(program.frame({floor})), alone);
-}
-
 /// The mean of the floor's pixels.
 double meanOf(const std::vector<int>& values) {
   double sum = 0;
@@ -261,4 +182,4 @@ TEST(ViewLight, SwitchedOffKeepsNothing) {
 }
 
 }  // namespace
-}  // namespace gluray::test
+}  // namespace gluray::test::lit
