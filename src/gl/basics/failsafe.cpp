@@ -33,7 +33,7 @@ void Failsafe::fail(scene::Loss loss, const char* why) noexcept {
 void Failsafe::depthCleared() noexcept {
   if (pause_ > 0) {
     --pause_;
-  } else if (nextPause_ > 1 && ++since_ >= nextPause_) {  // as long without a failure: begins anew
+  } else if (nextPause_ > 1 && ++since_ >= nextPause_) {  // no failure for that long
     nextPause_ = 1;
   }
 }
