@@ -37,8 +37,8 @@ struct LayersTarget {
   glm::ivec2 size{0};                   // of all these textures
   ImageWish wish;
   bool written = false;         // `result` holds a traced image
-  bool mayAsk = false;          // image and later peels wait until the number of peels is known
-  std::vector<uint32_t> image;  // traced, not yet written to `result`, which is the newest peel's texture
+  bool mayAsk = false;          // image and later peels may wait until the number of peels is known
+  std::vector<uint32_t> image;  // traced, not yet written to `result`, the newest peel's texture
   std::vector<HeldPass> later;  // the program's clears and draws after the first peel
 };
 
