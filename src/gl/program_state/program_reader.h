@@ -1,5 +1,5 @@
 // Interprets one shader program's uniforms, textures and attributes as its family describes them. Private to
-// program_state.cpp and program_colors.cpp. GL thread.
+// gl/program_state. GL thread.
 #pragma once
 #include "gl/program_state/program_state.h"
 #include "gl/programs/uniforms.h"

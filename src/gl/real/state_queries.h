@@ -1,4 +1,4 @@
-// Queries of the real OpenGL that return their result. Private to gl/, GL thread.
+// Queries of the real OpenGL that return their result. Used by gl/ and intercept/present, GL thread.
 #pragma once
 #include "gl/real/real.h"
 
