@@ -18,7 +18,7 @@ inline constexpr int kMinSize = 16, kMaxSize = 512,
                      kUsualSize = 256;                // pixels of a thumbnail's longest side
 inline constexpr size_t kBehind = size_t{256} << 10;  // bytes waiting for a client that make it slow
 
-/// What a client, or all clients together, observe of a program.
+/// The data of a program that a client, or all clients together, observe.
 struct Wish {
   bool state = false, settings = false, thumbnail = false;
   int size = 0;  // of thumbnails, in pixels; 0: unspecified

@@ -26,7 +26,7 @@ void Failsafe::fail(scene::Loss loss, const char* why) noexcept {
                  std::string("GLuRay is disabled, and the real OpenGL draws everything from now on: ") + why);
     }
     drawHeld_();
-  } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices
+  } catch (...) {  // nothing more can be done; the real OpenGL continues without these vertices
   }
 }
 

@@ -59,7 +59,8 @@ void makeMatte(scene::Instance& instance, scene::Shading& shading) {
   instance.materials = {{material, material}};
 }
 
-/// Gives the surface the colours that were drawn, whatever light reaches it: mirrors and paths see these.
+/// Makes the surface unlit. Mirrors and paths then show the colours that were drawn, regardless of the light
+/// that reaches the surface.
 void makeUnlit(scene::Instance& instance, scene::Shading& shading) {
   makeMatte(instance, shading);
   shading.fragment.model = scene::FragmentShading::Model::unlit;

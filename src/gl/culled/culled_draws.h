@@ -82,8 +82,8 @@ class CulledDraws {
   /// Finds the array of a program's attribute. Returns false if there is none.
   bool findPositions(CulledProgram& program, const std::string& attribute, const ArrayState*& arrays,
                      const ArraySource*& positions);
-  /// Reports that a culled draw of the program (null: fixed function) was visible: stops culling such draws,
-  /// and logs one line.
+  /// Reports that a culled draw of the program (null: fixed function) differs from the complete draw: stops
+  /// culling such draws, and logs one line.
   void refuseDifferent(CulledProgram* program);
 
   /// Whether the settings and the real OpenGL allow culled draws.

@@ -18,8 +18,8 @@ bool mayBeControlled() noexcept;
 /// Call when a frame begins: checks for a hub from time to time. `now`: nowSeconds().
 void lookForHub(double now) noexcept;
 
-/// Leaves the file by which hubs find this program, once. If `window` is set, also replaces a file that was
-/// left without a window.
+/// Writes the file by which hubs find this program, once. If `window` is set, also replaces a file that was
+/// written without a window.
 void leaveFile(const ShownWindow& window = {}) noexcept;
 
 /// Call in the child of a fork.

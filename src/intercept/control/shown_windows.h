@@ -14,7 +14,7 @@ struct ShownWindow {
   bool operator==(const ShownWindow&) const = default;
 };
 
-/// Call when a swap has shown a frame in a GLX drawable. For the first window, leaves the file by which hubs
+/// Call when a swap has shown a frame in a GLX drawable. For the first window, writes the file by which hubs
 /// find this program. While swaps show the same drawable, it costs a comparison.
 void noteShown(_XDisplay* display, uintptr_t drawable) noexcept;
 

@@ -1,4 +1,4 @@
-// What the hub may query and request of a program. Implemented by the engine, and by a fake in tests. All
+// Queries and requests of the hub to a program. Implemented by the engine, and by a fake in tests. All
 // calls on the control thread, which may have its own descriptor table, except call(), which is on a thread
 // with the process's table (control/link/apart.h).
 #pragma once

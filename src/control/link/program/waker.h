@@ -13,11 +13,11 @@ class Waker {
  public:
   static constexpr double kLook = 0.3;    // time in which an exposure shows its effect
   static constexpr double kPoll = 0.02;   // interval of checks meanwhile
-  static constexpr double kWider = 0.1;   // until windows are told their own size again
-  static constexpr int kMaxFailures = 2;  // after so many ineffective sizes, no more are told
+  static constexpr double kWider = 0.1;   // until windows are sent their own size again
+  static constexpr int kMaxFailures = 2;  // after so many ineffective sizes, no more are sent
 
   Waker(ControlledProgram& program, const SettingsSource& source) : program_(program), source_(source) {}
-  /// Tells windows their own size, if they were told another one.
+  /// Sends windows their own size, if they were last sent another one.
   ~Waker() {
     if (step_ == Step::wider) program_.tellSize(false);
   }
@@ -34,9 +34,9 @@ class Waker {
  private:
   enum class Step {
     rest,
-    exposed,  // exposed; its effect is awaited
-    wider,    // windows are told to be one pixel wider
-    told      // windows were told their own size; the effect is awaited
+    exposed,  // windows were exposed; waits for the effect
+    wider,    // windows were sent a size one pixel wider
+    told      // windows were sent their own size; waits for the effect
   };
   void begin(double now);
   void seeExposure(double now);
