@@ -1,5 +1,5 @@
-/* How much address space limits of the process leave (ulimit -v, -d), and how much OpenGL and GLuRay need:
-   the real OpenGL's compiler ends the program where it finds none. C, for the doors, and C++. Any thread. */
+/* How much address space the process's limits leave (ulimit -v, -d), and how much OpenGL and GLuRay need: if
+   it runs out, the real OpenGL's compiler ends the program. C, for the doors, and C++. Any thread. */
 #pragma once
 #include <fcntl.h>
 #include <limits.h>
@@ -8,16 +8,16 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* Bytes. A thread takes its stack, and 64 MB for an arena of malloc. */
+/* Address space of a thread: its stack, and 64 MB for an arena of malloc. */
 enum { glurayThreadMegabytes = 8 + 64 + 16 };
-/* For the engine: its libraries (60 MB), a thread that traces, one that builds, and what they need at first.
- */
+/* Bytes for the engine: its libraries (60 MB), a tracing thread, a building thread, and their first data. */
 static const unsigned long long glurayEngineBytes = 248ull << 20;
-/* Left to the program and the real OpenGL while an image is traced: for compiling shaders, for an arena. */
+/* Bytes left to the program and the real OpenGL while an image is traced: for compiling shaders, for an
+   arena. */
 static const unsigned long long glurayFrameReserve = 384ull << 20;
 
-/* Bytes that limits of address space and data leave; ULLONG_MAX: there are none. Without /proc, the lower
-   limit. */
+/* Bytes that the limits of address space and data leave; ULLONG_MAX without limits. Without /proc, the lower
+   limit itself. */
 static inline unsigned long long glurayAddressSpaceLeft(void) {
   struct rlimit all, data;
   if (getrlimit(RLIMIT_AS, &all) != 0) all.rlim_cur = RLIM_INFINITY;
@@ -45,8 +45,8 @@ static inline unsigned long long glurayAddressSpaceLeft(void) {
 }
 
 /* Bytes that the real OpenGL, whose libraries are loaded, needs from its first context to its first image.
-   Mesa's rasterizer on the CPU starts a thread for each processor, at most 32, unless LP_NUM_THREADS says how
-   many. */
+   Mesa's software rasteriser starts a thread for each processor, at most 32, unless LP_NUM_THREADS sets the
+   number. */
 static inline unsigned long long glurayRealGlBytes(void) {
   const unsigned long long compiler = 240ull << 20;
   const char* chosen = getenv("LP_NUM_THREADS");
@@ -59,7 +59,7 @@ static inline unsigned long long glurayRealGlBytes(void) {
   return compiler + ((unsigned long long)(threads * glurayThreadMegabytes) << 20);
 }
 
-/* Why nothing is traced; the number is glurayLoadBytes() in MB. */
+/* Reason why nothing is traced; the number is glurayLoadBytes() in MB. */
 #define GLURAY_ADDRESS_SPACE_IS_SHORT \
   "limits of the process (ulimit -v, -d) leave less than the %llu MB that OpenGL and ray tracing need"
 

@@ -7,19 +7,19 @@
 
 namespace gluray {
 
-/// Stack that onAmpleStack() gives to work, in bytes: more than tracing with all effects uses.
+/// Stack that onAmpleStack() provides, in bytes: more than tracing with all effects uses.
 inline constexpr size_t kAmpleStack = size_t{512} << 10;
 
-/// Bytes left on the calling thread's stack. 0 where the program has moved the thread to a stack of its own
-/// (a coroutine); SIZE_MAX if unknown.
+/// Bytes left on the calling thread's stack. 0 if the program has moved the thread to a stack of its own (a
+/// coroutine); SIZE_MAX if unknown.
 size_t stackLeft() noexcept;
 
-/// Calls work(object) on a thread of ours and waits for it. Throws what it throws, and std::bad_alloc if no
+/// Calls work(object) on a new thread and waits for it. Rethrows its exceptions; throws std::bad_alloc if no
 /// thread can be started.
 void callOnOwnStack(void (*work)(void* object), void* object);
 
-/// Calls work() and returns its result: on the caller's thread if kAmpleStack is left on its stack, otherwise
-/// on a thread of ours while the caller waits, so `work` must not call OpenGL. Throws what it throws, and
+/// Calls work() and returns its result: on the caller's thread if that has kAmpleStack left, otherwise on a
+/// new thread while the caller waits, so `work` must not call OpenGL. Rethrows its exceptions; throws
 /// std::bad_alloc.
 template <class Work>
 auto onAmpleStack(Work&& work) {

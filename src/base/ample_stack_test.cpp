@@ -102,7 +102,8 @@ TEST(AmpleStack, CoroutinesCountAsShort) {
   EXPECT_EQ(g_left, 0u);
 }
 
-// Threads of ours have room whatever limit the program was started with; the default size stands for it.
+// GLuRay's own threads have enough stack whatever limit the program was started with. The test sets the
+// default size instead of the limit.
 TEST(AmpleStack, BackgroundJobsHaveRoomWhereTheDefaultIsSmall) {
   pthread_attr_t usual, small;
   ASSERT_EQ(pthread_getattr_default_np(&usual), 0);

@@ -15,7 +15,7 @@
 namespace gluray {
 namespace {
 
-constexpr time_t kExitPatience = 2;  // seconds by which exit() may be delayed
+constexpr time_t kExitPatience = 2;  // maximum seconds by which exit() is delayed
 constexpr useconds_t kParkingMicroseconds = 20'000;
 
 std::atomic<bool> g_abandoned{false};
@@ -91,8 +91,9 @@ bool BackgroundJob::start(Work work, Priority priority) noexcept {
 
 namespace {
 
-/// Of the calling thread, on Linux: to a quarter of a core that one tracing thread uses, too; all of an idle
-/// core. With much less, a program that never pauses would hardly ever get what is made in the background.
+/// Lowers the priority of the calling thread, on Linux: to a quarter of a core that it shares with a tracing
+/// thread, and to all of an idle core. With much less, a program that never pauses would hardly ever get the
+/// results of background jobs.
 void lowerPriority() noexcept {
   constexpr int kNicer = 5, kNicest = 19;
   const auto thread = static_cast<id_t>(gettid());

@@ -10,15 +10,15 @@
 
 namespace gluray {
 
-/// Never returns once the process exits. For a job's threads inside a library whose work must not be
-/// cancelled during exit; they call it from time to time.
+/// Does not return once the process exits. Called from time to time by a job's threads in a library whose
+/// work must not be cancelled during exit.
 void parkAtExit() noexcept;
 
 /// Starts a thread per job. When the process exits, it cancels a running job before the libraries that the
 /// job uses are unloaded.
 class BackgroundJob {
  public:
-  /// The job's function. It polls `cancelled` and ends early once that is set. Throwing means failure.
+  /// The job's function. It polls `cancelled` and ends early once that is set. An exception means failure.
   using Work = std::function<void(const std::atomic<bool>& cancelled)>;
 
   BackgroundJob() = default;
@@ -31,7 +31,7 @@ class BackgroundJob {
   bool busy() const { return static_cast<bool>(work_); }
   /// Whether poll() would report Outcome::done.
   bool done() const { return work_ && !cancelled_ && state_.load(std::memory_order_acquire) == State::done; }
-  enum class Priority { low, usual };  // low: a quarter of a core that a tracing thread uses, too
+  enum class Priority { low, usual };  // low: a quarter of a core shared with a tracing thread
   /// Starts `work`. Requires !busy(). False if no thread can be started.
   bool start(Work work, Priority priority = Priority::low) noexcept;
   /// Asks the job to end early. It stays busy until poll() reports it.

@@ -21,7 +21,7 @@ constexpr mode_t kMode = 0644;
 
 std::string reason(int error) { return std::error_code(error, std::generic_category()).message(); }
 
-/// Error for anything but a regular file; empty: it is one.
+/// Error for anything but a regular file; empty for a regular file.
 std::string kindProblem(mode_t mode) {
   if (S_ISREG(mode)) return "";
   if (S_ISDIR(mode)) return reason(EISDIR);
@@ -32,7 +32,7 @@ std::string kindProblem(mode_t mode) {
   return std::string("it is ") + kind + ", not a regular file";
 }
 
-/// The descriptor of the stream that `path` means; -1: none.
+/// The descriptor of the stream that `path` refers to; -1 if it is a file.
 int streamOf(const std::string& path) {
   if (path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1")
     return STDOUT_FILENO;
@@ -45,7 +45,7 @@ bool isNull(const std::string& path) {
   return lstat(path.c_str(), &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == makedev(1, 3);
 }
 
-constexpr int kPatienceMs = 1000;  // for the reader of a whole report
+constexpr int kPatienceMs = 1000;  // for a slow reader of a whole report
 
 Opened opened(int descriptor, std::string path = "") {
   if (descriptor < 0) return {glurayNoOutput(), "", reason(errno)};
@@ -66,7 +66,7 @@ Streams& streams() {
   return both;
 }
 
-/// Opens the file again if its name still means it.
+/// Opens the file again if its name still refers to it.
 bool reopen(Opened& opened) {
   const int flags = O_WRONLY | O_APPEND | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int descriptor = opened.path.empty() ? -1 : open(opened.path.c_str(), flags);
@@ -80,7 +80,7 @@ bool reopen(Opened& opened) {
   return same;
 }
 
-/// Creates a file with a new name beside `path`; returns it and its name.
+/// Creates a file with a new name beside `path`. Returns its descriptor and name.
 std::pair<int, std::string> openDraft(const std::string& path, mode_t mode) {
   constexpr int kAttempts = 16;
   const std::string folder = path.substr(0, path.rfind('/') + 1);
@@ -193,7 +193,7 @@ Opened append(const std::string& path) {
   const int flags = O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
   const int file = open(path.c_str(), flags, kMode);
   if (file < 0) return opened(file);
-  struct stat status {};  // the name may mean another file by now
+  struct stat status {};  // the name may refer to another file by now
   std::string problem = fstat(file, &status) != 0 ? reason(errno) : kindProblem(status.st_mode);
   if (problem.empty()) return opened(file, path);
   ::close(file);
@@ -216,7 +216,7 @@ void removeOld(const std::string& path) {
 
 namespace {
 
-/// Error if others than the user and root own or may write the file; empty: none.
+/// Error if anyone but the user and root owns or may write the file; empty if none.
 std::string ownerProblem(const struct stat& status) {
   if (status.st_uid != 0 && status.st_uid != geteuid()) return "it belongs to another user";
   // A private group, whose number equals the user's, has no other members.

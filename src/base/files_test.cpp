@@ -157,7 +157,7 @@ TEST_F(Files, StreamsAreNotFiles) {
   EXPECT_FALSE(isStream("a"));
   EXPECT_EQ(replace("/dev/null", "text"), "");
   testing::internal::CaptureStdout();
-  EXPECT_EQ(replace("-", "text"), "the program has closed it");  // it means another file
+  EXPECT_EQ(replace("-", "text"), "the program has closed it");  // the descriptor refers to another file
   ownStreams();
   EXPECT_EQ(replace("-", "text"), "");
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "text");

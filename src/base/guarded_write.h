@@ -1,6 +1,6 @@
 /* Writes to the standard streams, and to files that stay open, inside a host program. The host may close the
-   descriptor and reuse its number, so each write first checks that the number still means the same file. A
-   write never blocks on a pipe, socket or terminal, and its signals (SIGPIPE, SIGTTOU, SIGXFSZ) never reach
+   descriptor and reuse its number, so each write first checks that the number still refers to the same file.
+   A write never blocks on a pipe, socket or terminal, and its signals (SIGPIPE, SIGTTOU, SIGXFSZ) never reach
    the host. C, for the doors, and C++; libc only. Any thread. */
 #pragma once
 #ifndef _GNU_SOURCE
@@ -23,7 +23,7 @@
    DEVICE.INODE" in hexadecimal; "-": closed. */
 #define GLURAY_STREAMS "GLURAY_STREAMS"
 
-/* A descriptor and the file that it means. */
+/* A descriptor and the file that it refers to. */
 typedef struct GlurayOutput {
   int descriptor; /* -1: none */
   unsigned long long device, inode;
@@ -34,7 +34,7 @@ static inline GlurayOutput glurayNoOutput(void) {
   return none;
 }
 
-/* The file that `descriptor` means now. */
+/* The file that `descriptor` refers to now. */
 static inline GlurayOutput glurayOutputOf(int descriptor) {
   struct stat status;
   const int before = errno;
@@ -48,14 +48,14 @@ static inline GlurayOutput glurayOutputOf(int descriptor) {
   return output;
 }
 
-/* Whether the number still means the same file. */
+/* Whether the descriptor still refers to the same file. */
 static inline int glurayIsSame(const GlurayOutput* output) {
   const GlurayOutput now = glurayOutputOf(output->descriptor);
   return now.descriptor >= 0 && now.device == output->device && now.inode == output->inode;
 }
 
-/* Standard output (1) or standard error (2) as the launcher passed it to the program. Without a launcher,
-   what the number means now, unless it is a regular file: the host may have opened that. */
+/* Standard output (1) or standard error (2) as the launcher passed it to the program. Without a launcher, the
+   file that the number refers to now, unless it is a regular file: the host may have opened that. */
 static inline GlurayOutput glurayStream(int number) {
   const char* text = getenv(GLURAY_STREAMS);
   GlurayOutput output = glurayOutputOf(number);
@@ -71,8 +71,8 @@ static inline GlurayOutput glurayStream(int number) {
   return output;
 }
 
-/* A second descriptor of a pipe or terminal whose writes do not block; -1: there can be none. The flag
-   O_NONBLOCK of `descriptor` itself belongs to all processes that share it. */
+/* A second descriptor of a pipe or terminal, whose writes do not block; -1 if there can be none. The flag
+   O_NONBLOCK of `descriptor` itself would affect all processes that share it. */
 static inline int glurayReopened(const GlurayOutput* output) {
   char path[40];
   snprintf(path, sizeof path, "/proc/self/fd/%d", output->descriptor);
@@ -84,7 +84,7 @@ static inline int glurayReopened(const GlurayOutput* output) {
   return -1;
 }
 
-/* Writes a part of `bytes` without blocking. Returns as write(2) does. */
+/* Writes a part of `bytes` without blocking. Returns the same values as write(2). */
 static inline ssize_t glurayWritePart(const GlurayOutput* output, const char* bytes, size_t length) {
   struct stat status;
   const int descriptor = output->descriptor;
@@ -100,14 +100,14 @@ static inline ssize_t glurayWritePart(const GlurayOutput* output, const char* by
     errno = error;
     return written;
   }
-  /* A pipe that is ready takes PIPE_BUF bytes. */
+  /* A pipe that is ready accepts PIPE_BUF bytes. */
   const size_t most = fifo ? PIPE_BUF : 64;
   struct pollfd ready = {descriptor, POLLOUT, 0};
   if (poll(&ready, 1, 0) <= 0) return errno = EAGAIN, -1;
   return write(descriptor, bytes, length < most ? length : most);
 }
 
-/* Removes a signal that a write of this thread caused; it is blocked. */
+/* Removes a pending, blocked signal that this thread's write has caused. */
 static inline void glurayDropSignal(int error, const sigset_t* pendingBefore) {
   const int number = error == EPIPE ? SIGPIPE : error == EFBIG ? SIGXFSZ : 0;
   const struct timespec now = {0, 0};
@@ -118,9 +118,9 @@ static inline void glurayDropSignal(int error, const sigset_t* pendingBefore) {
   while (sigtimedwait(&one, NULL, &now) < 0 && errno == EINTR) {}
 }
 
-/* Writes `bytes`, if the descriptor still means the same file. Waits at most `patienceMs` for a reader that
-   takes nothing. Returns the bytes written; `*error`: 0, or why these are not all (EAGAIN: the reader is
-   slow; EBADF: the descriptor is closed, or means another file). Keeps errno. */
+/* Writes `bytes`, if the descriptor still refers to the same file. Waits at most `patienceMs` for a reader
+   that does not read. Returns the number of bytes written. `*error`: 0, or why that is not all (EAGAIN: the
+   reader is slow; EBADF: the descriptor is closed, or refers to another file). Preserves errno. */
 static inline size_t glurayWrite(const GlurayOutput* output, const char* bytes, size_t length, int patienceMs,
                                  int* error) {
   const int errnoBefore = errno;

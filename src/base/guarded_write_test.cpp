@@ -111,7 +111,7 @@ TEST_F(GuardedWrite, PipesWithoutReadersSendNoSignal) {
   EXPECT_FALSE(sigismember(&blocked, SIGPIPE));
 }
 
-/// The host's own SIGPIPE, blocked and pending, is not taken from it.
+/// The host's own SIGPIPE, blocked and pending, is not removed.
 TEST_F(GuardedWrite, ThePendingSignalOfTheHostStays) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe(ends.data()), 0);

@@ -7,17 +7,17 @@
 
 namespace gluray {
 
-/// A 128-bit content hash (XXH3). Different contents collide with probability 2^-128, so equal hashes count
-/// as equal contents.
+/// A 128-bit content hash (XXH3). Different contents collide with probability 2^-128, so that contents with
+/// equal hashes are treated as equal.
 struct Hash128 {
   uint64_t low = 0, high = 0;
   bool operator==(const Hash128&) const = default;
 };
 
-/// Hash of `sizeBytes` bytes, chained to `seed` so that several arrays have one hash.
+/// Hash of `sizeBytes` bytes, chained to `seed`, so that several arrays can share one hash.
 Hash128 hashBytes(const void* data, size_t sizeBytes, Hash128 seed = {});
 
-/// hashBytes() of bytes that come in pieces.
+/// hashBytes() for bytes that arrive in pieces.
 class HashStream {
  public:
   HashStream();  // throws std::bad_alloc
@@ -26,7 +26,7 @@ class HashStream {
   HashStream& operator=(HashStream&&) noexcept;
 
   void add(const void* data, size_t sizeBytes) noexcept;
-  /// Returns the hash and starts the next.
+  /// Returns the hash and starts the next one.
   Hash128 finishHash() noexcept;
 
  private:

@@ -15,9 +15,10 @@ struct WindowPixels {
 class IdleWindow {
  public:
   virtual ~IdleWindow() = default;
-  /// The pixels that are seen. False: it is gone, hidden, or the program has drawn something newer.
+  /// Reads the visible pixels. Returns false if the window is gone or hidden, or the program has drawn a
+  /// newer image.
   virtual bool read(WindowPixels& out) noexcept = 0;
-  /// Shows `next` if the window still shows `now`, to the bit. False: nothing was changed.
+  /// Shows `next` if the window still shows exactly `now`. Returns false if nothing was changed.
   virtual bool replace(const WindowPixels& now, const WindowPixels& next) noexcept = 0;
 };
 

@@ -23,7 +23,7 @@ enum class Plane : uint8_t {
   wideColor = 2,      // RGBA floats, not clamped to [0, 1]
   depth = 4,          // window depth
   transmittance = 8,  // product of 1 - opacity over all fragments
-  centerDepth = 16,   // window depth at the pixel's centre, where pixels are averages over several rays
+  centerDepth = 16,   // window depth at the pixel's centre, if pixels are averages
 };
 
 /// A set of planes.
@@ -44,12 +44,12 @@ class Planes {
 constexpr Planes operator|(Plane a, Plane b) { return Planes(a) | Planes(b); }
 
 /// Planes of `width` x `height` pixels, bottom row first, as in OpenGL. With several samples per pixel, each
-/// plane holds all pixels' first samples, then all second samples, and so on.
+/// plane stores the first samples of all pixels, then all second samples, and so on.
 struct Image {
   static constexpr float kMiss = 2.0f;  // depth of a pixel that no ray hit
   static constexpr Planes kColorDepth = Plane::color | Plane::depth;
   static constexpr Planes kWide = Plane::wideColor | Plane::depth;
-  /// Sums over all fragments: of colour times opacity, and in alpha of opacity.
+  /// Sums over all fragments: colour times opacity and, in alpha, opacity.
   static constexpr Planes kSums = kWide | Plane::transmittance;
 
   int x = 0, y = 0;                  // window coordinates of the lower left pixel
@@ -60,8 +60,9 @@ struct Image {
   std::vector<float> wideColor;      // four per pixel
   std::vector<float> depth;          // in [0, 1]; kMiss for misses
   std::vector<float> transmittance;  // 1 for misses
-  /// Depth at the pixel's centre, where pixels are averages over several rays (misses average as 0 in all
-  /// channels). `depth` equals it, or if the centre missed, is the nearest ray's.
+  /// Depth at the pixel's centre, if pixels are averages over several rays. (In averages, misses count as 0
+  /// in all channels.) `depth` is equal to it or, if the ray at the centre missed, to the depth of the
+  /// nearest ray.
   std::vector<float> centerDepth;
   uint32_t missColor = 0;  // value of misses in `color`; set before tracing. 0 for averages
   LayerCounts layers;
@@ -72,13 +73,13 @@ struct Image {
   /// Whether each pixel has one RGBA8 colour and one depth, from one ray.
   bool isPlain() const { return planes == kColorDepth && samples == 1; }
 
-  /// Memory of the planes.
+  /// Memory of the planes in bytes.
   size_t bytes() const {
     return 4 * (color.capacity() + depth.capacity() + wideColor.capacity() + transmittance.capacity() +
                 centerDepth.capacity());
   }
 
-  /// Allocates the given shape, reusing memory. Contents are undefined afterwards.
+  /// Allocates planes of this shape and reuses memory. Afterwards their contents are undefined.
   void resize(int newWidth, int newHeight, int newSamples, Planes newPlanes = kColorDepth) {
     width = newWidth, height = newHeight, samples = newSamples, planes = newPlanes;
     const auto count =

@@ -16,7 +16,7 @@ namespace {
 
 struct State {
   std::mutex mutex;
-  files::Opened file;  // not open: standard error
+  files::Opened file;  // if not open, standard error is used
   Level level = Level::warning;
   std::set<std::string, std::less<>> said;
   std::deque<std::string> recent;
@@ -53,7 +53,7 @@ void configure(Level level, std::string_view file) {
   State& s = state();
   const std::lock_guard lock(s.mutex);
   s.level = level;
-  files::stream(STDERR_FILENO);  // identified now, before the host program may open another file
+  files::stream(STDERR_FILENO);  // identified now, before the host program can open another file
   files::close(s.file);
   if (file.empty()) return;
   const std::string path(file);

@@ -23,13 +23,13 @@ void write(Level level, std::string_view message) noexcept;
 /// Writes `message` unless one with the same `key` was written before.
 void once(Level level, std::string_view key, std::string_view message) noexcept;
 
-/// Lines of the calling thread are written by `run`, which calls its argument on another thread and waits for
-/// it: for threads with a descriptor table of their own. Null: by the calling thread.
+/// Makes `run` write the lines of the calling thread: it calls its argument on another thread and waits for
+/// it. For threads with a descriptor table of their own. Null: the calling thread writes.
 using Run = void (*)(const std::function<void()>& write);
 void writeBy(Run run) noexcept;
 
-/// The last kRecent messages at level warning or above, oldest first, as far as memory allowed; also those
-/// that configure() keeps from being written. Long ones are cut.
+/// The last kRecent messages at level warning or above, oldest first, as far as memory allowed, including
+/// those that configure() excludes from the log. Long messages are cut.
 inline constexpr int kRecent = 20;
 std::vector<std::string> recent();
 

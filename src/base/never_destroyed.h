@@ -1,5 +1,5 @@
-// Static objects that are never destroyed: programs call us, and threads trace, while the process exits. Any
-// thread.
+// Static objects that are never destroyed, because programs call GLuRay, and threads trace, while the process
+// exits. Any thread.
 #pragma once
 #include <cstddef>
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace gluray {
 
-/// A static object. Making it allocates nothing but what T's constructor does, so that functions which may
-/// not throw can make it when memory has run out.
+/// A static object. Its construction allocates only what T's constructor allocates, so that functions that
+/// must not throw can construct it when memory has run out.
 template <class T>
 class NeverDestroyed {
  public:

@@ -7,7 +7,7 @@ namespace {
 
 constexpr size_t kMinStack = size_t{2} << 20;  // bytes
 
-/// The usual size has room for the program's thread-local objects, which lie on the stack, too.
+/// The default size has room for the program's thread-local objects, which are also on the stack.
 size_t stackSize() {
   size_t usual = 0;
   pthread_attr_t attributes;

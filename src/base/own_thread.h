@@ -6,8 +6,8 @@
 
 namespace gluray {
 
-/// Blocks the host's signals for threads started during its lifetime: the host's handlers must not run on our
-/// threads.
+/// Blocks the host's signals for threads started during its lifetime: the host's handlers must not run on
+/// GLuRay's threads.
 class SignalsBlocked {
  public:
   SignalsBlocked();
@@ -19,8 +19,9 @@ class SignalsBlocked {
   sigset_t saved_;
 };
 
-/// Starts a joinable thread that runs run(argument), with the host's signals blocked. Its stack has the usual
-/// size, but at least 2 MB whatever the limit of stacks is (ulimit -s). False: none can be started.
+/// Starts a joinable thread that runs run(argument), with the host's signals blocked. Its stack has the
+/// default size, but at least 2 MB whatever the stack limit is (ulimit -s). Returns false if no thread can be
+/// started.
 bool startThread(pthread_t& thread, void* (*run)(void*), void* argument) noexcept;
 
 }  // namespace gluray

@@ -1,4 +1,4 @@
-// exit() destroys static objects after isExiting() has become true, when they were made before
+// exit() destroys static objects after isExiting() has become true, if they were constructed before
 // watchForExit().
 #include "base/process_exit.h"
 
@@ -10,7 +10,7 @@
 namespace gluray {
 namespace {
 
-/// A static object of a program: the process ends with code 3 where it is destroyed while exiting.
+/// A static object of a program: the process ends with code 3 if it is destroyed while isExiting().
 struct Witness {
   ~Witness() { _exit(isExiting() ? 3 : 4); }
 };

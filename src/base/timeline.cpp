@@ -137,7 +137,7 @@ bool openFile(Recorder& recorder) {
   return recorder.output.isOpen();
 }
 
-/// Writes `out`, as far as the file's reader takes it. False: it cannot be written any more.
+/// Writes `out`, as far as the file's reader accepts it. Returns false if the file can no longer be written.
 bool writeOn(Recorder& recorder, const std::string& out, bool last) {
   if (!openFile(recorder)) return false;
   recorder.unwritten += out;

@@ -1,4 +1,4 @@
-// The file of `--timeline`. A process has one recording, so tests look for their events by name.
+// The file of `--timeline`. A process has one recording, so tests find their events by name.
 #include "base/timeline.h"
 
 #include <gtest/gtest.h>

@@ -13,13 +13,13 @@ bool beginsKey(char c) {
          c == '"' || c == '\'' || (c & 0x80) != 0;
 }
 
-/// Walks over a text's strings, comments and arrays.
+/// Scans the strings, comments and arrays of a text.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
 
-  /// The line of the first table header without a key, key without a value, or bracket that closes none, from
-  /// 1; 0: none.
+  /// The line, from 1, of the first table header without a key, key without a value, or closing bracket
+  /// without an opening one; 0 if there is none.
   size_t lineOfGap() {
     for (bool first = true; at_ < text_.size(); ++at_) {  // first: only blanks so far on this line
       const char c = text_[at_];
@@ -47,7 +47,7 @@ class Scanner {
   void skipLine() {
     while (at_ + 1 < text_.size() && text_[at_ + 1] != '\n') ++at_;
   }
-  /// To the string's last character.
+  /// Moves to the last character of the string.
   void skipString(char quote) {
     const std::string three(3, quote);
     const bool lines = startsWith(three);
@@ -75,7 +75,7 @@ class Scanner {
 
   std::string_view text_;
   size_t at_ = 0, line_ = 1;
-  std::string open_;  // brackets of the values around this place
+  std::string open_;  // open brackets at this position
 };
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 namespace gluray {
 
-/// toml::parse() of any text, also of one whose table headers have no key, which toml++ 3.3 takes for
-/// impossible. Throws toml::parse_error.
+/// Like toml::parse(), but also correct for texts whose table headers have no key, which toml++ 3.3 assumes
+/// to be impossible. Throws toml::parse_error.
 toml::table parseToml(std::string_view text, std::string_view file = {});
 
 }  // namespace gluray

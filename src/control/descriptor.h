@@ -1,5 +1,5 @@
-// An open descriptor that closes itself, until somebody else owns it; but not after the host program has
-// closed it and reused its number. Any thread.
+// An owned descriptor, closed by the destructor unless the host program has closed it and reused its number.
+// Any thread.
 #pragma once
 #include "base/guarded_write.h"
 
@@ -21,7 +21,7 @@ class Descriptor {
     if (isOurs()) ::close(file_.descriptor);
   }
   int get() const { return file_.descriptor; }
-  /// Whether the number still means the same file.
+  /// Whether the descriptor still refers to the same file.
   bool isOurs() const { return glurayIsSame(&file_); }
   int release() { return std::exchange(file_, glurayNoOutput()).descriptor; }
 

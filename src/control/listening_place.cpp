@@ -22,7 +22,7 @@ std::string whyOfSystem(const std::string& path) {
   return path + ": " + std::error_code(errno, std::generic_category()).message();
 }
 
-/// Removes a socket or a link. Other files are not ours.
+/// Removes a socket or a link. Other files are not GLuRay's.
 std::string removeOldSocket(const std::string& path) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0) return errno == ENOENT ? "" : whyOfSystem(path);
@@ -63,7 +63,7 @@ int ListeningPlace::listenHere(std::string& why) {
   std::memcpy(address.sun_path, path.c_str(), path.size() + 1);
   if (why = removeOldSocket(path); !why.empty()) return -1;
   const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-  // The mode does not depend on the umask, and is never wider than this.
+  // The mode is independent of the umask, and never wider than this.
   if (socket < 0 || fchmod(socket, 0600) != 0 ||
       bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
       chmod(path.c_str(), 0600) != 0 || listen(socket, kBacklog) != 0) {
@@ -78,7 +78,7 @@ int ListeningPlace::listenHere(std::string& why) {
 void ListeningPlace::leave() {
   if (lock_ < 0) return;
   if (listens_) unlink(path(".sock").c_str());
-  flock(lock_, LOCK_UN);  // also where a child process has inherited the descriptor
+  flock(lock_, LOCK_UN);  // also releases it for child processes that inherited the descriptor
   close(lock_);
   lock_ = -1;
   listens_ = false;

@@ -1,4 +1,4 @@
-// A listening socket in the runtime directory, with a lock that only one process can hold. On any one thread.
+// A listening socket in the runtime directory, with a lock that only one process can hold. Not thread-safe.
 #pragma once
 #include <string>
 #include <utility>
@@ -7,18 +7,18 @@ namespace gluray::control {
 
 class ListeningPlace {
  public:
-  /// `stem`: of the files' names, STEM.lock and STEM.sock. `what`: for messages, "hub".
+  /// `stem`: the files are named STEM.lock and STEM.sock. `what`: name for messages, such as "hub".
   ListeningPlace(std::string stem, std::string what) : stem_(std::move(stem)), what_(std::move(what)) {}
   ListeningPlace(const ListeningPlace&) = delete;
   ListeningPlace& operator=(const ListeningPlace&) = delete;
   ~ListeningPlace() { leave(); }
 
-  /// Takes the lock. Returns why not; empty: it is held. `taken`: another process holds it.
+  /// Takes the lock. Returns an error message; empty if the lock is held. `taken`: another process holds it.
   std::string lockPlace(const std::string& directory, bool& taken);
-  /// Removes the socket of an earlier process and listens. The descriptor, which does not block and which
-  /// child processes do not get, is the caller's; -1 and `why`. Only while the lock is held.
+  /// Removes the socket of an earlier process and listens. Returns a non-blocking, close-on-exec descriptor,
+  /// which the caller owns, or -1 with an error message in `why`. Only while the lock is held.
   int listenHere(std::string& why);
-  /// Removes the socket and gives the lock back.
+  /// Removes the socket and releases the lock.
   void leave();
 
  private:

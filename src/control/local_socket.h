@@ -6,8 +6,8 @@
 
 namespace gluray::control {
 
-/// Connects to a listening Unix socket. The result does not block, and child processes do not get it.
-/// Negative, and one line in `why`: not connected; `nobody`: because no process listens there.
+/// Connects to a listening Unix socket and returns a non-blocking, close-on-exec descriptor. If that fails,
+/// the descriptor is negative and `why` has a one-line error message. `nobody`: no process listens there.
 Descriptor connectedSocket(const std::string& path, std::string& why, bool& nobody);
 
 /// Whether the process at the other end of a Unix socket runs for this user.

@@ -29,14 +29,14 @@ ProcessStat statOf(pid_t process) noexcept {
   const ssize_t size = read(file, text, sizeof text - 1);
   close(file);
   text[std::max<ssize_t>(size, 0)] = '\0';
-  // The name, in brackets, may hold anything.
+  // The name is in parentheses and may contain anything.
   const char* const begin = std::strchr(text, '(');
   const char* const end = std::strrchr(text, ')');
   if (!begin || !end || end < begin) return found;
   std::copy_n(begin + 1, std::min<size_t>(end - begin - 1, sizeof found.name - 1), found.name);
   int parent = 0;
   uint64_t started = 0;
-  // Fields 3, 4, then 17 that do not matter, then 22.
+  // Fields 3, 4, then 17 that are not needed, then 22.
   if (std::sscanf(end + 1,
                   " %*c %d %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %" SCNu64,
                   &parent, &started) == 2)

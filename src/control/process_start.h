@@ -1,4 +1,4 @@
-// When processes began, from /proc. Any thread.
+// Start times of processes, from /proc. Any thread.
 #pragma once
 #include <sys/types.h>
 
@@ -6,15 +6,15 @@
 
 namespace gluray::control {
 
-/// What the kernel says of a process (proc(5), stat).
+/// Data of a process from the kernel (proc(5), stat).
 struct ProcessStat {
-  char name[16] = {};    // of the executable, cut
-  pid_t parent = 0;      // 0: the process is gone
+  char name[16] = {};    // of the executable, truncated
+  pid_t parent = 0;      // 0: the process does not exist
   uint64_t started = 0;  // clock ticks since boot
 };
 ProcessStat statOf(pid_t process) noexcept;
 
-/// When this process began, seconds since 1970; 0: unknown.
+/// Start time of this process in seconds since 1970; 0 if unknown.
 double beginOfProcess() noexcept;
 
 }  // namespace gluray::control

@@ -7,11 +7,11 @@ namespace gluray::control {
 /// $GLURAY_RUNTIME, or gluray in $XDG_RUNTIME_DIR, or /tmp/gluray-UID.
 std::string runtimeDirectory();
 
-/// Why nobody may use the directory: it must be a directory, not a link to one, of this user, with mode 0700.
-/// Empty: it may be used.
+/// Why the directory must not be used; empty if it may. It must be a directory, not a link to one, belong to
+/// this user, and have mode 0700.
 std::string whyUnsafe(const std::string& directory);
 
-/// Creates the directory if there is none. Returns why it may not be used; empty: it may.
+/// Creates the directory if it does not exist. Returns why it must not be used; empty if it may.
 std::string makeRuntimeDirectory(const std::string& directory);
 
 }  // namespace gluray::control

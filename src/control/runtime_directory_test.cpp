@@ -1,4 +1,4 @@
-// The runtime directory, and what may be planted in its place.
+// The runtime directory, and files that may be planted in its place.
 #include "control/runtime_directory.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST_F(RuntimeDirectory, IsMadeOnceAndUsedAgain) {
   umask(before);
   EXPECT_EQ(makeRuntimeDirectory(path()), "");
   EXPECT_EQ(whyUnsafe(path()), "");
-  chmod(path().c_str(), 02700);  // as in parents that pass on their group
+  chmod(path().c_str(), 02700);  // as below directories that pass on their group
   EXPECT_EQ(whyUnsafe(path()), "");
   chmod(path().c_str(), 0700);
   EXPECT_EQ(fs::status(path()).permissions(), fs::perms::owner_all);
@@ -63,7 +63,7 @@ TEST_F(RuntimeDirectory, LinksAndFilesInItsPlaceAreRefused) {
   EXPECT_NE(makeRuntimeDirectory(folder_ / "none" / "gluray"), "");
 }
 
-/// Sets a variable back at the end.
+/// Restores a variable at the end of its lifetime.
 struct Kept {
   const char* name;
   std::string before = std::getenv(name) ? std::getenv(name) : "";

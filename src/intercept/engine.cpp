@@ -28,7 +28,7 @@ void* proc(const GlurayDoor* door, const char* name) {
   if (startsWith(name, "glX")) return glxHook(kind, name);
   if (startsWith(name, "egl")) return eglHook(kind, name);
   if (startsWith(name, "OSMesa")) return osmesaHook(name);
-  // With --off the program calls the real OpenGL directly; only frames are counted.
+  // With --off the program calls the real OpenGL directly, and only frames are counted.
   if (session().off) return nullptr;
   void* stub = stubProc(name);
   if (!stub && session().explainFrames) noteUnknownFunction(name);

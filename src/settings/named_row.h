@@ -1,4 +1,4 @@
-// For tests: settings by their names.
+// Finds settings by name, for tests.
 #pragma once
 #include "settings/rows.h"
 
@@ -6,7 +6,7 @@
 
 namespace gluray {
 
-/// The setting's row; a failure, and any row, where there is none.
+/// The setting's row. If there is none, the test fails, and another row is returned.
 inline const Row& namedRow(const char* name) {
   const Row* found = findSetting(name);
   if (!found) ADD_FAILURE() << name;

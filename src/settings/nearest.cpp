@@ -7,7 +7,7 @@
 namespace gluray {
 
 size_t editDistance(std::string_view from, std::string_view to) {
-  // The last three rows of the table of distances between prefixes: two before, one before, this one.
+  // The last three rows of the table of distances between prefixes, the current one last.
   std::vector<size_t> older, old, row(to.size() + 1);
   for (size_t j = 0; j <= to.size(); ++j) row[j] = j;
   for (size_t i = 1; i <= from.size(); ++i) {

@@ -6,11 +6,12 @@
 
 namespace gluray {
 
-/// Optimal string alignment distance: the least number of letters inserted, deleted, replaced, or swapped
-/// with their neighbour that turns one word into the other.
+/// Optimal string alignment distance: the minimum number of letters to insert, delete, replace or swap with
+/// their neighbour to turn one word into the other.
 size_t editDistance(std::string_view from, std::string_view to);
 
-/// The name of least edit distance; empty if that exceeds both one and a third of the letters.
+/// The name with the smallest edit distance; empty if that distance exceeds both one and a third of the
+/// letters.
 std::string_view nearest(std::string_view word, std::span<const std::string_view> names);
 
 }  // namespace gluray

@@ -10,19 +10,19 @@ namespace {
 
 constexpr std::string_view kHidden = "hidden-from";
 
-/// What a word says something of; empty: of the material.
+/// The key that a word sets; empty for a material.
 std::string_view keyOf(std::string_view word) {
   const size_t equals = word.find('=');
   return equals == word.npos ? "" : word.substr(0, equals);
 }
 
-/// 0: the material, 1: values, 2: hidden-from.
+/// Position in an entry: 0 for the material, 1 for values, 2 for hidden-from.
 int placeOf(std::string_view word) {
   const std::string_view key = keyOf(word);
   return key.empty() ? 0 : key == kHidden ? 2 : 1;
 }
 
-/// Puts the word in place of the one with its key, otherwise behind those that come before it in an entry.
+/// Replaces the word with the same key; otherwise inserts the word after those that precede it in an entry.
 void merge(std::vector<std::string>& words, const std::string& word) {
   const auto old = std::find_if(words.begin(), words.end(),
                                 [&](const std::string& known) { return keyOf(known) == keyOf(word); });
@@ -35,7 +35,7 @@ void merge(std::vector<std::string>& words, const std::string& word) {
   words.insert(behind, word);
 }
 
-/// Words of an entry behind its number.
+/// The words of an entry after its number.
 std::vector<std::string> wordsBehindNumber(std::string_view entry) {
   std::vector<std::string> words;
   for (size_t begin = entry.find_first_not_of(' '); begin < entry.size();

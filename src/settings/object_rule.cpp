@@ -23,7 +23,7 @@ std::string_view nextWord(std::string_view& text) {
 
 std::string quoted(std::string_view text) { return std::string("'").append(text.substr(0, 40)).append("'"); }
 
-/// "camera+shadow", "all" or "none".
+/// Parses "camera+shadow", "all" or "none".
 std::string readRays(std::string_view text, uint8_t& bits) {
   bits = text == "all" ? kAllRays : 0;
   if (text == "all" || text == "none") return "";

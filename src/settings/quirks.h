@@ -7,7 +7,7 @@
 
 namespace gluray {
 
-// Identifier, name, reason (shown to users), tests. All are on by default but those of QuirkSet::off_.
+// Identifier, name, reason (shown to users), tests. All are on by default, except those in QuirkSet::off_.
 #define GLURAY_QUIRKS(X)                                                                                     \
   X(materialLatch, "material-latch",                                                                         \
     "Mesa before 23 stores pending glMaterial values twice if GL_COLOR_MATERIAL is enabled in between; "     \
@@ -70,7 +70,7 @@ const QuirkText& describe(Quirk quirk);
 class QuirkSet {
  public:
   bool has(Quirk quirk) const { return !(off_ & bit(quirk)); }
-  /// Switches the quirk of that name; false if there is none.
+  /// Switches the quirk of that name. Returns false if there is none.
   bool set(std::string_view name, bool on);
   bool operator==(const QuirkSet&) const = default;
 
@@ -79,9 +79,10 @@ class QuirkSet {
   uint32_t off_ = bit(Quirk::hidePersistentMapping);
 };
 
-/// Parses "NAME=on|off" entries, separated by commas. Returns an error line, or empty; skips wrong entries.
+/// Parses "NAME=on|off" entries, separated by commas. Skips wrong entries. Returns an error message, or an
+/// empty string.
 std::string readQuirks(std::string_view text, QuirkSet& quirks);
-/// The text from which readQuirks() makes the same set: the quirks that differ from their default.
+/// The quirks that differ from their default, as text for readQuirks().
 std::string printQuirks(const QuirkSet& quirks);
 
 /// Records that the quirk made a difference: counts it for reports, logs the first time.

@@ -18,7 +18,7 @@ std::optional<T> number(const Row& row, std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   if (!std::isfinite(static_cast<double>(value))) return std::nullopt;
-  // Compare limits in the value's precision: 0.1f > 0.1.
+  // Limits are compared in the value's precision, because 0.1f > 0.1.
   if (row.ranged && (value < static_cast<T>(row.least) || value > static_cast<T>(row.most)))
     return std::nullopt;
   return value;
@@ -36,7 +36,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Parses "1,0.5,0", with or without blanks.
+/// Parses "1,0.5,0", with or without spaces.
 std::optional<glm::vec3> triple(const Row& row, std::string_view text) {
   glm::vec3 result{};
   for (int i = 0; i < 3; ++i) {

@@ -15,7 +15,7 @@ namespace gluray {
 enum class Type : uint8_t { boolean, integer, real, choice, color, vector, text, path, list, quirks };
 /// When a changed value takes effect: the next frame, the next context, the next run.
 enum class Applies : uint8_t { frame, context, process };
-/// image: the result differs from the real OpenGL's; way: only how the image is made.
+/// image: the result differs from the real OpenGL's; way: only the way in which the image is made differs.
 enum class Changes : uint8_t { image, way };
 
 /// One word of a choice; the enumerators have the same order.
@@ -38,16 +38,16 @@ struct Row {
   std::string_view leastMeans, unit, help, more, group, since;
   std::string_view option, placeholder;  // "--threads" (empty: only --set) and "N" for its value
   std::span<const Word> words = {};
-  std::string (*check)(std::string_view entry) = nullptr;  // of a list: empty, or what is wrong with an entry
+  std::string (*check)(std::string_view entry) = nullptr;  // checks a list's entry; empty: valid
   Place (*place)(Session&);
 };
 
 std::span<const Row> settingRows();
 
-/// Null if no setting has the name.
+/// The row of a setting; null if no setting has the name.
 const Row* findSetting(std::string_view name);
 
-/// "log-level" -> "GLURAY_LOG_LEVEL".
+/// The environment variable of a setting: "log-level" -> "GLURAY_LOG_LEVEL".
 std::string variableOf(const Row& row);
 
 /// Separator of a list's entries: ':' between files, ',' otherwise.

@@ -1,4 +1,4 @@
-// Rays that a pixel takes where the framebuffer has one sample a pixel. Any thread.
+// Samples per pixel in framebuffers without multisampling. Any thread.
 #pragma once
 #include "settings/settings.h"
 
@@ -6,14 +6,14 @@
 
 namespace gluray {
 
-constexpr int kMinLensSamples = 16;  // rays through an open lens; with fewer, blurred edges fall apart
+constexpr int kMinLensSamples = 16;  // rays through an open lens; fewer make blurred edges visibly grainy
 
-/// Whether settings ask for depth of field.
+/// Whether settings request depth of field.
 inline bool hasOpenLens(const Settings& settings) {
   return settings.camera.aperture > 0 || settings.camera.fNumber > 0;
 }
 
-/// The setting spp, and no fewer rays than an open lens needs.
+/// The setting spp, but at least the number of rays that an open lens needs.
 inline int samplesPerPixel(const Settings& settings) {
   return hasOpenLens(settings) ? std::max(settings.spp, kMinLensSamples) : settings.spp;
 }

@@ -1,5 +1,6 @@
-// The user's settings. Plain values: the control thread or the launcher makes one, each snapshot carries one.
-// The structs and enumerations are generated from spec/settings.toml, which describes every setting.
+// The user's settings. Plain values: the control thread or the launcher creates them, and each snapshot
+// contains a copy. The structs and enumerations are generated from spec/settings.toml, which describes every
+// setting.
 #pragma once
 #include "settings/settings.gen.h"
 
@@ -8,14 +9,14 @@
 
 namespace gluray {
 
-/// Receives one line for the user about an entry that was not read.
+/// Receives one line for the user about an entry that could not be read.
 using Complain = std::function<void(const std::string& line)>;
 
-/// Threads for one of `ranks` processes that share the `cores` cores of a host; this process may use
-/// `allowed` of them. 0 (all it may use) if it runs alone or is bound to cores of its own.
+/// Number of threads for one of `ranks` processes that share the `cores` cores of a host; this process may
+/// use `allowed` of them. 0 (all that it may use) if it runs alone or is bound to cores of its own.
 int threadsOfRank(int cores, int allowed, int ranks);
 
-/// The same for this process, from its affinity and the variables of MPI launchers.
+/// threadsOfRank() for this process, from its affinity and the variables of MPI launchers.
 int threadsOfThisRank();
 
 /// The settings of this process from all layers (settings/layers/settings_layers.h). Reports each unreadable

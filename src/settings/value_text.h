@@ -1,4 +1,4 @@
-// Conversions of one value of each type from and to text. Private to values.cpp; any thread.
+// Conversions of one value of each type from and to text. Private to src/settings; any thread.
 #pragma once
 #include "settings/rows.h"
 

@@ -8,7 +8,7 @@
 namespace gluray {
 namespace {
 
-/// The place of a setting in a session, for reading.
+/// The place of a setting in a session, for reading only.
 Place placeOf(const Row& row, const Session& session) { return row.place(const_cast<Session&>(session)); }
 
 }  // namespace

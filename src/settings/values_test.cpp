@@ -21,7 +21,7 @@ Row rowOf(Type type, double least = 0, double most = 0) {
   return row;
 }
 
-/// Reads `text`, expects it to print as `printed`, and expects the same value when that is read again.
+/// Parses `text`, expects it to print as `printed`, and expects the same value when that is parsed.
 template <class T>
 void expectRoundTrip(const Row& row, std::string_view text, const T& value, std::string_view printed) {
   T read{}, again{};
@@ -32,7 +32,7 @@ void expectRoundTrip(const Row& row, std::string_view text, const T& value, std:
   EXPECT_TRUE(again == value) << printed;
 }
 
-/// Expects that a wrong value changes nothing and that the message names the allowed values.
+/// Expects that a wrong value leaves the setting unchanged and that the message names the allowed values.
 template <class T>
 void expectRefused(const Row& row, std::initializer_list<std::string_view> texts, const T& before,
                    const std::string& why) {

@@ -1,4 +1,4 @@
-// A folder of its own for the files of a test; the destructor removes both. For tests.
+// A temporary folder for the files of a test; the destructor removes the folder and its files. For tests.
 #pragma once
 #include <unistd.h>
 
@@ -38,7 +38,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// What a file holds; empty if it cannot be read.
+/// The contents of a file; empty if it cannot be read.
 inline std::string textOf(const std::string& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

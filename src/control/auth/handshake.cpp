@@ -22,7 +22,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kWrongProofPause{500};
 constexpr const char* kOtherKey = "the hub does not have the same key; use a copy of its key file";
 
-/// Reads and writes the lines of a handshake, and not a byte more: what follows belongs to the connection.
+/// Reads and writes the lines of a handshake, and not a byte more: later bytes belong to the connection.
 class HandshakeLines : public std::enable_shared_from_this<HandshakeLines> {
  public:
   HandshakeLines(HandshakeSocket socket, const Key& key)
@@ -111,7 +111,7 @@ class HubSide : public HandshakeLines {
 
   void cancel() {
     if (isOver())
-      timer_.cancel();  // it waits, at most, to close
+      timer_.cancel();  // it waits only to close
     else
       fail(Failure::gone);
   }

@@ -29,7 +29,7 @@ std::string hexOf(const unsigned char* bytes, size_t count) {
   return text;
 }
 
-/// What is wrong with an open key file; empty: nothing.
+/// Why an open key file is refused; empty if it is valid.
 std::string mistakeOf(int file, const std::string& path) {
   struct stat status {};
   if (fstat(file, &status) != 0) return path + ": " + systemReason();
@@ -42,7 +42,7 @@ std::string mistakeOf(int file, const std::string& path) {
   return "";
 }
 
-/// The file's bytes; empty where it cannot be read.
+/// The file's bytes; empty if it cannot be read.
 std::string bytesOf(int file) {
   std::string bytes(kMaxKeyBytes + 1, '\0');
   size_t size = 0;

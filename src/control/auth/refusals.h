@@ -12,7 +12,7 @@ namespace gluray::control {
 class Refusals {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  static constexpr size_t kMaxAddresses = 1024;  // the one that failed longest ago is forgotten
+  static constexpr size_t kMaxAddresses = 1024;  // then the address whose last failure is oldest is forgotten
 
   void failed(const std::string& address, Time now);
   bool refused(const std::string& address, Time now) const;
@@ -21,7 +21,7 @@ class Refusals {
  private:
   static constexpr std::chrono::minutes kWindow{1}, kRefusal{1};
   struct Failures {
-    std::array<Time, 2> before{};  // of the last failures before `last`, the older one first; Time{}: none
+    std::array<Time, 2> before{};  // the last failures before `last`, oldest first; Time{}: none
     Time last{};
     Time refusedUntil{};
   };

@@ -9,7 +9,7 @@ namespace {
 
 constexpr size_t kMax = WaitingPeers::kMax, kMaxPerNetwork = WaitingPeers::kMaxPerNetwork;
 
-/// As the hub does. Returns the number of the connection that had to go; 0: none.
+/// Adds a connection as the hub does. Returns the number of the connection that was closed; 0 if none.
 uint64_t admit(WaitingPeers& waiting, const std::string& address) {
   const auto closed = waiting.toClose(address);
   if (closed) waiting.leave(*closed);

@@ -39,7 +39,7 @@ bool Client::wait(double seconds, const std::function<bool()>& done) {
     if (steady_clock::now() >= end) return false;
     if (io_.stopped()) io_.restart();
     io_.run_one_until(end);
-    if (io_.stopped()) return done();  // nothing is left that could change it
+    if (io_.stopped()) return done();  // no handler is left that could change it
   }
   return true;
 }
@@ -108,7 +108,7 @@ void Client::receiveMessage(json&& message) {
   if (!waiting_) return;
   const auto id = message.find("id");
   const bool named = id != message.end();
-  if (named && (!id->is_number_integer() || id->get<int64_t>() != asked_)) return;  // of an older request
+  if (named && (!id->is_number_integer() || id->get<int64_t>() != asked_)) return;  // for an older request
   if (type == "error") {
     answer_ = {{}, refusalOf(message), true};
   } else if (type != "answer" || !named) {
@@ -123,7 +123,7 @@ void Client::receiveMessage(json&& message) {
 
 Client::Answer Client::ask(json request, double seconds) {
   if (io_.stopped()) io_.restart();
-  io_.poll();  // a connection that has ended is found to be
+  io_.poll();  // detects a connection that has ended
   if (!connection_) return {{}, whyClosed_, false};
   request["id"] = ++asked_;
   waiting_ = true;

@@ -1,4 +1,4 @@
-// The client against a hub that answers as each test wants, in the same io_context.
+// The client with a fake hub whose answers the test sets, on the same io_context.
 #include "control/client/client.h"
 
 #include <asio/local/stream_protocol.hpp>
@@ -29,7 +29,7 @@ struct ClientTest : testing::Test {
     if (peer) peer->close("the test ends");
     std::filesystem::remove_all(directory);
   }
-  /// Listens; greets whoever connects with `hello`, and answers messages by `answer`.
+  /// Listens; sends `hello` to each connection, and answers messages by `answer`.
   void listen(json hello = {{"type", "hello"}, {"version", 1}, {"role", "hub"}}) {
     acceptor.emplace(io, asio::local::stream_protocol::endpoint(socketIn(directory)));
     acceptor->async_accept([this, hello](const asio::error_code& error, auto socket) {

@@ -11,23 +11,23 @@
 
 namespace gluray::control {
 
-/// Where the hub is.
+/// Address of the hub.
 struct HubAddress {
-  std::string directory;  // its runtime directory, unless `host` says otherwise
-  std::string host;       // "HOST:PORT": by TCP; empty: on this machine
+  std::string directory;  // its runtime directory, if `host` is empty
+  std::string host;       // "HOST:PORT" for TCP; empty: on this machine
   std::string keyFile;    // for TCP
 };
 
-/// A connection over which nothing but the authentication has been sent, not started; or null and one line
-/// that says why.
+/// Receives a connection that is not started and over which only the authentication has been sent, or null
+/// and a one-line error message.
 using Connected = std::function<void(std::shared_ptr<Connection> connection, const std::string& why)>;
 
-/// The same, with a reason to decide by.
+/// Like Connected, with the kind of the failure.
 using ConnectedOrNot = std::function<void(std::shared_ptr<Connection> connection, const std::string& why,
                                           ConnectFailure failure)>;
 
-/// Never blocks. Calls `connected` once, not before it returns. By TCP it takes 3 s at most; a host that is a
-/// name is looked up on a thread of asio's, for which the io_context waits when it is destroyed.
+/// Connects without blocking. Calls `connected` once, after returning. Over TCP it takes at most 3 s. A host
+/// given by name is looked up on a thread of asio, for which the io_context's destructor waits.
 void connectToHub(asio::io_context& io, const HubAddress& address, Connected connected);
 void connectToHub(asio::io_context& io, const HubAddress& address, ConnectedOrNot connected);
 

@@ -24,7 +24,7 @@ using std::chrono::steady_clock;
 constexpr milliseconds kConnectPatience{3000};
 constexpr int kMaxPort = 65535;
 
-/// A socket that child processes do not get. Throws where it cannot be watched.
+/// A close-on-exec socket. Throws if it cannot be watched.
 std::optional<HandshakeSocket> newSocket(asio::io_context& io, const tcp::endpoint& to) {
   const int family = to.protocol().family();
   Descriptor socket(::socket(family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, IPPROTO_TCP));
@@ -33,7 +33,7 @@ std::optional<HandshakeSocket> newSocket(asio::io_context& io, const tcp::endpoi
   return socketOf(io, family, IPPROTO_TCP, std::move(socket));
 }
 
-/// One attempt. It lives as long as something is expected.
+/// One attempt to connect. It keeps itself alive while operations are pending.
 class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
  public:
   TcpAttempt(asio::io_context& io, const std::string& name, const Key& key, ConnectedOrNot connected)
@@ -47,7 +47,7 @@ class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
     });
     error_code ignored;
     const auto address = asio::ip::make_address(to.host, ignored);
-    if (!ignored) {  // no thread that looks up names
+    if (!ignored) {  // no thread for looking up names
       endpoints_ = {tcp::endpoint(address, static_cast<unsigned short>(to.port))};
       return asio::post(io_, [self = shared_from_this()] { self->tryNext("it has no address"); });
     }
@@ -101,7 +101,7 @@ class TcpAttempt : public std::enable_shared_from_this<TcpAttempt> {
   asio::io_context& io_;
   const std::string name_;
   const Key key_;
-  ConnectedOrNot connected_;  // empty: it has been called
+  ConnectedOrNot connected_;  // empty after it was called
   tcp::resolver resolver_;
   asio::steady_timer timer_;
   steady_clock::time_point end_;

@@ -18,7 +18,7 @@ using nlohmann::json;
 using std::chrono::steady_clock;
 
 constexpr size_t kMaxLinesPerRead = 64;
-constexpr std::chrono::seconds kLastWords{1};  // for what waits when a connection is finished
+constexpr std::chrono::seconds kLastWords{1};  // for sending waiting data when a connection is finished
 
 std::string reasonOf(const error_code& error) {
   if (error == asio::error::eof || error == asio::error::connection_reset) return "the other side closed it";
@@ -37,7 +37,7 @@ template <class Work>
 void Connection::guarded(Work work) {
   try {
     work();
-  } catch (const std::exception& error) {  // no memory, or a handler's
+  } catch (const std::exception& error) {  // out of memory, or from a handler
     close(error.what());
   }
 }

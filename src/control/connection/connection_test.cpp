@@ -104,7 +104,7 @@ TEST_F(ConnectionTest, ReadsNoMoreThanItsRateAllows) {
   std::string many;
   for (int i = 0; i < 25; ++i) many += "{\"type\":\"list\"}\n";
   give(many);
-  EXPECT_LE(messages.size(), 20u);  // 10, or 20 where a second ends just then
+  EXPECT_LE(messages.size(), 20u);  // 10, or 20 if a second ends just then
   const auto begin = std::chrono::steady_clock::now();
   while (messages.size() < 25 && std::chrono::steady_clock::now() - begin < std::chrono::seconds(10))
     io.restart(), io.run_for(std::chrono::milliseconds(100));

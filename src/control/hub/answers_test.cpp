@@ -1,4 +1,4 @@
-// Requests that go to programs, their answers, time limits and peers that go.
+// Requests that are forwarded to programs: answers, time limits, and peers that disconnect.
 #include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
@@ -29,7 +29,7 @@ TEST_F(HubCoreRequests, RequestsGoToProgramsAndBack) {
 
 TEST_F(HubCoreRequests, AProgramThatIsSilentDelaysNoOther) {
   FakePeer& quick = program();
-  program();  // stopped
+  program();  // does not answer
   FakePeer& peer = client();
   FakePeer& other = client();
   give(peer, {{"type", "set"}, {"id", 1}, {"program", "all"}, {"values", {{"ao", true}}}});
@@ -47,7 +47,7 @@ TEST_F(HubCoreRequests, AProgramThatIsSilentDelaysNoOther) {
                          {{"program", 2}, {"why", "it did not answer within 3 s"}}}));
   wait(milliseconds(7000));
   EXPECT_EQ(answered(peer, 2)["results"][1]["why"], "it did not answer within 10 s");
-  answer(quick, set, {{"frame", 13}});  // once more: ignored
+  answer(quick, set, {{"frame", 13}});  // a second answer is ignored
   EXPECT_TRUE(peer.got.empty());
 }
 
@@ -69,7 +69,7 @@ TEST_F(HubCoreRequests, WhatAProgramAnswersIsChecked) {
       give(one, reply);
     }
     reply["id"] = asked["id"];
-    give(other, reply);  // it was not asked
+    give(other, reply);  // the request was not sent to it
     EXPECT_TRUE(peer.got.empty());
     give(one, reply);
     EXPECT_NE(result(peer).value("why", ""), "") << reply;

@@ -15,13 +15,13 @@ using nlohmann::json;
 constexpr const char* kNoTurn =
     "its turn did not come within 3 s: the program has not answered earlier requests";
 
-/// Whether a `set` can join one that waits.
+/// Whether a `set` can be merged with one that waits.
 bool sameGesture(const ChangeRequest& a, const ChangeRequest& b) {
   return a.type == "set" && b.type == "set" && a.client == b.client && !a.gesture.empty() &&
          a.gesture == b.gesture;
 }
 
-/// Why a program cannot be changed now; empty: it can.
+/// Why a program cannot be changed now; empty if it can.
 std::string whyNotReady(const Program* program) {
   if (!program) return "it has ended";
   if (program->complete()) return "";
@@ -97,8 +97,8 @@ void ChangeQueue::finished(uint64_t program, json&& result) {
   found->second.current.reset();
   const bool split = !whyOf(result).empty() && change.parts.size() > 1;
   if (split) {
-    // One of the merged ones may be wrong: each alone, in their order. Those that have waited too long fail,
-    // and not for the reason of another one.
+    // One of the merged requests may be wrong: each is sent alone, in order. Requests that have waited too
+    // long fail, and not for the error of another request.
     std::vector<Part> parts = std::exchange(change.parts, {});
     for (size_t i = parts.size(); i-- > 0;) {
       if (parts[i].limit <= questions_.now()) {
@@ -115,7 +115,7 @@ void ChangeQueue::finished(uint64_t program, json&& result) {
   for (const Part& part : change.parts) part.done(json(result));
 }
 
-// Those that wait stand in the order of their newest parts, so the first one's limit is the first to pass.
+// Waiting requests are ordered by their newest parts, so the first one's time limit is the first to pass.
 void ChangeQueue::passed() {
   std::vector<Part> late;
   for (auto& [program, line] : lines_)

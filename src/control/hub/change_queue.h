@@ -1,4 +1,4 @@
-// Requests that change a program, one at a time: set, undo, redo. On the hub's thread.
+// Requests that change a program (set, undo, redo), one at a time. On the hub's thread.
 #pragma once
 #include "control/hub/programs.h"
 #include "control/hub/questions.h"
@@ -11,9 +11,9 @@
 
 namespace gluray::control {
 
-inline constexpr std::chrono::seconds kSetPatience{3};  // for an answer, and for the turn before it
+inline constexpr std::chrono::seconds kSetPatience{3};  // limit for an answer, and for the wait before
 
-/// What a client asks for.
+/// A client's request to change a program.
 struct ChangeRequest {
   std::string type;  // set, undo, redo
   uint64_t client = 0;
@@ -23,28 +23,29 @@ struct ChangeRequest {
 
 class ChangeQueue {
  public:
-  /// `self`: text that no other hub has; gestures are passed on under names made of it.
+  /// `self`: text that no other hub has. Gestures are passed on under names that contain it.
   ChangeQueue(Programs& programs, Questions& questions, std::string self)
       : programs_(programs), questions_(questions), self_(std::move(self)) {}
 
-  /// Carries it out after those that wait for the same program. Calls `done` once, perhaps before it returns.
+  /// Carries out the request after those that already wait for the same program. Calls `done` once, perhaps
+  /// before it returns.
   void add(uint64_t program, ChangeRequest request, Questions::Done done);
-  /// Ends those whose turn has not come in time.
+  /// Fails requests that have waited too long.
   void passed();
   HubTime nextDue() const;
-  /// The program has gone: those that wait fail.
+  /// Reports that the program has ended: its waiting requests fail.
   void ended(uint64_t program);
 
  private:
   struct Part {
     nlohmann::json values;
-    HubTime limit;  // for its turn
+    HubTime limit;  // until when it waits
     Questions::Done done;
   };
   struct Change {
     ChangeRequest request;
     std::vector<Part> parts;
-    bool alone = false;  // not merged with others
+    bool alone = false;  // not merged with other requests
   };
   struct Line {
     std::optional<Change> current;  // in flight
@@ -59,7 +60,7 @@ class ChangeQueue {
   Programs& programs_;
   Questions& questions_;
   const std::string self_;
-  std::map<uint64_t, Line> lines_;  // by program; those with a change
+  std::map<uint64_t, Line> lines_;  // by program; only programs with a change
 };
 
 }  // namespace gluray::control

@@ -1,4 +1,4 @@
-// set, undo and redo of one program: one at a time, merged.
+// set, undo and redo of one program: one at a time, and merged.
 #include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
@@ -61,9 +61,9 @@ TEST_F(HubCoreChanges, OthersAreNotMerged) {
   set(peer, 1, {{"a", 1}}, "x");
   set(peer, 2, {{"a", 2}}, "x");
   set(other, 3, {{"a", 3}}, "x");  // another client
-  set(peer, 4, {{"a", 4}}, "x");   // not successive
+  set(peer, 4, {{"a", 4}}, "x");   // not consecutive
   set(peer, 5, {{"a", 5}}, "y");   // another gesture
-  set(peer, 6, {{"a", 6}});        // none
+  set(peer, 6, {{"a", 6}});        // no gesture
   set(peer, 7, {{"a", 7}});
   std::vector<std::string> gestures;
   for (int value = 1; value <= 7; ++value) {

@@ -18,7 +18,7 @@ std::string uniqueText(const HubCore::Self& self) {
   return self.host + " " + std::to_string(self.pid) + " " + std::to_string(self.secondsAtZero);
 }
 
-/// Seconds since 1970, to the millisecond.
+/// Seconds since 1970, rounded to milliseconds.
 double calendarTime(double secondsAtZero, HubTime now) {
   constexpr double kMillis = 1000;
   const double seconds = secondsAtZero + std::chrono::duration<double>(now.time_since_epoch()).count();
@@ -147,7 +147,7 @@ void HubCore::due() {
     if (peer.role == Role::unknown && !peer.finished && peer.helloLimit <= questions_.now())
       silent.push_back(connection);
   for (const uint64_t connection : silent) peers_.expel(connection, "no hello came within 5 s");
-  changes_.passed();  // before an answer that is overdue lets the next one begin
+  changes_.passed();  // before overdue answers let further changes begin
   questions_.passed();
   observers_.passed();
 }

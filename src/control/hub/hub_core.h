@@ -7,7 +7,7 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMaxRequests = 256;  // of one client, that wait
+inline constexpr size_t kMaxRequests = 256;  // limit of one client's pending requests
 inline constexpr std::chrono::seconds kHelloPatience{5};
 
 class HubCore {
@@ -19,31 +19,31 @@ class HubCore {
   };
   explicit HubCore(Self self);
 
-  /// What the hub's hello says of the programs that may still come.
+  /// Contents of the hub's hello about programs that may still connect.
   struct Beginning {
     size_t expected = 0;  // programs that left a file, run, and are not connected
     double age = 0;       // seconds since the hub began
-    bool tcp = false;     // it listens there: programs of other machines leave no files
+    bool tcp = false;     // the hub listens on TCP: programs on other machines leave no files
   };
-  /// A new connection, with a number that was not used before, not 0. Sends the hub's hello.
+  /// Adds a connection. `connection`: a number that was not used before, not 0. Sends the hub's hello.
   void connected(uint64_t connection, PeerLink link, HubTime now, const Beginning& beginning);
   void connected(uint64_t connection, PeerLink link, HubTime now) {
     connected(connection, std::move(link), now, Beginning{});
   }
-  /// A message: an object with a text `type`, and anything else.
+  /// Handles a message: an object with a text `type` and any other contents.
   void received(uint64_t connection, const nlohmann::json& message, HubTime now);
   void disconnected(uint64_t connection, HubTime now);
-  /// All that was sent to it has been given to the system.
+  /// Reports that everything sent over the connection has been passed to the system.
   void drained(uint64_t connection, HubTime now);
-  /// Does what is due.
+  /// Does what is due at this time.
   void passed(HubTime now);
-  /// When passed() must be called.
+  /// Time at which passed() must be called next.
   HubTime nextDue();
 
   size_t programs() const { return programs_.connections(); }
-  /// Connected clients, and connections that may become one.
+  /// Number of connected clients, and of connections that may become clients.
   size_t clients() const;
-  /// Whether a program with this process of this host is connected.
+  /// Whether the program with this process on this host is connected.
   bool hasProcess(int pid) const { return programs_.hasProcess(self_.host, pid); }
 
  private:

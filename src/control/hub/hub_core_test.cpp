@@ -1,4 +1,4 @@
-// Hellos, what clients may ask, and their mistakes. answers_test.cpp has what becomes of requests.
+// Hellos, requests that clients may send, and invalid ones. answers_test.cpp tests the results of requests.
 #include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {

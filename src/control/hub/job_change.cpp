@@ -15,9 +15,9 @@ using nlohmann::json;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHoldPatience{1000}, kApplyPatience{1000}, kDrawPatience{3000};
-constexpr double kMaxSeconds = 1e6;  // of an age or a period that counts
+constexpr double kMaxSeconds = 1e6;  // maximum valid age or period
 
-/// A number of seconds from 0 to kMaxSeconds; 0 where there is none.
+/// A number of seconds from 0 to kMaxSeconds; 0 if it is missing.
 double secondsOf(const json* value) {
   if (!value || !value->is_number()) return 0;
   const auto seconds = value->get<double>();
@@ -33,7 +33,7 @@ std::optional<HeldAt> heldAt(const json& result, HubTime now) {
                 secondsOf(member(result, "period"))};
 }
 
-/// One change of a job. It lives as long as answers are expected.
+/// One change of a job. It keeps itself alive while answers are pending.
 class JobChange : public std::enable_shared_from_this<JobChange> {
  public:
   JobChange(Questions& questions, std::map<int, uint64_t> ranks, Questions::Done done)
@@ -95,7 +95,7 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
     const json* late = member(result, "late");
     if (isTrue(late)) late_.push_back(rank);
     if (--missing_ > 0) return;
-    // All ranks have the change: now a rank that begins a frame finds the others ready.
+    // All ranks have the change: a rank that begins a frame now finds the others ready.
     askAll(
         kDrawPatience, [&](int each) { return about("draw", each); }, &JobChange::drawn);
   }
@@ -112,7 +112,7 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
     end(std::move(result_));
   }
 
-  /// Keeps the first failure: the ranks may then differ.
+  /// Keeps the first failure: the ranks may differ afterwards.
   void note(int rank, const json& result) {
     if (const std::string why = whyOf(result); !why.empty() && why_.empty())
       why_ = "rank " + std::to_string(rank) + ": " + why + "; the ranks may differ now";
@@ -124,14 +124,14 @@ class JobChange : public std::enable_shared_from_this<JobChange> {
 
   Questions& questions_;
   const std::map<int, uint64_t> ranks_;  // connections
-  Questions::Done done_;                 // empty: it has ended
-  std::map<int, uint64_t> holds_;        // ids of the first requests
+  Questions::Done done_;                 // empty after it has ended
+  std::map<int, uint64_t> holds_;        // ids of the requests to hold
   std::map<int, HeldAt> held_;
-  std::map<int, int64_t> frames_;  // from which the values shall count
+  std::map<int, int64_t> frames_;  // frames from which the values apply
   std::vector<int> late_;
   std::string why_;
   json result_;
-  size_t missing_ = 0;  // answers
+  size_t missing_ = 0;  // pending answers
 };
 
 }  // namespace
@@ -145,11 +145,11 @@ std::map<int, int64_t> framesToApply(const std::map<int, HeldAt>& held) {
     period = std::max(period, at.period);
     first = std::min(first, at.began);
   }
-  std::map<int, int64_t> ahead;  // frames since the one that the last rank is at
+  std::map<int, int64_t> ahead;  // frames ahead of the last rank
   int64_t most = 0;
   for (const auto& [rank, at] : held) {
     const double since = std::chrono::duration<double>(at.began - first).count();
-    // Only one frame: ranks that wait for each other are never further apart.
+    // At most one frame: ranks that wait for each other are never further apart.
     ahead[rank] = drawing && period > 0 && since > period / 2 ? 1 : 0;
     most = std::max(most, ahead[rank]);
   }

@@ -18,7 +18,7 @@ TEST(FramesToApply, AreTheSameFrameOfAllRanks) {
   EXPECT_EQ(framesToApply({{0, at(10, false)}, {1, at(10, true)}}), (Frames{{0, 12}, {1, 12}}));
   EXPECT_EQ(framesToApply({{0, at(10, true)}, {1, at(14, true)}}), (Frames{{0, 12}, {1, 16}}))
       << "counts that differ by a constant";
-  // Rank 1 has begun its next frame, rank 0 has not yet.
+  // Rank 1 has begun its next frame, rank 0 has not.
   EXPECT_EQ(framesToApply({{0, at(10, true, 5.0, 0.1)}, {1, at(11, true, 5.1, 0.1)}}),
             (Frames{{0, 13}, {1, 13}}));
   EXPECT_EQ(framesToApply({{0, at(10, true, 5.0, 0.1)}, {1, at(15, true, 5.1, 0.1)}}),
@@ -40,7 +40,7 @@ struct HubCoreJobs : HubCoreTest {
     if (type == "set") request["values"] = {{"ao", true}};
     give(*peer, request);
   }
-  /// All ranks hold it, the first at the given frame.
+  /// Makes all ranks hold the change, the first one at the given frame.
   std::vector<json> hold(const std::string& type, int frame, bool drawing) {
     std::vector<json> holds;
     for (FakePeer* rank : ranks) {
@@ -62,8 +62,8 @@ TEST_F(HubCoreJobs, AJobIsOneEntry) {
   EXPECT_EQ(programs[0]["connected"], 3);
   EXPECT_EQ(programs[0]["pid"], 101);
   EXPECT_EQ(hub_.programs(), 3u);
-  program("job 1", 1, 3);  // this rank is there
-  program("job 1", 3, 4);  // of another job with the same name
+  program("job 1", 1, 3);  // this rank is already connected
+  program("job 1", 3, 4);  // from another job with the same name
   give(*peer, {{"type", "list"}, {"id", 1}});
   EXPECT_EQ(answered(*peer)["programs"].size(), 3u);
 }

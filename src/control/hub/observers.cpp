@@ -61,7 +61,7 @@ void Observers::observeAll(uint64_t client, const Wish& wish, bool list) {
   for (const auto& [number, program] : programs_.all()) wished(number, client);
 }
 
-/// What a client wants of a program may have changed.
+/// Updates a client's wish for a program.
 void Observers::wished(uint64_t program, uint64_t client) {
   Client& state = clients_[client];
   state.told.erase(program);
@@ -72,13 +72,13 @@ void Observers::wished(uint64_t program, uint64_t client) {
   const auto last = asked_.find(program);
   if (last == asked_.end() ? !wish.empty() : !(last->second == combinedWish(program)))
     return ask(program, {});
-  // The program sends no thumbnail because of this client.
+  // The program does not send a new thumbnail for this client.
   if (const auto known = thumbnails_.find(program); wish.thumbnail && known != thumbnails_.end())
     state.newest.offer({program, "thumbnail"}, known->second, wish.every, questions_.now(), slow(client),
                        [&](uint64_t of, const PeerLink::Line& each) { sendEvent(client, state, of, each); });
 }
 
-/// Asks the program for what all want. Then the first event with all settings follows, for `clients`.
+/// Subscribes to the program for the combined wish. The first event with all settings then goes to `clients`.
 void Observers::ask(uint64_t program, std::vector<uint64_t> clients) {
   const Program* entry = programs_.find(program);
   if (!entry || entry->speaker() == 0) return;
@@ -157,7 +157,7 @@ void Observers::listIsDue(uint64_t client, Client& state) {
   if (!slow(client) && state.listAt <= questions_.now()) sendList(client, state);
 }
 
-/// The list as it is now.
+/// Sends the current list.
 void Observers::sendList(uint64_t client, Client& state) {
   state.listDue = false;
   state.listAt = questions_.now() + kListPause;
@@ -170,7 +170,7 @@ void Observers::sendList(uint64_t client, Client& state) {
   peers_.send(client, listLine_);
 }
 
-/// Before the first event of a program comes the list that has it.
+/// Sends an event. If the client's list lacks the program, sends the list first.
 void Observers::sendEvent(uint64_t client, Client& state, uint64_t program, const PeerLink::Line& line) {
   if (state.listDue && program > state.listed) sendList(client, state);
   peers_.send(client, line);

@@ -1,5 +1,5 @@
-// Tracks which clients observe which programs: subscribes to programs for the combined wishes of all clients,
-// and forwards events. On the hub's thread.
+// Records which clients observe which programs. Subscribes to programs for the combined wishes of all
+// clients, and forwards events. On the hub's thread.
 #pragma once
 #include "control/hub/newest.h"
 #include "control/hub/programs.h"
@@ -16,12 +16,12 @@ namespace gluray::control {
 inline constexpr double kMinInterval = 0.05, kMaxInterval = 3600;  // seconds
 inline constexpr int kMinSize = 16, kMaxSize = 512,
                      kUsualSize = 256;                // pixels of a thumbnail's longest side
-inline constexpr size_t kBehind = size_t{256} << 10;  // bytes that wait for a client that reads slowly
+inline constexpr size_t kBehind = size_t{256} << 10;  // bytes waiting for a client that make it slow
 
-/// What a client, or all of them together, want to know of a program.
+/// The data of a program that a client, or all clients together, observe.
 struct Wish {
   bool state = false, settings = false, thumbnail = false;
-  int size = 0;  // of thumbnails, in pixels; 0: not said
+  int size = 0;  // of thumbnails, in pixels; 0: unspecified
   double every = kMaxInterval;
   bool empty() const { return !state && !settings && !thumbnail; }
   void add(const Wish& other);
@@ -33,20 +33,20 @@ class Observers {
   Observers(Peers& peers, Programs& programs, Questions& questions)
       : peers_(peers), programs_(programs), questions_(questions) {}
 
-  /// Replaces what the client observes of these programs.
+  /// Replaces the client's wishes for these programs.
   void observe(uint64_t client, const std::vector<uint64_t>& programs, const Wish& wish, bool list);
-  /// The same of all programs, also of those that come later. `list`: `programs`.
+  /// Replaces the client's wishes for all programs, including later ones. `list`: also sends `programs`.
   void observeAll(uint64_t client, const Wish& wish, bool list);
 
-  /// An event of the program's speaker.
+  /// Handles an event from the program's speaker.
   void event(const Program& program, const nlohmann::json& message);
-  /// A program came or has another speaker.
+  /// Reports that a program connected, or has another speaker.
   void speakerCame(uint64_t program);
   void programEnded(uint64_t program);
   void clientEnded(uint64_t client);
-  /// The answer to `list` has changed.
+  /// Reports that the answer to `list` has changed.
   void listChanged();
-  /// Sends what a client may have now.
+  /// Sends what the client may receive now.
   void drained(uint64_t client);
   void passed();
   HubTime nextDue() const;
@@ -54,12 +54,12 @@ class Observers {
  private:
   struct Client {
     std::map<uint64_t, Wish> wishes;
-    std::optional<Wish> all;  // of programs not in `wishes`
+    std::optional<Wish> all;  // for programs not in `wishes`
     bool list = false;
     bool listDue = false;     // the list has changed since it was last sent
     HubTime listAt{};         // not sent before
-    uint64_t listed = 0;      // the highest number of a program in the lists that were sent
-    std::set<uint64_t> told;  // programs whose `settings` it may have: a first event with all of them comes
+    uint64_t listed = 0;      // highest program number in the lists sent
+    std::set<uint64_t> told;  // programs whose `settings` it may receive
     Newest newest;
     Wish wishOf(uint64_t program) const;
   };
@@ -75,9 +75,9 @@ class Observers {
   Programs& programs_;
   Questions& questions_;
   std::map<uint64_t, Client> clients_;
-  std::map<uint64_t, Wish> asked_;                 // of programs, last
-  std::map<uint64_t, PeerLink::Line> thumbnails_;  // the newest of programs, for clients that come later
-  PeerLink::Line listLine_;  // the event `programs`; null: not made since the list has changed
+  std::map<uint64_t, Wish> asked_;                 // last wish sent, by program
+  std::map<uint64_t, PeerLink::Line> thumbnails_;  // last thumbnail by program, for later clients
+  PeerLink::Line listLine_;                        // the event `programs`; null: outdated
 };
 
 }  // namespace gluray::control

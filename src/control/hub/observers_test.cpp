@@ -1,4 +1,4 @@
-// Who is told what, how often, and how slow clients are spared.
+// Which events clients receive, how often, and how slow clients are treated.
 #include "control/testing/core_fixture.h"
 
 namespace gluray::control::test {
@@ -140,7 +140,7 @@ TEST_F(HubCoreObservers, SettingsBeginWithAllOfThem) {
   settings(1);
   EXPECT_EQ(first.one("event")["undo"], 1);
   observe(second, 1, {"settings"});
-  settings(2);  // sent before the program saw the second observe
+  settings(2);  // sent before the program received the second observe
   EXPECT_TRUE(second.got.empty());
   answer(one, one.one("observe"), json::object());
   settings(3);

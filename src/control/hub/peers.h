@@ -1,4 +1,4 @@
-// The hub's connections and the messages to them. No sockets: their owner passes functions. On the hub's
+// The hub's connections, and messages to them. Has no sockets: their owner passes functions. On the hub's
 // thread.
 #pragma once
 #include <nlohmann/json.hpp>
@@ -15,12 +15,12 @@ namespace gluray::control {
 
 using HubTime = std::chrono::steady_clock::time_point;
 
-/// One connection as the hub uses it. The functions must not call the hub.
+/// A connection as the hub uses it. The functions must not call the hub.
 struct PeerLink {
-  using Line = std::shared_ptr<const std::string>;  // with its line feed
+  using Line = std::shared_ptr<const std::string>;  // including its line feed
   std::function<void(Line)> send;
   std::function<size_t()> waiting;                     // bytes that wait to be sent
-  std::function<void(const std::string& why)> finish;  // closes it after what waits has been sent
+  std::function<void(const std::string& why)> finish;  // closes it after waiting data has been sent
 };
 
 enum class Role { unknown, program, client };
@@ -29,9 +29,9 @@ struct Peer {
   PeerLink link;
   Role role = Role::unknown;
   HubTime helloLimit;  // while the role is unknown
-  // Ids of requests that wait for answers, as text: JSON values of mixed kinds of numbers have no order.
+  // Ids of requests that wait for answers, as text: JSON values with mixed kinds of numbers have no order.
   std::set<std::string> ids;
-  bool finished = false;  // it is being closed: what it says is not read
+  bool finished = false;  // it is being closed: its messages are ignored
 };
 
 class Peers {
@@ -41,12 +41,12 @@ class Peers {
   Peer* find(uint64_t connection);
   const std::map<uint64_t, Peer>& all() const { return peers_; }
 
-  /// False: the message is one that receivers do not take. Nothing is sent to a connection that is gone.
+  /// Sends a message. Returns false if receivers would refuse it. Does nothing for a closed connection.
   bool send(uint64_t to, const nlohmann::json& message);
   void send(uint64_t to, const PeerLink::Line& line);
-  /// Sends an answer; one that is too long or too deep becomes one that says so.
+  /// Sends an answer. If it is too long or too deep, sends an error instead.
   void answer(uint64_t to, const nlohmann::json& id, nlohmann::json&& body);
-  /// Sends an `error`; the connection stays.
+  /// Sends an `error` and keeps the connection.
   void complain(uint64_t to, const std::string& why);
   /// Sends an `error` and closes the connection.
   void expel(uint64_t connection, const std::string& why);

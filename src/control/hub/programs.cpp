@@ -13,7 +13,7 @@ using nlohmann::json;
 constexpr size_t kMaxNameCharacters = 255;
 constexpr int kMaxInt = std::numeric_limits<int>::max();
 
-/// A whole number, `otherwise` where there is none.
+/// An integer; `otherwise` if it is missing.
 std::optional<int> intMember(const json& message, const char* name, int least, int most, int otherwise) {
   const json* value = member(message, name);
   if (!value) return otherwise;
@@ -71,7 +71,7 @@ Program& Programs::add(uint64_t connection, const ProgramHello& hello, double si
     if (inJob) made.job = hello.job, made.ranks = hello.ranks;
     entry = programs_.emplace(made.number, std::move(made)).first;
   }
-  // Outside a job, a program speaks for itself whatever its rank.
+  // Outside a job, a program speaks for itself whatever its rank is.
   entry->second.members.emplace(inJob ? hello.rank : 0, Program::Member{connection, hello});
   numbers_[connection] = entry->first;
   return entry->second;

@@ -51,7 +51,7 @@ uint64_t Questions::add(uint64_t program, json&& message, HubTime limit, std::st
   const uint64_t id = ++last_;
   message["id"] = id;
   if (!peers_.find(program)) limit = now_, why = "it has ended";
-  // Whoever asks learns it at the next passed().
+  // The next passed() reports the failure.
   if (!peers_.send(program, message)) limit = now_, why = "the request is too long for one message";
   questions_.emplace(id, Question{program, limit, std::move(why), std::move(done)});
   if (limit != HubTime::max()) limits_.emplace(limit, id);

@@ -12,38 +12,36 @@ namespace gluray::control {
 
 class Questions {
  public:
-  /// Gets the program's result: an object, which has `why` where the program has failed, ended, or not
-  /// answered.
+  /// Receives the program's result: an object, with `why` if the program failed, ended, or did not answer.
   using Done = std::function<void(nlohmann::json&& result)>;
 
   explicit Questions(Peers& peers) : peers_(peers) {}
 
-  /// The time of all that follows.
+  /// Sets the time for all following calls.
   void setNow(HubTime now) { now_ = now; }
   HubTime now() const { return now_; }
 
-  /// Sends the request under a new id. Calls `done` once, never before it returns. `patience`: how long it
-  /// waits.
+  /// Sends the request under a new id. Calls `done` once, after returning. `patience`: time limit.
   uint64_t ask(uint64_t program, nlohmann::json message, std::chrono::milliseconds patience, Done done);
-  /// The same without a limit.
+  /// Like ask(), without a time limit.
   uint64_t askForever(uint64_t program, nlohmann::json message, Done done);
-  /// Sends a request whose answer nobody needs.
+  /// Sends a request without waiting for its answer.
   void tell(uint64_t program, nlohmann::json message);
 
-  /// Takes a message of type `answer`. Ignores one that nobody waits for.
+  /// Handles a message of type `answer`. Ignores answers that are not expected.
   void answered(uint64_t program, const nlohmann::json& message);
-  /// The connection is gone: its questions end.
+  /// Reports that the connection is closed: its requests end.
   void ended(uint64_t program);
-  /// Ends questions whose limit has passed.
+  /// Ends requests whose time limit has passed.
   void passed();
-  /// When the next limit passes.
+  /// Time of the next limit.
   HubTime nextDue() const { return limits_.empty() ? HubTime::max() : limits_.begin()->first; }
 
  private:
   struct Question {
     uint64_t program;
     HubTime limit;
-    std::string why;  // the result when the limit has passed
+    std::string why;  // the result after the time limit
     Done done;
   };
   uint64_t add(uint64_t program, nlohmann::json&& message, HubTime limit, std::string why, Done&& done);
@@ -58,7 +56,7 @@ class Questions {
 
 /// {"why": why}
 nlohmann::json failure(const std::string& why);
-/// The `why` of a result; empty: it has none.
+/// The `why` of a result; empty if it has none.
 std::string whyOf(const nlohmann::json& result);
 
 }  // namespace gluray::control

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr const char* kHowToName = "program: use a number, a list of numbers, or \"all\"";
 
-/// Results of several programs, in the order in which the client named them.
+/// Results of several programs, in the order of the client's request.
 struct Gathered {
   json results = json::array();
   size_t missing = 0;
@@ -42,7 +42,7 @@ bool areTexts(const json& list) {
          std::all_of(list.begin(), list.end(), [](const json& word) { return word.is_string(); });
 }
 
-/// What is wrong with a request that goes to programs as it is; empty: nothing.
+/// The error in a request that is forwarded to programs; empty if it is valid.
 std::string mistakeIn(const std::string& type, const json& request) {
   const json* values = member(request, "values");
   const json* gesture = member(request, "gesture");
@@ -59,7 +59,7 @@ std::string mistakeIn(const std::string& type, const json& request) {
   return "";
 }
 
-/// The request without what is between the client and the hub.
+/// The request without the members that only the hub needs.
 json forProgram(const std::string& type, const json& request) {
   json message{{"type", type}};
   for (const char* name : {"names", "layers", "name", "arguments"})
@@ -180,7 +180,7 @@ void Requests::observe(uint64_t client, const json& request, const Chosen& chose
 
 namespace {
 
-/// The requests of a batch, one after the other.
+/// The requests of a batch, carried out one after the other.
 struct Batch : std::enable_shared_from_this<Batch> {
   Requests* requests = nullptr;
   uint64_t client = 0;
@@ -188,7 +188,7 @@ struct Batch : std::enable_shared_from_this<Batch> {
   Requests::Done done;
   bool inside = false, answered = false;
 
-  /// A loop, not a recursion, over requests that are answered at once.
+  /// Uses a loop, not recursion, for requests that are answered at once.
   void next() {
     if (inside) return;
     inside = true;

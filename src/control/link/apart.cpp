@@ -21,14 +21,14 @@
 namespace gluray::control {
 namespace {
 
-constexpr int kWake = SIGURG;  // ignored unless somebody handles it
+constexpr int kWake = SIGURG;  // ignored unless it has a handler
 
-/// What the two threads tell each other.
+/// State that the two threads share.
 struct Pair {
   std::mutex mutex;
   std::condition_variable changed;
   const std::function<void()>* work = nullptr;
-  const std::function<void()>* task = nullptr;  // null: none waits
+  const std::function<void()>* task = nullptr;  // null: no task waits
   std::exception_ptr thrown;                    // by the task
   bool ended = false;
 };
@@ -48,7 +48,7 @@ bool separateDescriptors() {
   return true;
 }
 
-/// Libraries write to the standard streams: no connection may get their numbers.
+/// Occupies the numbers of the standard streams: libraries write to them, so no connection may get them.
 void fillStreams() {
   for (int number = STDIN_FILENO; number <= STDERR_FILENO; ++number) open("/dev/null", O_RDWR | O_CLOEXEC);
 }

@@ -1,6 +1,6 @@
-// A thread with a descriptor table of its own, for the link to the hub: the host program may close any
-// descriptor and reuse its number, and asio would then use the host's files as its own. The host sees none of
-// the link's descriptors, and children of a fork inherit none.
+// A thread with its own descriptor table, for the link to the hub. The host program may close any descriptor
+// and reuse its number, and asio would then use the host's files as its own. With a separate table, the host
+// sees none of the link's descriptors, and forked children inherit none.
 #pragma once
 #include <pthread.h>
 
@@ -8,22 +8,22 @@
 
 namespace gluray::control {
 
-/// Runs `work` on such a thread, with the host's signals blocked, and what it hands to inProcess() on the
-/// calling thread. Returns when `work` has ended. Where the system refuses descriptor tables, as some
-/// sandboxes do, the thread uses that of the process. False: no thread can be started, and `work` was not
-/// run.
+/// Runs `work` on such a thread, with the host's signals blocked, and tasks of inProcess() on the calling
+/// thread. Returns when `work` has ended. If the system refuses separate descriptor tables, as some sandboxes
+/// do, the thread uses the process's table. Returns false, without running `work`, if no thread can be
+/// started.
 bool runApart(const std::function<void()>& work);
 
-/// Runs `task` on the thread that called runApart(), whose descriptors are the process's; on any other thread
-/// than that of runApart(): at once. For tasks that may start threads: these inherit the descriptor table.
-/// Returns when `task` has ended; rethrows what it throws.
+/// Runs `task` on the thread that called runApart(), which has the process's descriptors; if called on any
+/// other thread than that of runApart(), runs it at once. For tasks that may start threads, because threads
+/// inherit the descriptor table. Returns when `task` has ended; rethrows its exceptions.
 void inProcess(const std::function<void()>& task);
 
-/// Interrupts threads of runApart() that wait for wakeDescriptor(). Sends a signal that is blocked there, and
-/// that nobody handles. Any thread.
+/// Interrupts threads of runApart() that wait for wakeDescriptor(). Sends a signal that is blocked in these
+/// threads and has no handler. Any thread.
 void wakeApart(pthread_t thread) noexcept;
 
-/// A descriptor that becomes readable when the calling thread, one of runApart(), is woken; -1: there is
+/// A descriptor that becomes readable when the calling thread, one of runApart(), is woken; -1 if there is
 /// none. It must not be read.
 int wakeDescriptor() noexcept;
 

@@ -31,7 +31,7 @@ TEST(Apart, DescriptorsAreSeparate) {
   close(ends[0]), close(ends[1]);
 }
 
-/// The thread holds no copy: readers of a pipe see its end when the process closes it.
+/// The thread holds no copies of descriptors: readers of a pipe see its end when the process closes it.
 TEST(Apart, PipesEndWhenTheProcessClosesThem) {
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe(ends.data()), 0);

@@ -16,7 +16,7 @@ void Calls::startCall(const std::string& name, const json& id, const json& argum
   waiting_.push_back({name, id, arguments, FrameWait(source_, now)});
 }
 
-/// False: it waits for a frame.
+/// Carries out the call. Returns false if it must wait for a frame.
 bool Calls::carryOut(const std::string& name, const json& id, const json& arguments) {
   json value;
   std::string why;

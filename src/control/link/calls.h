@@ -1,4 +1,4 @@
-// Calls that the program carries out itself; those that need a frame wait for one. Control thread; times in
+// Calls that the program carries out. A call that needs a frame waits for one. Control thread; times in
 // seconds.
 #pragma once
 #include "control/link/program/controlled_program.h"
@@ -16,17 +16,17 @@ namespace gluray::control {
 
 class Calls {
  public:
-  static constexpr double kPoll = 0.004;  // between two looks while one waits
+  static constexpr double kPoll = 0.004;  // interval of checks while a call waits
   static constexpr size_t kMaxWaiting = 64;
 
-  /// `result` has `why` if the call is refused.
+  /// Receives the result; it has `why` if the call is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
   Calls(ControlledProgram& program, const SettingsSource& source, Waker& waker, Answer answer)
       : program_(program), source_(source), waker_(waker), answer_(std::move(answer)) {}
 
   void startCall(const std::string& name, const nlohmann::json& id, const nlohmann::json& arguments,
                  double now);
-  /// Answers what is due.
+  /// Answers calls that are due.
   void passed(double now);
   double nextDue(double now) const;
 

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The changes that `values` asks for; or `why` there are none.
+/// Parses the changes in `values`. Returns an error message if there are none.
 std::string readChanges(const json* values, LiveSettings::Changes& changes) {
   if (!values || !values->is_object()) return "values must be an object of settings and their values";
   for (const auto& [name, value] : values->items()) {
@@ -82,7 +82,7 @@ std::string ChangeRequests::read(const std::string& type, const json& message, C
   return "";
 }
 
-/// Makes the change from a frame on. Returns why not.
+/// Makes the change from a frame on. Returns an error message.
 std::string ChangeRequests::make(const Change& change, uint64_t frame, LiveSettings::Answer& answer) {
   answer = live_.change(change.changes, frame);
   if (!answer.why.empty()) return answer.why;

@@ -1,5 +1,5 @@
-// Requests that change settings: set, undo and redo; and hold, apply, draw and drop of MPI jobs. They are
-// answered when a frame has begun with the values. Control thread; times in seconds.
+// Requests that change settings: set, undo and redo; for MPI jobs also hold, apply, draw and drop. They are
+// answered when a frame has begun with the new values. Control thread; times in seconds.
 #pragma once
 #include "settings/live/live_settings.h"
 #include "settings/live/settings_history.h"
@@ -16,29 +16,29 @@ namespace gluray::control {
 
 class ChangeRequests {
  public:
-  static constexpr double kPatience = 0.5;   // for a frame with the values
-  static constexpr double kQuiet = 0.1;      // without a frame: the program draws nothing
+  static constexpr double kPatience = 0.5;   // limit for a frame with the values
+  static constexpr double kQuiet = 0.1;      // without a frame for that long, the program is idle
   static constexpr double kAskAgain = 0.15;  // between two requests to draw
-  static constexpr double kPoll = 0.004;     // between two looks at the frames
+  static constexpr double kPoll = 0.004;     // interval of checks for frames
   static constexpr double kHoldSeconds = 5;
   static constexpr size_t kMaxHeld = 16, kMaxWaiting = 256, kMaxValueBytes = size_t{16} << 10;
   static constexpr size_t kMaxNameBytes =
       256;  // bytes of the name of an unknown setting that an answer quotes
 
-  /// `result` has `why` if the request is refused.
+  /// Receives the result; it has `why` if the request is refused.
   using Answer = std::function<void(const nlohmann::json& id, nlohmann::json result)>;
-  /// `history` outlives this: hubs come and go.
+  /// `history` outlives this, because hubs come and go.
   ChangeRequests(LiveSettings& live, const SettingsSource& source, SettingsHistory& history,
                  std::function<void()> wake, Answer answer)
       : live_(live), source_(source), history_(history), wake_(std::move(wake)), answer_(std::move(answer)) {}
 
-  /// Whether receiveRequest() knows the type.
+  /// Whether receiveRequest() handles the type.
   static bool knows(const std::string& type);
   void receiveRequest(const std::string& type, const nlohmann::json& id, const nlohmann::json& message,
                       double now);
-  /// Answers, asks to draw, and drops what is due.
+  /// Answers requests, requests frames, and drops held changes that are due.
   void passed(double now);
-  /// When passed() is to be called next; infinity: not before the next request.
+  /// Time of the next call of passed(); infinity if only a request makes it necessary.
   double nextDue(double now) const;
 
   const SettingsHistory& history() const { return history_; }

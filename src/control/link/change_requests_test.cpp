@@ -1,4 +1,4 @@
-// What a program says to requests that change its settings: set, undo, redo, and changes that are held.
+// The program's answers to requests that change its settings: set, undo, redo, and held changes.
 #include "control/testing/program_side_fixture.h"
 
 namespace gluray::control::test {

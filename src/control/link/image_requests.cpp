@@ -21,11 +21,11 @@ void ImageRequests::startCall(const std::string& call, const json& id, const jso
 }
 
 void ImageRequests::shoot(const json& id, double now) {
-  collect(/*slow=*/true, now);  // what was kept before this request is not for it
+  collect(/*slow=*/true, now);  // images kept before this request do not answer it
   waiting_.push_back({id, FrameWait(source_, now)});
 }
 
-/// Rows of a kept shot.
+/// Rows of a kept shot as JSON.
 json ImageRequests::piece(const json& arguments, double now) {
   const auto number = wholeNumber(member(arguments, "shot"), 0, kMaxFrame);
   const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
@@ -49,7 +49,7 @@ json ImageRequests::piece(const json& arguments, double now) {
 void ImageRequests::observe(const ThumbnailWish& wish, double now) {
   wish_ = wish;
   due_ = now;
-  shown_ = asked_ = 0;  // the first thumbnail comes in any case
+  shown_ = asked_ = 0;  // the first thumbnail is always sent
   askedInARow_ = 0, asks_ = false;
 }
 
@@ -70,7 +70,7 @@ void ImageRequests::passed(bool slow, double now) {
                                                                  : Wanted::none);
 }
 
-/// Hands the image that the program has kept to those who wait for it.
+/// Passes the image that the program has kept to the requests that wait for it.
 void ImageRequests::collect(bool slow, double now) {
   const std::unique_ptr<KeptImage> image = program_.takeImage();
   if (!image) return;
@@ -100,7 +100,7 @@ void ImageRequests::sendThumbnail(const KeptImage& image, double now) {
            {"pixels", toBase64(small.bytes)}});
 }
 
-/// Whether the program has shown a frame after that of the last thumbnail, and then drew nothing.
+/// Whether the program has shown a frame after that of the last thumbnail, and then became idle.
 bool ImageRequests::missesFrames(double now) {
   const SettingsSource::Begun begun = source_.begun();
   if (std::exchange(begun_, begun.frame) != begun.frame && now - askedAt_ > kSettle) askedInARow_ = 0;

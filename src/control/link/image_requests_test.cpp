@@ -24,7 +24,7 @@ struct WindowProgram final : ControlledProgram {
   void wantImage(Wanted w) noexcept override { wanted = w; }
   std::unique_ptr<KeptImage> takeImage() noexcept override { return std::move(kept); }
 
-  /// A frame is shown in its window.
+  /// Shows a frame in the program's window.
   void show(uint64_t frame, int width = 4, int height = 2, bool later = false) {
     if (wanted == Wanted::none || (later && wanted == Wanted::next)) return;
     kept = std::make_unique<KeptImage>();
@@ -40,7 +40,7 @@ struct WindowProgram final : ControlledProgram {
 
 struct ImagesTest : testing::Test {
   void pass(double seconds) { images.passed(slow, now += seconds), waker.passed(now); }
-  /// The program begins and shows a frame.
+  /// Begins and shows a frame.
   void frame(int width = 4, int height = 2) {
     source.beginFrame();
     program.show(source.frame(), width, height);

@@ -15,7 +15,7 @@
 namespace gluray::control {
 namespace {
 
-/// What a launcher sets. Names of the job in order of preference; null: none.
+/// The variables of a launcher. `names`: of the job, in order of preference; null: none.
 struct Launcher {
   const char *rank, *ranks;
   std::array<const char*, 3> names;
@@ -34,7 +34,7 @@ std::optional<int> rankNumber(const std::string& text) {
   return whole && number >= 0 && number <= kMaxRanks ? std::optional(number) : std::nullopt;
 }
 
-/// A job of several ranks; nothing if the numbers are missing or wrong.
+/// A job with several ranks; nullopt if the numbers are missing or invalid.
 std::optional<Job> jobFrom(const std::string& rank, const std::string& ranks, const std::string& name) {
   const std::optional<int> place = rankNumber(rank), count = rankNumber(ranks);
   if (!place || !count || *count < 2 || *place >= *count) return std::nullopt;
@@ -42,8 +42,8 @@ std::optional<Job> jobFrom(const std::string& rank, const std::string& ranks, co
   return Job{*place, *count, name.substr(0, kMaxNameBytes)};
 }
 
-/// Host and process of MPICH's launcher on this host, which may have started the rank through a shell; empty:
-/// none.
+/// Host and process id of MPICH's launcher on this host, which may have started the rank through a shell;
+/// empty if there is none.
 std::string launcherOfThisProcess() {
   char host[256] = {};
   if (gethostname(host, sizeof host - 1) != 0) return "";
@@ -66,13 +66,13 @@ Job jobOf(const AskVariable& variable, const std::string& launcher) {
     std::string name;
     for (const char* const known : l.names)
       if (known && name.empty()) name = variable(known);
-    // The launcher's process is the same for all ranks if they run on one host.
+    // If all ranks run on one host, the launcher's process is the same for all of them.
     if (name.empty() && variable("MPI_LOCALNRANKS") == variable(l.ranks)) name = launcher;
-    // Ranks that cannot tell which job they are of are programs of their own.
+    // Ranks that cannot determine their job count as separate programs.
     if (name.empty()) continue;
     if (auto job = jobFrom(variable(l.rank), variable(l.ranks), name)) return *job;
   }
-  // Shells of batch jobs have SLURM_NTASKS, too, but no step of their own.
+  // Shells of batch jobs also have SLURM_NTASKS, but no step.
   const std::string id = variable("SLURM_JOB_ID"), step = variable("SLURM_STEP_ID");
   if (!id.empty() && rankNumber(step))
     if (auto job = jobFrom(variable("SLURM_PROCID"), variable("SLURM_NTASKS"), "slurm " + id + "." + step))

@@ -1,4 +1,4 @@
-// The place of this process in an MPI job, from the variables that MPI's launchers set: Open MPI, PMIx,
+// The position of this process in an MPI job, from the variables that MPI's launchers set: Open MPI, PMIx,
 // MVAPICH, MPICH (Hydra) and Slurm. Any thread.
 #pragma once
 #include <functional>
@@ -11,13 +11,14 @@ struct Job {
   std::string name;  // the same for all ranks of the job; empty: no job
 };
 
-/// The value of a variable; empty: it is not set.
+/// Returns the value of a variable; empty if it is not set.
 using AskVariable = std::function<std::string(const char* name)>;
 
-/// `launcher`: what names this process's launcher where no variable names the job, such as "node7 4100".
+/// `launcher`: text that identifies this process's launcher, such as "node7 4100", used if no variable names
+/// the job.
 Job jobOf(const AskVariable& variable, const std::string& launcher);
 
-/// Of this process.
+/// The job of this process.
 Job jobOfThisProcess();
 
 }  // namespace gluray::control

@@ -1,4 +1,4 @@
-// MPI jobs as their launchers describe them.
+// MPI jobs as described by the variables of their launchers.
 #include "control/link/job.h"
 
 #include <gtest/gtest.h>

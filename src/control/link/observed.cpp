@@ -26,8 +26,7 @@ json Observed::observeRequested(const json& message, double now) {
   const auto size = wholeNumber(askedSize, ThumbnailWish::kMinSize, ThumbnailWish::kMaxSize);
   if (askedSize && !size) return {{"why", "size must be a number of pixels from 16 to 512"}};
   every_ = every ? every->get<double>() : 1;
-  every_ =
-      every_ >= kMinInterval ? std::min(every_, kMaxInterval) : kMinInterval;  // also of what is no number
+  every_ = every_ >= kMinInterval ? std::min(every_, kMaxInterval) : kMinInterval;  // also if it is NaN
   state_ = names("state"), settings_ = names("settings");
   thumbnails_ = {names("thumbnail"), size ? static_cast<int>(*size) : ThumbnailWish::kUsualSize, every_};
   first_ = true;

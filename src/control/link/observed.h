@@ -15,25 +15,24 @@
 
 namespace gluray::control {
 
-/// A setting's value, layer and place.
+/// A setting's value, layer and place as JSON.
 nlohmann::json described(const LiveSettings::Value& value);
 
 class Observed {
  public:
   static constexpr double kMinInterval = 0.05, kMaxInterval = 3600;
-  static constexpr double kSample = 0.25;  // at most so long between samples for rates
+  static constexpr double kSample = 0.25;  // maximum interval of samples for rates
 
   using Send = std::function<void(nlohmann::json event)>;
   Observed(ControlledProgram& program, LiveSettings& live, const SettingsSource& source, Send send)
       : program_(program), live_(live), source_(source), send_(std::move(send)) {}
 
-  /// Observes what the request says and nothing else. Returns the answer; it has `why` if the request is
-  /// wrong.
+  /// Replaces the subscription. Returns the answer; it has `why` if the request is wrong.
   nlohmann::json observeRequested(const nlohmann::json& message, double now);
-  /// Sends what is due. `slow`: the hub does not read what was sent; states are left out.
+  /// Sends events that are due. `slow`: the hub does not read what was sent; states are skipped.
   void passed(const SettingsHistory& history, bool slow, double now);
   double nextDue() const;
-  /// What the last request says of thumbnails.
+  /// The subscription to thumbnails.
   const ThumbnailWish& thumbnails() const { return thumbnails_; }
 
  private:
@@ -46,9 +45,9 @@ class Observed {
   const Send send_;
   bool state_ = false, settings_ = false;
   ThumbnailWish thumbnails_;
-  bool first_ = true;  // no settings were sent since observeRequested()
+  bool first_ = true;  // no settings sent since observeRequested()
   double every_ = 1, nextState_ = 0, nextLook_ = 0;
-  uint64_t revision_ = 0;  // of the settings that were sent
+  uint64_t revision_ = 0;  // revision of the settings that were sent
   size_t undo_ = 0, redo_ = 0;
   std::map<std::string, LiveSettings::Value, std::less<>> sent_;
   Rates rates_;

@@ -30,7 +30,8 @@ namespace {
 using asio::error_code;
 using nlohmann::json;
 
-/// Asio's objects that exit() would destroy before handlers that were registered earlier.
+/// Constructs asio's static objects, which exit() would otherwise destroy before it calls handlers that were
+/// registered earlier.
 void makeAsiosObjects() {
   asio::error::get_system_category(), asio::error::get_netdb_category();
   asio::error::get_addrinfo_category(), asio::error::get_misc_category();
@@ -38,14 +39,14 @@ void makeAsiosObjects() {
 
 std::atomic<ProgramLink*> g_ends{nullptr};
 
-/// Lets exit() end the link's thread before objects that it uses are destroyed.
+/// Makes exit() end the link's thread before objects that it uses are destroyed.
 void endAtExit(ProgramLink& link) {
   if (g_ends.exchange(&link)) return;
   makeAsiosObjects();
   std::atexit([] { g_ends.load()->exiting(); });
 }
 
-/// A hub that is not there may come; what is wrong with the settings stays wrong until the user corrects it.
+/// A missing hub may start later; wrong settings stay wrong until the user corrects them.
 void noteNoHub(const std::string& why, ConnectFailure failure) {
   if (failure == ConnectFailure::unreachable) return log::write(log::Level::debug, "no hub: " + why);
   log::once(log::Level::warning, "hub " + why, "the hub cannot be used: " + why);
@@ -57,8 +58,7 @@ void noteFailure(const std::exception& error) noexcept {
   } catch (...) {}  // out of memory
 }
 
-/// Tells a socket's file from the one that another hub makes in its place, which may get the same inode.
-/// Never 0.
+/// Distinguishes a socket's file from that of a later hub, which may get the same inode. Never 0.
 uint64_t identityOf(const struct stat& status) {
   const uint64_t parts[] = {static_cast<uint64_t>(status.st_dev), static_cast<uint64_t>(status.st_ino),
                             static_cast<uint64_t>(status.st_ctim.tv_sec),
@@ -72,7 +72,7 @@ uint64_t identityOf(const struct stat& status) {
 struct ProgramLink::Serving {
   explicit Serving(ProgramLink& of) : link(of) {}
 
-  /// Returns when the connection has ended, or there is none.
+  /// Returns when the connection has ended, or could not be made.
   void run() {
     if (const int descriptor = wakeDescriptor(); descriptor >= 0) wake.assign(descriptor);
     waitForExit();
@@ -153,7 +153,7 @@ void ProgramLink::lookForHub(double now) noexcept {
   if (exiting_ || forked_ || !next_.compare_exchange_strong(next, now + kLookSeconds)) return;
   try {
     if (hub_.host.empty() ? hubIsHere(now) : true) start();
-  } catch (const std::exception&) {}  // out of memory: the next look
+  } catch (const std::exception&) {}  // out of memory: retried at the next check
 }
 
 bool ProgramLink::hubIsHere(double now) {
@@ -183,7 +183,7 @@ void ProgramLink::start() noexcept {
     running_ = false, next_ = nowSeconds() + kMaxBackoff;
 }
 
-/// The main function of the thread in whose place the other one asks and answers.
+/// Main function of the thread with the process's descriptors, which runs the tasks of the other one.
 void ProgramLink::run() noexcept {
   pthread_setname_np(pthread_self(), "gluray-control");
   bool ran = false;
@@ -194,7 +194,7 @@ void ProgramLink::run() noexcept {
   running_ = false;
 }
 
-/// On the thread with its own descriptors.
+/// Runs on the thread with its own descriptors.
 void ProgramLink::serveHubs() noexcept {
   const bool tcp = !hub_.host.empty();
   double pause = kTcpSeconds;
@@ -217,8 +217,8 @@ void ProgramLink::serveHubs() noexcept {
   } while (!exiting_);
 }
 
-/// A socket where no hub says hello is tried again ever more seldom; another one in its place, at the next
-/// look.
+/// A socket where no hub answers is tried again at increasing intervals. If another one replaces it, that one
+/// is tried at the next check.
 void ProgramLink::noteAttempt(bool greeted) {
   const uint64_t socket = greeted ? 0 : seen_.load();
   if (socket != useless_) backoff_ = kLookSeconds;
@@ -227,7 +227,7 @@ void ProgramLink::noteAttempt(bool greeted) {
   retry_ = nowSeconds() + backoff_;
 }
 
-/// Serves one connection. Returns whether the hub has said hello.
+/// Serves one connection. Returns whether the hub has sent its hello.
 bool ProgramLink::serve() {
   auto serving = std::make_unique<Serving>(*this);
   {
@@ -247,7 +247,7 @@ bool ProgramLink::serve() {
     serving->run();
   }
   const bool greeted = serving->greeted;
-  if (exiting_) serving.release();  // what it would use may be gone
+  if (exiting_) serving.release();  // objects that its destructor uses may be gone
   return greeted;
 }
 

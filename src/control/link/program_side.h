@@ -1,5 +1,5 @@
-// What a program says to the hub (docs/control-protocol.md): answers to requests, and events. Knows no
-// sockets and no clock. Control thread; times in seconds, on the clock nowSeconds().
+// The program's side of the protocol (docs/control-protocol.md): answers to requests, and events. Has no
+// sockets and no clock. Control thread; times in seconds, on the clock of nowSeconds().
 #pragma once
 #include "control/connection/connection.h"
 #include "control/link/calls.h"
@@ -19,27 +19,27 @@ namespace gluray::control {
 
 class ProgramSide {
  public:
-  static constexpr double kHelloSeconds = 5;                 // until the hub's hello
-  static constexpr size_t kMuchWaiting = size_t{256} << 10;  // bytes: the hub reads slowly
+  static constexpr double kHelloSeconds = 5;                 // limit for the hub's hello
+  static constexpr size_t kMuchWaiting = size_t{256} << 10;  // bytes waiting that make a hub slow
 
   /// The connection to the hub.
   struct Peer {
     std::function<void(Connection::Line line)> send;
     std::function<void(const std::string& why)> finish;
-    std::function<size_t()> waiting;  // bytes that are not sent yet
+    std::function<size_t()> waiting;  // bytes not sent yet
   };
-  /// `history`: the steps that can be taken back; it outlives connections.
+  /// `history`: the steps that can be undone; it outlives connections.
   ProgramSide(ControlledProgram& program, LiveSettings& live, const SettingsSource& source,
               SettingsHistory& history, Peer peer);
 
-  /// Says hello.
+  /// Sends the hello.
   void begin(double now);
-  /// A message of the hub.
+  /// Handles a message of the hub.
   void receiveMessage(const nlohmann::json& message, double now);
   void passed(double now);
-  /// When passed() is to be called next; infinity: not before the next message.
+  /// Time of the next call of passed(); infinity if only a message makes it necessary.
   double nextDue(double now) const;
-  /// Whether the hub has said hello.
+  /// Whether the hub has sent its hello.
   bool greeted() const { return greeted_; }
 
  private:

@@ -1,4 +1,4 @@
-// What a program says to the hub: hello, values, what is observed, calls. change_requests_test.cpp has the
+// The program's messages to the hub: hello, values, events, calls. change_requests_test.cpp tests the
 // requests that change settings.
 #include "control/testing/program_side_fixture.h"
 

@@ -1,4 +1,4 @@
-// Rates over the last second, from counts that are sampled now and then. One thread.
+// Rates over the last second, from counts that are sampled from time to time. One thread.
 #pragma once
 #include "control/link/program/controlled_program.h"
 
@@ -12,15 +12,15 @@ class Rates {
  public:
   static constexpr double kSpan = 1;  // seconds
 
-  /// Counts as of `now`, in seconds; `frame`: the number of the frame that began last.
+  /// Adds the counts at time `now`, in seconds. `frame`: number of the frame that began last.
   void sample(uint64_t frame, const Figures& figures, double now);
   void clear() { samples_.clear(); }
 
-  /// Frames a second; 0 if nothing was drawn.
+  /// Frames per second; 0 if nothing was drawn.
   double framesPerSecond() const;
-  /// Traced triangles of a frame; of those before, while no frame begins.
+  /// Traced triangles of the last frame with any; unchanged while no frame begins.
   uint64_t triangles() const { return triangles_; }
-  /// Share of the draws that were traced; none without draws.
+  /// Share of the draws that were traced; nullopt without draws.
   std::optional<double> traced() const;
 
  private:
@@ -29,7 +29,7 @@ class Rates {
     Figures figures;
     double time;
   };
-  std::deque<Sample> samples_;  // the newest last; the first may be older than kSpan
+  std::deque<Sample> samples_;  // newest last; the first may be older than kSpan
   uint64_t triangles_ = 0;
 };
 

@@ -10,8 +10,8 @@
 namespace gluray::control {
 namespace {
 
-/// Objects of this library must not be destroyed on a thread of the program: that allocates, and ends the
-/// program if there is no memory. Texts are fine.
+/// Objects of this library must not be destroyed on a thread of the program: their destructor allocates, and
+/// ends the program if memory runs out. Texts are safe.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

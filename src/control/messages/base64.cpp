@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// Values of characters; -1: none.
+/// Values of the base64 characters; -1 for other characters.
 constexpr std::array<int8_t, 256> valuesOfDigits() {
   std::array<int8_t, 256> values{};
   values.fill(-1);

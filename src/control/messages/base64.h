@@ -6,9 +6,9 @@
 
 namespace gluray::control {
 
-/// Without line breaks.
+/// Encodes without line breaks.
 std::string toBase64(std::string_view bytes);
-/// None: the text is no base64, or lacks its padding.
+/// Decodes; nullopt if the text is not base64, or lacks its padding.
 std::optional<std::string> fromBase64(std::string_view text);
 
 }  // namespace gluray::control

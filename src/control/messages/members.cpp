@@ -8,10 +8,10 @@ namespace {
 
 using nlohmann::json;
 
-/// Characters of text in UTF-8.
+/// Number of characters in a UTF-8 text.
 size_t charactersIn(const std::string& text) {
   return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;  // no continuation of a character
+    return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u;  // not a continuation byte
   }));
 }
 

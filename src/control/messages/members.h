@@ -8,34 +8,34 @@
 
 namespace gluray::control {
 
-inline constexpr size_t kMaxCharacters = 64;  // of an id, a gesture, a name of a call
+inline constexpr size_t kMaxCharacters = 64;  // of an id, a gesture, the name of a call
 inline constexpr int kMaxRanks = 1 << 20;     // of an MPI job
-// The largest whole number that every JSON reader keeps.
+// The largest integer that every JSON reader preserves.
 inline constexpr int64_t kMaxFrame = int64_t{1} << 53;
 
-/// The member of an object; null where there is none, or `object` is none.
+/// The member of an object; null if it is missing, or `object` is not an object.
 const nlohmann::json* member(const nlohmann::json& object, const char* name);
 
-/// A whole number from `least` to `most`; 1.0 and true are none.
+/// An integer from `least` to `most`; nullopt otherwise, also for 1.0 and true.
 std::optional<int64_t> wholeNumber(const nlohmann::json* value, int64_t least, int64_t most);
 
-/// A text of at most `characters` Unicode characters.
+/// Whether the value is a text of at most `characters` Unicode characters.
 bool isText(const nlohmann::json* value, size_t characters = kMaxCharacters);
 
-/// Whether it is the boolean true.
+/// Whether the value is the boolean true.
 bool isTrue(const nlohmann::json* value);
 
-/// Whether an answer can repeat it: a number or a text of at most kMaxCharacters.
+/// Whether an answer can repeat the value as an id: a number, or a text of at most kMaxCharacters characters.
 bool isId(const nlohmann::json* value);
 
-/// The text of a member, `otherwise` where there is none; nothing where it is no text, or a longer one.
+/// The text of a member, or `otherwise` if it is missing. Nullopt if it is not a text or is too long.
 std::optional<std::string> textMember(const nlohmann::json& object, const char* name, size_t characters,
                                       const char* otherwise = nullptr);
 
-/// The text of a member; empty where there is none.
+/// The text of a member; empty if it is missing.
 std::string textIn(const nlohmann::json& object, const char* name);
 
-/// The number of a member; `otherwise` where there is none.
+/// The number of a member; `otherwise` if it is missing.
 template <class Number>
 Number numberIn(const nlohmann::json& object, const char* name, Number otherwise) {
   const nlohmann::json* const value = member(object, name);

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// The deepest nesting of brackets outside of strings.
+/// The maximum nesting of brackets outside strings.
 int depthOf(std::string_view text) {
   int depth = 0, most = 0;
   bool inString = false;
@@ -74,7 +74,7 @@ Parsed parse(std::string_view line) {
     if (type == message.end() || !type->is_string()) return {{}, "the message has no type"};
     return {std::move(message), ""};
   } catch (const json::exception& error) {
-    constexpr size_t kMaxQuotedBytes = 200;  // it quotes the message
+    constexpr size_t kMaxQuotedBytes = 200;  // the error quotes the message
     return {{}, "the message is not JSON in UTF-8: " + std::string(error.what()).substr(0, kMaxQuotedBytes)};
   }
 }

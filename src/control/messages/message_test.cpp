@@ -1,4 +1,4 @@
-// Lines and messages, whole, in pieces, and wrong.
+// Lines and messages: complete, in pieces, and invalid.
 #include "control/messages/message.h"
 
 #include "control/messages/parsed.h"
@@ -71,7 +71,7 @@ TEST(LineReader, DoesNotKeepWhatWasRead) {
 
 TEST(LineReader, DoesNotKeepWhatWasReadOfALongStream) {
   LineReader reader;
-  for (int i = 0; i < 10000; ++i) {  // never empty
+  for (int i = 0; i < 10000; ++i) {  // its buffer is never empty
     ASSERT_TRUE(reader.add(std::string(1000, 'x') + "\nrest"));
     ASSERT_TRUE(reader.nextLine());
     ASSERT_LE(reader.held(), kMaxBytes + 4000);

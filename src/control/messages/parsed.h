@@ -1,4 +1,4 @@
-// A parsed message, for those that read its members. Any thread.
+// A parsed message, for users that read its members. Any thread.
 #pragma once
 #include "control/messages/message.h"
 
@@ -9,7 +9,7 @@
 namespace gluray::control {
 
 struct Parsed {
-  nlohmann::json message;  // an object with a text `type`, unless `why` says otherwise
+  nlohmann::json message;  // an object with a text `type`, if `why` is empty
   std::string why;
 };
 

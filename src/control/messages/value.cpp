@@ -40,10 +40,10 @@ std::string scalarText(const json& value) {
   return value.is_number() ? value.dump() : "";
 }
 
-/// A layer's value, typed.
+/// A layer's value, converted to the setting's type.
 json typedValue(const Row& row, const std::string& text) {
   Session session;
-  const bool partly = row.type == Type::quirks;  // names only some
+  const bool partly = row.type == Type::quirks;  // a layer names only some quirks
   return !partly && readValue(row, text, session).empty() ? valueOf(row, printValue(row, session))
                                                           : json(text);
 }

@@ -1,4 +1,4 @@
-// A hub with peers that keep what they are sent, for tests.
+// A hub with fake peers that record what they receive, for tests.
 #pragma once
 #include "control/hub/hub_core.h"
 #include "control/messages/members.h"
@@ -17,21 +17,21 @@ namespace gluray::control::test {
 using nlohmann::json;
 using std::chrono::milliseconds;
 
-/// One end of a connection: what the hub has sent to it.
+/// One end of a connection, which records what the hub has sent to it.
 struct FakePeer {
   uint64_t connection = 0;
   std::vector<json> got;
-  size_t waiting = 0;    // what it tells the hub
-  std::string finished;  // why the hub closed it
+  size_t waiting = 0;    // reported to the hub
+  std::string finished;  // reason why the hub closed it
 
-  /// The messages of a type, which are removed.
+  /// Removes and returns the messages of a type.
   std::vector<json> takeMessages(const std::string& type) {
     std::vector<json> found, rest;
     for (json& message : got) (message["type"] == type ? found : rest).push_back(std::move(message));
     got = std::move(rest);
     return found;
   }
-  /// The only message of a type.
+  /// The only message of a type, which is removed.
   json one(const std::string& type) {
     const std::vector<json> found = takeMessages(type);
     EXPECT_EQ(found.size(), 1u) << type << " to " << connection << ": " << json(found) << " of " << json(got);
@@ -66,7 +66,7 @@ class HubCoreTest : public testing::Test {
     peer.got.clear();
     return peer;
   }
-  /// A program; of an MPI job where `job` is not empty.
+  /// A connected program; if `job` is not empty, a rank of an MPI job.
   FakePeer& program(const std::string& job = "", int rank = 0, int ranks = 1) {
     FakePeer& peer = connect();
     give(peer, {{"type", "hello"},
@@ -82,17 +82,17 @@ class HubCoreTest : public testing::Test {
     peer.takeMessages("hello");
     return peer;
   }
-  /// The program answers a request of the hub.
+  /// Makes the program answer a request of the hub.
   void answer(const FakePeer& program, const json& request, const json& result) {
     give(program, {{"type", "answer"}, {"id", request.value("id", 0)}, {"results", json::array({result})}});
   }
-  /// The client's answer to a request, which must have come.
+  /// The answer to a client's request; the test fails if it has not come.
   json answered(FakePeer& client, const json& id = 1) {
     const json answer = client.one("answer");
     EXPECT_EQ(answer.value("id", json{}), id);
     return answer;
   }
-  /// The first result in it.
+  /// The first result in that answer.
   json result(FakePeer& client, const json& id = 1) {
     const json answer = answered(client, id);
     if (!answer.contains("results") || answer["results"].empty()) return answer;
@@ -105,7 +105,7 @@ class HubCoreTest : public testing::Test {
   uint64_t last_ = 0;
 };
 
-/// The suite of hub_core_test.cpp and answers_test.cpp.
+/// Test suite in hub_core_test.cpp and answers_test.cpp.
 struct HubCoreRequests : HubCoreTest {};
 
 }  // namespace gluray::control::test

@@ -1,4 +1,4 @@
-// A program's side of the connection, with a fake program and a fake clock, for tests.
+// The program's side of the connection, with a fake program and a fake clock, for tests.
 #pragma once
 #include "base/clock.h"
 #include "control/link/program_side.h"
@@ -26,7 +26,7 @@ struct FakeProgram final : ControlledProgram {
 
   Figures figures_;
   int woken = 0;
-  bool drawn = false;  // what the call "late" needs
+  bool drawn = false;  // the call "late" needs this
 };
 
 struct ProgramSideTest : testing::Test {
@@ -39,7 +39,7 @@ struct ProgramSideTest : testing::Test {
     receiveMessage({{"type", "hello"}, {"version", 1}, {"role", "hub"}});
     sent.clear();
   }
-  /// A frame is drawn and shown.
+  /// Draws and shows a frame.
   void frame() {
     source.takeNewer(version), source.beginFrame();
     source.endFrame(), source.takeNewer(version);
@@ -47,7 +47,7 @@ struct ProgramSideTest : testing::Test {
   void begin() { source.takeNewer(version), source.beginFrame(); }
   void receiveMessage(const json& message) { side.receiveMessage(message, now); }
   void pass(double seconds) { side.passed(now += seconds); }
-  /// The newest message.
+  /// The last message.
   json last() const { return sent.empty() ? json() : sent.back(); }
   /// The result of a request that is answered at once.
   json ask(json message) {
@@ -61,7 +61,7 @@ struct ProgramSideTest : testing::Test {
     return message["results"].empty() ? json::object() : message["results"][0];
   }
   static json setting(const json& values) { return {{"type", "set"}, {"values", values}}; }
-  /// Sets at once, and begins a frame.
+  /// Sets values without a frame number, and begins a frame.
   json set(const json& values, const std::string& gesture = "") {
     json message = setting(values);
     message["id"] = 9;
@@ -79,7 +79,7 @@ struct ProgramSideTest : testing::Test {
   double now = nowSeconds() + 1000;
   SettingsSource source;
   LiveSettings live{source, [](const std::string&) {}};
-  uint64_t version = 0;  // of a context
+  uint64_t version = 0;  // the version that a context has
   FakeProgram program;
   std::vector<json> sent;
   std::vector<std::string> finished;

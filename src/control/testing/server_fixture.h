@@ -1,4 +1,4 @@
-// A hub on real sockets in a directory of its own, for tests. One thread runs the hub and the test.
+// A hub on real sockets in a temporary directory, for tests. One thread runs the hub and the test.
 #pragma once
 #include "control/connection/connect.h"
 #include "control/hub/server/hub_server.h"
@@ -37,7 +37,7 @@ class HubServerTest : public testing::Test {
   std::string path() const { return socketIn(options_.directory); }
   void start() { ASSERT_EQ(hub_.start(options_), ""); }
 
-  /// Runs the hub until `done` holds. False: it did not within a time that no machine needs.
+  /// Runs the hub until `done` holds. Returns false if that takes longer than on any machine.
   bool until(const std::function<bool()>& done) {
     const auto end = std::chrono::steady_clock::now() + 30s;
     while (!done()) {
@@ -48,7 +48,7 @@ class HubServerTest : public testing::Test {
     return true;
   }
 
-  /// A plain socket, connected.
+  /// A connected plain socket.
   int connectHere() {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -70,7 +70,7 @@ class HubServerTest : public testing::Test {
   }
   static void give(int socket, const json& message) { giveBytes(socket, lineOf(message)); }
 
-  /// The next message; null when the other side has closed it.
+  /// The next message; null if the peer has closed the connection.
   json nextMessage(int socket) {
     std::string line;
     bool closed = false;
@@ -83,7 +83,7 @@ class HubServerTest : public testing::Test {
     });
     return closed ? json{} : parse(line).message;
   }
-  /// Whether the other side closes it; what it says before is put into `said`.
+  /// Whether the peer closes the connection. `said`: receives its messages before that.
   bool closes(int socket, std::vector<json>* said = nullptr) {
     for (int i = 0; i < 100; ++i) {
       json message = nextMessage(socket);

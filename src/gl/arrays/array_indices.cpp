@@ -8,13 +8,14 @@
 namespace gluray::gl {
 namespace {
 
-/// The largest number is no vertex: one past it does not fit.
+/// `upper` is one past the largest number, which does not fit for the largest uint32_t; that is never a
+/// vertex.
 Range rangeOf(const Extremes& e) {
   constexpr uint32_t kMax = std::numeric_limits<uint32_t>::max();
   return e.least > e.most ? Range{} : Range{e.least, e.most == kMax ? kMax : e.most + 1};
 }
 
-/// Removes primitives of `each` corners that use a vertex from `available` on.
+/// Removes primitives of `each` corners that use a vertex from number `available` on.
 void dropMissing(std::vector<uint32_t>& corners, uint32_t available, size_t each) {
   size_t kept = 0;
   for (size_t t = 0; t + each <= corners.size(); t += each) {

@@ -40,7 +40,7 @@ bool isAligned(const ArrayReader& reader, const ArraySource& source) {
   return reinterpret_cast<uintptr_t>(reader.data()) % 4 == 0 && source.stride % 4 == 0;
 }
 
-/// The array from element `first` on, in place; empty if the renderer cannot read its format.
+/// The array from element `first` on, used in place; empty if the renderer cannot read its format.
 scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, uint32_t first, bool color) {
   if (!reader.storage() || !isAligned(reader, source)) return {};
   scene::Format format = scene::Format::none;
@@ -55,7 +55,7 @@ scene::Attribute inPlace(const ArrayReader& reader, const ArraySource& source, u
   return {reader.storage(), reader.data() + size_t{first} * stride, stride, format};
 }
 
-/// Copies the elements of `range` as `floats` floats each, the i-th of them to target + i * step.
+/// Copies the elements of `range` as `floats` floats each; element i goes to target + i * step.
 void copyElements(const ArrayReader& reader, const ArraySource& source, Range range, uint32_t floats,
                   float* target, uint32_t step) {
   const bool plain = source.type == GL_FLOAT && source.size >= static_cast<GLint>(floats);
@@ -86,7 +86,7 @@ scene::Attribute copied(const ArrayReader& reader, const ArraySource& source, Ra
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, formats[floats - 1]};
 }
 
-/// An attribute of the mesh: in place if `keepPlace` and its format allow it, else a copy.
+/// An attribute of the mesh: used in place if `keepPlace` and its format allow it, else a copy.
 scene::Attribute attribute(const ArrayReader& reader, const ArraySource& source, Range range, bool keepPlace,
                            uint32_t floats, size_t& sizeBytes) {
   if (!reader.enabled()) return {};
@@ -200,7 +200,7 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 
 namespace {
 
-/// Hashes what identifies an array's content: its buffer's version, or the bytes that the draw reads.
+/// Hashes the identity of an array's content: its buffer's version, or the bytes that the draw reads.
 Hash128 hashArray(const ArraySource& source, Range range, Hash128 h) {
   if (!source.enabled) return hashBytes("-", 1, h);
   const int64_t form[] = {

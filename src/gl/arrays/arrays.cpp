@@ -79,7 +79,7 @@ ArraySource readArray(const RealGl& real, ShareGroup& group, const ArrayNames& n
   return source;
 }
 
-/// Whether arrays are enabled that are never traced, but matter to recorded and rasterised draws.
+/// Whether arrays are enabled that tracing ignores, but that matter to recorded and rasterised draws.
 bool otherArraysOn(const RealGl& real) {
   return real.IsEnabled(GL_EDGE_FLAG_ARRAY) || real.IsEnabled(GL_INDEX_ARRAY);
 }
@@ -194,8 +194,8 @@ ArrayReader::ArrayReader(const RealGl& real, const ArraySource& source, Fraction
 
 namespace {
 
-/// One component as a float. `normalized` integers are converted by GL 2.1, table 2.9, or if `symmetric` by
-/// GL 4.2, equation 2.2.
+/// Converts one component to a float. `normalized` integers are converted by GL 2.1, table 2.9, or if
+/// `symmetric`, by GL 4.2, equation 2.2.
 float component(const std::byte* p, GLenum type, bool normalized, bool symmetric) {
   const auto load = [&]<class T>(T) {
     T value;

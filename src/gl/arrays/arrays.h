@@ -13,7 +13,8 @@
 
 namespace gluray::gl {
 
-/// One array. `pointer` is an offset into `buffer`, or without one an address of the host program's memory.
+/// One array. `pointer` is an offset into `buffer` or, without a buffer, an address in the host program's
+/// memory.
 struct ArraySource {
   bool enabled = false;
   GLint size = 4;
@@ -21,8 +22,8 @@ struct ArraySource {
   GLsizei stride = 0;  // bytes between elements; 0: cannot be read
   const std::byte* pointer = nullptr;
   std::shared_ptr<Buffer> buffer;
-  bool normalized = false;  // integers stand for fractions (normals, colours)
-  bool symmetric = false;   // with `normalized`: signed integers by GL 4.2's rule, with an exact 0
+  bool normalized = false;  // integers are converted to fractions (normals, colours)
+  bool symmetric = false;   // if `normalized`: by GL 4.2's rule, with an exact 0
   GLint location = -1;      // of a shader program's attribute; -1: fixed function
   GLuint binding = 0;       // of a shader program's attribute: its vertex buffer binding
   GLuint divisor = 0;       // instances per element; 0: one element per vertex
@@ -32,16 +33,17 @@ struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
   ArraySource radius, axis;                  // of impostors (scene/impostors.h)
   ArraySource corners, end, endColor, caps;  // of impostors whose billboards the program sends
-  bool sentBillboards = false;               // these, and:
+  bool sentBillboards = false;               // the four arrays above and radiusInPosition apply
   bool radiusInPosition = false;
   scene::Shape shape = scene::Shape::triangles;
   float impostorRadius = 1;                 // if no array gives radii
   float impostorCaps = 0;                   // if no array gives `caps`
   std::vector<ArraySource> texcoordsAbove;  // of texture units 1, 2 ... up to the last that is enabled
   std::shared_ptr<Buffer> elements;         // bound to GL_ELEMENT_ARRAY_BUFFER
-  // Of shader programs: enabled arrays that are none of the above, including per-instance ones.
+  // Of shader programs: other enabled arrays, including per-instance ones.
   std::vector<ArraySource> generic;
-  // Columns of per-instance matrices. The former may also be one array with x, y, z of a place, and a scale.
+  // Columns of per-instance matrices. instanceTransform may also be one array of x, y, z of a position, and a
+  // scale.
   std::vector<ArraySource> instanceTransform, instanceNormal;
   ArraySource instanceColor;
   bool others = false;             // arrays that only the real OpenGL handles are enabled (edge flags ...)
@@ -59,11 +61,11 @@ struct ArrayState {
 
 /// Bytes per component.
 size_t sizeOfType(GLenum type);
-/// Whether its elements can be read as floats.
+/// Whether the array's elements can be read as floats.
 bool isReadable(const ArraySource& source);
-/// Whether the array lies in a buffer that is mapped by the real OpenGL or written without our seeing it.
+/// Whether the array lies in a buffer that the real OpenGL maps, or that is written without GLuRay seeing it.
 bool isForeign(const ArraySource& source);
-/// Why a draw cannot be traced if such a buffer holds its indices or an array; else Reason::traced.
+/// Why a draw cannot be traced, if such a buffer contains its indices or an array; else Reason::traced.
 Reason foreignReason(const ArrayState& arrays);
 /// Whether primitive restart is enabled.
 bool restartsPrimitives(const RealGl& real);
@@ -73,13 +75,13 @@ std::shared_ptr<Buffer> bufferNamed(ShareGroup& group, GLuint name);
 /// Reads the pointers and enables back from the real OpenGL.
 void readArrays(const RealGl& real, ShareGroup& group, ArrayState& state);
 
-/// Reads single elements of an array as floats. The program's memory must outlive it.
-/// Which rule turns signed integers that stand for fractions into floats.
+/// Rule that converts signed integers to fractions.
 enum class Fractions : uint8_t {
   ofArrays,    // ArraySource::symmetric
-  ofCommands,  // that of glNormal3b and its like, for glArrayElement and draws in display lists
+  ofCommands,  // that of glNormal3b etc., for glArrayElement and draws in lists
 };
 
+/// Reads single elements of an array as floats. The host program's memory must outlive it.
 class ArrayReader {
  public:
   ArrayReader(const RealGl& real, const ArraySource& source, Fractions fractions = Fractions::ofArrays);
@@ -87,7 +89,7 @@ class ArrayReader {
   /// Number of elements in the buffer; the largest uint32_t for the program's memory, whose size is unknown.
   uint32_t available() const { return available_; }
   uint32_t divisor() const { return source_.divisor; }
-  /// Element i, with missing components from (0, 0, 0, 1). `i` must be below available().
+  /// Reads element i, with missing components from (0, 0, 0, 1). `i` must be below available().
   void read(uint32_t i, float out[4]) const;
   const std::byte* data() const { return data_; }
   const std::shared_ptr<const BufferStorage>& storage() const { return storage_; }
@@ -109,12 +111,13 @@ CapturedVertices capture(const RealGl& real, const ArrayState& arrays, GLenum mo
 /// Builds the mesh of a surface draw; buffers are read in place if their format allows it.
 KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// The same for a draw of points or separate lines that the program shows as impostors, or of billboards.
-/// Null if billboards are not whole (gl/impostors/sent_billboards.h).
+/// Builds the mesh of a draw of points or separate lines that the program shows as impostors, or of
+/// billboards. Null if billboards are not whole (gl/impostors/sent_billboards.h).
 KnownMesh buildImpostorMesh(const RealGl& real, const ArrayState& arrays, GLenum mode,
                             const Elements& elements);
 
-/// Hash that identifies what both would read: versions of buffers, contents of the host program's memory.
+/// Hash that identifies the input of buildArrayMesh() and buildImpostorMesh(): versions of buffers, contents
+/// of the host program's memory.
 Hash128 contentOf(const RealGl& real, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
 /// Slots that the enabled arrays fill.

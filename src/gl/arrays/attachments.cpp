@@ -41,7 +41,7 @@ void Attachments::check(ArrayState& arrays) const {
   if (deleted_.now() == 0) return;
   const auto name = [](const std::shared_ptr<Buffer>& buffer) { return buffer ? buffer->name() : 0; };
   // Places that are not recorded, such as high bindings and units, always count as old once their name was
-  // deleted: the real OpenGL draws then.
+  // deleted: then the real OpenGL draws.
   bool any = mayBeDeleted(kElements, name(arrays.elements));
   const auto look = [&](const ArraySource& source, GLuint place) {
     if (!source.enabled) return;

@@ -1,6 +1,6 @@
 // Records when buffers were attached to vertex array objects. A deleted buffer stays alive in vertex array
-// objects that are not bound (OpenGL 4.6, 5.1.2 and 5.1.3), and the name that the real OpenGL reports for it
-// may belong to another one by then. GL threads.
+// objects that are not bound (OpenGL 4.6, 5.1.2 and 5.1.3). By then, the name that the real OpenGL reports
+// for it may belong to another buffer. GL threads.
 #pragma once
 #include "gl/sharing/deleted_buffers.h"
 
@@ -34,16 +34,18 @@ class Attachments {
   void bind(GLuint array) { bound_ = array, any_ = any_ || array != 0; }
   /// Whether a vertex array object other than the default one was ever used.
   bool any() const { return any_; }
-  /// A buffer is attached there now.
+  /// Reports that a buffer is attached there now.
   void set(GLuint place) { set(bound_, place); }
   void set(GLuint array, GLuint place);
-  /// Forgets the times of a vertex array object (or the bound one): they may be wrong, or it was deleted.
+  /// Forgets the times of the bound vertex array object, which may be wrong.
   void forget() { when_.erase(bound_); }
+  /// Forgets the times of a vertex array object that was deleted, or whose times may be wrong.
   void forget(GLuint array) { when_.erase(array); }
-  /// set() for a target outside vertex array objects: buffers that another context deletes stay bound there.
+  /// Like set(), for a target outside vertex array objects: buffers that another context deletes stay bound
+  /// there.
   void setTarget(GLenum target);
-  /// Whether the buffer bound to `target`, GL_ELEMENT_ARRAY_BUFFER too, may be a deleted one that had `name`
-  /// before. Bindings made by other commands than glBindBuffer (glBindBufferBase ...) count as old.
+  /// Whether the buffer bound to `target`, which may be GL_ELEMENT_ARRAY_BUFFER, may be a deleted one that
+  /// had `name` before. Bindings by other commands than glBindBuffer (glBindBufferBase ...) count as old.
   bool mayBeDeletedAt(GLenum target, GLuint name) const;
   /// Sets Reason::deletedBuffer if arrays of the bound vertex array object may lie in deleted buffers.
   void check(ArrayState& arrays) const;

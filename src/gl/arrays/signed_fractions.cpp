@@ -59,7 +59,7 @@ GLuint trialProgram(const RealGl& real, bool core) {
   });
 }
 
-/// GL 2.1's rule differs by up to 1 / 65535 and more.
+/// Whether the value follows GL 4.2's rule. GL 2.1's rule differs by at least 1 / 65535 for values up to 0.
 bool isSame(float fed, int value, int most) {
   return std::abs(double{fed} - double(value) / most) < 4.0 / (1 << 24);
 }
@@ -73,7 +73,7 @@ bool areSame(std::span<const Fed> fed, const std::vector<Element>& elements) {
   return true;
 }
 
-/// Vertex array object and buffers of the trial, with the program's bound again when this ends.
+/// Vertex array object and buffers of the trial draw. The destructor binds the program's again.
 class TrialArrays {
  public:
   TrialArrays(const RealGl& real, const std::vector<Element>& elements, GLsizeiptr fedBytes)
@@ -140,7 +140,7 @@ std::optional<bool> SignedFractions::areSymmetric(const RealGl& real, bool core)
   tried_ = true;
   if (!hasFeedbackObjects(real) || !isPresent(real.BindVertexArray)) return std::nullopt;
   if (integer(real, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0 || isOn(real, GL_RASTERIZER_DISCARD)) {
-    tried_ = false;  // later
+    tried_ = false;  // a later call tries again
     return std::nullopt;
   }
   const std::optional<bool> same = tryOut(real, core);

@@ -1,5 +1,5 @@
-// How the real OpenGL converts signed integers in vertex arrays that stand for fractions, such as normals of
-// bytes: by GL 2.1, table 2.9, or by GL 4.2, equation 2.2. A part of ShadowState, GL thread, context current.
+// How the real OpenGL converts signed integers in vertex arrays to fractions, such as normals of bytes: by GL
+// 2.1, table 2.9, or by GL 4.2, equation 2.2. A part of ShadowState, GL thread, context current.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/real/real.h"
@@ -10,12 +10,13 @@ namespace gluray::gl {
 
 class SignedFractions {
  public:
-  /// Versions and drivers of OpenGL differ. Found out by a draw when first asked: whether all signed bytes
-  /// and shorts but the lowest ones are c / (2^(b-1) - 1), GL 4.2's equation 2.2. Nothing if this OpenGL
-  /// lacks what the draw takes, or the program's own transform feedback is active. No error may be pending.
+  /// Whether c / (2^(b-1) - 1), GL 4.2's equation 2.2, converts all signed bytes and shorts except the lowest
+  /// value. Versions and drivers of OpenGL differ, so the first call finds out by a draw. Nullopt if this
+  /// OpenGL lacks what the draw needs, or the program's own transform feedback is active. No error may be
+  /// pending.
   std::optional<bool> areSymmetric(const RealGl& real, bool core);
-  /// Sets ArraySource::symmetric of the arrays that hold such integers, if the rule can be found out. Returns
-  /// whether it drew.
+  /// Sets ArraySource::symmetric of the arrays that contain such integers, if the rule can be determined.
+  /// Returns whether it made a draw.
   bool apply(const RealGl& real, bool core, ArrayState& arrays);
 
  private:

@@ -10,8 +10,8 @@
 
 namespace gluray::gl {
 
-/// Whether the matrix gives all points within `reach` of the origin (per axis) the same w, but for the
-/// rounding of floats.
+/// Whether all points within `reach` of the origin (per axis) get the same w, up to single-precision
+/// rounding.
 inline bool isAffine(const glm::dmat4& m, const glm::dvec3& reach) {
   constexpr double kRounding = 2e-6;  // a thousandth of a pixel in a window of a thousand pixels
   double change = 0;

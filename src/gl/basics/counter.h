@@ -4,7 +4,7 @@
 
 namespace gluray::gl {
 
-/// A relaxed atomic with one writer: writing costs as much as writing a plain number; readers may see a
+/// A relaxed atomic with one writer. A write costs as much as a write to a plain number. Readers may see a
 /// slightly old value.
 template <class T>
 class Counter {

@@ -26,14 +26,14 @@ void Failsafe::fail(scene::Loss loss, const char* why) noexcept {
                  std::string("GLuRay is disabled, and the real OpenGL draws everything from now on: ") + why);
     }
     drawHeld_();
-  } catch (...) {  // nothing more can be done; the real OpenGL goes on without these vertices
+  } catch (...) {  // nothing more can be done; the real OpenGL continues without these vertices
   }
 }
 
 void Failsafe::depthCleared() noexcept {
   if (pause_ > 0) {
     --pause_;
-  } else if (nextPause_ > 1 && ++since_ >= nextPause_) {  // as long without a failure: begins anew
+  } else if (nextPause_ > 1 && ++since_ >= nextPause_) {  // no failure for that long
     nextPause_ = 1;
   }
 }

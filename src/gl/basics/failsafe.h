@@ -1,5 +1,5 @@
-// Catches our own failures and decides how much of the host program's frames the real OpenGL draws after
-// each: a draw, some frames, or all that follows. A part of each Context, GL thread.
+// Catches GLuRay's own failures and decides how much the real OpenGL draws after each of them: a draw, some
+// frames, or all that follows. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "scene/failure.h"
@@ -16,39 +16,39 @@ class Failsafe {
   /// `drawHeld` gives pending draws to the real OpenGL. It may throw.
   explicit Failsafe(std::function<void()> drawHeld) : drawHeld_(std::move(drawHeld)) {}
 
-  /// Whether the real OpenGL makes every draw now: for good, or until a pause ends.
+  /// Whether the real OpenGL makes every draw at present, for good or until a pause ends.
   bool aside() const { return gone_ || pause_ > 0; }
-  /// Whether it does so for good.
+  /// Whether the real OpenGL makes every draw for good.
   bool gone() const { return gone_; }
-  /// Why draws are rasterised while aside().
+  /// The reason to report for draws that are rasterised while aside() holds.
   Reason reason() const { return gone_ ? Reason::failure : Reason::shortage; }
 
-  /// A failure, and `why` as one line. Loss::draws changes nothing: the caller leaves the draws concerned to
-  /// the real OpenGL. Loss::frames pauses tracing until depth has been cleared once, and twice as often
-  /// after each further failure (at most 1,024 times). Loss::tracing ends it. The last two give pending draws
-  /// to the real OpenGL and log one line, once each.
+  /// Reports a failure; `why` is one line for the log. Loss::draws changes nothing: the caller leaves the
+  /// draws concerned to the real OpenGL. Loss::frames pauses tracing until depth has been cleared once; each
+  /// further failure doubles the pause, up to 1,024 clears. Loss::tracing ends tracing for good. Loss::frames
+  /// and Loss::tracing give pending draws to the real OpenGL, and each logs one warning, once.
   void fail(scene::Loss loss, const char* why) noexcept;
-  /// Call after each glClear of depth: pauses count them.
+  /// Call after each glClear of depth: pauses are counted in these clears.
   void depthCleared() noexcept;
 
-  /// Runs `body`. If it throws, fail() decides, and a default value is returned.
+  /// Runs `body` and returns its result. If it throws, calls fail() and returns a default value.
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body());
-  /// protect(), repeated once if `body` throws: by then the real OpenGL has drawn the failed capture, and
-  /// memory may be free again.
+  /// Runs `body` as protect() does, and once more if it throws: by then the real OpenGL has drawn the failed
+  /// capture, and memory may be free again.
   template <class F>
   void insist(F&& body) noexcept;
-  /// Runs `trace`, which adds a draw to the batch or returns why not. If it throws, fail() decides, and the
-  /// reason is returned, so that the draw is rasterised, not lost.
+  /// Runs `trace`, which adds a draw to the batch or returns why it cannot. If it throws, calls fail() and
+  /// returns the reason, so that the caller rasterises the draw.
   template <class F>
   Reason attempt(F&& trace);
 
  private:
   std::function<void()> drawHeld_;
   bool gone_ = false;
-  bool told_ = false;  // of the first pause
-  int pause_ = 0;      // clears of depth that still have to come; 0: none
-  int nextPause_ = 1;  // in clears of depth
+  bool told_ = false;  // the first pause was logged
+  int pause_ = 0;      // clears of depth until tracing resumes; 0: no pause
+  int nextPause_ = 1;  // length of the next pause, in clears of depth
   int since_ = 0;      // clears of depth since the last pause
 };
 

@@ -6,16 +6,16 @@
 
 namespace gluray::gl {
 
-/// Resizes `memory` of `oldBytes` (null: 0) to `newBytes` and keeps its contents. Null, with nothing changed,
-/// if there is no memory; null for 0 bytes, too. Blocks of 1 MiB and more are mmapped: their pages are moved
-/// instead of copied, and returned to the system at once.
+/// Resizes `memory` of `oldBytes` (null: 0) to `newBytes` and keeps its contents. Returns null for 0 bytes,
+/// and null with nothing changed if there is no memory. Blocks of 1 MiB and more are mmapped: their pages are
+/// moved instead of copied, and returned to the system at once.
 void* resizeBlock(void* memory, size_t oldBytes, size_t newBytes) noexcept;
 void freeBlock(void* memory, size_t bytes) noexcept;
 /// Throws std::bad_alloc.
 [[noreturn]] void throwNoMemory();
 
-/// kSlackBytes beyond the capacity can be written and read too, for wide copies and Embree's wide loads.
-/// clear() keeps the memory. Throws std::bad_alloc.
+/// Growable array. kSlackBytes beyond the capacity can be written and read too, for wide copies and Embree's
+/// wide loads. clear() keeps the memory. Throws std::bad_alloc.
 template <class T>
 class GrowingArray {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -57,7 +57,7 @@ class GrowingArray {
     reserve(count);
     size_ = count;
   }
-  /// The same, with spare room for further growth.
+  /// Sets the size, with spare room for further growth.
   void grow(size_t count) {
     if (count > capacity_) reallocate(count + count / 2);
     size_ = count;

@@ -1,12 +1,12 @@
-// Why a draw is not traced, not culled or not lit: the names that `--report` and `gluray explain` print.
-// State that prevents the first may prevent the others, too.
+// Why a draw is not traced, not culled or not lit: the names that `--report` and `gluray explain` print. A
+// reason against tracing can also be a reason against culling and light.
 #pragma once
 #include <array>
 #include <string_view>
 
 namespace gluray::gl {
 
-/// Why the real OpenGL makes a draw.
+/// Reasons why the real OpenGL makes a draw.
 #define GLURAY_REASONS(X)                                                                 \
   X(points, "points")                                                                     \
   X(lines, "lines")                                                                       \
@@ -65,7 +65,7 @@ namespace gluray::gl {
   X(shortage, "memory or threads ran out")                                                \
   X(failure, "GLuRay failed and stepped aside")
 
-/// Why it makes the draw whole, although parts of it may be hidden; beside the reasons above.
+/// Further reasons why the real OpenGL makes a draw whole, although parts of it may be hidden.
 #define GLURAY_CULL_REASONS(X)                                            \
   X(fragmentDepth, "fragment shader that writes depth")                   \
   X(primitiveNumbers, "shader that reads numbers of primitives or draws") \
@@ -85,7 +85,7 @@ namespace gluray::gl {
   X(mostShows, "draw of which most shows")                                \
   X(notTheSame, "culled picture was not the same")
 
-/// Why a draw that it made gets no light of ours; beside the reasons above.
+/// Further reasons why a rasterised draw gets no light from GLuRay.
 #define GLURAY_LIGHT_REASONS(X)                \
   X(clipDistances, "clip planes or distances") \
   X(leavesOut, "fragment shader that discards")
@@ -99,9 +99,9 @@ enum class CullReason { culled, GLURAY_REASONS(X) GLURAY_CULL_REASONS(X) };
 enum class LightReason { lit, GLURAY_REASONS(X) GLURAY_CULL_REASONS(X) GLURAY_LIGHT_REASONS(X) };
 #undef X
 
-/// What prevents tracing prevents culling; Reason::traced: nothing does.
+/// A reason against tracing is also one against culling. Reason::traced becomes CullReason::culled.
 constexpr CullReason cullReason(Reason reason) { return static_cast<CullReason>(reason); }
-/// What prevents culling prevents light; CullReason::culled: nothing does.
+/// A reason against culling is also one against light. CullReason::culled becomes LightReason::lit.
 constexpr LightReason lightReason(CullReason reason) { return static_cast<LightReason>(reason); }
 constexpr LightReason lightReason(Reason reason) { return lightReason(cullReason(reason)); }
 

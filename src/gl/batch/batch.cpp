@@ -28,7 +28,7 @@ uint64_t viewOf(const BatchKey& key, const TargetState& target) {
   return hashBytes(place, sizeof place).low;
 }
 
-/// Of a snapshot, in this process.
+/// Returns a new snapshot number, unique in this process.
 uint64_t newNumber() {
   static std::atomic<uint64_t> last{0};
   return ++last;
@@ -55,7 +55,7 @@ BatchKey Batch::keyOf(const PixelState& state, const glm::dmat4& projection) {
   key.projection = projection;
   key.viewport = viewport.box;
   key.depthNear = viewport.depthNear, key.depthFar = viewport.depthFar;
-  constexpr int kLargest = 16384;  // no framebuffer is larger: limits the image's size for absurd viewports
+  constexpr int kLargest = 16384;  // no framebuffer is larger; limits the image for absurd viewports
   key.region = intersect(viewport.box, {0, 0, kLargest, kLargest});
   if (state.raster.scissorTest) {
     const scene::Region& r = key.region;
@@ -77,7 +77,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
   undithered_ = false;
   snapshot_->lightSampling.mode = mode;
   snapshot_->camera = {key.projection, key.viewport, key.depthNear, key.depthFar};
-  // Window rows are counted from the top. We guess that the viewport reaches it; errors hardly matter.
+  // Window rows are counted from the top. This assumes that the viewport reaches it; errors hardly matter.
   if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = key.viewport.y + key.viewport.w;
   snapshot_->eyeFromWorld = modelview;
   worldFromEye_ = glm::inverse(modelview);
@@ -105,12 +105,12 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
   }
 }
 
-/// One value a pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
+/// Sets one sample per pixel, in front of what the real OpenGL has drawn, whose depths differ by rounding.
 void Batch::startVisibility(const TargetState& target) {
   const float slope = target.samples > 1 ? scene::kCatcherSlopeToSamples : scene::kCatcherSlope;
   constexpr uint64_t kOther = 0x9E3779B97F4A7C15;
   snapshot_->catches = true;
-  snapshot_->view ^= kOther;  // what earlier frames know of light is that of the same surfaces
+  snapshot_->view ^= kOther;  // its light history is separate from that of traced images
   snapshot_->samplePositions = {glm::vec2(0.5f)};
   const scene::PolygonOffset& own = key_.offset;
   snapshot_->polygonOffset = {own.factor + slope, own.units + scene::kCatcherUnits, target.offsetUnit, false,
@@ -153,7 +153,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   scene::Snapshot& s = *snapshot_;
   instance.order = drawn_++;
   instance.worldFromObject = scene::worldFromObject(instance, s.eyeFromWorld, worldFromEye_);
-  // Hash the place, too: programs draw the same geometry thousands of times.
+  // Hashes the matrix, too: programs draw the same geometry thousands of times.
   const glm::dmat4 matrix = instance.eyeFromObject + 0.0;  // -0 is 0
   const Hash128 place = hashBytes(&matrix, sizeof matrix, instance.mesh->geometryId);
   const auto [first, last] = instancesAt_.equal_range(place);
@@ -161,7 +161,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
     scene::Instance& earlier = s.instances[it->second];
     if (key_.layers != BatchKey::Layers::none || !coincide(earlier, instance)) continue;
     const bool firstWins = key_.depthFunc == GL_LESS;
-    // The alpha test may make holes in the winner through which the other one is seen.
+    // The alpha test may cut holes into the surface that passes, and the other one is seen through them.
     if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;
     if (firstWins) return;
     instance.shading = indexOfShading(s.shadings, std::move(shading));

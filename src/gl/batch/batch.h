@@ -14,7 +14,7 @@
 
 namespace gluray::gl {
 
-/// What all draws of a batch have in common; a draw that differs starts the next batch.
+/// State that all draws of a batch share. A draw with another key starts the next batch.
 struct BatchKey {
   GLuint framebuffer = 0;
   GLenum drawBuffer = 0, depthFunc = GL_LESS;
@@ -27,18 +27,19 @@ struct BatchKey {
   scene::PolygonOffset offset;
   scene::ColorWrites colorWrites;
   bool encodes = false;  // GL_FRAMEBUFFER_SRGB
-  // Their kind, if any. `visibility`: the surfaces are in the framebuffer already, and the light that they
-  // take from each other is multiplied onto it (Snapshot::catches).
+  // Kind of the batch's layers, if it has any. `visibility`: the surfaces are already in the framebuffer, and
+  // the light that they take from each other is multiplied onto it (Snapshot::catches).
   enum class Layers : uint8_t { none, peeled, summed, drawn, visibility } layers = Layers::none;
-  scene::Blending blending;  // of layers of kind `drawn`
-  double depthSteps = 0;     // the same: scene::Layers::depthSteps
-  /// The same: what draws them. Draws of one kind can be made again in their order if tracing fails.
+  scene::Blending blending;  // for layers of kind `drawn`
+  double depthSteps = 0;     // likewise: scene::Layers::depthSteps
+  /// Likewise: what draws the layers. Draws of one kind can be repeated in their order if tracing fails.
   enum class DrawnBy : uint8_t { fixedFunction, builtIns, arrays } drawnBy = DrawnBy::fixedFunction;
   bool operator==(const BatchKey&) const = default;
 };
 
-/// Whether one of the draws reads `buffer` as a buffer texture; whether one reads any other texture.
+/// Whether one of the draws reads `buffer` as a buffer texture.
 bool readsBuffer(const std::vector<ProgramDraw>& draws, GLuint buffer);
+/// Whether one of the draws reads a texture other than a buffer texture.
 bool readImages(const std::vector<ProgramDraw>& draws);
 
 class Batch {
@@ -48,21 +49,22 @@ class Batch {
   /// The draws added so far. Must not be empty().
   const scene::Snapshot& waiting() const { return *snapshot_; }
   scene::SnapshotPtr pending() const { return snapshot_; }
-  /// The same, to give its surfaces numbers. Call before it is handed over.
+  /// The draws added so far, for numbering their surfaces. Call before the batch is handed over.
   scene::Snapshot& unnumbered() { return *snapshot_; }
 
-  /// The key of draws in this state. Its region is empty if they could draw no pixel.
+  /// The key of draws in this state. Its region is empty if such draws cannot change any pixel.
   static BatchKey keyOf(const PixelState& state, const glm::dmat4& projection);
   /// The polygon offset of draws in this state.
   static scene::PolygonOffset offsetOf(const PixelState& state);
 
-  /// Begins a batch; must be empty(). `modelview`: of its first surface, with the projection of `key`.
+  /// Begins a batch; must be empty(). `modelview`: matrix of its first surface, used with the projection of
+  /// `key`.
   void start(const BatchKey& key, const TargetState& target, const glm::dmat4& modelview,
              const Settings& settings, uint64_t frame,
              scene::LightSampling::Mode mode = scene::LightSampling::Mode::full);
-  /// Makes all surfaces of the batch layers. Call before adding the first one.
+  /// Makes all surfaces of the batch layers. Call before the first one is added.
   void seeThrough(std::shared_ptr<const scene::Layers> layers) { snapshot_->layers = std::move(layers); }
-  /// The same after the last surface was added, for layers of kind `drawn`, which all lie in `region`.
+  /// Makes all surfaces layers of kind `drawn` in `region`. Call after the last one was added.
   void seeThrough(std::shared_ptr<const scene::Layers> layers, const scene::Region& region) {
     snapshot_->layers = std::move(layers), snapshot_->region = region;
   }
@@ -70,31 +72,31 @@ class Batch {
   void setSecondaryScene(std::shared_ptr<const scene::SecondaryScene> secondaryScene) {
     snapshot_->secondaryScene = std::move(secondaryScene);
   }
-  /// Colours are not dithered (GL_DITHER).
+  /// Records that colours are not dithered (GL_DITHER).
   void setUndithered() { undithered_ = true; }
-  /// Whether its pixels are data to the program rather than an image: surfaces of one colour each, without
-  /// light, blending, dither or antialiasing, such as the numbers of objects that a program reads to find
-  /// what is under the pointer.
+  /// Whether the program uses the pixels as data rather than as an image: all surfaces have one colour each,
+  /// without light, blending, dithering or antialiasing. Such pixels can be object numbers that a program
+  /// reads to find what is under the pointer.
   bool holdsData() const;
-  /// Has it traced as if no setting changed images.
+  /// Traces the batch as if no setting changed images.
   void dropImageChanges() { snapshot_->settings = snapshot_->settings.withoutImageChanges(); }
-  /// Sets which frame of its view it belongs to.
+  /// Sets the number of the view's frame to which the batch belongs.
   void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
   void setLightMode(scene::LightSampling::Mode mode) { snapshot_->lightSampling.mode = mode; }
-  /// Sets what the settings `ground` and `background` add. Call before it is handed over.
+  /// Sets the ground and background that settings add. Call before the batch is handed over.
   void stand(scene::GroundUse ground, std::shared_ptr<const scene::Backdrop> backdrop) {
     snapshot_->ground = ground, snapshot_->backdrop = std::move(backdrop);
   }
-  /// Begins a batch with the contents of a snapshot that was taken with the same key.
+  /// Begins a batch with the contents of a snapshot that was taken from a batch of the same key.
   void resume(const BatchKey& key, const scene::Snapshot& taken);
   /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was
-  /// added before, keeps only the one that the depth function shows.
+  /// added before, only the one that passes the depth function is kept.
   void add(scene::Instance instance, scene::Shading shading);
-  /// Whether an instance with this matrix can lie in the batch's world.
+  /// Whether an instance with this matrix can be expressed in the batch's world space.
   bool takes(const glm::dmat4& eyeFromObject) const;
-  /// Hands the batch over and leaves it empty.
+  /// Hands over the snapshot and leaves the batch empty.
   scene::SnapshotPtr takeSnapshot();
-  /// Keeps the shader program's draw behind an added instance, in case tracing fails.
+  /// Keeps the shader program's draw of an added instance, to replay it if tracing fails.
   void keep(ProgramDraw draw) { programDraws_.push_back(std::move(draw)); }
   const std::vector<ProgramDraw>& programDraws() const { return programDraws_; }
   /// readImages() and readsBuffer() of the kept draws.
@@ -107,14 +109,14 @@ class Batch {
   void startVisibility(const TargetState& target);
 
   std::shared_ptr<scene::Snapshot> snapshot_;
-  glm::dmat4 worldFromEye_{1};  // of snapshot_
+  glm::dmat4 worldFromEye_{1};  // for snapshot_
   BatchKey key_;
   std::vector<ProgramDraw> programDraws_;
-  uint32_t drawn_ = 0;  // calls of add(): counts replaced instances, too
+  uint32_t drawn_ = 0;  // calls of add(), including replaced instances
   bool undithered_ = false;
   SnapshotMemory memory_;
   std::pmr::unsynchronized_pool_resource blocks_;  // reused: thousands of small allocations a frame
-  std::pmr::unordered_multimap<Hash128, size_t> instancesAt_{&blocks_};  // geometry and place -> instances
+  std::pmr::unordered_multimap<Hash128, size_t> instancesAt_{&blocks_};  // from geometry and matrix
 };
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// A framebuffer that holds nothing but a clear. Plain data, GL thread.
+// A framebuffer that contains nothing but a clear. Plain data, GL thread.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 
-/// The last clear of a framebuffer (0: the window): colour, and depth to 1. Nothing was drawn or copied into
-/// `region` since.
+/// The last clear of a framebuffer (0: the window): its colour, and depth 1. Since then nothing was drawn or
+/// copied into `region`.
 struct ClearedTarget {
   GLuint framebuffer = 0;
   scene::Region region;          // pixels

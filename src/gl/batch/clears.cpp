@@ -14,7 +14,7 @@ constexpr GLbitfield kColorAndDepth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
 
 }  // namespace
 
-/// Computed in 64 bits: regions may be as large as int allows.
+/// Computes in 64 bits: regions may be as large as int allows.
 bool contains(const scene::Region& outer, const scene::Region& inner) {
   const auto end = [](int start, int size) { return int64_t{start} + size; };
   return outer.x <= inner.x && outer.y <= inner.y && end(inner.x, inner.width) <= end(outer.x, outer.width) &&

@@ -1,5 +1,5 @@
-// Presents complete images of MPI programs: gathered images with ground and background, which the ranks'
-// own images lack, and with smooth edges at the ranks' borders (adr/0089). Implemented in
+// Presents complete images of MPI programs: gathered images with ground and background, which the images of
+// single ranks lack, and with antialiased edges where the ranks' parts meet (adr/0089). Implemented in
 // intercept/present/. GL thread, context current.
 #pragma once
 #include "base/image.h"
@@ -13,28 +13,29 @@
 
 namespace gluray::gl {
 
-/// The base class makes none.
+/// The base class makes no complete images.
 class CompletePresenter {
  public:
   virtual ~CompletePresenter() = default;
-  /// Whether present() may make a complete image beside the one of the snapshot that it writes.
+  /// Whether present() may make a complete image in addition to the image that it writes.
   virtual bool mayMake(const scene::Snapshot&) const noexcept { return false; }
-  /// present() shall make one of the snapshot that it gets next. Otherwise it makes none.
+  /// Requests a complete image of the next snapshot that is passed to present(). Without a request none is
+  /// made.
   virtual void expect() noexcept {}
-  /// The complete image of the snapshot that was presented after expect(); null: there is none.
+  /// The complete image of the snapshot that was presented after expect(); null if there is none.
   virtual std::shared_ptr<const Image> takeImage() noexcept { return nullptr; }
   enum class Copy : uint8_t { beforeDraw, afterDraw };
-  /// Keeps a copy of the bound draw framebuffer's colours and depths in `region`. False: it cannot. No error
-  /// may be pending. Never throws.
+  /// Copies the bound draw framebuffer's colours and depths in `region`. Returns false if that is not
+  /// possible. No error may be pending. Never throws.
   virtual bool keep(const RealGl&, const scene::Region& /*region*/, Copy) noexcept { return false; }
-  /// Writes that copy back into the same framebuffer, which is bound.
+  /// Writes that copy back into the same framebuffer, which must be bound.
   virtual void putBack(const RealGl&, Copy) noexcept {}
   /// Merges a complete image into the bound framebuffer, as Presenter::present() does. Never throws.
   virtual bool write(const RealGl&, const Image&, const scene::Snapshot&, GLenum /*depthFunc*/) noexcept {
     return false;
   }
-  /// A complete image was not shown: the program does not compose its ranks' images here, or not in a way
-  /// that is recognised.
+  /// Reports that a complete image was not shown, because the program does not compose its ranks' images
+  /// here, or not in a recognised way.
   virtual void leaveOut(const scene::Snapshot&) noexcept {}
 };
 

@@ -1,4 +1,4 @@
-// Reads the framebuffer's depth and colours for traced layers, and prepares reads of the program. Implemented
+// Reads the framebuffer's depth and colours for traced layers, and prepares reads by the program. Implemented
 // in intercept/present/. GL thread, context current; restores all state.
 #pragma once
 #include "gl/batch/present_result.h"
@@ -14,57 +14,57 @@ namespace gluray::gl {
 class FramebufferReader {
  public:
   virtual ~FramebufferReader() = default;
-  /// Reads the bound draw framebuffer's window depths in `region`, bottom row first, one sample a pixel.
-  /// False if it has no depth, or it cannot be read. No error may be pending. Never throws.
+  /// Reads the bound draw framebuffer's window depths in `region`, bottom row first, one sample per pixel.
+  /// Returns false if it has no depth, or if it cannot be read. No error may be pending. Never throws.
   virtual bool readDepth(const RealGl&, const scene::Region& /*region*/,
                          std::vector<float>& /*out*/) noexcept {
     return false;
   }
-  /// The same for its colours: RGBA8 as stored, red in the lowest byte.
+  /// Reads its colours in the same way: RGBA8 as stored, red in the lowest byte.
   virtual bool readColors(const RealGl&, const scene::Region& /*region*/,
                           std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
-  /// readColors() of a multisampled framebuffer: the mean of each pixel's samples.
+  /// As readColors(), for a multisampled framebuffer: the mean of each pixel's samples.
   virtual bool readResolved(const RealGl&, const scene::Region& /*region*/,
                             std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
-  /// readDepth() of a multisampled framebuffer: of each pixel's samples the largest depth or, if `least`, the
-  /// smallest, rounded to 23 bits.
+  /// As readDepth(), for a multisampled framebuffer: the largest depth of each pixel's samples, or the
+  /// smallest if `least`, rounded to 23 bits.
   virtual bool readFarthest(const RealGl&, const scene::Region& /*region*/, bool /*least*/,
                             std::vector<float>& /*out*/) noexcept {
     return false;
   }
-  /// All that a multisampled framebuffer holds in `region`, only to be compared: bits of its resolved colours
-  /// and of the depths of all samples.
+  /// Reads all contents of a multisampled framebuffer in `region`, in a form that is only good for
+  /// comparison: bits of its resolved colours and of the depths of all samples.
   virtual bool readSamples(const RealGl&, const scene::Region& /*region*/,
                            std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
-  /// Binds a framebuffer of ours for drawing that is like the program's multisampled framebuffer object,
-  /// which is bound, and has its depths in `region` at the same pixels. Colours: none or, if `colors`, black
-  /// ones. readFarthest() and readSamples() read it until unbindCopy(). False: nothing was bound. No error
-  /// may be pending. Never throws.
+  /// Binds, for drawing, a framebuffer that is like the program's bound multisampled framebuffer object and
+  /// has its depths in `region` at the same pixels. It has no colours or, if `colors`, black ones.
+  /// readFarthest() and readSamples() read it until unbindCopy(). Returns false if nothing was bound. No
+  /// error may be pending. Never throws.
   virtual bool bindCopy(const RealGl&, const scene::Region& /*region*/, bool /*colors*/) noexcept {
     return false;
   }
-  /// Binds the program's framebuffer again. Call after bindCopy() has bound one.
+  /// Binds the program's framebuffer again. Call only after a successful bindCopy().
   virtual void unbindCopy(const RealGl&) noexcept {}
-  /// Whether blending by alpha, added up, leaves nothing of what was below where alpha is gl::Opacity::kMin
-  /// or more, in framebuffers whose colours are normalised bytes; and whether shaders compute the number of
-  /// min(), max() and clamp() of a number and a NaN. No error may be pending. Never throws.
+  /// Whether two properties hold. In framebuffers with normalised byte colours, blending by alpha with an
+  /// alpha of at least gl::Opacity::kMin leaves nothing of the colour below. In shaders, min(), max() and
+  /// clamp() of a number and a NaN return the number. No error may be pending. Never throws.
   virtual bool replacesColors(const RealGl&) noexcept { return false; }
-  /// Keeps a copy of the bound draw framebuffer's colours, depths and stencil values in `region`. False: it
-  /// cannot. No error may be pending. Never throws.
+  /// Copies the bound draw framebuffer's colours, depths and stencil values in `region`. Returns false if
+  /// that is not possible. No error may be pending. Never throws.
   virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }
-  /// Puts the copy of the last keep() back into the same framebuffer, which is bound.
+  /// Writes the copy of the last keep() back into the same framebuffer, which must be bound.
   virtual void putBack(const RealGl&) noexcept {}
-  /// The program reads colours of this region of the bound read framebuffer next. If that holds images with
-  /// light as they were written, finishes them and binds a copy with the finished ones for reading. Not
-  /// traced: nothing was bound. Never throws.
+  /// Call before the program reads colours in this region of the bound read framebuffer. If the region
+  /// contains images whose light has been written with noise, refines them and binds a copy with the finished
+  /// images for reading. Outcome other than traced: nothing was bound. Never throws.
   virtual PresentResult bindFinished(const RealGl&, const scene::Region& /*region*/) noexcept { return {}; }
-  /// Binds the program's framebuffer again. Call after bindFinished() has bound a copy.
+  /// Binds the program's framebuffer again. Call only after bindFinished() has bound a copy.
   virtual void unbindFinished(const RealGl&) noexcept {}
 };
 

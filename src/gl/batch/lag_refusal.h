@@ -8,13 +8,13 @@ namespace gluray::gl {
 
 /// Why a frame was shown at once.
 enum class LagRefusal : uint8_t {
-  none,         // it was not: it lags
+  none,         // the frame lags
   nothingToDo,  // no batch was pending
-  target,       // the batch goes elsewhere than into a plain back buffer
+  target,       // the batch goes to something other than a plain back buffer
   repeated,     // its image was known
   measured,     // engine = auto measured the frame, or left it to the real OpenGL
   state,        // a query, layers, other contexts
-  single,       // frames did not follow each other
+  single,       // frames were not consecutive
   window,       // the window's content cannot be shown without the program
   failure,      // no thread, no memory
 };

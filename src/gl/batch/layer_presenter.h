@@ -1,5 +1,5 @@
-// Presents peeled layers: traced in place of the host program's peels, or drawn by replaying those peels.
-// Implemented in intercept/present/, called by LayerDraws. GL thread, context current.
+// Presents peeled layers: traces them in place of the host program's peels, or draws them by replaying these
+// peels. Implemented in intercept/present/, called by LayerDraws. GL thread, context current.
 #pragma once
 #include "gl/batch/held_pass.h"
 #include "gl/batch/present_result.h"
@@ -17,18 +17,19 @@ namespace gluray::gl {
 class LayerPresenter {
  public:
   virtual ~LayerPresenter() = default;
-  /// Traces the layers of `snapshot` into `target.result`, or writes `target.image` there. If that fails,
-  /// or if `rasterise`, the real OpenGL draws the held passes instead. Otherwise as Presenter::present().
+  /// Traces the layers of `snapshot` into `target.result`, or writes `target.image` there. If tracing fails,
+  /// or if `rasterise`, the real OpenGL draws the held passes instead. Otherwise like Presenter::present().
   virtual PresentResult present(const RealGl&, const scene::SnapshotPtr&, const LayersTarget& /*target*/,
                                 bool /*rasterise*/) noexcept {
     return {};
   }
-  /// Only traces layers: returns the image in PresentResult::image and writes nothing.
+  /// Traces layers without writing: returns the image in PresentResult::image.
   virtual PresentResult trace(const scene::SnapshotPtr&, const LayersTarget& /*target*/) noexcept {
     return {};
   }
-  /// Draws the pass for the active query alone, while `pixels` pixels of `texture`, which it reads, are not 0
-  /// and all others are. Leaves all images as they were. False if that is not possible. Never throws.
+  /// Draws the pass for the active query so that the query counts it only if `pixels` pixels of `texture`,
+  /// which the pass reads, are not 0.
+  /// Leaves all images unchanged. Returns false if that is not possible. Never throws.
   virtual bool countPixels(const RealGl&, const HeldPass&, GLuint /*texture*/, glm::ivec2 /*size*/,
                            uint64_t /*pixels*/) noexcept {
     return false;

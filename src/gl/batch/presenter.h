@@ -1,5 +1,5 @@
-// Interface through which a finished batch is traced and written: implemented in intercept/present/, by fakes
-// in tests. GL thread.
+// The interface that traces and writes a finished batch. Implemented in intercept/present/, and by fakes in
+// tests. GL thread.
 #pragma once
 #include "gl/batch/cleared_target.h"
 #include "gl/batch/complete_presenter.h"
@@ -24,23 +24,23 @@
 
 namespace gluray::gl {
 
-/// Inputs of the write-back beside the snapshot. The framebuffer is bound when present() is called.
+/// Inputs of the write-back in addition to the snapshot. The framebuffer is bound when present() is called.
 struct PresentTarget {
   GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: test of the batch's depth against the framebuffer's
   bool core = false;           // core profile: no fixed function
   bool rasterise = false;      // the real OpenGL draws the instances; nothing is traced
-  std::vector<ProgramDraw> programDraws = {};  // the draws of instances that shader programs draw
-  // The instances were traced already: replaces the depth of their visible parts by the real OpenGL's, to the
-  // bit, and changes nothing else. Fixed function alone, or `byMatrix`.
+  std::vector<ProgramDraw> programDraws = {};  // draws of the instances that shader programs draw
+  // The instances were traced before. Replaces the depth of their visible parts by exactly the depth that the
+  // real OpenGL computes, and changes nothing else. For fixed function alone, or for `byMatrix`.
   bool depthAgain = false;
-  /// With depthAgain: draws this mesh alone, which a shader program placed by a matrix.
+  /// With depthAgain: the only mesh to draw, which a shader program placed by a matrix.
   struct ByMatrix {
     scene::MeshPtr mesh;
     glm::dmat4 clipFromObject{1};
   } byMatrix = {};
   ImageWish wish = {};
-  /// The clear under the snapshot's whole region, if known and if the image may be uploaded instead of
-  /// drawn; no stencil value in the framebuffer matters then.
+  /// The clear under the whole region of the snapshot, if it is known and the image may be uploaded instead
+  /// of drawn. Stencil values in the framebuffer then do not matter.
   std::optional<ClearedTarget> cleared = {};
   bool keepsPixels = false;  // the result gets the written pixels, which Presenter::relight() may replace
 };
@@ -52,28 +52,29 @@ struct RelightTarget {
   ImageWish wish = {};
 };
 
-/// Where the pixels go into which an image's samples are resolved.
+/// Destination of an image's resolved pixels.
 struct ResolveTarget {
   scene::Resolve how;
   bool core = false;  // core profile
   bool colors = true, depths = true;
-  /// RGBA8 texture of the resolved size for the colours; 0: the bound draw framebuffer, which takes
-  /// the depths in any case.
+  /// RGBA8 texture of the resolved size for the colours; 0: the bound draw framebuffer, which gets the depths
+  /// in any case.
   GLuint texture = 0;
   ImageWish wish = {};
 };
 
-/// Writes images into framebuffers, and returns the other presenters, which do nothing by default.
+/// Writes images into framebuffers. Also returns the other presenters, which do nothing by default.
 class Presenter {
  public:
   virtual ~Presenter() = default;
-  /// Whether the write-back, which needs shaders, works in the current context; `why` not. Called once each.
+  /// Whether the write-back, which needs shaders, works in the current context; `why` says why not. Called
+  /// once for each context.
   virtual bool supports(const RealGl& real, bool core, std::string& why) noexcept = 0;
   /// Traces `snapshot` and merges it into the bound framebuffer; changes no queryable GL state. Never throws.
   virtual PresentResult present(const RealGl& real, const scene::SnapshotPtr& snapshot,
                                 const PresentTarget& target) noexcept = 0;
-  /// Traces `snapshot`, whose framebuffer is multisampled, and writes its resolved pixels to `target`, over
-  /// whatever that holds. Otherwise as present(); not traced: nothing was drawn.
+  /// Traces `snapshot`, whose framebuffer is multisampled, and writes its resolved pixels to `target`,
+  /// replacing its contents. Otherwise like present(). Outcome other than traced: nothing was drawn.
   virtual PresentResult resolve(const RealGl&, const scene::SnapshotPtr&,
                                 const ResolveTarget& /*target*/) noexcept {
     return {};
@@ -85,9 +86,9 @@ class Presenter {
                                 const scene::SnapshotPtr& /*now*/, const RelightTarget&) noexcept {
     return {};
   }
-  /// Makes the program's FXAA pass: reads the texture bound to GL_TEXTURE_2D of unit `unit`, RGBA8 of the
-  /// region's size, and writes the result to the region of the draw framebuffer's colour attachment `target`,
-  /// a texture. False if nothing was done. Never throws.
+  /// Replaces the program's FXAA pass. Reads the texture bound to GL_TEXTURE_2D of unit `unit`, RGBA8 of the
+  /// region's size. Writes the result to the region of the draw framebuffer's colour attachment `target`, a
+  /// texture. Returns false if nothing was done. Never throws.
   virtual bool antialias(const RealGl&, const scene::Fxaa&, GLint /*unit*/, GLuint /*target*/,
                          const scene::Region&, const Settings&) noexcept {
     return false;
@@ -96,9 +97,11 @@ class Presenter {
   virtual WindowPresenter& window() noexcept;
   virtual FramebufferReader& reader() noexcept;
   virtual CompletePresenter& complete() noexcept;
-  /// Names that it has created in the share group, which deletes them. Called when the context is destroyed.
+  /// Returns the names that it has created in the share group, which will delete them. Called when the
+  /// context is destroyed.
   virtual SharedNames takeNames() { return {}; }
-  /// A context is being destroyed; it may or may not be current. Its own objects need not be deleted.
+  /// Reports that a context is being destroyed, which may be current or not. Its own objects need not be
+  /// deleted.
   virtual void forget(const RealGl& real) noexcept = 0;
 };
 

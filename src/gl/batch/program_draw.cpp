@@ -36,7 +36,7 @@ void addArray(const RealGl& real, const ArraySource& source, std::vector<Program
   if (array.contents) arrays.push_back(std::move(array));
 }
 
-/// The program's inputs other than vertices, and the state of polygons, lines and points.
+/// Captures the program's inputs other than vertices, and the state of polygons, lines and points.
 ProgramDraw captureInputs(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms) {
   ProgramDraw draw;
   draw.program = program.name;
@@ -85,7 +85,7 @@ scene::Fog fogParameters(const RealGl& real) {
   return fog;
 }
 
-/// How many lights the family's programs may read.
+/// Number of lights that the family's programs may read.
 GLuint lightsOf(const Family& family) {
   GLuint count = 0;
   for (const std::string& name : family.mentioned) {

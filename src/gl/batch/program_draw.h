@@ -1,5 +1,5 @@
-// A shader program's draw with all its inputs, kept while its instance is in the batch: if tracing fails, the
-// real OpenGL replays it. GL thread.
+// A shader program's draw with all its inputs. It is kept while its instance is in the batch: if tracing
+// fails, the real OpenGL replays the draw. GL thread.
 #pragma once
 #include "gl/buffers/buffer.h"
 #include "gl/glsl/program.h"
@@ -19,12 +19,11 @@ struct ArrayState;
 struct KnownProgram;
 
 /// Fixed function's attributes and state for a draw of a shader program that reads them (gl_Vertex,
-/// gl_LightSource
-/// ...).
+/// gl_LightSource ...).
 struct BuiltInInputs {
-  scene::Instance instance;    // its mesh's triangles are drawn with its matrix, current values and materials
-  scene::Shading state;        // lights (from 0 on, enabled or not), the light model's ambient colour, fog
-  glm::mat4 textureMatrix{1};  // of unit 0
+  scene::Instance instance;    // mesh, matrix, current values and materials of the draw
+  scene::Shading state;        // all lights, on or off; the light model's ambient colour; fog
+  glm::mat4 textureMatrix{1};  // of texture unit 0
 };
 
 struct ProgramDraw {
@@ -42,7 +41,7 @@ struct ProgramDraw {
     GLuint unit = 0;
     SamplerTarget target;
     GLuint name = 0;
-    GLuint buffer = 0;  // the buffer of a buffer texture; 0: another texture
+    GLuint buffer = 0;  // the buffer of a buffer texture; 0: not a buffer texture
   };
   GLuint program = 0;
   GLenum mode = GL_TRIANGLES;
@@ -57,13 +56,13 @@ struct ProgramDraw {
   float pointSize = 1, lineWidth = 1;
   bool offset = false;  // GL_POLYGON_OFFSET_FILL
   float offsetFactor = 0, offsetUnits = 0;
-  std::shared_ptr<const BuiltInInputs> builtIn;  // in place of arrays and elements; null: neither is used
+  std::shared_ptr<const BuiltInInputs> builtIn;  // replaces arrays and elements; null: the draw uses these
 };
 
 /// Captures the draw that is about to be made with the current state. All enabled arrays must be in buffers.
 ProgramDraw captureProgramDraw(const RealGl& real, const Program& program, const UniformValuesPtr& uniforms,
                                const ArrayState& attributes, GLenum mode, const Elements& elements);
-/// The same for a draw of fixed function's vertices: `instance` has the mesh, matrix and current values.
+/// Captures a draw of fixed function's vertices. `instance` has the mesh, matrix and current values.
 ProgramDraw captureBuiltInDraw(const RealGl& real, const KnownProgram& known,
                                const UniformValuesPtr& uniforms, scene::Instance instance);
 

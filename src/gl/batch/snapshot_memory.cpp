@@ -2,7 +2,7 @@
 
 namespace gluray::gl {
 
-// Keeps the larger one of the two capacities. `used` is empty; `count`: the elements it had.
+// Keeps the larger of the two capacities. `used` is empty; `count`: the number of elements that it had.
 template <class T>
 void SnapshotMemory::Store<T>::takeMemory(std::vector<T>& used, size_t count) {
   if (used.capacity() > spare.capacity()) spare.swap(used);

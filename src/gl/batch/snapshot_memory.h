@@ -1,5 +1,5 @@
-// Reuses the memory of released snapshots: instances of large scenes take megabytes, which the system would
-// otherwise clear for every frame. Call make() on one thread; snapshots may be released on any.
+// Reuses the memory of released snapshots. Instances of large scenes take megabytes, which the system would
+// otherwise clear for every frame. Call make() on one thread; snapshots may be released on any thread.
 #pragma once
 #include "scene/snapshot.h"
 
@@ -20,7 +20,7 @@ class SnapshotMemory {
  private:
   template <class T>
   struct Store {
-    std::vector<T> spare;  // no elements, only capacity
+    std::vector<T> spare;  // an empty vector that only keeps capacity
     int idle = 0;          // consecutive snapshots that hardly used it
     void takeMemory(std::vector<T>& used, size_t count);
   };

@@ -1,7 +1,8 @@
 // An image for a multisampled framebuffer that has not been written yet. Programs clear such a framebuffer,
-// draw into it and resolve it; a software OpenGL takes longer to write and average the samples than we take
-// to trace them. So the image waits: when the program resolves it, only its pixels are written, to their
-// destination. Its samples are written only if anything else uses the framebuffer. Owned by ResolveDraws.
+// draw into it and resolve it. A software OpenGL takes longer to write and average the samples than GLuRay
+// takes to trace them. So the image waits. When the program resolves it, only the resolved pixels are
+// written, to their destination. The samples are written only if anything else uses the framebuffer. Owned by
+// ResolveDraws.
 #pragma once
 #include "gl/batch/held_batch.h"
 
@@ -17,13 +18,13 @@ struct UnresolvedImage {
     GLuint name = 0;
     bool operator==(const Attachment&) const = default;
   };
-  /// A framebuffer object that was cleared and not drawn into since; framebuffer 0: none.
+  /// A framebuffer object that was cleared and not drawn into since. framebuffer is 0 if there is none.
   struct Cleared {
     GLuint framebuffer = 0;
     GLenum drawBuffer = GL_NONE;
     Attachment color, depth;
-    glm::ivec4 box{0};          // x, y, width, height; its pixels in the framebuffer are cleared to depth 1
-    uint32_t background = 0;    // their colour, RGBA8
+    glm::ivec4 box{0};          // x, y, width, height; the pixels in it were cleared, with depth 1
+    uint32_t background = 0;    // the clear colour, RGBA8
     float depthResolution = 0;  // of the depth buffer
 
     bool covers(const glm::ivec4& other) const {
@@ -31,7 +32,7 @@ struct UnresolvedImage {
              other.y + other.w <= box.y + box.w;
     }
   };
-  /// The one batch that was drawn into it since.
+  /// The only batch that was drawn into the framebuffer after the clear.
   struct Waiting {
     Cleared cleared;
     HeldBatch batch;

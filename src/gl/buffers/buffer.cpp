@@ -40,21 +40,22 @@ void Buffer::setData(size_t size, const void* data, GLenum usage) {
   usage_ = usage;
   heldBack_ = true;
   mapped_ = nullptr;
-  shown_ = nullptr;  // it ends when the real OpenGL gets the contents
+  shown_ = nullptr;  // replacing the real OpenGL's contents ends this mapping
   mappedStorage_.reset();
   memoryBelow_ = false;
   ++version_;
 }
 
 BufferStorage& Buffer::writable() {
-  // Drawing from storage mapped for writing is an error: commands on other bytes can write in place, too.
+  // Drawing from storage mapped for writing is an error, so that writes to its other bytes can be in place,
+  // too.
   const bool shared = mapped_ && mappedStorage_ == storage_ && (mapAccess_ & GL_MAP_WRITE_BIT);
   if (storage_.use_count() > 1 && !shared) {
     auto copy = std::make_shared<BufferStorage>(size_);
     std::memcpy(copy->data, storage_->data, size_);
     storage_ = std::move(copy);
   } else {
-    // Acquires: reads by a mesh that another thread has released come before our writes.
+    // Acquires: a mesh that another thread has released has finished reading before we write.
     const std::shared_ptr<BufferStorage> acquired = storage_;
   }
   heldBack_ = true;
@@ -69,7 +70,7 @@ void Buffer::setSubData(size_t offset, size_t size, const void* data) {
 
 namespace {
 
-/// Binds a buffer to a target that draws do not use, for the life of the object; since OpenGL 3.1 to one that
+/// Binds a buffer, during its lifetime, to a target that draws do not use; since OpenGL 3.1 to one that
 /// hardly any program uses. The previous buffer is bound again by name, which fails if another context has
 /// deleted it.
 class CopyBinding {
@@ -91,7 +92,7 @@ class CopyBinding {
   GLint saved_ = 0;
 };
 
-/// Bytes of the buffer bound to `target`.
+/// Size in bytes of the buffer bound to `target`.
 size_t sizeBelow(const RealGl& real, GLenum target) {
   GLint size = 0;
   GLint64 large = 0;  // GL_INT holds sizes below 2 GiB
@@ -105,13 +106,13 @@ size_t sizeBelow(const RealGl& real, GLenum target) {
 }  // namespace
 
 void Buffer::fetch(const RealGl& real) {
-  if (mappedBelow) {  // cannot be read, and drawing from it is an error: all zeros, so nothing is drawn
+  if (mappedBelow) {  // cannot be read; drawing from it is an error: zeros draw nothing
     storage_ = std::make_shared<BufferStorage>(size_);
     std::memset(storage_->data, 0, size_);
     return;
   }
   const CopyBinding binding(real, name_);
-  size_ = sizeBelow(real, binding.target());  // commands that we do not model may have set it
+  size_ = sizeBelow(real, binding.target());  // commands that GLuRay does not model may have set it
   if (size_ == 0) return;
   auto storage = std::make_shared<BufferStorage>(size_);
   real.GetBufferSubData(binding.target(), 0, static_cast<GLsizeiptr>(size_), storage->data);
@@ -136,7 +137,7 @@ void Buffer::sendTo(const RealGl& real) {
   const std::lock_guard lock(mutex_);
   if (!heldBack_ || (mapped_ && memoryBelow_)) return;
   const CopyBinding binding(real, name_);
-  // A mapped buffer gets memory, because drivers have been seen to read at null when a program draws from it.
+  // A mapped buffer gets memory too, because some drivers read at null when a program draws from it.
   real.BufferData(binding.target(), static_cast<GLsizeiptr>(size_), mapped_ ? nullptr : storage_->data,
                   usage_);
   if (!mapped_) {
@@ -192,7 +193,7 @@ void Buffer::showMapping(const RealGl& real) {
 
 void Buffer::unmap(const RealGl& real) {
   const std::lock_guard lock(mutex_);
-  if (void* const below = std::exchange(shown_, nullptr)) {  // which may have other contents by now
+  if (void* const below = std::exchange(shown_, nullptr)) {  // its contents may differ by now
     if (mapAccess_ & GL_MAP_WRITE_BIT) std::memcpy(below, mapped_, mapLength_);
     const CopyBinding binding(real, name_);
     real.UnmapBuffer(binding.target());

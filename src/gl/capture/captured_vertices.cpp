@@ -120,8 +120,8 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
       break;
     case GL_QUADS:
       // Split as llvmpipe splits quads that have indices, are in lists, or are clipped by the view volume or
-      // a clip plane. It splits others from the first corner to the third (seen in 22.3); a mesh that
-      // outlives the camera cannot follow.
+      // a clip plane. It splits all others along the diagonal from the first corner to the third (seen in
+      // 22.3). A mesh that outlives the camera cannot do both.
       for (uint32_t i = 0; i + 3 < n; i += 4) emit(i, i + 1, i + 3), emit(i + 1, i + 2, i + 3);
       break;
     case GL_QUAD_STRIP:  // quad i has the corners 2i, 2i+1, 2i+3, 2i+2; 2i+3 is the provoking one
@@ -135,7 +135,7 @@ void forEachTriangle(const Primitive& p, Emit&& emit) {
 
 std::vector<uint32_t> triangulate(const CapturedVertices& captured) {
   std::vector<uint32_t> triangles;
-  triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes after the last
+  triangles.reserve(countTriangles(captured) * 3 + 4);  // meshes need readable bytes after the last index
   for (const Primitive& p : captured.primitives) {
     const auto vertexOf = [&](uint32_t i) {
       return captured.indices.empty() ? p.first + i : captured.indices[p.first + i];

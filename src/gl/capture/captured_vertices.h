@@ -32,7 +32,7 @@ struct Primitive {
   bool operator==(const Primitive&) const = default;
 };
 
-/// What a primitive draws. Lines and points are traced where settings or a program make solids of them.
+/// Class of a primitive. Lines and points are traced if settings or a program turn them into solids.
 enum class PrimitiveClass : uint8_t { points, lines, surfaces };
 constexpr PrimitiveClass classOf(GLenum mode) {
   return mode == GL_POINTS       ? PrimitiveClass::points
@@ -49,13 +49,13 @@ struct MaterialChange {
   bool operator==(const MaterialChange&) const = default;
   /// Sets `pname` of `face`. False if glMaterial does not take these enumerants.
   bool set(GLenum face, GLenum pname, const float* params);
-  /// The parameters that `earlier`, which this change was made from, does not set or sets to other values.
+  /// The parameters that this change, made from `earlier`, sets anew or to other values.
   MaterialChange since(const MaterialChange& earlier) const;
   /// `base` with the set parameters replaced.
   scene::MaterialPair appliedTo(const scene::MaterialPair& base) const;
 };
 
-/// Bits of MaterialChange::Parameter whose values are equal in both.
+/// Bits of MaterialChange::Parameter that have equal values in both materials.
 uint16_t sameParameters(const scene::Material& a, const scene::Material& b);
 
 struct CapturedVertices {
@@ -63,9 +63,9 @@ struct CapturedVertices {
   GrowingArray<float> vertices;  // `vertexCount` of `layout.stride`; the array's own size is not used
   uint32_t vertexCount = 0;
   std::vector<Primitive> primitives;
-  GrowingArray<uint32_t> indices;         // vertex numbers; empty: primitives count vertices
+  GrowingArray<uint32_t> indices;         // vertex numbers; if empty, primitives count vertices
   std::vector<MaterialChange> materials;  // entry i is material number i+1; 0 is the material of the call
-  std::optional<SurfaceFacts> facts;      // of the triangles, if they were found while these were sent
+  std::optional<SurfaceFacts> facts;      // about the triangles, if they were computed during capture
 
   bool empty() const { return primitives.empty(); }
   const float* vertex(uint32_t i) const { return vertices.data() + size_t{i} * layout.stride; }
@@ -78,7 +78,8 @@ struct CapturedVertices {
   void clear();
 };
 
-/// A slot that a list's run first sets after `vertices` vertices: those take the caller's current value.
+/// A slot that a list's run first sets after `vertices` vertices: these vertices take the caller's current
+/// value.
 struct InheritedSlot {
   Slot slot;
   uint32_t vertices;
@@ -88,7 +89,7 @@ struct InheritedSlot {
 /// split as in Mesa.
 std::vector<uint32_t> triangulate(const CapturedVertices& captured);
 
-/// The points or line segments of `captured`: one or two vertex numbers each.
+/// The points or line segments of `captured`: one or two vertex numbers for each.
 std::vector<uint32_t> solidCorners(const CapturedVertices& captured);
 
 /// Number of triangles in a primitive of `count` vertices; 0 for lines, points and patches.

@@ -23,7 +23,7 @@ namespace {
 
 constexpr size_t kMeshGrain = 1 << 16;
 
-/// Maps mesh vertex i to its captured vertex: vertex i itself, or after welding its representative.
+/// Maps mesh vertex i to its captured vertex: vertex i itself, or its representative after welding.
 struct Selection {
   const CapturedVertices& captured;
   const GrowingArray<uint32_t>* source;  // null: all vertices in order
@@ -44,7 +44,7 @@ scene::Attribute copySlot(const Selection& vertices, Slot slot, scene::Format fo
   return {data, reinterpret_cast<const std::byte*>(data.get()), floats * 4, format};
 }
 
-/// Copies colours: as bytes if they are exact, which take a quarter of the memory, else as floats.
+/// Copies colours as bytes if these are exact (a quarter of the memory), else as floats.
 scene::Attribute copyColors(const Selection& vertices, size_t& sizeBytes) {
   const uint32_t offset = vertices.captured.layout.offset[kColor], count = vertices.count();
   const auto asByte = [](float c) {
@@ -101,7 +101,7 @@ bool isTriangles(const CapturedVertices& c) {
   return c.primitives.size() == 1 && c.primitives[0].mode == GL_TRIANGLES && c.primitives[0].first == 0;
 }
 
-/// The same, without indices.
+/// Whether the capture is one primitive of separate triangles without indices.
 bool isSoup(const CapturedVertices& c) { return c.indices.empty() && isTriangles(c); }
 
 /// Whether a mesh can use vertices of this layout in place, and needs all of their slots.
@@ -110,7 +110,7 @@ bool isReadable(const VertexLayout& layout) {
           ~(bit(kPosition) | bit(kNormal) | bit(kSecondaryColor) | bit(kFogCoord) | kTexCoordSlots)) == 0;
 }
 
-/// Texture coordinates of units 1 to 7: makeOne(slot) for each unit that the layout has.
+/// Texture coordinates of units 1 to 7; calls makeOne(slot) for each unit that the layout has.
 template <class MakeOne>
 std::vector<scene::Attribute> texcoordsAbove(const VertexLayout& layout, MakeOne&& makeOne) {
   std::vector<scene::Attribute> all;
@@ -129,18 +129,18 @@ bool hasOtherW(const CapturedVertices& c) {
   return false;
 }
 
-/// Whether it is of points or lines.
+/// Whether the capture holds points or lines.
 bool isOfSolids(const CapturedVertices& c) {
   return !c.primitives.empty() && classOf(c.primitives.front().mode) != PrimitiveClass::surfaces;
 }
 
-/// Whether it has lines or triangles with adjacent vertices, of which no mesh is made.
+/// Whether the capture has lines or triangles with adjacent vertices, for which no mesh is built.
 bool hasAdjacency(const CapturedVertices& c) {
   return std::any_of(c.primitives.begin(), c.primitives.end(),
                      [](const Primitive& p) { return p.mode > GL_POLYGON; });
 }
 
-/// Makes balls of points, capsules of lines.
+/// Makes balls from points, capsules from lines.
 void makeSolids(const CapturedVertices& captured, scene::Mesh& mesh) {
   const bool points = classOf(captured.primitives.front().mode) == PrimitiveClass::points;
   mesh.shape = points ? scene::Shape::balls : scene::Shape::capsules;

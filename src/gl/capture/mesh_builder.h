@@ -5,17 +5,17 @@
 
 namespace gluray::gl {
 
-/// Builds the mesh of all surfaces in `captured`. Separate triangles without indices, if there are many, are
-/// welded: bitwise equal corners share a vertex. Triangles keep their order, so that `indices` also replays
-/// the vertices as sent. Points become balls, lines capsules. The mesh is null only if vertices are
-/// homogeneous (some w is not 1) or primitives have adjacent vertices. Throws std::bad_alloc.
+/// Builds the mesh of all surfaces in `captured`. Many separate triangles without indices are welded: bitwise
+/// equal corners share a vertex. Triangles keep their order, so that `indices` also replays the vertices as
+/// sent. Points become balls, lines capsules. The mesh is null only if vertices are homogeneous (some w is
+/// not 1) or primitives have adjacent vertices. Throws std::bad_alloc.
 KnownMesh buildMesh(const CapturedVertices& captured);
-/// The same, but the mesh takes over arrays that it can use unchanged; `captured` then has none.
-/// If this throws, `captured` is as it was.
+/// Builds the same mesh, which takes over the arrays that it can use unchanged; `captured` then has none. If
+/// this throws, `captured` is unchanged.
 KnownMesh buildMesh(CapturedVertices&& captured);
 
-/// Computes bounds, opacity of colours, and geometry id of `mesh`, whose arrays are set. `facts`, if any, are
-/// those of its triangles.
+/// Computes bounds, opacity of colours, and geometry id of `mesh`, whose arrays are set. `facts`, if not
+/// null, describe its triangles.
 void finishMesh(scene::Mesh& mesh, const SurfaceFacts* facts = nullptr);
 
 /// Whether a coordinate is beyond 1e18. Embree rejects coordinates beyond 1.8e18.

@@ -1,4 +1,5 @@
-// Meshes of a share group by content hash, so that geometry sent again every frame is recognised. Any thread.
+// Meshes of a share group by content hash, which recognises geometry that is sent again every frame. Any
+// thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"

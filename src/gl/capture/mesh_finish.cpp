@@ -1,4 +1,4 @@
-// What the arrays of a mesh tell: bounds, identity, opacity (mesh_builder.h).
+// Properties of a mesh that its arrays determine: bounds, identity, opacity (mesh_builder.h).
 #include "gl/capture/mesh_builder.h"
 #include "parallel/loops.h"
 
@@ -27,7 +27,7 @@ Bounds boundsOf(const scene::Mesh& mesh) {
       });
 }
 
-/// Computes the hashes of pieces on all cores.
+/// Hashes the pieces of the mesh on all cores.
 Hash128 geometryIdentity(const scene::Mesh& mesh) {
   constexpr uint32_t kTriangles = kIdentityPiece / 3, kPacked = 64;
   const uint32_t pieces = (mesh.triangleCount + kTriangles - 1) / kTriangles;
@@ -58,9 +58,9 @@ bool allOpaque(const scene::Attribute& colors, uint32_t count) {
   return true;
 }
 
-constexpr uint32_t kMagnitude = 0x7fffffffu;  // of a float's bits; larger numbers and NaN have larger ones
+constexpr uint32_t kMagnitude = 0x7fffffffu;  // of a float's bits; those of larger numbers and NaN are larger
 
-/// Largest magnitude of the elements' components, and `most`.
+/// The maximum of `most` and the largest magnitude of the elements' components, as bits.
 template <uint32_t kComponents>
 uint32_t largestBits(const scene::Attribute& a, size_t first, size_t last, uint32_t most) {
   const auto bitsOf = [&](size_t i) { return reinterpret_cast<const uint32_t*>(a.data + i * a.stride); };
@@ -74,7 +74,7 @@ uint32_t largestBits(const scene::Attribute& a, size_t first, size_t last, uint3
   return most;
 }
 
-/// Whether no component of the elements is NaN, infinite, or so large that its square may be.
+/// Whether no component of the elements is NaN, infinite, or so large that its square may be infinite.
 bool isModerate(const scene::Attribute& a, size_t count) {
   constexpr uint32_t kLimit = std::bit_cast<uint32_t>(1e15f);
   const auto within = [&](auto&& largest) {

@@ -47,7 +47,7 @@ void sendMaterial(const RealGl& real, const MaterialChange& change) {
 namespace {
 
 /// Sends material changes between vertices. Changes made outside glBegin and glEnd are sent outside, too:
-/// within a primitive, Mesa's lists also store parameters that follow the colour (GL_COLOR_MATERIAL).
+/// inside a primitive, Mesa's lists would also store parameters that follow the colour (GL_COLOR_MATERIAL).
 class MaterialSender {
  public:
   MaterialSender(const RealGl& real, std::span<const MaterialChange> changes)
@@ -136,7 +136,7 @@ class CaptureSender {
   const RealGl& real_;
   const CapturedVertices& captured_;
   MaterialSender materials_;
-  std::array<uint32_t, kSlotCount> inheriting_{};  // number of vertices
+  std::array<uint32_t, kSlotCount> inheriting_{};  // number of first vertices that inherit the slot
 };
 
 }  // namespace

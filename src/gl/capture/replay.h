@@ -14,11 +14,12 @@ void sendAttribute(const RealGl& real, Slot slot, const float* values);
 /// Calls glMaterial for every parameter that `change` sets.
 void sendMaterial(const RealGl& real, const MaterialChange& change);
 
-/// Sends all primitives of `captured`. `inherited`: slots that are not sent for its first vertices.
+/// Sends all primitives of `captured`. `inherited`: slots that are not sent for its first vertices, which
+/// take the current values.
 void replay(const RealGl& real, const CapturedVertices& captured,
             std::span<const InheritedSlot> inherited = {});
 
-/// Sends glBegin and the vertices so far of the open primitive.
+/// Sends glBegin and all vertices that the open primitive has so far.
 void replayOpen(const RealGl& real, const CapturedVertices& captured, const Primitive& open,
                 std::span<const InheritedSlot> inherited);
 

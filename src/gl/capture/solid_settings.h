@@ -8,7 +8,7 @@ namespace gluray::gl {
 /// Whether settings turn draws of this class into solids.
 bool drawsSolids(const Settings& settings, PrimitiveClass kind);
 
-/// The same of any class.
+/// Whether settings turn draws of any class into solids.
 bool drawsAnySolids(const Settings& settings);
 
 }  // namespace gluray::gl

@@ -79,7 +79,7 @@ void SurfaceWatch::add(const float* positions, uint32_t count, uint32_t stride) 
 }
 
 void SurfaceWatch::addToPiece(const float* positions, uint32_t count, uint32_t stride) {
-  float packed[3 * kChunk + 1];  // each copy writes a float more
+  float packed[3 * kChunk + 1];  // each copy writes one float more
   for (uint32_t first = 0; first < count; first += kChunk) {
     const uint32_t n = std::min(kChunk, count - first);
     const float* p = positions + size_t{first} * stride;
@@ -94,7 +94,7 @@ bool SurfaceWatch::facts(SurfaceFacts& result) {
   std::vector<Hash128> pieces = pieces_;
   if (corners_ % kIdentityPiece != 0) pieces.push_back(piece_.finishHash());
   result = {identityOf(pieces, corners_ / 3), bounds_, corners_};
-  spoil();  // the last piece is gone
+  spoil();  // the last piece's hash is finished
   return true;
 }
 

@@ -1,5 +1,5 @@
-// Computes the identity and bounds of a mesh from the corners of its triangles. Computed by mesh_builder from
-// arrays, or by VertexStream while the corners are sent and still in the caches. One thread at a time.
+// Identity (a content hash) and bounds of a mesh, from the corners of its triangles. mesh_builder computes
+// them from arrays, or VertexStream while the corners are sent and still in the caches. One thread at a time.
 #pragma once
 #include "base/hash.h"
 
@@ -16,36 +16,36 @@ struct Bounds {
   void join(const Bounds& o) { lower = glm::min(lower, o.lower), upper = glm::max(upper, o.upper); }
 };
 
-/// Bounds of those of `count` positions, `stride` floats apart, that are finite. Reads a float beyond the
-/// last.
+/// Bounds of the finite positions among `count`, which are `stride` floats apart. Reads one float beyond the
+/// last position.
 Bounds boundsOfFinite(const float* positions, uint32_t count, uint32_t stride);
 
 constexpr uint32_t kIdentityPiece = 3 << 14;  // corners hashed as one
 
-/// Hash of corners' positions in triangle order. It does not depend on which corners share vertices.
-/// `pieces`: hashes of kIdentityPiece corners each; the last has the rest.
+/// Hash of the corners' positions in triangle order, independent of which corners share vertices. `pieces`:
+/// hashes of kIdentityPiece corners each; the last one covers the rest.
 Hash128 identityOf(const std::vector<Hash128>& pieces, uint32_t triangles);
 
-/// Of all triangles of a run.
+/// Facts about all triangles of a run.
 struct SurfaceFacts {
   Hash128 identity;
-  Bounds bounds;  // of corners
+  Bounds bounds;  // of all corners
   uint32_t corners = 0;
 };
 
-/// Collects facts of corners that come in pieces.
+/// Computes the facts from corners that arrive in pieces.
 class SurfaceWatch {
  public:
   /// Forgets all corners.
   void start();
-  /// The corners from here on are not seen: facts() returns none.
+  /// Ignores all further corners: facts() then returns false.
   void spoil() { spoiled_ = true; }
   bool spoiled() const { return spoiled_; }
   uint32_t corners() const { return corners_; }
-  /// Adds corners whose positions are `stride` floats apart. Reads a float beyond the last. Without memory it
-  /// spoils the facts.
+  /// Adds corners whose positions are `stride` floats apart. Reads one float beyond the last. If memory runs
+  /// out, it calls spoil().
   void add(const float* positions, uint32_t count, uint32_t stride) noexcept;
-  /// False if they were spoiled, or the corners make no whole triangles.
+  /// Returns false if spoil() was called, or the corners make no whole triangles.
   bool facts(SurfaceFacts&);
 
  private:

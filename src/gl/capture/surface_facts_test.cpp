@@ -30,7 +30,7 @@ TEST(SurfaceFacts, BoundsAreThoseOfFinitePositions) {
 }
 
 TEST(SurfaceFacts, DoNotDependOnThePiecesThatCornersComeIn) {
-  const CapturedVertices soup = grid(test::kSide, test::kNever);  // several pieces of the identity
+  const CapturedVertices soup = grid(test::kSide, test::kNever);  // several pieces of kIdentityPiece corners
   SurfaceFacts whole;
   SurfaceWatch watch;
   watch.add(soup.vertices.data(), soup.vertexCount, soup.layout.stride);

@@ -34,8 +34,9 @@ inline void fogCoord(float f) { attribute(kFogCoord, f); }
 inline void index(float i) { attribute(kIndex, i); }
 inline void edgeFlag(bool flag) { attribute(kEdgeFlag, flag ? 1.0f : 0.0f); }
 
-/// `unit` counts from 0; units above 7 set GL_INVALID_ENUM.
+/// Sets GL_INVALID_ENUM.
 void invalidUnit() noexcept;
+/// `unit` counts from 0; units above 7 set GL_INVALID_ENUM.
 inline void texCoord(GLuint unit, float s, float t = 0, float r = 0, float q = 1) {
   if (unit < 8) [[likely]]
     attribute(static_cast<Slot>(kTexCoord0 + unit), s, t, r, q);

@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 namespace {
-constexpr uint32_t kMax = 1u << 30;    // most vertices in a run
-constexpr uint32_t kPiece = 1u << 13;  // vertices welded at a time: they stay in the caches
+constexpr uint32_t kMax = 1u << 30;    // maximum number of vertices in a run
+constexpr uint32_t kPiece = 1u << 13;  // vertices welded at a time: few enough to stay in the caches
 }  // namespace
 
 void VertexStream::start(SlotMask mask, const SlotValues& current, uint32_t weldFrom, Welding where) {
@@ -90,7 +90,7 @@ void VertexStream::end() {
   captured_.vertexCount -= arrived;
   captured_.indices.resize(captured_.indices.size() - (extra - arrived));
   numbered_ -= extra - arrived;
-  if (watch_.corners() > numbered_) watch_.spoil();  // it has seen some that are left out
+  if (watch_.corners() > numbered_) watch_.spoil();  // it has seen vertices that are left out
   cursor_ = captured_.vertex(captured_.vertexCount);
   if (count == 0) return;
   // Consecutive glBegin/glEnd pairs of one separate mode become one primitive.
@@ -101,8 +101,8 @@ void VertexStream::end() {
   captured_.primitives.push_back({mode_, first_, count});
 }
 
-// Before the vertices that have arrived are welded or handed over. A second time, after a failure, they are
-// known.
+// Call before vertices that have arrived are welded or handed over. A second call for them, after a failure,
+// does nothing.
 void VertexStream::watch() {
   const uint32_t first = behind_.active() ? 0 : kept_, arrived = captured_.vertexCount - first;
   if (watch_.corners() == numbered_) watch_.add(captured_.vertex(first), arrived, captured_.layout.stride);
@@ -192,7 +192,7 @@ void VertexStream::vertexSlow(float x, float y, float z, float w) {
   vertex(x, y, z);
 }
 
-// Works in place if there is room: memory that an earlier run has touched is worth keeping.
+// Works in place if there is room, to reuse memory that an earlier run has touched.
 void VertexStream::relayout(SlotMask mask) {
   const VertexLayout from = captured_.layout, to = VertexLayout::layoutOf(mask);
   captured_.vertices.reserve(size_t{std::max(captured_.vertexCount, 1u)} * to.stride);
@@ -205,7 +205,7 @@ void VertexStream::relayout(SlotMask mask) {
     }
   };
   move(template_, template_);
-  // Vertices only get wider: backwards, none is overwritten before it is read.
+  // Vertices only get wider, so that no vertex is overwritten before it is read if the last is moved first.
   for (uint32_t i = captured_.vertexCount; i-- > 0;)
     move(captured_.vertices.data() + size_t{i} * from.stride,
          captured_.vertices.data() + size_t{i} * to.stride);

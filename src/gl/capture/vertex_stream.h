@@ -1,5 +1,5 @@
 // Collects the vertices of a run: consecutive glBegin/glEnd pairs of equal state. Owned by Immediate, GL
-// thread; WeldBehind may weld on its own. The inline functions are the fast path of attribute calls.
+// thread; WeldBehind may weld on its own thread. The inline functions are the fast path of attribute calls.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/welding/stream_weld.h"
@@ -14,8 +14,8 @@ class VertexStream {
   static constexpr uint32_t kNever = ~0u;
   enum class Welding { here, behind };  // on the calling thread, or on WeldBehind's if it can start
 
-  /// Starts an empty run with the slots of `mask`, which have `current` values until they are set. Once it
-  /// has `weldFrom` vertices, all of separate triangles, it is welded while more arrive: equal vertices are
+  /// Starts an empty run with the slots of `mask`. They have the `current` values until they are set. A run
+  /// of separate triangles with at least `weldFrom` vertices is welded while more arrive: equal vertices are
   /// kept once, and the capture has indices.
   void start(SlotMask mask, const SlotValues& current, uint32_t weldFrom = kNever,
              Welding where = Welding::here);
@@ -44,14 +44,14 @@ class VertexStream {
     ++captured_.vertexCount;
   }
 
-  /// The same for any w, growing as needed. Throws std::bad_alloc.
+  /// Appends a vertex with any w, and grows if needed. Throws std::bad_alloc.
   void vertexSlow(float x, float y, float z, float w);
 
   /// Sets a slot that the layout has. `values`: sizeOf(slot) floats.
   void set(Slot slot, const float* values) {
     std::memcpy(template_ + captured_.layout.offset[slot], values, sizeOf(slot) * 4);
   }
-  /// The same; values beyond the slot's size are ignored.
+  /// Sets a slot that the layout has; values beyond the slot's size are ignored.
   void set(Slot slot, float x, float y, float z, float w) {
     float* const to = template_ + captured_.layout.offset[slot];
     to[0] = x;
@@ -59,7 +59,7 @@ class VertexStream {
     if (sizeOf(slot) > 3) to[3] = w;
   }
   const float* get(Slot slot) const { return get(captured_.layout, slot); }
-  /// The same, for the layout of the run that takeRun() has just returned.
+  /// The slot's value, in the layout of the run that takeRun() has just returned.
   const float* get(const VertexLayout& layout, Slot slot) const { return template_ + layout.offset[slot]; }
 
   /// Adds a slot; vertices already captured get the value `earlier`.
@@ -82,7 +82,7 @@ class VertexStream {
   CapturedVertices takeRun();
 
  private:
-  /// Vertices sent since start(), duplicates included: what primitives count.
+  /// Vertices sent since start(), duplicates included. Primitives count these.
   uint32_t sent() const { return captured_.vertexCount - kept_ + numbered_; }
   void grow();
   void updateLimit();
@@ -96,14 +96,14 @@ class VertexStream {
   void numberAll();
   void stopWelding();
 
-  CapturedVertices captured_;  // while behind_ is active, it holds only the vertices of the next piece
+  CapturedVertices captured_;  // while behind_ is active, only the vertices of the next piece
   uint32_t weldFrom_ = kNever;
   Welding where_ = Welding::here;
-  uint32_t kept_ = 0;      // first vertices of captured_, which indices refer to; later ones have none yet
+  uint32_t kept_ = 0;      // first vertices of captured_, which indices refer to; later ones have no index
   uint32_t numbered_ = 0;  // vertices sent that have an index, or were handed to behind_
   StreamWelder welder_;
   WeldBehind behind_;
-  SurfaceWatch watch_;  // of the vertices that have an index, or were handed to behind_
+  SurfaceWatch watch_;  // facts about the vertices that have an index or were handed to behind_
   float* cursor_ = nullptr;
   uint32_t room_ = 0;   // vertices that fit before grow() must be called
   uint32_t limit_ = 0;  // the same for vertex(); 0 while it must not be called

@@ -14,7 +14,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Alpha of one face's primary colour; 1 if it comes from the vertices.
+/// Alpha of one face's primary colour; 1 if it is the vertices' alpha.
 float faceAlpha(const scene::Material& material, scene::ColorMaterial::Mode mode) {
   const bool fromVertex =
       mode == scene::ColorMaterial::diffuse || mode == scene::ColorMaterial::ambientAndDiffuse;
@@ -28,7 +28,7 @@ bool usesVertexAlpha(const scene::Shading& shading) {
   return !shading.lighting || uses(shading.colorMaterial.front) || uses(shading.colorMaterial.back);
 }
 
-/// Whether no power of a negative number is asked for, which is undefined.
+/// Whether height colours never need a power of a negative number, which is undefined.
 bool hasDefinedColors(const scene::Mesh& mesh, const ProgramState& program) {
   if (program.shading.fragment.color != scene::FragmentShading::Color::height) return true;
   const scene::HeightColors& height = program.shading.fragment.height;
@@ -40,7 +40,7 @@ bool hasDefinedColors(const scene::Mesh& mesh, const ProgramState& program) {
   return true;
 }
 
-/// Whether all texture coordinates have q = 1: programs take s and t without a division by q.
+/// Whether all texture coordinates have q = 1: programs use s and t without dividing by q.
 bool hasPlainTexcoords(const scene::Mesh& mesh, const float* current) {
   if (!mesh.texcoords) return current[3] == 1;
   if (mesh.texcoords.format != scene::Format::float4) return true;
@@ -49,7 +49,8 @@ bool hasPlainTexcoords(const scene::Mesh& mesh, const float* current) {
   return true;
 }
 
-/// Whether the mesh lies before the viewer's plane, where -z is the absolute value of z in eye space.
+/// Whether the mesh lies in front of the viewer's plane, where -z equals the absolute value of z in eye
+/// space.
 bool isBeforeViewersPlane(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject) {
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 p(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
@@ -72,7 +73,7 @@ Reason Classifier::ofContext() const {
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
   if (const Reason reason = p_.shadow.target().reason; reason != Reason::traced) return reason;
-  // Draws by untraced programs, which programs make by the thousand, have not read it back.
+  // Draws by untraced programs, which programs make by the thousand, do not read it back.
   return p_.shadow.lastRaster().reason == Reason::renderMode ? Reason::renderMode : Reason::traced;
 }
 
@@ -103,8 +104,8 @@ Reason Classifier::classify(PrimitiveClass kind) const {
   return ofImages(false);
 }
 
-/// The shader program in use may be one that computes what a family describes from gl_Vertex and other inputs
-/// of fixed function. These are read anew for each draw.
+/// The shader program in use may compute what a family describes from gl_Vertex and other inputs of fixed
+/// function. These inputs are read again for each draw.
 Reason Classifier::ofProgram() const {
   ShadowState& shadow = p_.shadow;
   if (!shadow.isDirty(kProgram | kProgramTextures) && readsBuiltIns(shadow.program())) shadow.touch(kProgram);
@@ -118,7 +119,7 @@ Reason Classifier::ofProgram() const {
   if (program.reason != Reason::traced) return program.reason;
   if (raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return raster.reason;
   if (raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
-  // Only where alpha is clamped to 1 it is that of the colour.
+  // The alpha that is written equals the colour's only if it is clamped to 1.
   if (shadow.target().wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
   if (!shadow.clipPlanes().empty()) return Reason::program;
   if (!shadow.modelviewIsInvertible() || !shadow.projectionIsInvertible()) return Reason::singularMatrix;
@@ -132,7 +133,7 @@ bool Classifier::isOpaqueByProgram(const scene::Mesh& mesh) const {
 Reason Classifier::ofProgramsMesh(const scene::Mesh& mesh,
                                   const std::vector<MaterialChange>& materials) const {
   const ProgramState& program = p_.shadow.program();
-  if (!materials.empty()) return Reason::program;  // programs see them as uniforms
+  if (!materials.empty()) return Reason::program;  // programs read them as uniforms
   if (!hasDefinedColors(mesh, program)) return Reason::programValue;
   const scene::Shading& shading = program.shading;
   if (!shading.textures.empty() && !hasPlainTexcoords(mesh, p_.shadow.current[kTexCoord0]))
@@ -193,7 +194,7 @@ Reason Classifier::whereEverythingIsTraced(const KnownMesh& known,
   if (raster.unlessOpaque == Reason::traced && raster.alphaTest == scene::AlphaTest{}) return Reason::traced;
   if (isOpaque(*known.mesh, materials)) return Reason::traced;
   if (raster.unlessOpaque != Reason::traced && !p_.layers.mayBeDrawn()) return raster.unlessOpaque;
-  // OpenGL tests alpha once a pixel, at its centre; with `--shading sample` we test once a sample.
+  // OpenGL tests alpha once per pixel, at its centre. With `--shading sample`, GLuRay tests once per sample.
   const bool perSample = raster.multisample && shadow.target().samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;
 }
@@ -201,8 +202,7 @@ Reason Classifier::whereEverythingIsTraced(const KnownMesh& known,
 Reason Classifier::ofSolids(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {
   ShadowState& shadow = p_.shadow;
   const RasterState& raster = shadow.raster();
-  // Plans and menus: whether lines lie before or behind others of their depth depends on the order of
-  // drawing.
+  // Plans and menus: if lines have the same depth as other lines, drawing order decides which are visible.
   if (isParallel(shadow.projection()) && isFlat(mesh, shadow.projection() * shadow.modelview()))
     return Reason::flat;
   const bool tested = raster.alphaTest != scene::AlphaTest{};

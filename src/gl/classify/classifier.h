@@ -1,5 +1,5 @@
-// Decides whether draws of the fixed-function pipeline are traced or rasterised, and has the checks that all
-// draws share. A part of each Context, GL thread.
+// Decides whether draws of the fixed-function pipeline are traced or rasterised, and contains the checks that
+// all draws share. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/basics/reasons.h"
@@ -30,23 +30,24 @@ class Classifier {
   };
   explicit Classifier(const Parts& parts) : p_(parts) {}
 
-  /// Why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer), or
-  /// Reason::traced.
+  /// The reason why no draw, of fixed function or a program, can be traced now (failure, query, framebuffer),
+  /// or Reason::traced.
   Reason ofContext() const;
-  /// Reason::noGlsl if this OpenGL cannot show traced images, else Reason::traced. A mixed frame asks only
-  /// for draws that are too large for the real OpenGL: call it again for these, with `large`.
+  /// Reason::noGlsl if this OpenGL cannot show traced images, else Reason::traced. A mixed frame delays the
+  /// check to draws that are too large for the real OpenGL: call it again for these, with `large`.
   Reason ofImages(bool large) const;
-  /// Why a draw of fixed function's vertices, by fixed function or by a shader program, cannot be traced now,
-  /// if it is of this primitive class, or Reason::traced.
+  /// The reason why a draw of fixed function's vertices, by fixed function or by a shader program, cannot be
+  /// traced now if it has this primitive class, or Reason::traced.
   Reason classify(PrimitiveClass kind) const;
-  /// The same for a surface with this mesh, after classify(kind).
+  /// The same for a surface with this mesh. Call after classify(kind).
   Reason classify(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
-  /// Whether a surface that can be traced is a layer, blended in drawing order (LayerDraws::mayBeDrawn()).
+  /// Whether a surface that can be traced is a layer that is blended in drawing order
+  /// (LayerDraws::mayBeDrawn()).
   bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
 
-  /// Whether draws of this class are surfaces that are depth-tested against the framebuffer.
+  /// Whether draws of this class are surfaces with a depth test against the framebuffer.
   bool meetsDepth(PrimitiveClass kind) const;
-  /// Whether such draws leave depths that later ones are tested against.
+  /// Whether such draws leave depths against which later draws are tested.
   bool leavesDepth(PrimitiveClass kind) const;
   /// Whether surfaces are now drawn with a polygon offset away from the viewer.
   bool isPushedBack() const;

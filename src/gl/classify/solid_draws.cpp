@@ -10,7 +10,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether a reason against tracing surfaces says nothing about lines and points.
+/// Whether a reason against tracing surfaces does not apply to lines and points.
 bool isOfPolygons(Reason reason) {
   return reason == Reason::polygonMode || reason == Reason::polygonStipple || reason == Reason::polygonSmooth;
 }
@@ -23,7 +23,7 @@ bool isAttenuated(const RealGl& real) {
   return attenuation[0] != 1 || attenuation[1] != 0 || attenuation[2] != 0;
 }
 
-/// The program's line width or point size, pixels.
+/// The program's line width or point size in pixels.
 float programSize(const RealGl& real, bool core, bool points) {
   GLfloat size = 1, range[2] = {1, 1};
   real.GetFloatv(points ? GL_POINT_SIZE : GL_LINE_WIDTH, &size);
@@ -32,7 +32,8 @@ float programSize(const RealGl& real, bool core, bool points) {
   return std::clamp(size, range[0], std::max(range[0], range[1]));
 }
 
-/// A cubic mean of a matrix's stretch: the size in eye space of what has size 1 in object space.
+/// Mean scale factor of a matrix (cube root of its determinant): the size in eye space of object-space size
+/// 1.
 double stretchOf(const glm::dmat4& eyeFromObject) {
   return std::cbrt(std::abs(glm::determinant(glm::dmat3(eyeFromObject))));
 }
@@ -48,7 +49,7 @@ void setSize(ShadowState& shadow, scene::Shape shape, const glm::dmat4& eyeFromO
   look.size = glm::vec2(2 * pixels) / glm::vec2(shadow.viewport().box.z, shadow.viewport().box.w);
 }
 
-/// The viewer, in homogeneous coordinates of eye space: where lines of sight meet.
+/// The viewer, where lines of sight meet, in homogeneous coordinates of eye space.
 glm::vec4 viewerOf(const glm::dmat4& clipFromEye) {
   const glm::dvec4 viewer = -glm::inverse(clipFromEye)[2];
   if (isParallel(clipFromEye)) return {glm::vec3(glm::normalize(glm::dvec3(viewer))), 0};
@@ -124,7 +125,7 @@ Reason programSolidReason(ShadowState& shadow, PrimitiveClass kind) {
 
 namespace {
 
-/// Eye space, as far as the program knows it: it may have only the matrix for normals, or none.
+/// Eye space as the program knows it: the program may have only the matrix for normals, or none.
 glm::dmat4 eyeOf(const ProgramState& program) {
   if (program.eyeFromObject) return *program.eyeFromObject;
   const glm::dmat3 linear = glm::inverse(glm::transpose(glm::dmat3(program.normalMatrix)));

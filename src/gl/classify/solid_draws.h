@@ -8,19 +8,21 @@
 
 namespace gluray::gl {
 
-/// Whether all lines of sight are parallel.
+/// Whether the projection is parallel.
 bool isParallel(const glm::dmat4& clipFromEye);
 
-/// Why lines or points of fixed function cannot become solids in the current state, or Reason::traced.
+/// The reason why lines or points of fixed function cannot become solids in the current state, or
+/// Reason::traced.
 Reason solidReason(ShadowState& shadow, PrimitiveClass kind);
 
-/// Completes the instance and shading of a fixed-function draw of solids: their size and, unless the program
-/// lights them, a light at the viewer that shows their shape.
+/// Sets instance and shading of a fixed-function draw of solids: their size and, if the program does not
+/// light them, a light at the viewer that shows their shape.
 void makeSolid(ShadowState& shadow, scene::Instance& instance, scene::Shading& shading);
 
-/// The same two for draws of the current shader program. Programs that light lines give them normals: the
-/// solid's own normals replace those.
+/// Like solidReason(), for draws of the current shader program.
 Reason programSolidReason(ShadowState& shadow, PrimitiveClass kind);
+/// Like makeSolid(), for draws of the current shader program. Programs that light lines give them normals;
+/// the normals of the solid replace these.
 void makeProgramSolid(ShadowState& shadow, scene::Instance& instance);
 
 }  // namespace gluray::gl

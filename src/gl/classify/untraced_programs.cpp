@@ -25,7 +25,7 @@ Reason UntracedPrograms::inUse() {
 }
 
 void UntracedPrograms::find(GLuint name) {
-  // Read first: other threads may change programs meanwhile.
+  // The count is read first, because other threads may change programs meanwhile.
   const uint64_t changes = shadow_.group.programChanges();
   const std::shared_ptr<const KnownProgram> known = shadow_.recognise(name);
   name_ = name, changes_ = changes;

@@ -30,7 +30,7 @@ struct ContextInfo {
   /// while settings change images. Empty: no.
   std::function<bool()> isShown;
   std::shared_ptr<DrawKinds> kinds;            // records draws for `gluray explain`; null: not explaining
-  std::shared_ptr<Decisions> decisions;        // logs them; null: nobody asks. Needs `kinds`
+  std::shared_ptr<Decisions> decisions;        // logs these draws; null: no log. Needs `kinds`
   std::shared_ptr<const FamilyList> families;  // of shader programs; null: builtInFamilies()
   /// Called before and after a frame of a single-buffered context ends. May be empty.
   std::function<void()> frameEnding, frameEnded;

@@ -1,4 +1,5 @@
-// A context's current frame: its number, when it began, who draws it. A part of each Context, GL thread.
+// A context's current frame: its number, when it began, and which engine draws it. A part of each Context, GL
+// thread.
 #pragma once
 #include "base/clock.h"
 #include "gl/clock/context_info.h"
@@ -26,14 +27,14 @@ class FrameClock {
   EngineChoice choice;
   FrameTrials smallDraws;
 
-  /// Whether draws pass through to the real OpenGL. Then only lists are captured, and no state is read.
+  /// Whether draws pass through to the real OpenGL. If so, only lists are captured, and no state is read.
   bool passesThrough() const { return passesThrough_; }
   void setPassthrough(bool passesThrough) { passesThrough_ = passesThrough; }
-  /// Whether this frame is being measured: then no image may be repeated or delayed.
+  /// Whether this frame is being measured. If so, no image may be repeated or delayed.
   bool measured() const { return choice.wantsStop(); }
-  /// The program reads what flushes write until it is false again.
+  /// True while flushes write an image that the program reads.
   bool reads = false;
-  /// Flushes write what somebody is about to see until it is false again: a swap, or glFlush of a window with
+  /// True while flushes write an image that is about to be shown: by a swap, or by glFlush of a window with
   /// one buffer.
   bool shows = false;
   /// The picture in a framebuffer is finished: it is shown, read or copied next. Throws std::bad_alloc.
@@ -45,29 +46,31 @@ class FrameClock {
     return std::find(pictures_.begin(), pictures_.end(), framebuffer) != pictures_.end();
   }
   void forgetPictures() { pictures_.clear(); }
-  /// `known`: the image was shown before, elsewhere.
+  /// What a flush requires of its image. `known`: the image was shown before, elsewhere.
   ImageWish wish(bool known = false) const { return {known || !measured(), reads && !animates_}; }
-  /// For an image that the window shows already: reads find it there (FinishedRead).
+  /// The same for an image that the window already shows: reads find it there (FinishedRead).
   ImageWish wishAsShown() const { return {true, false, true}; }
-  /// How light is sampled for the next image: in full where nobody watches frames change. Whether somebody
-  /// does is known later in programs without a window (watchesOffscreen).
+  /// How light is sampled for the next image: as for moving frames if a visible window shows it, else in
+  /// full. In programs without a window, watchesOffscreen() says whether frames may belong to an animation,
+  /// which offscreenMode() decides later.
   scene::LightSampling::Mode lightMode(const Settings& settings);
   bool watchesOffscreen(const Settings& settings) const;
-  /// The same for an image that is about to be traced, of that frame of a view. Throws std::bad_alloc.
+  /// How light is sampled for an image of `size` that is about to be traced without a window. `viewFrame`:
+  /// frame of its view. Throws std::bad_alloc.
   scene::LightSampling::Mode offscreenMode(glm::ivec2 size, uint64_t viewFrame);
-  /// The last image belongs to an animation: reads take it as it is.
+  /// Whether the last image belongs to an animation: then reads return it without refining it.
   bool animates() const { return animates_; }
-  /// It is there.
+  /// Reports that the image is complete.
   void drawn() {
     if (isOffscreen_) [[unlikely]]
       offscreen_.drawn(nowSeconds());
   }
   bool startsMeasuring() const { return choice.wantsStart(); }
-  /// Whether a surface of so many triangles is left to the real OpenGL, whatever else the frame holds.
+  /// Whether a surface of `triangles` triangles is left to the real OpenGL, whatever else the frame contains.
   bool leavesAlone(uint64_t triangles, double viewportPixels) const {
     return choice.way() == EngineChoice::Way::mixed && choice.takesAlone(triangles, viewportPixels);
   }
-  /// The same for surfaces that are blended in drawing order.
+  /// As leavesAlone(), for surfaces that are blended in drawing order.
   bool leavesLayers(uint64_t triangles, double viewportPixels) const {
     return choice.takesLayers(triangles, viewportPixels);
   }

@@ -7,9 +7,9 @@
 
 namespace gluray::gl {
 
-/// The engine that draws. `automatic` becomes `always` if settings change the image, so that the real
-/// OpenGL would show another one, or if the renderer is `null` (to measure interception alone), or if
-/// somebody asks for what is drawn (DrawnObjects).
+/// The engine that draws. `automatic` becomes `always` if the context is off, if settings change the image,
+/// so that the real OpenGL would show a different one, if the renderer is `null`, which measures interception
+/// alone, or if `asked`: somebody queries the drawn objects (DrawnObjects).
 Engine engineOf(const ContextInfo& info, const Settings& settings, bool asked = false);
 
 /// Number of tracing threads, for EngineChoice.
@@ -22,19 +22,19 @@ class FrameSettings {
       : source_(info.source), now_(source_ ? *source_->current() : info.settings) {}
 
   const Settings& now() const { return now_; }
-  /// The number of the last frame that has begun, as the source counts; 0: without a source.
+  /// Number of the last frame that has begun, in the source's count; 0 without a source.
   uint64_t frame() const noexcept { return source_ ? source_->begun().frame : 0; }
-  /// The number of the frame that any context draws now; 0: without a source.
+  /// Number of the frame that any context currently draws; 0 without a source.
   uint64_t sourceFrame() const noexcept { return source_ ? source_->frame() : 0; }
-  /// Call when a frame has been shown, and before the first clear of the next: counts it.
+  /// Call when a frame has been shown and before the first clear of the next one: counts it.
   void endFrame() noexcept {
     if (source_) source_->endFrame();
   }
   void beginFrame() noexcept {
     if (source_) source_->beginFrame();
   }
-  /// Call after these: takes the current settings, except those that are fixed for the context. Returns
-  /// whether the source had new ones.
+  /// Call after endFrame() and beginFrame(): takes the current settings, except those that are fixed for the
+  /// context. Returns whether the source had new ones.
   bool takeCurrent();
 
  private:

@@ -1,4 +1,4 @@
-// When frames take the settings.
+// When frames take new settings.
 #include "gl/clock/frame_settings.h"
 
 #include "settings/live/settings_source.h"
@@ -11,7 +11,7 @@ namespace {
 SettingsSource g_source;
 int g_spp = 1;
 
-/// As LiveSettings does when a file has changed.
+/// Changes settings as LiveSettings does when a file has changed.
 void look() noexcept {
   if (g_source.current()->spp == g_spp) return;
   Settings next;

@@ -8,13 +8,13 @@ namespace gluray::gl {
 bool OffscreenAnimation::isReduced(glm::ivec2 size) const {
   return std::ranges::any_of(views_, [&](const View& other) {
     const glm::i64vec2 large = other.size, small = size;
-    // Equal up to the rounding of both sides.
+    // Equal shapes, up to the rounding of both sides.
     return large.x > small.x && std::abs(large.x * small.y - large.y * small.x) <= large.x + large.y;
   });
 }
 
 bool OffscreenAnimation::isAnimated(glm::ivec2 size, uint64_t frame, double now) {
-  constexpr size_t kMax = 16;  // of sizes that come and go
+  constexpr size_t kMax = 16;  // sizes that are remembered
   const auto known = std::ranges::find(views_, size, &View::size);
   if (known == views_.end()) {
     if (views_.size() >= kMax) views_.erase(views_.begin());

@@ -10,14 +10,14 @@ namespace gluray::gl {
 
 class OffscreenAnimation {
  public:
-  /// Seconds without an image after which the next one is a single one.
+  /// Seconds without an image after which the next one counts as a single image.
   static constexpr double kPause = 0.5;
 
-  /// Whether a view's frame, which begins or goes on, is one of an animation: it follows an image of its
-  /// size without a pause, or there has been a larger one of the same shape, as where programs reduce
-  /// images while the camera turns. Throws std::bad_alloc.
+  /// Whether a view's frame, new or continued, belongs to an animation: it follows an image of its size
+  /// without a pause, or a larger image of the same shape exists, because some programs reduce images while
+  /// the camera turns. Throws std::bad_alloc.
   bool isAnimated(glm::ivec2 size, uint64_t frame, double now);
-  /// The image that was asked about last is there.
+  /// Reports that the image of the last isAnimated() is complete.
   void drawn(double now) {
     if (!views_.empty()) views_.back().drawn = now;
   }
@@ -30,7 +30,7 @@ class OffscreenAnimation {
     double drawn;
   };
   bool isReduced(glm::ivec2 size) const;
-  std::vector<View> views_;  // by size; the one that was asked about last is the last one
+  std::vector<View> views_;  // one for each size; the last is that of the last isAnimated()
 };
 
 }  // namespace gluray::gl

@@ -7,7 +7,7 @@ namespace {
 
 constexpr glm::ivec2 kLarge{803, 601}, kReduced{401, 300};
 
-/// A frame of one batch that takes a tenth of a second from `begin` on.
+/// A frame of one batch that takes a tenth of a second, starting at `begin`.
 bool animates(OffscreenAnimation& frames, uint64_t frame, double begin, glm::ivec2 size = kLarge) {
   const bool animated = frames.isAnimated(size, frame, begin);
   frames.drawn(begin + 0.1);

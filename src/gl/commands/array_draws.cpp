@@ -1,4 +1,4 @@
-// Handlers of array draws, and what becomes of them.
+// Handlers of array draws, and their fates.
 #include "gl/commands/array_draws.h"
 
 #include "gl/arrays/array_indices.h"
@@ -13,7 +13,7 @@
 namespace gluray::gl {
 
 void refuse(Context& c, GLenum error) {
-  // Inside glBegin GL_INVALID_OPERATION comes first, except while a list is compiled.
+  // Inside glBegin, GL_INVALID_OPERATION takes precedence, except while a list is compiled.
   if (c.immediate.insideBegin()) return c.lists.misuse(c.lists.compiling() ? error : GL_INVALID_OPERATION);
   if (!c.lists.compiling()) return c.errors.set(error);
   c.lists.record([error](Context& x) { x.errors.set(error); });
@@ -30,7 +30,7 @@ bool validate(Context& c, GLenum mode, const Elements& e) {
 
 namespace {
 
-constexpr GLsizei kSmall = 192;  // most vertices of a draw that joins a run instead of becoming a mesh
+constexpr GLsizei kSmall = 192;  // maximum vertices of a draw that joins a run instead of becoming a mesh
 
 /// Records a draw in a list. Its arrays are read now, as display lists demand (GL 2.1, 5.4).
 Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
@@ -59,7 +59,7 @@ Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
 
 namespace {
 
-/// Adds a small draw to the open run of vertices, if it can be traced. False: nothing was done.
+/// Adds a small draw to the open run of vertices, if it can be traced. Returns false if nothing was done.
 bool joinsRun(Context& c, GLenum mode, const Elements& e) {
   const bool plain = e.instances < 0 && mode <= GL_POLYGON && c.shadow.arrays().reason == Reason::traced &&
                      c.shadow.arrays().vertex.enabled;
@@ -71,9 +71,9 @@ bool joinsRun(Context& c, GLenum mode, const Elements& e) {
   return joined == Reason::traced;
 }
 
-/// Records a draw in the list that is compiled.
+/// Records a draw in the list being compiled.
 Fate record(Context& c, GLenum mode, const Elements& e) {
-  // Instanced draws are errors in lists, empty ones too.
+  // Instanced draws are errors in lists, even empty ones.
   if ((e.count == 0 || e.instances == 0) && e.instances < 0) return Fate::empty;
   return recordDraw(c, mode, e);
 }

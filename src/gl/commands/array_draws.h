@@ -1,4 +1,4 @@
-// Helpers shared by array draws of fixed function and of shader programs. Private to gl/arrays. GL thread.
+// Helpers shared by array draws of fixed function and of shader programs. Private to gl/commands. GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/capture/mesh_cache.h"
@@ -31,18 +31,19 @@ uint64_t trianglesOf(GLenum mode, const Elements& elements);
 /// The mesh of the draw: a known one with this content, or a new one.
 KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elements& elements);
 
-/// What a draw counts as; an impostor counts as one triangle.
+/// How the draw is counted; an impostor counts as one triangle.
 DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& elements);
 
-/// Whether the real OpenGL makes the draws of the shader program in use, whatever the state and their
-/// vertices are, and nothing waits for them or asks about them.
+/// Whether the real OpenGL makes the draws of the shader program in use, in any state and with any vertices,
+/// and neither pending draws nor requests for details (explain, objects, light) concern them.
 bool drawsUntraced(Context& c);
-/// Call before such a draw, or several together, of `triangles` triangles: counts it and prepares for it.
+/// Call before such a draw, or several together, with `triangles` triangles in all: counts and prepares them.
 void beforeUntraced(Context& c, GLenum mode, DrawPath path, uint64_t triangles);
-/// Call for each of these after beforeUntraced(): later surfaces of the depth epoch may coincide with it.
+/// Call for each of these draws after beforeUntraced(): later surfaces of the depth epoch may coincide with
+/// it.
 void rememberUntraced(Context& c, GLenum mode, const Elements& elements);
-/// Makes such a draw, unless it does not show and is left out. False: it is none, or some of it may be left
-/// out, and nothing was done.
+/// Makes such a draw, or skips it if it is invisible. Returns false, with nothing done, if it is no such
+/// draw, or if parts of it may be culled.
 bool drawUntraced(Context& c, GLenum mode, const Elements& elements);
 
 }  // namespace gluray::gl

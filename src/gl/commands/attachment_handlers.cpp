@@ -13,7 +13,7 @@ uint32_t vertexArrayBound(Context& c, GLuint array) {
 
 uint32_t vertexArraysDeleted(Context& c, GLsizei n, const GLuint* arrays) {
   for (GLsizei i = 0; arrays && i < n; ++i) c.shadow.attachments.forget(arrays[i]);
-  GLint bound = 0;  // deleting the bound one has unbound it
+  GLint bound = 0;  // deleting the bound one unbinds it
   c.real.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
   c.shadow.attachments.bind(static_cast<GLuint>(bound));
   return kArrays;
@@ -26,7 +26,8 @@ uint32_t arraysPopped(Context& c) {
 
 namespace {
 
-/// The place of a generic attribute's binding. From kElements on none is recorded: these always count as old.
+/// The place of a generic attribute's binding. Bindings from kElements on are not recorded: they always count
+/// as old.
 GLuint placeOf(GLuint binding) { return binding < Attachments::kElements ? binding : Attachments::kPlaces; }
 
 }  // namespace
@@ -94,7 +95,7 @@ uint32_t imagesDeleted(Context& c, GLenum type, GLsizei n, const GLuint* names) 
   for (GLsizei i = 0; names && i < n; ++i)
     if (names[i] != 0) c.shadow.group.deletedImages.add(type, names[i]);
   c.shadow.images.update();
-  return kTarget;  // the bound framebuffer object loses them
+  return kTarget;  // the bound framebuffer object loses these images
 }
 
 uint32_t framebuffersDeleted(Context& c, GLsizei n, const GLuint* names) {

@@ -1,4 +1,4 @@
-// glBlitFramebuffer, which reads what was drawn so far: resolves waiting images, copies depth, or blits.
+// glBlitFramebuffer, which reads everything drawn so far: resolves waiting images, copies depth, or blits.
 #include "gl/context/handlers.h"
 #include "gl/context/stub.h"
 #include "gl/framebuffers/depth_copy.h"
@@ -12,7 +12,7 @@ void blitAsIs(const RealGl& real, const Blit& b) {
                        b.filter);
 }
 
-/// Makes a blit that ResolveDraws::byBlit() has not made. Call Flusher::beforeBlit() before.
+/// Makes a blit that ResolveDraws::byBlit() has not made. Call Flusher::beforeBlit() first.
 void blit(Context& c, Blit b) {
   const RealGl& real = c.real;
   const bool copies = (b.mask & GL_DEPTH_BUFFER_BIT) &&
@@ -48,7 +48,7 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
     blit(c, what);
   }
   c.cleared.forget();
-  c.touch(framebufferBound(c));  // again: other contexts that read the images must see them changed
+  c.touch(framebufferBound(c));  // again: other contexts that read the images must see the change
 }
 
 }  // namespace gluray::gl

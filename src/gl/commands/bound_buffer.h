@@ -1,4 +1,4 @@
-// The buffer objects that are bound to targets. Private to gl/buffers. GL thread.
+// The buffer objects bound to targets. Private to gl/commands. GL thread.
 #pragma once
 #include "gl/buffers/buffer.h"
 
@@ -14,8 +14,8 @@ class Context;
 GLenum bindingOf(GLenum target);
 
 /// The buffer bound to `target`. Null if there is none (the real OpenGL raises the error), or if it may be
-/// one that another context has deleted, which only the real OpenGL knows. A buffer that has the name now may
-/// still be the bound one, so its contents are sent and our copy is dropped.
+/// one that another context has deleted, which only the real OpenGL knows. In that case the buffer that has
+/// the name now may still be the bound one, so its contents are sent and our copy is dropped.
 std::shared_ptr<Buffer> bound(Context& c, GLenum target);
 
 }  // namespace gluray::gl

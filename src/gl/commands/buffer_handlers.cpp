@@ -1,4 +1,4 @@
-// Handlers of commands on buffer objects that are bound to a target.
+// Handlers of commands on buffer objects bound to a target.
 #include "gl/commands/bound_buffer.h"
 #include "gl/context/handlers.h"
 
@@ -9,7 +9,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Targets whose buffers the real OpenGL uses only in commands that we see.
+/// Targets whose buffers the real OpenGL reads only in commands that GLuRay sees.
 bool usesAreSeen(GLenum target) {
   switch (target) {
     case GL_ARRAY_BUFFER:
@@ -21,8 +21,8 @@ bool usesAreSeen(GLenum target) {
   }
 }
 
-/// Whether contents sent to `target` are held back until a draw of the real OpenGL reads them. Never in
-/// passthrough frames.
+/// Whether contents sent to `target` are held back until a draw of the real OpenGL reads them. Always false
+/// in passthrough frames.
 bool isHeldBack(const Context& c, GLenum target, const Buffer* buffer) {
   if (buffer && (buffer->readBelow || buffer->foreign || buffer->isSentOften())) return false;
   return !c.clock.passesThrough() && (target == GL_ARRAY_BUFFER || target == GL_ELEMENT_ARRAY_BUFFER);
@@ -33,7 +33,7 @@ bool isRange(const Buffer& buffer, GLintptr offset, GLsizeiptr size) {
          static_cast<size_t>(size) <= buffer.size() - static_cast<size_t>(offset);
 }
 
-/// Whether to map the real OpenGL's memory instead of our copy; it then has our contents.
+/// Whether to map the real OpenGL's memory instead of our copy. If so, it has our contents afterwards.
 bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
   if (buffer && !buffer->immutable && !buffer->mappedBelow && isHeldBack(c, target, buffer)) {
     if (!buffer->heldBack()) buffer->readToWrite(c.real);
@@ -43,7 +43,7 @@ bool isMappedBelow(Context& c, Buffer* buffer, GLenum target) {
   return true;
 }
 
-/// Touches the arrays too, because they cannot be read while the buffer is mapped.
+/// Also marks the arrays as dirty, because they cannot be read while the buffer is mapped.
 void setMappedBelow(Context& c, Buffer& buffer, bool mapped) {
   buffer.mappedBelow = mapped;
   c.touch(kArrays);
@@ -105,7 +105,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
   if (buffer->mappedIn(static_cast<size_t>(offset), static_cast<size_t>(size)))
     return c.errors.set(GL_INVALID_OPERATION);
   if (buffer->mappedBelow || buffer->showsMapping())
-    return c.real.BufferSubData(target, offset, size, data);  // it knows the range
+    return c.real.BufferSubData(target, offset, size, data);  // the real OpenGL checks the range
   try {
     const bool ours = buffer->mapped() || (!buffer->immutable && isHeldBack(c, target, buffer.get()));
     if (ours && buffer->readToWrite(c.real)) {
@@ -121,7 +121,7 @@ void bufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr size, 
 
 void bufferStorage(Context& c, GLenum target, GLsizeiptr size, const void* data, GLbitfield flags) {
   const auto buffer = bound(c, target);
-  if (buffer) buffer->sendTo(c.real);  // stays if the real OpenGL refuses the storage
+  if (buffer) buffer->sendTo(c.real);  // kept if the real OpenGL refuses the storage
   c.real.BufferStorage(target, size, data, flags);
   GLint immutable = GL_FALSE;
   if (buffer && !buffer->immutable)
@@ -151,7 +151,7 @@ void* mapBuffer(Context& c, GLenum target, GLenum access) {
   return buffer->map(c.real, 0, buffer->size(), bits);
 }
 
-/// Whether glMapBufferRange takes these bits for a buffer of glBufferData.
+/// Whether glMapBufferRange accepts these bits for a buffer made by glBufferData.
 bool isAccess(GLbitfield access) {
   constexpr GLbitfield kReadWrite = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT;
   constexpr GLbitfield kNotToRead =
@@ -211,7 +211,7 @@ void getBufferSubData(Context& c, GLenum target, GLintptr offset, GLsizeiptr siz
 void copyBufferSubData(Context& c, GLenum readTarget, GLenum writeTarget, GLintptr readOffset,
                        GLintptr writeOffset, GLsizeiptr size) {
   const auto source = bound(c, readTarget), target = bound(c, writeTarget);
-  // The real OpenGL does not know of mappings of our copy.
+  // The real OpenGL does not know mappings of our copy.
   if ((source && source->mapped()) || (target && target->mapped())) return c.errors.set(GL_INVALID_OPERATION);
   if (target) c.flusher.contentsChange(target->name());
   if (source) source->sendTo(c.real);

@@ -1,4 +1,4 @@
-// Handlers of buffer object queries, which the real OpenGL cannot answer while contents are held back.
+// Handlers of buffer object queries, which the real OpenGL would answer wrongly while contents are held back.
 #include "gl/commands/bound_buffer.h"
 #include "gl/context/handlers.h"
 

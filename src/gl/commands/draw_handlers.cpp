@@ -20,7 +20,7 @@ void materialfv(Context& c, GLenum face, GLenum pname, const GLfloat* params) {
 }
 
 namespace {
-/// Sends a call to the real OpenGL, now or as a fragment of the list being compiled.
+/// Sends a call to the real OpenGL: now, or as a fragment of the list being compiled.
 template <class F>
 void unmodelled(Context& c, F&& call) {
   if (!c.lists.compiling()) return call();
@@ -30,8 +30,8 @@ void unmodelled(Context& c, F&& call) {
 }  // namespace
 
 void materialf(Context& c, GLenum face, GLenum pname, GLfloat param) {
-  // The specification demands an error for a single value, Mesa makes a vector of it. The real OpenGL
-  // decides; inside a list's primitive, where it cannot, we do as Mesa does.
+  // For a single value, the specification demands an error, and Mesa makes a vector of it. The real OpenGL
+  // decides. Inside a list's primitive it cannot, so GLuRay does as Mesa does.
   const GLfloat values[4] = {param, 0, 0, 0};
   if (pname != GL_SHININESS && c.lists.compiling() && c.immediate.insideBegin())
     return c.immediate.material(face, pname, values);
@@ -54,8 +54,8 @@ void materialiv(Context& c, GLenum face, GLenum pname, const GLint* params) {
 
 void rectf(Context& c, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
   if (c.immediate.insideBegin()) return c.lists.misuse();
-  // Differs: GL 2.1, 2.10 says a polygon; Mesa draws a quad, whose diagonal is the other one. Interpolated
-  // values depend on that in their last bits.
+  // Differs: GL 2.1, 2.10 says a polygon. Mesa draws a quad, which is split along the other diagonal.
+  // Interpolated values depend on that in their last bits.
   c.immediate.begin(GL_QUADS);
   vertexcall::vertex(x1, y1), vertexcall::vertex(x2, y1), vertexcall::vertex(x2, y2),
       vertexcall::vertex(x1, y2);
@@ -122,7 +122,7 @@ void arrayElement(Context& c, GLint i) {
     c.shadow.sendBuffers();
     return c.real.ArrayElement(i);
   }
-  // We do not read these arrays: the real OpenGL takes over the primitive.
+  // GLuRay does not read these arrays: the real OpenGL takes over the primitive.
   if (c.shadow.arrays().others || c.shadow.arrays().reason != Reason::traced) {
     if (!c.immediate.insideBegin() && c.lists.compiling()) {
       c.shadow.sendBuffers();

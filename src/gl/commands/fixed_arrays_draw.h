@@ -23,7 +23,7 @@ class FixedArraysDraw final : public DrawRequest {
   Fate make() override;
 
  private:
-  /// Without a position array the draw may use the current position: the real OpenGL decides.
+  /// False without a position array: the draw may then use the current position, and the real OpenGL decides.
   bool hasKnownVertices() const;
 
   Context& c_;

@@ -1,5 +1,5 @@
-// Handlers of draws whose parameters are in a buffer object. Large ones by shader programs are culled as the
-// draws that the parameters describe; all others are the real OpenGL's.
+// Handlers of draws whose parameters are in a buffer object. Large draws by shader programs are culled like
+// the direct draws that the parameters describe. The real OpenGL makes all others.
 #include "gl/commands/array_draws.h"
 #include "gl/commands/bound_buffer.h"
 #include "gl/context/handlers.h"
@@ -21,14 +21,14 @@ namespace {
 
 struct IndirectDraws {
   GLenum mode = 0;
-  GLenum type = 0;  // of indices; 0: none
+  GLenum type = 0;  // of the indices; 0: none
   const void* indirect = nullptr;
   GLsizei draws = 1, stride = 0;
-  bool several = false;  // a multi-draw, whatever `draws` is
+  bool several = false;  // a multi-draw command, whatever `draws` is
 
   size_t size() const { return (type ? 5 : 4) * sizeof(GLuint); }
   size_t step() const { return stride > 0 ? static_cast<size_t>(stride) : size(); }
-  /// The draws [first, end).
+  /// The draws with numbers [first, end).
   IndirectDraws part(GLsizei first, GLsizei end) const {
     IndirectDraws some = *this;
     if (first == 0 && end == draws) return some;
@@ -52,7 +52,7 @@ int commandNamed(std::string_view name) {
   return static_cast<int>(row - std::begin(kCommandNames));
 }
 
-/// As commands that are not modelled.
+/// Makes the draws as commands that are not modelled.
 void leave(Context& c, const IndirectDraws& d) {
   static const std::array kCommands{
       commandNamed("glDrawArraysIndirect"), commandNamed("glDrawElementsIndirect"),
@@ -63,7 +63,7 @@ void leave(Context& c, const IndirectDraws& d) {
   drawBelow(c.real, d);
 }
 
-/// 0 stands for no indices, and is the same error as any other wrong type.
+/// 0 means no indices, and is the same error as any other wrong type.
 GLenum indexType(GLenum type) { return type ? type : GL_FLOAT; }
 
 /// Whether the real OpenGL has the command, without extensions that change its errors.
@@ -74,7 +74,7 @@ bool exists(const RealGl& real, const IndirectDraws& d) {
          (!d.several || hasExtension(real, version, "GL_ARB_multi_draw_indirect"));
 }
 
-/// Whether all that the draws read is in buffers that are known, so that they raise no error for them.
+/// Whether everything that the draws read is in known buffers, so that they raise no error for this.
 bool readsBuffers(const ArrayState& arrays, const IndirectDraws& d) {
   bool buffers = !d.type || arrays.elements;
   const auto look = [&](const ArraySource& a) { buffers = buffers && (!a.enabled || a.buffer); };
@@ -83,7 +83,7 @@ bool readsBuffers(const ArrayState& arrays, const IndirectDraws& d) {
   return buffers && arrays.reason != Reason::deletedBuffer && foreignReason(arrays) == Reason::traced;
 }
 
-/// The draw that a command describes; an empty one where its numbers are too large.
+/// The draw that a command describes; an empty one if its numbers are too large.
 Elements elementsOf(const std::byte* command, GLenum type) {
   std::array<GLuint, 5> words{};
   std::memcpy(words.data(), command, (type ? 5 : 4) * sizeof(GLuint));
@@ -102,7 +102,7 @@ Elements elementsOf(const std::byte* command, GLenum type) {
   return e;
 }
 
-/// What the commands describe; empty: not known, or the real OpenGL raises an error.
+/// The draws that the commands describe; empty if they are unknown, or the real OpenGL raises an error.
 std::vector<Elements> readCommands(Context& c, const IndirectDraws& d) {
   constexpr GLsizei kMax = 1 << 16;
   const auto at = reinterpret_cast<uintptr_t>(d.indirect);
@@ -119,7 +119,7 @@ std::vector<Elements> readCommands(Context& c, const IndirectDraws& d) {
   return all;
 }
 
-/// What the draws are; none where their arrays are not in buffers.
+/// The draws; nullopt if their arrays are not in buffers.
 std::optional<std::vector<Elements>> describe(Context& c, const IndirectDraws& d) {
   c.shadow.refresh(kProgramGroups);
   if (!readsBuffers(c.shadow.attributes(), d)) return std::nullopt;
@@ -147,13 +147,13 @@ bool mayCull(Context& c) {
   return c.culled.takesParts();
 }
 
-/// Whether some of the draws are.
+/// Whether one of the draws is large enough to be culled.
 bool isCulled(Context& c, const std::vector<Elements>& all) {
   if (all.empty()) c.counts.notCulled(CullReason::indirect);
   return std::ranges::any_of(all, [&](const Elements& e) { return c.culled.isLarge(e); });
 }
 
-/// Those that are not culled are left together.
+/// Draws that are not culled are passed on together.
 void drawAll(Context& c, const IndirectDraws& d, const std::vector<Elements>& all) {
   const PrimitiveClass kind = kindOf(d.mode);
   GLsizei drawn = 0;

@@ -1,4 +1,4 @@
-// Commands that make, call and delete display lists.
+// Handlers of commands that compile, call and delete display lists.
 #include "gl/context/handlers.h"
 #include "gl/context/list.h"
 #include "gl/context/stub.h"
@@ -17,9 +17,9 @@ void endList(Context& c) {
 
 namespace {
 
-/// Whether list calls are recorded in the list being compiled, also inside its glBegin: the primitive is then
-/// recorded call by call, because the called list may change before it is executed. Inside a primitive that
-/// the real OpenGL compiles, list calls are executed instead and become part of the primitive.
+/// Whether list calls are recorded in the list being compiled. Inside that list's glBegin, the primitive is
+/// then recorded call by call, because the called list may change before it is executed. Inside a primitive
+/// that the real OpenGL compiles, list calls are executed instead and become part of the primitive.
 bool recordsCalls(Context& c) {
   if (!c.lists.compiling()) return false;
   if (c.immediate.inside() == Immediate::Inside::captured) c.failsafe.insist([&] { c.immediate.loosen(); });
@@ -33,7 +33,7 @@ void callList(Context& c, GLuint name) {
     return c.lists.record(
         [name](Context& x) { name ? x.lists.callList(name) : x.errors.set(GL_INVALID_VALUE); }, true);
   }
-  if (name == 0) return c.errors.set(GL_INVALID_VALUE);  // as Mesa does; the specification is silent
+  if (name == 0) return c.errors.set(GL_INVALID_VALUE);  // as Mesa does; the specification does not say
   c.lists.callList(name);
 }
 
@@ -73,7 +73,7 @@ void callLists(Context& c, GLsizei n, GLenum type, const void* names) {
   c.failsafe.insist([&] { offsets.resize(static_cast<size_t>(n)); });
   for (size_t i = 0; i < offsets.size(); ++i) offsets[i] = listOffset(type, names, i);
   const auto call = [offsets = std::move(offsets)](Context& x) {
-    const GLuint base = x.lists.base;  // as it was before the lists, which may change it
+    const GLuint base = x.lists.base;  // read before the lists run, which may change it
     for (const GLuint offset : offsets) x.lists.callList(base + offset);
   };
   if (recordsCalls(c)) return c.lists.record(call, true);

@@ -1,5 +1,5 @@
-// Labels of display lists (GL 4.6 compatibility profile, section 20.9): the real OpenGL knows no list of the
-// program, so their labels are kept here. All other objects are its own.
+// Labels of display lists (GL 4.6 compatibility profile, section 20.9). The real OpenGL does not know the
+// program's lists, so their labels are kept here. It knows all other objects.
 #include "gl/context/handlers.h"
 #include "gl/context/stub.h"
 #include "gl/real/state_queries.h"

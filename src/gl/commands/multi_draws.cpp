@@ -14,8 +14,8 @@ bool isValid(Context& c, GLenum mode, const GLsizei* count, GLsizei draws) {
   return validate(c, mode, Elements{});
 }
 
-/// Whether the real OpenGL makes all the draws as they are: then they are counted, as one, and its own
-/// multi-draw may be called. `elementsOf`: of a draw by its number.
+/// Whether the real OpenGL makes all the draws unchanged. If so, they are counted as one draw, and its own
+/// multi-draw may be called. `elementsOf`: returns a draw by its number.
 template <class ElementsOf>
 bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& elementsOf) {
   if (c.lists.compiling() || draws < 2) return false;

@@ -1,5 +1,5 @@
 // Handlers of direct state access to buffer objects (OpenGL 4.5, EXT_direct_state_access), and of commands
-// after which the real OpenGL reads or writes buffers without our seeing it.
+// that let the real OpenGL read or write buffers without GLuRay seeing it.
 #include "gl/context/handlers.h"
 
 #include <utility>
@@ -47,7 +47,7 @@ GLboolean unmapNamed(Context& c, GLuint name, Unmap&& unmap) {
   return GL_TRUE;
 }
 
-/// Handles the flush of a mapping of our copy. False if there is none.
+/// Handles the flush of a mapping of our copy. Returns false if there is none.
 bool handlesFlush(Context& c, GLuint name, GLintptr offset, GLsizeiptr length) {
   const auto buffer = known(c, name);
   if (!buffer || !buffer->mapped()) return false;

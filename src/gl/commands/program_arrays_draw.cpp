@@ -33,7 +33,7 @@ ProgramArraysDraw::ProgramArraysDraw(Context& context, GLenum mode, const Elemen
 Reason ProgramArraysDraw::classifyState() {
   if (takesFixed_) {
     c_.shadow.refresh(kDrawGroups | kFixedArrays);
-    // Attribute 0 takes the place of gl_Vertex.
+    // Attribute 0 replaces gl_Vertex.
     return c_.shadow.attributes().generic.empty() ? fixed_.classifyState() : Reason::arrayState;
   }
   if (mode_ > GL_POLYGON) return Reason::program;
@@ -41,7 +41,7 @@ Reason ProgramArraysDraw::classifyState() {
   Reason reason = classifyPass(c_, impostors ? PrimitiveClass::surfaces : classOf(mode_));
   if (reason == Reason::traced && impostors) reason = c_.programs.classifyImpostors();
   if (reason != Reason::traced) return reason;
-  // A program that expects impostors draws surfaces in a way that is unknown.
+  // Surfaces drawn by a program that expects impostors have an unknown look.
   const bool odd = !impostors && c_.shadow.attributes().shape != scene::Shape::triangles;
   return odd ? Reason::program : Reason::traced;
 }

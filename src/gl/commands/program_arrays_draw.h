@@ -18,17 +18,18 @@ class ProgramArraysDraw final : public DrawRequest {
   Fate make() override;
 
  private:
-  /// Triangles that the draw shows as traced, and that the real OpenGL would draw: an impostor is as much
-  /// work for it as the triangles of its billboard.
+  /// Number of triangles that the draw shows if it is traced.
   uint64_t shown(const KnownMesh& mesh) const;
+  /// Number of triangles that the real OpenGL would draw: an impostor costs it as much as its billboard's
+  /// triangles.
   uint64_t sent(const KnownMesh& mesh) const;
 
   Context& c_;
   const GLenum mode_;
   const Elements& elements_;
   FixedArraysDraw fixed_;      // the same draw
-  const bool takesFixed_;      // the program takes its vertices from fixed function's arrays
-  const bool sentBillboards_;  // the program's impostors are cut out of billboards that are sent
+  const bool takesFixed_;      // the program reads fixed function's vertex arrays
+  const bool sentBillboards_;  // the program sends the billboards of its impostors
 };
 
 }  // namespace gluray::gl

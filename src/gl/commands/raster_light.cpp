@@ -31,8 +31,8 @@ bool isClipped(ShadowState& shadow) {
   return false;
 }
 
-/// Whether the draw may have written less than colours and depth. Fragments that it left out are found by
-/// their depth, unless the framebuffer is multisampled.
+/// LightReason::lit, or the reason why the draw may have written less than colours and depth. The depths show
+/// which fragments it did not write, unless the framebuffer is multisampled.
 LightReason litState(ShadowState& shadow, GLenum mode, const Elements& e) {
   if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return LightReason::instanced;
   if (const CullReason reason = cullableState(shadow, mode); reason != CullReason::culled)
@@ -47,8 +47,8 @@ LightReason litState(ShadowState& shadow, GLenum mode, const Elements& e) {
   return isClipped(shadow) ? LightReason::clipDistances : LightReason::lit;
 }
 
-/// Matte, without lights of its own: the setting lights adds them. Dark, so that lights do not add up to more
-/// than 1.
+/// Makes the surface matte, and dark, so that the sum of lights stays below 1. It has no lights of its own:
+/// the setting `lights` adds them.
 void makeMatte(scene::Instance& instance, scene::Shading& shading) {
   constexpr float kDark = 1.0f / 16;
   shading.fragment.model = scene::FragmentShading::Model::phong;
@@ -59,13 +59,14 @@ void makeMatte(scene::Instance& instance, scene::Shading& shading) {
   instance.materials = {{material, material}};
 }
 
-/// What mirrors and paths see has the colours that were drawn, whatever light reaches it.
+/// Makes the surface unlit. Mirrors and paths then show the colours that were drawn, regardless of the light
+/// that reaches the surface.
 void makeUnlit(scene::Instance& instance, scene::Shading& shading) {
   makeMatte(instance, shading);
   shading.fragment.model = scene::FragmentShading::Model::unlit;
 }
 
-/// A key with the camera of surfaces that wait already, so that they wait together.
+/// A key with the camera of surfaces that are already waiting, so that the new ones can wait with them.
 std::optional<BatchKey> likelyKey(const PendingBatch& pending, bool paths) {
   if (const BatchKey* key = paths ? pending.capturedSurfaces.likely(pending.batch) : nullptr) return *key;
   return paths || pending.batch.empty() ? std::nullopt : std::optional(pending.batch.key());

@@ -9,9 +9,9 @@ namespace gluray::gl {
 
 class Context;
 
-/// Call after a rasterised draw. Where its surfaces are known, they join a batch that multiplies the light
-/// that they take from each other, and that others take from them, onto the framebuffer. Does nothing while
-/// the settings do not ask for it. Never throws.
+/// Call after a rasterised draw. If its surfaces are known, they join a batch that multiplies shadows and
+/// occlusion between them and other surfaces onto the framebuffer. Does nothing unless the settings request
+/// it. Never throws.
 void lightRasterised(Context& context, GLenum mode, const Elements& elements) noexcept;
 
 }  // namespace gluray::gl

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kMaxMatrices = 8;
 
-/// The identity, and the values of the program's matrices of four columns and rows.
+/// The identity, and the values of the program's 4x4 matrices.
 std::vector<glm::mat4> matricesOf(ShadowState& shadow) {
   std::vector<glm::mat4> matrices{glm::mat4(1)};
   const ProgramState& state = shadow.program();

@@ -12,7 +12,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether glClear raises an error, unless an extension knows the bits: nothing is cleared then.
+/// Whether glClear raises an error, unless an extension defines the bits. An erroneous glClear clears
+/// nothing.
 bool isRefused(const Context& c, GLbitfield mask) {
   return mask & ~(kClears | (c.info().core ? 0u : GLbitfield{GL_ACCUM_BUFFER_BIT}));
 }
@@ -56,8 +57,8 @@ void finish(Context& c) {
   c.real.Finish();
 }
 
-/// A fence signals after all earlier draws (OpenGL 4.6, 4.1.2). Contexts that wait for it see only what they
-/// share, which is the images of framebuffer objects. A fence ends no frame.
+/// A fence signals after all earlier draws (OpenGL 4.6, 4.1.2). Contexts that wait for it see only shared
+/// objects: the images of framebuffer objects. A fence does not end a frame.
 void fenceSync(Context& c, GLenum, GLbitfield) {
   if (c.shadow.group.contexts == 1) return;
   const Batch& batch = c.pending.batch;
@@ -90,7 +91,8 @@ namespace {
 
 bool hides(const Context& c) { return c.shadow.settings.quirks.has(Quirk::hidePersistentMapping); }
 
-/// Answers queries of our display lists, and of GL_NUM_EXTENSIONS if some are hidden. False for any other.
+/// Answers queries of our display lists, and of GL_NUM_EXTENSIONS if some are hidden. Returns false for all
+/// others.
 template <class T>
 bool answer(Context& c, GLenum pname, T* data) {
   GLuint value = 0;
@@ -187,7 +189,7 @@ uint32_t matrixGroups(Context& c) {
     case GL_MODELVIEW: return kModelview;
     case GL_PROJECTION: return kProjection;
     case GL_TEXTURE: return kTexture;
-    default: return kModelview | kProjection | kTexture;  // the program set a mode that does not exist
+    default: return kModelview | kProjection | kTexture;  // the program set an invalid mode
   }
 }
 

@@ -1,5 +1,5 @@
-// Draws that are certain to be rasterised, by programs that no family describes. Little is asked about them:
-// programs make thousands of them in a frame.
+// Draws that are certain to be rasterised, by programs that no family describes. They are checked as little
+// as possible: programs make thousands of them in a frame.
 #include "gl/capture/captured_vertices.h"
 #include "gl/commands/array_draws.h"
 #include "gl/context/handlers.h"
@@ -8,17 +8,17 @@ namespace gluray::gl {
 
 namespace {
 
-/// May throw std::bad_alloc.
+/// Whether draws of the program in use are certain to be rasterised. May throw std::bad_alloc.
 bool isUntraced(Context& c) {
   if (c.untraced.inUse() == Reason::traced) return false;
   const bool isAsked = c.counts.kinds() || c.surfaces.objects.asked() || c.shadow.settings.light.rasterised;
   if (isAsked || !c.pending.batch.empty() || !c.layers.idle()) return false;
-  // Surfaces of several passes are recognised by their vertices.
+  // Surfaces drawn in several passes are recognised by their vertices.
   if (c.untraced.readsFixedVertices() && c.surfaces.passes.asksForFixed()) return false;
   return !c.surfaces.passes.any() && c.untraced.areAll();
 }
 
-/// Whether the shaders may take their vertices from fixed function. Those of a pipeline are not inspected.
+/// Whether the shaders may read fixed function's vertices. The programs of a pipeline are not inspected.
 bool mayReadFixedVertices(Context& c) {
   if (c.untraced.inUse() != Reason::traced) return c.untraced.readsFixedVertices();
   if (c.info().core) return false;
@@ -57,7 +57,7 @@ bool drawUntraced(Context& c, GLenum mode, const Elements& e) {
   if (part == CulledDraws::Part::clusters) return false;
   const bool mayHide = part == CulledDraws::Part::whole;
   if (mayHide)
-    c.shadow.refresh(kRaster);  // how depths change must be known
+    c.shadow.refresh(kRaster);  // the direction in which depths change must be known
   else
     c.culled.count(e);
   beforeUntraced(c, mode, pathOf(e), trianglesOf(mode, e));

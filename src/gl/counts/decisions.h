@@ -1,5 +1,5 @@
 // Logs, at level trace, the decision for each draw and each batch of a context, with its command. Versions of
-// GLuRay with equal decisions write equal lines. GL thread.
+// GLuRay that decide alike write identical lines. GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/counts/draw_kinds.h"
@@ -15,18 +15,18 @@ struct PresentResult;
 
 class Decisions {
  public:
-  /// The program calls this command, of OpenGL or of the window system; the string must stay.
+  /// Reports that the program calls this command, of OpenGL or of the window system. `name` must stay valid.
   void command(const char* name) noexcept { command_ = name; }
-  /// A draw was counted. `state`: as DrawKinds::record() returns it.
+  /// Logs a draw that was counted. `state`: the result of DrawKinds::record().
   void draw(Reason reason, DrawPath path, PrimitiveClass primitive, uint64_t triangles, uint32_t state);
-  /// What else became of the draw: it was culled, lit ... or not, and why.
+  /// Logs a further decision for the draw, such as whether it was culled or lit, and why.
   void detail(std::string_view what, std::string_view why = {});
-  /// The draws of a batch are presented: `how` is "traced", or why the real OpenGL makes them, or where the
-  /// traced image goes in place of the framebuffer.
+  /// Logs that a batch is presented. `how`: "traced", or why the real OpenGL draws it, or the destination of
+  /// the traced image other than the framebuffer.
   void batch(const BatchKey& key, size_t instances, std::string_view how);
   /// A batch of so many instances is lit again (Relighting).
   void relit(size_t instances);
-  /// A batch was presented. `known`: its image was shown before.
+  /// Logs the result of presenting a batch. `known`: its image was shown before.
   void presented(const PresentResult& result, bool known);
 
  private:

@@ -16,10 +16,10 @@ class DrawCounts {
   DrawCounts(ShadowState& shadow, FrameClock& clock) : shadow_(shadow), clock_(clock) {}
 
   Statistics statistics;
-  /// Records draws by kind; null: nobody explains.
+  /// Records draws by kind; null unless `gluray explain` runs.
   DrawKinds* kinds() const { return shadow_.info.kinds.get(); }
 
-  /// Logs decisions; null: nobody asks. Null if kinds() is.
+  /// Logs decisions; null if no log is requested. Null if kinds() is null.
   Decisions* decisions() const { return shadow_.info.decisions.get(); }
 
   void rasterised(Reason reason, DrawPath path, PrimitiveClass kind, uint64_t triangles) {
@@ -31,10 +31,11 @@ class DrawCounts {
     load(triangles);
   }
   void traced(DrawPath path, uint64_t triangles) { traced(path, triangles, triangles); }
-  /// The same for impostors, which are counted one by one: `sent` triangles would be drawn without tracing.
+  /// The same for impostors, which are counted individually. `sent`: triangles that would be drawn without
+  /// tracing.
   void traced(DrawPath path, uint64_t triangles, uint64_t sent);
-  /// The draw counted last by rasterised() was culled: so many of its triangles, which are invisible, were
-  /// skipped.
+  /// Reports that the draw last counted by rasterised() was culled. `leftOut`: number of its triangles that
+  /// were skipped because they are invisible.
   void culled(uint64_t leftOut);
   /// Reason why this draw was not culled. Set only for draws above the size threshold.
   void notCulled(CullReason reason);
@@ -42,10 +43,10 @@ class DrawCounts {
   void lit(LightReason reason);
   /// Moves the snapshot's instances from traced to rasterised: the real OpenGL drew them after all.
   void asRasterised(const scene::Snapshot& snapshot, Reason reason);
-  /// Adds to the frame's load. rasterised() and traced() call it; so does the end of a primitive that was
+  /// Adds to the frame's load. Called by rasterised() and traced(), and at the end of a primitive that was
   /// given to the real OpenGL.
   void load(uint64_t triangles) { clock_.choice.drew(triangles, shadow_.viewportPixels()); }
-  /// Grows with everything that is drawn and may be cached: images, and meshes that were never traced.
+  /// Increases with everything drawn that may be cached: images, and meshes that were never traced.
   uint64_t work() const { return statistics.flushes + statistics.meshesBuilt; }
 
  private:

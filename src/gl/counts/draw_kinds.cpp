@@ -163,7 +163,7 @@ uint32_t DrawKinds::record(const RealGl& real, const TargetState& target, Reason
     const bool traced = reason == Reason::traced;
     targets_[target.framebuffer] += useOf(real, target, traced);
     if (program) programs_[program.get()] += {program, traced ? 1u : 0u, traced ? 0u : 1u, triangles, why};
-  } catch (...) {  // no row
+  } catch (...) {  // not recorded
   }
   return state;
 }

@@ -1,5 +1,5 @@
-// Draws of a context by kind, with counts and times, for `gluray explain`; exists only under it. The
-// context's GL thread writes it; any thread may read it.
+// Draws of a context by kind, with counts and times, for `gluray explain`, without which it does not exist.
+// The context's GL thread writes it; any thread may read it.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/capture/captured_vertices.h"
@@ -18,12 +18,12 @@ namespace gluray::gl {
 struct TargetState;
 struct KnownProgram;
 
-/// How vertices reach OpenGL.
+/// The way in which vertices reach OpenGL.
 enum class DrawPath : uint8_t { immediate, list, arrays, elements };
 std::string_view describe(DrawPath path);
 std::string_view describe(PrimitiveClass primitive);
 
-/// State by which kinds of draws are distinguished, as bits.
+/// State that distinguishes kinds of draws, as bits.
 #define GLURAY_DRAW_STATES(X)         \
   X(lighting, "lighting")             \
   X(twoSided, "two-sided")            \
@@ -61,11 +61,11 @@ struct DrawKind {
   auto operator<=>(const DrawKind&) const = default;
 };
 
-/// Totals of one kind of draw. `seconds`: time of the GL thread in our code and in the real OpenGL, without
-/// the tracing of batches.
+/// Totals of one kind of draw. `seconds`: time of the GL thread in GLuRay's code and in the real OpenGL,
+/// without the tracing of batches.
 struct DrawCost {
   uint64_t count = 0, triangles = 0;
-  uint64_t culled = 0, leftOut = 0;  // draws, and triangles of theirs that were not drawn
+  uint64_t culled = 0, leftOut = 0;  // culled draws, and their triangles that were not drawn
   double seconds = 0;
   DrawCost& operator+=(const DrawCost& other);
 };
@@ -77,7 +77,7 @@ struct TargetUse {
   TargetUse& operator+=(const TargetUse& other);
 };
 
-/// A shader program that was drawn with.
+/// A shader program that draws used.
 struct ProgramUse {
   std::shared_ptr<const KnownProgram> program;
   uint64_t traced = 0, rasterised = 0;  // draws
@@ -94,20 +94,21 @@ class DrawKinds {
  public:
   /// `fixedFunction`: the context has fixed function, whose state is recorded, too.
   explicit DrawKinds(bool fixedFunction = true) : fixedFunction_(fixedFunction) {}
-  /// A draw starts and ends; record() in between says which. May nest: inner draws' time is not the outer's.
+  /// Starts and stops the time of a draw; record() in between says which draw. May nest: an outer draw's time
+  /// excludes inner draws.
   void start() noexcept;
   void stop() noexcept;
   /// Excludes `seconds` from the time of all open draws.
   void exclude(double seconds) noexcept;
 
   /// Records the open draw under its kind, and returns its state (DrawState, as bits). Reads the real
-  /// OpenGL's state, so call it only outside glBegin and glEnd. Out of memory: the table lacks the draw.
+  /// OpenGL's state, so call it only outside glBegin and glEnd. If memory runs out, the draw is not recorded.
   /// `program`: the one in use, or null. `why`: ProgramState::why.
   uint32_t record(const RealGl& real, const TargetState& target, Reason reason, DrawPath path,
                   PrimitiveClass primitive, uint64_t triangles,
                   const std::shared_ptr<const KnownProgram>& program = nullptr,
                   const std::string& why = {}) noexcept;
-  /// The draw recorded last was culled: so many of its triangles were skipped.
+  /// Reports that the draw recorded last was culled, and how many of its triangles were skipped.
   void culled(uint64_t leftOut) noexcept;
   /// Reason why this draw was not culled. Set only for draws above the size threshold.
   void notCulled(CullReason reason) noexcept;

@@ -46,7 +46,7 @@ bool ConstantAttributes::isOne(ShadowState& shadow, const Program& program, cons
   if (!attribute || attribute->location < 0) return false;
   if (const ArraySource* const array = arrayOf(shadow.attributes(), attribute->location))
     return isOne(shadow, *array, of.component, mode, e);
-  // Attribute 0 is the vertex itself where there is fixed function.
+  // Attribute 0 is the vertex itself if there is fixed function.
   if (attribute->location == 0 && !shadow.info.core) return false;
   shadow.real.GetVertexAttribfv(static_cast<GLuint>(attribute->location), GL_CURRENT_VERTEX_ATTRIB,
                                 current.data());
@@ -55,7 +55,7 @@ bool ConstantAttributes::isOne(ShadowState& shadow, const Program& program, cons
 
 bool ConstantAttributes::isOne(ShadowState& shadow, const ArraySource& array, int component, GLenum mode,
                                const Elements& e) {
-  // Missing components are 1 if they are the last ones.
+  // A missing component is 1 if it is the fourth.
   if (component >= array.size) return component == 3;
   if (!isReadable(array) || isForeign(array)) return false;
   ArrayState content;

@@ -16,14 +16,14 @@ bool isMode(GLenum mode, bool core) {
          (mode == GL_QUADS && !core);
 }
 
-/// Whether the offset may bring surfaces nearer than their vertices are.
+/// Whether the polygon offset may move surfaces nearer than their vertices.
 bool offsetsNearer(const RasterState& raster) {
   if (!raster.offsetFill) return false;
   return raster.isReversed() ? raster.offsetFactor > 0 || raster.offsetUnits > 0
                              : raster.offsetFactor < 0 || raster.offsetUnits < 0;
 }
 
-/// Whether something else than fixed function draws while no program is in use.
+/// Whether something other than fixed function draws although no program is in use.
 bool hasOtherPrograms(ShadowState& shadow) {
   const RealGl& real = shadow.real;
   if (programPipeline(real, shadow.rare().pipelines) != 0) return true;
@@ -61,7 +61,8 @@ CullReason cullableState(ShadowState& shadow, GLenum mode) {
   // A stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
   if (reason != Reason::traced && reason != Reason::polygonStipple) return cullReason(reason);
-  // Without multisampling all samples of a pixel may take a depth from anywhere in it, outside the triangle.
+  // Without multisampling, all samples of a pixel may get a depth from any place in it, even outside the
+  // triangle.
   if (target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
   if (target.reason != Reason::traced && target.reason != Reason::framebuffer)
     return cullReason(target.reason);
@@ -79,7 +80,7 @@ bool hasByteColors(ShadowState& shadow) {
 
 CullReason cullableBlending(ShadowState& shadow, bool opaque) {
   if (!isOn(shadow.real, GL_BLEND)) return CullReason::culled;
-  // Colours that are floats may be infinite: then 0 times what was there is no number.
+  // Float colours may be infinite: then 0 times the colour below is not a number.
   return opaque && !shadow.target().wideColors ? CullReason::culled : CullReason::blend;
 }
 

@@ -1,4 +1,4 @@
-// What is found about a draw before anything of it is drawn.
+// Plans of culled draws: everything that is determined before anything is drawn.
 #include "gl/culled/cullable_state.h"
 #include "gl/culled/culled_draws.h"
 #include "gl/culled/instances/instance_arrays.h"
@@ -12,8 +12,8 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint64_t kUnusedFrames = 8;  // after which a mesh is forgotten
-constexpr int kSteadyFrames = 3;       // with the same data, before clusters are built
+constexpr uint64_t kUnusedFrames = 8;  // a mesh that is unused for this long is forgotten
+constexpr int kSteadyFrames = 3;       // frames with the same data before clusters are built
 
 }  // namespace
 
@@ -37,7 +37,7 @@ CullReason CulledDraws::plan(GLenum mode, const Elements& e, Plan& found) {
 
 bool CulledDraws::choosePlace(Plan& plan) const {
   plan.rehearsed = plan.samples > 1 && !before_.isClear(plan.region);
-  // A copy of a window may have its samples elsewhere in the pixels.
+  // A copy of a window may have its samples at other places in the pixels.
   return !plan.rehearsed || p_.shadow.target().framebuffer != 0;
 }
 
@@ -57,7 +57,7 @@ CullReason CulledDraws::blendingOf(CulledProgram& program, const Varyings& varyi
   if (const CullReason reason = cullableBlending(shadow, opacity.opaque); reason != CullReason::culled)
     return reason;
   if (opacity.exact) return CullReason::culled;
-  shadow.errors.keepPending();  // finding out whether colours are replaced takes errors
+  shadow.errors.keepPending();  // replacesColors() must not find errors pending
   const bool replaces = hasByteColors(shadow) && p_.pending.presenter.reader().replacesColors(shadow.real) &&
                         constants_.areOnes(shadow, program.known().program, opacity.ones, mode, e);
   return replaces ? CullReason::culled : CullReason::blend;
@@ -125,7 +125,7 @@ CullReason CulledDraws::planMesh(const Source& from, Plan& found) {
   const ArraySource& positions = *from.positions;
   const int components = from.components;
   const bool inBuffers = positions.buffer && (!e.type || arrays.elements);
-  // The program's memory is hashed at each draw, which must not slow down what is not worth culling.
+  // The program's memory is hashed at each draw, which must not slow down draws that are not worth culling.
   const bool always = shadow.settings.cull.draws == Culling::always;
   if (!positions.enabled || (!inBuffers && !always)) return CullReason::arrayState;
   ArrayState content;
@@ -165,10 +165,11 @@ CullReason CulledDraws::planClusters(const Hash128& name,
   return CullReason::culled;
 }
 
-/// Has the clusters built; with cull = always at once, so that the first frame is culled, too.
+/// Builds the clusters: with cull = always at once, so that the first frame is culled, else in the
+/// background.
 void CulledDraws::prepare(const std::shared_ptr<CulledMesh>& mesh) {
   if (job_.busy() && job_.poll() != BackgroundJob::Outcome::none) building_.reset();
-  if (building_ == mesh || mesh->isBuilt()) return;  // what the job builds is not looked at
+  if (building_ == mesh || mesh->isBuilt()) return;  // the job's result is not read while it runs
   if (p_.shadow.settings.cull.draws == Culling::always) return mesh->build();
   if (job_.busy()) return;
   building_ = mesh;
@@ -183,7 +184,7 @@ void CulledDraws::mapWindow(Plan& found) const {
   glm::ivec2 upper = glm::min(glm::ivec2(v.x + v.z, v.y + v.w),
                               glm::ivec2(scissor.x, scissor.y) + glm::ivec2(scissor.z, scissor.w));
   found.samples = target.samples;
-  // Mesa (22.3) draws samples of up to one pixel beside the scissor box.
+  // Mesa (22.3) draws samples up to one pixel outside the scissor box.
   if (found.samples > 1) lower -= 1, upper += 1;
   lower = glm::max(lower, glm::ivec2(0));
   if (target.size.x > 0) upper = glm::min(upper, target.size);
@@ -203,7 +204,7 @@ CulledProgram& CulledDraws::programInUse() {
   return *program;
 }
 
-/// Forgets what was not drawn for long.
+/// Forgets meshes that have not been drawn for long.
 void CulledDraws::forgetOld() {
   const uint64_t now = p_.clock.frame;
   std::erase_if(meshes_, [&](const auto& entry) {

@@ -28,7 +28,7 @@ bool any(const std::vector<uint64_t>& bits) {
   return std::ranges::any_of(bits, [](uint64_t word) { return word != 0; });
 }
 
-/// While it lives, draws write neither colour nor depth, and pass where the depth is equal.
+/// During its lifetime, draws write neither colour nor depth, and pass if the depth is equal.
 class EqualDepthTest {
  public:
   explicit EqualDepthTest(const RealGl& real) : real_(real) {
@@ -92,7 +92,7 @@ bool CulledDraws::draw(GLenum mode, const Elements& e, const std::function<void(
     if (first) first();
     if (first && !choosePlace(found))
       return drawWhole(found), p_.counts.notCulled(CullReason::samplesInUse), true;
-    p_.shadow.errors.keepPending();  // what reads pixels takes errors
+    p_.shadow.errors.keepPending();  // reads of pixels must not find errors pending
     if (settings.cull.verify > 0 && p_.clock.frame % static_cast<uint64_t>(settings.cull.verify) == 0)
       return drawVerified(found);
     drawTried(found);
@@ -128,7 +128,7 @@ bool CulledDraws::drawCulled(const Plan& plan) {
   if (guess.empty() || !before_.keep(plan.region)) return false;
   drawParts(plan, guess);
   std::vector<uint64_t> visible;
-  if (!findVisible(plan, visible)) {  // all that was not drawn may show
+  if (!findVisible(plan, visible)) {  // parts that were not drawn may be visible
     before_.putBack();
     return false;
   }

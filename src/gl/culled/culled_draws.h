@@ -65,7 +65,7 @@ class CulledDraws {
   struct Source {
     const ArrayState* arrays = nullptr;
     const ArraySource* positions = nullptr;  // one of `arrays`
-    int components = 4;                      // of these that count
+    int components = 4;                      // number of components that are used
     ClipMatrix matrix;                       // without the terms of instance attributes
     LinearPosition position;                 // by a program
     CulledProgram* program = nullptr;        // null: fixed function
@@ -82,8 +82,8 @@ class CulledDraws {
   /// Finds the array of a program's attribute. Returns false if there is none.
   bool findPositions(CulledProgram& program, const std::string& attribute, const ArrayState*& arrays,
                      const ArraySource*& positions);
-  /// Reports that a culled draw of the program (null: fixed function) was visible: stops culling such draws,
-  /// and logs one line.
+  /// Reports that a culled draw of the program (null: fixed function) differs from the complete draw: stops
+  /// culling such draws, and logs one line.
   void refuseDifferent(CulledProgram* program);
 
   /// Whether the settings and the real OpenGL allow culled draws.
@@ -99,17 +99,17 @@ class CulledDraws {
     std::vector<uint64_t> visible;  // parts that were visible last; empty: unknown
     bool byClusters = false;        // as Plan has it
     CullingTrials trials;
-    Hash128 arrays;          // that give instances their values
-    uint64_t lastFrame = 0;  // of instances, that drew them
+    Hash128 arrays;          // the arrays that provide instance attributes
+    uint64_t lastFrame = 0;  // last frame that drew these instances
   };
   struct Known {
     std::shared_ptr<CulledMesh> mesh;
     History alone;                   // of draws without several instances
     std::vector<History> instanced;  // of draws with them
-    uint64_t lastFrame = 0;          // that drew it
-    int frames = 0;                  // that drew it
+    uint64_t lastFrame = 0;          // last frame that drew it
+    int frames = 0;                  // number of frames that drew it
     bool refused = false;            // its positions cannot be read
-    bool different = false;          // an image was not the same, without a shader program
+    bool different = false;          // a culled image differed (fixed function)
   };
   /// Data of a draw, found before anything is drawn.
   struct Plan {
@@ -161,10 +161,10 @@ class CulledDraws {
   void prepare(const std::shared_ptr<CulledMesh>& mesh);
   void forgetOld();
 
-  /// Culled or whole, whichever was faster.
+  /// Draws culled or whole, whichever was faster.
   void drawTried(const Plan& plan);
-  /// False: nothing was drawn, because nothing is known yet of what shows, or the framebuffer cannot be
-  /// copied.
+  /// Returns false if nothing was drawn, because the visible parts are not known yet, or the framebuffer
+  /// cannot be copied.
   bool drawCulled(const Plan& plan);
   /// Like drawCulled(), with visibility found in a copy of the framebuffer. If `verified`, compares the
   /// results of this and of the whole draw in copies, and makes the whole draw if they differ.
@@ -190,7 +190,7 @@ class CulledDraws {
   /// read.
   bool findVisible(const Plan& plan, std::vector<uint64_t>& visible);
   void drawParts(const Plan& plan, const std::vector<uint64_t>& parts);
-  /// `as`: the draw's instances.
+  /// Draws the clusters. `as`: the instances of the draw.
   void drawClusters(const CulledMesh& mesh, std::span<const uint64_t> clusters, const Elements& as);
   static uint64_t primitivesIn(const Plan& plan, const std::vector<uint64_t>& parts);
   static void findClustersOfInstances(const Plan& plan, const DepthPyramid& pyramid,
@@ -213,13 +213,13 @@ class CulledDraws {
   ConstantAttributes constants_;
   BackgroundJob job_;
   std::shared_ptr<CulledMesh> building_;
-  bool placed_ = false;  // what is drawn now
+  bool placed_ = false;  // for the current draw
   std::vector<float> depths_;
   DepthPyramid pyramid_;
   std::vector<uint32_t> indices_;
   GLuint indexBuffer_ = 0, query_ = 0;
   SmallDraws small_;
-  bool fixedDiffers_ = false;  // a small draw by fixed function was not the same
+  bool fixedDiffers_ = false;  // a small draw by fixed function was visible
 };
 
 }  // namespace gluray::gl

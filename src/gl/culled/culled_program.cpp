@@ -16,7 +16,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Words whose values are others where a draw is made in parts, and outputs that depth tests depend on.
+/// Words of a shader that prevent culling: values that change if a draw is made in parts, and outputs that
+/// affect depth tests.
 struct Obstacle {
   std::string_view word;
   CullReason reason;
@@ -57,7 +58,7 @@ bool hasWord(std::string_view text, std::initializer_list<std::string_view> want
   return false;
 }
 
-/// gl_Color of fragments: that of the front, or of the front and the back, clamped.
+/// Sets gl_Color of fragments: the front colour, or front and back colour, clamped.
 void passOnColor(const RealGl& real, Varyings& varyings) {
   const auto front = varyings.find("gl_FrontColor"), back = varyings.find("gl_BackColor");
   if (front == varyings.end() || back == varyings.end()) return;

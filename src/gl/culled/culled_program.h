@@ -21,15 +21,16 @@ class CulledProgram {
   /// Reads the program's source.
   CulledProgram(const RealGl& real, std::shared_ptr<const KnownProgram> known);
 
-  /// Reason why its draws cannot be culled for any uniforms; CullReason::culled: none.
+  /// The reason why its draws cannot be culled for any values of uniforms; CullReason::culled if there is
+  /// none.
   CullReason reason() const { return reason_; }
   /// A more precise reason in words for the user; may be empty.
   const std::string& why() const { return why_; }
-  /// Finds the position with the current uniforms. `instances`: its per-instance attributes. None if not
-  /// linear; then sets why(). `varyings`: receives the fragment shader's inputs.
+  /// Finds the position with the current uniforms. `instances`: its per-instance attributes. Returns nullopt,
+  /// and sets why(), if it is not linear. `varyings`: receives the fragment shader's inputs.
   std::optional<LinearPosition> position(const RealGl& real, bool core, const InstanceAttributes& instances,
                                          Varyings* varyings = nullptr);
-  /// Alpha of all its fragments, with the current uniforms.
+  /// Alpha of all its fragments with the current uniforms.
   Opacity opacity(const RealGl& real, bool core, Varyings varyings) const;
   /// Transform feedback of its positions.
   PositionFeedback& feedback() { return feedback_; }

@@ -1,4 +1,4 @@
-// Plans of draws whose positions are not known without running their vertex shader.
+// Plans of draws whose positions only their vertex shader can compute.
 #include "gl/culled/culled_draws.h"
 #include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-/// The real OpenGL may then read vertices that the draw does not name.
+/// If so, the real OpenGL may read vertices that the draw does not name.
 bool areAllInBuffers(const ArrayState& arrays) {
   bool all = true;
   const auto look = [&](const ArraySource& array) { all = all && (!array.enabled || array.buffer); };
@@ -48,7 +48,7 @@ CullReason CulledDraws::planFeedback(Plan& found) {
         mesh && found.feedback->capture(shadow.real, mesh->firstVertex(), mesh->endVertex(), one, take);
     return taken ? mesh : nullptr;
   };
-  // Where vertices are may change in every frame; which primitives they form does not.
+  // Vertex positions may change in every frame; the primitives that they form do not.
   const auto known = reinterpret_cast<uintptr_t>(&program.known());
   const Hash128 order = contentOf(shadow.real, content, found.mode, e);
   const CullReason reason = planClusters(hashBytes(&known, sizeof known, assembly.added(order)), make, found);

@@ -1,4 +1,4 @@
-// Draws of instances: what is found about them before anything is drawn, and how their parts are drawn.
+// Draws of instances: their plans, made before anything is drawn, and how their parts are drawn.
 #include "gl/culled/culled_draws.h"
 #include "gl/culled/instances/instance_arrays.h"
 #include "gl/culled/instances/instance_draws.h"
@@ -24,7 +24,8 @@ CullReason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
   found.apart = findUnits(p_.shadow.real, arrays, found.elements, found.units);
   if (found.apart == CullReason::deletedBuffer) return found.apart;
   if (program.numbersInstances()) found.apart = CullReason::instanceNumbers;
-  // With numbers of instances each of them may be elsewhere, if positions are fed back.
+  // If the program reads instance numbers, each instance may have its own positions. With feedback, each
+  // becomes a unit.
   if (program.numbersInstances() && found.feedback)
     found.units = InstanceUnits(found.elements.baseInstance, found.elements.repeats(), {});
   const bool large = static_cast<uint32_t>(found.elements.count) >= kLargeMesh * Clusters::kPrimitives;
@@ -32,7 +33,7 @@ CullReason CulledDraws::planUnits(const CulledProgram& program, Plan& found) {
                                                                                     : CullReason::culled;
 }
 
-/// A single instance is a draw of its own, whose clusters are culled.
+/// A single instance is planned like a draw without instances, by clusters.
 CullReason CulledDraws::planInstances(const Source& from, Plan& found) {
   const RealGl& real = p_.shadow.real;
   const ArrayState& arrays = p_.shadow.attributes();
@@ -57,12 +58,12 @@ CullReason CulledDraws::planInstances(const Source& from, Plan& found) {
   return only ? CullReason::culled : CullReason::instanceArrays;
 }
 
-/// Few instances of large meshes are culled by their clusters.
+/// Whether there are few instances of a large mesh: these are culled by clusters.
 bool CulledDraws::areFewAndLarge(const InstanceUnits& units, const CulledMesh& mesh) {
   return units.units() <= kFewUnits && mesh.clusters().count() >= kLargeMesh;
 }
 
-/// Draws of one mesh are told apart by their arrays; programs may make new ones in each frame.
+/// Draws of one mesh are distinguished by their arrays. Programs may make new arrays in each frame.
 CulledDraws::History& CulledDraws::historyOf(Known& known, const Hash128& arrays) {
   constexpr size_t kMax = 256;
   std::vector<History>& all = known.instanced;
@@ -76,7 +77,7 @@ CulledDraws::History& CulledDraws::historyOf(Known& known, const Hash128& arrays
   return *found;
 }
 
-/// The values of instances and their number may change.
+/// The values and the number of instances may change between draws of one history.
 CulledDraws::History& CulledDraws::historyOf(Known& known, const Plan& plan) {
   if (!plan.units) return known.alone;
   const uint64_t form[] = {plan.elements.baseInstance};

@@ -1,4 +1,4 @@
-// Culled draws into framebuffers that cannot be put back: what shows is found in a copy, and drawn once.
+// Culled draws into framebuffers that cannot be restored: visible parts are found in a copy, and drawn once.
 #include "gl/culled/culled_draws.h"
 
 #include <utility>
@@ -6,7 +6,7 @@
 namespace gluray::gl {
 namespace {
 
-/// While it lives, draws go to a copy of the framebuffer, if there is one.
+/// During its lifetime, draws go to a copy of the framebuffer, if there is one.
 class FramebufferCopy {
  public:
   FramebufferCopy(const RealGl& real, FramebufferReader& reader, const scene::Region& region, bool colors)
@@ -26,8 +26,8 @@ class FramebufferCopy {
 
 }  // namespace
 
-/// Depths that hide clusters of the guess are those of others, which are in `visible`: nothing of the guess
-/// need be added.
+/// `visible` need not include the whole guess: parts of it are hidden only by the framebuffer's depths or by
+/// other parts, which are in `visible`.
 bool CulledDraws::rehearse(const Plan& plan, std::vector<uint64_t>& visible) {
   if (plan.history->visible.empty()) return false;
   const FramebufferCopy copy(p_.shadow.real, p_.pending.presenter.reader(), plan.region, false);

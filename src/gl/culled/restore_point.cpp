@@ -9,7 +9,7 @@
 namespace gluray::gl {
 namespace {
 
-/// While it lives, clears are those of a region. Other viewports' scissor boxes stay as they are.
+/// During its lifetime, clears are limited to a region. The scissor boxes of other viewports do not change.
 class OnlyScissor {
  public:
   OnlyScissor(const RealGl& real, const scene::Region& region)
@@ -43,7 +43,7 @@ class OnlyScissor {
 bool RestorePoint::isClear(const scene::Region& region) const {
   const std::optional<ClearedTarget>& below = raster_.clearBelow();
   const TargetState& target = shadow_.target();
-  // With GL_FRAMEBUFFER_SRGB a clear may have been made before it was switched.
+  // With GL_FRAMEBUFFER_SRGB, a clear may have been made before the switch was changed.
   return below && below->framebuffer == target.framebuffer && !target.encodes &&
          contains(below->region, region);
 }
@@ -60,7 +60,7 @@ void RestorePoint::putBack() {
   pending_.presenter.reader().putBack(shadow_.real);
 }
 
-/// Channels that the draw's colour mask leaves out have kept their values.
+/// Channels that the draw's colour mask excludes have kept their values.
 void RestorePoint::clear(const ClearedTarget& as) {
   const RealGl& real = shadow_.real;
   const OnlyScissor scissor(real, region_);

@@ -11,7 +11,7 @@ namespace gluray::gl {
 
 class RestorePoint {
  public:
-  /// All must outlive it.
+  /// The arguments must outlive it.
   RestorePoint(ShadowState& shadow, PendingBatch& pending, const RasterDraws& raster)
       : shadow_(shadow), pending_(pending), raster_(raster) {}
 
@@ -29,7 +29,7 @@ class RestorePoint {
   PendingBatch& pending_;
   const RasterDraws& raster_;
   scene::Region region_;
-  std::optional<ClearedTarget> clear_;  // the region's clear values; none: pixels were copied
+  std::optional<ClearedTarget> clear_;  // the region's clear values; nullopt: its pixels were copied
 };
 
 }  // namespace gluray::gl

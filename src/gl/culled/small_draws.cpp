@@ -16,12 +16,12 @@
 namespace gluray::gl {
 namespace {
 
-constexpr int kFewVertices = 24;        // of draws that are made sooner than tested
-constexpr int kKnownFrames = 2;         // with the same data, before boxes are made of it
-constexpr double kBuildSeconds = 3e-3;  // in which boxes are made in a culled frame
-constexpr uint64_t kPause = 32;  // frames without culled ones, after which looks find their places anew
-constexpr uint64_t kForgottenAfter = 64, kOfSweep = 8;  // turns in which a mesh was not drawn; of a sweep
-constexpr double kVerticesOfDraw = 200;                 // what a draw costs beside its vertices
+constexpr int kFewVertices = 24;        // maximum of draws that are cheaper to make than to test
+constexpr int kKnownFrames = 2;         // frames with the same data before its boxes are computed
+constexpr double kBuildSeconds = 3e-3;  // for computing boxes in a culled frame
+constexpr uint64_t kPause = 32;         // frames without culling after which the look schedule restarts
+constexpr uint64_t kForgottenAfter = 64, kOfSweep = 8;  // unused turns of a mesh; turns of a sweep
+constexpr double kVerticesOfDraw = 200;                 // fixed cost of a draw, in vertices
 constexpr double kReadSeconds = 1e-9;                   // per pixel, to read depths
 constexpr uint32_t kCommonGroups = kViewport | kRaster | kTarget;
 
@@ -104,7 +104,7 @@ void SmallDraws::beginFrame() {
   turn_ += !settles_ ? 1 : trials.takes(0) ? kOfSweep : 0;
   forgetOld();
   if (settles_) return;
-  // Where a trial has not paid, looks have become rare.
+  // If a trial has not paid, looks have become rare.
   if (frame_ > culledIn_ + kPause) schedule_ = {};
   culledIn_ = frame_;
   schedule_.beginFrame(!always, work);
@@ -118,7 +118,7 @@ void SmallDraws::beginEpoch() {
   lookedAt_ = p_.shadow.info.clock();
 }
 
-/// Changes of the state that it depends on are noted in ShadowState::wasReadBack().
+/// ShadowState::wasReadBack() records changes of the state that it depends on.
 void SmallDraws::readCommon(GLenum mode) {
   ShadowState& shadow = p_.shadow;
   shadow.forgetReadBack(kCommonGroups);
@@ -201,7 +201,7 @@ bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arra
   FrameTrials& trials = p_.clock.smallDraws;
   if (!always && known.frames < kKnownFrames) return trials.isUnknown(), false;
   if (!known.mesh) {
-    // What settling costs is limited by the trials.
+    // The trials limit the cost of settling.
     if (!always && !settles_ && buildSeconds_ > kBuildSeconds) return trials.isUnknown(), false;
     const double start = p_.shadow.info.clock();
     known.mesh = CulledMesh::create(shadow.real, positions, components, content, assembly, e);
@@ -215,7 +215,7 @@ bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arra
   return true;
 }
 
-/// Whether the depths that were seen bound those that the next draw is tested against.
+/// Whether the depths that were read bound the depths against which the next draw is tested.
 bool SmallDraws::isSeen() const {
   return seen_.any && common_.isTested && seen_.reversed == common_.reversed &&
          seen_.epoch == p_.cleared.depthEpoch(seen_.reversed) && contains(seen_.region, common_.drawn);
@@ -235,10 +235,10 @@ void SmallDraws::readDepths() {
   FrameTrials& trials = p_.clock.smallDraws;
   const bool wasSeen = isSeen();
   const double before = trials.isTimed() ? shadow.info.clock() : 0;
-  if (trials.isTimed()) shadow.real.Finish();  // what was drawn is no cost of the look
+  if (trials.isTimed()) shadow.real.Finish();  // the cost of earlier drawing does not count
   const double start = trials.isTimed() ? shadow.info.clock() : 0;
   seen_.any = false;
-  shadow.errors.keepPending();  // what reads pixels takes errors
+  shadow.errors.keepPending();  // reads of pixels must not find errors pending
   const bool isRead = common_.samples > 1
                           ? reader.readFarthest(shadow.real, common_.seen, common_.reversed, depths_)
                           : reader.readDepth(shadow.real, common_.seen, depths_);
@@ -257,7 +257,7 @@ void SmallDraws::readDepths() {
     if (!mayShow(drawn)) hidden += drawn.vertices;
   }
   const double pixels = double(common_.seen.width) * common_.seen.height;
-  // Without earlier depths a first look finds out most.
+  // Without earlier depths, a first look is most useful.
   const double wasted = all > 0 ? hidden / all * (readAt - lookedAt_) : 0;
   schedule_.looked(wasSeen || hidden > 0 ? wasted : 2 * wasted, now - readAt + kReadSeconds * pixels);
   drawn_.clear();

@@ -1,5 +1,5 @@
-// Skips small draws that are not traced as a whole if they are certainly invisible: outside of the view, or
-// behind depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL thread.
+// Skips small rasterised draws as a whole if they are certainly invisible: outside the view volume, or behind
+// depths that the framebuffer has had in its depth epoch (adr/0072). A part of CulledDraws, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/basics/reasons.h"
@@ -53,9 +53,9 @@ class SmallDraws {
  private:
   struct Known {
     std::shared_ptr<CulledMesh> mesh;
-    uint64_t lastFrame = 0;  // that drew it
-    uint64_t lastTurn = 0;   // the same
-    int frames = 0;          // that drew it
+    uint64_t lastFrame = 0;  // last frame that drew it
+    uint64_t lastTurn = 0;   // last turn that drew it
+    int frames = 0;          // number of frames that drew it
     bool isWaiting() const { return !mesh && !refused; }
     bool refused = false;  // its positions cannot be read
   };
@@ -105,21 +105,21 @@ class SmallDraws {
   void forgetOld();
 
   Parts p_;
-  bool culls_ = false;                 // some or all remaining draws of this frame
-  bool settles_ = false;               // in this frame
-  uint64_t frame_ = 0, culledIn_ = 0;  // now; that was culled last
-  uint64_t turn_ = 0, forgotIn_ = 0;   // frames that were culled; sweeps over all draws count as several
-  FrameTrials::Load load_;             // of this frame
-  double waiting_ = 0;                 // of meshes_
-  double buildSeconds_ = 0;            // in this frame
-  uint64_t epoch_ = 0;                 // of the depths since which draws are counted
-  GLenum mode_ = 0;                    // that common_ was read for
+  bool culls_ = false;                 // the remaining draws of this frame, or some of them
+  bool settles_ = false;               // this frame is a settling one
+  uint64_t frame_ = 0, culledIn_ = 0;  // current frame; last culled frame
+  uint64_t turn_ = 0, forgotIn_ = 0;   // turns: culled frames, or several for a sweep over all draws
+  FrameTrials::Load load_;             // of the current frame
+  double waiting_ = 0;                 // number of waiting entries in meshes_
+  double buildSeconds_ = 0;            // seconds spent in this frame
+  uint64_t epoch_ = 0;                 // depth epoch since which draws are counted
+  GLenum mode_ = 0;                    // the mode that common_ was read for
   Common common_;
   bool commonIsOld_ = true;  // common_, from an earlier frame
   Seen seen_;
   std::vector<Candidate> drawn_;  // since the last look
   double lookedAt_ = 0;           // seconds
-  double apartSeconds_ = 0;       // of this draw: looks, waiting for earlier draws, verification
+  double apartSeconds_ = 0;       // time of this draw for looks, earlier draws and verification
   LookSchedule schedule_;
   std::unordered_map<Hash128, Known> meshes_;
   std::vector<float> depths_;

@@ -20,7 +20,7 @@ void BatchFiller::clampToTarget(scene::Region& region) {
   const auto& askForSize = p_.shadow.info.drawableSize;
   glm::ivec2 size = target.size;
   if (target.framebuffer == 0) {
-    // Asked once per batch, since windows may grow, not once per draw.
+    // Queries the size once per batch, since windows may grow, and not once per draw.
     const bool fresh = !p_.pending.batch.empty() && sizeAskedFor_ == region;
     if (!fresh && exceeds(drawableSize_) && askForSize) {
       drawableSize_ = glm::max(drawableSize_, askForSize());
@@ -90,7 +90,8 @@ scene::Shading BatchFiller::shadingOf(SlotMask slots, const std::vector<Material
   shading.alphaTest = p_.shadow.raster().alphaTest;
   shading.alphaTest.asBytes =
       shading.alphaTest.function != scene::AlphaTest::always && p_.shadow.target().eightBits;
-  // Without colours or materials at its vertices the surface has the current material, however that was set.
+  // If its vertices have neither colours nor materials, the surface has the current material, however that
+  // was set.
   if (p_.shadow.latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
   return shading;
 }
@@ -132,7 +133,7 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
 
 void BatchFiller::addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
                             const std::vector<MaterialChange>& materials) {
-  key.offset = {};  // of polygons
+  key.offset = {};  // polygon offset does not apply
   if (!open(key, p_.shadow.modelview())) return;
   scene::Instance instance = instanceOf(mesh, slots, materials);
   scene::Shading shading = shadingOf(slots, materials);

@@ -13,29 +13,30 @@ namespace gluray::gl {
 
 class DrawRequest {
  public:
-  /// What the draw counts as where the real OpenGL makes it.
+  /// How the draw is counted if the real OpenGL makes it.
   struct Load {
     DrawPath path = DrawPath::arrays;
     PrimitiveClass primitive = PrimitiveClass::surfaces;
     uint64_t triangles = 0;
   };
 
-  /// Why no such draw is traced in the current state, whatever its vertices are, or Reason::traced. Does not
-  /// throw.
+  /// The reason why no such draw is traced in the current state, whatever its vertices are, or
+  /// Reason::traced. Does not throw.
   virtual Reason classifyState() = 0;
-  /// Its mesh, known or new. May throw.
+  /// The draw's mesh, known or new. May throw.
   virtual KnownMesh mesh() = 0;
-  /// Why a draw of this mesh is not traced, or Reason::traced. May throw.
+  /// The reason why a draw of this mesh is not traced, or Reason::traced. May throw.
   virtual Reason classifyMesh(const KnownMesh& mesh) = 0;
-  /// Adds it to the batch, and counts it. Returns Reason::traced, or why it cannot join. May throw.
+  /// Adds the draw to the batch, and counts it. Returns Reason::traced, or why it cannot join. May throw.
   virtual Reason trace(const KnownMesh& mesh) = 0;
-  /// Makes it in another way, because it is not traced for this reason. False: nothing was done.
+  /// Replaces a draw that is not traced for this reason by something faster. Returns false if nothing was
+  /// done.
   virtual bool replace(Reason) { return false; }
   virtual Load load() = 0;
-  /// Holds it, which counts as these primitives and is rasterised for this reason, against other passes over
-  /// the same surfaces.
+  /// Compares the draw with other passes over the same surfaces. It is counted with this primitive class, and
+  /// rasterised for this reason.
   virtual void meetPasses(PrimitiveClass primitive, Reason reason) = 0;
-  /// Lets the real OpenGL make it.
+  /// Makes the draw with the real OpenGL.
   virtual Fate make() = 0;
 
  protected:

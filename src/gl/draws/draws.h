@@ -7,10 +7,10 @@
 
 namespace gluray::gl {
 
-/// What is to become of a draw.
+/// The decision for a draw.
 struct DrawPlan {
   Reason reason = Reason::traced;  // why it is not traced
-  KnownMesh mesh;                  // of a draw that is traced
+  KnownMesh mesh;                  // of a traced draw
 };
 
 class Draws {
@@ -23,16 +23,16 @@ class Draws {
   };
   explicit Draws(const Parts& parts) : p_(parts) {}
 
-  /// Decides and does it. Returns Fate::traced, replaced, culled or rasterised.
+  /// Decides the draw's fate and carries it out. Returns Fate::traced, replaced, culled or rasterised.
   Fate submit(DrawRequest& draw) { return execute(classify(draw), draw); }
-  /// The same for a draw that is rasterised for this reason.
+  /// Carries out the fate of a draw that is rasterised for this reason.
   Fate rasterise(DrawRequest& draw, Reason reason);
-  /// Prepares for a primitive that the real OpenGL gets vertex by vertex, and counts it, without triangles.
-  /// DrawKinds::stop() ends it.
+  /// Prepares for a primitive that is sent to the real OpenGL vertex by vertex, and counts it, without
+  /// triangles. DrawKinds::stop() ends its time.
   void beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reason);
 
  private:
-  /// Draws and changes nothing.
+  /// Decides without drawing or changing anything.
   DrawPlan classify(DrawRequest& draw) const;
   Fate execute(const DrawPlan& plan, DrawRequest& draw);
 

@@ -6,10 +6,10 @@ namespace gluray::gl {
 
 enum class Fate : uint8_t {
   refused,        // an error
-  undefined,      // vertices before the array: nothing is drawn
-  recorded,       // kept by the display list that is compiled
-  recordedBelow,  // kept by a display list of the real OpenGL
-  empty,          // no vertices: the real OpenGL looks for errors
+  undefined,      // its first vertex lies before the array: nothing is drawn
+  recorded,       // into the display list being compiled
+  recordedBelow,  // into a display list of the real OpenGL
+  empty,          // no vertices: the real OpenGL checks for errors
   passedThrough,  // in a passthrough frame
   untraced,       // by a program that is never traced
   joinedRun,      // its vertices join a run of glBegin and glEnd
@@ -17,8 +17,8 @@ enum class Fate : uint8_t {
   heldPeel,       // a later peel, held back
   leftOutPass,    // a pass that draws nothing, because its layers are traced
   traced,         // with the batch
-  replaced,       // a full-screen pass that is made in its place
-  culled,         // rasterised without what cannot be seen
+  replaced,       // a full-screen pass that GLuRay makes instead
+  culled,         // rasterised without hidden parts
   rasterised,     // by the real OpenGL
 };
 

@@ -1,5 +1,5 @@
-// Surfaces of shader programs whose alpha may be below 1, or that write no depth: whether they are traced, as
-// opaque ones or as layers that are blended in the order of drawing (ADR 0038, ADR 0078).
+// Surfaces of shader programs whose alpha may be below 1, or that write no depth. Decides whether they are
+// traced: as opaque ones, or as layers that are blended in drawing order (ADR 0038, ADR 0078).
 #include "gl/draws/program_draws.h"
 #include "gl/layers/layer_draws.h"
 
@@ -15,7 +15,8 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   const bool solid = scene::isSolid(mesh.shape);
   if (opaque && (solid || raster.reason == Reason::traced)) return Reason::traced;
   if (!isBlended(mesh)) return raster.unlessOpaque;
-  // Each impostor must be one fragment of a pixel. Both sides of a stick's box are two, unless one is culled.
+  // Each impostor must produce one fragment per pixel. A stick's box produces two, one for each side, unless
+  // one is culled.
   const bool single = mesh.shape == scene::Shape::triangles || mesh.shape == scene::Shape::spheres ||
                       (mesh.shape == scene::Shape::sticks && raster.cull != scene::CullFace::none);
   if (single && !program.triangleEdges) return Reason::traced;

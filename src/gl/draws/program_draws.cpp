@@ -19,10 +19,10 @@ Reason ProgramDraws::classifyImpostors() {
   if (p_.shadow.attributes().sentBillboards &&
       (p_.shadow.viewport().depthNear != 0 || p_.shadow.viewport().depthFar != 1))
     return Reason::program;
-  // Boxes cut off samples of pixels whose centre shows the stick, each program's in its own way.
+  // Boxes cut off samples of pixels whose centre shows the stick, and each program's boxes do so differently.
   if (p_.shadow.attributes().shape == scene::Shape::sticks && p_.shadow.target().samples > 1)
     return Reason::program;
-  // Culling may remove billboards, which have two sides, but neither points nor both sides of boxes.
+  // Culling may remove billboards, which have two sides. It removes neither points nor both sides of boxes.
   if (p_.shadow.attributes().shape != scene::Shape::beads &&
       p_.shadow.attributes().shape != scene::Shape::sticks &&
       p_.shadow.raster().cull != scene::CullFace::none)
@@ -33,7 +33,7 @@ Reason ProgramDraws::classifyImpostors() {
 
 Reason ProgramDraws::classify(PrimitiveClass kind) {
   if (const Reason reason = p_.classifier.ofContext(); reason != Reason::traced) return reason;
-  // The program's reason tells the user more than the kind of primitive.
+  // The program's reason is more useful to the user than the kind of primitive.
   if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   const bool solid = drawsSolids(p_.shadow.settings, kind);
   if (!solid && p_.shadow.program().known->family->onlySolids) return Reason::program;
@@ -46,14 +46,14 @@ Reason ProgramDraws::classify(PrimitiveClass kind) {
     return p_.shadow.raster().reason;
   }
   if (p_.shadow.raster().alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
-  // Their colours may pass through gl_FrontColor.
+  // The program's colours may pass through gl_FrontColor.
   if (const Family& family = *p_.shadow.program().known->family;
       !p_.shadow.info.core && family.clampedColors) {
     p_.shadow.setProgramWhy(builtInColorObstacle(p_.shadow.real, family));
     if (!p_.shadow.program().why.empty()) return Reason::programValue;
   }
   if (p_.shadow.program().known->program.blocks)
-    p_.shadow.expire(kProgram);  // we do not track changes of uniform buffers
+    p_.shadow.expire(kProgram);  // changes of uniform buffers are not tracked
   if (!p_.shadow.info.core && !p_.shadow.clipPlanes().empty())
     return Reason::program;  // programs compute clip distances in unknown ways
   if (p_.shadow.attributes().reason != Reason::traced) return p_.shadow.attributes().reason;
@@ -70,7 +70,7 @@ scene::PolygonOffset offsetOf(ShadowState& shadow, scene::Shape shape) {
   return shape == scene::Shape::triangles ? Batch::offsetOf(shadow.pixelState()) : scene::PolygonOffset{};
 }
 
-/// Whether a polygon offset is on while the program writes depth itself or draws layers.
+/// Whether a polygon offset is on, but the program writes depth itself or draws layers.
 bool offsetsProgramDepth(ShadowState& shadow, scene::Shape shape) {
   const RasterState& raster = shadow.raster();
   const ProgramState& program = shadow.program();
@@ -79,7 +79,7 @@ bool offsetsProgramDepth(ShadowState& shadow, scene::Shape shape) {
          (program.shading.fragment.writesDepth || layersOf(program) != BatchKey::Layers::none);
 }
 
-/// Whether the contents of some buffer of the arrays cannot be read.
+/// Whether one of the arrays is in a buffer whose contents cannot be read.
 bool haveUnreadableBuffers(const ArrayState& arrays) {
   return arrays.reason == Reason::deletedBuffer || arrays.reason == Reason::foreignBuffer ||
          arrays.reason == Reason::persistentMapping;
@@ -101,14 +101,15 @@ Reason ProgramDraws::classify(const KnownMesh& known, uint64_t load) {
   if (reason != Reason::traced) return reason;
   if (isBlended(*known.mesh))
     return p_.layers.leavesDrawn(load) ? Reason::smallScene : p_.classifier.ofImages(true);
-  // Judged draw by draw, not by their sum, so that a surface drawn again is drawn in the same way.
+  // Judged for each draw and not for their sum, so that a surface that is drawn again is drawn in the same
+  // way.
   const bool leave = p_.clock.leavesAlone(load, p_.shadow.viewportPixels());
   return leave ? Reason::smallScene : p_.classifier.ofImages(true);
 }
 
 Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (known.homogeneous) return Reason::homogeneous;
-  if (!known.mesh)  // billboards that are not whole; lines with adjacent vertices
+  if (!known.mesh)  // incomplete billboards; lines with adjacent vertices
     return p_.shadow.attributes().sentBillboards ? Reason::arrayState : Reason::lines;
   if (known.mesh->shape == scene::Shape::sticks &&
       !showsSticks(p_.shadow.real, p_.shadow.program(), *known.mesh))
@@ -117,7 +118,7 @@ Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (!known.mesh->moderate) return Reason::notFinite;
   if (offsetsProgramDepth(p_.shadow, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.program();
-  if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise classifyInstances() looks at each
+  if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise classifyInstances() checks each
     const glm::ivec4& viewport = p_.shadow.viewport().box;
     const glm::ivec2 size(viewport.z, viewport.w);
     if (RayPrecision::isFarFromOrigin(*known.mesh, program.clipFromObject, size))
@@ -137,7 +138,8 @@ Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
   // Triangles with growing edges are enlarged in the window, without bound near the viewer's plane, and the
-  // enlarged part has another slope than the triangle. Behind the viewer, distances to edges are undefined.
+  // enlarged part has a different depth slope than the triangle. Behind the viewer, distances to edges are
+  // undefined.
   const bool tilted =
       offsetOf(p_.shadow, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
   if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
@@ -152,8 +154,8 @@ bool ProgramDraws::isOneOfPasses(const scene::Mesh& mesh) const {
                                             offsetOf(p_.shadow, mesh.shape).pushesBack());
 }
 
-/// Prepares batch, camera and `modelview` for the current shader program's instance. Placed::nowhere: it
-/// covers no pixel.
+/// Prepares batch, camera and `modelview` for the current shader program's instance. Returns Placed::nowhere
+/// if it covers no pixel.
 ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const glm::dvec3& reach,
                                                 glm::dmat4& modelview) {
   const scene::Shape shape = mesh.shape;
@@ -218,7 +220,7 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
 
 namespace {
 
-/// The mesh as the shader program in use draws it.
+/// The instance of the mesh, with the state of the shader program in use.
 scene::Instance instanceOf(const scene::MeshPtr& mesh, const glm::dmat4& modelview, ShadowState& shadow) {
   const ProgramState& program = shadow.program();
   scene::Instance instance;

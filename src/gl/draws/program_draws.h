@@ -32,28 +32,30 @@ class ProgramDraws {
   };
   explicit ProgramDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current shader program cannot be traced now, or Reason::traced. `load`: triangles
-  /// that the real OpenGL would draw.
+  /// The reason why a surface of the current shader program cannot be traced now, or Reason::traced. `load`:
+  /// number of triangles that the real OpenGL would draw.
   Reason classify(PrimitiveClass kind);
   Reason classify(const KnownMesh& mesh, uint64_t load);
-  /// The same for further conditions of impostors, and of the instances of a draw.
+  /// The reason from further conditions on impostors, or Reason::traced.
   Reason classifyImpostors();
+  /// The reason from further conditions on the instances of a draw, or Reason::traced.
   Reason classifyInstances(const scene::Mesh& mesh, const Elements& elements) const;
   /// Adds a mesh to the batch, once for each instance of the draw. Returns Reason::traced, or why it cannot
   /// join the layers traced so far.
   Reason add(const scene::MeshPtr& mesh, GLenum mode, const Elements& elements);
-  /// Call before a surface is rasterised: has the real OpenGL draw the depth of pending or traced surfaces
-  /// that it coincides with.
+  /// Call before a surface is rasterised: makes the real OpenGL draw the depth of pending or traced surfaces
+  /// with which it coincides.
   void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
 
  private:
   Reason classifyAlways(const KnownMesh& mesh) const;  // as if engine = always
-  /// Why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
+  /// The reason why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
   Reason ofBlending(const scene::Mesh& mesh) const;
-  /// Whether surfaces can now be blended in the order of drawing; whether this one would be.
+  /// Whether surfaces can now be blended in drawing order.
   bool mayBeBlended() const;
+  /// Whether this surface would be blended in drawing order.
   bool isBlended(const scene::Mesh& mesh) const;
-  /// Why a surface with an alpha below 1 is not traced, or Reason::traced; of instances.
+  /// The reason why a surface with an alpha below 1 is not traced, or Reason::traced. Considers instances.
   Reason unlessOpaque() const;
   bool isOneOfPasses(const scene::Mesh& mesh) const;
   /// A sample of triangles from each array that may hold positions.

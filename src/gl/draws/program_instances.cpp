@@ -12,7 +12,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Reads instance i's element of an array. False beyond the array's end.
+/// Reads the array element of instance i. Returns false beyond the array's end.
 bool readOfInstance(const ArrayReader& array, const Elements& elements, uint32_t i, float out[4]) {
   const uint32_t at = elements.baseInstance + i / std::max(array.divisor(), 1u);
   if (at >= array.available()) return false;
@@ -29,7 +29,7 @@ struct InstanceReaders {
   std::vector<ArrayReader> transform, normal;
   ArrayReader color;
 
-  /// The matrix of instance i; nullopt beyond an array's end.
+  /// The matrix of instance i; nullopt beyond the end of an array.
   std::optional<glm::mat4> matrix(const Elements& elements, uint32_t i) const {
     glm::mat4 m(1);
     if (transform.size() == 1) {

@@ -84,14 +84,15 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (p_.layers.pending()) p_.failsafe.protect([&] { p_.layers.meetRasterDraw(); });
   if (!batch.empty()) {
     const RasterState& raster = p_.shadow.raster();
-    // Lines and points on a surface have its depth: order decides, unless the surface was pushed back.
+    // Lines and points on a surface have its depth: drawing order decides, unless the surface was pushed
+    // back.
     const bool coplanar = kind != PrimitiveClass::surfaces && batch.key().offset == scene::PolygonOffset{};
-    // Summed layers round as floats, and drawn layers blend, in drawing order.
+    // Summed layers round in drawing order, as floats. Drawn layers blend in drawing order.
     const bool seenThrough =
         batch.key().layers == BatchKey::Layers::summed || batch.key().layers == BatchKey::Layers::drawn;
-    // What the program counts or stores depends on the depth that its fragments are tested against.
+    // What the program counts or stores depends on the depths against which its fragments are tested.
     const bool writes = raster.program != 0 && p_.shadow.recognise(raster.program)->program.writes;
-    // A channel that one of the two does not write keeps the value of the other or of an earlier draw.
+    // If only one of the two writes a channel, the channel keeps the value of that draw or of an earlier one.
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }

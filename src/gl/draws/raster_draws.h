@@ -57,7 +57,7 @@ class RasterDraws {
       if (needs.leaves) leave(std::move(triangles));
     });
   }
-  /// The same for a draw whose triangles are not sampled.
+  /// Reports a draw whose triangles are not sampled.
   void noteUnsampledDraw(PrimitiveClass kind, Reason reason);
   /// Redraws the depth of traced surfaces with a further pass by the real OpenGL.
   void rasteriseMet(MultipassSurfaces::Meeting meeting);

@@ -1,11 +1,11 @@
-// Components of vectors in names of family files: "light.diffuse.r" or "light.diffuse.0" is the first one of
-// "light.diffuse".
+// Components of vectors in names of family files: "light.diffuse.r" or "light.diffuse.0" is the first
+// component of "light.diffuse".
 #pragma once
 #include <string_view>
 
 namespace gluray::gl {
 
-/// Number of the component that the name ends with (.r, .g, .b, .a or .0 to .3: 0 to 3); -1: none.
+/// Index (0 to 3) of the component that the name ends with (.r, .g, .b, .a or .0 to .3); -1: none.
 inline int componentIn(std::string_view name) {
   if (name.size() < 3 || name[name.size() - 2] != '.') return -1;
   const size_t at = std::string_view("rgba0123").find(name.back());

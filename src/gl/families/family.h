@@ -20,32 +20,33 @@
 
 namespace gluray::gl {
 
-/// A number, vector or matrix: a uniform's value or a constant. Empty: the family has none.
+/// A number, vector or matrix: the value of a uniform, or a constant. If both are empty, the family does not
+/// specify it.
 struct FamilyValue {
   std::string uniform;
   std::vector<float> constant;
   bool given() const { return !uniform.empty() || !constant.empty(); }
 };
 
-/// One face's reflectance. Defaults: 0 for the ambient and specular intensities, 1 for all others.
+/// Reflectance of one face. Defaults: 0 for the ambient and specular intensities, 1 for everything else.
 struct FamilyMaterial {
   FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity,
       specularColor;
-  FamilyValue emission;  // added to ambient light; only without colours from elsewhere
+  FamilyValue emission;  // added to ambient light; only in families without vertex colours
   FamilyValue shininess, opacity;
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
 
-/// Lights are numbered from 0; {} in a name stands for the number or, if there are `names`, for one of these.
-/// Light n is on if its `color` is active or, if the family names no colour (then it is white), its direction
-/// or position.
+/// Lights are numbered from 0; {} in a name stands for the number or, if `names` is not empty, for that name.
+/// Light n is on if its `color` is an active uniform. If the family names no colour, the light is white, and
+/// it is on if its direction or position is active.
 struct FamilyLights {
-  /// Place of lights with neither direction nor position: at infinity behind the viewer, or at the viewer.
+  /// Where lights without direction and position are: at infinity behind the viewer, or at the viewer.
   enum class Headlight { infinite, viewer };
   std::vector<std::string> names;
   std::string count;                // number of lights that are on; empty: all
-  std::string countInSource;        // text that stands in the source once for each light; empty: none
-  std::string noHighlightInSource;  // once for each light without highlight, which are the last ones
+  std::string countInSource;        // text that occurs in the source once for each light; empty: none
+  std::string noHighlightInSource;  // text that occurs once for each light without highlight, the last ones
   std::string enabled;              // 0: the base colour is shown without lights
   std::string color;
   FamilyValue direction;      // eye space, from the light to the surface
@@ -55,16 +56,16 @@ struct FamilyLights {
   std::string attenuation, coneAngle, exponent;
   Headlight headlight = Headlight::infinite;
   bool twoSided = false;          // lights shine on both sides of surfaces
-  bool highlightsInDark = false;  // also where the diffuse cosine is negative
-  /// Colours and exponents of the lights' highlights, in place of their colours times the material's specular
-  /// ones, and of its exponent. The last one is also that of all further lights.
+  bool highlightsInDark = false;  // highlights also appear if the diffuse cosine is negative
+  /// Colours and exponents of the lights' highlights. They replace the product of light colour and specular
+  /// material colour, and the material's exponent. The last entry also applies to all further lights.
   std::vector<FamilyValue> specularColor, shininess;
   bool infiniteViewer = false;  // highlights as if the viewer were at infinity
   std::string halfVector;       // highlights depend on the cosine between the normal and this vector
   bool clamped = false;         // ambient plus diffuse light is at most 1
 };
 
-/// The name of a light's variable; `pattern` has {} for the light.
+/// The name of the variable of light `number`; `pattern` has {} for the light.
 std::string ofLight(const std::string& pattern, const FamilyLights& lights, int number);
 
 struct FamilyPbr {
@@ -72,22 +73,22 @@ struct FamilyPbr {
   bool given() const { return roughness.given(); }
 };
 
-/// Fog by distance -z in eye space; not given: `color` is not.
+/// Fog by the distance -z in eye space. Without `color` there is no fog.
 struct FamilyFog {
   scene::Fog::Mode mode = scene::Fog::linear;
-  std::string modeFrom;   // uniform in place of `mode`: 1 linear, 2 exp, 3 exp2, others none
-  bool absolute = false;  // by the absolute value of z at the vertices, interpolated
+  std::string modeFrom;   // uniform that selects the mode: 1 linear, 2 exp, 3 exp2, otherwise none
+  bool absolute = false;  // distance is the absolute value of z at the vertices, interpolated
   FamilyValue color, start, end, scale, density;
-  bool extrapolated = false;  // linear: the weight of the surface's colour may be below 0
+  bool extrapolated = false;  // linear: the weight of the surface's colour may become negative
   bool given() const { return color.given(); }
 };
 
 /// Impostors that the shader program's shaders cut out of billboards.
 struct FamilyImpostors {
   scene::Shape shape = scene::Shape::triangles;  // triangles: no impostors
-  FamilyValue radius;                            // `uniform` may be an attribute's name
-  std::string axis;                              // attribute; its length is the cylinder's
-  FamilyValue inside;                            // below 0: the far side of spheres is visible
+  FamilyValue radius;                            // `uniform` may name an attribute instead
+  std::string axis;                              // attribute; its length is the length of the cylinder
+  FamilyValue inside;                            // negative: the far side of spheres is visible
   FamilyValue radiusDivisor;
   scene::Impostors::Billboards billboards = scene::Impostors::Billboards::silhouette;
   bool fades = false;
@@ -96,9 +97,9 @@ struct FamilyImpostors {
   FamilyValue scale;                               // factor of splats' radius
   FamilyValue billboardScale;                      // of splats' billboards, in radii
   std::string projection;                          // uniform: projection matrix of splats and sent billboards
-  /// The program sends the billboards' corners, each with all values of its impostor.
+  /// The program sends the billboards' corners, each with all attributes of its impostor.
   bool sent = false;
-  std::string corners;            // attribute: which corner a vertex is, a bit for each direction
+  std::string corners;            // attribute: the vertex's corner, as one bit for each direction
   bool parallelView = false;      // the viewer is at infinity; otherwise at the origin
   bool radiusInPosition = false;  // the position's fourth component is the radius
   bool radiusInObject =
@@ -107,18 +108,18 @@ struct FamilyImpostors {
   std::string end, endColor;             // of sticks: attributes of their second ends
   std::string caps;                      // of sticks: attribute, bits
   std::string roundCaps;                 // of sticks: uniform; 0: round ends are flat
-  std::vector<FamilyValue> halvesBlend;  // of sticks: factors of scene::Impostors::halvesBlend
+  std::vector<FamilyValue> halvesBlend;  // of sticks: factors whose product is scene::Impostors::halvesBlend
   bool given() const { return shape != scene::Shape::triangles; }
 };
 
-/// From a family's name of a variable to the names that a shader program may have instead, the best first.
+/// Maps a family's name of a variable to alternative names in shader programs, the preferred one first.
 using Alternatives = std::map<std::string, std::vector<std::string>, std::less<>>;
 
-/// Uniforms that have no effect at one value, given column by column. One number stands for all components,
-/// none for the identity matrix.
+/// Maps uniforms to the value, given column by column, at which they have no effect. One number applies to
+/// all components; no number means the identity matrix.
 using NeutralValues = std::map<std::string, std::vector<float>, std::less<>>;
 
-/// Colours by a coordinate in object space (scene::HeightColors); not given: scale[0] is not.
+/// Colours by a coordinate in object space (scene::HeightColors). Without scale[0] there are none.
 struct FamilyHeight {
   int axis = 2;
   FamilyValue scale[3], offset[3], exponent[3];
@@ -127,40 +128,40 @@ struct FamilyHeight {
 
 struct Family {
   enum class Model { unlit, phong, pbr };
-  /// The cosine that the highlight's exponent is applied to: between reflected ray and viewer, or between
+  /// The cosine to which the highlight's exponent applies: between reflected ray and viewer, or between
   /// normal and half vector.
   enum class Specular { reflect, half };
-  /// What to do with shader programs that have no vertex normals: refuse them, or use the triangles' normals.
+  /// How to treat shader programs without vertex normals: refuse them, or use the triangles' normals.
   enum class NoNormals { refuse, triangle };
 
   std::string name;
-  std::string rasteriseBecause;                     // not empty: why programs of this family are never traced
-  std::vector<std::string> sourceHas, sourceLacks;  // texts that the shaders' source must have; must lack
-  std::vector<std::string> active, any, absent;     // names for recognition: all of, one of, none of
+  std::string rasteriseBecause;                     // if not empty, why its programs are never traced
+  std::vector<std::string> sourceHas, sourceLacks;  // texts that the source must have, must not have
+  std::vector<std::string> active, any, absent;     // names of active variables: all of, one of, none of
   std::vector<std::string> absentOutputs;           // fragment shader outputs that must not exist
   std::vector<std::string> ignored;                 // may be active, but do not affect the image
   NeutralValues neutral;                            // do not affect the image at these values
-  std::vector<std::string> code;    // sections that hold all of its statements; empty: any code
+  std::vector<std::string> code;    // sections that contain all statements of the program; empty: any code
   bool resolvesConditions = false;  // statements are compared after #ifdef and the like
   std::string codeAt;               // file and line that name them
-  bool onlySolids = false;  // describes draws of lines and points alone, where settings turn them into solids
-  bool strict = true;       // programs with active variables that the family does not mention do not fit
+  bool onlySolids = false;          // describes only draws of lines and points that settings turn into solids
+  bool strict = true;  // a program with an active variable that the family does not mention does not fit
 
   std::string position, normal, color, texcoord;                 // attributes
   std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes
-  std::string instanceShift;                                     // likewise: x, y, z of a place, and a scale
+  std::string instanceShift;                                     // per-instance: a position and a scale
   std::vector<std::string> clipFromObject, eyeFromObject;        // uniforms, multiplied from left to right
-  std::string viewer;        // uniform: viewer position in the space of eyeFromObject; empty: its origin
+  std::string viewer;        // uniform: viewer position in the space after eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
-  std::string flipsBackFaces;  // uniform; not 0: the same
-  bool darkBackFaces = false;  // otherwise no light shines on back faces
+  std::string flipsBackFaces;  // uniform; not 0: as flipBackFaces
+  bool darkBackFaces = false;  // back faces whose normals are not reversed have ambient light only
   scene::FragmentShading::UnitNormals unitNormals = scene::FragmentShading::UnitNormals::pixels;
   std::string parallelView;  // uniform, not 0: the viewer is at infinity (for triangle normals)
 
-  std::string colorMap;        // sampler: its colour at the texture coordinate is the surface's
-  std::string mapTexcoord;     // attribute: the map's own texture coordinate; empty: `texcoord`
+  std::string colorMap;        // sampler: its colour at the texture coordinate replaces the surface's colour
+  std::string mapTexcoord;     // attribute: texture coordinate of the map; empty: `texcoord`
   std::string texcoordMatrix;  // uniform, applied to all texture coordinates before they are interpolated
   std::string triangleColors;  // buffer sampler: one colour per triangle
   std::string triangleNormals;

@@ -121,7 +121,7 @@ class Blocks {
   std::set<Hash128, Before> members_{isBefore};
 };
 
-/// Whether a repetition of the statement computes something again.
+/// Whether the statement computes something when it is repeated.
 bool computes(std::string_view statement) {
   return statement[0] != '#' && statement.substr(0, 4) != "for(" &&
          statement.find('=') != std::string_view::npos;
@@ -137,7 +137,7 @@ bool isWrite(std::string_view statement, size_t at, size_t size) {
 
 enum class Use { none, read, written };
 
-/// How a statement uses a name. One that reads and writes it counts as reading.
+/// How a statement uses a name. A statement that reads and writes it counts as reading.
 Use useOf(std::string_view name, std::string_view statement) {
   Use use = Use::none;
   for (size_t at = statement.find(name); at != std::string_view::npos; at = statement.find(name, at + 1)) {

@@ -1,5 +1,5 @@
 // Named sections of shader statements whose effect families describe. A shader program with other statements
-// computes something that we do not know. Format: docs/program-families.md. Any thread.
+// may compute something else. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/glsl/glsl_statements.h"
@@ -19,7 +19,7 @@ class KnownCode {
   void add(std::string_view text);
   /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
   void addBlocks(std::string_view text);
-  /// Adds a name that some statement of a shader program must write if another one reads it.
+  /// Adds a name that must be written by some statement of a shader program if another one reads it.
   void addWritten(const std::string& name) { written_.insert(name); }
   /// Adds the digest of a whole shader (shader_digest.h).
   void addShader(const Hash128& digest) { shaders_.push_back(digest); }
@@ -29,7 +29,7 @@ class KnownCode {
   const std::vector<std::vector<Hash128>>& blocks() const { return blocks_; }
   const std::vector<Hash128>& shaders() const { return shaders_; }
   const std::set<std::string>& written() const { return written_; }
-  /// Programs of families that name the section have all its blocks.
+  /// A program of a family that names the section must contain all its blocks.
   bool complete = false;
   /// Note for users about shader programs that have one of these statements; may be empty.
   std::string note;
@@ -47,28 +47,30 @@ using CodeSections = std::map<std::string, KnownCode, std::less<>>;
 
 inline Hash128 hashOf(std::string_view statement) { return hashBytes(statement.data(), statement.size()); }
 
-/// Those of `statements` that none of the sections `names` has, in order, without repetitions.
+/// The statements that none of the sections `names` contains, in order, without repetitions.
 std::vector<std::string_view> unknownStatements(const GlslStatements& statements,
                                                 const CodeSections& sections,
                                                 const std::vector<std::string>& names);
 
-/// Those of `statements`, without repetitions, that belong to a block of the sections but occur without the
-/// rest of it, and known ones outside blocks that compute something a second time in one shader.
+/// Statements, without repetitions, that break the rules of known code: statements of a block that occur
+/// without the rest of it, and known statements outside blocks that compute something a second time in one
+/// shader.
 std::vector<std::string_view> strayStatements(const GlslStatements& statements, const CodeSections& sections,
                                               const std::vector<std::string>& names);
 
-/// Digests of whole shaders that the sections `names` know; if there are any, statements do not count.
+/// Digests of whole shaders that the sections `names` contain. If there are any, shaders are compared instead
+/// of statements.
 std::vector<Hash128> knownShaders(const CodeSections& sections, const std::vector<std::string>& names);
 
-/// Names of addWritten() that some of `statements` reads and none writes.
+/// Names of addWritten() that one of `statements` reads and none writes.
 std::vector<std::string> unwrittenNames(const GlslStatements& statements, const CodeSections& sections,
                                         const std::vector<std::string>& names);
 
-/// Those of the sections `names` that are complete and have a block that `statements` lack.
+/// The complete sections among `names` that have a block missing from `statements`.
 std::vector<std::string> incompleteSections(const GlslStatements& statements, const CodeSections& sections,
                                             const std::vector<std::string>& names);
 
-/// The notes of those sections of `names` that have any of the statements, joined by "; ".
+/// The notes of the sections among `names` that contain any of the statements, joined by "; ".
 std::string notesOn(const GlslStatements& statements, const CodeSections& sections,
                     const std::vector<std::string>& names);
 

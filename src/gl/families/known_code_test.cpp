@@ -1,4 +1,5 @@
-// Further conditions on known statements: whole blocks, no repetitions, names that are read are written.
+// Further conditions on known statements: blocks are whole, no statement is repeated, and names that are read
+// are also written.
 #include "gl/families/known_code.h"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ class TypeCheck {
     values({&m.ambientIntensity, &m.ambientColor, &m.diffuseIntensity, &m.diffuseColor, &m.specularIntensity,
             &m.specularColor, &m.emission, &m.shininess, &m.opacity});
   }
-  /// Checks the first light's variable, or the array that holds all lights'.
+  /// Checks the variable of the first light, or the array that holds the variables of all lights.
   void light(const std::string& pattern, const Types& types) const {
     if (pattern.ends_with("[{}]")) return uniform(pattern.substr(0, pattern.size() - 4), types);
     const size_t at = pattern.find("{}");

@@ -9,10 +9,10 @@
 
 namespace gluray::gl {
 
-/// One reason why a shader program does not fit, for the user, with a name in quotes.
+/// One reason why a shader program does not fit, for the user: `before`, `name` in quotes, `after`.
 std::string about(const char* before, const std::string& name, const std::string& after = "");
 
-/// Adds a reason for each variable of a wrong type.
+/// Adds a reason to `out` for each variable of a wrong type.
 void needTypes(const Program& p, const Family& f, std::vector<std::string>& out);
 
 }  // namespace gluray::gl

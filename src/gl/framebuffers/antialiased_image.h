@@ -10,21 +10,21 @@
 
 namespace gluray::gl {
 
-/// A framebuffer object of which a region holds only a clear and images whose pixels are averages (setting
-/// spp), and the texture that a part of it was copied into since then.
+/// A framebuffer object, a region of it that contains only a clear and images whose pixels are averages
+/// (setting spp), and the texture that a part of the region was copied into since.
 class AntialiasedImage {
  public:
   AntialiasedImage() = default;
-  /// Nothing was copied yet.
+  /// Nothing has been copied yet.
   AntialiasedImage(GLuint framebuffer, GLenum buffer, const scene::Region& region)
       : framebuffer_(framebuffer), buffer_(buffer), region_(region) {}
   bool any() const { return framebuffer_ != 0; }
   bool copied() const { return texture_ != 0; }
-  /// The draw framebuffer's colours are cleared.
+  /// Reports that the draw framebuffer's colours are cleared.
   void clear(const RealGl& real, const RareState& has);
-  /// An image of averages was written into this draw buffer of the framebuffer.
+  /// Reports that an image of averages was written into this draw buffer of the framebuffer.
   void wrote(GLuint framebuffer, GLenum buffer);
-  /// The texture bound to `target`, which may be attached to the framebuffer, was written.
+  /// Reports that the texture bound to `target`, which may be attached to the framebuffer, was written.
   void send(const RealGl& real, const TextureCache& textures, GLenum target);
   /// Call after send() if the pixels were copied from region `from` of the read framebuffer.
   void copy(const RealGl& real, GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);

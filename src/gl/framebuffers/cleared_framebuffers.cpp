@@ -24,13 +24,13 @@ void ClearedFramebuffers::clear(GLbitfield mask) {
   ClearedTarget cleared{framebuffer, {box.x, box.y, box.z, box.w}, {}};
   real.GetFloatv(GL_COLOR_CLEAR_VALUE, cleared.color.data());
   cleared_ = cleared;
-  // The upload waits for the clear, for which llvmpipe's threads have time while the program prepares its
+  // The upload waits for the clear. After a flush, llvmpipe's threads make it while the program prepares its
   // draws.
   if (framebuffer != 0 && uploads_) real.Flush();
 }
 
-/// Whether the draw framebuffer's image, of which images know one cleared pixel for each colour, has eight
-/// linear bits of each channel.
+/// Whether the draw framebuffer's attachment has eight linear bits in each channel. Images assume one cleared
+/// pixel value for each colour.
 bool ClearedFramebuffers::holdsBytes(GLenum drawBuffer) const {
   const auto value = [&](GLenum name) {
     return attachmentValue(shadow_.real, GL_DRAW_FRAMEBUFFER, drawBuffer, name);

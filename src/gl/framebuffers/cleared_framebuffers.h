@@ -1,5 +1,5 @@
-// Tracks whether the draw framebuffer holds only a clear, how its depths may have changed, and whether
-// images in it are anti-aliased already. A part of each Context, GL thread.
+// Tracks whether the draw framebuffer contains only a clear, how its depths may have changed, and whether
+// images in it are already anti-aliased. A part of each Context, GL thread.
 #pragma once
 #include "gl/basics/failsafe.h"
 #include "gl/batch/batch.h"
@@ -23,42 +23,45 @@ class ClearedFramebuffers {
   ClearedFramebuffers(ShadowState& shadow, const FrameClock& clock, const Failsafe& failsafe)
       : shadow_(shadow), clock_(clock), failsafe_(failsafe) {}
 
-  /// The draw framebuffer's clear, if it holds nothing else; tracked only above software OpenGLs.
+  /// The draw framebuffer's clear, if it contains nothing else. Tracked only if OpenGL is a software
+  /// renderer.
   const std::optional<ClearedTarget>& target() const { return cleared_; }
   /// The clear under the whole image of `snapshot`, if the image may be uploaded over it.
   std::optional<ClearedTarget> under(const scene::Snapshot& snapshot, const BatchKey& key) const;
   /// Call after a glClear.
   void clear(GLbitfield mask);
-  /// The draw framebuffer may have been drawn or copied into.
+  /// Reports that the draw framebuffer may have been drawn or copied into.
   void forget() {
     forgetClear();
     if (antialiased_.any() || antialiased_.copied()) antialiased_ = {};
   }
-  /// Draws may go to another buffer of the framebuffer.
+  /// Reports that draws may go to another buffer of the framebuffer.
   void forgetClear() { cleared_.reset(), nextDepths(); }
-  /// The real OpenGL draws into it next: depths may become smaller or larger, or neither.
+  /// Reports that the real OpenGL draws into the framebuffer next, and whether depths may become smaller or
+  /// larger.
   void drawing(bool smaller, bool larger);
-  /// While this is the same number, no depth of the draw framebuffer, which is the same, has become larger
-  /// or, if `reversed`, smaller.
+  /// A number that stays the same only while the draw framebuffer is the same and none of its depths has
+  /// become larger or, if `reversed`, smaller.
   uint64_t depthEpoch(bool reversed) const { return depthEpochs_[reversed ? 1 : 0]; }
   void forgetAntialiased() { antialiased_ = {}; }
-  /// The texture bound to `target`, which may be attached to the framebuffer, was written.
+  /// Reports that the texture bound to `target`, which may be attached to the framebuffer, was written.
   void imageSent(GLenum target);
   /// Call after imageSent() if the pixels were copied from region `from` of the read framebuffer.
   void imageCopied(GLenum target, GLint level, glm::ivec2 offset, const scene::Region& from);
 
-  /// An image was written into the framebuffer: uploaded over its clear, or drawn.
+  /// Reports that an image was written into the framebuffer: uploaded over its clear, or drawn.
   void wrote(GLuint framebuffer, bool uploaded) {
     if (framebuffer != 0) uploads_ = uploaded;
   }
 
   const AntialiasedImage& antialiased() const { return antialiased_; }
-  /// Images of averages were written into the region of the draw framebuffer, which had one colour.
+  /// Reports that images of averages were written into the region of the draw framebuffer, which had one
+  /// colour.
   void holdsAntialiased(GLuint framebuffer, GLenum drawBuffer, const scene::Region& region) {
     if (framebuffer != 0 && samplesPerPixel(shadow_.settings) > 1)
       antialiased_ = AntialiasedImage(framebuffer, drawBuffer, region);
   }
-  /// An image of averages was written over the content described by `before`.
+  /// Reports that an image of averages was written over the contents that `before` describes.
   void wroteAntialiased(const AntialiasedImage& before, const BatchKey& key);
 
  private:

@@ -34,7 +34,7 @@ TEST(ComposedPixels, SomethingIsDrawn) {
   EXPECT_FALSE(isComposed({kBlue}, {kRed, 0}, 0, {kRed}));
 }
 
-/// Ranks may clear to an opaque colour, which is composed with the surfaces or not.
+/// Ranks may clear to an opaque colour, which may be composed with the surfaces.
 TEST(ComposedPixels, OpaqueBackgrounds) {
   EXPECT_TRUE(isComposed({kBlue, kBlue}, {kRed, 0xff000000}, 0xff000000, {kRed, 0xff000000}));
   EXPECT_TRUE(isComposed({kBlue, kBlue}, {kRed, 0xff000000}, 0xff000000, {kRed, kBlue}));

@@ -14,10 +14,10 @@ namespace {
 
 using Copy = CompletePresenter::Copy;
 
-constexpr int kMaxDraws = 16;     // that are compared for one image
+constexpr int kMaxDraws = 16;     // draws compared for one image
 constexpr size_t kMaxImages = 8;  // batches of a view
 
-/// A background of the program is kept only as far as the image says so (setting `background`).
+/// With the setting `background`, the program's own background must have one colour.
 bool needsEvenBackground(const scene::Snapshot& s) { return s.backdrop != nullptr; }
 
 bool isEven(const std::vector<uint32_t>& colors) {
@@ -26,7 +26,7 @@ bool isEven(const std::vector<uint32_t>& colors) {
 
 }  // namespace
 
-/// Runs `body`; where memory runs out, images that wait are not shown.
+/// Runs `body`. If memory runs out, drops the waiting images.
 template <class Body>
 void ComposedViews::withMemory(const Body& body) noexcept {
   try {
@@ -34,13 +34,13 @@ void ComposedViews::withMemory(const Body& body) noexcept {
   } catch (const std::exception&) { watches_ = false, drop(); }
 }
 
-/// Colours of region_ in the bound draw framebuffer.
+/// Reads the colours of region_ in the bound draw framebuffer.
 bool ComposedViews::read(std::vector<uint32_t>& colors) {
   p_.shadow.errors.keepPending();
   return presenter_.reader().readColors(p_.shadow.real, region_, colors) && !colors.empty();
 }
 
-/// Whether the batch belongs to the view of the images that wait.
+/// Whether the batch belongs to the view of the waiting images.
 bool ComposedViews::follows(const BatchKey& key) const {
   return waits() && images_.front().key.framebuffer == key.framebuffer &&
          images_.front().key.viewport == key.viewport;
@@ -55,7 +55,7 @@ void ComposedViews::presenting(const BatchKey& key, const scene::Snapshot& snaps
   if (begins || follows(key)) withMemory([&] { watch(key, snapshot); });
 }
 
-/// Finds out whether the framebuffer holds nothing but one colour, or the images that wait.
+/// Determines whether the framebuffer contains only one colour, or only the waiting images.
 void ComposedViews::watch(const BatchKey& key, const scene::Snapshot& snapshot) {
   const bool sameRegion = region_ == snapshot.region;
   region_ = snapshot.region;

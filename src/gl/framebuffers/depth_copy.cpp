@@ -11,7 +11,7 @@ GLint attachment(const RealGl& real, GLenum target, GLenum pname) {
   return attachmentValue(real, target, GL_DEPTH_ATTACHMENT, pname);
 }
 
-/// The depth attachment. target() assumes a 2D texture; the copy raises an error for any other kind.
+/// The depth attachment. target() assumes a 2D texture; for any other kind the copy raises an error.
 struct DepthImage {
   GLint type = GL_NONE;
   GLuint name = 0;
@@ -61,7 +61,7 @@ bool isDepthCopy(const RealGl& real, AttachedImages& images, const Blit& b, bool
     return false;
   const DepthImage from = depthImage(real, GL_READ_FRAMEBUFFER), to = depthImage(real, GL_DRAW_FRAMEBUFFER);
   if (from.type == to.type && from.name == to.name) return false;
-  // A blit of no pixels raises the errors about samples and colour formats without copying anything.
+  // A blit without pixels raises the errors about samples and colour formats without copying anything.
   real.BlitFramebuffer(0, 0, 0, 0, 0, 0, 0, 0, b.mask, b.filter);
   return real.GetError() == GL_NO_ERROR;
 }

@@ -1,5 +1,5 @@
-// Copies depth by glCopyImageSubData in place of a glBlitFramebuffer, which is slow in software OpenGLs. Used
-// by blits.cpp, GL thread.
+// Copies depth by glCopyImageSubData instead of glBlitFramebuffer, which is slow in software OpenGLs. Used by
+// blits.cpp, GL thread.
 #pragma once
 #include "gl/real/real.h"
 #include "gl/state/attached_images.h"
@@ -15,12 +15,13 @@ struct Blit {
   GLenum filter = GL_NEAREST;
 };
 
-/// Whether the blit raises no error and its depth part equals a plain copy: between two images, not moved,
-/// scaled or clipped, without stencil values that matter. No error may be pending. `stencilsSet`: stencil
-/// values, which would be copied with the depth, may matter.
+/// Whether the blit raises no error, and its depth part equals a plain copy between two images: not moved,
+/// scaled or clipped. No error may be pending. `stencilsSet`: stencil values, which the copy would include,
+/// may matter.
 bool isDepthCopy(const RealGl& real, AttachedImages& images, const Blit& blit, bool stencilsSet);
 
-/// Copies the depth by glCopyImageSubData. False, with nothing done, if formats or sizes do not match.
+/// Copies the depth by glCopyImageSubData. Returns false, with nothing done, if formats or sizes do not
+/// match.
 bool copyDepth(const RealGl& real, const Blit& blit);
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Builds shader programs of our own. GL thread, context current.
+// Builds GLuRay's own shader programs. GL thread, context current.
 #pragma once
 #include "gl/glsl/shader_texts.h"
 #include "gl/real/real.h"
@@ -10,7 +10,8 @@
 
 namespace gluray::gl {
 
-/// Links a shader program of these shaders; `prepare` is called before, with its name. 0: it does not link.
+/// Links a shader program of these shaders and returns its name; 0 if it does not link. Calls `prepare` with
+/// the name before it links.
 GLuint buildProgram(const RealGl& real, const std::vector<ShaderTexts::Shader>& shaders,
                     const std::function<void(GLuint)>& prepare = {});
 

@@ -30,7 +30,7 @@ GLenum colorNamed(std::string_view name) {
   return found == std::end(kColorFields) ? 0 : found->what;
 }
 
-/// The number in "3].", which it removes; false if there is none.
+/// Removes a number such as the one in "3]." and returns it in `number`. False if there is none.
 bool takeNumber(std::string_view& name, GLuint& number) {
   if (name.size() < 3 || name[0] < '0' || name[0] > '7' || name.substr(1, 2) != "].") return false;
   number = static_cast<GLuint>(name[0] - '0');
@@ -38,7 +38,7 @@ bool takeNumber(std::string_view& name, GLuint& number) {
   return true;
 }
 
-/// Removes "gl_Front" or "gl_Back".
+/// Removes the prefix "gl_Front" or "gl_Back" and returns the face that it names.
 bool takeFace(std::string_view& name, GLenum& face) {
   if (takePrefix(name, "gl_Front")) return face = GL_FRONT, true;
   if (takePrefix(name, "gl_Back")) return face = GL_BACK, true;

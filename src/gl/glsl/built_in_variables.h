@@ -11,8 +11,8 @@ inline bool isBuiltIn(std::string_view name) { return name.substr(0, 3) == "gl_"
 
 bool isBuiltInAttribute(std::string_view name);
 
-/// A built-in uniform such as gl_LightSource[0].position: which state it is. A last ".a" of a vec4 is its
-/// alpha.
+/// The state that a built-in uniform such as gl_LightSource[0].position stands for. A final ".a" of a vec4
+/// selects its alpha.
 struct BuiltInUniform {
   enum class Of {
     none,
@@ -30,15 +30,15 @@ struct BuiltInUniform {
     material
   };
   Of of = Of::none;
-  GLenum face = GL_FRONT;  // of product, sceneColor and material
-  GLuint light = 0;        // number, of light and product
-  GLenum what = 0;         // parameter of light, product, material and fog: GL_AMBIENT, GL_FOG_END ...
+  GLenum face = GL_FRONT;  // for product, sceneColor and material
+  GLuint light = 0;        // the light's number, for light and product
+  GLenum what = 0;         // parameter, for light, product, material and fog: GL_AMBIENT, GL_FOG_END ...
   bool alpha = false;
 };
-/// What `name` is; Of::none if it is no built-in uniform that we know.
+/// The state that `name` stands for; Of::none if it is not a known built-in uniform.
 BuiltInUniform builtInUniform(std::string_view name);
 
-/// Its type in GLSL, 0 if it is not known.
+/// The built-in uniform's GLSL type; 0 if it is not known.
 GLenum builtInUniformType(std::string_view name);
 
 }  // namespace gluray::gl

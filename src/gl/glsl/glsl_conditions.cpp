@@ -13,8 +13,7 @@ namespace {
 using Names = std::set<std::string, std::less<>>;
 using Tokens = std::vector<std::string>;
 
-/// The directives and other lines of a text, as tokens; lines without tokens are left out. Lines other than
-/// directives are not told apart: they form one entry up to the next directive.
+/// A directive, or all other lines up to the next directive, as tokens. Lines without tokens are left out.
 struct Part {
   bool directive = false;
   Tokens tokens;
@@ -53,7 +52,7 @@ class Condition {
     if (at_ >= tokens_.size() || tokens_[at_] != token) return false;
     return ++at_, true;
   }
-  /// Twice the same token: && or ||.
+  /// Consumes && or ||: the same token twice.
   bool takeTwo(std::string_view one) {
     if (at_ + 1 >= tokens_.size() || tokens_[at_] != one || tokens_[at_ + 1] != one) return false;
     return at_ += 2, true;
@@ -95,7 +94,7 @@ class Condition {
   bool fails_ = false;
 };
 
-/// Keeps the parts that conditions leave.
+/// Keeps the parts that conditions include.
 class Resolver {
  public:
   /// False if a condition cannot be resolved.
@@ -122,8 +121,8 @@ class Resolver {
 
  private:
   struct Level {
-    bool shown, before;  // this branch; it or one before it
-    bool last = false;   // #else
+    bool shown, before;  // this branch; this one or an earlier one
+    bool last = false;   // #else was seen
   };
   static bool isCondition(const std::string& word) {
     const std::string_view words[] = {"if", "ifdef", "ifndef", "elif", "else", "endif"};
@@ -155,7 +154,7 @@ class Resolver {
     level.before = level.before || level.shown;
     return true;
   }
-  /// Whether part i defines a name that no other part has.
+  /// Whether part i defines a name that occurs in no other part.
   bool isUnused(size_t i) const {
     const Tokens& tokens = kept_[i].tokens;
     if (!kept_[i].directive || tokens.size() < 3 || tokens[1] != "define") return false;

@@ -6,10 +6,10 @@
 
 namespace gluray::gl {
 
-/// A shader's text without comments and without the lines that #if, #ifdef, #ifndef, #elif and #else leave
-/// out. Definitions that the rest does not use are left out, too. nullopt if a condition asks for more than
-/// which names are defined, or for names that the OpenGL defines (GL_..., __VERSION__), or if the text ends
-/// within one.
+/// A shader's text without comments and without the lines that #if, #ifdef, #ifndef, #elif and #else exclude.
+/// Definitions that the rest does not use are left out, too. Returns nullopt if the text ends within a
+/// condition, or if a condition tests more than which names are defined, or tests names that OpenGL itself
+/// defines (GL_..., __VERSION__).
 std::optional<std::string> resolveConditions(std::string_view text);
 
 }  // namespace gluray::gl

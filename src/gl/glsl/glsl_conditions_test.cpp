@@ -1,4 +1,4 @@
-// Which lines of GLSL conditions leave.
+// Which lines of a GLSL text remain when its conditions are resolved.
 #include "gl/glsl/glsl_conditions.h"
 
 #include "gl/glsl/glsl_statements.h"
@@ -13,7 +13,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// The statements that are left; "unresolved" if there is a condition that cannot be resolved.
+/// The statements that remain; "unresolved" if a condition cannot be resolved.
 Lines left(const std::string& text) {
   const auto rest = resolveConditions(text);
   if (!rest) return {"unresolved"};

@@ -32,7 +32,7 @@ class Parser {
   void expect(std::string_view token) {
     if (!accept(token)) fail();
   }
-  /// Whether tokens `ahead` and the next one are written together.
+  /// Whether no white space separates token `ahead` from the next one.
   bool adjoin(size_t ahead) const {
     return peek(ahead).data() + peek(ahead).size() == peek(ahead + 1).data();
   }
@@ -73,7 +73,7 @@ class Parser {
   StatementPtr simple();
   StatementPtr conditional();
   StatementPtr forLoop();
-  /// What it chooses is not followed: all that it assigns is unknown.
+  /// A switch. Its cases are not followed: all variables that it assigns become unknown.
   StatementPtr choice();
 
   // Expressions.
@@ -81,7 +81,7 @@ class Parser {
   static void addPart(Expression& to, ExpressionPtr part);
   ExpressionPtr expression();
   ExpressionPtr assignment();
-  /// The binary operator here; empty: there is none.
+  /// The binary operator at the current token; empty if there is none.
   std::string_view operatorHere() const;
   static int precedence(std::string_view op);
   ExpressionPtr binary(int least);

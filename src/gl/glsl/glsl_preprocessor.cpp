@@ -112,7 +112,7 @@ class Preprocessor {
 
   bool isDefined(std::string_view name) const {
     if (macros_.contains(name) || name == "__VERSION__") return true;
-    // Extensions and profiles: what the real OpenGL defines is not known here.
+    // Extensions and profiles: the names that the real OpenGL defines are not known here.
     if (name.starts_with("GL_") && name != "GL_ES" && !name.starts_with("GL_FRAGMENT_PRECISION"))
       refuse("a condition asks for an extension");
     return false;

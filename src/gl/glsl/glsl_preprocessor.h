@@ -5,7 +5,7 @@
 
 namespace gluray::gl {
 
-/// Tokens as GlslTokens gives them; valid as long as `source`. Throws std::runtime_error for text that it
+/// Tokens in the form of GlslTokens, valid as long as `source`. Throws std::runtime_error for text that it
 /// does not understand.
 std::vector<std::string_view> preprocessed(std::string_view source);
 

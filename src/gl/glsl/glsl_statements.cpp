@@ -13,7 +13,8 @@ namespace {
 
 bool startsWith(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
-/// Whether it is a declaration such as "in vec4 a,b[6];": a qualifier, maybe a precision, a type, names.
+/// Whether the statement is a plain declaration such as "in vec4 a,b[6];": a qualifier, maybe a precision, a
+/// type, names.
 bool isPlainInterface(std::string_view s) {
   constexpr std::string_view kQualifiers[] = {"in ", "out ", "varying ", "attribute "};
   constexpr std::string_view kPrecisions[] = {"highp ", "mediump ", "lowp "};
@@ -93,7 +94,7 @@ void unnumberLight(std::string& code, size_t start) {
   code.resize(start + to);
 }
 
-/// Appends to `code` the statements, to `ends` the end of each, and to `repeated` whether it occurred before.
+/// Appends the statements to `code`, the end of each to `ends`, and to `repeated` whether it occurred before.
 class Cutter {
  public:
   Cutter(std::string_view text, const GlslStatements::Renamed& renamed, std::string& code,

@@ -13,7 +13,7 @@ namespace gluray::gl {
 /// - a declaration outside functions, or a whole function other than main;
 /// - in main, a statement up to its semicolon, or a whole if, else or while up to its closing brace;
 ///   of a loop, its head "for (...) {", and then each statement of its body.
-/// Omitted are statements that do not affect the result: #version, #extension, #pragma, #line, precision, and
+/// Statements that do not affect the result are omitted: #version, #extension, #pragma, #line, precision, and
 /// plain declarations of uniforms, inputs and outputs, which the real OpenGL names and checks. In a statement
 /// that names only one light ("lightColor3"), the light's number becomes "#".
 class GlslStatements {

@@ -4,7 +4,8 @@
 
 namespace gluray::gl {
 
-/// Skips white space and comments; true if it stopped at the line feed or end of text that ends a directive.
+/// Skips white space and comments. Returns true if it stopped at the line feed or end of text that ends a
+/// directive.
 bool GlslTokens::skip() {
   while (at_ < text_.size()) {
     const char c = peek();
@@ -53,7 +54,7 @@ std::string_view GlslTokens::word(size_t from) {
   return text_.substr(from, at_ - from);
 }
 
-/// Strips decimal fractions of leading and trailing zeros and of their suffix; keeps integers, hexadecimal
+/// Removes leading and trailing zeros and the suffix of decimal fractions. Keeps integers, hexadecimal
 /// numbers and numbers with an exponent as they are.
 std::string_view GlslTokens::number(size_t from) {
   bool exponent = false;

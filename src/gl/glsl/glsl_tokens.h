@@ -5,9 +5,9 @@
 
 namespace gluray::gl {
 
-/// Reads the tokens of a text one by one. Skips comments and line continuations. The end of a preprocessor
-/// directive is a line feed token, even at the end of the text. Numbers have one form: 0.50f and .5 become
-/// ".5", 0.0 and .0 become "0.". Except for a final line feed, no token is longer than its source text.
+/// Reads the tokens of a text one by one. Skips comments and line continuations. A preprocessor directive
+/// ends with a line feed token, even at the end of the text. Numbers have one form: 0.50f and .5 become ".5",
+/// 0.0 and .0 become "0.". Except for a final line feed, no token is longer than its source text.
 class GlslTokens {
  public:
   explicit GlslTokens(std::string_view text) : text_(text) {}

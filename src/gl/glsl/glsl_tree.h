@@ -26,10 +26,10 @@ struct Expression {
   } kind;
   std::string_view text;
   std::vector<ExpressionPtr> parts;
-  int height = 1;  // levels of the tree, bounded by the parser: trees are followed and freed by recursion
+  int height = 1;  // levels of the tree; the parser bounds them, as trees are visited recursively
 };
 
-/// A type as it is written; arrays by their sizes, outermost first; null: no size.
+/// A type as it is written, with the sizes of its array dimensions, outermost first; null for an unsized one.
 struct TypeName {
   std::string_view name;
   std::vector<std::shared_ptr<const Expression>> sizes;
@@ -38,7 +38,7 @@ struct TypeName {
 struct Variable {
   TypeName type;
   std::string_view name;
-  std::shared_ptr<const Expression> value;  // null: none
+  std::shared_ptr<const Expression> value;  // null: no initialiser
 };
 
 struct Statement;
@@ -61,7 +61,7 @@ struct Statement {
   ExpressionPtr expression, step;
   bool conditionLast = false;  // do ... while
   std::vector<Variable> variables;
-  std::vector<StatementPtr> parts;  // null: none
+  std::vector<StatementPtr> parts;  // null: absent
 };
 
 struct Parameter {
@@ -80,7 +80,7 @@ struct Function {
 struct Global {
   enum class Storage { plain, constant, uniform, attribute, varying, output, other } storage = Storage::plain;
   Variable variable;
-  std::string path;  // of a uniform in a block: its name to OpenGL
+  std::string path;  // for a uniform in a block: the name that OpenGL reports
 };
 
 struct Struct {
@@ -94,7 +94,7 @@ struct Tree {
   std::vector<Struct> structs;
 };
 
-/// Throws std::runtime_error for text that it does not understand.
+/// Parses the tokens of a shader. Throws std::runtime_error for text that it does not understand.
 Tree parse(const std::vector<std::string_view>& tokens);
 
 }  // namespace gluray::gl::glsl

@@ -17,7 +17,7 @@ GLint ask(const RealGl& real, GLuint program, GLenum what) {
   return value;
 }
 
-/// Whether a query that is legal only for programs with a certain stage raises no error.
+/// Whether a query raises no error. It is legal only for programs with a certain stage.
 bool answers(const RealGl& real, GLuint program, GLenum what) {
   while (real.GetError() != GL_NO_ERROR) {}
   GLint value = 0;

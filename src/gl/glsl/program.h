@@ -26,12 +26,13 @@ struct ProgramUniform {
   bool rowMajor = false;
 };
 
+/// An active vertex attribute.
 struct ProgramAttribute {
   GLint location = -1;
   GLenum type = 0;
 };
 
-/// From a family's names to the names that a shader program uses instead.
+/// Maps a family's names of variables to the names that a shader program uses instead.
 using Renames = std::map<std::string, std::string, std::less<>>;
 
 struct Program {
@@ -44,8 +45,8 @@ struct Program {
   std::map<std::string, ProgramUniform, std::less<>> uniforms;
   std::map<std::string, GLenum, std::less<>> builtInUniforms;  // those of GLSL that OpenGL lists, with types
   std::map<std::string, ProgramAttribute, std::less<>> attributes;
-  Renames renamed;                           // for its family
-  std::shared_ptr<const ShaderTexts> texts;  // of its shaders when it was linked; null: not known
+  Renames renamed;                           // of variables, for the program's family
+  std::shared_ptr<const ShaderTexts> texts;  // of the shaders at link time; null: not known
 
   const ProgramUniform* uniform(std::string_view n) const {
     const auto it = uniforms.find(hereFor(n));
@@ -64,10 +65,10 @@ struct Program {
   }
 };
 
-/// Whether it takes its vertices from fixed function.
+/// Whether the program takes its vertices from fixed function's attributes.
 inline bool readsFixedVertices(const Program& program) { return program.attributes.contains("gl_Vertex"); }
 
-/// Queries program `name` from the real OpenGL. Clears the errors that this raises; the caller must have
+/// Queries program `name` from the real OpenGL. Clears the GL errors that this raises; the caller must have
 /// saved pending ones.
 Program reflect(const RealGl& real, GLuint name);
 /// Sets ProgramUniform::first of all uniforms, and `uniformElements`.

@@ -25,7 +25,7 @@ void appendWithoutComments(std::string_view text, std::string& out) {
   }
 }
 
-/// Whether it needs named texts (ARB_shading_language_include), which are not known here.
+/// Whether the text includes named texts (ARB_shading_language_include), which are not known here.
 bool includesTexts(std::string_view text) {
   if (text.find("include") == std::string_view::npos) return false;
   GlslTokens tokens(text);

@@ -15,23 +15,23 @@ namespace gluray::gl {
 
 class ProgramSource {
  public:
-  /// Its texts from when it was linked or, where they are not known, those of the shaders that are attached
-  /// when they are first needed.
+  /// Uses the shaders' texts from link time. If these are not known, it reads the shaders that are attached
+  /// when a text is first needed.
   ProgramSource(const RealGl& real, const Program& program)
       : real_(real), program_(program.name), linked_(program.texts) {}
 
   /// The concatenated texts of the shaders, without comments.
   const std::string& text();
-  /// The same as statements; empty if there is none. `renamed` replaces one name, unless the text has
-  /// the new name already. `resolved`: without what conditions leave out (glsl_conditions.h); empty if they
-  /// cannot be resolved. Valid until the next call with other arguments.
+  /// The text as statements; empty if there is no text. `renamed` replaces one name, unless the text already
+  /// has the new name. `resolved`: without the lines that conditions exclude (glsl_conditions.h); empty if
+  /// these cannot be resolved. Valid until the next call with other arguments.
   const GlslStatements& statements(const GlslStatements::Renamed& renamed = {}, bool resolved = false);
-  /// The type of each shader, and its text's digest (shader_digest.h).
+  /// Type and digest (shader_digest.h) of each shader.
   std::vector<std::pair<GLenum, Hash128>> digests();
-  /// The texts of the shaders of one type, one after the other.
+  /// The texts of all shaders of one type, concatenated.
   std::string textOf(GLenum type);
-  /// Whether the texts of all shaders could be read, among them a vertex and a fragment shader and,
-  /// if `geometry`, a geometry shader.
+  /// Whether the texts of all shaders could be read, and these include a vertex shader, a fragment shader
+  /// and, if `geometry`, a geometry shader.
   bool isWhole(bool geometry);
 
  private:

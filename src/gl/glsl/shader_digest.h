@@ -12,8 +12,9 @@ namespace gluray::gl {
 /// of numbers (GlslTokens) do not count.
 Hash128 digestOf(std::string_view shader);
 
-/// A digest as 32 hexadecimal digits, and the digest that such a text stands for; none if it is no such text.
+/// A digest as 32 hexadecimal digits.
 std::string textOf(const Hash128& digest);
+/// The digest that such a text encodes; nullopt if the text is not 32 hexadecimal digits.
 std::optional<Hash128> digestIn(std::string_view text);
 
 }  // namespace gluray::gl

@@ -16,10 +16,11 @@ struct ShaderTexts {
     std::string text;
   };
   std::vector<Shader> shaders;
-  bool all = false;  // those of all attached shaders
+  bool all = false;  // whether `shaders` has the texts of all attached shaders
 };
 
-/// The texts of the shaders that are attached now. Programs may detach them as soon as they are linked.
+/// The texts of the shaders that are attached now. Host programs may detach shaders as soon as they are
+/// linked.
 std::shared_ptr<const ShaderTexts> readShaderTexts(const RealGl& real, GLuint program);
 
 }  // namespace gluray::gl

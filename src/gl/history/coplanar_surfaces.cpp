@@ -14,7 +14,7 @@ glm::dvec3 position(const scene::Mesh& mesh, uint32_t triangle, uint32_t k) {
   return glm::dvec3(mesh.position(mesh.corner(triangle, k)));
 }
 
-/// The plane in which all corners lie, within the rounding of their coordinates; nullopt if there is none.
+/// The plane that contains all corners, within the rounding of their coordinates; nullopt if there is none.
 std::optional<glm::dvec4> findPlane(const scene::Mesh& mesh) {
   glm::dvec3 normal(0);
   for (uint32_t t = 0; t < mesh.triangleCount && normal == glm::dvec3(0); ++t) {
@@ -34,7 +34,7 @@ std::optional<glm::dvec4> findPlane(const scene::Mesh& mesh) {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// Whether some edge of `a` separates it from `b` in the window.
+/// Whether an edge of `a` separates it from `b` in the window.
 bool isApart(const Corners& a, const Corners& b) {
   for (size_t k = 0; k < 3; ++k) {
     const glm::dvec2 start(a[k]), edge = glm::dvec2(a[(k + 1) % 3]) - start;
@@ -58,7 +58,7 @@ struct Box2 {
   glm::dvec2 lower{std::numeric_limits<double>::infinity()};
   glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
   void add(const glm::dvec2& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
-  /// Whether they overlap by more than `narrow` in both directions.
+  /// Whether the boxes overlap by more than `narrow` in both directions.
   bool meets(const Box2& other, const glm::dvec2& narrow) const {
     const glm::dvec2 size = glm::min(upper, other.upper) - glm::max(lower, other.lower);
     return size.x > narrow.x && size.y > narrow.y;
@@ -75,7 +75,7 @@ std::array<glm::dvec3, 4> cornersOf(const Box2& box) {
           glm::dvec3(box.upper.x, box.lower.y, 1)};
 }
 
-/// The two axes along which the plane extends most: all but the one closest to its normal.
+/// The two axes along which the plane extends most, that is without the axis closest to its normal.
 glm::ivec2 axesOf(const glm::dvec4& plane) {
   const glm::dvec3 n = glm::abs(glm::dvec3(plane));
   if (n.x >= n.y && n.x >= n.z) return {1, 2};
@@ -100,8 +100,8 @@ struct CoplanarSurfaces::Piece {
   Box2 box;
 };
 
-/// The intersection of two planar meshes' bounds, in (s, t) of the first one's plane. It is empty for
-/// neighbours that touch, however the plane is tilted in the window.
+/// The intersection of the bounds of two planar meshes, in (s, t) of the first one's plane. Neighbours that
+/// touch have an empty intersection, however the plane is tilted in the window.
 struct CoplanarSurfaces::Common {
   Box2 box;
   glm::dvec2 narrow{0};
@@ -170,7 +170,7 @@ bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   if (!(lower.x + kNarrow < upper.x && lower.y + kNarrow < upper.y)) return false;
   if (a.place.framebuffer != b.place.framebuffer || a.place.viewport != b.place.viewport) return false;
   if (!(a.place.offset == b.place.offset)) return false;
-  // How far rasterisers round: eight steps of a 24-bit depth buffer, or four of a coarser one.
+  // How far rasterisers round: up to eight steps of a 24-bit depth buffer, or four of a coarser one.
   const double most = std::max(0x1p-20, 8.0 * double{a.place.offset.resolution});
   const glm::dvec3 apart = a.plane - b.plane;
   for (const double x : {lower.x, upper.x})
@@ -187,7 +187,7 @@ bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   Box2 second;
   for (const glm::dvec3& corner : cornersOf(boundsOf(*b.mesh, b.axes))) {
     const glm::dvec3 p = aFromB * corner;
-    if (!(p.z > 0)) return true;  // rare: they have different projections
+    if (!(p.z > 0)) return true;  // rare: different projections
     second.add(glm::dvec2(p) / p.z);
   }
   // Float matrices make touching neighbours overlap by about this much.
@@ -214,7 +214,7 @@ bool CoplanarSurfaces::anyOverlap(std::vector<Piece> a, std::vector<Piece> b) {
     std::erase_if(others, [&](const Piece* p) { return p->box.upper.x <= piece.box.lower.x + kNarrow; });
     for (const Piece* other : others) {
       if (!piece.box.meets(other->box, glm::dvec2(kNarrow))) continue;
-      work_ += 8;  // a pair of triangles costs as much as so many boxes
+      work_ += 8;  // a pair of triangles costs as much as this many boxes
       if (!isApart(piece.at, other->at) && !isApart(other->at, piece.at) && !isSame(piece.at, other->at))
         return true;
     }
@@ -233,7 +233,7 @@ bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& pla
   if (!planar) return false;
   bool met = isRemembered(mesh->geometryId), metNow = false;
   for (const PlanarMesh& other : planar_) {
-    // If both were already found to overlap others in this depth epoch, nothing new can be found.
+    // If this epoch already found both to overlap other meshes, comparing them adds nothing.
     if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == epoch_) continue;
     if (!overlap(other, *planar)) continue;
     found_ = found_ || !met || !isRemembered(other.mesh->geometryId);

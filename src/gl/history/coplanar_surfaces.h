@@ -1,6 +1,6 @@
-// Finds planar meshes of different draws that lie in one plane and overlap in the window. Which of them
-// OpenGL shows depends on their order and on how its rasteriser rounds the depths that it interpolates from
-// their vertices, so rays cannot tell: both are rasterised. Owned by Context, GL thread.
+// Finds planar meshes of different draws that lie in one plane and overlap in the window. OpenGL's result
+// depends on their order and on how its rasteriser rounds the depths that it interpolates between vertices,
+// which rays cannot reproduce. So both are rasterised. Owned by Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/history/depth_history.h"
@@ -17,7 +17,7 @@
 
 namespace gluray::gl {
 
-/// Where a draw puts its mesh.
+/// Where a draw places its mesh.
 struct SurfacePlace {
   uint32_t framebuffer = 0;
   glm::ivec4 viewport{0};
@@ -29,16 +29,18 @@ class CoplanarSurfaces {
  public:
   /// Whether `mesh`, which is about to be drawn and could be traced, is planar and overlaps another planar
   /// mesh of the depth epoch in its plane, or did so in one of the last hundred epochs. Equal triangles do
-  /// not count, as their depths are equal. Ignores meshes of more than kMaxTriangles, and all planar meshes
-  /// after the first kMaxPlanarMeshes of a depth epoch; those of earlier epochs make room for them.
+  /// not count, because their depths are equal. Ignores meshes of more than kMaxTriangles triangles. At most
+  /// kMaxPlanarMeshes planar meshes are compared in a depth epoch; meshes of earlier epochs are forgotten
+  /// first.
   bool meets(const scene::MeshPtr& mesh, const SurfacePlace& place);
   /// Whether, since the last call, a mesh drawn in this depth epoch was first found to overlap another.
   bool takeFound() { return std::exchange(found_, false); }
-  /// Depth was cleared: a new depth epoch begins. Meshes that the clear does not remove stay.
+  /// Reports that depth was cleared: a new depth epoch begins. It keeps the meshes that the clear does not
+  /// remove.
   void clear(const DepthClear& depth);
-  /// Buffers were swapped: a new depth epoch begins with nothing.
+  /// Reports a swap of buffers: a new, empty depth epoch begins.
   void clear();
-  /// A frame ended without a swap, which leaves its depth as it is.
+  /// Reports the end of a frame without a swap, which keeps depth.
   void shown() { endEpoch(); }
   bool empty() const { return planar_.empty(); }
   /// Work of this depth epoch: triangles read plus bounding boxes compared (a pair of triangles counts as 8).
@@ -46,7 +48,8 @@ class CoplanarSurfaces {
 
   static constexpr uint32_t kMaxTriangles = 4096;
   static constexpr size_t kMaxPlanarMeshes = 512;
-  /// Limit of work() in a depth epoch. Beyond it, planar meshes overlap if their bounds in one plane do.
+  /// Limit of work() in a depth epoch. Beyond it, planar meshes count as overlapping if their bounds in one
+  /// plane overlap.
   static constexpr uint64_t kMaxWork = 1 << 20;
 
  private:
@@ -59,30 +62,31 @@ class CoplanarSurfaces {
     glm::dmat3 clipFromPlane;  // clip x, y and w from (s, t, 1)
     glm::dvec2 lower, upper;   // its bounds, clipped to the viewport
     bool before = true;        // all of it is in front of the viewer
-    uint64_t epoch = 0;        // in which it was drawn
+    uint64_t epoch = 0;        // depth epoch in which it was drawn
   };
   struct Piece;
   struct Common;
 
   static std::optional<PlanarMesh> placed(const scene::MeshPtr& mesh, const SurfacePlace& place,
                                           const glm::dvec4& plane);
-  /// The triangles of `planar` that reach into `common`; `commonFromPlane` maps its (s, t, 1) to `common`'s.
+  /// The triangles of `planar` that reach into `common`; `commonFromPlane` maps its (s, t, 1) to the (s, t,
+  /// 1) of `common`.
   static std::vector<Piece> piecesOf(const PlanarMesh& planar, const glm::dmat3& commonFromPlane,
                                      const Common& common);
   bool overlap(const PlanarMesh& a, const PlanarMesh& b);
-  /// Whether some triangle of `a` overlaps one of `b` that is not equal to it. Sweep along x.
+  /// Whether a triangle of `a` overlaps a triangle of `b` that is not equal to it. Sweeps along x.
   bool anyOverlap(std::vector<Piece> a, std::vector<Piece> b);
-  /// The plane in which the mesh lies, object space; nullopt if it is not planar.
+  /// The plane of the mesh in object space; nullopt if it is not planar.
   const std::optional<glm::dvec4>& planeOf(const scene::Mesh& mesh);
   /// Ends the depth epoch if it had planar meshes.
   void endEpoch();
-  /// Whether another mesh may be kept: forgets those of earlier epochs if there are too many.
+  /// Whether another mesh may be added. Forgets meshes of earlier epochs if there are too many.
   bool hasRoom();
   void remember(const Hash128& geometry);
   bool isRemembered(const Hash128& geometry);
 
-  std::vector<PlanarMesh> planar_;  // not cleared yet
-  bool used_ = false;               // some were drawn in this depth epoch
+  std::vector<PlanarMesh> planar_;  // not removed by a clear yet
+  bool used_ = false;               // a planar mesh was drawn in this depth epoch
   bool found_ = false;
   uint64_t epoch_ = 0, work_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last depth epoch

@@ -152,7 +152,7 @@ scene::MeshPtr tile(glm::ivec2 at, double turned) {
   return test::meshOf(corners);
 }
 
-/// Draws 20x20 tiles, placed by their vertices or, with `ownMatrices`, as by glTranslatef.
+/// Draws 20x20 tiles, placed by their vertices or, if `ownMatrices`, by matrices as with glTranslatef.
 void drawTiles(CoplanarSurfaces& planar, double turned, bool ownMatrices) {
   const glm::mat4 mapFromTiles(glm::rotate(glm::dmat4(1), turned, glm::dvec3(0, 0, 1)));
   for (int y = -10; y < 10; ++y) {

@@ -21,7 +21,7 @@ bool DepthClear::removes(const DepthPlace& place) const {
 
 void DepthHistory::clear(const DepthClear& clear) {
   nextTurn();
-  // All surfaces that are still remembered were drawn after the old ones.
+  // All surfaces that are still remembered were drawn after these old clears.
   std::erase_if(cleared_, [&](const auto& one) { return one.second + kMaxTurns < turn_; });
   cleared_[clear.framebuffer] = turn_;
 }

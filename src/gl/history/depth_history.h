@@ -1,4 +1,4 @@
-// When and where surfaces were drawn, and which clears have removed their depth since. A part of
+// Records when and where surfaces were drawn, and which clears have removed their depth since. A part of
 // MultipassSurfaces and CoplanarSurfaces, GL thread.
 #pragma once
 #include "scene/snapshot.h"
@@ -19,28 +19,28 @@ struct DepthPlace {
   bool operator==(const DepthPlace&) const = default;
 };
 
-/// The one of a draw in the current state.
+/// The place of a draw in the current state.
 DepthPlace depthPlaceOf(ShadowState& shadow);
 
 /// A clear of all depths of `framebuffer` in `box`.
 struct DepthClear {
   uint32_t framebuffer = 0;
   scene::Region box;
-  /// Whether it clears all pixels that a surface drawn there can have.
+  /// Whether it clears all pixels that a surface drawn at `place` can have.
   bool removes(const DepthPlace& place) const;
 };
 
-/// A place, and the turn (DepthHistory) in which a surface was drawn into it.
+/// A place, and the turn (see DepthHistory) in which a surface was drawn there.
 struct DepthStamp {
   DepthPlace place;
   uint64_t turn = 0;
 };
 
-/// Counts turns, which end with clears of depth and where frames end without a swap, and keeps the last clear
-/// of each framebuffer.
+/// Counts turns, and records the last clear of each framebuffer. A turn ends with a clear of depth, or with a
+/// frame that ends without a swap.
 class DepthHistory {
  public:
-  /// Turns for which surfaces are remembered whose depth is not cleared.
+  /// Number of turns for which surfaces are remembered if their depth is not cleared.
   static constexpr uint64_t kMaxTurns = 256;
 
   DepthStamp stamp(const DepthPlace& place) const { return {place, turn_}; }
@@ -49,7 +49,7 @@ class DepthHistory {
   /// Forgets the clears.
   void forget() { cleared_.clear(); }
   /// Whether a surface that was drawn there may have left depth in `framebuffer`. Framebuffers may share
-  /// their depth, so that of another framebuffer counts unless `framebuffer` was cleared later.
+  /// their depth, so depth in another framebuffer counts unless `framebuffer` was cleared later.
   bool reaches(const DepthStamp& drawn, uint32_t framebuffer) const;
   bool isOld(const DepthStamp& drawn) const { return drawn.turn + kMaxTurns < turn_; }
 

@@ -9,7 +9,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Key in surfaces_ of what shader programs draw into a framebuffer.
+/// Key in surfaces_ of surfaces that shader programs draw into a framebuffer.
 Hash128 placeIn(uint32_t framebuffer) { return hashBytes(&framebuffer, sizeof framebuffer); }
 
 /// Key in unseen_.
@@ -25,8 +25,8 @@ glm::ivec4 uniteViewports(const glm::ivec4& a, const glm::ivec4& b) {
   return glm::ivec4(lower, upper - lower);
 }
 
-constexpr size_t kMaxKept = 65536;       // surfaces that are kept from frame to frame
-constexpr size_t kMaxAtOnce = 1u << 20;  // surfaces without an end of a frame or a clear
+constexpr size_t kMaxKept = 65536;       // surfaces that are kept across frames
+constexpr size_t kMaxAtOnce = 1u << 20;  // surfaces kept without a clear or the end of a frame
 
 }  // namespace
 
@@ -137,7 +137,7 @@ void MultipassSurfaces::forgetMany() {
   if (surfaces_.size() + sampled_.size() + unseenCounts_ > kMaxKept) clear();
 }
 
-/// For programs that neither clear depth nor end frames.
+/// Bounds memory for programs that neither clear depth nor end frames.
 void MultipassSurfaces::limit() {
   if (surfaces_.size() + sampled_.size() + unseenCounts_ + unsampledFixed_.size() >= kMaxAtOnce) clear();
 }
@@ -185,7 +185,7 @@ MultipassSurfaces::Meeting MultipassSurfaces::meets(const glm::dmat4& eyeFromObj
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     Surface& surface = it->second;
-    if (surface.pushedBack && !pushedBack) continue;  // the offset makes the later pass win in any case
+    if (surface.pushedBack && !pushedBack) continue;  // the offset lets the later pass win in any case
     if (!depths_.reaches(surface.at, framebuffer) || !liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
     meeting = meet(surface, meeting);

@@ -80,8 +80,7 @@ double nearestSeenW(const std::array<glm::dvec4, 3>& triangle) {
   return nearest;
 }
 
-/// Whether tests of rays against the mesh's triangles leave the range of floats: they multiply three of their
-/// distances.
+/// Whether ray-triangle tests of the mesh leave the range of floats: they multiply three distances.
 bool isBeyondFloats(const scene::Mesh& mesh) {
   constexpr double kLargest = 1e11, kSmallest = 1e-12;
   const glm::dvec3 lower(mesh.lower), upper(mesh.upper), reach = glm::max(glm::abs(lower), glm::abs(upper));
@@ -96,7 +95,7 @@ bool RayPrecision::isFarFromOrigin(const scene::Mesh& mesh, const glm::dmat4& cl
   constexpr double kFar = 8;  // half diagonals
   const Box box = placed(boxOf(mesh), objectFromMesh);
   if (!(glm::length(box.middle) > kFar * glm::length(box.half))) return false;
-  // A clip coordinate is a sum of products, each of which is rounded.
+  // A clip coordinate is a sum of products, and each product is rounded.
   const auto summed = [&](int row) {
     return glm::dot(glm::abs(rowOf(clipFromObject, row)), glm::abs(box.middle)) +
            std::abs(clipFromObject[3][row]);
@@ -110,12 +109,12 @@ bool RayPrecision::isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFro
                               glm::ivec2 viewport) {
   if (mesh.shape != scene::Shape::triangles || mesh.triangleCount == 0) return false;
   if (isBeyondFloats(mesh)) return true;
-  const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // pixels of error where w is 1
+  const double perSize = kRounding * pixelsAtOne(clipFromObject, viewport);  // error in pixels where w is 1
   const auto tooLarge = [&](double size, double w) { return !(perSize * size < kMaxPixels * w); };
   const double least = nearestW(boxOf(mesh), clipFromObject);
   if (!tooLarge(glm::length(glm::dvec3(mesh.upper) - glm::dvec3(mesh.lower)), least)) return false;
   for (const Large& large : largestOf(mesh)) {
-    if (!tooLarge(large.size, least)) return false;  // the rest are smaller
+    if (!tooLarge(large.size, least)) return false;  // the remaining ones are smaller
     std::array<glm::dvec4, 3> corners;
     for (uint32_t k = 0; k < 3; ++k)
       corners[k] = clipFromObject * glm::dvec4(mesh.position(mesh.corner(large.triangle, k)), 1);

@@ -1,5 +1,6 @@
-// Whether rays hit a mesh with sub-pixel accuracy. Ray-triangle tests use floats: if a triangle is much
-// larger than its visible part, the rounding errors of its corners reach pixels. Owned by Context, GL thread.
+// Whether rays hit a mesh with sub-pixel accuracy. Ray-triangle tests use single precision: if a triangle is
+// much larger than its visible part, the rounding errors of its corners amount to pixels. Owned by Context,
+// GL thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -15,14 +16,14 @@ namespace gluray::gl {
 class RayPrecision {
  public:
   /// Whether rays may see some triangle of `mesh` a tenth of a pixel or more away from where OpenGL draws it,
-  /// in a viewport of that size, or miss it because it is beyond the range of floats. Checks the kMaxExamined
+  /// in a viewport of that size, or miss it because it exceeds the range of floats. Checks the kMaxExamined
   /// largest triangles.
   bool isTooLarge(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport);
 
-  /// Whether the mesh is so far from the origin of its space that the roundings of single precision move it
-  /// by a tenth of a pixel or more: OpenGL transforms its vertices with such roundings, and rays meet them
-  /// with others. `objectFromMesh` places the mesh (an instance); `clipFromObject` is what the program
-  /// multiplies the placed vertices by.
+  /// Whether the mesh is so far from the origin of its space that single-precision rounding moves it by a
+  /// tenth of a pixel or more: OpenGL's transformation of its vertices and the ray tests round differently.
+  /// `objectFromMesh` places the mesh (an instance); `clipFromObject` is the matrix that the program applies
+  /// to the placed vertices.
   static bool isFarFromOrigin(const scene::Mesh& mesh, const glm::dmat4& clipFromObject, glm::ivec2 viewport,
                               const glm::dmat4& objectFromMesh = glm::dmat4(1));
 

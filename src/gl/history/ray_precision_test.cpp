@@ -46,7 +46,7 @@ TEST(RayPrecision, RoundingsOfFarVerticesShowInTheWindow) {
   EXPECT_FALSE(isFar(1e3, 1));
   for (const double far : {1e6, 4e6, 1e7}) EXPECT_TRUE(isFar(far, 1)) << far;
   EXPECT_FALSE(isFar(1e6, 1e-3)) << "a thousandth of the size has a thousandth of the error";
-  // A surface that reaches from its origin to there is judged by its size (isTooLarge).
+  // A surface that extends from its origin to there is judged by its size (isTooLarge).
   const scene::MeshPtr wide = test::meshOf({{0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e6f, 0}});
   EXPECT_FALSE(RayPrecision::isFarFromOrigin(*wide, kParallel, kRaysViewport));
 }

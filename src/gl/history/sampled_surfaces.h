@@ -1,6 +1,6 @@
-// Surfaces that the real OpenGL has drawn from fixed function's vertices in this depth epoch, by their
-// modelview matrix, as samples of their triangles: traced depth differs from theirs in the last bits. A part
-// of MultipassSurfaces, GL thread.
+// Surfaces that the real OpenGL has drawn from fixed function's vertices in this depth epoch, by modelview
+// matrix, as samples of their triangles. Traced depth differs from their depth in the last bits. A part of
+// MultipassSurfaces, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/capture/triangle_samples.h"
@@ -17,15 +17,15 @@
 
 namespace gluray::gl {
 
-/// Equal for equal matrices.
+/// Hash of a matrix; equal matrices have equal hashes.
 Hash128 hashOf(const glm::dmat4& matrix);
 
 class SampledSurfaces {
  public:
   void add(const glm::dmat4& eyeFromObject, std::vector<Triangle> triangles, const DepthStamp& at,
            bool pushedBack);
-  /// Whether `holds(stamp, triangles)` of one with this matrix, which was pushed back if `pushedBack`, and
-  /// whose box meets that of the mesh.
+  /// Whether `holds(stamp, triangles)` is true for a sample that has this matrix and this value of
+  /// `pushedBack`, and whose bounding box overlaps that of the mesh.
   template <class Holds>
   bool any(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, bool pushedBack,
            const Holds& holds) const {
@@ -40,7 +40,7 @@ class SampledSurfaces {
   }
   size_t size() const { return size_; }
   void clear() { groups_.clear(), size_ = 0; }
-  /// Forgets those of which `gone(stamp)`.
+  /// Forgets the samples for which `gone(stamp)` is true.
   template <class Gone>
   void eraseIf(const Gone& gone) {
     size_ = 0;
@@ -58,7 +58,7 @@ class SampledSurfaces {
     DepthStamp at;
     bool meetsBoxOf(const scene::Mesh& mesh) const;
   };
-  /// Of one matrix, one box for each sample.
+  /// The samples of one matrix, with one box each.
   struct Group {
     std::vector<Box> boxes;
     std::vector<std::vector<Triangle>> triangles;

@@ -1,5 +1,5 @@
 // History of draws that affects later draws: surfaces drawn in several passes, coplanar surfaces, triangles
-// too large for rays, the secondary scenes of batches, and their objects. A part of each Context, GL thread.
+// too large for rays, secondary scenes of batches, and objects. A part of each Context, GL thread.
 #pragma once
 #include "gl/history/coplanar_surfaces.h"
 #include "gl/history/multipass_surfaces.h"
@@ -16,7 +16,7 @@ struct SurfaceHistory {
   ViewScenes views;
   DrawnObjects objects;
 
-  /// The batch was traced, or surely will be.
+  /// Reports that the batch was traced, or surely will be.
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
     views.traced(key, snapshot);
     if (key.layers != BatchKey::Layers::visibility) objects.traced(key, snapshot);

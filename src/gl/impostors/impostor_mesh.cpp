@@ -9,7 +9,7 @@
 namespace gluray::gl {
 namespace {
 
-/// The elements of `range` as floats; empty if the array is off.
+/// The elements of `range` as floats; empty if the array is disabled.
 scene::Attribute copyOf(const ArrayReader& reader, Range range, uint32_t floats, size_t& sizeBytes) {
   if (!reader.enabled()) return {};
   constexpr scene::Format formats[] = {scene::Format::float1, scene::Format::float2, scene::Format::float3,

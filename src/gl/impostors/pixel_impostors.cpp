@@ -29,7 +29,7 @@ Reason readPointSize(ShadowState& shadow) {
   return Reason::traced;
 }
 
-/// Whether the depth that the program computes for them is that of round shapes under its projection.
+/// Whether the program's depth for impostors is that of round shapes under its projection.
 bool depthFits(const ProgramState& program) {
   const scene::Impostors& f = program.impostors;
   const glm::dmat4 rows = glm::transpose(program.clipFromObject);
@@ -37,14 +37,14 @@ bool depthFits(const ProgramState& program) {
   const bool parallel = w == glm::dvec3(0);
   if (parallel != f.parallelView || !(f.bulge >= 0 && f.bulge < 0.4f) || !(f.depthBias <= 0)) return false;
   if (parallel) return std::isfinite(f.bulgeDepth);
-  // The window depth at infinity, which the bulge must not change.
+  // The window depth at infinity: the bulge must not change it.
   constexpr double kRounding = 1e-4;
   const double end = 0.5 * (glm::dot(z, w) / glm::dot(w, w)) + 0.5;
   return std::abs(end - f.bulgeDepth) <= kRounding * std::abs(end);
 }
 
-/// Splats may be moved only by a depth bias towards the viewer: a billboard of constant depth has no slope
-/// for a polygon offset.
+/// Splats may be offset only by a depth bias towards the viewer. Their billboards have constant depth, so
+/// that a polygon offset would use no slope.
 Reason checkSplats(const ProgramState& program, const RasterState& raster) {
   const scene::Impostors& f = program.impostors;
   const glm::dmat4 rows = glm::transpose(program.clipFromObject);

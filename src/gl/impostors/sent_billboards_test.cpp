@@ -1,4 +1,4 @@
-// Which billboards are whole, and the meshes that draws of them become.
+// Which billboards are complete, and which meshes are built from them.
 #include "gl/impostors/sent_billboards.h"
 
 #include "gl/testing/test_match.h"

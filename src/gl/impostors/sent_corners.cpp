@@ -1,4 +1,4 @@
-// Which corners a billboard must have.
+// Checks which corners the triangles or quads of a billboard have.
 #include "gl/impostors/sent_billboards.h"
 
 #include <array>
@@ -11,8 +11,8 @@ struct Corners3 {
   uint8_t at[3];
 };
 
-/// +1 or -1: which way round the triangle goes, seen from the positive side of direction `b`. Its corners
-/// are three of a square in the two directions after `b`.
+/// Winding of the triangle, +1 or -1, seen from the positive side of direction `b`. Its corners are three of
+/// a square in the two directions after `b`.
 int turnOf(const Corners3& t, int b, int directions) {
   const int first = directions == 2 ? 0 : (b + 1) % 3, second = directions == 2 ? 1 : (b + 2) % 3;
   const auto x = [&](int k) { return t.at[k] >> first & 1; };
@@ -20,12 +20,13 @@ int turnOf(const Corners3& t, int b, int directions) {
   return (x(1) - x(0)) * (y(2) - y(0)) - (x(2) - x(0)) * (y(1) - y(0));
 }
 
-/// Both halves of a square, cut along a diagonal: what is known of them so far.
+/// The halves of a square, cut along a diagonal, that were found so far.
 struct Square {
   int halves = 0, turns = 0;
-  uint8_t missing = 0;  // of the first half
+  uint8_t missing = 0;  // the corner that the first half lacks
 
-  /// `all`: the four corners' xor is 0, so the xor of three is the fourth. `across`: bits of both directions.
+  /// The xor of a square's four corners is 0, so the xor of three corners is the fourth. `across`: bits of
+  /// both directions.
   bool add(const Corners3& t, int turn, uint8_t across) {
     const uint8_t fourth = t.at[0] ^ t.at[1] ^ t.at[2];
     if (turn == 0 || ++halves > 2) return false;

@@ -17,9 +17,9 @@
 namespace gluray::gl {
 namespace {
 
-constexpr size_t kMaxCorners = 36;  // of a box: two triangles for each side
+constexpr size_t kMaxCorners = 36;  // maximum corners of a box: two triangles for each side
 
-/// What all corners of a billboard have in common.
+/// Attributes that all corners of a billboard share.
 struct CornerValues {
   float position[4] = {0, 0, 0, 1}, radius[4] = {}, color[4] = {}, end[4] = {}, endColor[4] = {},
         caps[4] = {};
@@ -53,7 +53,7 @@ class Billboards {
     if (inPosition_) v.radius[0] = v.position[3], v.position[3] = 1;
     return v;
   }
-  /// Which corner a vertex is; beyond 7: none.
+  /// The corner of a vertex; above 7: invalid.
   uint8_t cornerOf(uint32_t vertex) const {
     float v[4] = {};
     readers_[kCorners].read(vertex, v);
@@ -67,7 +67,7 @@ class Billboards {
   std::array<ArrayReader, 7> readers_;
 };
 
-/// All vertex numbers of the draw; empty if one does not exist.
+/// All vertex numbers of the draw; empty if one of the vertices does not exist.
 std::vector<uint32_t> allNumbersOf(const RealGl& real, const ArrayState& arrays, const Elements& e,
                                    uint32_t available) {
   std::vector<uint32_t> numbers = vertexNumbers(real, arrays, e);
@@ -76,10 +76,10 @@ std::vector<uint32_t> allNumbersOf(const RealGl& real, const ArrayState& arrays,
   return whole ? numbers : std::vector<uint32_t>();
 }
 
-/// The corners of a billboard that starts at numbers[0], in the order of the draw.
+/// The corners of a billboard, in the order in which the draw sends them.
 using CornerPattern = std::array<uint8_t, kMaxCorners>;
 
-/// Reads one billboard. False unless all of its vertices agree and are the corners of `pattern`.
+/// Reads one billboard. Returns false unless all its vertices agree and follow `pattern`.
 bool readBillboard(const Billboards& from, std::span<const uint32_t> numbers, const CornerPattern& pattern,
                    CornerValues& values) {
   values = from.at(numbers[0]);
@@ -107,7 +107,7 @@ bool isStick(const CornerValues& v) {
          caps == std::floor(caps);
 }
 
-/// Bits of scene::StickEnd, for the first and the second end, from those of the attribute.
+/// Converts the attribute's bits to bits of scene::StickEnd for the first and the second end.
 void readCaps(const CornerValues& v, uint32_t (&ends)[2]) {
   const auto bits = static_cast<uint32_t>(v.caps[0]);
   for (uint32_t k = 0; k < 2; ++k)
@@ -115,7 +115,7 @@ void readCaps(const CornerValues& v, uint32_t (&ends)[2]) {
   if (!(bits >> 4 & 1)) ends[0] |= scene::kTwoHalves;
 }
 
-/// A mesh's arrays while it is filled.
+/// Arrays of a mesh under construction.
 struct MeshArrays {
   uint32_t perImpostor;
   std::shared_ptr<float[]> positions, radii, colors;
@@ -197,7 +197,7 @@ KnownMesh buildSentImpostors(const RealGl& real, const ArrayState& arrays, GLenu
 
 namespace {
 
-/// How far boxes about sticks reach along z, in eye space.
+/// Extent along z of the boxes around sticks, in eye space.
 struct ZRange {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   void add(double z, double reach) { low = std::min(low, z - reach), high = std::max(high, z + reach); }
@@ -216,7 +216,8 @@ bool showsSticks(const RealGl& real, const ProgramState& program, const scene::M
     all.add(z({corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
                corner & 4 ? mesh.upper.z : mesh.lower.z}),
             scale * double{mesh.radius});
-  // The program's depths are clamped, not discarded, beyond the far plane: a test for less refuses these.
+  // Beyond the far plane, the program clamps depths instead of discarding fragments; a GL_LESS test then
+  // fails.
   const glm::dmat4 clipFromEye = program.clipFromObject * glm::inverse(eye);
   const double farthest =
       (clipFromEye[2].z * all.low + clipFromEye[3].z) / (clipFromEye[2].w * all.low + clipFromEye[3].w);

@@ -1,6 +1,6 @@
 // Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038), with blending on or
-// without depth writes: those of fixed function, and those of shader programs that families describe. Colour
-// and depth beneath are read when the batch is presented.
+// without depth writes, drawn by fixed function or by shader programs that families describe. Colour and
+// depth below them are read when the batch is presented.
 #include "gl/basics/affine.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/real/errors.h"
@@ -15,7 +15,7 @@ namespace {
 
 /// The pixels of the snapshot's region that the bounds of the instance's mesh may cover.
 scene::Region reachedBy(const scene::Snapshot& s, const scene::Instance& instance) {
-  if (instance.mesh->shape != scene::Shape::triangles) return s.region;  // bounds are those of centres
+  if (instance.mesh->shape != scene::Shape::triangles) return s.region;  // bounds are those of the centres
   glm::dvec2 lower(INFINITY), upper(-INFINITY);
   for (const glm::dvec4& clip : boundsInClip(*instance.mesh, s.camera.clipFromEye * instance.eyeFromObject)) {
     if (!(clip.w > 0)) return s.region;  // behind the viewer

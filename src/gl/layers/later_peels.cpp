@@ -1,6 +1,6 @@
-// Peels after the first one, whose layers are traced already. They are held back until the program has drawn
-// enough peels to show all layers. The occlusion queries by which it decides when to stop count the pixels
-// that the peels would have written.
+// Peels after the first one, whose layers are already traced. They are held back until the program has drawn
+// enough peels to show all layers. The program decides when to stop by occlusion queries; these count the
+// pixels that the peels would have written.
 #include "gl/batch/clears.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_limits.h"
@@ -17,7 +17,7 @@
 namespace gluray::gl {
 namespace {
 
-/// The texture among the first peel's three outputs that takes farthest layers; 0: its outputs are others.
+/// The one of the first peel's three outputs that receives farthest layers; 0 if the peel has other outputs.
 GLuint behindOf(const LayersTarget& target) {
   if (target.surfaces.outputs.size() != 3) return 0;
   GLuint behind = 0, others = 0;
@@ -30,7 +30,8 @@ GLuint behindOf(const LayersTarget& target) {
   return others == 2 ? behind : 0;
 }
 
-/// Whether draws blend over the framebuffer: premultiplied alpha, all channels, no depth or stencil test.
+/// Whether draws blend over the framebuffer with premultiplied alpha in all channels, without depth or
+/// stencil test.
 bool putsOver(const RealGl& real, const RareState& has) {
   const auto is = [&](GLenum name, GLint value) { return integer(real, name) == value; };
   return isOn(real, GL_BLEND) && !isOn(real, GL_DEPTH_TEST) && !isOn(real, GL_STENCIL_TEST) &&
@@ -40,7 +41,7 @@ bool putsOver(const RealGl& real, const RareState& has) {
          clearsInFull(real, has, GL_COLOR_BUFFER_BIT);
 }
 
-/// Whether a draw by a program without family can be kept: all its arrays are in buffers.
+/// Whether a draw by a program without a family can be kept, because all its arrays are in buffers.
 bool isInBuffers(const ArrayState& arrays, const Elements& elements) {
   const bool known = arrays.reason == Reason::traced || arrays.reason == Reason::arrayState;
   return known && !elements.type && !arrays.vertex.enabled &&
@@ -48,7 +49,7 @@ bool isInBuffers(const ArrayState& arrays, const Elements& elements) {
                      [](const ArraySource& source) { return source.buffer != nullptr; });
 }
 
-/// The outputs of the newest peel, be it the first or a later one.
+/// The outputs of the newest peel, which may be the first one.
 const std::vector<HeldPass::Output>& newestOutputs(const LayersTarget& target) {
   const auto isPeel = [](const HeldPass& pass) {
     return !pass.clear && pass.blend == HeldPass::Blend::largest;
@@ -76,8 +77,8 @@ void LayerDraws::ask(PresentResult& result) {
   peeling_.blended = false;
 }
 
-/// Whether the current draw belongs to the first peel, a part of which was traced early because the program
-/// linked a shader program in between.
+/// Whether the current draw belongs to the first peel, and a part of that peel was traced early because the
+/// program linked a shader program in between.
 bool LayerDraws::joinsFirstPeel() const {
   const ProgramState& program = p_.shadow.program();
   if (!peeling_.target.later.empty() || p_.shadow.activeQueries > 0 ||
@@ -138,7 +139,7 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
   return true;
 }
 
-/// Holds back the counted draw that blends a peel's farthest layers over those of earlier peels.
+/// Holds back the draw, counted by a query, that blends a peel's farthest layers over those of earlier peels.
 bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   const auto pixels = surelyWritten(peeling_.counts, peeling_.peel);
   if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED ||
@@ -160,7 +161,7 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
   return true;
 }
 
-/// Whether the current draw blends the layers that the newest peel has left over its farthest layers.
+/// Whether the current draw blends the layers that remain after the newest peel over its farthest layers.
 bool LayerDraws::blendsRest() const {
   const ProgramState& program = p_.shadow.program();
   if (!peeling_.blended || p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
@@ -181,8 +182,8 @@ bool LayerDraws::drawsNothing() {
   return peeling_.emptied != 0;
 }
 
-/// Traces the waiting image again as of `peels` peels (scene::Layers::peels). False if that fails; then
-/// nothing waits any more.
+/// Traces the waiting image again, as `peels` peels would show it (scene::Layers::peels). If that fails,
+/// returns false, and nothing waits any more.
 bool LayerDraws::traceAgain(uint32_t peels) {
   if (peeling_.layers->peels == peels) return true;
   auto layers = std::make_shared<scene::Layers>(*peeling_.layers);
@@ -224,14 +225,14 @@ void LayerDraws::queryBegins(GLenum target, GLuint name) {
   if (p_.shadow.activeQueries > 0) return giveUp();
   peeling_.query = target, peeling_.queryName = name;
   if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size())) {
-    // The image was traced for fewer peels: trace it with all of them.
+    // The image was traced for fewer peels than the program has drawn: trace all layers.
     if (peeling_.layers->peels >= peeling_.peel || traceAgain(0)) showWaiting();
   } else if (!surelyWritten(peeling_.counts, peeling_.peel))
     giveUp();
 }
 
-/// Shows the waiting image: the program has drawn enough peels to show all layers, or is about to draw the
-/// remaining ones. False: the real OpenGL drew everything.
+/// Shows the waiting image, because the program has drawn enough peels to show all layers, or is about to
+/// draw the remaining ones. Returns false if the real OpenGL drew everything.
 bool LayerDraws::showWaiting() {
   peeling_.stage = Peeling::Stage::none;
   p_.cleared.forget();

@@ -14,9 +14,9 @@ namespace gluray::gl {
 
 struct Elements;
 
-/// The pass that the shader program's family is for, and the kind of layers that it draws; `none` where it
-/// has none.
+/// The pass that the shader program's family describes; `none` if there is none.
 Family::Pass passOf(const ProgramState& program);
+/// The kind of layers that the program draws in this pass; `none` if there is none.
 BatchKey::Layers layersOf(const ProgramState& program);
 
 class LayerDraws {
@@ -32,61 +32,63 @@ class LayerDraws {
   };
   explicit LayerDraws(const Parts& parts) : p_(parts) {}
 
-  /// Why a surface of the current shader program cannot be traced in the first peel, or Reason::traced. Any
-  /// later rasterised draw makes us give up (meetRasterDraw()).
+  /// Why a surface of the current shader program cannot be traced in the first peel, or Reason::traced. After
+  /// any later rasterised draw, nothing is held back any more (meetRasterDraw()).
   Reason classifyPeel(PrimitiveClass kind);
-  /// The same for surfaces that are summed.
+  /// The same for layers that are summed.
   Reason classifySum(PrimitiveClass kind);
-  /// Holds back a draw of the depth pass before the first peel. False: not held; draw it.
+  /// Holds back a draw of the depth pass before the first peel. Returns false if the draw must be made
+  /// instead.
   bool holdDepths(GLenum mode, const Elements& elements, uint64_t triangles);
   /// Begins a batch of layers, whose first surface has this modelview matrix, or reopens the pending or
-  /// traced one. False: another key, or no depth to read.
+  /// traced one. Returns false if it has another key, or no depth can be read.
   bool start(const BatchKey& key, const glm::dmat4& modelview);
 
   /// Whether draws are held back, or more surfaces may join those traced.
   bool pending() const { return peeling_.stage != Peeling::Stage::none; }
-  /// Whether draws need not ask about layers.
+  /// Whether draws need not consider layers.
   bool idle() const { return !pending() && !peeling_.emptied; }
   bool holdsDepths() const { return peeling_.stage == Peeling::Stage::depths; }
-  /// Whether traced layers wait until we know how many peels the program draws. Its clears and draws are held
-  /// back meanwhile.
+  /// Whether traced layers wait until the number of the program's peels is known. Meanwhile the program's
+  /// clears and draws are held back.
   bool asks() const { return peeling_.stage == Peeling::Stage::peels; }
-  /// Whether something is held back that a flush draws.
+  /// Whether anything is held back that a flush must draw.
   bool holdsBack() const { return holdsDepths() || asks(); }
-  /// While asks(): holds back a draw of a later peel, or the counted draw that blends its farthest layers.
-  /// False: nothing is held any more; draw or trace it.
+  /// While asks(): holds back a draw of a later peel, or the draw, counted by a query, that blends the peel's
+  /// farthest layers. Returns false if nothing is held back any more, and the draw must be made or traced.
   bool holdLater(GLenum mode, const Elements& elements);
-  /// After such an image was shown: whether the draw would blend remaining layers, of which none is left.
+  /// After such an image was shown: whether the draw would only blend remaining layers, and none remain.
   bool drawsNothing();
-  /// While asks(): holds back a clear. False: not held; clear.
+  /// While asks(): holds back a clear. Returns false if the clear must be made.
   bool clearsLater(GLbitfield mask) noexcept;
   /// Call before glBeginQuery.
   void queryBegins(GLenum target, GLuint name);
-  /// Key of the layers that were traced already; null if there are none.
+  /// Key of the layers that were already traced; null if there are none.
   const BatchKey* tracedKey() const { return peeling_.traced ? &peeling_.tracedKey : nullptr; }
-  /// Whether the batch holds more than surfaces with transparent textures, such as labels. A batch of those
-  /// alone is rasterised, so that they stay sharp.
+  /// Whether the batch contains more than surfaces with transparent textures, such as labels. A batch of
+  /// labels alone is rasterised, so that they stay sharp.
   bool haveSurfaces() const;
   /// Traces the batch's layers into the program's textures.
   PresentResult present(const scene::SnapshotPtr& snapshot, const BatchKey& key);
-  /// Has the real OpenGL draw all that was held back.
+  /// Makes the real OpenGL draw everything that was held back.
   void giveUp();
 
   /// Whether surfaces that are not opaque, or write no depth, can now be traced as layers that are blended in
-  /// the order of drawing.
+  /// drawing order.
   bool mayBeDrawn() const;
-  /// Whether such a surface of `triangles` triangles, about to be drawn, is left to the real OpenGL because
-  /// that is faster.
+  /// Whether the real OpenGL draws such a surface of `triangles` triangles, because that is faster.
   bool leavesDrawn(uint64_t triangles);
   /// Sets the fields of `key` that such surfaces need.
   void describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const;
-  /// Call before such a batch is taken: reads the colour and depth beneath it. False if they cannot be read.
+  /// Call before such a batch is taken: reads the colour and depth below it. Returns false if they cannot be
+  /// read.
   bool readUnder();
 
-  /// Call before a rasterised draw; a clear of the draw framebuffer; a shader program's relinking or
-  /// deletion.
+  /// Call before a rasterised draw.
   void meetRasterDraw();
+  /// Call before a clear of the draw framebuffer.
   void clearing();
+  /// Call before a shader program is linked again or deleted.
   void programChanges(GLuint program) noexcept;
 
  private:
@@ -104,17 +106,17 @@ class LayerDraws {
   bool showWaiting();
   void end();
   void countHeld();
-  Reason classifySeenThrough(PrimitiveClass kind);  // the common part of classifyPeel() and classifySum()
+  Reason classifySeenThrough(PrimitiveClass kind);  // the common part of both
 
   Peeling peeling_;
-  /// A frame's surfaces that could be blended in drawing order, traced or not.
+  /// The surfaces of a frame that could be blended in drawing order, traced or not.
   struct Drawn {
     uint64_t triangles = 0;
     uint64_t runs = 0;  // sequences of consecutive such draws with equal blending
   };
-  Drawn drawn_, lastDrawn_;  // of this frame and of the one before
+  Drawn drawn_, lastDrawn_;  // of this frame and of the previous one
   uint64_t frame_ = 0;       // frame number of drawn_
-  uint64_t drawnLast_ = 0;   // draw number of the newest such draw
+  uint64_t drawnLast_ = 0;   // number of the last such draw
   scene::Blending drawnBy_;
   Parts p_;
 };

@@ -1,4 +1,4 @@
-// The depth pass and the first peel of dual depth peeling, and the common parts of all layers.
+// The depth pass and the first peel of dual depth peeling, and the functions that all layers share.
 #include "gl/layers/layer_draws.h"
 #include "gl/layers/peel_outputs.h"
 #include "gl/programs/uniforms.h"
@@ -36,7 +36,7 @@ bool LayerDraws::start(const BatchKey& key, const glm::dmat4& modelview) {
   return key.layers == BatchKey::Layers::peeled ? startPeeled(key, modelview) : startSums(key, modelview);
 }
 
-/// Whether draws now fill a framebuffer object of the viewport's size and keep the largest values (GL_MAX).
+/// Whether draws now fill a framebuffer object of the viewport's size and keep the maximum (GL_MAX).
 bool LayerDraws::peelsIntoAll() const {
   const bool open =
       !p_.shadow.raster().scissorTest || p_.shadow.viewport().scissor == p_.shadow.viewport().box;
@@ -99,7 +99,7 @@ bool LayerDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t tria
 }
 
 Reason LayerDraws::classifySeenThrough(PrimitiveClass kind) {
-  // The program's reason tells the user more than the kind of primitive.
+  // The program's reason is more useful to the user than the kind of primitive.
   if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   if (kind == PrimitiveClass::points) return Reason::points;
   if (kind == PrimitiveClass::lines) return Reason::lines;
@@ -120,7 +120,7 @@ Reason LayerDraws::classifyPeel(PrimitiveClass kind) {
   if (!peelsIntoAll() || p_.shadow.viewport().box != peeling_.target.depths.viewport)
     return Reason::programPass;
   LayersTarget& target = peeling_.target;
-  // Labels turn with the viewer: they would be new meshes in every frame.
+  // Labels face the viewer: they would be new meshes in every frame.
   const auto isQuad = [](const ProgramDraw& draw) {
     return draw.mode != GL_POINTS && trianglesOf(draw) <= 2;  // points may be impostors
   };
@@ -189,7 +189,7 @@ void LayerDraws::end() {
   peeling_.traced.reset();
 }
 
-/// Counts the held draws as rasterised: the real OpenGL drew them.
+/// Counts the held draws, which the real OpenGL has drawn, as rasterised.
 void LayerDraws::countHeld() {
   const auto count = [&](const HeldPass& pass) {
     for (const ProgramDraw& draw : pass.draws)
@@ -203,7 +203,8 @@ void LayerDraws::countHeld() {
 void LayerDraws::giveUp() {
   if (peeling_.stage == Peeling::Stage::none) return;
   p_.cleared.forget();
-  // The program's query must not count these draws. It has counted nothing yet: end it and begin it again.
+  // The program's query must not count these draws. It has not counted anything yet: end it and begin it
+  // again.
   const bool counts = asks() && p_.shadow.activeQueries > 0;
   if (counts) p_.shadow.real.EndQuery(peeling_.query);
   peeling_.stage = Peeling::Stage::none;
@@ -231,7 +232,7 @@ void LayerDraws::giveUp() {
 void LayerDraws::meetRasterDraw() {
   bool meets = peeling_.stage == Peeling::Stage::depths || asks() ||
                (!p_.pending.batch.empty() && p_.pending.batch.key().layers == BatchKey::Layers::peeled);
-  // Once the layers are traced, we give up only for a draw into their result texture.
+  // Once the layers are traced, only a draw into their result texture ends the peeling.
   if (!meets)
     for (const HeldPass::Output& output : outputsOf(p_.shadow))
       meets |= output.texture == peeling_.target.result;

@@ -4,7 +4,7 @@ namespace gluray::gl {
 namespace {
 
 constexpr uint64_t kSilhouettes = 32;  // pixels in which rays and rasterisers may disagree
-constexpr uint64_t kSeen = 1000;       // one pixel in so many may lack layers
+constexpr uint64_t kSeen = 1000;       // at most one in so many pixels may lack layers
 
 }  // namespace
 

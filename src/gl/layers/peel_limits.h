@@ -8,15 +8,16 @@
 
 namespace gluray::gl {
 
-/// Number of pixels of farthest layers that peel number `peel`, from 1, writes. The first peel finds the
-/// opaque depth in place of a farthest layer; a layer that is both nearest and farthest counts as nearest.
+/// Number of pixels whose farthest layer is written by peel number `peel`, counted from 1. The first peel
+/// finds the opaque depth instead of a farthest layer. A layer that is both nearest and farthest counts as
+/// nearest.
 uint64_t writtenBehind(const LayerCounts& layers, uint32_t peel);
 
-/// writtenBehind(), or nullopt where it is so small that rounding at silhouettes could make it 0.
+/// writtenBehind(), or nullopt if that number is so small that rounding at silhouettes could make it 0.
 std::optional<uint64_t> surelyWritten(const LayerCounts& layers, uint32_t peel);
 
-/// Whether `peels` peels show all layers of an image of `pixels` pixels. Ignores a thousandth of them, where
-/// silhouettes may differ.
+/// Whether `peels` peels show all layers of an image of `pixels` pixels. Ignores one pixel in a thousand,
+/// because silhouettes may differ.
 bool showsAll(uint32_t peels, const LayerCounts& layers, uint64_t pixels);
 
 }  // namespace gluray::gl

@@ -7,14 +7,14 @@ namespace {
 
 constexpr uint64_t kPixels = 100'000;
 
-/// `pixels` pixels with `n` layers and nothing opaque behind them.
+/// `pixels` pixels with `n` layers and nothing opaque behind.
 LayerCounts open(size_t n, uint32_t pixels) {
   LayerCounts counts;
   counts.open[n] = pixels;
   return counts;
 }
 
-/// `pixels` pixels with `n` layers before something opaque.
+/// `pixels` pixels with `n` layers in front of something opaque.
 LayerCounts before(size_t n, uint32_t pixels) {
   LayerCounts counts;
   counts.before[n] = pixels;

@@ -1,5 +1,6 @@
 // Transparent surfaces that are summed without order (weighted blending, scene::Layers::Of::sums). Nothing is
-// held back: the traced sums are added to the framebuffer's, and rasterised draws may come before and after.
+// held back: the traced sums are added to those in the framebuffer, and rasterised draws may come before and
+// after.
 #include "gl/layers/layer_draws.h"
 #include "gl/real/buffer_bits.h"
 #include "gl/real/state_queries.h"

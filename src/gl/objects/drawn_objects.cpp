@@ -7,7 +7,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether a clear of `box` leaves little of what was drawn: sizes of windows change between frames.
+/// Whether a clear of `box` removes most of `drawn`: window sizes change between frames.
 bool coversMost(const scene::Region& box, const scene::Region& drawn) {
   const int width = std::min(box.x + box.width, drawn.x + drawn.width) - std::max(box.x, drawn.x),
             height = std::min(box.y + box.height, drawn.y + drawn.height) - std::max(box.y, drawn.y);
@@ -44,7 +44,7 @@ void DrawnObjects::number(const BatchKey& key, scene::Snapshot& batch) noexcept 
     if (numbers_->fresh()) firstFramebuffer_ = key.framebuffer, firstRegion_ = batch.region;
     frame_ = batch.frame, ended_ = false;
     numbers_->number(key, batch);
-  } catch (const std::exception&) { numbers_.reset(); }  // out of memory: numbers begin anew
+  } catch (const std::exception&) { numbers_.reset(); }  // out of memory: numbering starts over
 }
 
 void DrawnObjects::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept {
@@ -70,7 +70,7 @@ void DrawnObjects::placed(const std::vector<glm::ivec4>& places) {
 void DrawnObjects::publish(uint64_t frame) noexcept {
   try {
     shownFrames().show(this, std::make_shared<const ShownFrame>(ShownFrame{frame, batches_, places_}));
-  } catch (const std::exception&) {}  // the next one is shown
+  } catch (const std::exception&) {}  // the next frame is shown
 }
 
 void DrawnObjects::shown(uint64_t frame) noexcept {

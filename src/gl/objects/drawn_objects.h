@@ -1,4 +1,4 @@
-// The objects that a context draws: numbers its surfaces, and keeps what it has drawn for ShownFrames. Does
+// The objects that a context draws: numbers its surfaces, and stores what it has drawn in ShownFrames. Does
 // nothing until the first request, or until settings name objects; from then on surfaces keep their numbers.
 // A part of each Context, GL thread.
 #pragma once
@@ -20,24 +20,26 @@ class DrawnObjects {
   DrawnObjects(const DrawnObjects&) = delete;
   DrawnObjects& operator=(const DrawnObjects&) = delete;
 
-  /// Call when a frame begins: looks whether somebody asks for what is drawn. While it is so, the ray tracer
+  /// Call when a frame begins: checks whether drawn objects are requested. While they are, the ray tracer
   /// draws all frames. Returns whether that has changed.
   bool checkAsked() noexcept;
   bool asked() const { return asked_; }
 
   /// Numbers the surfaces of a batch that is about to be traced.
   void number(const BatchKey& key, scene::Snapshot& batch) noexcept;
-  /// The batch was traced, or surely will be.
+  /// Reports that the batch was traced, or surely will be.
   void traced(const BatchKey& key, const scene::SnapshotPtr& snapshot) noexcept;
-  /// The real OpenGL draws an image into the window that may fill these rectangles (shown_places.h).
+  /// Reports that the real OpenGL draws an image into the window that may fill these rectangles
+  /// (shown_places.h).
   void placed(const std::vector<glm::ivec4>& places);
-  /// A frame of a context that never swaps is over: another context has swapped.
+  /// Reports the end of a frame of a context that never swaps: another context has swapped.
   void endFrame() noexcept { ended_ = true; }
-  /// Colours of the framebuffer were cleared in `box`.
+  /// Reports that the framebuffer's colours were cleared in `box`.
   void colorCleared(uint32_t framebuffer, const scene::Region& box) noexcept;
-  /// A frame was shown; `frame`: as SettingsSource counts. The window's content is undefined.
+  /// Reports that a frame was shown, and that the window's contents are now undefined. `frame`: its number in
+  /// SettingsSource.
   void shown(uint64_t frame) noexcept;
-  /// Whether clears matter.
+  /// Whether calls of colorCleared() have no effect.
   bool empty() const { return !numbers_ && batches_.empty(); }
 
  private:
@@ -46,15 +48,15 @@ class DrawnObjects {
   void forget() noexcept;
 
   bool asked_ = false;
-  bool swaps_ = false;  // frames are shown; otherwise each batch is a frame so far
+  bool swaps_ = false;  // frames are shown; until then, each batch counts as a frame
   std::unique_ptr<ObjectNumbers> numbers_;
-  // Of the frame whose surfaces were numbered last: Snapshot::frame, and where its first batch was drawn.
+  // The frame whose surfaces were numbered last: Snapshot::frame, and where its first batch was drawn.
   uint64_t frame_ = 0;
   uint32_t firstFramebuffer_ = 0;
   scene::Region firstRegion_;
-  bool ended_ = false;               // that was cleared, or endFrame() was called
+  bool ended_ = false;               // the first batch's place was cleared, or endFrame() was called
   std::vector<ShownBatch> batches_;  // what framebuffers show now
-  std::vector<glm::ivec4> places_;   // of this frame
+  std::vector<glm::ivec4> places_;   // of the current frame
 };
 
 }  // namespace gluray::gl

@@ -12,7 +12,7 @@ using TraitsList = std::vector<const ObjectTraits*>;
 /// The longest common subsequence, weighted by likeness.
 std::vector<size_t> alignBest(const TraitsList& before, const TraitsList& now) {
   const size_t columns = before.size() + 1;
-  std::vector<double> best((now.size() + 1) * columns, 0);  // of what follows
+  std::vector<double> best((now.size() + 1) * columns, 0);  // sum for the rest of both lists
   for (size_t i = now.size(); i-- > 0;)
     for (size_t k = before.size(); k-- > 0;) {
       const double alike = likeness(*before[k], *now[i]);

@@ -1,5 +1,5 @@
-// Matches surfaces of a frame with surfaces of the previous frame if their geometry has changed, as in a new
-// time step, by their position in the drawing order. Any thread.
+// Matches surfaces of a frame with surfaces of the previous frame by their position in the drawing order, if
+// their geometry has changed, as in a new time step. Any thread.
 #pragma once
 #include "base/hash.h"
 #include "scene/mesh.h"
@@ -10,22 +10,23 @@
 
 namespace gluray::gl {
 
-/// What is remembered of a surface.
+/// Properties of a surface that are remembered for the next frame.
 struct ObjectTraits {
   Hash128 geometry;
   scene::Shape shape = scene::Shape::triangles;
   uint32_t triangles = 0;
-  uint64_t look = 0;  // hash of its material and of which attributes its vertices have
+  uint64_t look = 0;  // hash of its material and of the set of vertex attributes
 };
 
-/// How much a surface is like an earlier one: 0 (it cannot be the same) to 1.
+/// Similarity of a surface and an earlier one, from 0 (cannot be the same) to 1.
 double likeness(const ObjectTraits& earlier, const ObjectTraits& now);
 
 inline constexpr size_t kNoObject = static_cast<size_t>(-1);
 
-/// For each surface of `now` the index of the one of `before` that it is, or kNoObject. Keeps the order of
-/// both. Lists of one length whose surfaces can be the same one by one are the same; of others the assignment
-/// has the largest sum of likenesses, unless they are so long that they are compared one by one.
+/// For each surface of `now`, the index of the matching surface of `before`, or kNoObject. Keeps the order of
+/// both. If both lists have the same length and all pairs of equal index can match, these pairs match.
+/// Otherwise the assignment has the largest sum of likenesses, unless the lists are too long to compare all
+/// pairs.
 std::vector<size_t> alignObjects(const std::vector<const ObjectTraits*>& before,
                                  const std::vector<const ObjectTraits*>& now);
 

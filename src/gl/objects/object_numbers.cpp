@@ -46,13 +46,13 @@ bool areAtOnePlace(const glm::mat4& a, const glm::mat4& b) {
 
 }  // namespace
 
-/// A batch while it is numbered.
+/// A batch while its surfaces are numbered.
 struct ObjectNumbers::Batch {
   scene::Snapshot& snapshot;
   View& view;
   size_t viewIndex;
-  std::vector<size_t> known;  // by instance: index of last_, or kNoObject
-  std::vector<bool> again;    // an instance before it is the same surface
+  std::vector<size_t> known;  // by instance: index in last_, or kNoObject
+  std::vector<bool> again;    // an earlier instance is the same surface
   scene::Instance& at(size_t i) { return snapshot.instances[i]; }
   bool open(size_t i) { return at(i).object.value == 0 && !again[i]; }
 };
@@ -71,8 +71,8 @@ void ObjectNumbers::beginFrame() {
   for (size_t i = 0; i < last_.size(); ++i) lastAt_.emplace(last_[i].traits.geometry, i);
 }
 
-/// The view's index in this frame: passes that draw into framebuffers of their own belong to the view that
-/// they have the size and the camera of.
+/// The view's index in this frame. Passes into framebuffers of their own belong to the view of equal size and
+/// camera.
 size_t ObjectNumbers::viewOf(const BatchKey& key, const scene::Snapshot& batch) {
   const double distance = glm::length(glm::dvec3(batch.eyeFromWorld[3]));
   for (size_t i = 0; i < views_.size(); ++i) {
@@ -90,7 +90,7 @@ size_t ObjectNumbers::viewOf(const BatchKey& key, const scene::Snapshot& batch) 
   return views_.size() - 1;
 }
 
-/// Framebuffers and windows change their names and sizes: then the order of drawing decides.
+/// Framebuffers and windows may change names and sizes: then the drawing order decides.
 size_t ObjectNumbers::lastViewOf(const View& view) const {
   const auto isFree = [&](size_t i) {
     return std::none_of(views_.begin(), views_.end() - 1, [&](const View& v) { return v.last == i; });
@@ -151,7 +151,7 @@ void ObjectNumbers::takeByGeometry(Batch& batch) {
   }
 }
 
-/// Those of the instances that are where one of the candidates was.
+/// Pairs of an instance and a candidate at the same place.
 std::vector<ObjectNumbers::Pair> ObjectNumbers::atOnePlace(Batch& batch, const std::vector<size_t>& instances,
                                                            std::vector<size_t> candidates,
                                                            glm::mat4 Known::*space) const {
@@ -168,8 +168,8 @@ std::vector<ObjectNumbers::Pair> ObjectNumbers::atOnePlace(Batch& batch, const s
   return pairs;
 }
 
-/// Takes surfaces of equal geometry that are where they were out of both lists. The camera may have moved, or
-/// the batch may begin with another surface.
+/// Matches surfaces of equal geometry that have not moved, and removes them from both lists. The camera may
+/// have moved, or the batch may begin with another surface.
 void ObjectNumbers::takeByPlace(Batch& batch, std::vector<size_t>& instances,
                                 std::vector<size_t>& candidates) {
   if (candidates.empty() || instances.size() * candidates.size() > kMaxComparedPlaces) return;
@@ -196,7 +196,7 @@ void ObjectNumbers::takeGone(Batch& batch) {
   }
 }
 
-/// Fills the gaps between surfaces that are known.
+/// Matches the surfaces between matched ones.
 void ObjectNumbers::takeByOrder(Batch& batch) {
   size_t begin = 0, first = batch.view.next;
   for (size_t i = 0; i <= batch.known.size(); ++i) {
@@ -211,8 +211,8 @@ void ObjectNumbers::takeByOrder(Batch& batch) {
     if (known != kNoObject) batch.view.next = std::max(batch.view.next, known + 1);
 }
 
-/// Instances [begin, end) lie between the known surfaces first - 1 and last. What the last frame drew in
-/// other batches is left to those.
+/// Instances [begin, end) lie between the matched surfaces first - 1 and last. Surfaces that the last frame
+/// drew in other batches are not considered.
 void ObjectNumbers::alignGap(Batch& batch, size_t begin, size_t end, size_t first, size_t last) {
   std::vector<size_t> before, now;
   for (size_t k = first; k < last; ++k)
@@ -231,7 +231,7 @@ void ObjectNumbers::alignGap(Batch& batch, size_t begin, size_t end, size_t firs
     if (found[i] != kNoObject) takeNumber(batch, now[i], before[found[i]]);
 }
 
-/// New objects get new numbers; all are remembered for the next frame.
+/// Gives new objects new numbers, and remembers all surfaces for the next frame.
 void ObjectNumbers::finish(Batch& batch) {
   for (scene::Instance& instance : batch.snapshot.instances) {
     const Hash128 place = placeInEye(instance);

@@ -1,4 +1,4 @@
-// Surfaces keep their numbers from frame to frame.
+// Surfaces keep their numbers across frames.
 #include "gl/objects/object_numbers.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -10,7 +10,7 @@
 namespace gluray::gl {
 namespace {
 
-/// A surface of the program: its geometry, where it is, and its colour.
+/// A surface of the program: its geometry, position and colour.
 struct Thing {
   uint64_t geometry = 1;
   double x = 0;
@@ -27,7 +27,7 @@ class ObjectNumbersTest : public testing::Test {
     key.framebuffer = framebuffer, key.viewport = viewport;
     return key;
   }
-  /// The numbers of a batch's surfaces; the camera is where `camera_` says.
+  /// The numbers of a batch's surfaces, drawn with the camera `camera_`.
   SurfaceNumbers draw(const Things& things, const BatchKey& key = keyOf(0)) {
     scene::Snapshot s;
     s.camera.clipFromEye = projection_;
@@ -38,7 +38,7 @@ class ObjectNumbersTest : public testing::Test {
       mesh->triangleCount = thing.triangles;
       scene::Instance& instance = s.instances.emplace_back();
       instance.mesh = mesh;
-      instance.worldFromObject[3][0] = static_cast<float>(thing.x - things.front().x);  // as batches have it
+      instance.worldFromObject[3][0] = static_cast<float>(thing.x - things.front().x);  // as in batches
       instance.eyeFromObject = camera_ * glm::translate(glm::dmat4(1), {thing.x, 0, 0});
       instance.materials.resize(1);
       instance.materials[0].front.diffuse.r = thing.red;

@@ -27,7 +27,7 @@ void ShownFrames::show(const void* context, ShownFramePtr frame) noexcept {
       entries_.push_back({context, nullptr, nullptr});
     else
       std::rotate(known, known + 1, entries_.end());
-  } catch (const std::exception&) { return; }  // it is asked for again
+  } catch (const std::exception&) { return; }  // out of memory: this frame is not stored
   entries_.back().frame.swap(frame);
   // A swap shows what other contexts have drawn.
   if (entries_.back().frame->frame == 0) return;

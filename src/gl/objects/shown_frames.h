@@ -20,55 +20,54 @@ struct ShownBatch {
   uint32_t framebuffer = 0;  // OpenGL's name; 0: the window
 };
 
-/// A frame that was shown: its batches in the order of drawing. Their surfaces have numbers.
+/// A frame that was shown: its batches in drawing order. Their surfaces are numbered.
 struct ShownFrame {
-  uint64_t frame = 0;  // as SettingsSource counts; 0: not known, it may not be whole yet
+  uint64_t frame = 0;  // number in SettingsSource; 0: unknown, and the frame may be incomplete
   std::vector<ShownBatch> batches;
-  std::vector<glm::ivec4> places;  // where images of framebuffer objects may be in the window
-  double when = nowSeconds();      // it was shown
+  std::vector<glm::ivec4> places;  // where images of framebuffer objects may appear in the window
+  double when = nowSeconds();      // time at which it was shown
 };
 using ShownFramePtr = std::shared_ptr<const ShownFrame>;
 
 class ShownFrames {
  public:
-  /// Frames are kept until this time, on the clock nowSeconds(); 0: not at all, and those that are kept are
-  /// forgotten.
+  /// Stores frames until time `when` of nowSeconds(). 0: stores none and forgets stored ones.
   void wantUntil(double when) noexcept;
   bool wanted() const noexcept {
     const double until = until_.load(std::memory_order_relaxed);
     return until > 0 && nowSeconds() < until;
   }
-  /// Call when a context has shown a frame, or in one that never swaps when it has traced a batch; replaces
-  /// its last one. `context` is any key of it.
+  /// Call when a context has shown a frame; in a context that never swaps, when it has traced a batch.
+  /// Replaces the context's last frame. `context` is any key that identifies the context.
   void show(const void* context, ShownFramePtr frame) noexcept;
-  /// Call when the frame that show() was given last is over, and the context draws another.
+  /// Call when the frame that was last given to show() is complete and the context begins another.
   void whole(const void* context) noexcept;
-  /// Call when the context keeps none any more.
+  /// Call when the context no longer stores frames.
   void forget(const void* context) noexcept;
-  /// The last frame of the context that traced one last; if none has traced any, the last one. Null: none was
-  /// shown. Of frames that may not be whole, those before them while they change.
+  /// The last frame of the context that traced last; if no context has traced, the last frame shown. Null if
+  /// none was shown. While a frame may be incomplete and still changes, the complete frame before it.
   ShownFramePtr last() const;
-  /// The same of each context that has traced any.
+  /// The same for each context that has traced.
   std::vector<ShownFramePtr> all() const;
-  /// ShownFrame::places of the frame that was shown last and has some: a toolkit may have a context of its
-  /// own for its windows.
+  /// ShownFrame::places of the last shown frame that has any: a toolkit may use a separate context for its
+  /// windows.
   std::vector<glm::ivec4> places() const;
 
  private:
   struct Entry {
     const void* context;
-    ShownFramePtr frame, whole;  // the last one; the last whole one before it, or null
+    ShownFramePtr frame, whole;  // the last frame; the last complete one before it, or null
     const ShownFramePtr& settled(double now) const {
       return frame->frame == 0 && whole && now - frame->when < kSettles ? whole : frame;
     }
   };
-  static constexpr double kSettles = 0.1;  // seconds without another batch
+  static constexpr double kSettles = 0.1;  // seconds without another batch until a frame counts as complete
   std::atomic<double> until_{0};
   mutable std::mutex mutex_;
-  std::vector<Entry> entries_;  // the last shown one at the end
+  std::vector<Entry> entries_;  // the last shown one is at the end
 };
 
-/// The process's. Never destroyed.
+/// The shown frames of the process. Never destroyed.
 ShownFrames& shownFrames();
 
 }  // namespace gluray::gl

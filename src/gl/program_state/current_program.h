@@ -16,7 +16,7 @@ class CurrentProgram {
   CurrentProgram(const RealGl& real, ShareGroup& group, const ContextInfo& info)
       : real_(real), group_(group), info_(info) {}
 
-  /// The shader program `name` with its family; determined once per link.
+  /// The shader program `name` and its family, which is determined once per link.
   std::shared_ptr<const KnownProgram> known(GLuint name) const;
   /// Name of the shader program in use; 0: none.
   GLuint name() const;

@@ -35,8 +35,8 @@ ArraySource readGeneric(const RealGl& real, ShareGroup& group, GLint location) {
   return source;
 }
 
-/// The array of a generic attribute. Since OpenGL 4.3 format and buffer are separate, and the buffer is that
-/// of the attribute's binding, whichever way it was set.
+/// The array of a generic attribute. Since OpenGL 4.3 an array's format and buffer are separate, and the
+/// buffer is always that of the attribute's binding.
 ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
   ArraySource source = readGeneric(real, group, location);
   if (!source.enabled || !isPresent(real.BindVertexBuffer)) return source;
@@ -57,7 +57,7 @@ ArraySource readPlaced(const RealGl& real, ShareGroup& group, GLint location) {
   return source;
 }
 
-/// Whether the attribute for colours, of vertices or instances, has an element for each instance.
+/// Whether the colour attribute, which vertices and instances share, has an element for each instance.
 bool hasInstanceColors(const RealGl& real, ShareGroup& group, const Program& program, const Family& family) {
   if (family.instanceColor.empty() || family.instanceColor != family.color) return false;
   const ProgramAttribute* a = program.attribute(family.color);
@@ -112,7 +112,7 @@ class AttributeReader {
   ShareGroup& group_;
   const KnownProgram* program_;
   ArrayState& out_;
-  std::vector<GLint> named_;  // locations of what was taken
+  std::vector<GLint> named_;  // locations of the arrays that the family names
   bool plain_ = true, colorsInstances_ = false;
 };
 
@@ -152,7 +152,7 @@ void AttributeReader::readOthers() {
   }
 }
 
-/// Of the other arrays, those that give each instance a matrix of so many columns.
+/// Copies the arrays of a per-instance matrix with `columns` columns from the other arrays to `sources`.
 void AttributeReader::takeOfInstances(const std::string& name, int columns,
                                       std::vector<ArraySource>& sources) {
   const ProgramAttribute* a = attribute(name);

@@ -37,14 +37,14 @@ Reason ProgramReader::readColor() {
   } else {
     return Reason::traced;
   }
-  // The source's colours replace the material's; its intensities stay.
+  // The colours from this source replace the material's colours. The material's intensities stay.
   const FamilyMaterial& m = family_.material;
   scene::Material& material = out_.material.front;
   material.diffuse =
       glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
   if (!family_.colorIsDiffuseOnly)
     material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
-  if (f.backMaterial && reason == Reason::traced)  // such programs mix the colours in another way
+  if (f.backMaterial && reason == Reason::traced)  // such programs mix the colours differently
     reason = refuse("back faces have their own material, and front faces take their colours from elsewhere");
   f.backMaterial = false;
   out_.material.back = out_.material.front;
@@ -84,12 +84,13 @@ Reason ProgramReader::readOpacityBeneath() {
   return Reason::traced;
 }
 
-/// The program divides by w at each vertex and then interpolates: equal to our matrix only if w is constant.
+/// The program divides by w at each vertex and then interpolates. This equals our matrix only if w is
+/// constant.
 Reason ProgramReader::readTexcoordMatrix() {
   texcoordMatrix_ = uniforms_.matrix4(family_.texcoordMatrix);
   const glm::mat4& m = texcoordMatrix_;
   // Coordinates are (s, t, 0, 1).
-  const bool divides = !family_.hasBuiltInVertices();  // others take s and t as they are
+  const bool divides = !family_.hasBuiltInVertices();  // built-in vertices are not divided
   if (m[0].w != 0 || m[1].w != 0 || !(m[3].w != 0) || (!divides && (m[2].w != 0 || m[3].w != 1)))
     return refuse("matrix \"" + family_.texcoordMatrix + "\" divides texture coordinates");
   if (m[3].w != 1) texcoordMatrix_ /= m[3].w;

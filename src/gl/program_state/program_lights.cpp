@@ -37,7 +37,7 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   return light;
 }
 
-/// The value of light `i`; `otherwise` if the family has none. Inactive uniforms are 0.
+/// The value for light `i`; `otherwise` if the family specifies none. Inactive uniforms are 0.
 glm::vec4 valueOf(const std::vector<FamilyValue>& values, const FamilyLights& names,
                   const UniformReader& uniforms, int i, const glm::vec4& otherwise) {
   if (values.empty()) return otherwise;

@@ -8,8 +8,8 @@
 
 namespace gluray::gl {
 
-/// The lights that are on. Positions are relative to `viewer`; directions go from light to surface.
-/// `shininess`: the material's. `known`: how many lights and highlights the program has.
+/// The lights that are on. Positions are relative to `viewer`; directions point from light to surface.
+/// `shininess`: that of the material. `known`: the numbers of lights and highlights of the program.
 std::vector<scene::FragmentLight> readLights(const FamilyLights& names, const UniformReader& uniforms,
                                              const glm::vec3& viewer, float shininess,
                                              const KnownProgram& known);

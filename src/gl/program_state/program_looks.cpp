@@ -1,4 +1,4 @@
-// ProgramReader: materials, models of light and fog.
+// ProgramReader: materials, lighting models and fog.
 #include "gl/program_state/program_reader.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -12,7 +12,7 @@ void ProgramReader::readMaterial(const FamilyMaterial& m, scene::Material& mater
   material.ambient = product(m.ambientIntensity, m.ambientColor, m.ambientColor.given() ? 1.0f : 0.0f);
   material.diffuse = product(m.diffuseIntensity, m.diffuseColor, 1);
   material.specular = product(m.specularIntensity, m.specularColor, m.specularColor.given() ? 1.0f : 0.0f);
-  // Uniforms that the real OpenGL optimised away have no effect.
+  // The real OpenGL optimises away uniforms that have no effect.
   const auto isOff = [&](const FamilyValue& intensity, const FamilyValue& color) {
     return !color.uniform.empty() && !uniforms_.has(color.uniform) && !uniforms_.has(intensity.uniform);
   };
@@ -49,7 +49,7 @@ void ProgramReader::readModel() {
   f.rim.exponent = uniforms_.number(family_.rimExponent, 1);
   f.clampsColors = family_.clampedColors;
   f.ignoresAlpha = !family_.colorAlpha;
-  // What is not active has no effect.
+  // Inactive uniforms have no effect.
   const FamilyValue& back = family_.backColor;
   f.paintsBack = (!back.constant.empty() || uniforms_.has(back.uniform)) &&
                  (family_.backColorIf.empty() || uniforms_.integer(family_.backColorIf) != 0);
@@ -67,7 +67,7 @@ void ProgramReader::readFog() {
   out_.shading.fog = {};
   const FamilyFog& names = family_.fog;
   const auto active = [&](const FamilyValue& v) { return !v.constant.empty() || uniforms_.has(v.uniform); };
-  if (!active(names.color)) return;  // what has no effect is not active
+  if (!active(names.color)) return;  // inactive uniforms have no effect
   scene::Fog& fog = out_.shading.fog;
   fog.mode = names.mode;
   if (!names.modeFrom.empty()) {

@@ -1,5 +1,5 @@
 // Interprets one shader program's uniforms, textures and attributes as its family describes them. Private to
-// program_state.cpp and program_colors.cpp. GL thread.
+// gl/program_state. GL thread.
 #pragma once
 #include "gl/program_state/program_state.h"
 #include "gl/programs/uniforms.h"
@@ -11,7 +11,7 @@
 
 namespace gluray::gl {
 
-/// Reads one program, once.
+/// Reads one program. Use an object once.
 class ProgramReader {
  public:
   ProgramReader(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
@@ -32,13 +32,13 @@ class ProgramReader {
   Reason refuse(std::string why) { return out_.why = std::move(why), Reason::programValue; }
   /// Checks the uniforms that must have neutral values (Family::neutral).
   Reason checkNeutral();
-  /// Checks fixed function's state that changes what shader programs with gl_Vertex draw.
+  /// Checks fixed function's state that changes the output of shader programs with gl_Vertex.
   Reason checkBuiltInState();
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
   void readModel();
   void readFog();
-  /// Colours without lights, where the program's lights are switched off (FamilyLights::enabled).
+  /// Reads the unlit colours if the program's lights are switched off (FamilyLights::enabled).
   Reason readEnabled();
   Reason readImpostors();
   Reason readSplats();
@@ -49,8 +49,8 @@ class ProgramReader {
   Reason readEdges();
   Reason readColor();
   Reason readHeightColors();
-  /// While the material overrides colours, their opacity still counts: refuses translucent ones. The mesh has
-  /// that of vertex colours.
+  /// If the material's colours replace all others, their opacity still counts: refuses translucent colours.
+  /// The opacity of vertex colours is checked with the mesh.
   Reason readOpacityBeneath();
   const ProgramUniform* samplerNamed(const std::string& name) const {
     return name.empty() ? nullptr : program_.uniform(name);
@@ -60,7 +60,7 @@ class ProgramReader {
   Reason readMap(const ProgramUniform& sampler);
   Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
   Reason readTextures();
-  /// The current value of an attribute that is not an array.
+  /// The current value of an attribute whose array is not enabled.
   glm::vec4 current(const std::string& name) const;
 
   const RealGl& real_;

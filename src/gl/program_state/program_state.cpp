@@ -50,7 +50,7 @@ Reason ProgramReader::checkNeutral() {
 std::string builtInColorObstacle(const RealGl& real, const Family& family) {
   if (integer(real, GL_SHADE_MODEL) != GL_SMOOTH) return "glShadeModel is GL_FLAT";
   if (isOn(real, GL_VERTEX_PROGRAM_TWO_SIDE)) return "GL_VERTEX_PROGRAM_TWO_SIDE is on";
-  GLint clamps = GL_TRUE;  // before OpenGL 3.0 they are always clamped
+  GLint clamps = GL_TRUE;  // before OpenGL 3.0 vertex colours are always clamped
   if (family.clampedColors) real.GetIntegerv(GL_CLAMP_VERTEX_COLOR, &clamps);
   return clamps == GL_TRUE ? "" : "GL_CLAMP_VERTEX_COLOR is not GL_TRUE";
 }
@@ -71,7 +71,7 @@ Reason ProgramReader::checkBuiltInState() {
 void ProgramReader::readTransform() {
   out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
   out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
-  // Lights may be given in another space than eye space, such as world space: make the viewer its origin.
+  // Lights may be given in another space than eye space, such as world space: moves the origin to the viewer.
   viewer_ = glm::vec3(uniforms_.vector(family_.viewer));
   if (out_.eyeFromObject) out_.eyeFromObject = glm::translate(glm::dmat4(1), -viewer_) * *out_.eyeFromObject;
   if (uniforms_.has(family_.normalMatrix))

@@ -1,4 +1,4 @@
-// The current shader program's inputs, read from the real OpenGL when a draw needs them. GL thread.
+// The inputs of the current shader program, read from the real OpenGL when a draw needs them. GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/basics/reasons.h"
@@ -21,7 +21,7 @@ struct RareState;
 /// The current shader program's uniforms and textures, translated into the scene's terms.
 struct ProgramState {
   std::shared_ptr<const KnownProgram> known;  // null: not read
-  UniformValuesPtr uniforms;                  // current values of all of them
+  UniformValuesPtr uniforms;                  // current values of all uniforms
   Reason reason = Reason::program;            // why its surfaces cannot be traced, or Reason::traced
   std::string why;                            // details of `reason` for the user; may be empty
   glm::dmat4 clipFromObject{1};
@@ -32,16 +32,16 @@ struct ProgramState {
   std::vector<glm::dvec4> clipPlanes;  // object space
   scene::PolygonOffset depthOffset;
   scene::Impostors impostors;
-  float impostorRadius = 1;  // if no array gives it
+  float impostorRadius = 1;  // if no array provides radii
   float impostorCaps = 0;
   scene::Attribute triangleColors, triangleNormals, triangleEdges;
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;
-  bool instanceColors = false;  // each instance has its own
+  bool instanceColors = false;  // each instance has its own colour
   bool overridden = false;      // the material's colours replace all others (Family::uniformColors)
   glm::vec4 color{1};           // if the colour attribute is not an array
   glm::vec3 normal{0, 0, 1};
-  glm::vec4 texcoord{0, 0, 0, 1}, texcoordAbove{0, 0, 0, 1};  // the latter of hasTwoTexcoords()
+  glm::vec4 texcoord{0, 0, 0, 1}, texcoordAbove{0, 0, 0, 1};  // texcoordAbove: if hasTwoTexcoords()
 };
 
 /// Whether the program takes its vertices from fixed function's attributes.
@@ -49,32 +49,33 @@ inline bool readsBuiltIns(const ProgramState& program) {
   return program.known && program.known->family && program.known->family->hasBuiltInVertices();
 }
 
-/// Why draws of a shader program are not traced, whatever the state is: no family describes it.
-/// Reason::traced: one does.
+/// The reason against tracing that holds in any state: no family describes the program. Reason::traced if one
+/// does.
 inline Reason reasonWithoutFamily(const KnownProgram& known) {
   if (known.family) return Reason::traced;
   return known.unknownCode ? Reason::programCode : Reason::program;
 }
 
-/// Whether the program's surface of this mesh has no alpha below 1. `color`: of a mesh without colours.
+/// Whether all alphas of the program's surface of this mesh are at least 1. `color`: colour of a mesh without
+/// colours.
 bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color);
 
-/// Why fixed function's state keeps draws with gl_FrontColor from being traced; empty: nothing does. Not for
-/// core profiles.
+/// The fixed-function state that keeps draws with gl_FrontColor from being traced, for the user; empty if
+/// there is none. Not for core profiles.
 std::string builtInColorObstacle(const RealGl& real, const Family& family);
 
-/// Name of the attribute that has the colour map's texture coordinates.
+/// Name of the attribute that holds the colour map's texture coordinates.
 const std::string& mapTexcoord(const Program& program, const Family& family);
-/// Whether colour map and textures use different attributes: then the map uses texture coordinates 0 and the
+/// Whether colour map and textures use different attributes: the map then uses texture coordinates 0, and the
 /// textures use 1.
 bool hasTwoTexcoords(const Program& program, const Family& family);
 
-/// Reads program `known` into `state`. Textures are looked up in `textures`. `solids`: settings turn lines or
+/// Reads program `known` into `state`. `textures` provides texture images. `solids`: settings turn lines or
 /// points into solids.
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state, bool solids);
 
-/// Reads the vertex arrays that the shader program's family names; all other enabled ones go to
+/// Reads the vertex arrays that the shader program's family names. All other enabled arrays go to
 /// ArrayState::generic. `program`: null if its family is unknown.
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays);
 

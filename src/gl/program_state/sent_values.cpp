@@ -6,7 +6,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether depth depends on z alone, and the viewer is where the program takes it to be: at the origin or, if
+/// Whether depth depends only on z, and the viewer is where the program assumes it: at the origin or, if
 /// `parallel`, at infinity along +z.
 bool isProjectionFrom(const glm::mat4& m, bool parallel) {
   const glm::mat4 rows = glm::transpose(m);
@@ -15,7 +15,7 @@ bool isProjectionFrom(const glm::mat4& m, bool parallel) {
   return rows[3].z == -1 && rows[3].w == 0 && rows[0].w == 0 && rows[1].w == 0;
 }
 
-/// Whether the matrix turns, moves and scales alike in all directions, and `normals` is its inverse
+/// Whether the matrix consists of a rotation, a translation and a uniform scale, and `normals` is its inverse
 /// transpose.
 bool isSimilar(const glm::dmat4& matrix, const glm::mat3& normals) {
   constexpr double kRounding = 1e-4;

@@ -1,5 +1,5 @@
-// GLSL's built-in uniforms (gl_ModelViewMatrix, gl_LightSource[0].position ...): fixed function's state,
-// which shader programs of families with gl_Vertex read. GL thread, context current.
+// GLSL's built-in uniforms (gl_ModelViewMatrix, gl_LightSource[0].position ...). They hold fixed function's
+// state; shader programs of families with gl_Vertex read them. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"
@@ -9,10 +9,10 @@
 
 namespace gluray::gl {
 
-/// Adds the built-in uniforms that the family mentions to the shader program's uniforms, in place of those
-/// added before.
+/// Adds the built-in uniforms that the family mentions to the shader program's uniforms. They replace those
+/// that an earlier call added.
 void nameBuiltIns(Program& program, const Family& family);
-/// Removes those that nameBuiltIns() has added.
+/// Removes the uniforms that nameBuiltIns() has added.
 void dropBuiltIns(Program& program);
 
 /// Reads the built-in uniform `name` from fixed function's state.

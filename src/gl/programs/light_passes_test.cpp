@@ -1,4 +1,4 @@
-// VTK's own passes of light are recognised, so that users are told to choose between them and GLuRay's.
+// VTK's own lighting passes are recognised, so that GLuRay can tell users to choose between them and its own.
 #include "gl/testing/test_match.h"
 
 #include <gtest/gtest.h>

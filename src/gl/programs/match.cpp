@@ -28,7 +28,7 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
     if (source.find(text) != std::string::npos) out.push_back(about("has in its source ", text));
 }
 
-/// The program's statements, with its texture renamed to the family's name.
+/// The program's statements, with its texture renamed to the name that the family uses.
 const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
   const auto other = p.renamed.find(f.anyTexture);
   GlslStatements::Renamed renamed;
@@ -36,7 +36,7 @@ const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSo
   return source.statements(renamed, f.resolvesConditions);
 }
 
-/// Requires a vertex and a fragment shader, both of them known as a whole, and no others.
+/// Requires a vertex and a fragment shader whose digests are `known`, and no other shaders.
 void needShaders(ProgramSource& source, const std::vector<Hash128>& known, std::vector<std::string>& out) {
   const auto digests = source.digests();
   if (!source.isWhole(false) || digests.size() != 2)
@@ -74,7 +74,7 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
     if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
 }
 
-/// Whether the family mentions a variable, by its name or as an alternative.
+/// Whether the family mentions a variable, under this name or as an alternative.
 bool isKnown(const std::string& name, const Family& f, const Renames& renamed) {
   const auto isTaken = [&](const auto& pair) { return pair.second == name; };
   return f.mentions(name) || std::any_of(renamed.begin(), renamed.end(), isTaken);
@@ -99,13 +99,13 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
     out.push_back(about(kind, name, after));
   };
   for (const auto& [name, uniform] : p.uniforms) check("has uniform ", name, uniform.type);
-  // Implementations list more of these than programs use; statements tell which ones they use.
+  // Implementations list more of these than programs use. Statements show which are used.
   if (!f.hasBuiltInVertices())
     for (const auto& [name, type] : p.builtInUniforms) check("has uniform ", name, type);
   for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
 }
 
-/// Requires what tracing needs of any program.
+/// Requires what tracing needs from any program.
 void needSources(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
   if (p.geometryShader && !f.geometryShader) out.push_back("has a geometry shader");
@@ -124,7 +124,7 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
     out.push_back(about("lacks attribute ", f.normal));
 }
 
-/// `unknown`: set if the program fits except for its statements.
+/// `unknown` is set if the program fits except for its statements.
 std::vector<std::string> obstacles(const RealGl& real, const Program& program, const Family& family,
                                    const CodeSections& code, ProgramSource& source, bool& unknown) {
   std::vector<std::string> out;
@@ -176,7 +176,7 @@ std::vector<std::string> obstacles(const RealGl& real, Program program, const Fa
 
 namespace {
 
-/// Sets what is known of a program that fits the family.
+/// Records the family that the program fits, and its notes and light counts.
 void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family, const FamilyList& families,
                ProgramSource& source) {
   known.family = family;
@@ -190,7 +190,7 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
     known.note = notesOn(statementsFor(*family, known.program, source), families.code, family->code);
 }
 
-/// Tells the user of a program that fits no family; the `nearest` one, or null, has these obstacles.
+/// Says why the program fits no family. `found`: its obstacles for the `nearest` family, which may be null.
 std::string whyNoneFits(const KnownProgram& known, const Family* nearest,
                         const std::vector<std::string>& found) {
   if (!known.program.linked) return "not linked";
@@ -225,8 +225,8 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
       setFamily(*known, family, families, source);
       return known;
     }
-    // Name the nearest family: not one that is never traced, or with other kinds of vertices, and best one
-    // that fits except for statements.
+    // Name the nearest family: one that can be traced and has the same kind of vertices, preferably one that
+    // fits except for statements.
     if (!family->rasteriseBecause.empty()) continue;
     if (family->hasBuiltInVertices() != readsFixedVertices(known->program)) continue;
     if (!nearest || unknown > known->unknownCode ||

@@ -1,4 +1,4 @@
-// Finds the family that matches a program. GL thread, context current.
+// Finds the family that fits a shader program. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
 #include "gl/glsl/program.h"
@@ -14,15 +14,15 @@ namespace gluray::gl {
 struct KnownProgram {
   Program program;
   std::shared_ptr<const Family> family;  // null: none fits
-  std::string why;                       // for the user: why it is not traced; empty if it is
-  std::string note;                      // for the user, if it is traced: notes of its code sections
-  int lightCount = -1;                   // of FamilyLights::countInSource; -1: not counted
-  int highlightCount = -1;               // of FamilyLights::noHighlightInSource; -1: not counted
+  std::string why;                       // why it is not traced, for the user; empty if it is traced
+  std::string note;                      // notes of its code sections, for the user, if it is traced
+  int lightCount = -1;                   // by FamilyLights::countInSource; -1: not counted
+  int highlightCount = -1;               // by FamilyLights::noHighlightInSource; -1: not counted
   bool unknownCode = false;              // the nearest family fits except for unknown statements
 };
 
-/// For each name of the family that the shader program lacks, the first alternative that it has; for
-/// Family::anyTexture the shader program's only unknown sampler2D.
+/// For each family name that the shader program lacks, the first alternative name that the program has. For
+/// Family::anyTexture, the program's only unknown sampler2D.
 Renames renamedBy(const Program& program, const Family& family);
 
 /// Reasons why `program` does not fit `family`, whose known sections are in `code`; empty if it fits.

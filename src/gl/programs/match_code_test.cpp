@@ -1,4 +1,4 @@
-// Whether programs fit a family, by the statements of their sources.
+// Whether programs fit a family, judged by the statements of their sources.
 #include "gl/glsl/shader_digest.h"
 #include "gl/testing/test_match.h"
 

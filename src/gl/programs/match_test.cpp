@@ -1,4 +1,4 @@
-// Whether programs fit a family, by the names of their variables.
+// Whether programs fit a family, judged by the names of their variables.
 #include "gl/testing/test_match.h"
 
 #include <gtest/gtest.h>

@@ -7,9 +7,9 @@
 
 namespace gluray::gl {
 
-/// Whether setUniform() sets uniforms of this type: not those of doubles and of 64 bit handles.
+/// Whether setUniform() supports uniforms of this type: not doubles and not 64-bit handles.
 bool isSettable(GLenum type);
-/// Sets one element. Does nothing where its location is -1.
+/// Sets one element. Does nothing if its location is -1.
 void setUniform(const RealGl& real, const UniformValue& value);
 
 }  // namespace gluray::gl

@@ -42,27 +42,28 @@ UniformValue readUniform(const RealGl& real, const Program& program, std::string
 /// Every element of every active uniform, in the order of Program::uniforms.
 UniformValuesPtr readUniforms(const RealGl& real, const Program& program);
 
-/// Finds values by name.
+/// Finds values of uniforms by name.
 class UniformReader {
  public:
   UniformReader(const Program& program, const UniformValues& values) : program_(program), values_(values) {}
 
-  /// Whether the uniform is active. Here and below, names may end with an element, "lightColor[2]", or with a
-  /// component of a vector, "ambient.r", which is a number.
+  /// Whether the uniform is active. Here and below, a name may end with an array index, "lightColor[2]", or
+  /// with a component of a vector, "ambient.r", which is a number.
   bool has(const std::string& name) const { return find(name, 0).value != nullptr; }
-  /// Components of element `element`, integers and booleans as numbers; 0 if it is not active.
+  /// Components of array element `element`; integers and booleans become numbers. 0 if the uniform is not
+  /// active.
   glm::vec4 vector(const std::string& name, int element = 0) const;
   float number(const std::string& name, int element = 0) const { return vector(name, element).x; }
   int integer(const std::string& name) const;
-  /// A matrix, extended by the identity; the identity if it is not active.
+  /// A matrix, extended by the identity; the identity if the uniform is not active.
   glm::mat4 matrix4(const std::string& name) const;
   glm::mat3 matrix3(const std::string& name) const;
-  /// Product from left to right; nullopt if there are no names or one is not active.
+  /// Product of matrices from left to right; nullopt if there are no names or one is not active.
   std::optional<glm::dmat4> product(const std::vector<std::string>& names) const;
-  /// A constant or a uniform; `otherwise` if the family has neither or the uniform is not active. A single
-  /// number fills all components.
+  /// The value of a constant or a uniform; `otherwise` if the family specifies neither or the uniform is not
+  /// active. A single number fills all components.
   glm::vec4 value(const FamilyValue& value, const glm::vec4& otherwise) const;
-  /// The value of `name` as inWords() unless it is `neutral` (Family::neutral) or not active; then empty.
+  /// The value of `name` in the form of inWords(). Empty if it is `neutral` (Family::neutral) or not active.
   std::string unlike(const std::string& name, const std::vector<float>& neutral) const;
   float number(const FamilyValue& v, float otherwise) const { return value(v, glm::vec4(otherwise)).x; }
 

@@ -8,7 +8,7 @@
 namespace gluray::gl {
 
 /// How fragments are blended into a framebuffer that has alpha. Empty if scene::Blending cannot express it,
-/// as with factors of a second colour.
+/// as with factors that use a second source colour.
 std::optional<scene::Blending> readBlending(const RealGl& real, bool writesDepth);
 
 }  // namespace gluray::gl

@@ -7,15 +7,15 @@
 
 namespace gluray::gl {
 
-/// Bits of the depth buffer; 0 if there is none. Raises no error. `fixedFunction`: the context has it, so its
-/// profile is not core.
+/// Bits of the depth buffer; 0 if there is none. Raises no error. `fixedFunction`: the context has fixed
+/// function, so its profile is not core.
 GLint depthBits(const RealGl& real, bool fixedFunction);
 
 /// Red bits of the colour buffer that `drawBuffer` names (as glDrawBuffer does); 0 if there is none. Raises
 /// no error.
 GLint redBits(const RealGl& real, GLenum drawBuffer, bool fixedFunction);
 
-/// The same of red, green, blue and alpha, asked of attachments: requires OpenGL 3.0.
+/// Red, green, blue and alpha bits of that buffer, queried from its attachment: requires OpenGL 3.0.
 glm::ivec4 colorBits(const RealGl& real, GLenum drawBuffer);
 
 }  // namespace gluray::gl

@@ -6,8 +6,8 @@
 
 namespace gluray::gl {
 
-/// During its lifetime `framebuffer` is the draw framebuffer; the destructor restores the one before. Raises
-/// no GL error if `framebuffer` exists.
+/// During its lifetime `framebuffer` is the draw framebuffer. The destructor restores the previous one.
+/// Raises no GL error if `framebuffer` exists.
 class DrawBinding {
  public:
   DrawBinding(const RealGl& real, GLuint framebuffer)

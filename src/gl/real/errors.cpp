@@ -6,7 +6,8 @@ namespace gluray::gl {
 
 void Errors::set(GLenum error) {
   if (error_ != GL_NO_ERROR) return;
-  // Inside its glBegin the real OpenGL raises this error, in order with its others, for a second glBegin.
+  // A second glBegin between the real glBegin and glEnd raises this error, in order with the real OpenGL's
+  // other errors.
   if (beginEnd_.realIsInside() && error == GL_INVALID_OPERATION) return real_.Begin(GL_POINTS);
   // The real glGetError must not be called between glBegin and glEnd.
   const bool inside = beginEnd_.inside == BeginEnd::Inside::rasterised || beginEnd_.executedInside();

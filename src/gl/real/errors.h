@@ -12,7 +12,7 @@ class Errors {
  public:
   Errors(const RealGl& real, const BeginEnd& beginEnd) : real_(real), beginEnd_(beginEnd) {}
 
-  /// Records `error` unless an earlier one, ours or the real OpenGL's, is pending.
+  /// Records `error` unless an earlier error, ours or the real OpenGL's, is pending.
   void set(GLenum error);
   /// Returns the pending error for glGetError and clears it.
   GLenum takeError();
@@ -20,8 +20,8 @@ class Errors {
   void keepPending() {
     if (const GLenum pending = real_.GetError()) set(pending);
   }
-  /// The oldest error of the real OpenGL, whose errors are then cleared. Call after keepPending(), for calls
-  /// of our own that may raise errors.
+  /// Returns the oldest error of the real OpenGL and clears all its errors. Call after keepPending() and
+  /// after our own calls that may raise errors.
   GLenum takeReal();
 
  private:

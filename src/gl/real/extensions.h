@@ -1,5 +1,5 @@
-// The real OpenGL's version, extensions and optional state: read once, so that queries it would refuse are
-// not made. GL thread, context current.
+// The real OpenGL's version, extensions and optional state. They are read once, so that queries that it would
+// refuse are not made. GL thread, context current.
 #pragma once
 #include "gl/real/real.h"
 
@@ -15,7 +15,8 @@ int parseVersion(const GLubyte* text, int scale);
 int versionOf(const RealGl& real);
 /// "4.5 (Compatibility Profile) Mesa 22.3.6" -> 2203, 100 * major + minor of Mesa; 0 if it is not Mesa.
 int mesaVersionOf(const GLubyte* text);
-/// The current context's extensions, to ask for several of them: OpenGLs take long to find the n-th name.
+/// The names of the current context's extensions, sorted for repeated queries: OpenGL implementations take
+/// long to find the n-th name.
 class Extensions {
  public:
   /// May throw std::bad_alloc.
@@ -28,16 +29,16 @@ class Extensions {
 /// Whether the current context's extension list has `name` ("GL_ARB_texture_rg").
 bool hasExtension(const RealGl& real, int version, std::string_view name);
 
-/// Whether glBegin and draws take `mode`. Patches need OpenGL 4.0 or ARB_tessellation_shader.
+/// Whether `mode` is a primitive of glBegin and draws. Patches need OpenGL 4.0 or ARB_tessellation_shader.
 bool isPrimitive(const RealGl& real, GLenum mode);
 /// Whether generic attributes of type GL_UNSIGNED_INT_10F_11F_11F_REV exist: OpenGL 4.4 or
 /// ARB_vertex_type_10f_11f_11f_rev. `version`: of the current context.
 bool takesPackedFloats(const RealGl& real, int version);
 
-/// Which state of later versions and extensions a context has beside that of OpenGL 1.5.
+/// Which state of later versions and extensions a context has, beyond that of OpenGL 1.5.
 struct RareState {
   bool asked = false;
-  bool fixedFunction = true;  // not in core profiles
+  bool fixedFunction = true;  // false in core profiles
   bool framebufferObjects = false, rasterizerDiscard = false, feedbackActive = false, framebufferSrgb = false;
   bool depthClamp = false, depthBounds = false, clipControl = false, provokingVertex = false;
   bool offsetClamp = false, fogDistance = false, sampleMask = false, rectangles = false;
@@ -48,7 +49,7 @@ struct RareState {
   bool fogsWholeSum = false;  // quirk fog-sum
 };
 
-/// Asks the current context. Raises no GL error.
+/// Queries the current context. Raises no GL error.
 RareState readRareState(const RealGl& real);
 
 }  // namespace gluray::gl

@@ -11,7 +11,8 @@ namespace gluray::gl {
 /// Whether the real OpenGL has transform feedback objects, which preserve the program's state.
 bool hasFeedbackObjects(const RealGl& real);
 
-/// During its lifetime, another program is in use, rasterisation is off, and feedback goes to another buffer.
+/// During its lifetime, shader program `program` is in use, rasterisation is off, and the transform feedback
+/// object `feedback` is bound.
 class FeedbackStage {
  public:
   FeedbackStage(const RealGl& real, GLuint program, GLuint feedback);
@@ -25,8 +26,8 @@ class FeedbackStage {
   OtherProgram program_;
 };
 
-/// A buffer that is mapped for reading, unmapped when this ends. It stays bound to
-/// GL_TRANSFORM_FEEDBACK_BUFFER.
+/// Maps the buffer bound to GL_TRANSFORM_FEEDBACK_BUFFER for reading during its lifetime. The buffer stays
+/// bound.
 class MappedFeedback {
  public:
   MappedFeedback(const RealGl& real, GLsizeiptr bytes)

@@ -85,10 +85,10 @@ void OtherProgram::readSubroutines(int version) {
   }
 }
 
-/// A program pipeline object keeps its active program alive.
+/// A program pipeline object keeps a deleted program alive while it is the pipeline's active program.
 void OtherProgram::keepAlive(int version) {
   if (valueOf(real_, program_, GL_DELETE_STATUS) == 0 || !hasPipelines(real_, version)) return;
-  if (valueOf(real_, program_, GL_LINK_STATUS) == 0) return;  // linked again, without success: refused there
+  if (valueOf(real_, program_, GL_LINK_STATUS) == 0) return;  // its last link failed: it cannot be activated
   real_.GenProgramPipelines(1, &holder_);
   real_.ActiveShaderProgram(holder_, program_);
 }

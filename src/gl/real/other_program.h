@@ -10,10 +10,10 @@
 
 namespace gluray::gl {
 
-/// While it lives, use() may use other shader programs. The destructor uses the one from before again, with
-/// what glUseProgram takes from it: a deleted one lives on, and subroutine uniforms keep their values (OpenGL
-/// 4.6, 7.1 and 7.10). Requires OpenGL 2.0, and no transform feedback that is active and not paused. Raises
-/// no error.
+/// During its lifetime, use() selects other shader programs. The destructor restores the previous one with
+/// the state that glUseProgram discards: a deleted program stays alive, and subroutine uniforms keep their
+/// values (OpenGL 4.6, 7.1 and 7.10). Requires OpenGL 2.0, and no transform feedback that is active and not
+/// paused. Raises no error.
 class OtherProgram {
  public:
   /// Throws std::bad_alloc.
@@ -22,11 +22,11 @@ class OtherProgram {
   OtherProgram(const OtherProgram&) = delete;
   OtherProgram& operator=(const OtherProgram&) = delete;
 
-  /// 0: fixed function, also where a program pipeline is bound.
+  /// Uses `program`; 0 selects fixed function, even if a program pipeline is bound.
   void use(GLuint program);
 
  private:
-  static constexpr size_t kStages = 6;  // that shaders are of
+  static constexpr size_t kStages = 6;  // shader stages
 
   GLuint ofStage(size_t stage) const;
   void readSubroutines(int version);
@@ -38,7 +38,7 @@ class OtherProgram {
   GLuint pipeline_ = 0,
          holder_ = 0;     // program pipelines: the bound one, and ours that holds a deleted program
   bool unbound_ = false;  // whether pipeline_ is not bound
-  std::array<std::vector<GLuint>, kStages> subroutines_;  // of each stage, by location
+  std::array<std::vector<GLuint>, kStages> subroutines_;  // values, by stage and location
 };
 
 }  // namespace gluray::gl

@@ -18,7 +18,8 @@ void* missingCommand() { return reinterpret_cast<void*>(&doNothing); }
 
 namespace {
 
-/// Finds command numbers by name. Allocates nothing: if this failed, the program would show nothing.
+/// Finds command numbers by name. Allocates nothing, because without this table the program would show
+/// nothing.
 class CommandIndex {
  public:
   CommandIndex() {
@@ -40,7 +41,7 @@ class CommandIndex {
 }  // namespace
 
 void loadRealGl(RealGl& table, Lookup lookup, void* user) {
-  // In the table itself: the program's stack may be small.
+  // Works in the table itself, because the program's stack may be small.
   static_assert(sizeof table == kCommandCount * sizeof(void*));
   const auto at = [&](int i) {
     return reinterpret_cast<char*>(&table) + static_cast<size_t>(i) * sizeof(void*);
@@ -57,7 +58,7 @@ void loadRealGl(RealGl& table, Lookup lookup, void* user) {
     if (get(i) || !kCommandNames[i].alias) continue;
     if (const int alias = index.find(kCommandNames[i].alias); alias >= 0) set(i, get(alias));
   }
-  // Where only the alias exists (an old driver with ARB names), it serves the core name too.
+  // If only the alias exists (an old driver with ARB names), it serves the core name too.
   for (int i = 0; i < kCommandCount; ++i) {
     if (!get(i) || !kCommandNames[i].alias) continue;
     const int core = index.find(kCommandNames[i].alias);

@@ -8,10 +8,11 @@ namespace gluray::gl {
 /// Looks a function up by name; null if the real OpenGL lacks it.
 using Lookup = void* (*)(void* user, const char* name);
 
-/// Fills `table`. A missing command gets its alias's function or one that does nothing and returns 0.
+/// Fills `table`. A missing command gets its alias's function, or else a function that does nothing and
+/// returns 0.
 void loadRealGl(RealGl& table, Lookup lookup, void* user);
 
-/// The function in the place of commands that the real OpenGL lacks.
+/// The function that stands in for commands that the real OpenGL lacks.
 void* missingCommand();
 
 /// Whether the command behind this pointer exists, for instance isPresent(real.CreateProgram).

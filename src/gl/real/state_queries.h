@@ -1,4 +1,4 @@
-// Queries of the real OpenGL that return their result. Private to gl/, GL thread.
+// Queries of the real OpenGL that return their result. Used by gl/ and intercept/present, GL thread.
 #pragma once
 #include "gl/real/real.h"
 
@@ -18,13 +18,13 @@ inline GLint integer(const RealGl& real, GLenum name) {
 
 inline bool isOn(const RealGl& real, GLenum capability) { return real.IsEnabled(capability) == GL_TRUE; }
 
-/// The draw framebuffer's name; 0 where there are no framebuffer objects.
+/// The draw framebuffer's name; 0 if the OpenGL has no framebuffer objects.
 inline GLuint drawFramebuffer(const RealGl& real) {
   return isPresent(real.BindFramebuffer) ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING))
                                          : 0;
 }
 
-/// The bound program pipeline's name; 0: none. `hasPipelines`: of the context (RareState::pipelines).
+/// The bound program pipeline's name; 0: none. `hasPipelines`: RareState::pipelines of the context.
 inline GLuint programPipeline(const RealGl& real, bool hasPipelines) {
   return hasPipelines ? static_cast<GLuint>(integer(real, GL_PROGRAM_PIPELINE_BINDING)) : 0;
 }

@@ -1,11 +1,12 @@
 // The quirk "material-latch". Mesa holds back materials set outside glBegin and glEnd until a draw or query.
-// If GL_COLOR_MATERIAL is enabled in between, it stores them again at the next state change, over the values
-// that the current colour has just set (src/mesa/vbo: vbo_exec_FlushVertices keeps the attributes and marks
-// them as unsent when only current values are flushed). Mesa 22.3 draws with the stored values; Mesa 25.0
-// stores the same, but draws with the current colour, as specified. This shows in programs whose frames end
-// with materials, such as OpenSceneGraph's. Our write-back and queries come at other times than the program's
-// draws and would change the result, so we send the materials again afterwards: Mesa then holds them back as
-// before. Elsewhere this changes nothing. Part of ShadowState, GL thread.
+// If GL_COLOR_MATERIAL is enabled in between, Mesa stores them again at the next state change, over the
+// values that the current colour has just set (src/mesa/vbo: vbo_exec_FlushVertices keeps the attributes and
+// marks them as unsent when only current values are flushed). Mesa 22.3 draws with the stored values. Mesa
+// 25.0 stores the same, but draws with the current colour, as specified. Programs whose frames end with
+// materials show the difference, such as OpenSceneGraph's. GLuRay's write-back and queries come at other
+// times than the program's draws and would change the result. So GLuRay sends the materials again afterwards,
+// and Mesa holds them back as before. With other implementations this changes nothing. Part of ShadowState,
+// GL thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
 #include "gl/real/real.h"
@@ -15,26 +16,28 @@ namespace gluray::gl {
 class MaterialLatch {
  public:
   explicit MaterialLatch(bool on) : on_(on) {}
-  /// Whether the current context's OpenGL draws with the materials stored again: a Mesa before 23.
+  /// Whether the current context's OpenGL draws with materials that were stored again: a Mesa before 23.
   static bool isIn(const RealGl& real);
   bool isOn() const { return on_; }
-  /// glMaterial was sent to the real OpenGL outside glBegin and glEnd.
+  /// Records glMaterial calls sent to the real OpenGL outside glBegin and glEnd.
   void sent(GLenum face, GLenum pname, const float* params) {
     if (on_) waiting_.set(face, pname, params);
   }
-  /// After materials of earlier vertices were sent: makes the real OpenGL store them and forget them.
+  /// Call after materials of earlier vertices were sent: makes the real OpenGL store and forget them.
   void letGo(const RealGl& real) const;
-  /// glCallList: the real OpenGL stores held-back materials, and forgets them at its next state change.
+  /// Reports glCallList: the real OpenGL stores held-back materials, and forgets them at its next state
+  /// change.
   void called(const RealGl& real) {
     if (!waiting_.front && !waiting_.back) return;
     letGo(real);
     drawn();
   }
-  /// After a draw: the real OpenGL has stored the held-back materials.
+  /// Reports a draw: the real OpenGL has stored the held-back materials.
   void drawn() {
     if (waiting_.front | waiting_.back) waiting_ = {};
   }
-  /// After a query or draw of ours: sends the materials again, so that they are held back again.
+  /// Call after a query or draw by GLuRay: sends the materials again, so that the real OpenGL holds them back
+  /// again.
   void restore(const RealGl& real) const;
 
  private:

@@ -57,7 +57,7 @@ void ShadowState::shareImpostorValues() {
 void ShadowState::readBack(uint32_t groups) noexcept {
   if (beginEnd_.realIsInside()) return;
   const uint32_t stale = (dirty_ | expired_) & groups;
-  // If reading fails, the next refresh() tries again, but no accessor does until then.
+  // If reading fails, the next refresh() tries again. Until then, accessors do not.
   expired_ |= stale, dirty_ &= ~stale;
   failsafe_.protect([&] {
     read(stale);
@@ -74,7 +74,7 @@ void ShadowState::readRare() {
 
 void ShadowState::askRare() noexcept {
   if (asksRare_ || beginEnd_.realIsInside()) return;
-  asksRare_ = true;  // a failure has pending draws drawn, which may ask
+  asksRare_ = true;  // a failure draws pending draws, which may call this
   failsafe_.protect([&] {
     errors.keepPending();
     readRare();
@@ -105,7 +105,7 @@ void ShadowState::read(uint32_t stale) {
   if (stale & kViewport) readViewport(real, viewport_);
   if (stale & kRaster) readRaster(real, rare_, raster_, shading_.fog);
   if (stale & kLighting) readLighting(real, rare_, shading_);
-  // Colours sent while lighting was off changed the material without setting kMaterial.
+  // Colours sent while lighting was off changed the material without marking kMaterial.
   const bool recolored = (stale & kLighting) && shading_.colorMaterial != scene::ColorMaterial{};
   if ((stale & kMaterial) || recolored) {
     readMaterial(real, material_);
@@ -144,7 +144,8 @@ void ShadowState::readProgramInUse() {
     return;
   }
   readProgram(real, group, rare_, textures, inUse, drawsAnySolids(settings));
-  // A deleted program lives only while it is in use. OtherProgram cannot hold it in each version of OpenGL.
+  // A deleted program lives only while it is in use. Not every version of OpenGL lets OtherProgram keep it
+  // alive.
   GLint deleted = 0;
   real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
   if (deleted) inUse.reason = Reason::program;

@@ -1,5 +1,5 @@
-// Shadow copy of the real OpenGL's state. State calls are forwarded at once and mark groups of it as dirty;
-// whoever reads a group that is dirty has it read back first. A part of each Context, GL thread.
+// Shadow copy of the real OpenGL's state. State calls are forwarded at once and mark groups of state as
+// dirty. An accessor reads a dirty group back before it returns it. A part of each Context, GL thread.
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/arrays/attachments.h"
@@ -51,10 +51,10 @@ class ShadowState {
   int activeQueries = 0;  // queries and conditional renderings that count or guard draws
   GLenum matrixMode = 0;  // 0: query the real OpenGL
 
-  // Values of the real OpenGL. Groups that are dirty are read back first, but not between its glBegin and
-  // glEnd, where queries are errors: the values are then the last that were read, as after a failure.
-  // References stay valid; later calls change what they refer to. Core profiles have initial values for fixed
-  // function.
+  // Values of the real OpenGL. Dirty groups are read back first, except between its glBegin and glEnd, where
+  // queries are errors. There, and after a failure, the values are the last that were read. References stay
+  // valid; later calls change the values that they refer to. In core profiles, fixed function's values are
+  // the initial ones.
   const RareState& rare() {
     if (!rare_.asked) [[unlikely]]
       askRare();
@@ -68,40 +68,41 @@ class ShadowState {
   const RasterState& raster() { return fresh(kRaster, raster_); }
   const TargetState& target() { return fresh(kTarget, target_); }
   PixelState pixelState() { return {target(), raster(), viewport()}; }
-  /// With fog, but without textures and alpha test.
+  /// Includes fog, but neither textures nor alpha test.
   const scene::Shading& shading() { return fresh(kLighting | kRaster, shading_); }
-  /// Colours change it while GL_COLOR_MATERIAL is on.
+  /// Colours change the material while GL_COLOR_MATERIAL is on.
   const scene::MaterialPair& material() { return fresh(kMaterial | kLighting, material_); }
   /// Why fixed function's textures cannot be traced, or Reason::traced.
   Reason textureReason() { return fresh(kFixedTextures, textureReason_); }
-  /// Of the enabled texture units of fixed function.
+  /// Textures of the enabled units of fixed function.
   const std::vector<scene::Texture>& fixedTextures() { return fresh(kFixedTextures, fixedTextures_); }
-  /// The enabled ones, in eye space.
+  /// The enabled clip planes, in eye space.
   const std::vector<glm::dvec4>& clipPlanes() { return fresh(kClip, clipPlanes_); }
-  /// Where raster().program is not 0: its inputs.
+  /// Inputs of the shader program, if raster().program is not 0.
   const ProgramState& program() { return fresh(kProgram | kProgramTextures, program_); }
   /// Vertex arrays of fixed function.
   const ArrayState& arrays() { return fresh(kFixedArrays, arrays_); }
-  /// Vertex arrays of the shader program in use, whose family says what they mean.
+  /// Vertex arrays of the shader program in use, assigned to their roles by its family.
   const ArrayState& attributes() { return fresh(kAttributes, attributes_); }
 
   /// The shader program in use; `known` is null if there is none. Its textures may be those that program()
-  /// has read last.
+  /// read last.
   const ProgramState& programInUse() {
     refresh(kProgram);
     return program_;
   }
-  /// What raster() has returned last, for draws that must not wait for queries.
+  /// The last result of raster(), without a read-back, for draws that must not wait for queries.
   const RasterState& lastRaster() const { return raster_; }
 
-  /// A call may have changed these groups.
+  /// Marks groups as dirty, because a call may have changed them.
   void touch(uint32_t groups) { dirty_ |= groups & readable_; }
-  /// The same where nothing tells when they change: their values hold for this draw, until refresh().
+  /// Marks groups that change without any call that GLuRay sees: their values hold for this draw, until
+  /// refresh().
   void expire(uint32_t groups) { expired_ |= groups & readable_; }
   /// Whether one of these groups would be read back by refresh().
   bool isDirty(uint32_t groups) const { return ((dirty_ | expired_) & groups) != 0; }
-  /// Reads back those of `groups` that are dirty, together. Call where a draw begins, whose reads then ask
-  /// the real OpenGL only once for its errors.
+  /// Reads back, together, all dirty groups among `groups`. Call when a draw begins; its reads then query the
+  /// real OpenGL's errors only once.
   void refresh(uint32_t groups) noexcept {
     if (isDirty(groups)) [[unlikely]]
       readBack(groups);
@@ -110,32 +111,33 @@ class ShadowState {
   bool wasReadBack(uint32_t groups) const { return (readBack_ & groups) != 0; }
   void forgetReadBack(uint32_t groups) { readBack_ &= ~groups; }
 
-  /// The current colour was set: with GL_COLOR_MATERIAL the material follows it.
+  /// Reports that the current colour was set: with GL_COLOR_MATERIAL the material follows it.
   void colorSet() {
-    // Where kLighting is dirty, material() is read back with it.
+    // If kLighting is dirty, material() reads the material back with it.
     if (shading_.colorMaterial != scene::ColorMaterial{}) touch(kMaterial);
   }
   /// Number of the context in this process.
   void setContextNumber(uint64_t number) { target_.context = number; }
-  /// The context has become current with `drawable` (0: unknown): the thread or the drawable may be others.
+  /// Reports that the context has become current with `drawable` (0: unknown): the thread or the drawable may
+  /// have changed.
   void madeCurrent(uintptr_t drawable);
 
-  // What draws find out about the shader program in use beyond its inputs; until it is read back again.
-  /// Details for the user why it is not traced.
+  // Results that draws add to the shader program in use, until it is read back again.
+  /// Why the program is not traced, for the user.
   void setProgramWhy(std::string why) { program_.why = std::move(why); }
-  /// scene::Impostors::size of its impostors.
+  /// Sets scene::Impostors::size of the program's impostors.
   void setImpostorSize(const glm::vec2& size) { program_.impostors.size = size; }
-  /// Gives attributes() the radius, and the caps of impostors, that the program has for all of them.
+  /// Sets radius and caps of attributes() to those that the program uses for all its impostors.
   void shareImpostorValues();
 
-  /// The shader program `name` with its family. The host program sees no errors of this. May throw
+  /// The shader program `name` and its family. Hides GL errors of this from the host program. May throw
   /// std::bad_alloc.
   std::shared_ptr<const KnownProgram> recognise(GLuint name);
   void syncCurrent() {
     if (current.anyUnsent()) [[unlikely]]
       current.send(real);
   }
-  /// Sends the real OpenGL held-back contents of buffers that its next draw may read.
+  /// Sends held-back contents of those buffers that the real OpenGL's next draw may read.
   void sendBuffers();
   double viewportPixels() {
     const glm::ivec4& box = viewport().box;
@@ -185,7 +187,7 @@ class ShadowState {
 inline constexpr uint32_t kDrawGroups = kModelview | kProjection | kViewport | kRaster | kLighting |
                                         kMaterial | kFixedTextures | kClip | kTarget | kCurrent;
 
-/// Groups that decide this for surfaces drawn by a shader program.
+/// The same groups for surfaces that a shader program draws.
 inline constexpr uint32_t kProgramGroups =
     kViewport | kRaster | kTarget | kClip | kProgram | kProgramTextures | kAttributes;
 

@@ -1,4 +1,4 @@
-// When ShadowState asks the real OpenGL, by a fake one that counts queries.
+// When ShadowState queries the real OpenGL, by a fake OpenGL that counts queries.
 #include "gl/shadow/shadow_state.h"
 
 #include "gl/basics/failsafe.h"

@@ -10,7 +10,7 @@
 
 namespace gluray::gl {
 
-/// The names of a share group's deleted buffers. Time is counted in deletions.
+/// The names of a share group's deleted buffers. The unit of time is one deletion.
 class DeletedBuffers {
  public:
   void add(GLuint name) {

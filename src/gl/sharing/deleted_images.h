@@ -21,8 +21,8 @@ class DeletedImages {
   }
   /// Number of deletions.
   uint64_t count() const { return count_; }
-  /// Calls visit(type, name) for each deletion since there were `seen`, and sets `seen` to their number.
-  /// False: there were too many, and they are not known any more.
+  /// Calls visit(type, name) for each deletion after the first `seen` ones, and sets `seen` to the total.
+  /// Returns false if there were more than kKept, so that the older ones are unknown.
   template <class Visit>
   bool since(uint64_t& seen, Visit&& visit) const {
     if (seen == count_) return true;

@@ -1,6 +1,6 @@
-// Objects that several contexts share: display lists, buffers, known meshes. Locked inside, because its
-// contexts may be current on several threads. The objects themselves are not: programs must synchronise their
-// use, as OpenGL requires.
+// Objects that several contexts share: display lists, buffers, known meshes. The tables are locked inside,
+// because contexts may be current on several threads. The objects are not locked: host programs must
+// synchronise their use, as OpenGL requires.
 #pragma once
 #include "gl/capture/mesh_cache.h"
 #include "gl/programs/match.h"
@@ -94,7 +94,7 @@ class ShareGroup {
   DeletedBuffers deletedBuffers;
   DeletedImages deletedImages;
   MeshCache meshes;
-  std::atomic<int> contexts = 0;             // number of living contexts
+  std::atomic<int> contexts = 0;             // number of existing contexts
   std::atomic<uint64_t> textureChanges = 0;  // count of changes to texture images by any context
   std::atomic<bool> stencilsSet =
       false;  // some image may hold stencil values; until then OpenGL leaves them undefined
@@ -102,28 +102,30 @@ class ShareGroup {
   const std::shared_ptr<std::atomic<int>> heldBackBuffers = std::make_shared<std::atomic<int>>(0);
   bool anyBuffersHeldBack() const { return *heldBackBuffers > 0; }
 
-  /// The shader program with its family, which is determined once per link. A context of the group must be
+  /// The shader program and its family, which is determined once per link. A context of the group must be
   /// current.
   std::shared_ptr<const KnownProgram> program(const RealGl& real, GLuint name, const FamilyList& families);
-  /// The shader program got a binary, or was deleted: its family is determined anew, if it is still used.
+  /// The shader program got a new binary: its family is determined anew if it is still used.
   void programChanged(GLuint name);
+  /// The shader program was deleted: its family is determined anew if it is still used.
   void programDeleted(GLuint name);
-  /// The same for a shader program that was linked: keeps the texts of its shaders, which the host program
-  /// may detach. A context of the group must be current.
+  /// The shader program was linked: keeps the texts of its shaders, which the host program may detach. A
+  /// context of the group must be current.
   void programLinked(const RealGl& real, GLuint name);
   /// Counts shader programs that were linked, deleted or recognised.
   uint64_t programChanges() const { return programChanges_; }
-  /// What program() has found for the program; null: it was not asked yet.
+  /// The last result of program() for this shader program; null if there is none.
   std::shared_ptr<const KnownProgram> recognised(GLuint name);
-  /// Some shader program that was linked or got a binary, for which program() was not asked since; 0: none.
+  /// A shader program that was linked or got a binary, and for which program() was not called since; 0: none.
   GLuint unrecognised();
   /// Whether a family describes one of the recognised shader programs.
   bool tracesPrograms();
 
-  /// A real list whose owner is gone: the next current context of the group deletes it.
+  /// Schedules a real list without owner for deletion by the next current context of the group.
   void discardRealList(GLuint id);
-  /// The same for all names that a context leaves behind.
+  /// Schedules all names that a context leaves behind for deletion.
   void discard(const SharedNames& names);
+  /// Returns the names to delete and forgets them.
   SharedNames takeDiscarded();
 
  private:

@@ -32,7 +32,7 @@ void AttachedImages::setOne(GLuint framebuffer, GLenum attachment, const Image& 
   if (image.name == 0) return;
   try {
     attached_[{framebuffer, attachment}] = image;
-  } catch (const std::bad_alloc&) {}  // then it counts as one of another context
+  } catch (const std::bad_alloc&) {}  // the attachment then counts as another context's
 }
 
 void AttachedImages::setBound(const RealGl& real, GLenum target, GLenum attachment, GLenum type,

@@ -1,6 +1,6 @@
 // Records the images that were attached to framebuffer objects. A deleted texture or renderbuffer stays alive
-// in framebuffer objects that are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8), and the name that the real
-// OpenGL reports for it may belong to another one by then. GL thread.
+// in framebuffer objects that are not bound (OpenGL 4.6, 5.1.2, 5.1.3 and 9.2.8). By then, the name that the
+// real OpenGL reports for it may belong to another image. GL thread.
 #pragma once
 #include "gl/real/real.h"
 #include "gl/sharing/deleted_images.h"
@@ -16,17 +16,17 @@ class AttachedImages {
  public:
   explicit AttachedImages(const DeletedImages& deleted) : deleted_(deleted) {}
 
-  /// An image of `type`, GL_TEXTURE or GL_RENDERBUFFER, is attached there now; name 0: none.
+  /// Records that an image of `type`, GL_TEXTURE or GL_RENDERBUFFER, is attached there now; name 0: none.
   void set(GLuint framebuffer, GLenum attachment, GLenum type, GLuint name);
-  /// set() for the framebuffer object bound to `target`.
+  /// Like set(), for the framebuffer object bound to `target`.
   void setBound(const RealGl& real, GLenum target, GLenum attachment, GLenum type, GLuint name);
-  /// The framebuffer object was deleted.
+  /// Forgets a framebuffer object that was deleted.
   void forget(GLuint framebuffer);
-  /// Notes deletions in any context of the share group.
+  /// Applies deletions by any context of the share group.
   void update();
   /// Whether the image at `attachment` of the framebuffer bound to `target`, GL_DRAW_FRAMEBUFFER or
-  /// GL_READ_FRAMEBUFFER, may be a deleted one whose name belongs to another image. Attachments that another
-  /// context has made count as such.
+  /// GL_READ_FRAMEBUFFER, may be a deleted one whose name now belongs to another image. Also true for
+  /// attachments that another context has made.
   bool mayBeDeleted(const RealGl& real, GLenum target, GLenum attachment);
 
  private:

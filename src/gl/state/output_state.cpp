@@ -15,7 +15,7 @@ bool allOff(const RealGl& real, std::initializer_list<GLenum> capabilities) {
   return true;
 }
 
-/// Whether exactly the first two draw buffers are in use, and both hold floats.
+/// Whether exactly the first two draw buffers are in use, and both have float formats.
 bool drawsTwoOfFloats(const RealGl& real) {
   GLint most = 0;
   real.GetIntegerv(GL_MAX_DRAW_BUFFERS, &most);
@@ -31,7 +31,8 @@ bool drawsTwoOfFloats(const RealGl& real) {
   return true;
 }
 
-/// Whether a blend parameter of draw buffers 0 and 1 is `wanted`; without per-buffer blending, of all.
+/// Whether a blend parameter of draw buffers 0 and 1 is `wanted`. Without per-buffer blending, checks the
+/// common one.
 bool blendIs(const RealGl& real, GLenum name, GLint wanted) {
   if (!isPresent(real.BlendFunci)) return integer(real, name) == wanted;
   for (GLuint i = 0; i < 2; ++i) {

@@ -1,4 +1,4 @@
-// Per-fragment operations and polygon state: why they rule out tracing, and the values that tracing needs.
+// Per-fragment operations and polygon state: the reasons against tracing, and the values that tracing needs.
 #include "gl/real/blend_state.h"
 #include "gl/real/state_queries.h"
 #include "gl/state/output_state.h"
@@ -11,8 +11,9 @@
 namespace gluray::gl {
 namespace {
 
-/// Why blending rules out tracing. If it does not, opaque surfaces replace the framebuffer's colour: sets
-/// unlessOpaque if others do not, and clears colorWrites.alpha if the framebuffer keeps its alpha.
+/// The reason why blending prevents tracing, or Reason::traced if opaque surfaces replace the framebuffer's
+/// colour. In that case sets unlessOpaque if other surfaces do not, and clears colorWrites.alpha if the
+/// framebuffer keeps its alpha.
 Reason blendReason(const RealGl& real, RasterState& raster) {
   if (!isOn(real, GL_BLEND)) return Reason::traced;
   const auto source = integer(real, GL_BLEND_SRC_RGB), destination = integer(real, GL_BLEND_DST_RGB);
@@ -70,14 +71,14 @@ scene::Fog readFog(const RealGl& real, const RareState& has) {
   return fog;
 }
 
-/// Why fog rules out tracing: its distance is not that from the viewer's plane.
+/// The reason why fog prevents tracing: its distance is not the distance from the viewer's plane.
 Reason fogReason(const RealGl& real, const RareState& has) {
   const bool unusual = has.fogDistance && isOn(real, GL_FOG) &&
                        integer(real, GL_FOG_DISTANCE_MODE_NV) != GL_EYE_PLANE_ABSOLUTE_NV;
   return unusual ? Reason::fog : Reason::traced;
 }
 
-/// Why per-fragment operations other than the depth test and fog rule out tracing; the cheapest and commonest
+/// The reason why per-fragment operations other than the depth test and fog prevent tracing. Cheap and common
 /// queries come first.
 Reason otherFragmentReason(const RealGl& real, const RareState& has, RasterState& raster) {
   GLboolean mask[4] = {};
@@ -106,7 +107,7 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   const bool isUsual = raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL;
   if (isUsual || raster.isReversed()) raster.butDepthFunc = otherFragmentReason(real, has, raster);
   const Reason reason = isUsual ? raster.butDepthFunc : Reason::depthFunc;
-  // What is traced otherwise: surfaces, and layers.
+  // Reasons that still allow tracing: as surfaces, or as layers.
   const bool traced = reason == Reason::traced || reason == Reason::depthMask || reason == Reason::blend;
   return traced && fogReason(real, has) != Reason::traced ? Reason::fog : reason;
 }
@@ -139,11 +140,11 @@ void readRaster(const RealGl& real, const RareState& has, RasterState& raster, s
   raster.colorWrites = {};
   raster.program = isPresent(real.UseProgram) ? static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM)) : 0;
   raster.reason = fragmentReason(real, has, raster);
-  // A draw that tests and writes depth, and replaces colour, is depth-merged with pending traced surfaces.
+  // A draw that tests and writes depth, and replaces colour, merges by depth with pending traced surfaces.
   raster.orderFree = (raster.reason == Reason::traced || raster.reason == Reason::fog ||
                       raster.reason == Reason::program || raster.reason == Reason::renderMode) &&
                      !isOn(real, GL_BLEND) && raster.writesDepth;
-  // Programs of a pipeline are not inspected: they may write memory, where the order of draws matters.
+  // Programs of a pipeline are not inspected. They may write memory, and then the order of draws matters.
   if (raster.program == 0 && raster.reason == Reason::program && programPipeline(real, has.pipelines) != 0)
     raster.orderFree = false;
   const bool blended = raster.reason == Reason::depthMask || raster.reason == Reason::blend ||

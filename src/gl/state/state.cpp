@@ -102,7 +102,7 @@ void readLighting(const RealGl& real, const RareState& has, scene::Shading& shad
   shading.lights.clear();
   shading.colorMaterial = {};
   shading.twoSided = shading.localViewer = shading.separateSpecular = false;
-  // Normals also enter generated texture coordinates.
+  // Normals also affect generated texture coordinates.
   shading.normalize = isOn(real, GL_NORMALIZE);
   shading.rescaleNormal = isOn(real, GL_RESCALE_NORMAL);
   shading.colorSum = !shading.lighting && has.secondaryColor && isOn(real, GL_COLOR_SUM);

@@ -28,7 +28,7 @@ enum StateGroup : uint32_t {
   kClip = 1 << 7,           // clip planes
   kTarget = 1 << 8,         // draw framebuffer and draw buffer
   kFixedArrays = 1 << 9,    // vertex array pointers and enables, of fixed function
-  kCurrent = 1 << 10,       // current vertex attributes were changed other than by attribute calls
+  kCurrent = 1 << 10,       // current vertex attributes, changed other than by attribute calls
   kAttributes = 1 << 11,    // vertex arrays of shader programs
   kProgram = 1 << 12,       // the current shader program and its uniforms
   kArrays = kFixedArrays | kAttributes,
@@ -36,20 +36,20 @@ enum StateGroup : uint32_t {
   kTexture = kFixedTextures | kProgramTextures,
   kAllGroups = (1 << 14) - 1
 };
-/// Groups that core profiles do not have.
+/// Groups that core profiles lack.
 constexpr uint32_t kFixedFunction =
     kModelview | kProjection | kLighting | kMaterial | kFixedTextures | kClip | kFixedArrays | kCurrent;
 
-/// Groups that glEnable and glDisable of this capability touch.
+/// Groups that glEnable and glDisable of this capability change.
 uint32_t groupsOfCapability(GLenum capability);
-/// Groups that glPopAttrib may touch.
+/// Groups that glPopAttrib may change.
 constexpr uint32_t kAttribGroups = kAllGroups & ~uint32_t{kArrays | kProjection};
 
 struct RasterState {
   GLuint program = 0;                    // current shader program
   Reason reason = Reason::traced;        // why no surface can be traced, or `traced`
   Reason unlessOpaque = Reason::traced;  // why surfaces whose alpha is not 1 cannot be traced, or `traced`
-  // The same as `reason`, were all fog, GREATER and GEQUAL traced.
+  // `reason`, if all fog and the functions GREATER and GEQUAL were traced.
   Reason butDepthFunc = Reason::depthFunc;
   scene::ColorWrites colorWrites;  // channels that glColorMask and blending let draws write
   bool scissorTest = false;
@@ -59,7 +59,7 @@ struct RasterState {
   bool writesDepth = true;
   bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
   /// For surfaces that blend or do not write depth: how they are blended, if they can be traced as layers in
-  /// the order of drawing.
+  /// drawing order.
   std::optional<scene::Blending> layers;
   bool firstVertexProvokes = false;  // matters for flat shading
   bool multisample = true;
@@ -76,47 +76,47 @@ struct TargetState {
   GLuint framebuffer = 0;
   GLenum drawBuffer = GL_BACK;
   int samples = 1;
-  glm::ivec2 size{0};  // pixels, of a framebuffer object; {0, 0}: unknown
+  glm::ivec2 size{0};  // pixels, for a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // colours are floats
-  bool eightBits = false;   // 8 each of red, green, blue and, if `alpha`, alpha; read with fixed function
+  bool eightBits = false;   // 8 of red, green, blue and, if `alpha`, alpha; read with fixed function
   bool alpha = true;
   bool blendable = false;  // eightBits, one draw buffer, one sample per pixel, not `encodes`
   double depthSteps = 0;   // from depth 0 to 1; 0: depth is floats
   bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
   float depthResolution = 1.0f / 16777216.0f;
-  // Unit of glPolygonOffset; if depthFloats (depth is floats), it is the last bit of the depth instead.
+  // Unit of glPolygonOffset. If depthFloats, the unit is the last bit of the depth instead.
   float offsetUnit = 1.0f / 8388608.0f;
   bool depthFloats = false;
-  // Not read back: number of the context in this process, and its window, pbuffer or pixmap.
+  // Not read back: number of the context in this process, and its drawable (window, pbuffer or pixmap).
   uint64_t context = 0;
   uintptr_t drawable = 0;
 };
 
 struct ViewportState {
   glm::ivec4 box{0, 0, 1, 1};      // x, y, width, height
-  glm::ivec4 scissor{0, 0, 1, 1};  // the same; counts while RasterState::scissorTest is on
+  glm::ivec4 scissor{0, 0, 1, 1};  // x, y, width, height; used while RasterState::scissorTest is true
   float depthNear = 0, depthFar = 1;
 };
 
-/// What decides which pixels a draw may change, and how. Refers to the state it was made from.
+/// State that decides which pixels a draw may change, and how. Refers to the state that it was made from.
 struct PixelState {
   const TargetState& target;
   const RasterState& raster;
   const ViewportState& viewport;
 };
 
-/// GL_MODELVIEW_MATRIX or GL_PROJECTION_MATRIX.
+/// Reads GL_MODELVIEW_MATRIX or GL_PROJECTION_MATRIX.
 glm::dmat4 readMatrix(const RealGl& real, GLenum name);
 void readViewport(const RealGl& real, ViewportState& viewport);
-/// `fog` is read where `has` says that there is fixed function.
+/// Reads per-fragment and polygon state. `fog` is read if `has` says that there is fixed function.
 void readRaster(const RealGl& real, const RareState& has, RasterState& raster, scene::Fog& fog);
 /// Reads all of `shading` but fog, textures and alpha test.
 void readLighting(const RealGl& real, const RareState& has, scene::Shading& shading);
 void readMaterial(const RealGl& real, scene::MaterialPair& material);
-/// Light `name`, on or off.
+/// Reads light `name`, on or off.
 scene::Light readLight(const RealGl& real, GLenum name);
-/// Those that are enabled, in eye space.
+/// Reads the enabled clip planes, in eye space.
 std::vector<glm::dvec4> readClipPlanes(const RealGl& real);
 void readTarget(const RealGl& real, const RareState& has, AttachedImages& images, TargetState& target);
 

@@ -27,8 +27,8 @@ bool isSingleDrawBuffer(GLenum buffer) {
 
 enum class Colors { bytes, floats, others };
 
-/// What the colour buffer holds. `bytes`: normalised values of 8 or 10 bits. The write-back delivers 8: of 10
-/// bits the last two are lost, a quarter of 1/255 at most.
+/// Format of the colour buffer. `bytes`: normalised values of 8 or 10 bits. The write-back delivers 8 bits:
+/// of 10 bits the last two are lost, at most a quarter of 1/255.
 Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunction) {
   const auto fits = [](GLint bits) { return bits == 8 || bits == 10; };
   if (target.framebuffer == 0)
@@ -42,7 +42,7 @@ Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunctio
   return type == GL_UNSIGNED_NORMALIZED && fits(bits) ? Colors::bytes : Colors::others;
 }
 
-/// Reads the colour buffer's bits, and whether we can blend traced surfaces with its contents.
+/// Reads the colour buffer's bits, and whether traced surfaces can be blended with its contents.
 void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) {
   const GLenum buffer = target.drawBuffer;
   const bool single = target.framebuffer != 0 || (buffer != GL_FRONT_AND_BACK && buffer != GL_LEFT);
@@ -57,8 +57,8 @@ void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) 
 }
 
 /// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images and for
-/// deleted names. A deleted renderbuffer may live on there while its name means another one, or none, which
-/// binding would create.
+/// deleted names. A deleted renderbuffer may stay attached while its name belongs to another one or to none.
+/// Binding such a name would create a new renderbuffer.
 glm::ivec2 attachmentSize(const RealGl& real, AttachedImages& images, GLenum attachment) {
   const auto ask = [&](GLenum name) { return attachmentValue(real, GL_DRAW_FRAMEBUFFER, attachment, name); };
   if (ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_RENDERBUFFER ||
@@ -67,7 +67,7 @@ glm::ivec2 attachmentSize(const RealGl& real, AttachedImages& images, GLenum att
   return renderbufferSize(real, static_cast<GLuint>(ask(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)));
 }
 
-/// Whether the depth buffer holds floats; those of windows never do.
+/// Whether the depth buffer has a float format; the depth buffers of windows never do.
 bool keepsFloats(const RealGl& real, GLuint framebuffer) {
   if (framebuffer == 0) return false;
   const auto ask = [&](GLenum name) {
@@ -98,7 +98,7 @@ void readTarget(const RealGl& real, const RareState& has, AttachedImages& images
   }
   const GLint depthBits = gl::depthBits(real, has.fixedFunction);
   target.depthResolution = std::ldexp(1.0f, -std::min(std::max(depthBits, 1), 24));
-  // OpenGL leaves the unit to the implementation. Mesa's drivers and rasterizers take two depth steps.
+  // OpenGL leaves the unit to the implementation. Mesa's drivers and rasterisers use two depth steps.
   target.offsetUnit = std::ldexp(2.0f, -std::max(depthBits, 1));
   target.depthFloats = target.wideColors = false;
   if (target.reason != Reason::traced) return;

@@ -1,4 +1,4 @@
-// A program with a clock of its own, for tests of EngineChoice.
+// A program with its own clock, for tests of EngineChoice.
 #pragma once
 #include "gl/trials/engine_choice.h"
 

@@ -21,7 +21,7 @@ inline std::string mistake(const std::string& text) {
   return "none";
 }
 
-/// The same for kMin with one more line.
+/// The error for kMin with one more line.
 inline std::string mistakeIn(const std::string& line) { return mistake(kMin + line + "\n"); }
 
 /// The family kMin with `more` lines appended.

@@ -1,4 +1,4 @@
-// Meshes, views and images for tests of what may show.
+// Meshes, views and depth images for tests of visibility.
 #pragma once
 #include "gl/culled/clusters/clusters.h"
 
@@ -27,7 +27,7 @@ struct TestMesh {
   }
 };
 
-/// A sheet of n x rows squares, which waves; `shuffled`: its triangles in any order.
+/// A wavy sheet of n x rows squares. `shuffled`: its triangles are in random order.
 inline TestMesh sheet(int n, int rows, bool shuffled, unsigned seed) {
   std::mt19937 random(seed);
   TestMesh mesh;
@@ -85,13 +85,13 @@ inline std::vector<float> depthImage(std::mt19937& random) {
   return all;
 }
 
-/// A triangle that lies before the viewer, in pixels and depth.
+/// A triangle in front of the viewer, in pixels and depth.
 struct WindowTriangle {
   explicit WindowTriangle(const std::array<glm::dvec4, 3>& clip) {
     for (size_t i = 0; i < 3; ++i)
       corners[i] = (glm::dvec3(clip[i]) / clip[i].w + 1.0) / 2.0 * glm::dvec3(kWidth, kHeight, 1);
   }
-  /// At a place in a pixel; nothing where the triangle does not cover that.
+  /// Depth at a place in a pixel; nullopt if the triangle does not cover it.
   std::optional<double> depthAt(int x, int y, glm::dvec2 place = glm::dvec2(0.5)) const {
     const glm::dvec3 &a = corners[0], &b = corners[1], &c = corners[2];
     const glm::dvec2 p = glm::dvec2(x, y) + place;
@@ -106,7 +106,7 @@ struct WindowTriangle {
   std::array<glm::dvec3, 3> corners;
 };
 
-/// Expects all pixels of the triangle to be farther than the image; returns how many it has.
+/// Expects all pixels of the triangle to be farther than the image, and returns their number.
 inline uint64_t expectBehind(const WindowTriangle& triangle, const std::vector<float>& depths) {
   const auto& c = triangle.corners;
   glm::dvec2 lower(c[0]), upper(c[0]);

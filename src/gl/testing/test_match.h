@@ -1,4 +1,4 @@
-// Fake programs, made of names and sources alone, for tests of match.h.
+// Fake programs that consist only of names and sources, for tests of match.h.
 #pragma once
 #include "gl/programs/match.h"
 

@@ -1,5 +1,4 @@
-// PyMOL's shader sources: as it is installed, and as spec/programs has their statements. For tests of their
-// families.
+// PyMOL's shader sources, as installed and as statements in spec/programs, for tests of their families.
 #pragma once
 #include "base/toml_text.h"
 #include "gl/families/built_in_families.gen.h"
@@ -65,7 +64,7 @@ class PyMolText {
   int lights_, highlights_;
 };
 
-/// A text of the section in spec/programs: "statements" or "blocks".
+/// A text of the section in spec/programs. `what`: "statements" or "blocks".
 inline std::string textOf(std::string_view section, const char* what) {
   for (const auto& [file, text] : kBuiltInFamilyFiles) {
     const toml::table root = parseToml(text, file);

@@ -1,4 +1,4 @@
-// Values of uniforms for tests of shaders that are followed.
+// Values of uniforms for tests of shader interpretation.
 #pragma once
 #include "gl/culled/shader_slice/position_slice.h"
 

@@ -69,7 +69,7 @@ bool readOnlyEnabledUnits(const std::vector<scene::Texture>& textures) {
 }  // namespace
 
 void TextureCache::tellOthers() {
-  // Must not hide earlier changes by other contexts.
+  // The new count must not hide earlier changes by other contexts.
   const uint64_t before = group_.textureChanges.fetch_add(1);
   if (before == changesKnown_) ++changesKnown_;
 }
@@ -102,7 +102,7 @@ void TextureCache::imageChanged(const RealGl& real, GLenum target) {
   if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z)
     target = GL_TEXTURE_CUBE_MAP;
   for (const Target& t : kTargets) {
-    if (t.name != target) continue;  // also proxies, and targets that fixed function does not have
+    if (t.name != target) continue;  // also proxies, and targets that fixed function lacks
     const auto name = static_cast<GLuint>(integer(real, t.binding));
     std::erase_if(
         images_, [&](const auto& known) { return known.first.target == target && known.first.name == name; });
@@ -153,7 +153,7 @@ Reason TextureCache::readUnit(const RealGl& real, const RareState& has, GLint un
 
 namespace {
 
-/// The target that a sampler reads, null for samplers that are not traced.
+/// The target that a sampler reads; null for samplers that are not traced.
 const Target* targetOfSampler(GLenum sampler) {
   const auto target = [&] {
     switch (sampler) {
@@ -188,7 +188,8 @@ Reason TextureCache::bound(const RealGl& real, const RareState& has, GLint unit,
   if (range.levels == 0) return Reason::textureIncomplete;
   Reason reason = Reason::traced;
   texture.image = image(real, has, target->name, range, reason);
-  // Luminance, alpha and intensity mean the same to programs and fixed function; two-channel formats do not.
+  // Luminance, alpha and intensity formats have the same meaning in programs and fixed function. Two-channel
+  // formats do not.
   return reason;
 }
 

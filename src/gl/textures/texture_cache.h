@@ -1,4 +1,4 @@
-// The textures that a draw would sample, read back from the real OpenGL when it needs them. Part of
+// The textures that a draw samples, read back from the real OpenGL when the draw needs them. Part of
 // ShadowState, GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
@@ -16,24 +16,26 @@ namespace gluray::gl {
 
 class ShareGroup;
 
-/// A context's cache of texture images read back. An image is read again after a call that may change it, and
-/// every image after such a call by another context of the share group.
+/// A context's cache of texture images that were read back. An image is read again after a call that may have
+/// changed it. All images are read again after such a call by another context of the share group.
 class TextureCache {
  public:
   explicit TextureCache(ShareGroup& group) : group_(group) {}
 
-  /// Invalidate images after calls that change them: of the texture bound to `target` of the active unit (a
-  /// face of a cube map counts as the cube map), of a deleted texture, or all.
+  /// Invalidates the image of the texture bound to `target` of the active unit. A face of a cube map counts
+  /// as the cube map.
   void imageChanged(const RealGl& real, GLenum target);
+  /// Invalidates the images of a deleted texture.
   void deleted(GLuint name);
+  /// Invalidates all images.
   void allImagesChanged();
-  /// A texture is attached to a framebuffer: draws may change it, so its images are invalidated now and each
-  /// time a framebuffer is bound.
+  /// Reports that a texture is attached to a framebuffer. Draws may change it, so its images are invalidated
+  /// now and each time a framebuffer is bound.
   void attached(GLuint name) noexcept;
   void framebufferBound();
-  /// Whether a texture may ever have been attached.
+  /// Whether a texture may ever have been attached to a framebuffer.
   bool mayBeAttached(GLuint name) const { return attachedIncomplete_ || attached_.contains(name); }
-  /// glFlush, glFinish: other contexts can now see what was drawn into textures.
+  /// Reports glFlush or glFinish: other contexts can now see what was drawn into textures.
   void finished();
 
   /// Reads the texture that a sampler of type `sampler` (GL_SAMPLER_2D ...) samples on `unit`. Returns
@@ -42,7 +44,7 @@ class TextureCache {
   /// Reads the texels of the buffer texture on `unit`: bytes or floats, one to four per texel.
   Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
                 uint32_t& count);
-  /// Whether every element has alpha 1; caches the answer for one storage.
+  /// Whether every element has alpha 1. Caches the answer for one storage.
   bool isOpaque(const scene::Attribute& elements, uint32_t count);
 
   /// Reads the textures of the enabled units. Returns Reason::traced, or why they cannot be traced.
@@ -69,8 +71,8 @@ class TextureCache {
   uint64_t changesKnown_ = 0;  // value of ShareGroup::textureChanges that images_ reflects
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
   std::set<GLuint> attached_;                 // names of textures that were ever attached
-  bool attachedIncomplete_ = false;           // for want of memory: any texture may have been attached
-  std::weak_ptr<const void> checkedStorage_;  // the last that isOpaque() was asked about, and its answer
+  bool attachedIncomplete_ = false;           // memory ran out: any texture may have been attached
+  std::weak_ptr<const void> checkedStorage_;  // the last storage that isOpaque() was called for
   bool checkedOpaque_ = false;
 };
 

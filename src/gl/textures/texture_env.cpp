@@ -53,7 +53,7 @@ bool toArgument(GLint source, GLint operand, Combine::Argument& argument) {
   }
 }
 
-/// Number of arguments that the function takes.
+/// Number of arguments of the function.
 size_t argumentsOf(Combine::Function function) {
   return function == Combine::replace ? 1 : function == Combine::interpolate ? 3 : 2;
 }
@@ -93,7 +93,8 @@ std::optional<TexGen::Mode> toMode(GLint mode) {
   }
 }
 
-/// Whether sampling the texture gives alpha 1 everywhere. Coordinates beyond the image may sample its border.
+/// Whether sampling the texture gives alpha 1 everywhere. Coordinates outside the image may sample its
+/// border.
 bool isOpaque(const scene::Texture& t) {
   using scene::BaseFormat;
   using scene::Wrap;
@@ -111,7 +112,7 @@ bool isOpaque(const scene::Texture& t) {
                            (t.target == scene::TextureTarget::texture3D && reaches(t.wrapR))));
 }
 
-/// The alpha that a part of a combiner yields if `primary` and `previous` have alpha 1; empty if it depends
+/// The alpha that a part of a combiner computes if `primary` and `previous` have alpha 1; empty if it depends
 /// on texels.
 std::optional<float> alphaOf(const std::vector<scene::Texture>& all, const scene::Texture& t,
                              const Combine::Part& part) {

@@ -17,7 +17,7 @@ GLint parameter(const RealGl& real, GLenum target, GLenum name, GLint usual) {
   return usual;
 }
 
-/// Queries of a cube map's levels name one of its faces.
+/// The target for queries of a level, which for a cube map must name one of its faces.
 GLenum faceTarget(GLenum target, int face) {
   return target == GL_TEXTURE_CUBE_MAP ? static_cast<GLenum>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face) : target;
 }
@@ -44,7 +44,7 @@ LevelSize sizeOf(const RealGl& real, GLenum target, GLint level, int face = 0) {
   return size;
 }
 
-/// Resets pack and pixel transfer state while texels are fetched, and then restores the program's.
+/// Resets pack and pixel transfer state while texels are fetched; the destructor restores the program's.
 class PixelGuard {
  public:
   PixelGuard(const RealGl& real, bool fixedFunction) : real_(real), transfers_(fixedFunction) {
@@ -80,13 +80,13 @@ class PixelGuard {
                                          GL_DEPTH_SCALE, GL_RED_BIAS,    GL_GREEN_BIAS, GL_BLUE_BIAS,
                                          GL_ALPHA_BIAS,  GL_DEPTH_BIAS,  GL_MAP_COLOR};
   const RealGl& real_;
-  bool transfers_;  // core profiles have none
+  bool transfers_;  // core profiles have no pixel transfer
   GLint pack_[std::size(kPack)] = {};
   GLfloat transfer_[std::size(kTransfer)] = {};
   GLuint buffer_ = 0;
 };
 
-/// Whether texels of the format are decoded when they are sampled.
+/// Whether texels of the format are decoded from sRGB when they are sampled.
 bool isSrgb(GLint format) {
   return (format >= GL_SRGB && format <= GL_COMPRESSED_SLUMINANCE_ALPHA) ||
          (format >= GL_COMPRESSED_SRGB_S3TC_DXT1_EXT && format <= GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT) ||
@@ -95,10 +95,10 @@ bool isSrgb(GLint format) {
          format == GL_COMPRESSED_SRGB8_ALPHA8_ETC2_EAC;
 }
 
-/// How the texels of a texture are read and what they mean.
+/// How the texels of a texture are read and interpreted.
 struct TexelForm {
   scene::BaseFormat base = scene::BaseFormat::rgba;
-  bool bytes = true;  // eight bits per component hold them
+  bool bytes = true;  // eight bits per component suffice
   bool srgb = false, depth = false;
 };
 
@@ -143,7 +143,7 @@ std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum
 }
 
 /// Converts a texel from glGetTexImage, which returns luminance as (L,0,0) and intensity as (I,0,0) (GL 2.1,
-/// 6.1.4), to what sampling sees.
+/// 6.1.4), to the value that sampling returns.
 template <class Texel>
 Texel expanded(const Texel& t, scene::BaseFormat format, decltype(t.x) one) {
   switch (format) {

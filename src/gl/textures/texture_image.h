@@ -13,9 +13,10 @@
 
 namespace gluray::gl {
 
-/// Whether level 0 of the texture bound to GL_TEXTURE_2D of the active unit is RGBA8 of that size.
+/// Whether level 0 of the texture bound to GL_TEXTURE_2D of the active unit is RGBA8 and has exactly this
+/// size.
 bool isRgba8(const RealGl& real, glm::ivec2 size);
-/// The same, of that size or larger.
+/// Whether level 0 of that texture is RGBA8 and has at least this size.
 bool holdsRgba8(const RealGl& real, glm::ivec2 size);
 
 /// The part of a bound texture that is sampled, and how its texels are read.
@@ -27,7 +28,7 @@ struct ImageRange {
   auto operator<=>(const ImageRange&) const = default;
 };
 
-/// The levels that the texture bound to `target` of the active unit is sampled from, `mipmapped` or not.
+/// The levels from which the texture bound to `target` of the active unit is sampled.
 ImageRange rangeOf(const RealGl& real, const RareState& has, GLenum target, bool mipmapped);
 
 /// Reads the levels of `range`. Null, with `reason` set, if they cannot be traced.

@@ -1,4 +1,4 @@
-// Reads back how a texture is sampled: filters, wraps and level of detail. GL thread.
+// Reads back the sampling parameters of textures: filters, wrap modes and level of detail. GL thread.
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/real/extensions.h"
@@ -12,7 +12,7 @@ namespace gluray::gl {
 /// or why one of them cannot be traced.
 Reason readSampling(const RealGl& real, const RareState& has, GLenum target, scene::Texture& texture);
 
-/// Whether reads of the texture bound to `target` of the active unit exchange components.
+/// Whether the texture bound to `target` of the active unit has a swizzle other than the identity.
 bool isSwizzled(const RealGl& real, const RareState& has, GLenum target);
 
 }  // namespace gluray::gl

@@ -1,4 +1,4 @@
-// Whether culling large draws pays: simulated draws.
+// Whether culling large draws pays, by simulated draws.
 #include "gl/trials/culling_trials.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using DrawWay = CullingTrials::Way;
 
-/// Draws of one mesh, which take so many seconds.
+/// Simulated draws of one mesh, with their times.
 struct TriedMesh {
   double plain = 0.01, culled = 0.02;
   bool possible = true;  // to be culled
@@ -30,7 +30,7 @@ struct TriedMesh {
   }
 };
 
-/// Seconds of so many frames that draw all meshes, over those of whole draws.
+/// Time of `frames` frames that draw all meshes, divided by the time of plain draws.
 double shareOf(std::vector<TriedMesh>& meshes, TrialBudget& budget, int frames) {
   double took = 0, plain = 0;
   for (int i = 0; i < frames; ++i)
@@ -64,7 +64,7 @@ TEST(CullingTrials, ShareWhatTheyMayCost) {
   meshes.push_back({0.01, 0.002});
   shareOf(meshes, budget, 200);
   EXPECT_TRUE(meshes.back().trials.pays());
-  // Meshes that come and go are tried at the same cost.
+  // Meshes that come and go cost no more in trials.
   double took = 0;
   for (int i = 0; i < 100; ++i) {
     std::vector<TriedMesh> next(3, TriedMesh{0.001, 0.01});

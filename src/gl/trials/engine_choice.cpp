@@ -8,19 +8,19 @@ namespace {
 
 constexpr int kSettle = 4;                   // frames before measuring: lists are compiled, shaders built
 constexpr int kTrialSettle = 2;              // the same in a trial, which the user may notice
-constexpr int kTimes = 3;                    // frames measured; the fastest counts, as noise only adds time
-constexpr int kAttempts = 32;                // frames of another load until measuring is given up
+constexpr int kTimes = 3;                    // frames measured; the fastest counts: noise only adds time
+constexpr int kAttempts = 32;                // frames of another load after which measuring stops
 constexpr int kWindow = 32;                  // frames over which the largest load is taken
 constexpr double kFaster = 0.87;             // change if the other way takes less than this share of the time
-constexpr double kOptimism = 0.6;            // the other way may by now cost this share of its measurement
-constexpr double kSame = 1.5, kStays = 2.0;  // ratio of loads of one kind; ratio at which a kind is left
+constexpr double kOptimism = 0.6;            // lower limit of a cost now, as a share of its measurement
+constexpr double kSame = 1.5, kStays = 2.0;  // maximum ratio of loads of one kind, also until it is left
 constexpr double kFirstLook = 2, kLongestLook = 64;
 constexpr double kFirstTrial = 4, kLongestTrial = 1024, kTrialGrowth = 4;  // seconds between trials
-constexpr double kShare = 0.01;  // of the time in which the real OpenGL draws, for trials of tracing
-constexpr double kMaxSavedSeconds = 0.25;  // seconds
-constexpr double kHopeless = 2;  // a second traced frame that takes so many times as long ends the trial
-constexpr double kLikely = 2;    // a traced frame likely takes so many times leastTraceSeconds()
-constexpr double kFirstTrace = 20e-3;  // seconds: the first one starts threads and builds shaders
+constexpr double kShare = 0.01;            // of the real OpenGL's drawing time, spent on trials of tracing
+constexpr double kMaxSavedSeconds = 0.25;  // maximum budget
+constexpr double kHopeless = 2;            // a second traced frame this many times as slow ends the trial
+constexpr double kLikely = 2;              // estimate of a traced frame, in units of leastTraceSeconds()
+constexpr double kFirstTrace = 20e-3;      // seconds: the first one starts threads and builds shaders
 constexpr double kNever = 1e300;
 constexpr size_t kKinds = 32;
 
@@ -30,7 +30,7 @@ double ratio(double a, double b) {
 }
 
 bool within(const FrameLoad& a, const FrameLoad& b, double factor) {
-  // Below some thousand triangles the number hardly matters.
+  // Below some thousand triangles their number hardly affects the time.
   constexpr double kFew = 2000;
   return ratio(std::max(a.triangles, kFew), std::max(b.triangles, kFew)) <= factor &&
          ratio(a.pixels, b.pixels) <= factor;
@@ -65,7 +65,8 @@ bool EngineChoice::takesAlone(uint64_t triangles, double viewportPixels) const {
 }
 
 bool EngineChoice::takes(uint64_t triangles, double viewportPixels) const {
-  // After an overflow draws are judged one by one, so that a surface drawn again is drawn in the same way.
+  // After an overflow each draw is judged alone, so that a surface that is drawn again is drawn in the same
+  // way.
   const bool inAll = active_ && way_ == Way::mixed && !overflowed_;
   return takesAlone(triangles + (inAll ? static_cast<uint64_t>(frame_.triangles) : 0), viewportPixels);
 }
@@ -113,7 +114,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
         conclude();
         break;
       }
-      // Too large for the real OpenGL: there is no choice to measure for.
+      // Too large for the real OpenGL: no alternative to measure.
       if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
         rest();
       else
@@ -135,7 +136,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
   return way_;
 }
 
-/// Frames that the real OpenGL draws save for trials of tracing, and frames of these trials spend.
+/// Adds to the budget for frames that the real OpenGL draws, and charges frames of trials of tracing.
 void EngineChoice::account(const Kind& kind, double seconds) {
   const double direct = kind.seconds[indexOf(Way::passthrough)];
   everTraced_ |= way_ == Way::traced;
@@ -169,11 +170,11 @@ EngineChoice::Kind& EngineChoice::kindOf(const FrameLoad& load) {
   return kinds_.back();
 }
 
-/// Frames are of this other kind from now on.
+/// Changes to another kind of frames.
 void EngineChoice::enter(Kind& kind) {
   kind_ = static_cast<size_t>(&kind - kinds_.data());
   lookInterval_ = kFirstLook;
-  // An interrupted trial has shown nothing: its way does not count as used.
+  // An interrupted trial has no result: its way does not count as used.
   const Way used = trial_ ? other(way_) : way_, unused = other(used);
   const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
   const bool known = here >= 0 && there >= 0 && there < kFaster * here;
@@ -244,8 +245,8 @@ double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
   return least;
 }
 
-/// Seconds by which a trial of tracing likely takes longer than as many frames of the real OpenGL, which were
-/// measured.
+/// Estimated seconds by which a trial of tracing takes longer than the same number of frames of the real
+/// OpenGL, whose time was measured.
 double EngineChoice::likelyLoss(const Kind& kind) const {
   const double direct = kind.seconds[indexOf(Way::passthrough)], known = kind.seconds[indexOf(Way::traced)];
   const double likely =
@@ -253,8 +254,8 @@ double EngineChoice::likelyLoss(const Kind& kind) const {
   return (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
 }
 
-/// Whether a trial of tracing that likely loses so many seconds may be made now. Nothing needs to be saved
-/// for one that likely wins, and never more than can be.
+/// Whether the budget allows a trial of tracing that likely loses `loss` seconds. A trial that likely wins
+/// needs no budget. The required budget never exceeds its maximum.
 bool EngineChoice::affords(double loss) const {
   return loss <= 0 || budget_.left() >= std::min(loss, kMaxSavedSeconds);
 }

@@ -1,7 +1,7 @@
-// Decides whether the ray tracer or the real OpenGL draws a context's frames: whichever is faster by
-// measurement (adr/0012). Decides between frames, keeps a decision for many frames, and rarely tries the
-// alternative. If the alternative is probably slower, it tries only within the time budget (TrialBudget,
-// adr/0083). Calls no OpenGL. A part of FrameClock, GL thread.
+// Decides by measurement whether the ray tracer or the real OpenGL draws a context's frames faster
+// (adr/0012). Decides between frames, keeps a decision for many frames, and rarely tries the alternative. A
+// trial that is probably slower must fit into a time budget (TrialBudget, adr/0083). Calls no OpenGL. A part
+// of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
 #include "gl/trials/trial_budget.h"
@@ -25,8 +25,8 @@ class EngineChoice {
  public:
   enum class Way : uint8_t {
     traced,  // draws are captured and, where possible, traced
-    mixed,   // the same, but small draws are rasterised: nothing is known yet, or a passthrough frame got a
-             // large draw
+    mixed,   // as `traced`, but small draws are rasterised: nothing is known yet, or a passthrough frame got
+             // a large draw
     passthrough,  // calls go straight to the real OpenGL
   };
   using Clock = double (*)();
@@ -38,29 +38,29 @@ class EngineChoice {
   Way way() const { return way_; }
 
   // --- while a frame is drawn
-  /// A draw of `triangles` triangles under a viewport of `viewportPixels` pixels.
+  /// Reports a draw of `triangles` triangles under a viewport of `viewportPixels` pixels.
   void drew(uint64_t triangles, double viewportPixels) {
     drawn_ = true;
     frame_.triangles += static_cast<double>(triangles);
     epochPixels_ = std::max(epochPixels_, viewportPixels);
   }
-  /// Depth was cleared: a new depth epoch, whose pixels count again.
+  /// Reports that depth was cleared: a new depth epoch begins, whose pixels count again.
   void layer() {
     frame_.pixels += epochPixels_;
     epochPixels_ = 0;
   }
   bool drawn() const { return drawn_; }
-  /// Whether the real OpenGL takes a draw of so many triangles in a passthrough or mixed frame.
+  /// Whether a draw of `triangles` triangles is left to the real OpenGL in a passthrough or mixed frame.
   bool takes(uint64_t triangles, double viewportPixels) const;
-  /// The same, whatever has been drawn before in the frame.
+  /// As takes(), but independent of what the frame has drawn before.
   bool takesAlone(uint64_t triangles, double viewportPixels) const;
-  /// Whether, in frames of any kind, the real OpenGL takes so many triangles of surfaces that are blended in
-  /// drawing order and would be traced together.
+  /// Whether surfaces of `triangles` triangles that are blended in drawing order, and would be traced
+  /// together, are left to the real OpenGL. Valid in frames of any kind.
   bool takesLayers(uint64_t triangles, double viewportPixels) const;
-  /// The real OpenGL did not take a draw of a passthrough frame: the rest of the frame is mixed.
+  /// Reports that the real OpenGL did not take a draw of a passthrough frame: the rest of the frame is mixed.
   void overflow();
 
-  // --- frames that are measured: call glFinish before start() and before stop().
+  // --- measured frames: call glFinish before start() and before stop().
   bool wantsStart() const { return timing_ == Timing::wanted; }
   void start() {
     startedAt_ = clock_();
@@ -72,11 +72,12 @@ class EngineChoice {
     timing_ = Timing::off;
   }
 
-  /// A frame is complete: returns how to draw the next. Frames without draws do not count.
+  /// Reports that a frame is complete, and returns how to draw the next one. Frames without draws do not
+  /// count.
   Way frameEnded();
 
-  /// The most triangles with which the real OpenGL is tried at so many pixels. Fewer compile into a list in
-  /// an instant, and the real OpenGL may draw them as fast as they are traced.
+  /// Maximum number of triangles, at `pixels` pixels, for which the real OpenGL is tried. Fewer triangles
+  /// compile into a list quickly, and the real OpenGL may draw them as fast as they are traced.
   static double mostTriangles(double pixels);
 
  private:
@@ -116,23 +117,23 @@ class EngineChoice {
   Clock clock_;
   Way way_;
 
-  FrameLoad frame_;  // of the frame being drawn
+  FrameLoad frame_;  // load of the frame being drawn
   double epochPixels_ = 0;
   bool drawn_ = false;
   Timing timing_ = Timing::off;
   double startedAt_ = 0, frameSeconds_ = -1;
 
-  FrameLoad peaks_[2];  // largest loads in this window of kWindow frames and in the one before
+  FrameLoad peaks_[2];  // largest loads in the current window of kWindow frames and in the previous one
   int window_ = 0;
   std::vector<Kind> kinds_;
   size_t kind_ = 0;
 
   Phase phase_ = Phase::settling;
-  bool trial_ = false;       // trying a way that is not known to be faster
+  bool trial_ = false;       // the current way is not known to be faster
   bool everTraced_ = false;  // a frame was drawn by Way::traced
   TrialBudget budget_;       // for trials of tracing
   int left_ = 0;             // frames left in this phase
-  int attempts_ = 0;         // frames measured that were of another kind
+  int attempts_ = 0;         // measured frames that were of another kind
   double best_ = -1;         // fastest measured frame of this kind, seconds
   double nextLook_ = 0, lookInterval_ = 0;
 };

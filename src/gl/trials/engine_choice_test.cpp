@@ -1,4 +1,4 @@
-// Who draws a frame by its size and kind.
+// Which engine draws frames of different sizes and kinds.
 #include "gl/testing/fake_program.h"
 
 #include <gtest/gtest.h>

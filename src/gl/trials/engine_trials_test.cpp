@@ -1,4 +1,4 @@
-// Trials of tracing: when they are made, what they decide, and what they cost.
+// Trials of tracing: when they are made, what they decide, and how much time they cost.
 #include "gl/testing/fake_program.h"
 
 #include <gtest/gtest.h>
@@ -116,7 +116,7 @@ TEST(EngineChoice, LargeScenesWithoutAChoiceAreNotMeasured) {
   p.triangles = 2000;
   p.frames(300);
   ASSERT_EQ(p.choice.way(), Way::passthrough);
-  // On more pixels these triangles are few enough, but the kind of these frames is that of the first ones.
+  // On more pixels these triangles are few enough, but the frames still belong to the kind of the first ones.
   p.triangles = 26000, p.pixels = 134000;
   p.direct = [] { return 0.030; };
   p.choice.overflow();

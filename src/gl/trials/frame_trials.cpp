@@ -44,7 +44,7 @@ FrameTrials::Way FrameTrials::choose(const Load& last) {
   return Way::plain;
 }
 
-/// Of the frame that has ended.
+/// Charges the frame that has ended to the budget.
 void FrameTrials::closeAccounts(const Load& last) {
   if (always_ || charged_ || way_ == Way::plain) return;
   budget_.spend(spent_ - gained_);
@@ -70,7 +70,7 @@ void FrameTrials::endSweep(const Load& last) {
     conclude(false);
 }
 
-/// What pays may change while nothing is measured.
+/// Notices when culling no longer pays, without measuring.
 void FrameTrials::endCulledFrame() {
   weak_ = gained_ - spent_ < kWeak * paid_ ? weak_ + 1 : 0;
   if (over_ || (weak_ >= kWeakFrames && kCulledHold - left_ >= kHold)) measureAgain(true);
@@ -92,7 +92,7 @@ void FrameTrials::stop(double seconds) {
   paid_ = gained_ - spent_;
   if (asked_ > 0) drawSeconds_ = forDraws_ / asked_;
   if (unknown_ > kUnknown * asked_ && !resettled_) return resettled_ = true, measureAgain(false);
-  // The first one may have been slow by chance, with cold caches.
+  // The first slow frame may be due to chance or cold caches.
   if ((over_ || took > kHopeless * plain_) && ++failed_ == kFailures) return conclude(false);
   if (--left_ <= 0) conclude(culled_ < kGain * plain_);
 }
@@ -104,7 +104,7 @@ void FrameTrials::looked(double seconds, double now) {
 
 void FrameTrials::startAnew(double vertices) {
   load_ = vertices;
-  // Where culling does not pay, a changing scene must not bring it back at once.
+  // If culling does not pay, a changing scene must not start a trial at once.
   if (phase_ == Phase::holding && better_ == Way::plain) {
     left_ = std::min(left_, kHold), settled_ = false;
     return;
@@ -115,7 +115,7 @@ void FrameTrials::startAnew(double vertices) {
     measureAgain(false);
 }
 
-/// `settled`: boxes are there.
+/// `settled`: boxes are already computed.
 void FrameTrials::measureAgain(bool settled) {
   settled_ = settled, weak_ = 0;
   phase_ = Phase::measuring, left_ = settled ? kTries : 1, plain_ = culled_ = -1, failed_ = 0;

@@ -1,4 +1,4 @@
-// Whether leaving out small draws pays: a simulated program, with a clock of its own.
+// Whether skipping small draws pays, by a simulated program with its own clock.
 #include "gl/trials/frame_trials.h"
 
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@ namespace {
 
 using FrameWay = FrameTrials::Way;
 
-/// What frames of a program cost, in seconds.
+/// Costs of a program's frames, in seconds.
 struct SimulatedScene {
   double plain = 0.1;                   // a frame
   double capture = 0.03;                // all of its draws
   double build = 0;                     // boxes of all draws
-  double look = 0.002, overlap = 0;     // a look; what waiting for it costs beside
+  double look = 0.002, overlap = 0;     // a depth read; the extra cost of waiting for it
   std::function<bool(double)> hidden =  // whether the draw at this share of the frame is, behind others
       [](double) { return false; };
   double outside = 0;  // share of the draws that are not in the view
@@ -33,7 +33,7 @@ class SimulatedProgram {
  public:
   static constexpr int kDraws = 400, kLooks = 8;
 
-  /// Draws so many frames; appends what they have cost, as shares of a plain frame.
+  /// Draws `frames` frames and appends their costs, as shares of a plain frame.
   void draw(const SimulatedScene& scene, int frames) {
     for (int i = 0; i < frames; ++i) {
       const double began = now_;
@@ -41,7 +41,7 @@ class SimulatedProgram {
       shares.push_back((now_ - began) / scene.plain);
     }
   }
-  /// The worst mean of so many frames after each other.
+  /// The largest mean cost of `window` consecutive frames.
   double worst(size_t window, size_t from = 12) const {
     double most = 0;
     for (size_t i = from; i + window <= shares.size(); ++i)
@@ -192,7 +192,7 @@ TEST(FrameTrials, FollowScenesThatChange) {
   EXPECT_LT(program.worst(kWindowFrames), kMaxShare);
   program.draw(pays, 600);
   EXPECT_TRUE(program.trials.pays());
-  // So little is hidden that it costs, but less than ends a frame.
+  // So little is hidden that culling costs time, but not enough to end a frame early.
   SimulatedScene weak = pays;
   weak.capture = 0.03, weak.look = 0, weak.hidden = [](double at) { return at > 0.72; };
   program.draw(weak, 200);

@@ -1,5 +1,5 @@
-// Schedules depth reads while many small draws are made: reads cost time, but a draw can be culled only by
-// draws before the last read. Calls no OpenGL. A part of SmallDraws, GL thread.
+// Schedules depth reads ("looks") while many small draws are made. Reads cost time, but a draw can be culled
+// only by draws before the last read. Calls no OpenGL. A part of SmallDraws, GL thread.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -9,30 +9,30 @@ namespace gluray::gl {
 
 class LookSchedule {
  public:
-  /// A frame begins: its first look is next. `adapts`: looks come more or less often as it pays; else after
-  /// each eighth of the work of the depth epoch. `vertices`: of the frame before; the first looks that adapt
-  /// come after each eighth of them.
+  /// Begins a frame. `adapts`: intervals between looks adapt to their benefit; otherwise a look follows each
+  /// eighth of the vertices of the depth epoch. `vertices`: number in the previous frame; each first adaptive
+  /// look comes after an eighth of them.
   void beginFrame(bool adapts = true, double vertices = 0) {
     adapts_ = adapts, first_ = std::max(kFirst, vertices / 8);
-    // What pays may change slowly, also where looks have become so rare that nothing is found out any more.
+    // The benefit may change slowly, even at looks that have become too rare to show it.
     if (++frames_ % kForgotten == 0) work_ = {};
     next_ = 0;
     beginEpoch();
   }
-  /// Depths are other ones: what was seen is of no use any more.
+  /// Begins a depth epoch: earlier looks are no longer valid.
   void beginEpoch() { since_ = 0, inEpoch_ = 0; }
-  /// So many vertices were drawn.
+  /// Reports vertices that were drawn.
   void drew(double vertices) { since_ += vertices, inEpoch_ += vertices; }
   bool isDue() const { return since_ >= due(); }
-  /// Vertices after which the next look is made.
+  /// Vertices after the last look at which the next one is due.
   double due() const {
     if (!adapts_) return std::max(kFirst, inEpoch_ / 8);
     size_t at = std::min(next_, kLooks - 1);
     while (work_[at] == 0 && at > 0) --at;
     return work_[at] > 0 ? work_[at] : first_;
   }
-  /// A look was made, which took `lookSeconds`. `wastedSeconds`: time in which draws were made since the last
-  /// one that are hidden now.
+  /// Reports a look that took `lookSeconds`. `wastedSeconds`: time spent since the last look on draws that
+  /// are now known to be hidden.
   void looked(double wastedSeconds, double lookSeconds) {
     if (!adapts_) return void(since_ = 0);
     double& work = work_[std::min(next_, kLooks - 1)];
@@ -43,15 +43,15 @@ class LookSchedule {
   }
 
  private:
-  static constexpr size_t kLooks = 32;                            // of a frame, that are told apart
+  static constexpr size_t kLooks = 32;                            // looks of a frame that have own intervals
   static constexpr double kFirst = 4096, kMin = 512, kMax = 1e9;  // vertices
   static constexpr double kFactor = 2;
   static constexpr unsigned kForgotten = 128;  // frames
 
-  std::array<double, kLooks> work_{};  // vertices before each look; 0: as before the one before
+  std::array<double, kLooks> work_{};  // interval before each look; 0: that of the previous look
   size_t next_ = 0;
-  double first_ = kFirst;           // where nothing is known yet
-  double since_ = 0, inEpoch_ = 0;  // vertices, since the last look and in this depth epoch
+  double first_ = kFirst;           // interval while nothing is known
+  double since_ = 0, inEpoch_ = 0;  // vertices since the last look, and in this depth epoch
   bool adapts_ = true;
   unsigned frames_ = 0;
 };

@@ -1,4 +1,4 @@
-// When to look at depths.
+// When depth reads are due.
 #include "gl/trials/look_schedule.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(LookSchedule, IsDueAfterTheWorkOfThisLook) {
   EXPECT_TRUE(schedule.isDue());
   schedule.looked(0, 1e-3);
   EXPECT_FALSE(schedule.isDue());
-  // The next look of the frame begins with the spacing that the one before has found.
+  // The next look of the frame starts with the interval of the previous one.
   const double second = schedule.due();
   schedule.beginFrame();
   EXPECT_EQ(schedule.due(), second);

@@ -7,16 +7,17 @@ namespace gluray::gl {
 
 class TrialBudget {
  public:
-  /// Of the time in which a program draws.
+  /// Share of the program's drawing time that trials may cost.
   static constexpr double kShare = 0.02;
 
-  /// Something was drawn that takes so many seconds without trials. At most `most` seconds are saved up.
+  /// Adds a share of `seconds`, the time of what was drawn without trials. The budget stays below `most`
+  /// seconds.
   void earn(double seconds, double most) { add(kShare * seconds, most); }
-  /// Seconds without work for them. At most `most` are saved up.
+  /// Adds `seconds` to the budget, which stays below `most`.
   void add(double seconds, double most) { left_ = std::min(left_ + seconds, std::max(left_, most)); }
-  /// A trial took so many seconds more than what was drawn takes without it.
+  /// Charges a trial that took `seconds` longer than the same draws without it.
   void spend(double seconds) { left_ -= std::max(seconds, 0.0); }
-  /// Seconds; negative: a trial took more than was left.
+  /// Seconds left; negative: a trial took more than was left.
   double left() const { return left_; }
 
  private:

@@ -7,13 +7,13 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint32_t kPairs = 1u << 16;  // 1 MiB, which stays in the caches
+constexpr uint32_t kPairs = 1u << 16;  // 1 MiB: fits into the caches
 constexpr uint32_t kNone = ~0u;
 
 uint32_t pairOf(uint64_t hash) { return static_cast<uint32_t>(hash >> 40) & (kPairs - 1); }
 uint32_t tagOf(uint64_t hash) { return static_cast<uint32_t>(hash); }
 
-/// S: floats per vertex; 0: `stride` says so at run time.
+/// S: floats per vertex; 0: `stride` gives their number at run time.
 template <uint32_t S, class Float = float>
 struct Vertices {
   Float* data;

@@ -12,14 +12,15 @@ struct WeldEntry {
   uint32_t vertex, tag;
 };
 
-/// Remembers recently kept vertices in a small hash table. Finds vertices that recur within some ten thousand
-/// others, as in meshes sent in any order that keeps neighbours together; later ones may be kept twice.
+/// Deduplicates by a small hash table of recently kept vertices. It finds vertices that recur within some ten
+/// thousand others, as in meshes whose order keeps neighbours together. Vertices that recur later may be kept
+/// twice.
 class StreamWelder {
  public:
-  /// Compares `count` `arrived` vertices of `stride` floats with the first `kept` of `vertices`. Moves the
-  /// new ones behind those (`arrived` may start there; there must be room), and appends the number of each
-  /// to `indices`. Returns the new count of kept vertices. The stride must stay the same until forget().
-  /// Throws std::bad_alloc, with nothing changed.
+  /// Compares `count` `arrived` vertices of `stride` floats with the first `kept` of `vertices`. Moves new
+  /// vertices behind the kept ones (`arrived` may start there; there must be room). Appends the index of each
+  /// arrived vertex to `indices`. Returns the new count of kept vertices. The stride must stay the same until
+  /// forget(). Throws std::bad_alloc, with nothing changed.
   uint32_t weld(float* vertices, uint32_t stride, uint32_t kept, const float* arrived, uint32_t count,
                 GrowingArray<uint32_t>& indices);
   void forget() { table_.release(); }

@@ -10,7 +10,7 @@
 namespace gluray::gl {
 namespace {
 
-constexpr uint32_t kBlock = 1u << 20;  // vertices: the hash table of a block stays near the caches
+constexpr uint32_t kBlock = 1u << 20;  // vertices; the hash table of a block stays in the caches
 constexpr uint32_t kEmpty = ~0u;
 
 uint32_t hashVertex(const float* v, uint32_t stride) {

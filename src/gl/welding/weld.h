@@ -11,8 +11,8 @@ struct Welded {
   GrowingArray<uint32_t> source;  // per representative: a soup vertex equal to it
 };
 
-/// Gives bitwise equal vertices of `stride` floats one number. Works in blocks on all cores, so a few equal
-/// vertices in different blocks keep different numbers. Throws std::bad_alloc.
+/// Gives bitwise equal vertices of `stride` floats the same number. Works in blocks on all cores, so a few
+/// equal vertices in different blocks keep different numbers. Throws std::bad_alloc.
 Welded weld(const float* vertices, uint32_t count, uint32_t stride);
 
 }  // namespace gluray::gl

@@ -30,12 +30,12 @@ struct WeldBehind::State {
   std::array<Piece, kPieces> ring;  // `waiting` pieces from `first`, which is being welded
   uint32_t first = 0, waiting = 0;
   bool complete = false;  // no more pieces come
-  bool over = false;      // the thread uses none of this any more
+  bool over = false;      // the thread no longer accesses this object
   BackgroundJob job;      // last member: the thread ends before the others are destroyed
 
   Piece& next() { return ring[(first + waiting) % kPieces]; }
 
-  /// Throws std::bad_alloc, with nothing changed.
+  /// Makes room for `more` vertices. Throws std::bad_alloc, with nothing changed.
   void reserve(uint32_t more) {
     const size_t floats = size_t{run.kept + more} * stride;
     if (floats > run.vertices.capacity())

@@ -11,7 +11,7 @@ namespace gluray::gl {
 
 class WeldBehind {
  public:
-  static constexpr uint32_t kPieces = 4;  // most pieces that are queued or being welded
+  static constexpr uint32_t kPieces = 4;  // maximum number of pieces that are queued or being welded
 
   /// A welded run: `kept` vertices, and an index for each vertex sent.
   struct Run {
@@ -27,16 +27,17 @@ class WeldBehind {
   WeldBehind& operator=(const WeldBehind&) = delete;
 
   bool active() const { return state_ != nullptr; }
-  /// Takes over `run`, whose vertices have `stride` floats, to continue it with pieces of at most
-  /// `pieceVertices`; `piece` becomes memory for the first. False, with nothing changed: no thread or memory.
+  /// Takes over `run`, whose vertices have `stride` floats, and continues it with pieces of at most
+  /// `pieceVertices` vertices. Sets `piece` to memory for the first. Returns false, with nothing changed,
+  /// without a thread or memory.
   bool start(Run& run, uint32_t stride, uint32_t pieceVertices, GrowingArray<float>& piece) noexcept;
-  /// Queues a piece and replaces it by memory for the next; waits while the queue is full. False, with the
-  /// piece left as it is, if the thread has run out of memory and ended: call finish() then.
+  /// Queues a piece and replaces it by memory for the next; waits while the queue is full. Returns false and
+  /// leaves the piece unchanged if the thread has run out of memory and ended: call finish() then.
   bool hand(GrowingArray<float>& piece, uint32_t vertices);
-  /// Ends once all queued pieces are welded, and returns the run, with room for `more` vertices. If it throws
-  /// std::bad_alloc it stays active, and finish() may be called again.
+  /// Waits until all queued pieces are welded, ends the thread, and returns the run with room for `more`
+  /// vertices. If it throws std::bad_alloc the object stays active, and finish() may be called again.
   Run finish(uint32_t more);
-  /// Discards the run and ends.
+  /// Discards the run and ends the thread.
   void drop() noexcept;
 
  private:

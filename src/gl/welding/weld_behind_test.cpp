@@ -124,7 +124,7 @@ TEST(WeldBehind, ThrowsInAForkedChildInsteadOfWaiting) {
     return 1;
   };
   EXPECT_EQ(inChild(goOn), 7);
-  EXPECT_EQ(stream.captured().indices.size(), 6u * kSide * kSide);  // the parent goes on
+  EXPECT_EQ(stream.captured().indices.size(), 6u * kSide * kSide);  // the parent process continues
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
   if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
     return LagRefusal::target;
   if (p_.clock.passesThrough() || p_.clock.measured()) return LagRefusal::measured;
-  // Kept program draws refer to textures and buffers by name, and other contexts may change those.
+  // Kept draws of programs refer to textures and buffers by name, and other contexts may change these.
   if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.pending() ||
       p_.pending.unresolved.waiting ||
       (!p_.pending.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
@@ -57,12 +57,13 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
     if (refusal != LagRefusal::none) return;
     frame.batch = p_.pending.hold("ahead");
     lagged_ = std::move(frame);
-    p_.shadow.real.Flush();  // starts the frame's rasterised draws meanwhile
+    p_.shadow.real.Flush();  // lets the frame's rasterised draws start
   });
   return refusal;
 }
 
-/// Shows the frame without the back buffer, if that held only a clear and the next frame begins with a clear.
+/// Shows the frame without the back buffer, if that contained only a clear and the next frame begins with a
+/// clear. Returns false if the frame was not shown.
 bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;

@@ -36,9 +36,9 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
   return p_.failsafe.protect([&] {
     if (!contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) return false;
     showLagged();
-    if (presented_.waiting) settle();  // otherwise the batch hides what the back buffer lacks
+    if (presented_.waiting) settle();  // if no image waits, the batch hides what the back buffer lacks
     if (p_.pending.batch.empty() || !p_.cleared.target()) return false;  // tracing has failed
-    // The pixels of a clear are read from the back buffer.
+    // The pixel value of a clear is read from the back buffer.
     if (!p_.pending.presenter.window().knowsClear(*p_.cleared.target())) makeClear();
     const float depthResolution = p_.shadow.target().depthResolution;
     timeline::writeIfDue();
@@ -53,7 +53,7 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
                             p_.shadow.info.core, p_.clock.wish(), show};
     const PresentResult result =
         p_.pending.presenter.window().show(p_.shadow.real, p_.pending.batch.pending(), target);
-    if (result.outcome != PresentResult::traced) {  // the batch stays pending; the traced image is known
+    if (result.outcome != PresentResult::traced) {  // the batch stays pending, and its traced image is known
       p_.shadow.latch.restore(p_.shadow.real);
       p_.counts.statistics.buildSeconds += result.cost.buildSeconds;
       p_.counts.statistics.traceSeconds += result.cost.traceSeconds;

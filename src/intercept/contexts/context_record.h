@@ -1,4 +1,4 @@
-// Registry of the process's contexts and their state, for this folder and for what acts on the current
+// Registry of the process's contexts and their state, for this folder and for code that acts on the current
 // context when frames end (frames/).
 #pragma once
 #include "gl/context/context.h"
@@ -24,16 +24,16 @@ using Key = std::pair<Api, const void*>;
 
 struct Record {
   std::shared_ptr<gl::ShareGroup> group;
-  std::unique_ptr<gl::Presenter> presenter;    // outlives the context, which uses it
-  std::unique_ptr<present::FrameImage> image;  // if images are wanted; outlives the context, too
-  std::unique_ptr<Hud> hud;                    // if wanted
-  std::optional<present::Features> features;   // read when an image is kept first
+  std::unique_ptr<gl::Presenter> presenter;    // must outlive the context, which uses it
+  std::unique_ptr<present::FrameImage> image;  // if images are requested; must outlive the context
+  std::unique_ptr<Hud> hud;                    // if requested
+  std::optional<present::Features> features;   // read when an image is kept for the first time
   std::unique_ptr<Lag> lag;                    // if frames may lag
   WindowOfContext window;
   IdleWindowOfContext idle;
-  std::shared_ptr<gl::Context> context;  // null until first current, or if it could not be made
+  std::shared_ptr<gl::Context> context;  // null until first current, or if creation failed
   bool tried = false;
-  std::optional<uintptr_t> asked;  // drawable for which it was asked whether it has a back buffer
+  std::optional<uintptr_t> asked;  // the last drawable that was tested for a back buffer
   const void* display = nullptr;
   std::string vendor, renderer, version;
   Api api = Api::glx;
@@ -62,16 +62,16 @@ Current& current();
 /// Adds the statistics of the record's context. Requires that the registry is locked.
 void addTo(Totals& sum, const Record& record);
 
-/// Who hears of new contexts, on the thread in which they are current.
+/// Is told about new contexts, on the thread in which they are current.
 class ContextWatcher {
  public:
   virtual ~ContextWatcher() = default;
-  /// The record's context is about to be made: adds to `info`, and to the record, what shall be recorded.
+  /// The record's context is about to be created: sets in `info` and in the record what to record.
   virtual void making(Record& record, gl::ContextInfo& info) = 0;
-  /// It was made, or could not be. No lock is held.
+  /// The context was created, or creation failed. No lock is held.
   virtual void made() noexcept = 0;
 };
-/// Call before the first context is made. The watcher must live forever.
+/// Call before the first context is created. The watcher must never be destroyed.
 void watchContexts(ContextWatcher& watcher) noexcept;
 
 }  // namespace gluray::intercept

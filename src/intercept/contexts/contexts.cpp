@@ -35,7 +35,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   info.families = families();
   info.drawableSize = [] { return current().size ? current().size() : glm::ivec2(0); };
   info.isShown = [] {
-    // Windows that are hidden later stay windows.
+    // Windows that are hidden later still count as shown.
     AskShown& shown = current().shown;
     if (!shown || !shown()) return false;
     shown = [] { return true; };
@@ -55,7 +55,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
 }
 
 /// Whether the drawable of the current context has a back buffer. Framebuffer objects have none, so the
-/// window is bound while we ask. Without a surface nothing but a framebuffer object can be drawn into.
+/// window is bound for the query. Without a surface only framebuffer objects can be drawn into.
 bool hasBackBuffer(const gl::Context& context, Api api, uintptr_t drawable) {
   if (drawable == 0 && api != Api::osmesa) return true;
   const gl::RealGl& real = context.real;
@@ -68,7 +68,7 @@ bool hasBackBuffer(const gl::Context& context, Api api, uintptr_t drawable) {
   return doubleBuffered != GL_FALSE;
 }
 
-/// Call when the record's context became current: asks for its back buffer if the drawable is another one.
+/// Call when the record's context became current: queries its back buffer if the drawable has changed.
 void noteDrawable(Record& record, Api api, uintptr_t drawable) {
   gl::Context& context = *record.context;
   std::unique_lock lock(registry().mutex);  // another thread may destroy drawables or compute totals
@@ -106,8 +106,8 @@ void makeContext(Record& record, Api api) {
   record.context = std::move(context);
 }
 
-/// The registry is locked, and a record's destructor locks it too: so allocate everything else before the
-/// record, because allocations may throw.
+/// The registry is locked, and a record's destructor locks it, too. So everything else is allocated before
+/// the record, because allocations may throw.
 std::shared_ptr<Record> newRecord(const Key& share) {
   const auto it = registry().records.find(share);
   auto group =
@@ -131,7 +131,7 @@ namespace {
 alignas(Current) constinit thread_local std::byte t_current[sizeof(Current)]{};
 constinit thread_local bool t_hasCurrent = false;
 
-/// Ends the thread's Current with the thread. What uses it later gets an empty one.
+/// Destroys the thread's Current when the thread ends. Later uses get an empty one.
 struct CurrentOwner {
   ~CurrentOwner() {
     if (std::exchange(t_hasCurrent, false)) std::destroy_at(reinterpret_cast<Current*>(t_current));
@@ -230,14 +230,14 @@ void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize siz
   guarded("this context is not ray traced", [&] {
     gl::t_thread = {};
     std::shared_ptr<Record> record;
-    // Calls of a context that cannot be followed go to the OpenGL that it belongs to.
+    // Calls of an unknown context go to the OpenGL that it belongs to.
     t_orphanGl = handle ? &realGl(api) : nullptr;
     if (handle) {
       const std::lock_guard lock(registry().mutex);
       const auto it = registry().records.find({api, handle});
       if (it != registry().records.end())
         record = it->second;
-      else  // created unseen by any door
+      else  // created without any door seeing it
         registry().records[{api, handle}] = record = newRecord({});
     }
     current() = {record, {api, handle}, drawables, std::move(size), std::move(shown)};
@@ -258,7 +258,7 @@ bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept {
 
 void drawableGoing(uintptr_t drawable) noexcept {
   if (current().drawables.draw == drawable) flushCurrent();
-  // A later drawable may get its name.
+  // A later drawable may get the same name.
   const std::lock_guard lock(registry().mutex);
   for (auto& [key, record] : registry().records)
     if (record->asked == drawable) record->asked.reset();

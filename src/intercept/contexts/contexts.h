@@ -1,5 +1,5 @@
 // Tracks the process's OpenGL contexts and the thread in which each is current. The hooks of GLX, EGL and
-// OSMesa call these functions around the real ones; none of them throws. Any thread.
+// OSMesa call these functions before and after the real ones. None of them throws. Any thread.
 #pragma once
 #include "gl/basics/statistics.h"
 #include "gl/counts/draw_kinds.h"
@@ -26,12 +26,12 @@ using AskSize = std::function<glm::ivec2()>;
 /// Whether a drawable is a window that the user sees. Called like AskSize; empty: no.
 using AskShown = std::function<bool()>;
 
-/// A context was created. `share`: the context whose lists and buffers it shares, or null. `display`: EGL's,
-/// or null.
+/// Reports that a context was created. `share`: the context whose lists and buffers it shares, or null.
+/// `display`: EGL's display, or null.
 void contextCreated(Api api, const void* handle, const void* share, const void* display = nullptr) noexcept;
-/// A context was destroyed; while it is current it lives on (GLX 1.4, 3.3.7).
+/// Reports that a context was destroyed. While it is current, it stays alive (GLX 1.4, 3.3.7).
 void contextDestroyed(Api api, const void* handle) noexcept;
-/// All contexts of an EGL display were destroyed.
+/// Reports that all contexts of an EGL display were destroyed.
 void displayTerminated(const void* display) noexcept;
 
 /// Flushes the current context's pending draws, before anything reads or shows its framebuffer.
@@ -43,24 +43,24 @@ auto afterFlush(F&& call) {
   if (outermost) flushCurrent();
   return call();
 }
-/// Before the real MakeCurrent: flushes the current context's pending draws while its framebuffer is
+/// Call before the real MakeCurrent: flushes the current context's pending draws while its framebuffer is
 /// accessible.
 void leaveCurrent() noexcept;
-/// The real MakeCurrent failed: the previous context is still current.
+/// Reports that the real MakeCurrent failed, so that the previous context is still current.
 void stayCurrent() noexcept;
-/// A drawable became the image of a bound texture of the current context.
+/// Reports that a drawable became the image of a bound texture of the current context.
 void textureImageBound() noexcept;
-/// The real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these drawables.
-/// `size` and `shown` ask about the draw drawable.
+/// Reports that the real MakeCurrent succeeded: `handle` (null: none) is current in this thread with these
+/// drawables. `size` and `shown` query the draw drawable.
 void becameCurrent(Api api, const void* handle, Drawables drawables, AskSize size = {},
                    AskShown shown = {}) noexcept;
-/// Whether exactly this is current already. Many programs repeat MakeCurrent every frame; nothing changes
-/// then.
+/// Whether exactly this is already current. Many programs repeat MakeCurrent every frame, which then changes
+/// nothing.
 bool isCurrent(Api api, const void* handle, Drawables drawables) noexcept;
-/// Before a drawable is destroyed.
+/// Call before a drawable is destroyed.
 void drawableGoing(uintptr_t drawable) noexcept;
 
-/// In the child of a fork, which has no renderer threads: passes everything through from now on.
+/// Call in the child of a fork, which has no renderer threads: all calls are passed through from now on.
 void passThroughAfterFork() noexcept;
 
 /// One context, for reports.

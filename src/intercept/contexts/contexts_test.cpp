@@ -1,4 +1,4 @@
-// The current context of a thread, as destructors of static objects find it at exit.
+// The current context of a thread, as seen by destructors of static objects at exit.
 #include "intercept/contexts/contexts.h"
 
 #include "intercept/contexts/context_record.h"
@@ -17,7 +17,7 @@ std::shared_ptr<Record>& registered() {
   return *record;
 }
 
-/// A static window of a program, which leaves its context when it is destroyed.
+/// A static window of a program, whose destructor releases its context.
 struct StaticWindow {
   ~StaticWindow() {
     current() = {};

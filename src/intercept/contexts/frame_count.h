@@ -4,7 +4,7 @@
 
 namespace gluray::intercept {
 
-/// A frame has ended: counts it, and tells the clock that `gluray explain` preloads.
+/// Counts a frame that has ended, and advances the clock that `gluray explain` preloads.
 void countFrame() noexcept;
 /// Number of frames that have ended.
 uint64_t framesEnded() noexcept;

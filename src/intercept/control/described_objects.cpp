@@ -44,7 +44,7 @@ bool hasVertexColors(const scene::Instance& instance, const scene::Shading& shad
   return instance.mesh->colors && (!shading.lighting || shading.colorMaterial != scene::ColorMaterial{});
 }
 
-/// Null where vertices or texels have their own.
+/// The colour of all of the surface; null if vertices or texels have their own colours.
 json colorOf(const scene::Instance& instance, const scene::Shading& shading) {
   const bool mapped = scene::isProgram(shading) && shading.fragment.color == FragmentShading::Color::map;
   if (hasVertexColors(instance, shading) || mapped || !shading.textures.empty()) return {};
@@ -53,7 +53,7 @@ json colorOf(const scene::Instance& instance, const scene::Shading& shading) {
   return hexOf(glm::vec3(own ? instance.color : instance.materials[0].front.diffuse));
 }
 
-/// Corners of the bounds, in the space that the matrix leads to.
+/// Corners of the mesh's bounds after the transformation by the matrix.
 std::pair<glm::dvec3, glm::dvec3> boundsOf(const scene::Mesh& mesh, const glm::dmat4& to) {
   glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper = -lower;
   for (int corner = 0; corner < 8; ++corner) {
@@ -73,7 +73,7 @@ json raysOf(uint8_t bits) {
   return words;
 }
 
-/// The instances of one batch, with what settings say of them.
+/// Describes the instances of one batch, including their settings.
 class BatchObjects {
  public:
   BatchObjects(size_t view, const ShownView& of, const scene::Snapshot& s)
@@ -118,7 +118,7 @@ std::string_view kindOf(const frame::ListedLight& light) {
   return light.followsViewer ? "viewer" : kKinds.at(static_cast<size_t>(light.source.kind));
 }
 
-/// How large it appears or is; null: it has no size.
+/// Angular or actual size of the light; null if it has none.
 json sizeOf(const scene::LightSource& source) {
   using Kind = scene::LightSource::Kind;
   if (source.kind == Kind::rectangle)
@@ -142,7 +142,7 @@ json describe(const frame::ListedLight& light) {
                  {"elevation", light.angles ? json(light.angles->y) : json()},
                  {"strength", source.strength},
                  {"size", sizeOf(source)}};
-  // Programs give colours above 1 in place of a strength.
+  // Programs use colours above 1 instead of a strength.
   const float largest = std::max({source.color.r, source.color.g, source.color.b, 1.0f});
   described["color"] = hexOf(source.color / largest);
   described["strength"] = source.strength * largest;
@@ -158,7 +158,7 @@ bool showsLit(const scene::Snapshot& s) {
 }  // namespace
 
 json arrayOf(const glm::dvec3& v) {
-  // What is left of rounding is 0.
+  // Residues of rounding become 0.
   const double least = 1e-12 * std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   const auto plain = [&](double x) { return std::abs(x) <= least ? 0 : x; };
   return json::array({plain(v.x), plain(v.y), plain(v.z)});

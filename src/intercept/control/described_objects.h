@@ -9,17 +9,17 @@
 
 namespace gluray::intercept {
 
-/// Three numbers.
+/// The components as a JSON array.
 nlohmann::json arrayOf(const glm::dvec3& v);
 
-/// All objects, in the order of their numbers. Those that several passes draw are described by the first pass
-/// in which lights act on them.
+/// Describes all objects, in the order of their numbers. An object that several passes draw is described by
+/// the first pass in which it is lit.
 std::vector<nlohmann::json> describeObjects(const std::vector<ShownView>& views);
 
-/// The lights of the largest view that shows a lit surface. Throws std::runtime_error.
+/// Describes the lights of the largest view that shows a lit surface. Throws std::runtime_error.
 nlohmann::json describeLights(const std::vector<ShownView>& views);
 
-/// One a view. Throws std::runtime_error.
+/// Describes the camera of each view. Throws std::runtime_error.
 nlohmann::json describeCameras(const std::vector<ShownView>& views);
 
 }  // namespace gluray::intercept

@@ -94,7 +94,8 @@ json EngineProgram::state() {
           {"warnings", log::recent()}};
 }
 
-/// Asks the X server at most every two seconds, over a connection that does not stay: servers have few.
+/// Lists the windows. Queries the X server at most every two seconds, over a connection that is closed
+/// afterwards, because servers have few.
 json EngineProgram::windows() {
   constexpr double kEvery = 2;
   if (listed_ > 0 && nowSeconds() - listed_ < kEvery) return windows_;
@@ -111,7 +112,7 @@ json EngineProgram::windows() {
   return list;
 }
 
-/// Of the window that showed a frame last.
+/// Size of the window that showed a frame last.
 glm::ivec2 EngineProgram::windowSize() {
   const std::vector<ShownWindow> shown = shownWindows();
   const glm::ivec2 size = shown.empty() ? glm::ivec2(0) : servers_.sizeOf(shown.front());
@@ -130,14 +131,14 @@ void EngineProgram::wake() noexcept {
   try {
     for (const ShownWindow& window : shownWindows()) servers_.expose(window);
     servers_.close();
-  } catch (const std::exception&) {}  // out of memory: it draws when it draws
+  } catch (const std::exception&) {}  // out of memory: the program draws at its own time
 }
 
 void EngineProgram::tellSize(bool wider) noexcept {
   try {
     for (const ShownWindow& window : shownWindows()) servers_.tellSize(window, wider);
     servers_.close();
-  } catch (const std::exception&) {}  // out of memory: it draws when it draws
+  } catch (const std::exception&) {}  // out of memory: the program draws at its own time
 }
 
 void EngineProgram::wantImage(control::Wanted wanted) noexcept { wantWindowImage(wanted); }

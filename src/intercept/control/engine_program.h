@@ -1,4 +1,4 @@
-// Implements the controlled program for the hub. Control thread.
+// The engine as the program that the hub controls. Control thread.
 #pragma once
 #include "control/link/job.h"
 #include "control/link/program/controlled_program.h"
@@ -14,7 +14,7 @@ namespace gluray::intercept {
 
 class EngineProgram final : public control::ControlledProgram {
  public:
-  /// On a thread of the program, which may change its environment later.
+  /// Construct on a thread of the program, because the program may change its environment later.
   EngineProgram();
   nlohmann::json identity() override;
   control::Figures figures() override;
@@ -35,14 +35,14 @@ class EngineProgram final : public control::ControlledProgram {
   const std::string name_;
   const control::Job job_;
   XServers servers_;
-  nlohmann::json windows_;                // as they were listed last
-  double listed_ = 0;                     // when
-  uint64_t passes_ = 0, idlePasses_ = 0;  // when the state was last asked for
-  bool idle_ = false;                     // the last passes were made while the program drew nothing
+  nlohmann::json windows_;                // the last list of windows
+  double listed_ = 0;                     // when it was made
+  uint64_t passes_ = 0, idlePasses_ = 0;  // at the last query of the state
+  bool idle_ = false;                     // the last passes were made while the program was idle
   SceneCalls sceneCalls_{[this] { return windowSize(); }};
 };
 
-/// The name of the program as it was given to the launcher; in other processes that of the executable.
+/// The program's name as given to the launcher; in other processes, the name of the executable.
 std::string programName();
 
 }  // namespace gluray::intercept

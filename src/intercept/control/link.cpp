@@ -33,7 +33,7 @@ struct Link {
   }
 };
 std::atomic<Link*> g_link{nullptr};
-std::atomic<bool> g_tried{false}, g_triedWindow{false};  // the file was written, or cannot be; with a window
+std::atomic<bool> g_tried{false}, g_triedWindow{false};  // the file was written or cannot be; with a window
 
 Link& link() {
   static Link* const once = [] {
@@ -44,7 +44,7 @@ Link& link() {
   return *once;
 }
 
-std::atomic<const std::string*> g_file{nullptr};  // that was left
+std::atomic<const std::string*> g_file{nullptr};  // the file that was left
 std::mutex g_writing;
 
 void removeFile() {
@@ -73,14 +73,14 @@ void lookForHub(double now) noexcept {
   if (!mayBeControlled() || isForkedChild()) return;
   try {
     link().link.lookForHub(now);
-  } catch (const std::exception&) {}  // out of memory: the next frame
+  } catch (const std::exception&) {}  // out of memory: retried at the next frame
 }
 
 void leaveFile(const ShownWindow& window) noexcept {
   if ((window.window != 0 ? g_triedWindow : g_tried).exchange(true)) return;
   try {
     writeFile(window);
-  } catch (const std::exception&) {}  // out of memory: hubs find it when it draws
+  } catch (const std::exception&) {}  // out of memory: hubs find the program when it draws
 }
 
 void leaveHubToParent() noexcept {

@@ -19,9 +19,10 @@ using control::Called;
 using nlohmann::json;
 
 constexpr std::array<std::string_view, 5> kCalls = {"objects", "pick", "highlight", "lights", "cameras"};
-constexpr int64_t kMaxObjects = 1000;  // of one answer
+constexpr int64_t kMaxObjects = 1000;  // in one answer
 
-/// Throws where the member is no number in its range.
+/// An integer member of the arguments; `otherwise` if it is missing. Throws if it is not an integer in its
+/// range.
 int64_t wholeIn(const json& arguments, const char* name, int64_t least, int64_t most, int64_t otherwise) {
   const json* const value = control::member(arguments, name);
   if (!value) return otherwise;
@@ -40,7 +41,7 @@ double numberOf(const json& arguments, const char* name, double least, double mo
                            std::to_string(static_cast<int64_t>(most)));
 }
 
-/// The frames of all contexts that trace, or the only one.
+/// The frames of all contexts that trace, or the last frame if there are none.
 std::vector<gl::ShownFramePtr> allFrames(const gl::ShownFramePtr& last) {
   std::vector<gl::ShownFramePtr> frames = gl::shownFrames().all();
   if (frames.empty()) frames.push_back(last);
@@ -80,7 +81,7 @@ Called SceneCalls::call(const std::string& name, const json& arguments, json& va
   return Called::done;
 }
 
-/// Null: none that counts has been shown yet.
+/// The last valid frame; null if none has been shown yet.
 gl::ShownFramePtr SceneCalls::shownFrame() {
   gl::ShownFrames& frames = gl::shownFrames();
   const double now = nowSeconds();
@@ -93,7 +94,7 @@ gl::ShownFramePtr SceneCalls::shownFrame() {
   return mayFill ? nullptr : frame;
 }
 
-/// Lists the objects of these frames, unless they are listed already.
+/// Lists the objects of these frames, unless the list is up to date.
 void SceneCalls::list(const Frames& frames) {
   const bool same = std::equal(frames.begin(), frames.end(), listed_.begin(), listed_.end(),
                                [](const auto& frame, const auto& listed) { return listed.lock() == frame; });
@@ -140,7 +141,7 @@ std::optional<ShownPoint> SceneCalls::pointAt(const json& arguments, const std::
   return intercept::pointAt(views, at, {known, gl::shownFrames().places()});
 }
 
-/// `allViews`: number of the views of all frames; those of `frame` are the last ones.
+/// `allViews`: number of views in all frames, of which those of `frame` are the last.
 json SceneCalls::pick(const json& arguments, const gl::ShownFrame& frame, size_t allViews) {
   const std::vector<ShownView> views = intercept::viewsOf(frame);
   const auto found = pointAt(arguments, views);

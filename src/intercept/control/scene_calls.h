@@ -18,13 +18,13 @@ namespace gluray::intercept {
 
 class SceneCalls {
  public:
-  static constexpr double kRemembered = 60;  // seconds after the last call
-  // Seconds after the first call: a frame without surfaces may be one that shows an old image, and one
-  // whose end is not known may not be whole.
+  static constexpr double kRemembered = 60;  // seconds for which frames are stored after the last call
+  // Seconds after the first call in which a frame without surfaces may show an old image, and a frame whose
+  // end is unknown may be incomplete.
   static constexpr double kDoubt = 2;
-  static constexpr double kWhole = 0.1;  // seconds without another batch
+  static constexpr double kWhole = 0.1;  // seconds without another batch until a frame counts as complete
 
-  /// `windowSize`: of the window that showed a frame last, in pixels; {0, 0}: not known.
+  /// `windowSize`: returns the size in pixels of the window that showed a frame last; {0, 0} if unknown.
   explicit SceneCalls(std::function<glm::ivec2()> windowSize) : windowSize_(std::move(windowSize)) {}
   static bool knows(const std::string& name);
   control::Called call(const std::string& name, const nlohmann::json& arguments, nlohmann::json& value,
@@ -40,11 +40,11 @@ class SceneCalls {
   void list(const Frames& frames);
 
   const std::function<glm::ivec2()> windowSize_;
-  std::vector<std::weak_ptr<const gl::ShownFrame>> listed_;  // whose objects are `list_`
-  std::vector<nlohmann::json> list_;                         // in the order of their numbers
-  size_t hash_ = 0;                                          // of the list without bounds
+  std::vector<std::weak_ptr<const gl::ShownFrame>> listed_;  // the frames whose objects `list_` contains
+  std::vector<nlohmann::json> list_;                         // objects, in the order of their numbers
+  size_t hash_ = 0;                                          // hash of the list without bounds
   uint64_t version_ = 0;
-  double began_ = 0;  // when frames were kept first, without a pause since
+  double began_ = 0;  // start of the current time in which frames are stored
 };
 
 }  // namespace gluray::intercept

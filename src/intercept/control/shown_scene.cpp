@@ -21,7 +21,7 @@ bool isIn(const glm::ivec4& viewport, const glm::dvec2& at) {
          at.y < viewport.y + viewport.w;
 }
 
-/// Width and height of a framebuffer, by what is drawn into it.
+/// Width and height of a framebuffer, estimated from what is drawn into it.
 glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
   glm::ivec2 extent(0);
   for (const ShownView& view : views)
@@ -32,8 +32,8 @@ glm::ivec2 extentOf(const std::vector<ShownView>& views, uint32_t framebuffer) {
   return extent;
 }
 
-/// Where the window shows the framebuffer's lower left corner. A framebuffer object is where it fits: in all
-/// of the window, or in the only rectangle of its size. None: not known.
+/// Position of the framebuffer's lower left corner in the window. A framebuffer object fills the whole
+/// window, or the only rectangle of its size. Nullopt if the position is unknown.
 std::optional<glm::ivec2> placeOf(const std::vector<ShownView>& views, uint32_t framebuffer,
                                   const ShownWindowPlaces& window) {
   if (framebuffer == 0 || window.size == glm::ivec2(0)) return glm::ivec2(0);

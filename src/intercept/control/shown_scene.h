@@ -11,37 +11,38 @@
 
 namespace gluray::intercept {
 
-/// One camera and viewport, and the batches that show something there, in the order of drawing. Its world is
+/// One camera and viewport, and the batches that show something there, in drawing order. Its world space is
 /// that of its first batch.
 struct ShownView {
   std::vector<const gl::ShownBatch*> batches;
   const scene::Snapshot& first() const { return *batches.front()->snapshot; }
-  /// To the view's world from that of one of its batches.
+  /// The matrix from the world space of one of its batches to the view's world space.
   glm::dmat4 viewFromWorld(const scene::Snapshot& batch) const;
 };
 
-/// The views in the order of drawing.
+/// The views of a frame, in drawing order.
 std::vector<ShownView> viewsOf(const gl::ShownFrame& frame);
 
-/// What is at a position.
+/// The surface point at a position.
 struct ShownPoint {
-  size_t view = 0;  // index of the views
+  size_t view = 0;  // index in the views
   const scene::Snapshot* snapshot = nullptr;
   const scene::Instance* instance = nullptr;
   glm::dvec3 point, normal;  // in the snapshot's eye space
   glm::dvec2 share;          // of the view's width and height, from its lower left corner
 };
 
-/// What the window shows at a position in pixels from its lower left corner; views that are drawn later cover
-/// others. Throws std::runtime_error with one line, also where it is not known where the window shows the
-/// views.
+/// Size of the window, and the rectangles in which it may show framebuffer objects.
 struct ShownWindowPlaces {
-  glm::ivec2 size{0};              // of the window, {0, 0}: not known
+  glm::ivec2 size{0};              // {0, 0}: unknown
   std::vector<glm::ivec4> places;  // ShownFrames::places()
 };
+/// The surface point that the window shows at `at`, in pixels from the lower left corner. Later views cover
+/// earlier ones. Nullopt if no surface is there. Throws std::runtime_error with a one-line message, also if
+/// it is unknown where the window shows the views.
 std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm::dvec2& at,
                                   const ShownWindowPlaces& window);
-/// The smallest window that the views fit into.
+/// Size of the smallest window that contains the views.
 glm::ivec2 extentOf(const std::vector<ShownView>& views);
 
 }  // namespace gluray::intercept

@@ -23,8 +23,8 @@ constexpr size_t kMaxShownWindows = 16;
 struct Shown {
   std::mutex mutex;
   std::vector<ShownWindow> windows;          // last first
-  std::map<const void*, uint32_t> surfaces;  // EGL's, and their X windows
-  std::atomic<uintptr_t> last{0};            // drawable of the last swap; 0: ask again
+  std::map<const void*, uint32_t> surfaces;  // EGL surfaces and their X windows
+  std::atomic<uintptr_t> last{0};            // drawable of the last swap; 0: query it again
   std::atomic<_XDisplay*> display{nullptr};  // its display
 
   static Shown& instance() {
@@ -37,7 +37,7 @@ struct Shown {
 
 namespace {
 
-/// `name`: of the window; called if the drawable is not that of the last swap.
+/// `name`: returns the window's id; called if the drawable differs from that of the last swap.
 template <class Name>
 void note(_XDisplay* display, uintptr_t drawable, const Name& name) noexcept {
   if (!mayBeControlled() || isForkedChild()) return;
@@ -56,7 +56,7 @@ void note(_XDisplay* display, uintptr_t drawable, const Name& name) noexcept {
       shown.windows.insert(shown.windows.begin(), now);
     }
     leaveFile(now);
-  } catch (const std::exception&) {}  // out of memory: the next swap
+  } catch (const std::exception&) {}  // out of memory: retried at the next swap
 }
 
 }  // namespace
@@ -68,20 +68,20 @@ void noteShown(_XDisplay* display, uintptr_t drawable) noexcept {
 }
 
 void noteSurface(const void* surface, uint64_t window) noexcept {
-  constexpr uint64_t kMaxXName = (uint64_t{1} << 29) - 1;  // X11, chapter 1: names have at most 29 bits
+  constexpr uint64_t kMaxXName = (uint64_t{1} << 29) - 1;  // X11, chapter 1: ids have at most 29 bits
   if (!surface || window == 0 || window > kMaxXName) return;
   try {
     Shown& shown = Shown::instance();
     const std::lock_guard lock(shown.mutex);
     shown.surfaces[surface] = static_cast<uint32_t>(window);
-  } catch (const std::exception&) {}  // out of memory: the window is not known
+  } catch (const std::exception&) {}  // out of memory: the window stays unknown
 }
 
 void forgetSurface(const void* surface) noexcept {
   Shown& shown = Shown::instance();
   const std::lock_guard lock(shown.mutex);
   shown.surfaces.erase(surface);
-  if (shown.last == reinterpret_cast<uintptr_t>(surface)) shown.last = 0;  // its address may be used again
+  if (shown.last == reinterpret_cast<uintptr_t>(surface)) shown.last = 0;  // its address may be reused
 }
 
 void noteShownSurface(const void* surface) noexcept {
@@ -104,7 +104,7 @@ void forgetShown(const ShownWindow& window) {
   Shown& shown = Shown::instance();
   const std::lock_guard lock(shown.mutex);
   std::erase(shown.windows, window);
-  shown.last = 0;  // a drawable of this name may be made anew
+  shown.last = 0;  // a new drawable may get this id
 }
 
 }  // namespace gluray::intercept

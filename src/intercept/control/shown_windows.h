@@ -1,4 +1,4 @@
-// The X windows with the program's frames: recorded on GL threads at swaps, used on the control thread.
+// The X windows that show the program's frames: recorded on GL threads at swaps, used on the control thread.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,24 +9,26 @@ struct _XDisplay;  // Xlib's Display, without its header's macros
 namespace gluray::intercept {
 
 struct ShownWindow {
-  std::string display;  // name of the X server
+  std::string display;  // name of the X display
   uint32_t window = 0;
   bool operator==(const ShownWindow&) const = default;
 };
 
-/// Call when a swap has shown a frame in a GLX drawable; for the first window leaves the file by which hubs
-/// find this program. Costs a comparison while swaps show the same drawable.
+/// Call when a swap has shown a frame in a GLX drawable. For the first window, writes the file by which hubs
+/// find this program. While swaps show the same drawable, it costs a comparison.
 void noteShown(_XDisplay* display, uintptr_t drawable) noexcept;
 
-/// The same for EGL. Call when a surface was made of the native window, which is an X window if its number
-/// may be one, and when it goes. Whether it is one on the server of DISPLAY turns out when it is asked for.
+/// Call when an EGL surface was created for a native window, which may be an X window if its number is a
+/// valid id. Whether it is a window on the server of DISPLAY is checked when the window is used.
 void noteSurface(const void* surface, uint64_t window) noexcept;
+/// Call when an EGL surface is destroyed.
 void forgetSurface(const void* surface) noexcept;
+/// Like noteShown(), for an EGL surface.
 void noteShownSurface(const void* surface) noexcept;
 
-/// The windows in which frames were shown, last first; they may be gone.
+/// The windows in which frames were shown, last first; some may not exist any more.
 std::vector<ShownWindow> shownWindows();
-/// Forgets a window that is gone.
+/// Forgets a window that does not exist any more.
 void forgetShown(const ShownWindow& window);
 
 }  // namespace gluray::intercept

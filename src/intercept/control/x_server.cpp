@@ -31,7 +31,8 @@ glm::ivec2 XServers::sizeOf(const ShownWindow& window) {
   return geometry ? glm::ivec2(geometry->width, geometry->height) : glm::ivec2(0);
 }
 
-/// Waits until the server has executed the requests: it drops those of a connection that is closed before.
+/// Waits until the server has executed the requests. It drops the requests of a connection that is closed
+/// earlier.
 bool XServers::arrived(xcb_connection_t* connection, const ShownWindow& window) {
   return replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window.window)) != nullptr;
 }
@@ -40,10 +41,10 @@ bool XServers::expose(const ShownWindow& window) {
   const glm::ivec2 size = sizeOf(window);
   xcb_connection_t* const connection = size.x > 0 ? connectionTo(window.display) : nullptr;
   if (!connection) return false;
-  // Sent, not caused by clearing an area: programs that do not draw keep what they show.
+  // The event is sent, not caused by clearing an area, so that programs that do not draw keep their image.
   union {
     xcb_expose_event_t event;
-    char bytes[32];  // of every event
+    char bytes[32];  // size of all events
   } exposed{};
   exposed.event.response_type = XCB_EXPOSE;
   exposed.event.window = window.window;
@@ -52,8 +53,8 @@ bool XServers::expose(const ShownWindow& window) {
   return arrived(connection, window);
 }
 
-/// Window managers leave a property on the windows that they manage; without one, they are children of the
-/// root.
+/// Whether the window is managed by a window manager, which leaves a property on it, or is a child of the
+/// root window.
 bool XServers::isTopLevel(xcb_connection_t* connection, uint32_t window, uint32_t root) {
   static constexpr std::string_view kManaged = "WM_STATE";
   const auto atom =
@@ -75,7 +76,7 @@ bool XServers::tellSize(const ShownWindow& window, bool wider) {
   if (!connection || !able) return false;
   const auto geometry = replyTo(xcb().geometry, connection, xcb().askGeometry(connection, window.window));
   if (!geometry) return false;
-  // As window managers do: places of windows of their own are those on the screen.
+  // As window managers do: the position of a top-level window is its position on the screen.
   glm::ivec2 at(geometry->x, geometry->y);
   if (isTopLevel(connection, window.window, geometry->root)) {
     const auto place =
@@ -85,7 +86,7 @@ bool XServers::tellSize(const ShownWindow& window, bool wider) {
   }
   union {
     xcb_configure_notify_event_t event;
-    char bytes[32];  // of every event
+    char bytes[32];  // size of all events
   } told{};
   told.event.response_type = XCB_CONFIGURE_NOTIFY;
   told.event.event = told.event.window = window.window;

@@ -6,7 +6,7 @@
 #include <dlfcn.h>
 #include <stddef.h>
 
-/* libglvnd's library of that name; null if it is another library, because programs may ship their own. */
+/* libglvnd's library of that name. Null if it is another library, because programs may ship their own. */
 static void* ofDispatch(const char* name) {
   void* library = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
   return library && gluraySymbol(library, "__glDispatchInit") ? library : NULL;

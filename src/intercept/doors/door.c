@@ -29,7 +29,7 @@ void glurayNoteStreams(void) { pthread_once(&streamsOnce, noteStreams); }
 
 int glurayIsPrivileged(void) { return getauxval(AT_SECURE) != 0; }
 
-/* Whether the launcher started this very process, or there is no launcher. */
+/* Whether the launcher started exactly this process, or there is no launcher. */
 static int mayTalk(void) {
   const char* launched = getenv("GLURAY_PID");
   return !launched || strtol(launched, NULL, 10) == (long)getpid();
@@ -46,7 +46,7 @@ void gluraySay(const char* line, const char* detail) {
   glurayWrite(&standardError, text, length + 1, 0, &error);
 }
 
-/* The engine is in the door's directory, unless GLURAY_ENGINE_LIBRARY names it. */
+/* Path of the engine: in the door's directory, unless GLURAY_ENGINE_LIBRARY names it. */
 static void enginePath(char* path, size_t size) {
   const char* chosen = getenv("GLURAY_ENGINE_LIBRARY");
   Dl_info info;
@@ -71,8 +71,8 @@ static void cannotLoad(const char* why) {
          why);
 }
 
-/* Whether limits leave so little address space that libraries would run out of it and crash, such as the real
-   OpenGL's compiler. Says so. */
+/* Whether the process's limits leave so little address space that libraries would run out of it and crash,
+   such as the real OpenGL's compiler. If so, reports it. */
 static int addressSpaceIsShort(void) {
   const unsigned long long least = glurayLoadBytes();
   char why[128];

@@ -1,6 +1,6 @@
-/* The binary interface between a door and the engine. Plain C. A door is a small library that the program's
-   OpenGL calls pass through; the engine is libgluray-engine.so, loaded by the first door through which a
-   context is created. */
+/* The binary interface between a door and the engine. Plain C. A door is a small library through which the
+   program's OpenGL calls pass. The engine is libgluray-engine.so; it is loaded by the first door through
+   which a context is created. */
 #pragma once
 #include <stdint.h>
 
@@ -13,9 +13,9 @@ extern "C" {
 
 enum GlurayDoorKind { GLURAY_DOOR_VENDOR_GLX = 0, GLURAY_DOOR_VENDOR_EGL = 1, GLURAY_DOOR_PRELOAD = 2 };
 
-/* The window system API for which a function is requested: with two OpenGL libraries in one process (libGL
-   and libOSMesa), one name has two functions. ANY: the one that the program itself would get. Vendor doors
-   serve one API and ignore it. */
+/* The window system API for which a function is requested: if a process has two OpenGL libraries (libGL and
+   libOSMesa), one name has two functions. ANY: the function that the program itself would get. Vendor doors
+   serve one API and ignore the value. */
 enum GlurayApi { GLURAY_API_GLX = 0, GLURAY_API_EGL = 1, GLURAY_API_OSMESA = 2, GLURAY_API_ANY = 3 };
 
 /* Provided by the door. Lives as long as the process. */
@@ -36,8 +36,8 @@ typedef struct GlurayEngine {
   void* (*proc)(const GlurayDoor* door, const char* name);
 } GlurayEngine;
 
-/* The engine's only export. Null if the door has another ABI version or the engine cannot start; `*why` is
-   then a line that is never freed. May be called again, by this or another door. */
+/* The engine's only export. Returns null if the door has another ABI version or the engine cannot start;
+   `*why` is then a line that is never freed. May be called again, by this or another door. */
 typedef const GlurayEngine* (*GlurayEngineEntry)(const GlurayDoor* door, const char** why);
 
 #ifdef __cplusplus

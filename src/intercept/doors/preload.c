@@ -1,7 +1,7 @@
 /* The preload door: for programs that ship their own OpenGL library, for OSMesa, and for systems without
    libglvnd. LD_PRELOAD loads it into the program and all its children, so it uses libc only, does nothing at
-   load time and prints nothing. Its entry points are generated; this file has the real functions behind them
-   and every GetProcAddress. */
+   load time and prints nothing. Its entry points are generated. This file contains the lookup of the real
+   functions behind them, and every GetProcAddress. */
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
@@ -17,7 +17,7 @@ typedef void* (*Lookup)(const char* name);
 
 static int startsWith(const char* text, const char* start) { return !strncmp(text, start, strlen(start)); }
 
-/* The real GetProcAddress of an API: the only function that knows all of that API's OpenGL functions. */
+/* The real GetProcAddress of an API, the only function that finds all OpenGL functions of that API. */
 static Lookup realLookup(int api) {
   static const char* const names[] = {"glXGetProcAddressARB", "eglGetProcAddress", "OSMesaGetProcAddress"};
   static Lookup found[3];
@@ -56,7 +56,7 @@ EXPORT void* glXGetProcAddressARB(const unsigned char* name);
 EXPORT void* eglGetProcAddress(const char* name);
 EXPORT void* OSMesaGetProcAddress(const char* name);
 
-/* Our function for a name, if the real library has that function. */
+/* Our function for a name, if the real library has a function of that name. */
 static void* answer(int api, const char* name) {
   if (!name) return NULL;
   if (!strcmp(name, "glXGetProcAddress") || !strcmp(name, "glXGetProcAddressARB"))

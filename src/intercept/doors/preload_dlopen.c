@@ -1,7 +1,7 @@
-/* The preload door's dlopen. A program that opens an OpenGL library gets our handle, so that dlsym on it
-   finds our functions. For any other file it jumps to libc's dlopen, so that libc still sees the program as
-   the caller and applies its RPATH. For files that we open in the program's place, this file reads the
-   caller's RPATH or RUNPATH. */
+/* The preload door's dlopen. A program that opens an OpenGL library gets this door's handle, so that dlsym on
+   it finds our functions. For any other file the door jumps to libc's dlopen, so that libc still sees the
+   program as the caller and applies its RPATH. For files that the door opens in the program's place, this
+   file reads the caller's RPATH or RUNPATH. */
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/real_libraries.h"
@@ -17,7 +17,7 @@
 
 typedef void* (*Dlopen)(const char*, int);
 
-/* Set while we open a library ourselves: dlopen calls of its constructors go to libc. */
+/* Set while the door opens a library itself: dlopen calls of that library's constructors go to libc. */
 static __thread int opening __attribute__((tls_model("initial-exec")));
 
 static Dlopen realDlopen(void) {
@@ -36,7 +36,7 @@ void* gluraySelf(void) {
   return realDlopen()(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
 }
 
-/* The directory that $ORIGIN means for a loaded object. */
+/* The directory that $ORIGIN stands for in a loaded object. */
 static void originOf(const struct link_map* map, char* origin, size_t size) {
   char self[PATH_MAX] = "";
   const char* name = map->l_name;
@@ -49,7 +49,7 @@ static void originOf(const struct link_map* map, char* origin, size_t size) {
   snprintf(origin, size, "%.*s", slash ? (int)(slash - name) : 0, name);
 }
 
-/* Writes one directory of a search list, with $ORIGIN expanded, and "/file". 0 if it does not fit. */
+/* Writes one directory of a search list, with $ORIGIN expanded, and "/file". Returns 0 if it does not fit. */
 static int expand(const char* entry, size_t length, const char* origin, const char* file, char* path,
                   size_t size) {
   const char* const words[] = {"$ORIGIN", "${ORIGIN}"};
@@ -86,7 +86,8 @@ static const char* dynamicString(const struct link_map* map, ElfW(Sxword) tag) {
   return found && strings ? strings + offset : NULL;
 }
 
-/* Finds a bare file name in the caller's own search path, in the order of ld.so(8); 0: not found. */
+/* Finds a bare file name in the caller's own search path, in the order of ld.so(8). Returns 0 if it is not
+   found. */
 static int searchAsCaller(const char* file, const void* caller, char* path, size_t size) {
   Dl_info info;
   struct link_map* map = NULL;
@@ -99,7 +100,7 @@ static int searchAsCaller(const char* file, const void* caller, char* path, size
          searchList(runPath, origin, file, path, size);
 }
 
-/* Opens the real library in the program's place, and returns our own handle. */
+/* Opens the real library in the program's place, and returns this door's handle. */
 static void* openForProgram(const char* file, int mode, const void* caller) {
   char path[PATH_MAX];
   const int bare = !strchr(file, '/');

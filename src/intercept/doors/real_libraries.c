@@ -9,7 +9,7 @@
 
 #define OPENED_MAX 8
 
-/* Handles from the program's own dlopen calls; we never close them, so that functions stay valid. */
+/* Handles from the program's own dlopen calls. They are never closed, so that functions stay valid. */
 static void* opened[GLURAY_LIB_COUNT][OPENED_MAX];
 
 int glurayLibraryOf(const char* file) {
@@ -41,7 +41,7 @@ void glurayRemember(int library, void* handle) {
   }
 }
 
-/* The function, or null if it is ours. */
+/* Returns the function, or null if it is ours. */
 static void* accept(void* function) { return function && !glurayIsOurs(function) ? function : NULL; }
 
 static void* ofSystem(int library, const char* name) {

@@ -9,7 +9,7 @@
 
 typedef void* (*Dlsym)(void* restrict, const char* restrict);
 
-/* Overlays export dlsym without a version. */
+/* The C library's dlsym, found by its version: overlays export dlsym without a version. */
 static Dlsym realDlsym(void) {
   static Dlsym real;
   static const char* const versions[] = {"GLIBC_2.34", "GLIBC_2.17", "GLIBC_2.2.5"};
@@ -29,7 +29,7 @@ static struct link_map* objectOf(const void* function) {
   return function && dladdr1(function, &info, (void**)&map, RTLD_DL_LINKMAP) ? map : NULL;
 }
 
-/* Whether the function's library exports a dlsym of its own. The C library's is not asked for OpenGL. */
+/* Whether the function's library exports its own dlsym. OpenGL functions are never in the C library. */
 static int isOfOverlay(const void* function) {
   const struct link_map* object = objectOf(function);
   if (!object || !object->l_name || !*object->l_name) return 0;
@@ -39,7 +39,7 @@ static int isOfOverlay(const void* function) {
   return wraps;
 }
 
-/* The function in a library of the search order after us that is no overlay. */
+/* The function in the first library after this one in the search order that is not an overlay. */
 static void* behindOverlays(const char* name) {
   const struct link_map* map = objectOf((const void*)&glurayDoor);
   while (map && (map = map->l_next)) {

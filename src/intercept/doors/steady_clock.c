@@ -1,8 +1,8 @@
-/* Deterministic clocks, random numbers and process number, so that two runs of a program draw equal frames.
+/* Deterministic clocks, random numbers and process id, so that two runs of a program draw equal frames.
    Preloaded by `gluray explain --html`, which compares a frame of one run with the same frame of another.
-   Applies only to calls of the program itself, not of its libraries or ours. Time advances by 40 ms per
-   frame, on a call from the engine. From the hundredth query of a frame on, each query also advances it by 10
-   ms, so that programs that poll the clock do not wait for ever. libc only. */
+   Applies only to calls by the program itself, not by its libraries or GLuRay. Time advances by 40 ms per
+   frame, when the engine reports the frame's end. From the hundredth query of a frame on, each query also
+   advances it by 10 ms, so that programs that poll the clock do not wait for ever. libc only. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <link.h>
@@ -80,8 +80,8 @@ EXPORT time_t time(time_t* out) {
 
 EXPORT pid_t getpid(void) { return ASKED_BY_PROGRAM ? kProcess : REAL(getpid)(); }
 
-/* Separate random generator for the program, because libraries use the C library's at varying times.
-   xorshift64, Marsaglia 2003. */
+/* A separate random generator for the program, because libraries use the C library's generator at varying
+   times. xorshift64, Marsaglia 2003. */
 static uint64_t seed = 88172645463325252u;
 
 static void reseed(unsigned value) { seed = 88172645463325252u ^ (uint64_t)value * 2654435761u; }

@@ -1,7 +1,6 @@
 /* The GLVND door for EGL: a vendor library that wraps the real vendor. libEGL finds it through
-   gluray_egl.json
-   (__EGL_VENDOR_LIBRARY_FILENAMES). The machine's vendor files stand behind it, so that programs have EGL
-   where this door cannot be loaded. */
+   gluray_egl.json (__EGL_VENDOR_LIBRARY_FILENAMES). The machine's vendor files follow in that list, so that
+   programs have EGL if this door cannot be loaded. */
 #define _GNU_SOURCE
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
@@ -45,17 +44,17 @@ static void* openRealVendor(void) {
   return handle;
 }
 
-/* Handle of this library, as libEGL has it. */
+/* libEGL's handle of this library. */
 static void* ownHandle(void) {
   Dl_info info;
   if (!dladdr((const void*)&glurayDoor, &info) || !info.dli_fname) return NULL;
   return dlopen(info.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
 }
 
-/* libEGL loads no library that one of its vendors has loaded: it compares the handles in their records. Puts
-   the real vendor's handle in place of ours, so that a vendor file behind ours does not load that vendor
-   again. The record begins with an identifier and the handle (libglvnd's src/EGL/libeglvendor.h, 1.0 to 1.7).
- */
+/* Puts the real vendor's handle into libEGL's record in place of ours. libEGL does not load a library that
+   one of its vendors has loaded: it compares the handles in the records. So a vendor file after ours does not
+   load the real vendor again. The record begins with an identifier and the handle (libglvnd's
+   src/EGL/libeglvendor.h, 1.0 to 1.7). */
 static int standInFor(const char* library, __EGLvendorInfo* vendor) {
   enum { kMaxWords = 4 };
   void** const words = (void**)vendor;
@@ -69,15 +68,15 @@ static int standInFor(const char* library, __EGLvendorInfo* vendor) {
   return 0;
 }
 
-/* Whether vendor files stand behind ours. */
+/* Whether other vendor files follow ours. */
 static int othersFollow(void) {
   const char* files = getenv("__EGL_VENDOR_LIBRARY_FILENAMES");
   return files && strchr(files, ':');
 }
 
-/* A program may close libEGL and open it again: libEGL then initialises again, while we and the real vendor
-   stay loaded. The vendor may store its exports at its first start only, so it gets a copy that we keep up to
-   date. */
+/* Starts the real vendor. A program may close libEGL and open it again: libEGL then initialises again, while
+   this door and the real vendor stay loaded. The vendor may store its exports only at its first start, so it
+   gets a copy that is kept up to date. */
 static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo* vendor,
                            const __EGLapiImports* imports) {
   static void* handle;
@@ -109,7 +108,7 @@ __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version, c
   if (glurayIsPrivileged() || !startRealVendor(version, exports, vendor, imports)) return EGL_FALSE;
   *imports = real;
   imports->getProcAddress = getProcAddress;
-  /* A vendor that patches libglvnd's entry points would bypass us. */
+  /* A vendor that patches libglvnd's entry points would bypass GLuRay. */
   imports->isPatchSupported = NULL;
   imports->initiatePatch = NULL;
   imports->releasePatch = NULL;

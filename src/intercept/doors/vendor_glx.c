@@ -1,7 +1,6 @@
 /* The GLVND door for GLX: a vendor library that wraps the real vendor. libGLX finds it under the name
-   "gluray"
-   (__GLX_VENDOR_LIBRARY_NAME). libGLX loads vendors in its constructor, so nothing here may touch the X
-   server. */
+   "gluray" (__GLX_VENDOR_LIBRARY_NAME). libGLX loads vendors in its constructor, so nothing here may use the
+   X server. */
 #include "intercept/doors/dispatch_first.h"
 #include "intercept/doors/door.h"
 #include "intercept/doors/door_table.h"
@@ -18,7 +17,7 @@ static void* vendor; /* handle of the real vendor's library */
 
 static void* ofVendor(const GLubyte* name) { return real.getProcAddress ? real.getProcAddress(name) : NULL; }
 
-/* The real function, for a call that follows. */
+/* The real function, for a call that follows at once. */
 static void* realProc(const char* name, int api) {
   (void)api;
   glurayDispatchFirst(vendor);
@@ -59,9 +58,9 @@ static void* openRealVendor(void) {
   return handle;
 }
 
-/* A program may close libGL and open it again: libGLX then initialises again, while we and the real vendor
-   stay loaded. Mesa stores its exports at its first start only, so it gets a copy that we keep up to date,
-   and we keep its imports. */
+/* Starts the real vendor. A program may close libGL and open it again: libGLX then initialises again, while
+   this door and the real vendor stay loaded. Mesa stores its exports only at its first start, so it gets a
+   copy that is kept up to date, and its imports are kept. */
 static int startRealVendor(uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* info,
                            const __GLXapiImports* imports) {
   static __GLXapiExports lasting;
@@ -91,7 +90,7 @@ __attribute__((visibility("default"))) Bool __glx_Main(uint32_t version, const _
   *imports = real;
   imports->getProcAddress = getProcAddress;
   imports->isScreenSupported = isScreenSupported;
-  /* A vendor that patches libglvnd's entry points would bypass us. */
+  /* A vendor that patches libglvnd's entry points would bypass GLuRay. */
   imports->isPatchSupported = NULL;
   imports->initiatePatch = NULL;
   imports->releasePatch = NULL;

@@ -32,9 +32,9 @@ bool show(_XDisplay* display, uintptr_t drawable, RealSwap swap, Record& record)
   return (frames.holdsFrame() || window.isKnown(size)) && frames.showWithoutSwap(window, size, shows);
 }
 
-/// Before a swap by the real OpenGL that comes before the context's first image: remembers the window's
-/// size, so that the image may be shown directly. Programs show a few empty frames first. After more of
-/// them the size is unknown, because asking costs a round trip.
+/// Call before a swap by the real OpenGL that precedes the context's first image: remembers the window's
+/// size, so that the image may be shown directly. Programs show a few empty frames first. After more than
+/// kMax of them the size stays unknown, because a query costs a round trip.
 void noteEmptySwap(_XDisplay* display, uintptr_t drawable, Record& record) {
   constexpr int kMax = 8;
   WindowOfContext& window = record.window;

@@ -6,7 +6,8 @@
 
 namespace gluray::intercept {
 
-/// Call before a swap of `drawable` by `swap`. True: the frame has been shown; skip the swap.
+/// Call before a swap of `drawable` by `swap`. Returns true if the frame has been shown, so that the swap
+/// must be skipped.
 bool shownDirectly(_XDisplay* display, uintptr_t drawable, RealSwap swap) noexcept;
 
 }  // namespace gluray::intercept

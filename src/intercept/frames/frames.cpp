@@ -22,7 +22,7 @@ void endFrame() noexcept {
   writeReportIfDue();
 }
 
-/// Keeps the image of the frame that is about to be shown; reads it from the window's `buffer`.
+/// Keeps the image of the frame that is about to be shown, read from the window's `buffer`.
 void takeImage(Record& record, GLenum buffer) {
   if (!record.image || !record.context) return;
   glm::ivec2 size = current().size ? current().size() : glm::ivec2(0);
@@ -47,7 +47,7 @@ void drawHud(Record& record) {
   if (pending != GL_NO_ERROR) context.errors.set(pending);
 }
 
-/// Contexts that are made record what the report needs.
+/// Makes new contexts record what the report needs.
 class Watcher final : public ContextWatcher {
  public:
   void making(Record& record, gl::ContextInfo& info) override {
@@ -70,7 +70,7 @@ class Watcher final : public ContextWatcher {
 }  // namespace
 
 void followContexts() noexcept {
-  static NeverDestroyed<Watcher> watcher;  // programs make contexts while they exit
+  static NeverDestroyed<Watcher> watcher;  // programs create contexts while they exit
   watchContexts(*watcher);
 }
 
@@ -97,7 +97,7 @@ void swapping(uintptr_t drawable) noexcept {
 void swapped(uintptr_t drawable) noexcept {
   guarded("cannot end a frame", [&] {
     gl::Context* context = gl::t_thread.context;
-    // Without a back buffer a swap shows nothing new: there glFlush and glFinish end frames.
+    // Without a back buffer a swap shows nothing new: glFlush and glFinish end frames there.
     if (context && current().drawables.draw == drawable && context->info().doubleBuffered)
       context->frames.afterSwap(), countFrame(), timeline::mark("frame");
   });

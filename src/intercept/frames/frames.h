@@ -4,12 +4,13 @@
 
 namespace gluray::intercept {
 
-/// Call once, before the first context is made: contexts then record what reports and hubs want.
+/// Call once, before the first context is created: contexts then record what reports and hubs need.
 void followContexts() noexcept;
 
-/// Before a buffer swap of `drawable`: flushes pending draws, and keeps the frame's image if wanted.
+/// Call before a buffer swap of `drawable`: flushes pending draws, and keeps the frame's image if it is
+/// requested.
 void swapping(uintptr_t drawable) noexcept;
-/// A buffer swap of `drawable` returned: if this thread draws into it, a frame has ended.
+/// Call after a buffer swap of `drawable`: if this thread draws into it, a frame has ended.
 void swapped(uintptr_t drawable) noexcept;
 
 }  // namespace gluray::intercept

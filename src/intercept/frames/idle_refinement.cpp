@@ -10,7 +10,7 @@ void refineShown(_XDisplay* display, uintptr_t drawable) noexcept {
   if (!record || !record->context || record->context.get() != gl::t_thread.context ||
       current().drawables.draw != drawable || !record->context->info().doubleBuffered)
     return;
-  guarded("cannot refine a window", [&] {  // making the function below may throw
+  guarded("cannot refine a window", [&] {  // constructing the function below may throw
     record->context->window.refineWhileIdle([&]() -> std::shared_ptr<IdleWindow> {
       std::shared_ptr<IdleWindow> window;
       if (display) guarded("cannot refine a window", [&] { window = record->idle.open(display, drawable); });

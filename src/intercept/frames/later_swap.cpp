@@ -14,7 +14,7 @@ using gl::LagRefusal;
 
 namespace {
 
-/// Whether frames of this thread's context may lag at all.
+/// Whether frames of this thread's context may lag.
 bool mayLag(XId drawable) {
   const std::shared_ptr<Record>& record = current().record;
   return session().lag != LagMode::off && !neverLags() && record && record->context &&

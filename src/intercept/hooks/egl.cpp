@@ -1,5 +1,5 @@
-// EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps, fences. EGL 1.5 and the extensions
-// that show images and make fences.
+// EGL hooks for desktop OpenGL: contexts, current contexts, buffer swaps, fences. Covers EGL 1.5 and the
+// extensions that show images and create fences.
 #include "base/timeline.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/shown_windows.h"
@@ -36,7 +36,7 @@ AskSize sizeOf(EGLDisplay display, EGLSurface surface) {
   };
 }
 
-/// Queries whether `surface` is a window: the largest size is known of pbuffers only (EGL 1.5, 3.5.6).
+/// Queries whether `surface` is a window: only pbuffers have a largest size (EGL 1.5, 3.5.6).
 template <Door D>
 AskShown isWindow(EGLDisplay display, EGLSurface surface) {
   if (surface == EGL_NO_SURFACE) return {};
@@ -61,8 +61,8 @@ EGLBoolean swapping(EGLSurface surface, F&& call) {
   return done;
 }
 
-/// The name of the X window that a native window points to: a number of 32 bits (XCB), or one of 64 (Xlib)
-/// whose lower half comes first. Of other platforms a number that is no window of the X server.
+/// The id of the X window that a native window points to: a number of 32 bits (XCB), or of 64 bits (Xlib)
+/// with the lower half first. On other platforms, a number that is not a window of the X server.
 uint32_t nameAt(const void* window) {
   uint32_t name = 0;
   std::memcpy(&name, window, sizeof name);
@@ -151,7 +151,7 @@ struct Egl {
     REAL(D, decltype(&eglWaitClient), "eglWaitClient");
     return afterFlush([&] { return real(); });
   }
-  /// Other APIs and processes may wait for the fence, too.
+  /// Other APIs and processes may also wait for the fence.
   static EGLSync createSync(EGLDisplay display, EGLenum type, const EGLAttrib* attributes) {
     REAL(D, decltype(&eglCreateSync), "eglCreateSync");
     return afterFlush([&] { return real(display, type, attributes); });
@@ -171,7 +171,7 @@ struct Egl {
     REAL(D, decltype(&eglCreateWindowSurface), "eglCreateWindowSurface");
     const Outermost outermost;
     const EGLSurface surface = real(display, config, window, attributes);
-    if (outermost) noteSurface(surface, (uint64_t)window);  // a number or a pointer, by EGL's headers
+    if (outermost) noteSurface(surface, (uint64_t)window);  // a number or a pointer
     return surface;
   }
   static EGLSurface createPlatformWindow(EGLDisplay display, EGLConfig config, void* window,

@@ -1,4 +1,4 @@
-// GLX hooks: contexts, current contexts, buffer swaps. GLX 1.4 and the extensions that show images.
+// GLX hooks: contexts, current contexts, buffer swaps. Covers GLX 1.4 and the extensions that show images.
 #include "base/timeline.h"
 #include "gl/context/stub.h"
 #include "intercept/contexts/contexts.h"
@@ -64,7 +64,8 @@ auto swapping(const Outermost& outermost, GLXDrawable drawable, F&& call) {
   return call();
 }
 
-/// Around a swap: nothing older than its frame is put into the window; then the frame may be refined.
+/// Surrounds a swap: until it ends, no older image is put into the window. Afterwards the frame may be
+/// refined.
 struct Shows {
   const Outermost& outermost;
   Display* display;
@@ -158,7 +159,7 @@ struct Glx {
     REAL(D, PFNGLXGETSYNCVALUESOMLPROC, "glXGetSyncValuesOML");
     return afterFlush([&] { return real(dpy, drawable, ust, msc, sbc); });
   }
-  /// Programs that select swap events wait for them before they go on.
+  /// Programs that select swap events wait for them, so their frames cannot lag.
   static void selectEvent(Display* dpy, GLXDrawable drawable, unsigned long mask) {
     REAL(D, decltype(&glXSelectEvent), "glXSelectEvent");
     if (mask & GLX_BUFFER_SWAP_COMPLETE_INTEL_MASK) neverLag();
@@ -178,8 +179,8 @@ struct Glx {
     afterFlush([&] { real(dpy, drawable, buffer, attributes); });
     textureImageBound();
   }
-  /// Drivers compile the glyphs' lists internally, where no door sees it. The shadow GL gives them lists of
-  /// the real OpenGL, which our lists then call.
+  /// Drivers compile the glyphs' lists internally, where no door sees the calls. So the shadow GL gives them
+  /// lists of the real OpenGL, which the program's lists then call.
   static void useXFont(Font font, int first, int count, int listBase) {
     REAL(D, decltype(&glXUseXFont), "glXUseXFont");
     const Outermost outermost;

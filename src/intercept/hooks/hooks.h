@@ -1,11 +1,11 @@
-// Our replacements for functions of the window system APIs, by name. Doors look them up through the engine's
-// entry point. Any thread.
+// GLuRay's replacements for functions of the window system APIs, by name. Doors find them through the
+// engine's entry point. Any thread.
 #pragma once
 #include "intercept/window_systems/real_functions.h"
 
 namespace gluray::intercept {
 
-/// Our function for a glX*, egl* or OSMesa* name, for calls through `door`; null: use the real one.
+/// GLuRay's function for a glX*, egl* or OSMesa* name, for calls through `door`; null: use the real one.
 void* glxHook(Door door, const char* name);
 void* eglHook(Door door, const char* name);
 void* osmesaHook(const char* name);

@@ -1,4 +1,4 @@
-// OSMesa: off-screen contexts that draw into the program's own memory. Only the preload door supports them.
+// OSMesa: off-screen contexts that draw into the program's memory. Only the preload door supports them.
 #include "intercept/contexts/contexts.h"
 #include "intercept/hooks/hook_table.h"
 #include "intercept/hooks/hooks.h"
@@ -43,7 +43,7 @@ void destroyContext(OSMesaContext context) {
   contextDestroyed(Api::osmesa, context);
 }
 
-/// The buffer is the drawable: an image is complete when the program changes the buffer or context.
+/// The buffer acts as the drawable: an image is complete when the program changes the buffer or the context.
 GLboolean makeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
   REAL(decltype(&OSMesaMakeCurrent), "OSMesaMakeCurrent");
   leaveCurrent();

@@ -14,7 +14,7 @@ constexpr int kFromCorner = 8;  // pixels
 constexpr double kEvery = 0.5;  // seconds between updates of the text
 constexpr double kPause = 1;    // seconds without a frame after which counting restarts
 
-/// "875 K": three significant digits.
+/// The value with three significant digits: "875 K".
 std::string rounded(double value) {
   const char* unit = "";
   for (const char* larger : {" K", " M", " G"}) {
@@ -38,18 +38,18 @@ std::string rate(const HudFigures& f) {
 }
 
 std::string share(const HudFigures& f) {
-  // If a toolkit composes windows, the frames are its own, and the triangles another context's.
+  // If a toolkit composes windows, the frames are the toolkit's and the triangles belong to another context.
   if (f.traced == 0 && f.framesPassedThrough > 0) return "BY OPENGL";
   const uint64_t all = f.traced + f.rasterised;
   if (all == 0) return "NOTHING DRAWN";
-  // Never "100 %" if anything is not traced.
+  // Never shows "100 %" if anything was not traced.
   const double percent = 100 * static_cast<double>(f.traced) / static_cast<double>(all);
   char text[32];
   std::snprintf(text, sizeof text, "%.0f %% TRACED", f.rasterised == 0 ? 100 : std::floor(percent));
   return text;
 }
 
-/// How far images with light are refined.
+/// How far images are refined.
 std::string light(const HudFigures& f) {
   char text[64];
   std::snprintf(text, sizeof text, "LIGHT %s PASSES, NOISE %.4f",

@@ -14,19 +14,19 @@ namespace gluray::intercept {
 /// Statistics of an interval.
 struct HudFigures {
   double seconds = 0;
-  uint64_t frames = 0, framesPassedThrough = 0;  // shown; of these passed through
+  uint64_t frames = 0, framesPassedThrough = 0;  // shown; passed through among them
   uint64_t traced = 0, rasterised = 0;           // triangles
-  uint64_t flushes = 0, repeated = 0;            // images; of these repeated ones
-  uint64_t bvhBytes = 0;                         // of all acceleration structures at present
-  uint64_t lightPasses = 0;                      // refining images with light
-  double lightNoise = 0;                         // of the last refined image; 0: not known
-  bool refining = false;                         // a full-quality one is being built
+  uint64_t flushes = 0, repeated = 0;            // images, and repeated ones among them
+  uint64_t bvhBytes = 0;                         // of all acceleration structures now
+  uint64_t lightPasses = 0;                      // passes that refined images
+  double lightNoise = 0;                         // noise of the last refined image; 0: unknown
+  bool refining = false;                         // a better acceleration structure is being built
 };
 
-/// The difference of two states of all contexts' statistics, `seconds` apart.
+/// The difference of two states of all contexts' statistics that are `seconds` apart.
 HudFigures between(const gl::Statistics& before, const gl::Statistics& now, double seconds);
 
-/// The lines of text. Without frames: only "GLURAY".
+/// The lines of the overlay. Without frames: only "GLURAY".
 std::vector<std::string> hudLines(const HudFigures& figures);
 
 class Hud {
@@ -34,8 +34,8 @@ class Hud {
   explicit Hud(const gl::RealGl& real) : writeBack_(real) {}
 
   /// Draws over the finished frame in the back buffer, just before it is shown. `now`: totals of all
-  /// contexts; `seconds`: any clock. Keeps depth and all queryable state. Returns the program's pending
-  /// error, if any.
+  /// contexts; `seconds`: time on any clock. Preserves depth and all queryable state. Returns the program's
+  /// pending GL error, if any.
   GLenum draw(const gl::Statistics& now, double seconds);
   gl::SharedNames takeNames() { return writeBack_.takeNames(); }
 

@@ -1,4 +1,4 @@
-// Text as images.
+// Text images.
 #include "intercept/hud/text_image.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 const TextStyle kPlain{.scale = 1, .ink = 0xFFFFFFFF, .ground = 0xFF000000};
 
-/// Rows from the top, '#' where there is ink.
+/// The image's rows from the top, with '#' for ink.
 std::vector<std::string> rows(const Image& image) {
   std::vector<std::string> all;
   for (int y = image.height - 1; y >= 0; --y) {

@@ -42,7 +42,7 @@ std::string libraryOf(const std::string& file) {
 }
 
 /// The X server's vendor names for its first screen (GLX_EXT_libglvnd), for instance "mesa". Loads the C
-/// binding of the GLX protocol with dlopen: needs no header of it, and touches no OpenGL library.
+/// binding of the GLX protocol with dlopen, so that it needs no header and loads no OpenGL library.
 std::string vendorsOfDisplay() {
   constexpr unsigned kVendorNames = 0x20F6;  // GLX_VENDOR_NAMES_EXT
   struct Cookie {
@@ -83,7 +83,7 @@ std::string findGlx() {
   return "";
 }
 
-/// The EGL driver of the same vendor as the GLX driver if there is one, otherwise the first that loads.
+/// The EGL driver of the GLX driver's vendor if there is one, otherwise the first that can be loaded.
 std::string findEgl(const std::string& glx) {
   std::string files = environmentVariable("__EGL_VENDOR_LIBRARY_FILENAMES");
   if (files.find("gluray_egl.json") != std::string::npos) return environmentVariable("GLURAY_REAL_EGL");
@@ -96,7 +96,7 @@ std::string findEgl(const std::string& glx) {
   return found == libraries.end() ? "" : *found;
 }
 
-/// What the child process writes into `pipe`: two lines.
+/// Writes the child process's result into `pipe`: two lines.
 void answer(int pipe) {
   const std::string glx = findGlx();
   const std::string lines = glx + "\n" + findEgl(glx) + "\n";
@@ -162,7 +162,7 @@ RealVendors findRealVendors() {
     for (std::string& line : result) std::getline(stream, line);
     return result;
   }();
-  // The X server does not answer, and the program will wait for it too. Mesa is the likeliest driver.
+  // The X server does not answer, and the program will also wait for it. Mesa is the most likely driver.
   if (lines.empty()) return {"mesa", "libEGL_mesa.so.0"};
   return {parts[0], parts[1]};
 }

@@ -11,7 +11,7 @@
 namespace gluray::probe {
 namespace {
 
-/// A folder with the given files, deleted at the end of the test.
+/// A folder with the given files; the destructor deletes it.
 class Folder {
  public:
   Folder() : path_(std::filesystem::temp_directory_path() / ("gluray_vendors_" + std::to_string(getpid()))) {

@@ -50,7 +50,7 @@ json kindsOf(const gl::KindTable& table) {
   return list;
 }
 
-/// Numbers of draws by reason.
+/// Numbers of draws, by reason.
 template <class Why>
 json byReason(const std::map<Why, uint64_t>& counts) {
   json all = json::object();
@@ -58,7 +58,7 @@ json byReason(const std::map<Why, uint64_t>& counts) {
   return all;
 }
 
-/// The programs, sorted by triangles, most first.
+/// The shader programs, sorted by decreasing number of triangles.
 json programsOf(const gl::ProgramTable& table) {
   std::vector<gl::ProgramUse> uses;
   for (const auto& [known, use] : table) uses.push_back(use);
@@ -150,7 +150,7 @@ std::set<std::string> dispatchNames() {
   return names;
 }
 
-/// libglvnd looks up every function that it knows; the remaining names were looked up by the program.
+/// libglvnd looks up every function that it knows. The program looked up the remaining names.
 json askedByProgram(const std::set<std::string>& names) {
   static const std::set<std::string>& known = *new std::set<std::string>(dispatchNames());
   json asked = json::array();

@@ -9,8 +9,8 @@
 
 namespace gluray::intercept {
 
-/// Records that the program looked up the OpenGL function `name`, which has no stub: its calls go to the real
-/// OpenGL unseen.
+/// Records that the program looked up the OpenGL function `name`, which has no stub: GLuRay does not see
+/// calls of it.
 void noteUnknownFunction(const char* name) noexcept;
 
 /// Stores the latest frame's image; the next report writes it to files.

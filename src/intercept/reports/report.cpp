@@ -56,7 +56,7 @@ json lagReport() {
           {"atOnce", because}};
 }
 
-/// Refinement while the program drew nothing.
+/// Refinement while the program was idle.
 json idleReport() {
   const frame::IdleRefiner::Counts& counts = frame::IdleRefiner::counts();
   return {{"frames", counts.frames.load()},     {"refused", counts.refused.load()},
@@ -104,13 +104,14 @@ json makeReport(const Totals& totals) {
 
 /// The report's file name, chosen at the first report.
 const std::string& reportPath() {
-  // Never destroyed: the exit handler that writes the last report was registered before this string was made.
+  // Never destroyed: the exit handler that writes the last report was registered before this string was
+  // constructed.
   static const std::string& path = *new std::string(fileOfThisProcess(session().reportFile));
   return path;
 }
 
 void writeText(const json& report) {
-  // Names of programs and drivers need not be valid UTF-8.
+  // Names of programs and drivers may be invalid UTF-8.
   const std::string text = report.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
   if (const std::string why = files::replace(reportPath(), text); !why.empty())
     log::once(log::Level::error, "report", "cannot write the report " + reportPath() + ": " + why);
@@ -164,7 +165,7 @@ Reporter& reporter() {
   return *reporter;
 }
 
-/// Locks with a time limit: a signal handler may have called exit() in the middle of a report.
+/// Locks with a time limit, because a signal handler may have called exit() in the middle of a report.
 bool lockInTime(std::mutex& mutex) {
   constexpr int kPatience = 1000;  // milliseconds
   for (int i = 0; i < kPatience; ++i) {
@@ -174,7 +175,7 @@ bool lockInTime(std::mutex& mutex) {
   return false;
 }
 
-/// Runs `body` with the reporter locked; if it throws, only this report is lost.
+/// Runs `body` with the reporter locked. If it throws, only this report is lost.
 template <class F>
 void reporting(F&& body, bool atExit = false) noexcept {
   try {
@@ -190,7 +191,7 @@ void reporting(F&& body, bool atExit = false) noexcept {
   }
 }
 
-/// Whether reports are written while the program runs; a report to a stream is written only at exit.
+/// Whether reports are written while the program runs. A report to a stream is written only at exit.
 bool writesMeanwhile() {
   const std::string& file = session().reportFile;
   return !file.empty() && !files::isStream(file) && !isForkedChild();
@@ -204,7 +205,7 @@ void lookAfter(Reporter& r) {
   if (progress(now) != r.written) r.write(now);
 }
 
-/// Runs until the exit handlers run, or all frames to be explained are recorded.
+/// Runs until the exit handlers run, or until all frames to be explained are recorded.
 void watch() noexcept {
   for (bool goOn = true; goOn;) {
     std::this_thread::sleep_for(std::chrono::duration<double>(kInterval));
@@ -215,7 +216,7 @@ void watch() noexcept {
   }
 }
 
-/// Starts watch() on a thread; if that fails, the next frame tries again. Requires the mutex.
+/// Starts watch() on a thread. If that fails, the next frame tries again. Requires the mutex.
 void startWatching(Reporter& r) {
   if (r.watched) return;
   pthread_t thread;
@@ -234,7 +235,7 @@ void startWatching(Reporter& r) {
 std::string walkedPastNow() noexcept {
   try {
     return walkedPast();
-  } catch (const std::exception&) { return {}; }  // out of memory: the next report has it
+  } catch (const std::exception&) { return {}; }  // out of memory: the next report contains it
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ std::string contentsOf(const std::string& file) {
   return std::move(content.text);
 }
 
-/// Drops a list whose families refer to code sections that no file has; true if there was one.
+/// Removes a list whose families refer to code sections that no file contains. Returns whether there was one.
 bool dropOneThatLacksCode(std::vector<gl::FamilyList>& lists, void (*complain)(const std::string& line)) {
   if (lists.empty()) return false;
   gl::FamilyList all = gl::builtInFamilies();

@@ -1,4 +1,4 @@
-// The user's family files: which apply, in which order, and error messages.
+// The user's family files: which families apply, in which order, and error messages.
 #include "intercept/session/families.h"
 
 #include "settings/values.h"

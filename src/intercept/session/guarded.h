@@ -1,4 +1,4 @@
-// Keeps GLuRay's errors away from the program, and disables GLuRay in forked children. Any thread.
+// Keeps GLuRay's errors from the program, and disables GLuRay in forked children. Any thread.
 #pragma once
 #include "base/log.h"
 
@@ -7,12 +7,12 @@
 
 namespace gluray::intercept {
 
-/// Call in the child of a fork, which has no threads of ours.
+/// Call in the child of a fork, which has none of GLuRay's threads.
 void noteFork() noexcept;
-/// Whether this process is such a child: then all is passed through.
+/// Whether this process is such a child: it passes all calls through.
 bool isForkedChild() noexcept;
 
-/// Runs `body`, logs its exceptions once, and goes on. Does nothing in a forked child.
+/// Runs `body`, and logs its exceptions once instead of passing them on. Does nothing in a forked child.
 template <class F>
 void guarded(const char* what, F&& body) noexcept {
   if (isForkedChild()) return;

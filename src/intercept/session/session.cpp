@@ -19,10 +19,10 @@ namespace {
 
 static_assert(static_cast<int>(LogLevel::off) == static_cast<int>(log::Level::off));
 
-/// Whether this process may log: processes that the launcher did not start log only to a file.
+/// Whether this process may log. Processes that the launcher did not start log only to a file.
 bool mayTalk(const Session& session) { return !session.logFile.empty() || launchedProcess(); }
 
-LiveSettings* g_liveSettings = nullptr;  // once the session has been read
+LiveSettings* g_liveSettings = nullptr;  // set after the session was read
 std::atomic<void (*)(double) noexcept> g_look{nullptr};
 
 const Session* readSession() {

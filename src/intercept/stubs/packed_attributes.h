@@ -1,4 +1,5 @@
-// Vertex attributes of few bits: half precision, and those packed into 32 bits (GL 4.6, section 10.2.1).
+// Vertex attributes with few bits: half precision, and attributes packed into 32 bits (GL 4.6, section
+// 10.2.1).
 #pragma once
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -27,7 +28,7 @@ struct Packed {
   float x, y, z, w;
 };
 
-/// What a packed value means depends on the context's version and extensions.
+/// The interpretation of packed values, which depends on the context's version and extensions.
 struct PackedRules {
   bool hasZero = false;    // signed values are max(c / (2^(b-1) - 1), -1); before GL 4.2 (2c + 1) / (2^b - 1)
   bool hasFloats = false;  // GL_UNSIGNED_INT_10F_11F_11F_REV is a type of generic attributes
@@ -46,7 +47,7 @@ inline float normalisedField(PackedRules rules, int c, int bits) {
   return std::max(static_cast<float>(c) / static_cast<float>((1 << (bits - 1)) - 1), -1.0f);
 }
 
-/// Unpacks an attribute of 10, 10, 10 and 2 bits. False if `type` is neither of the two such types.
+/// Unpacks an attribute of 10, 10, 10 and 2 bits. Returns false if `type` is neither of the two such types.
 inline bool unpack(PackedRules rules, GLenum type, bool normalise, GLuint value, Packed& v) {
   const auto field = [&](int shift, int bits) {
     const uint32_t steps = (1u << bits) - 1u, raw = (value >> shift) & steps;
@@ -60,12 +61,11 @@ inline bool unpack(PackedRules rules, GLenum type, bool normalise, GLuint value,
   return true;
 }
 
-/// The same for three components of a generic attribute, which may also be unsigned floats of 11, 11 and 10
-/// bits.
+/// Unpacks three components of a generic attribute, which may also be unsigned floats of 11, 11 and 10 bits.
 inline bool unpackGeneric3(PackedRules rules, GLenum type, bool normalise, GLuint value, Packed& v) {
   if (type != GL_UNSIGNED_INT_10F_11F_11F_REV || !rules.hasFloats)
     return unpack(rules, type, normalise, value, v);
-  const auto field = [&](int shift, int bits) {  // exponents are those of halves
+  const auto field = [&](int shift, int bits) {  // exponents are those of half floats
     return halfToFloat(static_cast<uint16_t>(((value >> shift) & ((1u << bits) - 1u)) << (15 - bits)));
   };
   v = {field(0, 11), field(11, 11), field(22, 10), 1};

@@ -1,4 +1,4 @@
-// Attributes of few bits against GL 4.6, sections 2.3.4 and 10.2.1.
+// Attributes with few bits, compared with GL 4.6, sections 2.3.4 and 10.2.1.
 #include "intercept/stubs/packed_attributes.h"
 
 #include <gtest/gtest.h>

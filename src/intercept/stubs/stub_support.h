@@ -28,7 +28,7 @@ constexpr float normalised(Integer c) {
     return static_cast<float>(c / steps);
 }
 
-/// The rules of the current context; of the oldest version without one.
+/// The rules of the current context; without one, those of the oldest version.
 inline PackedRules packedRulesOfNow() {
   if (!gl::t_thread.context) return {};
   const gl::ContextInfo& info = gl::t_thread.context->shadow.info;
@@ -49,7 +49,7 @@ Copy<T> copyOf(const T* source, ptrdiff_t count) {
   return {std::vector<T>(source, source + (count > 0 ? count : 0)), false};
 }
 
-/// Untyped memory: `bytes` counts bytes.
+/// A copy of untyped memory.
 struct CopyBytes {
   std::vector<std::byte> values;
   bool null = false;

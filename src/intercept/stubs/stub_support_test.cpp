@@ -1,4 +1,4 @@
-// The conversions of vertex attributes against GL 2.1, table 2.9, and the table of stubs.
+// Conversions of vertex attributes, compared with GL 2.1, table 2.9, and the table of stubs.
 #include "intercept/stubs/stub_support.h"
 
 #include "intercept/stubs/stub_proc.h"

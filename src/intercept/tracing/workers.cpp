@@ -13,7 +13,8 @@
 namespace gluray::intercept {
 namespace {
 
-/// Of this process among its job's on this machine, as MPI's launchers say; 0: there is no job.
+/// Rank of this process among the job's processes on this machine, from variables of MPI's launchers; 0
+/// without a job.
 int rankOnMachine() {
   for (const char* const name : {"OMPI_COMM_WORLD_LOCAL_RANK", "MPI_LOCALRANKID", "SLURM_LOCALID"}) {
     const std::string text = environmentVariable(name);

@@ -4,11 +4,11 @@
 
 namespace gluray::intercept {
 
-/// Those that the session's settings name; null: this process traces. Made at the first call, never
-/// destroyed.
+/// The workers that the session's settings name; null if this process traces. Created by the first call,
+/// never destroyed.
 cluster::RemoteTracer* workers();
 
-/// Traces in this process. `stop` as in frame::TraceBehind; null: frame::Trace.
+/// Traces in this process. `stop`: as in frame::TraceBehind; null: as in frame::Trace.
 bool traceHere(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                const std::function<bool()>& stop);
 

@@ -14,7 +14,7 @@ glm::ivec2 sizeOfX(xcb_connection_t* connection, uint32_t drawable) {
   return reply ? glm::ivec2(reply->width, reply->height) : glm::ivec2(0);
 }
 
-/// Size of windows, pixmaps and pbuffers with a GLX name only (GLX 1.4, 3.3.4 to 3.3.6).
+/// Size of windows, pixmaps and pbuffers that have only a GLX name (GLX 1.4, 3.3.4 to 3.3.6).
 glm::ivec2 sizeOfGlx(xcb_connection_t* connection, uint32_t drawable) {
   if (!xcb().askAttributes || !xcb().attributes || !xcb().list) return glm::ivec2(0);
   const auto reply = replyTo(xcb().attributes, connection, xcb().askAttributes(connection, drawable));

@@ -1,4 +1,4 @@
-// Size of a window, pixmap or pbuffer of an X server; whether a window is shown. Any thread.
+// Size of a window, pixmap or pbuffer of an X server, and whether a window is mapped. Any thread.
 #pragma once
 #include <GL/glx.h>
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@ namespace gluray::intercept {
 /// handler.
 glm::ivec2 drawableSize(Display* display, GLXDrawable drawable) noexcept;
 
-/// Whether the X drawable is a window that is mapped (one round trip). Otherwise like drawableSize().
+/// Whether the X drawable is a mapped window (one round trip). Otherwise like drawableSize().
 bool isMapped(Display* display, XID window) noexcept;
 
 }  // namespace gluray::intercept

@@ -1,5 +1,6 @@
-/* OSMesa's interface, which Mesa 25.1 removed; programs ship libOSMesa themselves. Plain C, for the engine,
-   the tests' clients, and tools/c_headers.py, which reads the prototypes. Values and types are Mesa's ABI. */
+/* OSMesa's interface. Mesa 25.1 removed it, so programs ship libOSMesa themselves. Plain C, for the engine,
+   the tests' clients, and tools/c_headers.py, which reads the prototypes. Values and types follow Mesa's ABI.
+   */
 #pragma once
 #include <GL/gl.h>
 

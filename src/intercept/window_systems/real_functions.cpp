@@ -23,7 +23,7 @@ bool isOurs(const void* function) {
          address < reinterpret_cast<uintptr_t>(&_end);
 }
 
-/// The door whose functions are the real OpenGL of `api`.
+/// The door that provides the real OpenGL of `api`.
 Door doorOf(Api api) {
   if (api == Api::glx && g_doors[kVendorGlx]) return kVendorGlx;
   if (api == Api::egl && g_doors[kVendorEgl]) return kVendorEgl;

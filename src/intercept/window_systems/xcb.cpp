@@ -68,7 +68,7 @@ Xcb::Xcb() {
   find(glx, "xcb_glx_get_drawable_attributes_attribs", list);
 }
 
-/// Checks one function per library: the others exist with it.
+/// Checks one function per library: the other functions then exist, too.
 bool Xcb::canPut() const { return connectionOf && flush && putImage; }
 
 const Xcb& xcb() {

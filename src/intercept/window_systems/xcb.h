@@ -14,7 +14,7 @@ struct _XDisplay;
 
 namespace gluray::intercept {
 
-/// Functions are null if their library is missing.
+/// The functions; null if their library is missing.
 struct Xcb {
   xcb_connection_t* (*connectionOf)(_XDisplay*);
   decltype(xcb_connect)* connect;
@@ -71,7 +71,7 @@ struct Xcb {
 const Xcb& xcb();
 
 /// Whether pixels of that depth and visual are 32-bit words in this machine's byte order, with eight bits
-/// each of red, green and blue, blue lowest.
+/// each for red, green and blue, blue in the lowest byte.
 bool hasPlainPixels(xcb_connection_t* connection, uint8_t depth, xcb_visualid_t visual);
 
 struct Freed {

@@ -17,7 +17,8 @@ class XcbBackgroundWindow final : public BackgroundWindow {
       : connection_(xcb().connect(display.c_str(), nullptr)), window_(window) {
     if (!xcb().failed(connection_)) socket_ = glurayOutputOf(xcb().descriptorOf(connection_));
   }
-  /// A connection whose descriptor the program has closed is never freed: XCB would close the number again.
+  /// If the program has closed the connection's descriptor, the connection is never freed: XCB would close
+  /// the number again.
   ~XcbBackgroundWindow() override {
     if (socket_.descriptor < 0 || isConnected()) xcb().disconnect(connection_);
   }
@@ -63,7 +64,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
   }
 
  private:
-  /// Whether the descriptor still means the connection.
+  /// Whether the descriptor still refers to the connection.
   bool isConnected() const { return glurayIsSame(&socket_); }
 
   ReplyPtr<xcb_get_geometry_reply_t> askGeometry() const {
@@ -76,7 +77,7 @@ class XcbBackgroundWindow final : public BackgroundWindow {
     return !error;
   }
 
-  /// Sends rows top down, as many per request as the server accepts.
+  /// Sends rows from top to bottom, as many per request as the server accepts.
   bool put(const uint32_t* pixels, glm::ivec2 size) {
     constexpr size_t kHeader = 64, kUnit = 4;  // bytes; requests are counted in units
     const auto width = static_cast<size_t>(size.x);

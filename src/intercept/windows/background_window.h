@@ -1,5 +1,5 @@
-// Shows images in an X window over its own connection, without the program's connection or OpenGL. Made by
-// a GL thread, used by one thread at a time.
+// Shows images in an X window over a separate connection, without the program's connection or OpenGL. Created
+// by a GL thread, used by one thread at a time.
 #pragma once
 #include "base/idle_window.h"
 
@@ -17,11 +17,11 @@ class BackgroundWindow {
   /// channel and four bytes per pixel.
   static std::unique_ptr<BackgroundWindow> open(const std::string& display, uint32_t window);
   virtual ~BackgroundWindow() = default;
-  /// The pixels that the user sees, RGBA8, bottom row first. False if the window is gone, hidden or partly
-  /// outside the screen.
+  /// Reads the visible pixels: RGBA8, bottom row first. Returns false if the window does not exist, is
+  /// hidden, or is partly outside the screen.
   virtual bool read(WindowPixels& out) noexcept = 0;
-  /// Shows `size` pixels, RGBA8, bottom row first, and waits for the server to finish. False if the window is
-  /// gone or has another size.
+  /// Shows `size` pixels, RGBA8, bottom row first, and waits for the server to finish. Returns false if the
+  /// window does not exist or has another size.
   virtual bool paint(const uint32_t* pixels, glm::ivec2 size) noexcept = 0;
 };
 

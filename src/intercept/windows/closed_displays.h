@@ -1,4 +1,5 @@
-// Tests whether the program has closed its connection to an X server, and so all its windows. Any thread.
+// Detects whether the program has closed its connection to an X server, and with it all its windows. Any
+// thread.
 #pragma once
 #include <atomic>
 #include <memory>

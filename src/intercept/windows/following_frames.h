@@ -1,5 +1,5 @@
-// Detects whether a program draws frames continuously, so that a frame shown late is soon followed by the
-// next. GL thread.
+// Detects whether a program draws frames continuously, so that a frame that is shown late is soon followed by
+// the next one. GL thread.
 #pragma once
 #include <algorithm>
 
@@ -8,10 +8,10 @@ namespace gluray::intercept {
 class FollowingFrames {
  public:
   static constexpr double kMaxGap = 0.1;  // seconds from a swap to the first sign of the next frame
-  static constexpr int kFrames = 3;       // consecutive frames that must have come so soon
+  static constexpr int kFrames = 3;       // consecutive frames that must have come this soon
 
-  /// Call when a frame is complete; `began`: time of its first sign, in seconds of any clock. Whether frames
-  /// are continuous.
+  /// Call when a frame is complete. `began`: time of its first sign, in seconds on any clock. Returns whether
+  /// frames are continuous.
   bool complete(double began) {
     follow_ = shown_ > 0 && began - shown_ < kMaxGap ? std::min(follow_ + 1, kFrames) : 0;
     return follow_ == kFrames;

@@ -4,10 +4,11 @@
 
 namespace gluray::intercept {
 
-/// GLX created, or destroyed, a GLX name of an X window.
+/// Reports that GLX created a GLX name for an X window.
 void glxWindowMade(uintptr_t name, uintptr_t window) noexcept;
+/// Reports that GLX destroyed a GLX name.
 void glxWindowGone(uintptr_t name) noexcept;
-/// The X server's name of a GLX drawable.
+/// The X id of a GLX drawable.
 uintptr_t windowOf(uintptr_t drawable) noexcept;
 
 }  // namespace gluray::intercept

@@ -16,7 +16,7 @@
 namespace gluray::intercept {
 namespace {
 
-/// The windows that are refined, by name, and how often each has changed.
+/// The windows that are being refined, by name, and how often each has changed.
 struct Watched {
   struct Window {
     int users = 0;
@@ -66,7 +66,7 @@ class XIdleWindow final : public IdleWindow {
   }
 
  private:
-  bool isCurrent() const { return window_->changes == changes_; }  // `painting` is locked
+  bool isCurrent() const { return window_->changes == changes_; }  // requires that `painting` is locked
 
   std::shared_ptr<BackgroundWindow> shown_;
   uintptr_t name_;

@@ -1,4 +1,4 @@
-// X windows whose images are refined while their programs are idle. Swaps of a window are announced, so
+// X windows whose images are refined while their programs are idle. Swaps of a window must be reported, so
 // that an older image never replaces a newer one.
 #pragma once
 #include "base/idle_window.h"
@@ -15,8 +15,8 @@ class BackgroundWindow;
 /// The window that a context's frames are refined in. GL thread.
 class IdleWindowOfContext {
  public:
-  /// The window behind a GLX drawable as it is now, over a connection of its own. Null: not possible.
-  /// Whatever the program shows in it later, windowChanges() ends its use.
+  /// The window behind a GLX drawable in its present state, over a separate connection. Null if that is not
+  /// possible. Once the program shows anything else in it, windowChanges() makes the result unusable.
   std::shared_ptr<IdleWindow> open(_XDisplay* display, uintptr_t drawable);
 
  private:

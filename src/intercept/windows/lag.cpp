@@ -21,7 +21,7 @@ using gl::LagRefusal;
 namespace {
 
 using namespace std::chrono_literals;
-constexpr auto kOverdue = 25ms;  // time after a swap without a call of the program until we show the frame
+constexpr auto kOverdue = 25ms;  // time after a swap without a call by the program until we show the frame
 
 std::atomic<bool> g_never{false};
 std::atomic<uint64_t> g_later{0}, g_shownByUs{0};
@@ -42,7 +42,7 @@ LagRefusal Lag::prepare(Display* display, GLXDrawable drawable, RealSwap swap, L
     const timeline::Span span("swap");
     windowChanges(drawable);
     swap(display, drawable);
-    shown.swapped = {0, 0};  // of a size that the next command sees
+    shown.swapped = {0, 0};  // the next command finds out the size
   };
   window.overdue.size = size;
   window.show = [=, &shown](const gl::ShownImage& image) {

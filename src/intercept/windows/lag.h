@@ -1,4 +1,4 @@
-// Frame lag of GLX windows: what a context needs to show its frames in a window later, and counts of such
+// Frame lag of GLX windows: the state that a context needs to show its frames later, and counts of such
 // frames. GL threads.
 #pragma once
 #include "gl/window/lagged_frame.h"
@@ -22,8 +22,8 @@ class Lag {
  public:
   FollowingFrames following;
 
-  /// Prepares showing a frame of `drawable` later, by `swap` or in `shown`, which must outlive `window`;
-  /// returns the reason if that is impossible. `keep`: called before the swap, to keep the frame's image.
+  /// Prepares to show a frame of `drawable` later, by `swap` or in `shown`, which must outlive `window`.
+  /// Returns the reason if that is impossible. `keep`: called before the swap, to keep the frame's image.
   gl::LagRefusal prepare(_XDisplay* display, XId drawable, RealSwap swap, LagMode mode,
                          WindowOfContext& shown, std::function<void()> keep, gl::LagWindow& window);
 
@@ -36,18 +36,18 @@ class Lag {
   std::shared_ptr<BackgroundWindow> background_;
 };
 
-/// Disables lag for the process: the program waits for swap events, so no swap may come late.
+/// Disables lag for the process, because the program waits for swap events, so that no swap may be late.
 void neverLag() noexcept;
 /// Whether neverLag() was called.
 bool neverLags() noexcept;
 
 /// Counts of the process's frames.
 struct LagCounts {
-  uint64_t later = 0, shownByUs = 0;  // delayed; of these shown over our own connection
+  uint64_t later = 0, shownByUs = 0;  // delayed frames; those shown over our own connection
   std::array<uint64_t, gl::kLagRefusals> because{};
 };
 LagCounts lagCounts() noexcept;
-/// Counts a frame that is shown later, or at once for that reason.
+/// Counts a frame that is shown later, or the reason why a frame is shown at once.
 void countLag(gl::LagRefusal refusal) noexcept;
 
 }  // namespace gluray::intercept

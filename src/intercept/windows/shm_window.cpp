@@ -88,7 +88,7 @@ void ShmWindow::release() {
   held_ = 0;
 }
 
-/// The shared memory lives while this process or the server is attached to it.
+/// Makes room for an image. The shared memory exists while this process or the server is attached to it.
 bool ShmWindow::reserve(size_t bytes) {
   if (bytes <= bytes_) return true;
   if (pixels_) xcb().detach(connection_, segment_);

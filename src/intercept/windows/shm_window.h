@@ -1,5 +1,5 @@
-// Shows images in an X window without OpenGL, through shared memory (MIT-SHM). Called on the thread in
-// which the window's context is current.
+// Shows images in an X window without OpenGL, through shared memory (MIT-SHM). Called on the thread in which
+// the window's context is current.
 #pragma once
 #include "gl/batch/presenter.h"
 #include "intercept/window_systems/xcb.h"
@@ -18,12 +18,11 @@ void fillWindow(const gl::ShownImage& image, glm::ivec2 size, uint32_t* pixels);
 
 class ShmWindow {
  public:
-  /// Null if the drawable is no window, if its pixels are not 32-bit words with eight bits each of red, green
-  /// and blue, or if the server shares no memory with this process.
+  /// Null if the drawable is not a window, if its pixels are not 32-bit words with eight bits each for red,
+  /// green and blue, or if the server shares no memory with this process.
   static std::unique_ptr<ShmWindow> create(_XDisplay* display, uintptr_t drawable) noexcept;
   ~ShmWindow();
-  /// Releases the server's resources, if it is known that the connection is open, and this process is its
-  /// owner.
+  /// Releases the server's resources, if the connection is known to be open and belongs to this process.
   void close() noexcept;
   ShmWindow(const ShmWindow&) = delete;
   ShmWindow& operator=(const ShmWindow&) = delete;
@@ -31,14 +30,15 @@ class ShmWindow {
   bool isFor(_XDisplay* display, uintptr_t drawable) const {
     return display == display_ && drawable == window_;
   }
-  /// Asks for the window's size, as it is now, unless a question is open. Does not wait.
+  /// Requests the window's current size without waiting, unless a request is open.
   void askSize() noexcept;
-  /// The window's size in pixels, as it was at askSize(), or as it is if no question is open; {0, 0}: the
-  /// window is gone, or the last image could not be shown. Waits until the server has read that.
+  /// The window's size in pixels: at the time of askSize(), or now if no request is open. {0, 0} if the
+  /// window does not exist, or the last image could not be shown. Waits until the server has read the last
+  /// image.
   glm::ivec2 size() noexcept;
-  /// Shows an image in a window of that size. False if out of memory or the connection is lost.
+  /// Shows an image in a window of that size. Returns false if memory runs out or the connection is lost.
   bool put(const gl::ShownImage& image, glm::ivec2 size) noexcept;
-  /// Shows the last image again, at its size.
+  /// Shows the last image again, with the same size.
   void putAgain() noexcept;
 
  private:
@@ -65,7 +65,7 @@ class ShmWindow {
   uint64_t held_ = 0;  // id of the image in the shared memory; 0: none
   glm::ivec2 heldSize_{0};
   float heldFarthest_ = 0;
-  bool sent_ = false, asked_ = false;  // an image, a question; these are their requests:
+  bool sent_ = false, asked_ = false;  // an image, a size query; their requests:
   xcb_void_cookie_t put_{};
   xcb_get_geometry_cookie_t geometry_{};
   Closed closed_;

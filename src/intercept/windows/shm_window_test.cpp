@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t kMissColor = 0xff102030, kMissShown = 0xff302010;
 
-/// Three by two pixels, of which one is a miss and one is too far away.
+/// Three by two pixels, one of them a miss and one beyond the farthest depth.
 Image makeImage(int x, int y) {
   Image image;
   image.missColor = kMissColor;

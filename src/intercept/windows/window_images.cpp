@@ -33,7 +33,7 @@ std::unique_ptr<KeptImage> newWindowImage(glm::ivec2 size, KeptImage::Layout lay
 
 void keepWindowImage(std::unique_ptr<KeptImage> image) noexcept {
   delete g_keptImage.exchange(image.release());
-  g_wantedImage.store(Wanted::none, std::memory_order_relaxed);  // until the control thread asks again
+  g_wantedImage.store(Wanted::none, std::memory_order_relaxed);  // until the next request
   ++g_keptImages;
 }
 
@@ -58,7 +58,7 @@ void keepPixels(const uint32_t* pixels, glm::ivec2 size) noexcept {
   if (!isImageWanted(ShownFrame::later) || size.x <= 0 || size.y <= 0) return;
   guarded("cannot keep an image", [&] {
     auto image = newWindowImage(size, KeptImage::Layout::openGl, ShownFrame::later);
-    image->frame = settingsSource().begun().frame;  // the program draws nothing
+    image->frame = settingsSource().begun().frame;  // the program is idle
     std::copy_n(pixels, image->pixels.size(), image->pixels.data());
     keepWindowImage(std::move(image));
   });

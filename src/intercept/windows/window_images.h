@@ -1,4 +1,4 @@
-// Images of shown frames for the control thread. GL threads store them without waiting; without requests, a
+// Images of shown frames, for the control thread. GL threads store them without waiting. Without requests, a
 // swap costs one atomic load.
 #pragma once
 #include "control/link/program/controlled_program.h"
@@ -14,32 +14,33 @@ namespace gluray::intercept {
 
 inline std::atomic<control::Wanted> g_wantedImage{control::Wanted::none};
 
-/// Which frame is to be kept now. Any thread.
+/// Which frame to keep now. Any thread.
 inline control::Wanted wantedImage() noexcept { return g_wantedImage.load(std::memory_order_relaxed); }
 
-/// Control thread.
+/// Requests an image. Control thread.
 void wantWindowImage(control::Wanted wanted) noexcept;
+/// Returns the kept image; null if there is none. Control thread.
 std::unique_ptr<control::KeptImage> takeWindowImage() noexcept;
 
 /// How a frame is shown.
 enum class ShownFrame {
   now,   // as the program ends it
-  later  // it ended before (frame lag), or gets better: no answer to Wanted::next
+  later  // ended earlier (frame lag), or refined: not for Wanted::next
 };
-/// Whether a frame that is shown so is to be kept.
+/// Whether to keep a frame that is shown in this way.
 bool isImageWanted(ShownFrame shown) noexcept;
-/// Room for the image of a frame that is shown in a window of `size` pixels; its pixels are not set.
+/// Memory for the image of a frame that is shown in a window of `size` pixels; its pixels are not set.
 std::unique_ptr<control::KeptImage> newWindowImage(glm::ivec2 size, control::KeptImage::Layout layout,
                                                    ShownFrame shown);
-/// Keeps it for the control thread, in place of an earlier one.
+/// Keeps the image for the control thread; it replaces an earlier one.
 void keepWindowImage(std::unique_ptr<control::KeptImage> image) noexcept;
 
-/// Call when an image was shown without a swap in a window of `size` pixels. Keeps it if wanted.
+/// Call when an image was shown without a swap in a window of `size` pixels. Keeps it if requested.
 void keepShownImage(const gl::ShownImage& image, glm::ivec2 size, ShownFrame shown) noexcept;
-/// Call when pixels were put into a window: RGBA8, bottom row first. Keeps them if wanted.
+/// Call when pixels were put into a window: RGBA8, bottom row first. Keeps them if requested.
 void keepPixels(const uint32_t* pixels, glm::ivec2 size) noexcept;
 
-/// Images that were kept since the process began.
+/// Number of images kept since the process began.
 uint64_t keptImages() noexcept;
 
 }  // namespace gluray::intercept

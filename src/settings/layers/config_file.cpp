@@ -18,8 +18,8 @@ bool takesArrays(const Row& row) {
   return row.type == Type::list || row.type == Type::color || row.type == Type::vector;
 }
 
-/// A value as text in the format of environment variables; nothing for tables and dates, which no setting
-/// takes, and for arrays if the setting takes none.
+/// A value as text in the format of environment variables. Nullopt for tables and dates, which no setting
+/// accepts, and for arrays if the setting accepts none.
 std::optional<std::string> asText(const Row& row, const toml::node& node) {
   if (const auto* value = node.as_string()) return value->get();
   if (const auto* value = node.as_integer()) return std::to_string(value->get());
@@ -82,7 +82,7 @@ class Collector {
     const Row* row = findSetting(name);
     if (isGroup(name) && node.is_table()) {
       for (const auto& [key, value] : *node.as_table())
-        // A switch that heads a group: TOML has no room for ao = true beside ao.samples.
+        // A switch that heads a group: TOML does not allow ao = true beside ao.samples.
         entry(section, row && key.str() == "enabled" ? name : name + "." + std::string(key.str()), value);
       return;
     }
@@ -95,7 +95,7 @@ class Collector {
     add(section, name, node, text.value_or(""), text ? "" : name + ": " + kindsOf(*row));
   }
 
-  /// What lists of presets say about it.
+  /// The help text of a preset, for lists of presets.
   void help(const Section& section, const toml::node& node) {
     const auto* text = node.as_string();
     add(section, "help", node, text ? text->get() : "", text ? "" : "help: use a string");

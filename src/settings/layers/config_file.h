@@ -11,10 +11,10 @@
 
 namespace gluray {
 
-/// The preset's name that means none.
+/// The name that means no preset.
 inline constexpr std::string_view kNoPreset = "none";
 
-/// The part of a file that a setting is in.
+/// The part of a file that contains a setting.
 struct Section {
   enum class Kind : uint8_t { all, program, preset };
   Kind kind = Kind::all;
@@ -22,7 +22,7 @@ struct Section {
   bool operator==(const Section&) const = default;
 };
 
-/// One setting in a file; in presets also `help`, a sentence for lists.
+/// One setting in a file. In presets also `help`, a sentence for lists of presets.
 struct FileSetting {
   Section section;
   std::string name, value;
@@ -31,18 +31,18 @@ struct FileSetting {
 };
 
 enum class Absent : uint8_t { ignored, reported };
-/// ownOnly: refuses files that somebody else owns or may write.
+/// ownOnly: refuses files that another user owns or may write.
 enum class Trust : uint8_t { any, ownOnly };
 
-/// The settings of a file in line order; none if `file` is empty. If the file cannot be read, reports one
+/// The settings of a file, in line order; empty if `file` is empty. If the file cannot be read, reports one
 /// line through `complain`.
 std::vector<FileSetting> readConfigFile(const std::string& file, Absent absent, Trust trust,
                                         const Complain& complain);
 
-/// The same of a text; throws toml::parse_error.
+/// The settings of a file's text; throws toml::parse_error.
 std::vector<FileSetting> readConfigText(std::string_view text);
 
-/// $GLURAY_CONFIG, or gluray/gluray.toml in $XDG_CONFIG_HOME (~/.config if unset). Empty: none.
+/// $GLURAY_CONFIG, or gluray/gluray.toml in $XDG_CONFIG_HOME (~/.config if unset). Empty if there is none.
 std::string userConfigFile();
 
 }  // namespace gluray

@@ -9,7 +9,8 @@
 namespace gluray {
 namespace {
 
-/// MPI processes on this host, from variables of Open MPI, MPICH and derivatives, MVAPICH; 1 without MPI.
+/// Number of MPI processes on this host, from variables of Open MPI, MPICH and derivatives, MVAPICH; 1
+/// without MPI.
 int localRanks() {
   for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS", "MV2_COMM_WORLD_LOCAL_SIZE"})
     if (const char* value = std::getenv(name)) return std::max(std::atoi(value), 1);
@@ -25,7 +26,7 @@ int coresAllowed() {
 }  // namespace
 
 int threadsOfRank(int cores, int allowed, int ranks) {
-  // A launcher that binds ranks to cores has divided the cores already.
+  // A launcher that binds ranks to cores has already divided the cores.
   if (ranks <= 1 || allowed < cores) return 0;
   return std::max(1, cores / ranks);
 }

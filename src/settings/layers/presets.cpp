@@ -25,7 +25,7 @@ void collect(const PresetSource& source, std::vector<Preset>& presets) {
   }
 }
 
-/// Those that are shipped; none if their text is wrong, which the tests check.
+/// The shipped presets' settings; empty if their text is wrong, which the tests check.
 std::vector<FileSetting> shipped() {
   try {
     return readConfigText(kBuiltInPresets);

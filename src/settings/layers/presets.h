@@ -10,12 +10,13 @@
 
 namespace gluray {
 
-/// A file's settings; only those in presets count.
+/// The settings of a file; only those in presets are used.
 struct PresetSource {
   std::string file;
   std::span<const FileSetting> settings;
 };
 
+/// A value in a preset.
 struct PresetValue {
   std::string name, value;
   std::string place;  // "draft, shipped"; "draft, /etc/gluray/gluray.toml:3"
@@ -27,15 +28,15 @@ struct Preset {
   std::vector<PresetValue> values;  // later ones override earlier ones of the same name
 };
 
-/// All presets, in the order in which they first occur: those shipped, then those of the files. A file adds
-/// values to earlier presets of the same name.
+/// All presets, in the order of their first occurrence: shipped ones, then those of the files. A file adds
+/// values to an earlier preset of the same name.
 std::vector<Preset> allPresets(std::span<const PresetSource> files);
 
-/// One of them; null: there is none of that name.
+/// The preset of that name; null if there is none.
 const Preset* findPreset(std::string_view name, std::span<const Preset> presets);
 
-/// Why the setting `preset` may not have this value: "there is no such preset; did you mean 'draft'?". Empty:
-/// it may.
+/// Why the setting `preset` may not have this value: "there is no such preset; did you mean 'draft'?". Empty
+/// if it may.
 std::string whyNoPreset(std::string_view name, std::span<const Preset> presets);
 
 }  // namespace gluray

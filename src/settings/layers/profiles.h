@@ -7,10 +7,10 @@
 
 namespace gluray {
 
-/// The settings of the program's profile, all of them valid; none if none is shipped for it.
+/// The settings of the program's shipped profile, all of them valid; empty if there is none.
 std::vector<FileSetting> shippedProfile(std::string_view program);
 
-/// All of the file's settings. Throws toml::parse_error.
+/// All settings in the shipped file. Throws toml::parse_error.
 std::vector<FileSetting> shippedProfiles();
 
 }  // namespace gluray

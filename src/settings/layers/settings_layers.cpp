@@ -15,7 +15,7 @@ std::string optionOf(const Row& row) {
   return row.option.empty() ? "--set " + std::string(row.name) : std::string(row.option);
 }
 
-/// Puts the layers together.
+/// Combines the layers.
 class Reader {
  public:
   Reader(const Sources& sources, const ConfigFiles& files, const Complain& complain)
@@ -52,7 +52,7 @@ class Reader {
            program + ", shipped: " + s.name + " = " + s.value);
   }
 
-  /// The values of the preset that the highest layer names.
+  /// Adds the values of the preset that the highest layer names.
   void takePreset() {
     const std::string name = namedPreset();
     const Preset* preset = name.empty() ? nullptr : findPreset(name, presets());
@@ -65,7 +65,7 @@ class Reader {
         complain_(v.wrong);
   }
 
-  /// Empty: none. Wrong names, which their layers report, do not count.
+  /// The name of the preset; empty if there is none. Skips wrong names, which their layers report.
   std::string namedPreset() {
     const Row& row = *findSetting("preset");
     std::vector<std::string> names;  // highest layer first
@@ -87,7 +87,7 @@ class Reader {
     return *presets_;
   }
 
-  /// The value of a variable; empty: it is not set.
+  /// The value of a variable; empty if it is not set.
   std::string variable(const std::string& name) const {
     if (!sources_.variables) {
       const char* value = std::getenv(name.c_str());
@@ -124,7 +124,7 @@ class Reader {
     give(*row, Layer::live, value, "", name + "=" + value);
   }
 
-  /// `what` names the value in an error message.
+  /// Adds a value. `what` names it in an error message.
   void give(const Row& row, Layer layer, std::string value, std::string place, const std::string& what) {
     std::string why = row.name == "preset" && !value.empty() ? whyNoPreset(value, presets()) : "";
     if (why.empty()) why = readValue(row, value, layers_.session);
@@ -135,7 +135,7 @@ class Reader {
   const Sources& sources_;
   const ConfigFiles& files_;
   const Complain& complain_;
-  std::optional<std::vector<Preset>> presets_;  // read when one is named
+  std::optional<std::vector<Preset>> presets_;  // read when a preset is named
   Layers layers_;
 };
 

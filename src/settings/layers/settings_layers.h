@@ -1,5 +1,6 @@
-// Layers of settings: later layers override earlier ones; every value has its origin. Read by the process,
-// when it starts and when files change (settings/live/live_settings.h), and by the launcher. Any thread.
+// Layers of settings: later layers override earlier ones, and every value has its origin. Read by the
+// process, when it starts and when files change (settings/live/live_settings.h), and by the launcher. Any
+// thread.
 #pragma once
 #include "settings/layers/config_file.h"
 #include "settings/layers/presets.h"
@@ -43,7 +44,7 @@ struct Given {
 struct Layers {
   Session session;
   std::vector<Given> given;
-  /// The value that counts; null if the setting has its built-in value.
+  /// The value in effect; null if the setting has its built-in value.
   const Given* last(const Row& row) const;
 };
 
@@ -53,10 +54,10 @@ struct Sources {
   bool userFileNamed = false;         // by $GLURAY_CONFIG or --config: it must exist
   std::vector<std::string> programs;  // names of the profiles that apply, highest precedence last
   /// Names and values of options. If `passed`, values come from the variables that the launcher set, and this
-  /// list tells which of these are options; one that has changed since is not.
+  /// list says which of these are options. A variable that has changed since is not one.
   std::vector<std::pair<std::string, std::string>> commandLine;
   bool passed = false;  // the launcher passed the options in variables
-  /// Names and values of variables; none: those of the process when the layers are read.
+  /// Names and values of variables; nullopt: those of the process when the layers are read.
   std::optional<std::vector<std::pair<std::string, std::string>>> variables;
   std::vector<std::pair<std::string, std::string>> live;  // names and values
 };
@@ -67,7 +68,7 @@ Sources sourcesOfProcess();
 /// Path of gluray.toml in the working directory; empty if that is unknown.
 std::string projectFileHere();
 
-/// What one file says.
+/// The settings of one file.
 struct ConfigFile {
   Layer layer;
   std::string path;
@@ -75,17 +76,17 @@ struct ConfigFile {
 };
 using ConfigFiles = std::array<ConfigFile, 3>;  // system, user, project
 
-/// Reads the files. Reports those that cannot be read through `complain`, one line each.
+/// Reads the files. Reports files that cannot be read through `complain`, one line each.
 ConfigFiles readConfigFiles(const Sources& sources, const Complain& complain);
 
-/// All presets: those shipped, and those of the files.
+/// All presets: shipped ones, and those of the files.
 std::vector<Preset> presetsOf(const ConfigFiles& files);
 
-/// Puts the layers together. Reports wrong entries through `complain`, one line each ("gluray.toml:3: bvh =
-/// quick: use auto, fast, full, compact or least"), and skips them.
+/// Combines the layers. Skips wrong entries and reports them through `complain`, one line each
+/// ("gluray.toml:3: bvh = quick: use auto, fast, full, compact or least").
 Layers layersOf(const Sources& sources, const ConfigFiles& files, const Complain& complain);
 
-/// Both.
+/// Reads the files and combines the layers.
 Layers readLayers(const Sources& sources, const Complain& complain);
 
 }  // namespace gluray

@@ -1,4 +1,4 @@
-// Precedence of layers, origins of values, and files that are refused.
+// Precedence of layers, origins of values, and refused files.
 #include "settings/layers/settings_layers.h"
 
 #include "settings/layers/presets.h"
@@ -37,7 +37,7 @@ class LayersOf : public testing::Test {
     chmod((folder_ / name).c_str(), 0644);
     return (folder_ / name).string();
   }
-  /// "value (layer place)" of a setting.
+  /// The setting as "value (layer place)".
   std::string read(std::string_view name) {
     const Layers layers =
         readLayers(sources_, [](const std::string& line) { g_layerComplaints.push_back(line); });

@@ -13,20 +13,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Programs change their working directory.
+/// The absolute path, because programs may change their working directory.
 std::string absolute(const std::string& file) {
   std::error_code error;
   const fs::path whole = file.empty() ? fs::path() : fs::absolute(file, error);
   return error ? file : whole.string();
 }
 
-/// The project file of the launcher's working directory; without a launcher, of this process's.
+/// The project file in the launcher's working directory or, without a launcher, in this process's.
 std::string projectFile() {
   std::string named = environmentVariable("GLURAY_PROJECT");
   return named.empty() ? projectFileHere() : absolute(named);
 }
 
-/// The executable's name; and the name that the user typed, in the process that the launcher became.
+/// The executable's name and, in the process that the launcher became, the name that the user typed.
 std::vector<std::string> programNames() {
   std::vector<std::string> names;
   std::error_code error;
@@ -38,7 +38,7 @@ std::vector<std::string> programNames() {
   return names;
 }
 
-/// GLURAY_... and their values.
+/// The variables GLURAY_... and their values.
 std::vector<std::pair<std::string, std::string>> variablesOfProcess() {
   std::vector<std::pair<std::string, std::string>> variables;
   for (char** entry = environ; entry && *entry; ++entry) {
@@ -50,7 +50,7 @@ std::vector<std::pair<std::string, std::string>> variablesOfProcess() {
   return variables;
 }
 
-/// The options that the launcher passed, as lines NAME=VALUE.
+/// The options that the launcher passed as lines NAME=VALUE.
 std::vector<std::pair<std::string, std::string>> passedOptions() {
   std::vector<std::pair<std::string, std::string>> options;
   std::istringstream lines(environmentVariable("GLURAY_COMMAND_LINE"));

@@ -1,4 +1,5 @@
-// Values that are set live while a process runs: what they override, from which frame on, how to undo them.
+// Values that are set live while a process runs: what they override, from which frame on, and how to undo
+// them.
 #include "settings/testing/live_fixture.h"
 
 #include <atomic>

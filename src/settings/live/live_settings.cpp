@@ -12,8 +12,8 @@
 namespace gluray {
 namespace {
 
-constexpr double kWritingSeconds = 0.02;  // files that are younger may still be written
-constexpr double kShare = 0.01;           // of the time for looks, on slow file systems
+constexpr double kWritingSeconds = 0.02;  // younger files may still be being written
+constexpr double kShare = 0.01;           // maximum share of time for checks, on slow file systems
 
 double secondsSince(const int64_t (&when)[2]) {
   timespec now{};
@@ -21,7 +21,8 @@ double secondsSince(const int64_t (&when)[2]) {
   return static_cast<double>(now.tv_sec - when[0]) + 1e-9 * static_cast<double>(now.tv_nsec - when[1]);
 }
 
-/// "gluray.toml:12: spp ..." -> "gluray.toml: spp ...": a mistake stays the same when lines before it change.
+/// "gluray.toml:12: spp ..." -> "gluray.toml: spp ...", so that a mistake stays the same if lines before it
+/// change.
 std::string withoutLine(const std::string& mistake) {
   for (size_t at = mistake.find(':'); at != mistake.npos; at = mistake.find(':', at + 1)) {
     size_t end = at + 1;
@@ -32,7 +33,7 @@ std::string withoutLine(const std::string& mistake) {
   return mistake;
 }
 
-/// Why the setting cannot be set live; empty: it can.
+/// Why the setting cannot be set live; empty if it can.
 std::string whyNotLive(const Row& row) {
   if (!row.inFiles) return std::string(row.name) + " belongs to one run";
   if (row.applies == Applies::context)
@@ -59,7 +60,7 @@ LiveSettings::Stamps LiveSettings::stamps() const {
           Stamp::stampOf(sources_.projectFile)};
 }
 
-/// Whether no file is being written: editors truncate a file or remove it before they write it.
+/// Whether no file is being written: editors truncate or remove a file before they write it.
 bool LiveSettings::settled(const Stamps& now) const {
   if (now == seen_) return true;
   for (size_t i = 0; i < now.size(); ++i) {
@@ -87,7 +88,7 @@ Session LiveSettings::takeSession(Session session) {
   return session;
 }
 
-/// Changes that waited for a frame are like all others once it has begun.
+/// Once their frame has begun, changes that waited for it become ordinary ones.
 void LiveSettings::settle() {
   if (!later_ || !source_.counts(ticket_)) return;
   sources_ = std::move(*later_);
@@ -138,10 +139,10 @@ void LiveSettings::readIfChanged(double now) noexcept {
       mistakes_ = std::move(mistakes);
     }
     read_ = current;
-  } catch (const std::exception&) {}  // out of memory: the settings stay as they are
+  } catch (const std::exception&) {}  // out of memory: the settings stay unchanged
 }
 
-/// The sources after the changes, and the layers that they make; or why not.
+/// The sources after the changes and the resulting settings, or an error.
 struct LiveSettings::Next {
   Sources sources;
   Settings settings;
@@ -217,7 +218,7 @@ uint64_t LiveSettings::revision() noexcept {
   if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) {
     try {
       settle();
-    } catch (const std::exception&) {}  // out of memory: next time
+    } catch (const std::exception&) {}  // out of memory: retried next time
   }
   return revision_;
 }

@@ -1,5 +1,5 @@
 // The settings of this process while it runs: its layers, read again when one of their files changes, and
-// values that are set live. Any thread.
+// values set live. Any thread.
 #pragma once
 #include "base/clock.h"
 #include "settings/layers/settings_layers.h"
@@ -19,47 +19,49 @@ namespace gluray {
 
 class LiveSettings {
  public:
-  /// New settings go to `source`; lines for the user to `complain`. Both must outlive this.
+  /// New settings go to `source`, messages for the user to `complain`. Both must outlive this.
   LiveSettings(SettingsSource& source, Complain complain) : source_(source), complain_(std::move(complain)) {}
 
   /// Reads all layers.
   Session start(Sources sources);
 
-  /// Reads the files again if one has changed. Cheap: looks at most every kLookSeconds, less often where
-  /// files are slow. If a file has a new mistake, all settings stay as they are until it is corrected.
+  /// Reads the files again if one has changed. Cheap: checks at most every kLookSeconds, less often if files
+  /// are slow. If a file has a new mistake, all settings stay unchanged until it is corrected.
   void readIfChanged(double now = nowSeconds()) noexcept;
 
-  /// A value that is set live; none: the other layers count again.
+  /// A value that is set live; nullopt: removes it, so that the other layers apply.
   struct Change {
     std::string name;
     std::optional<std::string> value;
   };
+  /// The result of change().
   using Changes = std::vector<Change>;
   struct Answer {
     std::string why;       // error: nothing has changed; empty: done
-    uint64_t version = 0;  // of the source, from which on the change counts
-    uint64_t ticket = 0;   // of the source, if the change waits for a frame; version is 0 then
-    Changes before;        // what undoes the change, in its order
+    uint64_t version = 0;  // version in `source` from which on the change applies
+    uint64_t ticket = 0;   // ticket in `source`, if the change waits for a frame; version is then 0
+    Changes before;        // changes that undo this one, in order
   };
-  /// Makes all changes, or none if one is wrong. They count from the process's frame number `frame`, or from
-  /// the next one if it has begun; so do changes that waited for another frame. Throws std::bad_alloc.
+  /// Makes all changes, or none if one is wrong. They apply from the process's frame number `frame` on, or
+  /// from the next frame if that one has begun. Changes that wait for another frame then apply from the same
+  /// frame. Throws std::bad_alloc.
   Answer change(std::span<const Change> changes, uint64_t frame = 0);
-  /// Why change() would refuse; empty: it would not.
+  /// The error that change() would return; empty if none.
   std::string whyNot(std::span<const Change> changes);
-  /// The first frame of the process with the change that was answered so; none: it has not begun.
+  /// The process's first frame with the change of this answer; nullopt if it has not begun.
   std::optional<uint64_t> firstFrameWith(const Answer& answer) const;
 
-  /// What a setting is and where it comes from.
+  /// A setting's value and origin.
   struct Value {
     const Row* row;
-    std::string text;  // as printValue() gives it
+    std::string text;  // in the form of printValue()
     Layer layer;
     std::string place;  // as in Given; empty: built in
     bool operator==(const Value&) const = default;
   };
-  /// All settings that may stand in files. `waiting`: with changes that wait for a frame.
+  /// All settings that files may contain. `waiting`: includes changes that wait for a frame.
   std::vector<Value> values(bool waiting = false);
-  /// What all layers say.
+  /// The values of all layers. `waiting`: as in values().
   Layers layers(bool waiting = false);
   /// Increases whenever values() may have changed.
   uint64_t revision() noexcept;
@@ -67,9 +69,9 @@ class LiveSettings {
   static constexpr double kLookSeconds = 0.05;
 
  private:
-  /// What tells that a file has changed; rights and owner change the second time.
+  /// Properties that show that a file has changed. `changed` covers permissions and owner.
   struct Stamp {
-    int64_t device = 0, inode = 0, size = -1;   // size -1: there is none
+    int64_t device = 0, inode = 0, size = -1;   // size -1: there is no file
     int64_t modified[2] = {}, changed[2] = {};  // seconds, nanoseconds
     bool operator==(const Stamp&) const = default;
     static Stamp stampOf(const std::string& file);
@@ -87,17 +89,17 @@ class LiveSettings {
 
   SettingsSource& source_;
   const Complain complain_;
-  std::mutex mutex_;  // of what follows
+  std::mutex mutex_;  // guards the members below
   Sources sources_;
-  std::optional<Sources> later_;  // with changes that wait for a frame
-  uint64_t ticket_ = 0;           // of these, in source_
+  std::optional<Sources> later_;  // the sources with changes that wait for a frame
+  uint64_t ticket_ = 0;           // ticket of these changes in source_
   std::atomic<uint64_t> revision_{0};
   int ownThreads_ = 0;  // for `threads` = 0
-  ConfigFiles files_;   // as they were read last without a new mistake
-  Lines mistakes_;      // in them, without numbers of lines
+  ConfigFiles files_;   // last read without a new mistake
+  Lines mistakes_;      // mistakes in files_, without line numbers
   bool started_ = false;
-  Stamps read_, seen_;  // of the files that were read last; when readIfChanged() looked last
-  double next_ = 0;     // seconds: no look before
+  Stamps read_, seen_;  // of the last files read; of the last check
+  double next_ = 0;     // time of the next check, in seconds
 };
 
 }  // namespace gluray

@@ -1,4 +1,4 @@
-// Settings that change while a process runs, in files that are edited. live_changes_test.cpp has values that
+// Settings that change while a process runs because files are edited. live_changes_test.cpp tests values that
 // are set live.
 #include "settings/testing/live_fixture.h"
 

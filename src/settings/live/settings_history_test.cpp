@@ -1,4 +1,4 @@
-// Steps of live changes: taken back, made again, continued by gestures.
+// Steps of live changes: undo, redo, and continuation by gestures.
 #include "settings/live/settings_history.h"
 
 #include <gtest/gtest.h>

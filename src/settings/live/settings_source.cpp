@@ -13,7 +13,7 @@ SettingsSource& settingsSource() {
   return *source;
 }
 
-/// `next` gets the settings that counted before, to be destroyed outside the lock.
+/// Makes `next` current. `next` receives the previous settings, to be destroyed outside the lock.
 void SettingsSource::publish(Shared& next) noexcept {
   now_.swap(next);
   version_.fetch_add(1, std::memory_order_release);

@@ -1,5 +1,5 @@
-// The current settings. Contexts read them once per frame, at its start, so that a change at run time is one
-// store. Counts the frames of the process. Any thread; nothing here waits for anything slow.
+// The current settings. Contexts read them once per frame, when it begins, so that a change at run time is
+// one store. Also counts the frames of the process. Any thread; nothing here waits for slow operations.
 #pragma once
 #include "settings/settings.h"
 
@@ -23,53 +23,54 @@ class SettingsSource {
     const std::lock_guard lock(mutex_);
     return now_;
   }
-  /// Increases with every store; frames check it first, without a lock.
+  /// Increases with every store. Frames check it first, without a lock.
   uint64_t version() const noexcept { return version_.load(std::memory_order_acquire); }
 
-  /// Stores settings that count at once. What storeAt() has stored is dropped: `settings` have it, too.
+  /// Stores settings that apply at once. Drops those of storeAt(), which `settings` must include.
   void store(const Settings& settings);
-  /// Stores settings that count from a frame on, in place of those stored so before. Returns their ticket.
+  /// Stores settings that apply from a frame on, replacing earlier ones of storeAt(). Returns their ticket.
   uint64_t storeAt(uint64_t frame, const Settings& settings);
-  /// Stores `now`, and `later` in place of settings of storeAt() that do not count yet. If they count
-  /// already, stores `later`.
+  /// Stores `now`, and replaces settings of storeAt() that do not apply yet by `later`. If they already
+  /// apply, stores `later` instead.
   void storeBoth(const Settings& now, const Settings& later);
 
-  // Frames, counted from 1, all contexts together. A frame begins with its first clear; one without a clear,
-  // when the frame before it is shown.
+  // Frames are counted from 1, for all contexts together. A frame begins with its first clear. A frame
+  // without a clear begins when the frame before it is shown.
   /// Call when a frame has been shown.
   void endFrame() noexcept;
   /// Call before a frame's first clear.
   void beginFrame() noexcept;
-  /// The number of the frame that is drawn, or that will be drawn next.
+  /// Number of the current frame, or of the next one if none is being drawn.
   uint64_t frame() const noexcept { return frame_.load(std::memory_order_relaxed); }
   /// The last frame that has begun. Times are those of nowSeconds().
   struct Begun {
     uint64_t frame = 0;
-    double began = 0, before = 0;  // when it began, and the one before it; 0: never
+    double began = 0, before = 0;  // when it and the previous frame began; 0: never
     double active = 0;             // when a frame last began or was shown; 0: never
   };
   Begun begun() const noexcept;
-  /// Call when a frame has been shown, and before the first clear of the next: looks, and returns the
-  /// settings if their version is not `version`, which becomes theirs. Null: nothing new.
+  /// Call when a frame has been shown, and before the first clear of the next one. Calls the function of
+  /// watch(), then returns the settings if their version differs from `version`, and sets `version`. Null if
+  /// they are unchanged.
   Shared takeNewer(uint64_t& version) noexcept;
-  /// The first frame that took this version or a later one; none: none of these has begun.
+  /// The first frame that took this version or a later one; nullopt if it has not begun.
   std::optional<uint64_t> firstFrameWith(uint64_t version) const;
-  /// The first frame that took the settings of this ticket; none: it has not begun.
+  /// The first frame that took the settings of this ticket; nullopt if it has not begun.
   std::optional<uint64_t> firstFrameOfTicket(uint64_t ticket) const;
-  /// Whether settings of this ticket, or later ones, count.
+  /// Whether settings of this ticket, or later ones, apply.
   bool counts(uint64_t ticket) const;
 
-  /// `look` is called when frames begin, before they take the settings: it may store others.
+  /// Sets a function that is called when frames begin, before they take the settings. It may store new ones.
   void watch(void (*look)() noexcept) noexcept { look_.store(look, std::memory_order_release); }
 
  private:
   static constexpr uint64_t kNever = std::numeric_limits<uint64_t>::max();
-  static constexpr size_t kRemembered = 16;  // versions whose first frames are known
+  static constexpr size_t kRemembered = 16;  // number of versions whose first frames are known
   struct Taken {
     uint64_t version = 0, frame = 0;
   };
   void noteBegun(uint64_t frame, double when) noexcept;
-  // These require the mutex.
+  // The following functions require the mutex.
   void publish(Shared& next) noexcept;
   void publishLater() noexcept;
   void note(uint64_t version) noexcept;
@@ -78,10 +79,10 @@ class SettingsSource {
   mutable std::mutex mutex_;
   Shared now_;
   Shared later_;                                // null: none
-  uint64_t laterTicket_ = 0;                    // of the newest storeAt()
-  uint64_t countingTicket_ = 0, countsIn_ = 0;  // of those that count; the version in which they do
+  uint64_t laterTicket_ = 0;                    // ticket of the last storeAt()
+  uint64_t countingTicket_ = 0, countsIn_ = 0;  // ticket of the settings that apply; first version with them
   std::array<Taken, kRemembered> taken_{};      // by version, newest last
-  std::atomic<uint64_t> laterFrame_{kNever};    // from which later_ counts
+  std::atomic<uint64_t> laterFrame_{kNever};    // frame from which later_ applies
   std::atomic<uint64_t> version_{1};
   std::atomic<uint64_t> frame_{1};
   std::atomic<uint64_t> begun_{0};
@@ -89,7 +90,7 @@ class SettingsSource {
   std::atomic<void (*)() noexcept> look_{nullptr};
 };
 
-/// The process's source; holds the built-in settings until the session is read. Never destroyed.
+/// The process's source. It holds the built-in settings until the session is read. Never destroyed.
 SettingsSource& settingsSource();
 
 }  // namespace gluray

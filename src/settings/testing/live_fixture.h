@@ -1,4 +1,4 @@
-// Live settings over files in a folder of their own, for tests.
+// Live settings that read files in a temporary folder, for tests.
 #pragma once
 #include "settings/live/live_settings.h"
 
@@ -31,7 +31,7 @@ class Live : public testing::Test {
     std::ofstream(file) << text;
     chmod(file.c_str(), 0644);
   }
-  /// Looks when the files have rested, as far as LiveSettings knows the time.
+  /// Checks the files after they have been unchanged for long enough to be read.
   void readWhenRested() {
     std::this_thread::sleep_for(std::chrono::milliseconds(25));
     live_.readIfChanged(now_ += 100);

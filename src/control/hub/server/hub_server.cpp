@@ -32,10 +32,10 @@ using std::chrono::steady_clock;
 
 constexpr size_t kMaxConnections = 1024;
 constexpr std::chrono::milliseconds kProofPatience{5000};
-constexpr rlim_t kDescriptors = 4096;  // more than the connections that a hub takes
+constexpr rlim_t kDescriptors = 4096;  // more than the maximum of connections
 constexpr std::chrono::milliseconds kSoonest{1};
-// Before each repetition. A program whose frame began a moment before the hub listens looks for none in the
-// next one; one that lost its hub waits up to two seconds.
+// Delays before each repetition. A program whose frame began just before the hub listened looks for a hub in
+// its next frame; a program that lost its hub waits up to two seconds.
 constexpr std::chrono::milliseconds kWakeAgain[] = {
     std::chrono::milliseconds(150), std::chrono::milliseconds(350), std::chrono::milliseconds(2500)};
 constexpr std::chrono::milliseconds kYoung{1000}, kCountAgain{20};
@@ -72,25 +72,25 @@ class HubServer::Parts : public std::enable_shared_from_this<Parts> {
 
  private:
   std::string listen(const HubOptions& options);
-  /// Wakes programs that are not connected, and does so again. `times`: how often it has.
+  /// Wakes programs that are not connected, repeatedly. `times`: number of times so far.
   void wake(size_t times);
   void acceptHere(Connection::Socket socket);
   void acceptTcp(HandshakeSocket socket, const std::string& address);
   void take(Connection::Socket socket);
   void ended(uint64_t number);
   HubCore::Beginning beginning();
-  /// Calls the core, and passed() again when something is due.
+  /// Calls the core, and calls passed() again when something is due.
   template <class Call>
   void withCore(Call call);
   void rest();
-  /// Makes room for one more connection, if only those that have not proved anything are in its way.
+  /// Makes room for one more connection, if that only requires closing unauthenticated ones.
   bool hasRoom();
 
   asio::io_context& io_;
   asio::steady_timer timer_, waking_;
   std::function<void(const std::string&, unsigned long)> wake_;
   HubTime timerAt_ = HubTime::max();
-  HubTime began_{}, counted_ = HubTime::min();  // `counted_`: when `expected_` was
+  HubTime began_{}, counted_ = HubTime::min();  // `counted_`: when `expected_` was counted
   size_t expected_ = 0;
   HubCore core_;
   ListeningPlace place_{"hub", "hub"};
@@ -189,7 +189,7 @@ void HubServer::Parts::acceptTcp(HandshakeSocket socket, const std::string& addr
   unproven_.makeRoomFor(address);
   keepAlive(socket.native_handle());
   const uint64_t number = unproven_.join(address);
-  // Counted as long as the handshake keeps it, however that ends.
+  // Counted while the handshake keeps this object, however the handshake ends.
   const std::shared_ptr<void> counted(
       nullptr, [self = shared_from_this(), number](void*) { self->unproven_.leave(number); });
   auto close = proveAsHub(
@@ -218,7 +218,7 @@ void HubServer::Parts::take(Connection::Socket socket) {
                            self->withCore(
                                [&] { self->core_.received(number, message, steady_clock::now()); });
                        },
-                       // The core may be what closed it: it hears of it later.
+                       // The core itself may have closed it: reports it later.
                        [weak, number, &io = io_](const std::string&) {
                          asio::post(io, [weak, number] {
                            if (const auto self = weak.lock()) self->ended(number);
@@ -228,13 +228,13 @@ void HubServer::Parts::take(Connection::Socket socket) {
                          if (const auto self = weak.lock())
                            self->withCore([&] { self->core_.drained(number, steady_clock::now()); });
                        }});
-  } catch (const std::exception& error) {  // no memory
+  } catch (const std::exception& error) {  // out of memory
     connection->close(error.what());
     ended(number);
   }
 }
 
-/// Reads the files of programs seldom: many may connect at once.
+/// Reads the programs' files rarely: many clients may connect at once.
 HubCore::Beginning HubServer::Parts::beginning() {
   const HubTime now = steady_clock::now();
   const auto age = now - began_;
@@ -245,7 +245,7 @@ HubCore::Beginning HubServer::Parts::beginning() {
 
 size_t HubServer::Parts::expected() const {
   size_t count = 0;
-  if (directory.empty()) return count;  // it has not started
+  if (directory.empty()) return count;  // not started
   for (const ProgramFile& file : programFiles(directory)) count += !core_.hasProcess(file.pid);
   return count;
 }
@@ -259,7 +259,7 @@ template <class Call>
 void HubServer::Parts::withCore(Call call) {
   try {
     call();
-  } catch (const std::exception&) {  // no memory: the message is lost, the hub is not
+  } catch (const std::exception&) {  // out of memory: loses the message, but not the hub
   }
   try {
     rest();
@@ -274,7 +274,7 @@ void HubServer::Parts::rest() {
   timerAt_ = next;
   timer_.cancel();
   if (next == HubTime::max()) return;
-  // Not before the next round of the io_context: what is overdue must not keep it from its sockets.
+  // Not before the next iteration of the io_context, so that overdue work does not block its sockets.
   timer_.expires_at(std::max(next, steady_clock::now() + kSoonest));
   timer_.async_wait([weak = weak_from_this()](const asio::error_code& error) {
     const auto self = weak.lock();

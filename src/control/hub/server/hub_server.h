@@ -11,10 +11,10 @@
 namespace gluray::control {
 
 struct HubOptions {
-  std::string directory;  // its runtime directory; created if there is none
+  std::string directory;  // its runtime directory; created if it does not exist
   std::string listen;     // "HOST:PORT" or "[IPv6]:PORT", port 0: any; empty: no TCP
   std::string keyFile;    // for TCP
-  /// Makes the program behind a window draw; may be empty.
+  /// Makes the program behind a window draw. May be empty.
   std::function<void(const std::string& display, unsigned long window)> wake;
 };
 
@@ -23,16 +23,16 @@ class HubServer {
   explicit HubServer(asio::io_context& io);
   ~HubServer();
 
-  /// Listens from now on. Returns one line that says why it cannot; empty: it does.
+  /// Starts listening. Returns a one-line error message; empty on success.
   std::string start(const HubOptions& options);
   /// Closes all connections and removes the socket.
   void stop();
 
-  bool otherHubRuns() const;  // why start() failed
-  int port() const;           // of TCP; 0: it does not listen there
-  size_t programs() const;    // connected ones that have said hello, ranks counted one by one
-  size_t clients() const;     // connected ones, and connections that may become one
-  size_t expected() const;    // programs that left a file, are alive, and are not connected
+  bool otherHubRuns() const;  // whether start() failed for that reason
+  int port() const;           // TCP port; 0: it does not listen on TCP
+  size_t programs() const;    // connected programs that have sent a hello, counted by rank
+  size_t clients() const;     // connected clients, and connections that may become clients
+  size_t expected() const;    // programs that left a file, run, and are not connected
 
  private:
   class Parts;

@@ -1,4 +1,4 @@
-// The hub on a Unix socket: who may connect, what stands in its way, and many programs.
+// The hub on a Unix socket: who may connect, files in its way, and many programs.
 #include "control/hub/server/hub_server.h"
 
 #include "control/testing/server_fixture.h"
@@ -132,7 +132,7 @@ TEST_F(HubServerTest, AnotherUserIsTurnedAway) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
   start();
   const int mine = client();
-  // As if the directory were open: the socket itself knows its users.
+  // As if the directory were accessible to others: the socket itself checks the user.
   for (fs::path open = options_.directory; open != open.root_path() && fs::exists(open);
        open = open.parent_path())
     if (chmod(open.c_str(), 0755) != 0) break;

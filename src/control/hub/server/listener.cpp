@@ -62,7 +62,7 @@ void Listener::handOver(Descriptor socket, const sockaddr_storage& address, sock
   const int protocol = address.ss_family == AF_UNIX ? 0 : IPPROTO_TCP;
   try {
     accepted_(socketOf(io_, address.ss_family, protocol, std::move(socket)), numericAddress(address, size));
-  } catch (const std::exception&) {  // no memory: the socket is closed
+  } catch (const std::exception&) {  // out of memory: the socket is closed
   }
 }
 
@@ -85,7 +85,8 @@ void Listener::accept() {
     }
     if (errno == EINTR || errno == ECONNABORTED) continue;
     if (errno == EAGAIN) break;
-    // No descriptors or memory: what waits stays readable, so waiting for it would use a whole core.
+    // Out of descriptors or memory: waiting connections stay readable, so that waiting for them would use a
+    // whole core.
     pause_.expires_after(kWithoutDescriptors);
     return pause_.async_wait([self = shared_from_this()](const error_code& error) {
       if (!error && self->descriptor_.is_open()) self->accept();

@@ -15,15 +15,15 @@ namespace gluray::control {
 
 class Listener : public std::enable_shared_from_this<Listener> {
  public:
-  /// Gets a socket that does not block and that child processes do not get. `address`: the other side's IP
-  /// address, empty for a Unix socket. Where it throws, that connection is closed, and others are accepted.
+  /// Receives a non-blocking, close-on-exec socket. `address`: the peer's IP address, empty for a Unix
+  /// socket. If it throws, that connection is closed, and others are still accepted.
   using Accepted = std::function<void(Connection::Socket socket, const std::string& address)>;
 
-  /// Takes the listening descriptor.
+  /// Takes over the listening descriptor.
   Listener(asio::io_context& io, Descriptor descriptor, Accepted accepted);
   void start() { wait(); }
   void stop();
-  /// Accepts what waits. Where descriptors are used up it looks again a moment later.
+  /// Accepts waiting connections. If there are no descriptors left, tries again after a short time.
   void accept();
 
  private:
@@ -35,7 +35,8 @@ class Listener : public std::enable_shared_from_this<Listener> {
   Accepted accepted_;
 };
 
-/// Listens on "HOST:PORT". Returns the descriptor, and in `port` its port; -1 and `why`.
+/// Listens on "HOST:PORT". Returns the descriptor, and its port in `port`; or -1 and an error message in
+/// `why`.
 int listenOnTcp(const std::string& address, int& port, std::string& why);
 
 }  // namespace gluray::control

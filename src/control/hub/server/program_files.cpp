@@ -25,22 +25,22 @@ using nlohmann::json;
 constexpr size_t kMaxFileBytes = 4096, kMaxFiles = 4096, kMaxDisplayCharacters = 255;
 constexpr int kStartField = 22;  // of /proc/PID/stat
 
-/// The process that a file's name means; 0: none.
+/// The process id in a file's name; 0 if there is none.
 int pidOfName(const std::string& name) {
   int pid = 0;
   const auto read = std::from_chars(name.data(), name.data() + name.size(), pid);
   return read.ec == std::errc{} && read.ptr == name.data() + name.size() && pid > 0 ? pid : 0;
 }
 
-/// A process of another user has the number of one that has ended.
+/// Whether the process runs for this user. If another user's process has the number, the original has ended.
 bool runs(int pid) { return kill(pid, 0) == 0; }
 
-/// When the process began, in clock ticks since the machine began; 0: unknown.
+/// Start time of the process in clock ticks since boot; 0 if unknown.
 uint64_t startOf(int pid) {
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
   std::string line;
   std::getline(file, line, '\0');
-  const size_t name = line.rfind(')');  // ends field 2, which may hold anything
+  const size_t name = line.rfind(')');  // end of field 2, which may contain anything
   if (name == line.npos) return 0;
   std::istringstream fields(line.substr(name + 1));
   std::string skipped;
@@ -49,7 +49,7 @@ uint64_t startOf(int pid) {
   return fields >> start ? start : 0;
 }
 
-/// Whether the file was left by an earlier process with the same number.
+/// Whether the file was left by an earlier process with the same id.
 bool ofEarlierProcess(const std::string& text, int pid) {
   const json content = json::parse(text, nullptr, false);
   const auto since = wholeNumber(member(content, "since"), 1, kMaxFrame);

@@ -5,15 +5,15 @@
 
 namespace gluray::control {
 
-/// What a file says.
+/// Contents of a program's file.
 struct ProgramFile {
   int pid = 0;
   std::string name, display;
-  unsigned long window = 0;  // 0: it shows none
+  unsigned long window = 0;  // 0: it shows no window
 };
 
-/// Those whose process runs, and began when the file says. Removes the others. Takes regular files of this
-/// user of at most 4 KiB, and no links.
+/// The files whose process runs and began at the time in the file. Removes all others. Reads only regular
+/// files of this user of at most 4 KiB, and no links.
 std::vector<ProgramFile> programFiles(const std::string& directory);
 
 }  // namespace gluray::control

@@ -1,4 +1,4 @@
-// Files that programs leave, as a hub reads them when it starts.
+// Files that programs leave, as a hub reads them at its start.
 #include "control/hub/server/program_files.h"
 
 #include "control/testing/server_fixture.h"

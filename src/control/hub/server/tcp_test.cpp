@@ -1,4 +1,4 @@
-// The hub on TCP: only those with the key are heard. 127.0.0.1 alone, any free port.
+// The hub on TCP: only peers with the key are accepted. Uses 127.0.0.1 and any free port.
 #include "control/auth/handshake.h"
 #include "control/auth/key.h"
 #include "control/auth/refusals.h"
@@ -25,7 +25,7 @@ struct HubTcp : HubServerTest {
     ASSERT_EQ(writeNewKey(options_.keyFile), "");
     key = readKey(options_.keyFile).key;
   }
-  /// From this address of the loopback network.
+  /// Connects from this address of the loopback network.
   int connectTcp(in_addr_t from) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -39,7 +39,7 @@ struct HubTcp : HubServerTest {
     sockets_.push_back(socket);
     return socket;
   }
-  /// Proves that it has the key, after the challenge.
+  /// Proves knowledge of the key, after the challenge.
   void proves(int socket) {
     const json challenge = nextMessage(socket);
     ASSERT_EQ(challenge["type"], "challenge");
@@ -58,7 +58,7 @@ struct HubTcp : HubServerTest {
     const std::string nonce = newNonce();
     return {{"type", "proof"}, {"nonce", nonce}, {"mac", proofOf(key, Prover::peer, hubNonce, nonce)}};
   }
-  /// Why connectToHub() fails; empty: it does not, and the hub's hello is the first message.
+  /// Why connectToHub() fails; empty if it succeeds and the hub's hello is the first message.
   std::string connectAsProgram(const std::string& keyFile) {
     std::string why = "never called";
     std::shared_ptr<Connection> connection;
@@ -90,7 +90,7 @@ TEST_F(HubTcp, ThoseWithTheKeyAreHeard) {
   const json challenge = nextMessage(socket);
   EXPECT_EQ(challenge["type"], "challenge");
   const json sent = proof(challenge["nonce"]);
-  // The hello in one packet with the proof: nothing of it is lost.
+  // The hello is in one packet with the proof: nothing of it may be lost.
   giveBytes(socket, lineOf(sent) + lineOf(json{{"type", "hello"}, {"version", 1}, {"role", "client"}}) +
                         lineOf(json{{"type", "list"}, {"id", 1}}));
   const json answer = nextMessage(socket);

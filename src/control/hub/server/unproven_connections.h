@@ -1,4 +1,4 @@
-// The unauthenticated TCP connections of a hub, and the functions that close them. On the hub's thread.
+// A hub's unauthenticated TCP connections, and the functions that close them. On the hub's thread.
 #pragma once
 #include "control/auth/waiting_peers.h"
 
@@ -13,15 +13,15 @@ namespace gluray::control {
 class UnprovenConnections {
  public:
   size_t size() const { return peers_.size(); }
-  /// Closes the connection that one from this address would displace, if there is one.
+  /// Closes the connection that a new one from this address displaces, if there is one.
   void makeRoomFor(const std::string& address);
-  /// Closes the oldest connection of the network that holds most, if there is one.
+  /// Closes the oldest connection of the network that has most, if there is one.
   void closeOne();
-  /// Adds a connection; returns its number.
+  /// Adds a connection and returns its number.
   uint64_t join(const std::string& address) { return peers_.join(address); }
-  /// Sets what closes a connection. Call once, after join().
+  /// Sets the function that closes a connection. Call once, after join().
   void setClose(uint64_t number, std::function<void()> close) { closing_[number] = std::move(close); }
-  /// The connection has proved the key, or is closed.
+  /// Reports that the connection has authenticated, or is closed.
   void leave(uint64_t number);
 
  private:

@@ -7,7 +7,7 @@
 namespace gluray::control {
 namespace {
 
-/// Rows of an image, the top one first.
+/// Accesses the rows of an image, the top one first.
 class ImageRows {
  public:
   explicit ImageRows(const KeptImage& image) : image_(image) {}
@@ -15,7 +15,7 @@ class ImageRows {
     const int row = image_.layout == KeptImage::Layout::x ? y : image_.height - 1 - y;
     return image_.pixels.data() + static_cast<size_t>(row) * static_cast<size_t>(image_.width);
   }
-  /// Shifts of red, green and blue in a pixel.
+  /// Bit positions of red, green and blue in a pixel.
   std::array<int, 3> shifts() const {
     return image_.layout == KeptImage::Layout::x ? std::array{16, 8, 0} : std::array{0, 8, 16};
   }
@@ -24,7 +24,7 @@ class ImageRows {
   const KeptImage& image_;
 };
 
-/// Where the part `i` of `parts` equal ones begins.
+/// Start of part `i` if `all` is divided into `parts` equal parts.
 int beginOf(int i, int parts, int all) { return static_cast<int>(static_cast<int64_t>(i) * all / parts); }
 
 RgbImage averaged(const KeptImage& image, int width, int height) {

@@ -16,21 +16,22 @@ struct KeptImage {
   int width = 0, height = 0;  // pixels
   Layout layout = Layout::openGl;
   std::vector<uint32_t> pixels;  // width * height
-  uint64_t frame = 0;            // its number; 0: not known
+  uint64_t frame = 0;            // number of the frame; 0: unknown
   bool next = false;             // it was shown after wantImage(Wanted::next)
 };
 
-/// Three bytes a pixel: red, green, blue; top row first.
+/// Three bytes per pixel: red, green, blue; top row first.
 struct RgbImage {
   int width = 0, height = 0;
   std::string bytes;
 };
 
-/// All of its pixels.
+/// The whole image as RGB bytes.
 RgbImage rgbOf(const KeptImage& image);
 
-/// The largest image of the same shape whose longest side has at most `longest` pixels, and that has at
-/// most `mostPixels`; never larger than the image. Each pixel is the average of those that it stands for.
+/// The image, scaled down to the largest size of the same shape with a longest side of at most `longest`
+/// pixels and at most `mostPixels` pixels; never enlarged. Each pixel is the average of those that it
+/// replaces.
 RgbImage scaledDown(const KeptImage& image, int longest, int64_t mostPixels);
 
 }  // namespace gluray::control

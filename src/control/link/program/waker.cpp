@@ -23,7 +23,8 @@ void Waker::tellWider(double now) {
   go(Step::wider, now + kWider);
 }
 
-/// A program that has begun and shown a frame since, but has drawn nothing of its scene, kept an image.
+/// If the program has begun and shown a frame since, but has drawn nothing of its scene, it has shown a
+/// cached image.
 void Waker::seeExposure(double now) {
   if (drew()) return go(Step::rest, 0);
   if (std::exchange(wanted_, false)) program_.wake();

@@ -11,32 +11,32 @@ namespace gluray::control {
 
 class Waker {
  public:
-  static constexpr double kLook = 0.3;    // until it is clear what an exposure has done
-  static constexpr double kPoll = 0.02;   // between two looks meanwhile
-  static constexpr double kWider = 0.1;   // before windows have their own size again
-  static constexpr int kMaxFailures = 2;  // sizes that made nothing draw: no more are told
+  static constexpr double kLook = 0.3;    // time in which an exposure shows its effect
+  static constexpr double kPoll = 0.02;   // interval of checks meanwhile
+  static constexpr double kWider = 0.1;   // until windows are sent their own size again
+  static constexpr int kMaxFailures = 2;  // after so many ineffective sizes, no more are sent
 
   Waker(ControlledProgram& program, const SettingsSource& source) : program_(program), source_(source) {}
-  /// Windows have their own size afterwards.
+  /// Sends windows their own size, if they were last sent another one.
   ~Waker() {
     if (step_ == Step::wider) program_.tellSize(false);
   }
   Waker(const Waker&) = delete;
   Waker& operator=(const Waker&) = delete;
 
-  /// The program shall draw; passed() asks it to.
+  /// Requests that the program draws; passed() does it.
   void wake() noexcept { wanted_ = true; }
   void passed(double now);
   double nextDue(double now) const;
-  /// Whether frames that are shown now may be for windows of another size.
+  /// Whether frames shown now may be for windows of another size.
   bool widens() const { return step_ == Step::wider; }
 
  private:
   enum class Step {
     rest,
-    exposed,  // what that does is looked at
-    wider,    // windows seem one pixel wider
-    told      // their own size: what that does is looked at
+    exposed,  // windows were exposed; waits for the effect
+    wider,    // windows were sent a size one pixel wider
+    told      // windows were sent their own size; waits for the effect
   };
   void begin(double now);
   void seeExposure(double now);
@@ -47,11 +47,11 @@ class Waker {
   ControlledProgram& program_;
   const SettingsSource& source_;
   bool wanted_ = false;
-  bool onlyShows_ = false;  // exposed, the program shows again what it drew
+  bool onlyShows_ = false;  // when exposed, the program only shows a cached image
   int failures_ = 0;
   Step step_ = Step::rest;
   double due_ = 0;
-  uint64_t frame_ = 0, draws_ = 0;  // when it was asked
+  uint64_t frame_ = 0, draws_ = 0;  // when it was requested to draw
 };
 
 }  // namespace gluray::control

@@ -1,4 +1,4 @@
-// How programs are made to draw, with a fake program and a fake clock.
+// How idle programs are made to draw, with a fake program and a fake clock.
 #include "control/link/program/waker.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-/// It has drawn its scene once.
+/// A program that has drawn its scene once.
 struct SleepingProgram final : ControlledProgram {
   enum class Kind { draws, shows, sleeps, neverDraws };
   json identity() override { return {}; }
@@ -38,7 +38,7 @@ struct SleepingProgram final : ControlledProgram {
 };
 
 struct WakerTest : testing::Test {
-  /// What the program is asked within a second.
+  /// The requests that the program receives within a second.
   std::string wake(SleepingProgram::Kind kind) {
     program.kind = kind, program.asked.clear();
     waker->wake();

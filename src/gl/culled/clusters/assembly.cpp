@@ -22,7 +22,7 @@ bool restartsAtFixedIndex(const RealGl& real) {
          isOn(real, GL_PRIMITIVE_RESTART_FIXED_INDEX);
 }
 
-/// Places of the corners of triangle `i` of a strip or fan. The provoking vertex is the last or the first
+/// Positions of the corners of triangle `i` in a strip or fan. The provoking vertex is the last or the first
 /// one.
 std::array<size_t, 3> placesIn(GLenum mode, bool firstProvokes, size_t i) {
   if (mode == GL_TRIANGLE_FAN)

@@ -18,7 +18,7 @@ BoxVisibility::BoxVisibility(const ClipMatrix& matrix, const WindowMapping& wind
   const glm::dmat4 rows = glm::transpose(matrix.clipFromObject),
                    magnitudes = glm::transpose(matrix.magnitudes);
   for (int i = 0; i < 4; ++i) row_[i] = rows[i], magnitude_[i] = glm::max(glm::abs(rows[i]), magnitudes[i]);
-  // As far around the view samples may be covered.
+  // Samples may be covered up to this far outside the view volume.
   const auto pixels = [&](double size) { return 4 * window.sampleReach / std::max(size, 1.0); };
   margin_ = {pixels(window.viewport.z), pixels(window.viewport.w), 0};
   depthScale_ = 0.5 * (window.depthFar - window.depthNear);
@@ -26,7 +26,7 @@ BoxVisibility::BoxVisibility(const ClipMatrix& matrix, const WindowMapping& wind
 }
 
 bool BoxVisibility::mayShow(const glm::dvec4& center, const glm::dvec4& extent) const {
-  // Some thirty operations of a shader in single precision.
+  // Covers some thirty single-precision operations of a shader.
   constexpr double kRounding = 32.0 / (1 << 24);
   const glm::dvec4 reach = glm::abs(center) + extent;
   glm::dvec4 clip, error;
@@ -39,7 +39,7 @@ bool BoxVisibility::mayShow(const glm::dvec4& center, const glm::dvec4& extent) 
     if (w - clip[i] + spreadAlong(row_[3] - row_[i], extent) + slack < 0) return false;
   }
   const double nearest = w - wReach;
-  // Boxes that reach behind the viewer have no finite rectangle.
+  // Boxes that reach behind the viewer project to no finite rectangle.
   if (!(nearest > 1e-6 * (std::abs(w) + wReach))) return true;
   if (!pyramid_) return true;
   glm::dvec3 at, reachAt;
@@ -52,8 +52,7 @@ bool BoxVisibility::mayShow(const glm::dvec4& center, const glm::dvec4& extent) 
 }
 
 bool BoxVisibility::isNearer(const glm::dvec3& at, const glm::dvec3& reach) const {
-  // Pixels are covered at their samples, around the centres (1/2, 1/2), by vertices that snap to 1/256
-  // pixel.
+  // Pixels are covered at their samples around the centres (1/2, 1/2); vertices snap to 1/256 pixel.
   const double slack = 1.0 / 64 + window_.sampleReach;
   const glm::dvec4& v = window_.viewport;
   const double x = v.x + (at.x + 1) * 0.5 * v.z - 0.5, xReach = reach.x * 0.5 * v.z + slack;

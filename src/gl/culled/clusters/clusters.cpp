@@ -39,7 +39,7 @@ struct Bounds4 {
   double diagonal() const { return glm::length(glm::dvec3(upper) - glm::dvec3(lower)); }
 };
 
-/// Around all vertices of primitives; `each` calls its argument with their numbers.
+/// Bounds of all vertices of primitives. `each` calls its argument with the number of each vertex.
 template <class Each>
 Bounds4 boundsOf(const Primitives& primitives, const Each& each) {
   Bounds4 bounds;
@@ -94,7 +94,7 @@ glm::dvec4 Primitives::position(uint32_t vertex) const {
     if (doubles) {
       double value;
       std::memcpy(&value, at + sizeof(double) * static_cast<size_t>(c), sizeof value);
-      p[c] = static_cast<float>(value);  // as shaders get it
+      p[c] = static_cast<float>(value);  // shaders get single precision
     } else {
       float value;
       std::memcpy(&value, at + sizeof(float) * static_cast<size_t>(c), sizeof value);
@@ -160,7 +160,7 @@ Clusters::Box Clusters::boxAround(const glm::dvec4& lower, const glm::dvec4& upp
   return box;
 }
 
-/// Whether runs of the draw are much larger than the surface that their primitives cover.
+/// Whether consecutive primitives of the draw spread much wider than the surface that they cover.
 bool Clusters::areScattered(const Primitives& primitives) const {
   constexpr double kWide = 12;  // diagonals of a primitive; of 64 triangles in a square patch it is about 6
   constexpr size_t kSamples = 512;
@@ -177,7 +177,7 @@ bool Clusters::areScattered(const Primitives& primitives) const {
   return runs > kWide * single;
 }
 
-/// Along a Morton curve through the middles of the primitives.
+/// Sorts primitives along a Morton curve through their centres.
 void Clusters::sort(const Primitives& primitives) {
   Bounds4 all;
   for (const Box& box : boxes_)

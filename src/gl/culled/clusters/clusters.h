@@ -35,8 +35,8 @@ struct Primitives {
 
 class Clusters {
  public:
-  static constexpr uint32_t kPrimitives = 8;  // of a cluster, but the last
-  static constexpr size_t kGroup = 8;         // clusters of a group, and groups of a large group
+  static constexpr uint32_t kPrimitives = 8;  // in each cluster but the last
+  static constexpr size_t kGroup = 8;         // clusters in a group, and groups in a large group
 
   /// Throws std::bad_alloc.
   explicit Clusters(const Primitives& primitives);
@@ -87,7 +87,7 @@ class Clusters {
   void sort(const Primitives& primitives);
 
   uint32_t primitives_ = 0;
-  std::vector<uint32_t> numbers_;  // of the primitives, cluster by cluster; empty: in the order of the draw
+  std::vector<uint32_t> numbers_;  // primitives, cluster by cluster; empty: in draw order
   Boxes boxes_, groups_, largeGroups_;
   Box all_;
 };

@@ -1,5 +1,5 @@
-// What may show is never left out, whatever the matrix; what cannot is mostly left out; the order of the draw
-// is kept.
+// Visible clusters are never skipped, whatever the matrix; invisible ones mostly are; the drawing order is
+// kept.
 #include "gl/culled/clusters/clusters.h"
 
 #include "base/sanitized.h"
@@ -18,7 +18,7 @@
 namespace gluray::gl::culling_test {
 namespace {
 
-/// The triangles that write() gives, by the position of their first corner in `mesh.indices`.
+/// The triangles that write() returns, by the position of their first corner in `mesh.indices`.
 std::vector<uint32_t> drawn(const TestMesh& mesh, const Clusters& clusters,
                             const std::vector<uint64_t>& visible) {
   std::vector<uint32_t> out(3 * clusters.primitivesIn(visible));
@@ -26,7 +26,7 @@ std::vector<uint32_t> drawn(const TestMesh& mesh, const Clusters& clusters,
   return out;
 }
 
-/// Samples are at the centres of pixels or, if `anywhere`, at any places in them.
+/// Samples are at pixel centres or, if `anywhere`, at any place in the pixel.
 void expectNearerOnesShown(bool anywhere) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> inPixel(0, 1);
@@ -146,7 +146,7 @@ TEST(Clusters, AllowForTheRoundingOfLargeNumbers) {
     for (int r = 0; r < 4; ++r)
       for (int k = 0; k < 4; ++k)
         magnitudes[c][r] += std::abs(double{clip[k][r]}) * std::abs(double{view[c][k]});
-  // Depths as single precision gives them, one pixel each: none may be missed.
+  // Depths computed in single precision, one pixel each: none may be missed.
   int tested = 0;
   const Primitives p = mesh.primitives();
   for (uint32_t t = 0; t < p.count; ++t) {

@@ -93,7 +93,7 @@ bool CulledMesh::readIndices(const RealGl& real, const ArrayState& arrays, const
   return true;
 }
 
-/// The program may change its memory before the clusters are built.
+/// Copies the positions, because the program may change its memory before the clusters are built.
 void CulledMesh::copyPositions(uint32_t end) {
   const size_t each =
       static_cast<size_t>(primitives_.components) * (primitives_.doubles ? sizeof(double) : sizeof(float));

@@ -12,11 +12,11 @@ namespace gluray::gl {
 namespace {
 
 constexpr int kFirstShift = 1, kFirst = 1 << kFirstShift;
-constexpr int kMaxValues = 5;  // along each axis that farthest() looks at
+constexpr int kMaxValues = 5;  // maximum values along each axis that farthest() reads
 
 int halved(int size) { return (size + 1) / 2; }
 
-/// One row of the first level: of `rows` rows of pixels.
+/// Computes one row of the first level from `rows` rows of pixels.
 void reduceRow(const float* depths, int width, int rows, float* out) {
   const auto stride = static_cast<size_t>(width);
   for (int x = 0; x < width; x += kFirst) {

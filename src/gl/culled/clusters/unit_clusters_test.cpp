@@ -1,5 +1,4 @@
-// Instances whose positions were fed back are never left out where they may show; those that cannot show
-// mostly are.
+// Visible instances whose positions were captured are never skipped; invisible ones mostly are.
 #include "gl/culled/clusters/unit_clusters.h"
 
 #include "gl/testing/test_images.h"
@@ -70,7 +69,8 @@ TEST(UnitClusters, NeverMissOneThatIsNearerThanTheImage) {
   EXPECT_GT(tested, 10000u);
 }
 
-/// A unit of several instances has the positions of its first one; what is no number always shows.
+/// A unit of several instances has the positions of its first one. Positions that are not numbers are always
+/// visible.
 TEST(UnitClusters, OfUnitsAndOfNoNumbers) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const glm::vec4 hidden(0, 0, 0.9f, 1), shown(0, 0, -0.9f, 1), odd(0, nan, 0, 1), endless(INFINITY, 0, 0, 1);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr uint64_t kMaxVertexBytes = uint64_t{1} << 30, kMaxInstanceBytes = uint64_t{1} << 28;  // bytes
 
-/// Whether the program feeds back vertices itself.
+/// Whether the program itself uses transform feedback, or has rasterisation off.
 bool isFeedingBack(const RealGl& real) {
   return integer(real, GL_TRANSFORM_FEEDBACK_ACTIVE) != 0 || isOn(real, GL_RASTERIZER_DISCARD);
 }

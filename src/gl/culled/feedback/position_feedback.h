@@ -23,7 +23,7 @@ class PositionFeedback {
   /// Whether positions can be captured. The first call links a copy of the shader program. No error may be
   /// pending.
   bool works(const RealGl& real);
-  /// Whether so many positions fit into a buffer.
+  /// Whether this many positions fit into a buffer.
   static bool isPossible(uint32_t first, uint32_t end, uint32_t instances);
   /// Calls `take` with the clip coordinates of vertices `first` to `end` - 1, four floats each, for a draw
   /// with the current state and the instances of `as`, instance by instance. Returns false on failure.

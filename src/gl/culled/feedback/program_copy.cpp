@@ -14,8 +14,8 @@
 namespace gluray::gl {
 namespace {
 
-/// Words of texts with which a copy would be another program: feedback of their own, choices that are no
-/// uniforms, and memory that is bound by other means.
+/// Words in shader texts for which a copy would behave differently: own transform feedback, choices that are
+/// not uniforms, and memory that is bound by other means.
 bool isUnlikely(std::string_view word) {
   return word.starts_with("xfb_") || word == "subroutine" || word == "buffer" || word == "atomic_uint" ||
          word == "bindless_sampler" || word == "bindless_image";

@@ -8,7 +8,7 @@
 namespace gluray::gl {
 namespace {
 
-/// Numbers of the instance that terms have.
+/// Numbers of instance values that the terms use.
 std::bitset<256> numbersIn(const LinearPosition& position) {
   std::bitset<256> used;
   for (const InstanceColumnTerm& term : position.terms)
@@ -20,7 +20,7 @@ bool isSignedFraction(const ArraySource& array) {
   return array.normalized && (array.type == GL_BYTE || array.type == GL_SHORT || array.type == GL_INT);
 }
 
-/// Whether its elements are read as the real OpenGL does.
+/// Whether the array's elements are converted as the real OpenGL converts them.
 bool isRead(const ArraySource& array, const std::function<bool()>& fractions) {
   if (!array.buffer || !isReadable(array)) return false;
   return !isSignedFraction(array) || (array.type != GL_INT && fractions());

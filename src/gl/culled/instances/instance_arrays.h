@@ -22,10 +22,10 @@ void forEnabled(const ArrayState& arrays, const Each& each) {
   for (const ArraySource& a : arrays.generic) look(a);
 }
 
-/// The array of the attribute; null: none.
+/// The array of the attribute at `location`; null if there is none.
 const ArraySource* arrayOf(const ArrayState& arrays, GLint location);
 
-/// Attributes of the shader program all of whose columns come from arrays with a divisor.
+/// The attributes of the shader program all of whose columns come from arrays with a divisor.
 InstanceAttributes instanceAttributes(const Program& program, const ArrayState& arrays);
 
 /// Finds the arrays of the instance attributes in `position`. Returns CullReason::culled, or the reason why

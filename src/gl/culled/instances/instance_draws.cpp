@@ -30,8 +30,8 @@ GLint attribute(const RealGl& real, GLuint index, GLenum name) {
   return value;
 }
 
-/// Whether the array can begin with a later element, and has all elements that the draw reads. Doubles have
-/// commands of their own.
+/// Whether the array can start at a later element, and has all elements that the draw reads. Doubles are
+/// excluded because they need other commands.
 bool canBegin(const RealGl& real, const ArraySource& array, const InstanceUnits& units) {
   if (!array.buffer || array.location < 0 || array.type == GL_DOUBLE || !isReadable(array)) return false;
   if (!hasVertexBindings(real) && array.binding != static_cast<GLuint>(array.location)) return false;

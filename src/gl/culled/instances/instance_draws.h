@@ -27,7 +27,7 @@ class InstanceDraws {
   InstanceDraws(const InstanceDraws&) = delete;
   InstanceDraws& operator=(const InstanceDraws&) = delete;
 
-  /// `elements` with only these instances, to be drawn before the next call.
+  /// Returns `elements` restricted to these instances, to be drawn before the next call.
   Elements elementsOf(Elements elements, const InstancePart& part);
 
  private:
@@ -35,7 +35,7 @@ class InstanceDraws {
   struct Moved {
     GLuint index = 0, buffer = 0;
     GLintptr offset = 0;
-    GLsizei stride = 0;    // as the program has set it; 0 means: no gap, without bindings
+    GLsizei stride = 0;    // as the program set it; without bindings, 0 means tightly packed
     GLsizei distance = 0;  // between elements
     uint32_t divisor = 1;
     GLint size = 4;

@@ -1,5 +1,5 @@
-// Parts of a draw of instances have all instances that are wanted, in order, with the elements that they have
-// in the whole draw.
+// Parts of a draw of instances contain all requested instances, in order, with the elements that they have in
+// the whole draw.
 #include "gl/culled/instances/instance_units.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Parts partsOf(const InstanceUnits& units, const std::vector<uint64_t>& visible) 
   return parts;
 }
 
-/// Instances that share an element are drawn together; the last of them may be fewer.
+/// Instances that share an element are drawn together. The last unit may have fewer.
 TEST(InstanceUnits, AreDrawnInRuns) {
   const InstanceUnits units(7, 388, {3, 3});
   ASSERT_EQ(units.units(), 130u);
@@ -41,7 +41,8 @@ TEST(InstanceUnits, WithoutArraysAreSingleInstances) {
   EXPECT_EQ(partsOf(units, {0b11011}), (Parts{{0, 2}, {3, 2}}));
 }
 
-/// Arrays of other rates: a part ends where one of them, which does not begin with it, goes on.
+/// Arrays with different divisors: a part ends where an array advances whose element does not begin with the
+/// part.
 TEST(InstanceUnits, AreCutWhereArraysAdvance) {
   const InstanceUnits units(0, 20, {1, 4});
   EXPECT_TRUE(units.areMixed());

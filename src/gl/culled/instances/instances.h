@@ -20,10 +20,10 @@ class Instances {
   struct Column {
     ArrayReader array;
     int firstNumber = 1, rows = 4;
-    bool fractions = false;  // of signed integers: the lowest one may be -1, or less
+    bool fractions = false;  // converted signed integers: the lowest may be -1 or less
   };
 
-  /// The columns of `position` whose numbers its terms have, in any order. They have all elements.
+  /// `columns`: in any order, with all numbers that the terms of `position` use. Each array has all elements.
   Instances(const LinearPosition& position, std::vector<Column> columns, const InstanceUnits& units);
 
   /// Matrix of unit `unit` with bounds for rounding; none if its values are unknown or too large for single

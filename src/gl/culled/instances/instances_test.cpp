@@ -1,4 +1,4 @@
-// Instances that may show are never left out, also where a shader rounds; those that cannot mostly are.
+// Visible instances are never skipped, even if a shader rounds; invisible ones mostly are.
 #include "gl/culled/instances/instances.h"
 
 #include "gl/testing/test_images.h"
@@ -51,7 +51,7 @@ Instances instancesOf(const Moved& values, const NoUniforms& uniforms, bool frac
   return {*position, std::move(columns), InstanceUnits(0, static_cast<uint32_t>(values.size()), {1})};
 }
 
-/// What a shader computes in single precision.
+/// The result of a shader in single precision.
 glm::dvec4 placed(const NoUniforms& u, const glm::vec4& moved, const glm::vec3& p) {
   const glm::vec4 eye = u.view * glm::vec4(p * moved.w + glm::vec3(moved), 1.0f);
   return glm::dvec4(u.projection * eye);
@@ -140,7 +140,7 @@ TEST(Instances, AlwaysShowWhereNumbersAreTooLarge) {
   EXPECT_FALSE(instances.matrix(1));
 }
 
-/// The lowest number of signed integers may be -1 or less.
+/// The lowest signed integer may become -1 or less.
 TEST(Instances, AlwaysShowWhereFractionsAreTheLowest) {
   const Moved values{{0, 0, 0, 0.5f}, {0, -1, 0, 0.5f}, {-0.99f, 0, 0, 0.5f}};
   const NoUniforms u;

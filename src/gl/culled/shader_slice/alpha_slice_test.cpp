@@ -43,7 +43,7 @@ TEST(AlphaSlice, KnowsNoOther) {
   EXPECT_FALSE(isOpaque("out vec4 o; void main() { if (c.x > 0.0) return; o = vec4(1); }"));
 }
 
-/// Head of fragment shaders with some varyings and uniforms.
+/// Declarations of varyings and uniforms for fragment shaders.
 const std::string kIn =
     "uniform float scale, on, minus, half; uniform sampler2D map; in vec4 c; in vec3 n; in float s;\n";
 
@@ -135,7 +135,7 @@ TEST(AlphaSlice, FollowsBothSidesOfBranches) {
     EXPECT_FALSE(of(body).opaque) << body;
 }
 
-/// A long part that need not be followed does not make all of the shader unknown.
+/// A long part that is irrelevant does not make the whole shader unknown.
 TEST(AlphaSlice, ForgetsWhatLongBranchesAssign) {
   const std::string march = "for (int i = 0; i < 100000; ++i) { t += s; if (t > 3.0) o.r = 0.0; }";
   EXPECT_TRUE(

@@ -1,4 +1,4 @@
-// Positions whose matrix depends on attributes of the instance.
+// Positions whose matrix depends on instance attributes.
 #include "gl/culled/shader_slice/position_slice.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -35,7 +35,7 @@ class TwoMatrices final : public UniformSource {
   }
 };
 
-/// InstanceNumbers of an instance by the names of its attributes.
+/// Values of an instance, by the names of its attributes.
 using InstanceNumbers = std::map<std::string, std::vector<double>>;
 
 InstanceNumbers anyNumbers(unsigned seed) {
@@ -52,7 +52,7 @@ struct Placed {
   glm::dmat4 matrix, magnitudes;
 };
 
-/// The matrix of an instance with these numbers.
+/// The matrix of an instance with these values.
 Placed placedBy(const LinearPosition& position, const InstanceNumbers& numbers) {
   std::vector<double> all{1};
   for (const InstanceColumn& column : position.columns)
@@ -79,7 +79,7 @@ std::optional<LinearPosition> positionBy(const std::string& body, std::string& w
   return PositionSlice(kDeclared + "void main() { " + body + " }").evaluate(TwoMatrices(), why, kOfInstances);
 }
 
-/// `expected`: P * V * this, by the numbers.
+/// Expects the matrix P * V * expected(values).
 void expectPlaced(const std::string& body, glm::dmat4 (*expected)(const InstanceNumbers&)) {
   SCOPED_TRACE(body);
   std::string why;
@@ -164,7 +164,7 @@ TEST(InstanceSlice, RefusesWhatIsNoPolynomial) {
     EXPECT_FALSE(positionBy(body, why)) << body;
     EXPECT_FALSE(why.empty());
   }
-  // An attribute of the vertex, as long as nothing says that it is one of the instance.
+  // An attribute of the vertex, unless it is declared to be one of the instance.
   std::string why;
   const std::string text = kDeclared + "void main() { gl_Position = P * V * vec4(p + shift, 1.0); }";
   EXPECT_FALSE(PositionSlice(text).evaluate(TwoMatrices(), why));

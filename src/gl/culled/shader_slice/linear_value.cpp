@@ -32,14 +32,14 @@ void addTimes(Factors& to, const Factors& more, double sign) {
   for (size_t i = 0; i < to.size(); ++i) to[i] += sign * more[i];
 }
 
-/// The term of `product`, made if it is not there.
+/// The term of `product`; adds it if it is missing.
 InstanceTerm& termOf(Linear& l, InstanceProduct product) {
   const auto at = std::ranges::lower_bound(l.terms, product, {}, &InstanceTerm::product);
   if (at != l.terms.end() && at->product == product) return *at;
   return *l.terms.insert(at, {product, {}, {}});
 }
 
-/// Nothing: of more than four numbers.
+/// Product of both; nullopt if it has more than four values.
 std::optional<InstanceProduct> productOf(InstanceProduct a, InstanceProduct b) {
   std::array<uint32_t, 8> numbers{};
   for (size_t i = 0; i < 4; ++i) numbers[i] = (a >> (8 * i)) & 0xFF, numbers[4 + i] = (b >> (8 * i)) & 0xFF;
@@ -48,7 +48,7 @@ std::optional<InstanceProduct> productOf(InstanceProduct a, InstanceProduct b) {
   return numbers[0] | numbers[1] << 8 | numbers[2] << 16 | numbers[3] << 24;
 }
 
-/// Calls each(product, factors, magnitudes) for the part without numbers of the instance and for all terms.
+/// Calls each(product, factors, magnitudes) for the part without instance values and for all terms.
 template <class Each>
 void forTerms(const Linear& l, const Each& each) {
   each(InstanceProduct{0}, l.factors, l.magnitudes);
@@ -84,7 +84,7 @@ Linear sumOfForms(const Linear& a, const Linear& b, double sign) {
 
 Linear productOfForms(const Linear& a, const Linear& b) {
   if (!a.known || !b.known) return Linear::unknown();
-  // Zero times anything that a shader computes may not be zero, but is where nothing overflows.
+  // Zero times a shader's value is assumed to be zero, which holds unless the value overflows.
   if (a.attribute >= 0 && b.attribute >= 0) return Linear::unknown();
   const Linear& form = a.attribute >= 0 ? a : b;
   const Linear& factor = a.attribute >= 0 ? b : a;

@@ -12,8 +12,8 @@
 
 namespace gluray::gl::glsl {
 
-inline constexpr double kRounding = 1.0 / (1 << 20);  // of a value that some operations have computed
-inline constexpr double kRough = 4096;  // roundings of transcendental functions of software OpenGLs
+inline constexpr double kRounding = 1.0 / (1 << 20);  // relative error of a value computed by some operations
+inline constexpr double kRough = 4096;  // error of transcendental functions in software OpenGLs, in roundings
 
 /// A product of up to four instance attributes: one byte each, largest first; 0: none.
 using InstanceProduct = uint32_t;
@@ -53,13 +53,13 @@ struct Linear {
     l.terms.push_back({static_cast<InstanceProduct>(number), {0, 0, 0, 0, 1}, {0, 0, 0, 0, 1}});
     return l;
   }
-  /// Whether it is equal for all vertices and instances.
+  /// Whether the value is equal for all vertices and instances.
   bool isConstant() const { return known && attribute < 0 && terms.empty(); }
   double value() const { return factors[4]; }
   double magnitude() const { return magnitudes[4]; }
 };
 
-/// Bounds of its value.
+/// Bounds of the value.
 Range rangeOf(const Linear& l);
 /// An unknown value with this range.
 Linear within(const Range& range);
@@ -81,7 +81,7 @@ struct Shape {
   int size() const { return columns * rows; }
   bool isMatrix() const { return columns > 1; }
 };
-/// Of a built-in type's name; opaque for all others.
+/// Shape of the built-in type `name`; opaque for all other types.
 Shape shapeOfType(std::string_view name);
 
 /// A value with its components (column by column), or with `items`: elements of an array, fields of a struct.
@@ -92,7 +92,7 @@ struct Value {
   std::string_view structure;  // name of a struct
   bool isArray = false;
 
-  /// An unknown value of the shape; opaque: even the type is unknown.
+  /// An unknown value of this shape; opaque: even the type is unknown.
   static Value unknown(const Shape& shape = {}) {
     Value v;
     v.shape = shape;
@@ -117,7 +117,7 @@ struct Value {
     for (const Value& item : items) all += item.size();
     return all;
   }
-  /// Makes it unknown, but keeps its type.
+  /// Makes the value unknown, but keeps its type.
   void forget() {
     std::ranges::fill(components, Linear::unknown());
     for (Value& item : items) item.forget();

@@ -13,7 +13,7 @@
 namespace gluray::gl {
 
 struct ShaderSlice::Parsed {
-  std::string source;  // what the tokens point into
+  std::string source;  // the tokens point into it
   glsl::Tree tree;
   std::string why;
 };
@@ -47,7 +47,7 @@ bool LinearPosition::at(const std::array<double, kNumbers>& numbers, glm::dmat4&
     matrix[term.column] += product * term.factors;
     magnitudesThere[term.column] += std::abs(product) * term.magnitudes;
   }
-  // Shaders compute it in more operations than a matrix of uniforms alone.
+  // Shaders compute this matrix by more operations than a product of uniforms.
   magnitudesThere *= 2;
   return fits;
 }
@@ -60,12 +60,12 @@ using Factors = std::array<double, 5>;
 
 [[noreturn]] void giveUp(const char* why) { throw std::runtime_error(why); }
 
-/// Element `column` of a row; the last one multiplies a 1.
+/// Element `column` of a row; the last component of the attribute is 1.
 double elementOf(const Factors& row, int column) {
   return row[static_cast<size_t>(column)] + (column == 3 ? row[4] : 0);
 }
 
-/// The term of `product` for a column, made if it is not there.
+/// The term of `product` for a column; adds it if it is missing.
 InstanceColumnTerm& termOf(LinearPosition& position, uint32_t product, int column) {
   for (InstanceColumnTerm& term : position.terms)
     if (term.product == product && term.column == column) return term;
@@ -144,7 +144,7 @@ Opacity AlphaSlice::opacity(const UniformSource& uniforms, const Varyings& varyi
   if (!parsed_->why.empty()) return {};
   Opacity result = opacity(uniforms, varyings, {});
   if (result.opaque) return result;
-  // Alphas of vertices are single numbers, or the last ones of four.
+  // The alpha of a vertex is a single number, or the last of four components.
   std::set<AttributeComponent> alphas;
   for (const auto& [name, components] : varyings)
     for (const VaryingComponent& component : components)

@@ -26,16 +26,16 @@ class UniformSource {
   /// of a block without instance name; built-in state such as "gl_ModelViewProjectionMatrix"), matrices
   /// column by column; booleans 0 or 1. Returns false if unknown.
   virtual bool read(std::string_view name, std::vector<double>& components) const = 0;
-  /// Whether the components of uniform `name`, if they are floats, stay unknown numbers, like those of
-  /// instances: then LinearPosition::columns names it in place of an attribute.
+  /// Whether the float components of uniform `name` stay symbolic, like those of instance attributes.
+  /// LinearPosition::columns then contains the uniform's name in place of an attribute's.
   virtual bool isSymbolic(std::string_view /*name*/) const { return false; }
 };
 
 /// Names of per-instance attributes (with a divisor).
 using InstanceAttributes = std::set<std::string, std::less<>>;
 
-/// A column of an attribute of the instance, or of a symbolic uniform (column 0 of a vector); its components
-/// are numbers of the instance.
+/// A column of an instance attribute, or of a symbolic uniform (column 0 for a vector). Its components are
+/// numbered among the instance's values.
 struct InstanceColumn {
   std::string attribute;
   int column = 0, rows = 4;
@@ -43,14 +43,14 @@ struct InstanceColumn {
 
 /// Term of a matrix column with a product of instance attributes.
 struct InstanceColumnTerm {
-  uint32_t product = 0;  // of the numbers in its bytes, which count from 1; 0: none
+  uint32_t product = 0;  // of the values whose numbers, from 1, are in its bytes; 0: none
   int column = 0;
-  glm::dvec4 factors{0}, magnitudes{0};  // times the product, and times its absolute value
+  glm::dvec4 factors{0}, magnitudes{0};  // factors of the product and of its absolute value
 };
 
 /// A component of a vertex attribute: "color", 3.
 struct AttributeComponent {
-  std::string attribute;  // "gl_Color" included; empty: none
+  std::string attribute;  // may be "gl_Color"; empty: none
   int component = 0;
   auto operator<=>(const AttributeComponent&) const = default;
 };
@@ -60,28 +60,28 @@ struct VaryingComponent {
   std::optional<double> value;
   AttributeComponent attribute;
 };
-/// The components of each one; gl_FrontColor and gl_BackColor included.
+/// Components of each varying, including gl_FrontColor and gl_BackColor.
 using Varyings = std::map<std::string, std::vector<VaryingComponent>, std::less<>>;
 
 /// Bounds of the alpha of all fragments that are not discarded.
 struct Opacity {
-  /// At least kMin, if max(), min() and clamp() of a NaN and a number return the number.
+  /// Alpha is at least kMin, if max(), min() and clamp() of a NaN and a number return the number.
   bool opaque = false;
-  bool exact = false;                    // 1, to the bit
-  std::vector<AttributeComponent> ones;  // where these are 1 at all vertices
+  bool exact = false;                    // alpha is exactly 1
+  std::vector<AttributeComponent> ones;  // condition: these are 1 at all vertices
 
-  static constexpr double kMin = 0.999;  // 255 where a byte holds it
+  static constexpr double kMin = 0.999;  // stored as 255 in a byte
 };
 
 /// gl_Position = (clipFromAttribute + all terms) * attribute.
 struct LinearPosition {
-  std::string attribute;  // "gl_Vertex" included
+  std::string attribute;  // may be "gl_Vertex"
   int components = 3;     // relevant components of the attribute; the others are (0, 0, 1)
   glm::dmat4 clipFromAttribute;
   /// Upper bounds of the sums of absolute values in each element, as the scale of rounding errors.
   glm::dmat4 magnitudes;
   std::vector<InstanceColumnTerm> terms;
-  std::vector<InstanceColumn> columns;  // whose numbers `terms` has, one column after the other
+  std::vector<InstanceColumn> columns;  // columns whose components `terms` uses, in their order
 
   static constexpr size_t kNumbers = 256;
   /// Computes the matrix for these values; numbers[0] is 1. Returns false if they are too large for single
@@ -104,14 +104,13 @@ class ShaderSlice {
 
 class PositionSlice : public ShaderSlice {
  public:
-  /// `source`: text of the vertex shaders of a shader program, one after the other, as the host program gave
-  /// them.
+  /// `source`: concatenated texts of a shader program's vertex shaders, as the host program gave them.
   explicit PositionSlice(std::string_view source) : ShaderSlice(source) {}
 
-  /// Short reason why positions are unknown for any uniforms; empty: none.
+  /// Short reason why positions are unknown for any uniforms; empty if there is none.
   const std::string& why() const;
-  /// None if not linear in one vertex attribute with these values; then sets `why`. `varyings`: receives the
-  /// fragment shader's inputs.
+  /// Evaluates gl_Position for these values. Returns nullopt, and sets `why`, if it is not linear in one
+  /// vertex attribute. `varyings`: receives the fragment shader's inputs.
   std::optional<LinearPosition> evaluate(const UniformSource& uniforms, std::string& why,
                                          const InstanceAttributes& instances = {},
                                          Varyings* varyings = nullptr) const;
@@ -119,7 +118,7 @@ class PositionSlice : public ShaderSlice {
 
 class AlphaSlice : public ShaderSlice {
  public:
-  /// `source`: text of the fragment shaders of a shader program, as above.
+  /// `source`: concatenated texts of a shader program's fragment shaders, as the host program gave them.
   explicit AlphaSlice(std::string_view source) : ShaderSlice(source) {}
 
   /// `varyings`: outputs of the vertex shader, including "gl_Color".

@@ -114,7 +114,7 @@ TEST(PositionSlice, FollowsWhatIsKnown) {
   expectMatrix(kHead + "void main() { gl_Position = P * vec4(mix(p, p + offset, 0.0), 1.0); }", P);
 }
 
-/// The real OpenGL multiplies both matrices: rounding is relative to what is added up in that.
+/// The real OpenGL multiplies both matrices: rounding is relative to the summands of that product.
 TEST(PositionSlice, KnowsHowBuiltInMatricesAreMade) {
   FakeUniforms u;
   const glm::dmat4 projection = matrix(1), view = matrix(2);
@@ -200,7 +200,7 @@ TEST(PositionSlice, RefusesWhatIsNotLinear) {
   expectUnknown("in vec3 p; uniform mat4 missing; void main() { gl_Position = missing * vec4(p, 1.0); }");
 }
 
-// Long chains are deep trees, which are followed and freed by recursion.
+// Long chains make deep trees, which are visited and freed by recursion.
 TEST(PositionSlice, RefusesLongChains) {
   for (const std::string link : {" + 0.0 * p.x", ", p.x", " * 1.0", ".x"}) {
     std::string chain = "p.x";
@@ -211,7 +211,7 @@ TEST(PositionSlice, RefusesLongChains) {
   }
 }
 
-// Nested as deeply as the parser accepts, and calls of functions in each other, on a thread of 64 kB.
+// Nesting as deep as the parser accepts, and functions that call each other, on a thread with 64 kB of stack.
 TEST(PositionSlice, DeepShadersFitSmallStacks) {
   std::string body = "p.x", functions = "float f0(float a) { return a; } ";
   for (int i = 0; i < 90; ++i) body = "(" + body + ")";

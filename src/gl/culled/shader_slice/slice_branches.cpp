@@ -1,5 +1,5 @@
-// Parts of a shader that may or may not be executed: both ways are followed, and what they have in common is
-// kept. Where jumps make that impossible, all that they may assign is forgotten.
+// Conditional parts of a shader: interprets both branches, and joins their results. If jumps prevent this,
+// all variables that they may assign become unknown.
 #include "gl/culled/shader_slice/slice_functions.h"
 #include "gl/culled/shader_slice/slice_run.h"
 
@@ -10,9 +10,9 @@ namespace gluray::gl::glsl {
 namespace {
 
 constexpr int kMaxBranchSteps = 4000;
-constexpr size_t kValuesOfAStep = 64;  // that are copied in the time of a step
+constexpr size_t kValuesOfAStep = 64;  // values copied in the time of one step
 
-/// Whether it may leave a loop that is around it, or go to its next turn.
+/// Whether the statement may leave a loop around it, or continue with its next iteration.
 bool jumps(const Statement& s) {
   using Kind = Statement::Kind;
   if (s.kind == Kind::leave || s.kind == Kind::next) return true;
@@ -20,7 +20,7 @@ bool jumps(const Statement& s) {
   return std::ranges::any_of(s.parts, [](const StatementPtr& part) { return part && jumps(*part); });
 }
 
-/// The limit is another one while it lives.
+/// Sets another step limit during its lifetime.
 class StepLimit {
  public:
   StepLimit(int& limit, int value) : limit_(limit), before_(std::exchange(limit, value)) {}
@@ -69,7 +69,7 @@ void SliceRun::joinWith(const State& other) {
     join(scopes[i], other.frame.scopes[i]);
 }
 
-/// The function may end here.
+/// Records that the function may return here.
 void SliceRun::mayEnd() {
   Frame& frame = frames_.back();
   auto ended = std::make_shared<Ended>(Ended{globals_, frame.scopes[0], frame.result});
@@ -141,7 +141,7 @@ void SliceRun::forgetAssigned(const Statement& statement) {
   if (returns) throw Unfollowed();
 }
 
-/// `returns`: it may leave the function, or a loop around it.
+/// `returns`: set if the statement may return from the function or leave a loop around it.
 void SliceRun::assignedBy(const Statement& s, std::set<std::string_view>& names, bool& returns, int depth) {
   using Kind = Statement::Kind;
   tick();
@@ -155,7 +155,7 @@ void SliceRun::assignedBy(const Statement& s, std::set<std::string_view>& names,
     if (variable.value) assignedBy(*variable.value, names, depth);
   for (const StatementPtr& part : s.parts)
     if (part) assignedBy(*part, names, jumpsStayInside ? inner : returns, depth);
-  // A return inside of a loop looks like its break here.
+  // A return inside a loop is treated like the loop's break.
   returns = returns || inner;
 }
 
@@ -182,7 +182,7 @@ void SliceRun::assignedBy(const Expression& e, std::set<std::string_view>& names
 
 void SliceRun::forget(const std::set<std::string_view>& names) {
   for (const std::string_view name : names) {
-    // Functions that were called may mean globals of the same name.
+    // Called functions may refer to globals of the same name.
     if (const auto global = globals_.find(name); global != globals_.end()) global->second.forget();
     for (Scope& scope : frames_.back().scopes)
       if (const auto found = scope.find(name); found != scope.end()) found->second.forget();

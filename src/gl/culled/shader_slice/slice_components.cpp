@@ -10,7 +10,7 @@ namespace {
 
 using Linears = std::vector<Linear>;
 using Each = std::function<Linear(const Linears&)>;
-/// A function, of so many arguments.
+/// A function with this number of arguments.
 struct ByComponents {
   size_t arguments = 1;
   Each each;
@@ -37,7 +37,7 @@ Linear absolute(const Linears& x) {
   return x[0].value() < 0 ? product(x[0], Linear::constant(-1)) : x[0];
 }
 
-/// `error` and `gain` as those of computed().
+/// `error` and `gain` have the same meaning as in computed().
 ByComponents ofConstants(double (*function)(double), double error, double (*gain)(double),
                          Range (*range)(const Range&)) {
   return {1, [=](const Linears& x) {
@@ -46,7 +46,7 @@ ByComponents ofConstants(double (*function)(double), double error, double (*gain
           }};
 }
 
-/// For functions that jump: not near a jump.
+/// For step functions: unknown near a step.
 ByComponents stepping(double (*function)(double)) {
   return {1, [=](const Linears& x) {
             if (!x[0].isConstant()) return Linear::unknown();
@@ -60,12 +60,12 @@ ByComponents scaling(double by) {
   return {1, [=](const Linears& x) { return product(x[0], Linear::constant(by, false)); }};
 }
 
-/// A function of which only the range is known.
+/// A function whose result is known only by its range.
 ByComponents ranging(Range (*range)(const Range&)) {
   return {1, [=](const Linears& x) { return within(range(rangeOf(x[0]))); }};
 }
 
-/// Of comparisons, or between 0 and 1 by a clamp.
+/// Results of comparisons, or of a clamp to [0, 1].
 ByComponents fromZeroToOne(size_t arguments) {
   return {arguments, [](const Linears&) { return within({0, 1, true}); }};
 }
@@ -104,7 +104,7 @@ const std::map<std::string_view, ByComponents>& functions() {
   return table;
 }
 
-/// Whether the result of function `name`, which is not in the table, has the type of its arguments.
+/// Whether function `name`, which is not in the table, returns a value of its arguments' type.
 bool keepsType(std::string_view name, const Shape& shape) {
   if (shape.base != Shape::Base::floats || name == "determinant" || name == "outerProduct") return false;
   for (const std::string_view start : {"texture", "texel", "shadow", "is", "pack", "float", "noise"})
@@ -118,7 +118,7 @@ Value callByComponents(std::string_view name, const Shape& shape, const std::vec
   const auto found = functions().find(name);
   if (found == functions().end()) return keepsType(name, shape) ? Value::unknown(shape) : Value();
   if (arguments.size() != found->second.arguments) return {};
-  // mix() with booleans chooses.
+  // mix() with booleans selects components.
   if (arguments.back().shape.base == Shape::Base::booleans) return Value::unknown(shape);
   Value r;
   r.shape = shape;

@@ -11,7 +11,7 @@ namespace {
 
 using Base = Shape::Base;
 
-/// Whether the names of variables begin so only in the language itself.
+/// Whether only the language itself declares such a name.
 bool isBuiltIn(std::string_view name) { return name.starts_with("gl_"); }
 
 Value literal(std::string_view text) {
@@ -77,7 +77,7 @@ Value SliceRun::name(std::string_view name) {
     attribute.variable.type.name = "vec4", attribute.variable.name = name;
     return globals_[name] = attributeValue(attribute);
   }
-  // A product of matrices in single precision.
+  // The matrix is a product in single precision.
   if (name == "gl_ModelViewProjectionMatrix")
     return binaryOperator("*", this->name("gl_ProjectionMatrix"), this->name("gl_ModelViewMatrix"));
   TypeName type;
@@ -152,7 +152,7 @@ Value SliceRun::call(const Expression& e) {
   }
   const bool own = std::ranges::any_of(tree_.functions, [&](const Function& f) { return f.name == e.text; });
   if (isBuiltInFunction(e.text) && !own) return callBuiltIn(e.text, arguments);
-  // It may change any global, and what it is given.
+  // The function may change any global, and its arguments.
   for (const ExpressionPtr& part : e.parts)
     if (placeOf(*part)) store(*part, Value());
   forgetEverything();

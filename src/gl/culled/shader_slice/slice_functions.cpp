@@ -167,8 +167,8 @@ Value callBuiltIn(std::string_view name, const std::vector<Value>& arguments) {
   return shape.base == Base::opaque ? Value() : callByComponents(name, shape, arguments);
 }
 
-/// A vector of which only the last components are known: those of single numbers after an argument of unknown
-/// type, which gives all others (GLSL 4.60, 5.4.2: none of the arguments may be left over).
+/// A vector with only the last components known. The last arguments are scalars; an argument of unknown type
+/// before them provides all other components (GLSL 4.60, 5.4.2: no argument may be unused).
 Value constructedEnd(const Shape& shape, const std::vector<Value>& arguments) {
   Value r = Value::unknown(shape);
   auto to = r.components.rbegin();

@@ -8,7 +8,7 @@
 namespace gluray::gl::glsl {
 namespace {
 
-/// Of a known matrix; rounding errors as of elimination.
+/// The inverse of a known matrix, with the rounding errors of elimination.
 template <int N>
 Value inverseOf(const Value& m) {
   glm::mat<N, N, double> matrix(0);
@@ -25,7 +25,7 @@ Value inverseOf(const Value& m) {
   for (int c = 0; c < N; ++c)
     for (int r = 0; r < N; ++r) {
       Linear l = Linear::constant(inverse[c][r], false);
-      // The first-order error of an inverse: the inverse times the error times the inverse.
+      // First-order error of an inverse: inverse times error times inverse.
       l.magnitudes[4] = 16 * N * N * mostInverse * most * mostInverse + std::abs(inverse[c][r]);
       result.components[static_cast<size_t>(c * N + r)] = l;
     }

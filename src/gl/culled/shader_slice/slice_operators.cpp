@@ -15,7 +15,7 @@ namespace {
 
 using Base = Shape::Base;
 
-/// Less than, if rounding cannot change it.
+/// The order of `a` and `b`, if rounding cannot change it.
 std::optional<int> order(const Linear& a, const Linear& b) {
   if (!a.isConstant() || !b.isConstant()) return std::nullopt;
   const double apart = a.value() - b.value();

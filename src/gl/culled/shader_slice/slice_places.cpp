@@ -1,4 +1,5 @@
-// What expressions of a shader name: variables, their elements, fields and components.
+// Resolves expressions of a shader to the storage that they refer to: variables, elements, fields and
+// components.
 #include "gl/culled/shader_slice/slice_functions.h"
 #include "gl/culled/shader_slice/slice_run.h"
 
@@ -9,7 +10,7 @@ namespace gluray::gl::glsl {
 void SliceRun::store(const Expression& target, const Value& value) {
   const std::optional<Place> place = placeOf(target);
   if (!place) {
-    // Which element is not known, or whose: all of the variable is forgotten.
+    // The element or the variable's part is unknown: forgets the whole variable.
     std::set<std::string_view> names;
     const Expression* of = &target;
     while (of->kind == Expression::Kind::index || of->kind == Expression::Kind::member)
@@ -37,7 +38,7 @@ std::optional<SliceRun::Place> SliceRun::placeOf(const Expression& e) {
   using Kind = Expression::Kind;
   if (e.kind == Kind::name) {
     Value* const value = find(e.text);
-    return value ? std::optional(Place{value, {}}) : std::nullopt;  // else an output of the language's own
+    return value ? std::optional(Place{value, {}}) : std::nullopt;  // else a built-in output
   }
   if (e.kind != Kind::index && e.kind != Kind::member) return std::nullopt;
   std::optional<Place> of = placeOf(*e.parts[0]);
@@ -78,7 +79,7 @@ bool SliceRun::uniformPath(const Expression& e, std::string& path, TypeName& typ
   using Kind = Expression::Kind;
   tick();
   if (e.kind == Kind::name) {
-    if (find(e.text)) return false;  // a local hides it
+    if (find(e.text)) return false;  // a local variable hides it
     const auto uniform = uniformGlobals_.find(e.text);
     if (uniform == uniformGlobals_.end()) return false;
     path = uniform->second->path, type = uniform->second->variable.type, dimension = 0;

@@ -31,7 +31,7 @@ Value SliceRun::run() {
   return stage_ == Stage::vertex ? globals_["gl_Position"] : color();
 }
 
-/// Of the only colour that the fragment shader writes.
+/// The value of the only colour that the fragment shader writes.
 Value SliceRun::color() const {
   const auto valueOf = [&](std::string_view name) { return globals_.find(name)->second; };
   const Global* output = nullptr;
@@ -49,7 +49,7 @@ Value SliceRun::color() const {
 }
 
 void SliceRun::tick() {
-  // Uniforms are read from OpenGL, so a run cannot leave the program's thread for a larger stack.
+  // Uniforms are read from OpenGL, so that a run cannot move to a thread with a larger stack.
   constexpr size_t kStackReserve = size_t{24} << 10;
   if (stackLeft() < kStackReserve) give("the shader nests too deeply for the thread's stack");
   if (++steps_ <= mostSteps_) return;
@@ -85,7 +85,7 @@ SliceRun::Flow SliceRun::execute(const Statement& s) {
       return Flow::result;
     case Kind::leave: return Flow::leave;
     case Kind::next: return Flow::next;
-    case Kind::discard: return Flow::on;  // the value of fragments that are kept is asked for
+    case Kind::discard: return Flow::on;  // the result is for fragments that are not discarded
     case Kind::empty: return Flow::on;
   }
   return Flow::on;

@@ -19,27 +19,28 @@ class SliceRun {
  public:
   enum class Stage { vertex, fragment };
 
-  /// `tree` and `uniforms` must outlive it. `instances`: attributes that have one value for an instance.
-  /// `varyings`: inputs of a fragment shader.
+  /// `tree` and `uniforms` must outlive it. `instances`: attributes with one value per instance. `varyings`:
+  /// inputs of a fragment shader.
   SliceRun(const Tree& tree, const UniformSource& uniforms, Stage stage, InstanceAttributes instances = {},
            Varyings varyings = {});
 
-  /// gl_Position, or the colour of a fragment that is not discarded, at the end of main(). Throws
-  /// std::runtime_error with the reason why it cannot be known.
+  /// Returns gl_Position, or the colour of a fragment that is not discarded, at the end of main(). Throws
+  /// std::runtime_error with the reason if it is unknown.
   Value run();
-  /// Outputs of a vertex shader, after run().
+  /// Outputs of a vertex shader. Call after run().
   Varyings varyings() const;
-  /// Name of attribute number `i`; components that its declaration has.
+  /// Name of attribute number `i`.
   const std::string& attribute(int i) const { return attributes_[static_cast<size_t>(i)].name; }
+  /// Number of components in the declaration of attribute `i`.
   int componentsOf(int i) const { return attributes_[static_cast<size_t>(i)].components; }
-  /// Columns of attributes of the instance, whose numbers follow each other, from 1.
+  /// Columns of instance attributes. Their components are numbered consecutively, from 1.
   const std::vector<InstanceColumn>& instanceColumns() const { return instanceColumns_; }
 
  private:
   static constexpr int kDeepestCalls = 32;
   static constexpr int kMaxSteps = 200'000;
   enum class Flow { on, leave, next, result };
-  /// Thrown if a conditional part may end the function.
+  /// Thrown if a conditional part may return from the function.
   struct Unfollowed {};
   /// Thrown if a conditional part takes too many steps.
   struct TooLong {};
@@ -47,12 +48,12 @@ class SliceRun {
     std::string name;
     int components;
   };
-  struct Place {  // the storage that an expression denotes
+  struct Place {  // the storage that an expression refers to
     Value* value = nullptr;
     std::vector<size_t> components;  // of *value; empty: all of it
   };
   using Scope = std::map<std::string_view, Value>;
-  /// State at points where the function may have ended earlier.
+  /// Joined state of all points where the function may have returned earlier.
   struct Ended {
     Scope globals, parameters;
     Value result;
@@ -60,7 +61,7 @@ class SliceRun {
   struct Frame {
     std::vector<Scope> scopes;
     Value result;
-    std::shared_ptr<const Ended> ended;  // null: nowhere yet
+    std::shared_ptr<const Ended> ended;  // null: it has not returned yet
   };
   /// All state that statements of a function may change.
   struct State {
@@ -91,11 +92,11 @@ class SliceRun {
   /// Joins the values with those of `other`.
   void joinWith(const State& other);
   void mayEnd();
-  /// Joins the end of a function with its earlier ends.
+  /// Joins the state at the function's end with those of its earlier returns.
   void joinEnds();
   void declare(const Variable& variable);
-  /// Makes all variables unknown that the statements may assign. Throws Unfollowed if they may end the
-  /// function.
+  /// Makes all variables unknown that the statements may assign. Throws Unfollowed if the statements may
+  /// return from the function.
   void forgetAssigned(const Statement& statement);
   void assignedBy(const Statement& statement, std::set<std::string_view>& names, bool& returns, int depth);
   void assignedBy(const Expression& expression, std::set<std::string_view>& names, int depth);

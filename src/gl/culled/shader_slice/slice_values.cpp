@@ -1,4 +1,4 @@
-// What the variables of a shader are before it runs: globals, attributes, uniforms.
+// Initial values of a shader's variables: globals, attributes, uniforms.
 #include "gl/culled/shader_slice/slice_functions.h"
 #include "gl/culled/shader_slice/slice_run.h"
 
@@ -67,7 +67,7 @@ Value SliceRun::instanceValue(const std::string& name, const Shape& shape) {
   return v;
 }
 
-/// `unknown` with the components that are the same at all vertices. Interpolation may round them.
+/// Sets the components of `unknown` that are equal at all vertices. Interpolation may round them.
 Value SliceRun::varyingValue(std::string_view name, Value unknown) const {
   const auto found = varyings_.find(name);
   if (found == varyings_.end() || found->second.size() != unknown.components.size()) return unknown;

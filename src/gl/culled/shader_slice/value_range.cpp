@@ -7,15 +7,16 @@ namespace gluray::gl::glsl {
 namespace {
 
 constexpr double kInfinity = Range::kInfinity;
-constexpr double kOneRounding = 1.0 / (1 << 21);  // relative, of one operation
-constexpr double kRoughly = 1.0 / (1 << 10);      // relative, of a transcendental function
+constexpr double kOneRounding = 1.0 / (1 << 21);  // relative error of one operation
+constexpr double kRoughly = 1.0 / (1 << 10);      // relative error of a transcendental function
 
-/// With bounds moved outwards by `rounding`, relatively, and by the least normal number.
+/// The range with its bounds moved outwards by the relative error `rounding` and by the smallest normal
+/// number.
 Range widened(double low, double high, bool number, double rounding = kOneRounding) {
   constexpr double kMax = std::numeric_limits<float>::max(), kMin = std::numeric_limits<float>::min();
   low -= rounding * std::abs(low) + (low == 0 ? 0 : kMin);
   high += rounding * std::abs(high) + (high == 0 ? 0 : kMin);
-  if (!(low > -kMax)) low = -kInfinity;  // also if it is no number
+  if (!(low > -kMax)) low = -kInfinity;  // also if it is NaN
   if (!(high < kMax)) high = kInfinity;
   return {low, high, number};
 }
@@ -77,7 +78,7 @@ Range squareRootOf(const Range& a) {
 }
 
 Range powerOf(const Range& base, const Range& exponent) {
-  if (base.low < 0) return {};  // undefined below 0
+  if (base.low < 0) return {};  // pow() is undefined for negative bases
   const bool number = base.isFinite() && exponent.isFinite() && exponent.low > 0;
   return {0, number && base.high <= 1 ? 1 + kRoughly : kInfinity, number};
 }

@@ -26,9 +26,9 @@ Range negated(const Range& a);
 Range productOf(const Range& a, const Range& b);
 Range quotientOf(const Range& a, const Range& b);
 
-// GLSL leaves min() and max() of a NaN open. Of two arguments of which one is NaN, implementations of IEEE
-// 754's minNum and maxNum, or of comparisons, return one or the other; the ranges below need one that returns
-// the number (FramebufferReader::replacesColors finds out).
+// GLSL does not define min() and max() of a NaN and a number. Implementations by IEEE 754's minNum and
+// maxNum, or by comparisons, return one or the other. The ranges below are valid only for those that return
+// the number (FramebufferReader::replacesColors tests this).
 Range smallerOf(const Range& a, const Range& b);
 Range largerOf(const Range& a, const Range& b);
 

@@ -12,7 +12,7 @@
 namespace gluray::gl {
 namespace {
 
-/// The uniform and the element that `name` means; null: none.
+/// The uniform and the array element that `name` refers to; null if there is none.
 std::pair<const ProgramUniform*, int> elementNamed(const Program& program, std::string_view name) {
   if (const auto it = program.uniforms.find(name); it != program.uniforms.end()) return {&it->second, 0};
   const size_t bracket = name.rfind('[');

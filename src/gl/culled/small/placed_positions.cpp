@@ -8,9 +8,9 @@ namespace gluray::gl {
 namespace {
 
 constexpr size_t kMaxEntries = 8;
-constexpr uint64_t kManyRuns = 256;  // of the shader; then they must be rare among the draws
+constexpr uint64_t kManyRuns = 256;  // runs of the shader; beyond these, runs must be rare among draws
 
-/// Notes what is read, and keeps some uniforms unknown.
+/// Records the uniforms that are read, and keeps some uniforms symbolic.
 class SymbolicUniforms final : public NotingUniforms {
  public:
   SymbolicUniforms(const CurrentUniforms& uniforms, std::vector<ReadUniform>& noted,
@@ -49,8 +49,7 @@ PlacedPositions::Entry* PlacedPositions::known(const CurrentUniforms& uniforms) 
   return nullptr;
 }
 
-/// Uniforms whose values have changed since the last run become unknown numbers, where positions are then
-/// still linear.
+/// Uniforms whose values have changed since the last run become symbols, if positions are then still linear.
 PlacedPositions::Entry& PlacedPositions::runAgain(const CurrentUniforms& uniforms) {
   Names changed;
   if (!entries_.empty())
@@ -64,7 +63,7 @@ PlacedPositions::Entry& PlacedPositions::runAgain(const CurrentUniforms& uniform
     Names more = symbolic_;
     more.insert(name);
     Entry tried = run(uniforms, more);
-    // Whole numbers are never symbolic.
+    // Integers are never symbolic.
     const bool isRead =
         std::ranges::any_of(tried.read, [&](const ReadUniform& r) { return r.place.name == name; });
     if (tried.position && !isRead) {

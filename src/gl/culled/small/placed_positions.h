@@ -31,9 +31,9 @@ class PlacedPositions {
  private:
   using Names = std::set<std::string, std::less<>>;
   struct Entry {
-    std::vector<ReadUniform> read;                // whose values must be the same
-    std::vector<CurrentUniforms::Place> symbols;  // of the position's columns, in their order
-    std::optional<LinearPosition> position;       // nothing: not linear
+    std::vector<ReadUniform> read;                // the entry is valid while these values are equal
+    std::vector<CurrentUniforms::Place> symbols;  // uniforms of the position's columns, in their order
+    std::optional<LinearPosition> position;       // nullopt: not linear
   };
 
   Entry* known(const CurrentUniforms& uniforms);

@@ -1,4 +1,5 @@
-// Places of many draws by one run of the shader: those of a run for each draw, whichever uniforms change.
+// Transforms of many draws found by one run of the shader equal those of a run for each draw, whichever
+// uniforms change.
 #include "gl/culled/small/placed_positions.h"
 
 #include "gl/glsl/program.h"
@@ -52,7 +53,7 @@ class PlacedPositionsTest : public testing::Test {
   }
   CurrentUniforms uniforms() const { return {real_, program_, true}; }
 
-  /// Expects what a run of the shader for these values alone finds. Magnitudes may be larger.
+  /// Expects the result of a run of the shader for these values alone. Magnitudes may be larger.
   void expectPlaced(PlacedPositions& positions, const PositionSlice& slice) const {
     PlacedPosition found;
     ASSERT_TRUE(positions.find(uniforms(), found));
@@ -90,8 +91,8 @@ TEST_F(PlacedPositionsTest, AreThoseOfARunForEachDraw) {
   }
 }
 
-/// A matrix that has changed once is an unknown number from then on: another value of it takes no run, which
-/// would read all uniforms again.
+/// A matrix that has changed once becomes a symbol. Another value of it then needs no run, which would read
+/// all uniforms again.
 TEST_F(PlacedPositionsTest, TakeNoRunForAnotherValue) {
   const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * (M * vec4(p, 1.0)); }");
@@ -113,7 +114,7 @@ TEST_F(PlacedPositionsTest, TakeNoRunForAnotherValue) {
   }
 }
 
-/// Whole numbers decide branches and loops, and are never unknown.
+/// Integers decide branches and loops, and never become symbols.
 TEST_F(PlacedPositionsTest, OfOtherBranchesAreOtherRuns) {
   const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { vec4 at = vec4(p, 1.0);\n"
@@ -131,7 +132,7 @@ TEST_F(PlacedPositionsTest, OfOtherBranchesAreOtherRuns) {
   }
 }
 
-/// Sines of a uniform are known while it is a constant, and never become polynomials.
+/// Sines of a uniform are known while the uniform is a constant. They never become polynomials.
 TEST_F(PlacedPositionsTest, OfFunctionsThatAreNoPolynomials) {
   const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * (M * vec4(p * (2.0 + sin(size)), 1.0)); }");
@@ -156,7 +157,7 @@ TEST_F(PlacedPositionsTest, AreNotFoundWhereTheyAreNotLinear) {
   EXPECT_TRUE(positions.find(uniforms(), found));
 }
 
-/// Where nearly each draw would take a run, finding out costs more than it saves.
+/// If nearly each draw would need a run, the runs cost more than they save.
 TEST_F(PlacedPositionsTest, GiveUpWhereRunsAreMany) {
   const PositionSlice slice(std::string(kPlacedAttributes) +
                             "void main() { gl_Position = P * vec4(p * (2.0 + sin(size)), 1.0); }");

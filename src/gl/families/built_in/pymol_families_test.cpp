@@ -1,4 +1,5 @@
-// The families of PyMOL's surfaces: its programs fit, those with effects that are not described do not.
+// The families of PyMOL's surfaces: PyMOL's programs fit; programs with effects that no family describes do
+// not.
 #include "gl/testing/test_match.h"
 #include "gl/testing/test_pymol_text.h"
 

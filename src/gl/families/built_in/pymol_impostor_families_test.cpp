@@ -1,5 +1,5 @@
-// The families of PyMOL's spheres and sticks: its programs fit, those with effects that are not described do
-// not.
+// The families of PyMOL's spheres and sticks: PyMOL's programs fit; programs with effects that no family
+// describes do not.
 #include "gl/testing/test_match.h"
 #include "gl/testing/test_pymol_text.h"
 
@@ -95,7 +95,7 @@ class PyMolImpostorStatements : public PyMolImpostorFamilies {
     const std::string name = sticks ? "PyMOL sticks" : "PyMOL spheres", common = textOf(name, "blocks"),
                       perspective = textOf(name + ", perspective", "blocks"),
                       own = textOf(name, "statements"), lights = textOf("PyMOL lights", "statements");
-    const std::string& both = sticks ? common : perspective;  // the one with both shaders' statements
+    const std::string& both = sticks ? common : perspective;  // the text with both shaders' statements
     const size_t between = both.find("\n\n"), half = sticks ? own.find("bool get_bit_and_shift") : own.size(),
                  second = lights.find("vec4 ApplyLighting", lights.find("vec4 ApplyLighting") + 1);
     std::string vertex = own.substr(0, half) + "void main() {\n" + both.substr(0, between) + "\n}\n";

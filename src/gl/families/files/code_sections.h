@@ -8,7 +8,8 @@
 
 namespace gluray::gl {
 
-/// Adds one section's statements to the section of its name. On mistakes throws FamilyError with its line.
+/// Adds the statements of one section to the section of the same name. Throws FamilyError with the line of a
+/// mistake.
 void readCode(const toml::table& table, const std::string& file, CodeSections& sections);
 
 }  // namespace gluray::gl

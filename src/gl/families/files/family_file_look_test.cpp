@@ -1,4 +1,4 @@
-// Family files: keys of fog, of the lights' highlights and of back faces.
+// Family files: keys of fog, of light highlights and of back faces.
 #include "gl/families/components.h"
 #include "gl/families/family.h"
 #include "gl/testing/test_family_text.h"

@@ -36,7 +36,7 @@ std::string mistakeInSentBillboards(const Family& family) {
   return "";
 }
 
-/// Built-in variables: only known ones, and in programs whose statements are compared.
+/// Built-in variables must be known ones, in a program whose statements are compared.
 std::string mistakeInBuiltIns(const Family& family) {
   for (const std::string& name : family.mentioned)
     if (isBuiltIn(name) && !isBuiltInAttribute(name) && builtInUniformType(name) == 0)
@@ -99,7 +99,7 @@ std::string mistakeInImpostors(const Family& family) {
   return mistakeInSentBillboards(family);
 }
 
-/// A key that must be there; empty: none is missing.
+/// The name of a required key that is missing; empty if none is.
 std::string missingKey(const Family& family) {
   const FamilyImpostors& f = family.impostors;
   const bool traced = family.rasteriseBecause.empty();

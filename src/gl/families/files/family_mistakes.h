@@ -6,7 +6,7 @@
 
 namespace gluray::gl {
 
-/// What is wrong with the family, as it follows its name: ": ..." or " needs ..."; empty: nothing.
+/// The family's mistake as a phrase that follows its name: ": ..." or " needs ..."; empty if there is none.
 std::string mistakeIn(const Family& family);
 
 }  // namespace gluray::gl

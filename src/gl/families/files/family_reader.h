@@ -34,7 +34,7 @@ class FamilyReader : FamilyTable {
   void readMaterial(FamilyMaterial& m);
   void readLights();
   void readHighlights();
-  /// Mentions the variables of lights with names.
+  /// Adds the variables of named lights to those that the family mentions.
   void mentionNamedLights();
   void readPbr();
   void readFog();

@@ -57,7 +57,7 @@ void FamilyTable::texts(const char* key, std::vector<std::string>& out) {
   });
 }
 
-/// The name or, of a list, the first name; the others become its alternatives.
+/// The name or, for a list, its first name; the others become its alternatives.
 std::string FamilyTable::nameIn(const char* key, const toml::node& node) {
   std::vector<std::string> names;
   eachOf(node, [&](const toml::node& item) {
@@ -136,7 +136,7 @@ void FamilyTable::eachValue(const char* key, std::vector<FamilyValue>& out) {
     FamilyValue& value = out.emplace_back();
     if (item.is_string()) {
       value.uniform = nameIn(key, item);
-      mention(value.uniform.substr(0, value.uniform.rfind('[')));  // of an element: the array
+      mention(value.uniform.substr(0, value.uniform.rfind('[')));  // of an array element: mentions the array
     } else {
       value.constant = numbersIn(key, item, 1);
     }

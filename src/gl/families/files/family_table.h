@@ -1,4 +1,4 @@
-// Typed access to a TOML table of a family file; keys that nobody reads are errors. Private to
+// Typed access to a TOML table of a family file. Keys that are never read are errors. Private to
 // family_file.cpp and code_sections.cpp.
 #pragma once
 #include "gl/families/family.h"
@@ -26,20 +26,21 @@ class FamilyTable {
   const toml::node& at(const char* key) const { return *table_->get(key); }
   std::string placeOf(const toml::node& node) const;  // "FILE:LINE"
 
-  /// A text that is not a variable's name; texts(): a list of them, or one.
+  /// A text that is not the name of a variable.
   void text(const char* key, std::string& out);
+  /// Such a text, or a list of them.
   void texts(const char* key, std::vector<std::string>& out);
-  /// A variable's name, or a list of the name and its alternatives. names(): a list of these, or one name.
+  /// The name of a variable, or a list of the name and its alternatives.
   void name(const char* key, std::string& out);
+  /// A list of names, each of which may have alternatives, or one name.
   void names(const char* key, std::vector<std::string>& out);
   void flag(const char* key, bool& out);
-  /// Adds a name to those that are mentioned; of an element or a component, also the whole.
+  /// Records that the family mentions `name`. For an element or a component, also records the whole variable.
   void mention(const std::string& name);
   /// A uniform's name or list of alternatives, a number, or a list of numbers. A name may end with a
-  /// component
-  /// ("ambient.r").
+  /// component ("ambient.r").
   void value(const char* key, FamilyValue& out);
-  /// A list of uniforms' names or numbers, or one.
+  /// A list of uniforms' names or numbers, or one of these.
   void eachValue(const char* key, std::vector<FamilyValue>& out);
   /// A list of three uniforms' names or numbers, or one for all three.
   void values(const char* key, FamilyValue (&out)[3]);
@@ -49,7 +50,7 @@ class FamilyTable {
   void flagOrName(const char* key, bool& flag, std::string& name);
   /// A section of uniforms with the values at which they have no effect.
   void neutralValues(const char* key, NeutralValues& out);
-  /// One of several words.
+  /// One of several words; each stands for a value.
   template <class Enum, size_t n>
   void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {
     std::string word;
@@ -77,7 +78,7 @@ class FamilyTable {
     known_.swap(known);
     table_ = outer;
   }
-  /// Throws if the section has a key that nobody has read.
+  /// Throws if the section has a key that was not read.
   void allKnown() const;
 
  private:
