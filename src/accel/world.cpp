@@ -20,7 +20,7 @@ bool isImpostors(const scene::Instance& i) { return i.mesh->shape != scene::Shap
 bool isPage(const scene::Instance& i) { return i.mesh->residence != nullptr; }
 
 Geometry geometryOf(const scene::Instance& instance, const scene::Camera& camera) {
-  Geometry geometry{instance.mesh.get(), {}};
+  Geometry geometry{instance.mesh.get(), {}, &instance.mesh};
   if (isImpostors(instance)) geometry.reach = reachOf(instance, camera);
   return geometry;
 }

@@ -73,6 +73,8 @@ class World {
   /// Whether primary rays may hit impostors.
   bool hasImpostors() const { return hasImpostors_; }
   const PlacedImpostors& impostorsOf(uint32_t instance) const { return impostors_[instance]; }
+  /// Frees the structures of meshes that no longer exist.
+  void releaseOrphans() { cache_.evictOrphans(); }
   /// Bytes of all structures at present.
   size_t bytes() const { return Device::bytes(); }
   size_t cachedBlases() const { return cache_.size(); }

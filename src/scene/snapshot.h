@@ -164,6 +164,9 @@ struct Snapshot {
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
   std::shared_ptr<const SecondaryScene> secondaryScene;  // null: no other surfaces block or reflect light
+  // Diagonal of the scene's bounds in eye space, where the program leaves out parts of the scene that are out
+  // of view; 0: the surfaces above are the whole scene.
+  float extent = 0;
   GroundUse ground = GroundUse::none;
   // The surfaces are already in the framebuffer. The image is black, with the fraction of blocked light as
   // opacity; empty without light effects.

@@ -46,7 +46,8 @@ void BlasCache::beginBatch(uint64_t frame) {
   if (clock_ - entry.lastUsed <= kGone) entry.built = BvhQuality::full;
 }
 
-BlasPtr BlasCache::use(Entry& entry) {
+BlasPtr BlasCache::use(Entry& entry, const Geometry& geometry) {
+  if (geometry.owner && entry.mesh.expired()) entry.mesh = *geometry.owner;
   if (entry.lastUsed != clock_) ++entry.batches;
   entry.lastUsed = clock_;
   entry.lastFrame = frames_;
@@ -72,7 +73,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
     if (mesh.triangleCount == 0) continue;
     const Key key{wanted[i].id(), quality};
     if (const auto known = entries_.find(key); known != entries_.end()) {
-      result[i] = use(known->second);
+      result[i] = use(known->second, wanted[i]);
       if (!mesh.residence && !refinement_.busy() &&
           worthRefining(quality, known->second.built, known->second.batches))
         refine(key, known->second, wanted[i]);
@@ -90,7 +91,7 @@ std::vector<BlasPtr> BlasCache::get(const std::vector<Geometry>& wanted, BvhQual
       else
         blas = made(wanted[i], first);
       const bool returns = std::find(freed_.begin(), freed_.end(), key.geometry) != freed_.end();
-      coming.push_back({key, {blas, first, clock_, frames_, 1, returns}});
+      coming.push_back({key, {blas, first, clock_, frames_, 1, returns, false, wanted[i].weakOwner()}});
     }
     result[i] = blas;
   }
@@ -116,7 +117,7 @@ std::vector<BlasPtr> BlasCache::aside(const std::vector<Geometry>& wanted, BvhQu
       if (started.size() == 1) waiting = waitingOf(wanted, quality);
       const BvhQuality first = firstQuality(quality, wanted[i].mesh->triangleCount, waiting, freeMemory_);
       blas = made(wanted[i], first);
-      coming.push_back({key, {blas, first, clock_, frames_, 0, false}});
+      coming.push_back({key, {blas, first, clock_, frames_, 0, false, false, wanted[i].weakOwner()}});
     }
     result[i] = blas;
   }
@@ -254,6 +255,10 @@ void BlasCache::evict() {
     if (needed <= free) most = std::max(most, needed);
   }
   evictDownTo(most);
+}
+
+void BlasCache::evictOrphans() {
+  std::erase_if(entries_, [](const auto& one) { return one.second.mesh.expired(); });
 }
 
 bool BlasCache::evictAllIdle() {

@@ -6,6 +6,7 @@
 #include "base/background_job.h"
 
 #include <array>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -38,6 +39,9 @@ class BlasCache {
   bool thriftHelps(const std::vector<Geometry>& wanted, BvhQuality) const;
   /// Frees idle structures beyond the budget.
   void evict();
+  /// Frees the structures whose meshes no longer exist, because their contexts were destroyed, or whose
+  /// Geometry did not name an owner.
+  void evictOrphans();
   /// Frees every idle structure and cancels the background build; true if there were any.
   bool evictAllIdle();
 
@@ -62,14 +66,15 @@ class BlasCache {
   };
   struct Entry {
     BlasPtr blas;
-    BvhQuality built = BvhQuality::full;   // never automatic
-    uint64_t lastUsed = 0, lastFrame = 0;  // clock_ and frames_ at the last use
-    uint64_t batches = 0;                  // number of batches that used it
-    bool returns = false;                  // it was freed and soon requested again
-    bool needed = false;                   // set by evict(): expected to be used again soon
+    BvhQuality built = BvhQuality::full;         // never automatic
+    uint64_t lastUsed = 0, lastFrame = 0;        // clock_ and frames_ at the last use
+    uint64_t batches = 0;                        // number of batches that used it
+    bool returns = false;                        // it was freed and soon requested again
+    bool needed = false;                         // set by evict(): expected to be used again soon
+    std::weak_ptr<const scene::Mesh> mesh = {};  // for which it is used
   };
   bool evictDownTo(size_t bytes);
-  BlasPtr use(Entry& entry);
+  BlasPtr use(Entry& entry, const Geometry& geometry);
   bool isRecent(const Entry& entry) const;
   Waiting waitingOf(const std::vector<Geometry>& wanted, BvhQuality) const;
   void build(std::vector<std::pair<Key, Entry>>& coming);

@@ -29,6 +29,21 @@ TEST_F(BlasCacheTest, IdleStructuresAreEvictedBeyondTheBudget) {
   EXPECT_GT(world.bytes(), 0u);
 }
 
+TEST_F(BlasCacheTest, StructuresOfLostMeshesAreReleased) {
+  const auto kept = makeSnapshot({makeMesh(squareData(0))});
+  update(kept);
+  update(makeSnapshot({makeMesh(squareData(1))}));
+  EXPECT_EQ(world.cachedBlases(), 2u) << "the mesh is gone, and its content may come back";
+  world.releaseOrphans();
+  EXPECT_EQ(world.cachedBlases(), 1u);
+  EXPECT_EQ(update(kept).blasBuilds, 0u);
+  update(makeSnapshot({makeMesh(squareData(1))}));
+  const auto again = makeSnapshot({makeMesh(squareData(1))});
+  EXPECT_EQ(update(again).blasBuilds, 0u) << "of equal content";
+  world.releaseOrphans();
+  EXPECT_EQ(world.cachedBlases(), 2u) << "it belongs to the new mesh";
+}
+
 // A frame of two batches: during each, the other's structure is idle.
 TEST_F(BlasCacheTest, RecentStructuresAreKeptWhileMemoryIsFree) {
   const auto first = makeSnapshot({makeMesh(squareData(0))}),

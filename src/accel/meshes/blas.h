@@ -27,6 +27,10 @@ namespace gluray::accel {
 struct Geometry {
   const scene::Mesh* mesh = nullptr;
   ImpostorReach reach;
+  const scene::MeshPtr* owner = nullptr;  // of `mesh`; null: not known
+  std::weak_ptr<const scene::Mesh> weakOwner() const {
+    return owner ? *owner : std::weak_ptr<const scene::Mesh>();
+  }
   /// Equal ids mean equal structures.
   Hash128 id() const;
 };

@@ -163,10 +163,10 @@ void fields(auto& archive, Like<scene::SecondaryScene> auto& value) {
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
          samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-         instances, secondaryScene, ground, catches, backdrop, settings] = value;
+         instances, secondaryScene, extent, ground, catches, backdrop, settings] = value;
   archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
           samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-          instances, secondaryScene, ground, catches, backdrop, settings);
+          instances, secondaryScene, extent, ground, catches, backdrop, settings);
 }
 
 }  // namespace gluray::cluster

@@ -57,7 +57,7 @@ bool ImageCache::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
                         areSame(entry.around->instances, entry.meshes.data() + s.instances.size(),
                                 s.secondaryScene->instances)))
     return false;
-  return e.samples == s.samples && e.samplePositions == s.samplePositions &&
+  return e.extent == s.extent && e.samples == s.samples && e.samplePositions == s.samplePositions &&
          e.polygonOffset == s.polygonOffset && e.wideColors == s.wideColors && e.laterWins == s.laterWins &&
          e.shadings == s.shadings && e.settings == s.settings && e.ground == s.ground &&
          e.catches == s.catches && isSameLayers(e.layers, s.layers) && isSameWrites(e, s) &&

@@ -19,6 +19,13 @@
 #include <optional>
 
 namespace gluray::frame {
+namespace {
+
+std::atomic<uint64_t> g_contextsGone{0};
+
+}  // namespace
+
+void Renderer::contextGone() noexcept { ++g_contextsGone; }
 
 /// State kept between frames. Each part is made at its first use, and again if that failed.
 class Renderer::Engine {
@@ -40,6 +47,10 @@ class Renderer::Engine {
     const double start = nowSeconds();
     prepareArena(snapshot.settings.threads);
     if (!world_) world_.emplace();
+    if (const uint64_t gone = g_contextsGone; gone != contextsGone_) {
+      contextsGone_ = gone;
+      world_->releaseOrphans();
+    }
     const accel::UpdateStatistics update = [&] {
       const timeline::Span span("build", snapshot.instances.size());
       return world_->update(snapshot, *arena_, staged.hidden());
@@ -104,6 +115,7 @@ class Renderer::Engine {
   render::FxaaMemory fxaaMemory_;
   std::shared_ptr<Arena> arena_;
   std::optional<accel::World> world_;
+  uint64_t contextsGone_ = 0;  // g_contextsGone when orphans were released
   // Of moving frames, by view; none while light is off.
   render::LightHistories histories_;
   std::map<uint64_t, Pace> paces_;

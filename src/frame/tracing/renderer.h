@@ -59,6 +59,10 @@ class Renderer {
   bool renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                   render::MovingTileSource& source, bool averages, render::RemoteSurfaces& remote) noexcept;
 
+  /// A context was destroyed: before the next image, all renderers free the acceleration structures whose
+  /// meshes went with it. Any thread.
+  static void contextGone() noexcept;
+
   /// Whether a full-quality acceleration structure is ready for the next render() to install. False while
   /// another thread uses the renderer. Any thread.
   bool improves() const noexcept;

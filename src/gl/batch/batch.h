@@ -72,6 +72,8 @@ class Batch {
   void setSecondaryScene(std::shared_ptr<const scene::SecondaryScene> secondaryScene) {
     snapshot_->secondaryScene = std::move(secondaryScene);
   }
+  /// Sets Snapshot::extent, after the secondary scene.
+  void setExtent(float extent) { snapshot_->extent = extent; }
   /// Records that colours are not dithered (GL_DITHER).
   void setUndithered() { undithered_ = true; }
   /// Whether the program uses the pixels as data rather than as an image: all surfaces have one colour each,

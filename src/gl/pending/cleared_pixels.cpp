@@ -56,6 +56,7 @@ void PendingBatch::attachSecondaryScene() {
   }
   const bool isLast = p_.clock.shows && batch.key().framebuffer == 0 && p_.shadow.info.doubleBuffered;
   batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting(), isLast));
+  batch.setExtent(p_.surfaces.views.extentOf(batch.waiting()));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());
 }
 

@@ -5,8 +5,10 @@
 #include "scene/mesh.h"
 #include "scene/same_camera.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace gluray::gl {
 namespace {
@@ -60,25 +62,31 @@ bool lightAlike(const scene::SecondaryScene* a, const scene::SecondaryScene* b) 
   return true;
 }
 
-scene::SnapshotPtr relitOf(const ViewEpoch& epoch, size_t batch) {
+scene::SnapshotPtr relitOf(const ViewEpoch& epoch, size_t batch, const SceneExtents& extents) {
   const ViewEpoch::Drawn& drawn = epoch.batches[batch];
   const scene::SnapshotPtr& before = drawn.snapshot;
-  auto relit = std::make_shared<scene::Snapshot>(*before);
-  size_t next = 0;
-  if (!drawn.erased.empty())
+  const bool loses = std::any_of(drawn.erased.begin(), drawn.erased.end(), [](uint8_t e) { return e != 0; });
+  if (epoch.batches.size() == 1 && !before->secondaryScene && !loses) return before;
+  std::shared_ptr<scene::Snapshot> relit;
+  if (loses) {
+    relit = std::make_shared<scene::Snapshot>(*before);
+    size_t next = 0;
     std::erase_if(relit->instances, [&](const scene::Instance&) { return drawn.erased[next++] != 0; });
-  if (relit->instances.empty()) return before;
-  SecondarySceneBuilder maker(*relit);
+    if (relit->instances.empty()) return before;
+  }
+  SecondarySceneBuilder maker(relit ? *relit : *before);
   for (size_t i = 0; i < epoch.batches.size(); ++i) {
     const ViewEpoch::Drawn& other = epoch.batches[i];
     const auto eyeFromPart = i == batch ? std::nullopt : eyeFromEye(*before, *other.snapshot);
     if (eyeFromPart) maker.add(*other.snapshot, *eyeFromPart, other.capture, other.erased);
   }
   const scene::SecondaryScene* const known = before->secondaryScene.get();
-  relit->secondaryScene = maker.takeSecondaryScene(known ? known->viewFromWorld : glm::dmat4(1));
-  const bool isSame =
-      relit->instances.size() == before->instances.size() && lightAlike(known, relit->secondaryScene.get());
-  return isSame ? before : relit;
+  auto secondary = maker.takeSecondaryScene(known ? known->viewFromWorld : glm::dmat4(1));
+  if (!loses && lightAlike(known, secondary.get())) return before;
+  if (!relit) relit = std::make_shared<scene::Snapshot>(*before);
+  relit->secondaryScene = std::move(secondary);
+  relit->extent = extents.extentOf(*relit);
+  return relit;
 }
 
 void eraseSurfaces(ViewEpoch& epoch, const scene::Region& box) {

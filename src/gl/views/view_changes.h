@@ -1,5 +1,6 @@
 // Detects that a view holds other surfaces than its batches were lit with. Used by ViewScenes, GL thread.
 #pragma once
+#include "gl/views/scene_extents.h"
 #include "gl/views/view_epoch.h"
 #include "scene/secondary_scene.h"
 
@@ -12,7 +13,7 @@ bool lightAlike(const scene::SecondaryScene* a, const scene::SecondaryScene* b);
 
 /// The snapshot of one of the epoch's batches without erased surfaces, and with all others as its secondary
 /// scene; the one that it has where light sees no difference. Throws std::bad_alloc.
-scene::SnapshotPtr relitOf(const ViewEpoch& epoch, size_t batch);
+scene::SnapshotPtr relitOf(const ViewEpoch& epoch, size_t batch, const SceneExtents& extents);
 
 /// A clear has removed what the epoch's batches have drawn in `box`: marks the surfaces that lay in it as a
 /// whole. Throws std::bad_alloc.

@@ -32,10 +32,8 @@ Repetition repetitionOf(const ViewEpoch& last, size_t repeated, const scene::Sna
 
 void Movement::compare(const scene::Snapshot& before, const scene::Snapshot& now) {
   const size_t count = std::min(before.instances.size(), now.instances.size());
-  for (size_t i = 0; i < count && moved_.size() < kMax; ++i) {
-    const glm::dmat4 &from = before.instances[i].eyeFromObject, &to = now.instances[i].eyeFromObject;
-    moved_.push_back(from == to ? glm::dmat4(1) : to * glm::inverse(from));
-  }
+  for (size_t i = 0; i < count && moved_.size() < kMax; ++i)
+    compare(before.instances[i].eyeFromObject, now.instances[i].eyeFromObject);
 }
 
 std::optional<glm::dmat4> Movement::shared() const {

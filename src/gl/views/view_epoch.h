@@ -53,6 +53,10 @@ Likeness likenessOf(const scene::Snapshot& earlier, const scene::Snapshot& now);
 class Movement {
  public:
   void compare(const scene::Snapshot& before, const scene::Snapshot& now);
+  /// One surface was at `from`, and is at `to`: eyeFromObject.
+  void compare(const glm::dmat4& from, const glm::dmat4& to) {
+    if (moved_.size() < kMax) moved_.push_back(from == to ? glm::dmat4(1) : to * glm::inverse(from));
+  }
   /// The movement that most surfaces share; none where nothing could be compared.
   std::optional<glm::dmat4> shared() const;
 

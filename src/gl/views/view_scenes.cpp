@@ -2,6 +2,7 @@
 
 #include "base/log.h"
 #include "gl/batch/clears.h"
+#include "gl/views/expected_surfaces.h"
 #include "gl/views/secondary_scene_builder.h"
 #include "gl/views/view_changes.h"
 #include "scene/same_camera.h"
@@ -38,39 +39,6 @@ bool holds(const ViewEpoch& epoch, const BatchKey& key, const scene::Snapshot& s
       !(drawsAside(key) && a.z == b.z && a.w == b.w))
     return false;
   return eyeFromEye(s, epoch.first()).has_value();
-}
-
-/// Adds what `last` drew after the batches that are drawn again by now. `first`: of the view in this frame.
-void addLater(const ViewEpoch& last, const Repetition& now, const glm::dmat4& moved,
-              const scene::Snapshot& first, const scene::Snapshot& s, SecondarySceneBuilder& maker) {
-  maker.nextFrame();
-  for (size_t i = 0; i < now.repeated; ++i) maker.skip(*last.batches[i].snapshot);
-  for (size_t i = now.repeated; i < last.batches.size(); ++i) {
-    const ViewEpoch::Drawn& later = last.batches[i];
-    const auto viewFromPart = eyeFromEye(last.first(), *later.snapshot), eyeFromView = eyeFromEye(s, first);
-    if (!viewFromPart || !eyeFromView) continue;
-    // What stood still while the first surfaces moved does so again.
-    const glm::dmat4 inView = later.still && last.moves ? glm::dmat4(1) : moved;
-    const glm::dmat4 inPart = inView == glm::dmat4(1) || *viewFromPart == glm::dmat4(1)
-                                  ? inView
-                                  : glm::inverse(*viewFromPart) * inView * *viewFromPart;
-    maker.add(*later.snapshot, *eyeFromView * *viewFromPart, later.capture, later.erased, inPart);
-  }
-}
-
-/// How the view has moved since the epoch that it repeats, by what was drawn again up to the batch.
-glm::dmat4 movementOf(const ViewEpoch& last, const ViewEpoch* epoch, const Repetition& now,
-                      const scene::Snapshot& s) {
-  Movement movement;
-  size_t repeated = 0;
-  if (epoch)
-    for (const ViewEpoch::Drawn& drawn : epoch->batches) {
-      const Repetition earlier = repetitionOf(last, repeated, *drawn.snapshot);
-      if (earlier.of) movement.compare(*earlier.of->snapshot, *drawn.snapshot);
-      repeated = earlier.repeated;
-    }
-  if (now.of) movement.compare(*now.of->snapshot, s);
-  return movement.shared().value_or(glm::dmat4(1));
 }
 
 }  // namespace
@@ -126,8 +94,14 @@ std::shared_ptr<const scene::SecondaryScene> ViewScenes::secondaryScene(const Ba
   }
 }
 
+float ViewScenes::extentOf(const scene::Snapshot& s) const noexcept {
+  try {
+    return scene::needsSecondaryScene(s.settings) ? extents_.extentOf(s) : 0;
+  } catch (const std::exception&) { return 0; }  // out of memory
+}
+
 void ViewScenes::forgetUnwanted(const Settings& settings) {
-  if (!scene::needsSecondaryScene(settings)) open_.clear(), ended_.clear();
+  if (!scene::needsSecondaryScene(settings)) open_.clear(), ended_.clear(), extents_.clear();
   if (!wantsShownViews(settings)) shown_.clear();
 }
 
@@ -213,7 +187,7 @@ std::vector<ViewScenes::Outdated> ViewScenes::outdated(GLuint framebuffer) noexc
       for (size_t i = 0; i < epoch.batches.size(); ++i) {
         ViewEpoch::Drawn& drawn = epoch.batches[i];
         if (!drawn.written) continue;
-        const scene::SnapshotPtr now = relitOf(epoch, i);
+        const scene::SnapshotPtr now = relitOf(epoch, i, extents_);
         const bool isOver = !found.empty() && now->layers && now->layers->of == scene::Layers::Of::drawn;
         if (now != drawn.snapshot || isOver)
           found.push_back({epoch.drawBuffer, drawn.snapshot, now, drawn.written});
@@ -237,7 +211,8 @@ scene::SnapshotPtr ViewScenes::broughtUpToDate(const scene::SnapshotPtr& snapsho
   try {
     for (ViewEpoch& epoch : open_)
       for (size_t i = 0; i < epoch.batches.size(); ++i)
-        if (epoch.batches[i].snapshot == snapshot) return epoch.batches[i].snapshot = relitOf(epoch, i);
+        if (epoch.batches[i].snapshot == snapshot)
+          return epoch.batches[i].snapshot = relitOf(epoch, i, extents_);
   } catch (const std::exception&) { forget(); }
   return snapshot;
 }
@@ -259,6 +234,7 @@ void ViewScenes::end(const Ends& ends) noexcept {
   ++clock_;
   try {
     for (auto epoch = first; epoch != open_.end(); ++epoch) {
+      extents_.remember(*epoch);
       if (epoch->batches.size() < 2) continue;  // nothing comes later
       epoch->last.reset();
       for (ViewEpoch::Drawn& drawn : epoch->batches) drawn.written.reset();

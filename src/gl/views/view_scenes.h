@@ -2,6 +2,7 @@
 // although they are traced in several batches (adr/0047). Empty without light effects. A part of each
 // Context, GL thread.
 #pragma once
+#include "gl/views/scene_extents.h"
 #include "gl/views/shown_views.h"
 #include "gl/views/view_epoch.h"
 #include "gl/views/view_frames.h"
@@ -27,6 +28,8 @@ class ViewScenes {
   /// `isLast`: nothing is drawn after it in this frame.
   std::shared_ptr<const scene::SecondaryScene> secondaryScene(const BatchKey&, const scene::Snapshot&,
                                                               bool isLast = false) noexcept;
+  /// Snapshot::extent of the batch, whose secondary scene is known. 0 where no setting asks for light.
+  float extentOf(const scene::Snapshot&) const noexcept;
   /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
   /// shows it.
   scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
@@ -73,7 +76,7 @@ class ViewScenes {
   uint64_t frameOf(const BatchKey&, const scene::Snapshot&) noexcept;
   /// As depthCleared() for the window, whose content is undefined after a swap.
   void swapped() noexcept;
-  void forget() { open_.clear(), ended_.clear(), shown_.clear(); }
+  void forget() { open_.clear(), ended_.clear(), shown_.clear(), extents_.clear(); }
   bool empty() const { return open_.empty() && ended_.empty() && shown_.empty(); }
 
  private:
@@ -89,6 +92,7 @@ class ViewScenes {
   Ended ended_;                  // those of several batches that no open one repeats; the newest one last
   ShownViews shown_;             // while settings ask for a ground or a background
   ViewFrames frames_;
+  SceneExtents extents_;
   uint64_t clock_ = 0;  // counts ends
 };
 

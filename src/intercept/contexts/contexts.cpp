@@ -2,6 +2,7 @@
 
 #include "base/never_destroyed.h"
 #include "base/timeline.h"
+#include "frame/tracing/renderer.h"
 #include "gl/real/extensions.h"
 #include "intercept/contexts/context_record.h"
 #include "intercept/session/families.h"
@@ -177,6 +178,7 @@ void contextDestroyed(Api api, const void* handle) noexcept {
     gone = std::move(it->second);
     registry().records.erase(it);
   });
+  frame::Renderer::contextGone();
 }
 
 void displayTerminated(const void* display) noexcept {

@@ -31,6 +31,7 @@ Metric::Metric(const FrameData& frame) {
   const bool elsewhere = around && around->viewFromWorld != glm::dmat4(1);
   const glm::vec3 sides = elsewhere ? axisScales(m * glm::inverse(around->viewFromWorld)) : axes;
   diagonal = static_cast<float>(glm::length(glm::dvec3(sides) * size));
+  if (!frame.remote && frame.snapshot->extent > 0) diagonal = frame.snapshot->extent;
 }
 
 }  // namespace gluray::render
