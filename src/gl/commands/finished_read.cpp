@@ -17,12 +17,18 @@ bool isPicture(const RealGl& real, const scene::Region& region) {
 
 }  // namespace
 
-void FinishedRead::bind(const scene::Region& region, GLenum format) noexcept {
-  if (flushToRead(format) != Context::Flush::read || context_.clock.passesThrough() ||
-      context_.failsafe.aside() || context_.clock.animates())
-    return;
+void FinishedRead::begin(const scene::Region& region, GLenum format) noexcept {
+  if (flushToRead(format) != Context::Flush::read || context_.failsafe.aside()) return;
   context_.protect([&] {
     if (isPicture(context_.real, region)) context_.relighting.finishRead();
+  });
+  if (context_.shadow.settings.changesImage() && !context_.clock.passesThrough() &&
+      !context_.clock.animates())
+    bind(region);
+}
+
+void FinishedRead::bind(const scene::Region& region) noexcept {
+  context_.protect([&] {
     const PresentResult result = context_.pending.presenter.reader().bindFinished(context_.real, region);
     context_.pending.takeResult(result, true);
     bound_ = result.outcome == PresentResult::traced;

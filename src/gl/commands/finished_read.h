@@ -8,8 +8,7 @@ namespace gluray::gl {
 class FinishedRead {
  public:
   FinishedRead(Context& context, const scene::Region& region, GLenum format) noexcept : context_(context) {
-    if (context.shadow.settings.changesImage()) [[unlikely]]
-      bind(region, format);
+    begin(region, format);
   }
   ~FinishedRead() {
     if (bound_) unbind();
@@ -18,7 +17,8 @@ class FinishedRead {
   FinishedRead& operator=(const FinishedRead&) = delete;
 
  private:
-  void bind(const scene::Region& region, GLenum format) noexcept;
+  void begin(const scene::Region& region, GLenum format) noexcept;
+  void bind(const scene::Region& region) noexcept;
   void unbind() noexcept;
 
   Context& context_;

@@ -67,6 +67,8 @@ void FrameEnds::afterSwap() {
 void FrameEnds::nextFrame() {
   p_.cleared.forget();  // the back buffer is undefined
   p_.clock.forgetPictures();
+  picturesSinceSwap_ = 0;
+  hasSwapped_ = hasSwapped_ || draws() != drawsBefore_;
   p_.surfaces.objects.shown(p_.settings.frame());
   ++p_.counts.statistics.frames;
   if (p_.clock.passesThrough()) ++p_.counts.statistics.framesPassedThrough;
@@ -108,15 +110,20 @@ void FrameEnds::endWithOthers(GLbitfield mask) {
   begun_ = false, drawsBefore_ = draws();
 }
 
-/// In a context that never swaps a frame is one picture of the framebuffer that was cleared first. Others,
-/// such as those of peeled layers or shadow maps, may be cleared and read many times while a picture is made.
+/// In a context that does not swap a frame is one picture of the framebuffer that is cleared before the first
+/// draw. Others, such as those of peeled layers or shadow maps, may be cleared and read many times while a
+/// picture is made. In a context that has swapped, pictures between swaps may be parts of a frame: some must
+/// follow each other first.
 void FrameEnds::endInMemory(GLbitfield mask) {
+  constexpr int kPartsOfFrames = 8;
   Statistics& statistics = p_.counts.statistics;
-  const bool swaps = statistics.frames > 0 || statistics.framesInFront > 0 || othersSwap_;
-  if (!begun_ || swaps || !(mask & GL_COLOR_BUFFER_BIT) || !p_.clock.hasPicture(firstCleared_)) return;
-  const bool isFirst = p_.shadow.target().framebuffer == firstCleared_;
-  if (!isFirst || draws() == drawsBefore_ || !clearsViewport(p_.shadow.real)) return;
+  if (!begun_ || othersSwap_ || statistics.framesInFront > 0 || !(mask & GL_COLOR_BUFFER_BIT)) return;
+  if (draws() == drawsBefore_) return;
+  const bool isPicture = p_.clock.hasPicture(firstCleared_) &&
+                         p_.shadow.target().framebuffer == firstCleared_ && clearsViewport(p_.shadow.real);
+  if (!isPicture) return;
   p_.clock.forgetPictures();
+  if (hasSwapped_ && ++picturesSinceSwap_ <= kPartsOfFrames) return;
   p_.surfaces.objects.shown(p_.settings.frame());
   ++statistics.framesInMemory;
   ++p_.clock.frame;
@@ -128,10 +135,10 @@ void FrameEnds::endInMemory(GLbitfield mask) {
 void FrameEnds::beforeClear(GLbitfield mask) noexcept {
   endWithOthers(mask);
   p_.failsafe.protect([&] { endInMemory(mask); });
-  if (begun_) return;
-  begun_ = true;
-  if (p_.counts.statistics.frames == 0)
+  const bool begins = !std::exchange(begun_, true);
+  if ((mask & GL_COLOR_BUFFER_BIT) && draws() == drawsBefore_)
     p_.failsafe.protect([&] { firstCleared_ = p_.shadow.target().framebuffer; });
+  if (!begins) return;
   p_.settings.beginFrame();
   if (draws() != drawsBefore_) return;
   p_.failsafe.protect([&] { takeSettings(); });

@@ -77,7 +77,9 @@ class FrameEnds {
 
   Parts p_;
   bool begun_ = false;          // this frame has cleared
-  GLuint firstCleared_ = 0;     // the framebuffer that this frame cleared first
+  GLuint firstCleared_ = 0;     // the framebuffer that this frame cleared last before its first draw
+  bool hasSwapped_ = false;     // or finished, in windows with one buffer: frames with draws
+  int picturesSinceSwap_ = 0;   // if so
   uint64_t drawsBefore_ = 0;    // draws before this frame
   uint64_t sourceFrame_;        // FrameSettings::sourceFrame() when a frame was begun last
   bool othersSwap_ = false;     // frames end with those of another context

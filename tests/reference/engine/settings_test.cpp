@@ -1,6 +1,7 @@
 // A frame keeps the settings from its beginning; the next frame takes those stored since.
 #include "scenes/stage.h"
 #include "settings/live/settings_source.h"
+#include "tests/reference/framebuffer.h"
 #include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 
@@ -76,6 +77,41 @@ TEST(SettingsOfFrames, AClearAfterDrawsBeginsNoFrame) {
   source.store(other());
   drawSquares(gl);
   EXPECT_EQ(seen, (std::vector<Settings>{first, first, first}));
+}
+
+/// A program that never swaps draws into a framebuffer object and reads each picture.
+TEST(SettingsOfFrames, PicturesInMemoryAreFrames) {
+  std::vector<Settings> seen;
+  const Settings first = TracedContext::vertexShading();
+  SettingsSource source(first);
+  TracedContext context({kSettingsSize, kSettingsSize}, first, takeSettings(seen), nullptr, familiesOfTests(),
+                        &source);
+  Gl gl = context.gl();
+  bindNewFramebuffer(gl, {kSettingsSize, kSettingsSize}, GL_RGBA8, GL_DEPTH_COMPONENT24);
+  gl.Enable(GL_DEPTH_TEST);
+  const auto draw = [&](bool reads) {
+    std::vector<uint32_t> pixels(size_t{kSettingsSize} * kSettingsSize);
+    scenes::begin(gl, kSettingsSize, kSettingsSize);
+    scenes::camera(gl, kSettingsSize, kSettingsSize);
+    drawBatch(gl, GL_LESS), drawBatch(gl, GL_LEQUAL);
+    if (reads) gl.ReadPixels(0, 0, kSettingsSize, kSettingsSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  };
+  const auto frames = [&] {
+    return static_cast<uint64_t>(context.context().counts.statistics.framesInMemory);
+  };
+  draw(true);
+  source.store(other());
+  draw(true);
+  EXPECT_EQ(seen, (std::vector<Settings>{first, first, other(), other()}));
+  EXPECT_EQ(frames(), 1u) << "the second one has not ended";
+  source.store(first);
+  draw(false);
+  EXPECT_EQ(seen.back(), first);
+  EXPECT_EQ(frames(), 2u);
+  source.store(other());
+  draw(true);
+  EXPECT_EQ(seen.back(), first) << "nobody has seen what the clear has removed";
+  EXPECT_EQ(frames(), 2u);
 }
 
 TEST(SettingsOfFrames, SettingsOfContextsStay) {
