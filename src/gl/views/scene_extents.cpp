@@ -93,7 +93,10 @@ SceneExtents::Scene SceneExtents::outOfView(const Scene& known, const Surfaces& 
   }
   const glm::dmat4 moved = movement.shared().value_or(glm::dmat4(1));
   for (Surface& surface : left) surface.eyeFromObject = moved * surface.eyeFromObject;
-  std::erase_if(left, [&](const Surface& surface) { return !isOutside(surface, clipFromEye); });
+  const auto isOut = [&](const Surface& surface) { return isOutside(surface, clipFromEye); };
+  std::erase_if(left, [&](const Surface& surface) { return !isOut(surface); });
+  // A program that draws what lies out of view does not leave it out: what it does not draw is gone.
+  if (static_cast<size_t>(std::count_if(now.begin(), now.end(), isOut)) >= left.size()) left.clear();
   return {moved * known.eyeFromWorld, std::move(left)};
 }
 

@@ -39,7 +39,8 @@ class SceneExtents {
   static double diagonalOf(const Scene&);
   /// The index of the remembered scene that shares most surfaces with these, the newest of equals.
   std::optional<size_t> sceneOf(const Surfaces&) const;
-  /// The remembered scene in the eye space of `now`, with only those surfaces that are out of view.
+  /// The remembered scene in the eye space of `now`, with only those surfaces that the program leaves out
+  /// because they are out of view.
   static Scene outOfView(const Scene& known, const Surfaces& now, const glm::dmat4& clipFromEye);
 
   std::vector<Scene> scenes_;  // the last remembered one is the last one

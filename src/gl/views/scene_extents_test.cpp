@@ -54,6 +54,15 @@ TEST(SceneExtents, WhatTheCameraWouldSeeIsHidden) {
   EXPECT_EQ(extents.extentOf(*snapshotOf(-8, {{1, 0}})), 0) << "and forgotten";
 }
 
+TEST(SceneExtents, AProgramThatDrawsWhatIsOutOfViewLeavesNothingOut) {
+  SceneExtents extents;
+  for (uint64_t frame = 0; frame < 8; ++frame) {
+    const auto now = snapshotOf(0, {{1, 0}, {100 + frame, 30 + static_cast<double>(frame)}});
+    EXPECT_EQ(extents.extentOf(*now), 0) << "the second one changes in each frame";
+    remember(extents, now);
+  }
+}
+
 TEST(SceneExtents, GrowsFromTileToTile) {
   SceneExtents extents;
   remember(extents, snapshotOf(0, {{1, 0}, {2, 5}}));
