@@ -1,7 +1,5 @@
 #include "tests/fuzz/scenes/outcome.h"
 
-#include "tests/fuzz/scenes/scene.h"
-
 #include <GL/gl.h>
 
 #include <cmath>
@@ -30,9 +28,9 @@ std::string fileOf(const std::string& folder, uint64_t seed) {
 
 }  // namespace
 
-Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed) {
+Outcome outcomeOf(Gl gl, const std::vector<Call>& scene) {
   Outcome outcome{{}, emptyImage()};
-  drawScene(gl, seed, outcome.answers);
+  playScene(gl, scene, outcome.answers);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_RGBA, GL_UNSIGNED_BYTE, outcome.image.colors.data());
   gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_DEPTH_COMPONENT, GL_FLOAT, outcome.image.depths.data());

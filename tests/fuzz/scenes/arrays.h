@@ -1,0 +1,24 @@
+// Draws of random scenes from arrays, in client memory or in buffer objects, of many types and layouts.
+#pragma once
+#include "tests/fuzz/scenes/script.h"
+#include "tests/fuzz/scenes/shape.h"
+
+namespace gluray::fuzz {
+
+/// Which attributes the vertices of a shape get.
+struct Attributes {
+  bool normals = true, colors = false, texcoords = true;
+};
+Attributes makeAttributes(Dice& dice);
+
+/// Appends draws of the shape from arrays. Returns which attributes have arrays: such draws leave these
+/// undefined. If `list` is false, they are set again afterwards.
+Attributes writeArrays(Writer& w, const Shape& shape, const Attributes& attributes, bool list);
+
+/// Appends a primitive that is sent by glArrayElement.
+void writeArrayElements(Writer& w, const Shape& shape, const Attributes& attributes);
+
+/// Appends calls that set the attributes of `attributes`, which have become undefined.
+void writeDefined(Writer& w, const Attributes& attributes);
+
+}  // namespace gluray::fuzz
