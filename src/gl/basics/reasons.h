@@ -27,10 +27,12 @@ namespace gluray::gl {
   X(fog, "fog distance mode")                                                             \
   X(polygonStipple, "polygon stipple")                                                    \
   X(polygonSmooth, "polygon smoothing")                                                   \
+  X(polygonOffset, "polygon offset for lines or points, but not for fills")               \
   X(program, "vertex or fragment program")                                                \
   X(programCode, "program with statements that its family does not know")                 \
   X(programValue, "program with a value that its family does not cover")                  \
   X(programPass, "program that is never traced")                                          \
+  X(colorMaterial, "material of a list, between glBegin and glEnd, that follows the colour")  \
   X(textureUnits, "texture unit beyond the eighth")                                       \
   X(textureEnv, "texture environment not traced")                                         \
   X(textureFormat, "texture format not traced")                                           \

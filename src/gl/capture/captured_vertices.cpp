@@ -60,6 +60,18 @@ uint16_t sameParameters(const scene::Material& a, const scene::Material& b) {
   return same;
 }
 
+uint16_t parametersOf(scene::ColorMaterial::Mode mode) {
+  switch (mode) {
+    case scene::ColorMaterial::off: return 0;
+    case scene::ColorMaterial::emission: return MaterialChange::emission;
+    case scene::ColorMaterial::ambient: return MaterialChange::ambient;
+    case scene::ColorMaterial::diffuse: return MaterialChange::diffuse;
+    case scene::ColorMaterial::specular: return MaterialChange::specular;
+    case scene::ColorMaterial::ambientAndDiffuse: break;
+  }
+  return MaterialChange::ambient | MaterialChange::diffuse;
+}
+
 bool MaterialChange::set(GLenum face, GLenum pname, const float* params) {
   if (face != GL_FRONT && face != GL_BACK && face != GL_FRONT_AND_BACK) return false;
   bool known = true;

@@ -58,6 +58,9 @@ struct MaterialChange {
 /// Bits of MaterialChange::Parameter whose values are equal in both.
 uint16_t sameParameters(const scene::Material& a, const scene::Material& b);
 
+/// Bits of MaterialChange::Parameter that follow the colour in this mode.
+uint16_t parametersOf(scene::ColorMaterial::Mode mode);
+
 struct CapturedVertices {
   VertexLayout layout;
   GrowingArray<float> vertices;  // `vertexCount` of `layout.stride`; the array's own size is not used

@@ -6,6 +6,7 @@
 
 #include <GL/gl.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -80,6 +81,18 @@ void GeometryRun::inherit(Context& context) {
   }
 }
 
+// Mesa's lists keep materials between glBegin and glEnd as attributes of vertices: they are drawn with and
+// stored even where they follow the colour, which the specification (GL 2.1, 2.14.3) rules out.
+bool GeometryRun::setsFollowingMaterials(Context& context) const {
+  const auto inside = [](const MaterialChange& change) { return !change.outside; };
+  if (std::none_of(captured_.materials.begin(), captured_.materials.end(), inside)) return false;
+  const scene::ColorMaterial following = readColorMaterial(context.real);
+  const uint16_t front = parametersOf(following.front), back = parametersOf(following.back);
+  return std::any_of(captured_.materials.begin(), captured_.materials.end(), [&](const MaterialChange& c) {
+    return inside(c) && ((c.front & front) || (c.back & back));
+  });
+}
+
 const KnownMesh& GeometryRun::mesh(Context& context) {
   if (meshBuilt_) return mesh_;
   // The mesh can replay the run too, unless the run has data that meshes do not hold.
@@ -150,7 +163,8 @@ class GeometryRun::RunDraw final : public DrawRequest {
  public:
   RunDraw(GeometryRun& run, Context& context) : run_(run), c_(context) {}
   Reason classifyState() override {
-    const Reason reason = c_.classifier.classify(run_.kind_);
+    Reason reason = c_.classifier.classify(run_.kind_);
+    if (reason == Reason::traced && run_.setsFollowingMaterials(c_)) reason = Reason::colorMaterial;
     if (reason != Reason::traced || !run_.verticesLost_) return reason;
     return run_.kind_ == PrimitiveClass::points ? Reason::points : Reason::lines;
   }

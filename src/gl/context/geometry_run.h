@@ -34,6 +34,8 @@ class GeometryRun final : public ListOp {
   SlotMask slotsOfLastVertex() const;
   /// Fills inherited slots with the caller's current values.
   void inherit(Context& context);
+  /// Whether it has materials between glBegin and glEnd that follow the current colour now.
+  bool setsFollowingMaterials(Context& context) const;
   /// The mesh of its surfaces, built at the first call.
   const KnownMesh& mesh(Context& context);
   /// Some of its triangles, found at the first call.

@@ -17,8 +17,10 @@ bool isMode(GLenum mode, bool core) {
 }
 
 /// Whether the offset may bring surfaces nearer than their vertices are.
-bool offsetsNearer(const RasterState& raster) {
-  if (!raster.offsetFill) return false;
+bool offsetsNearer(const RealGl& real, const RasterState& raster) {
+  // Mesa's llvmpipe offsets filled polygons in each of these cases (seen in 22.3).
+  if (!raster.offsetFill && !isOn(real, GL_POLYGON_OFFSET_LINE) && !isOn(real, GL_POLYGON_OFFSET_POINT))
+    return false;
   return raster.isReversed() ? raster.offsetFactor > 0 || raster.offsetUnits > 0
                              : raster.offsetFactor < 0 || raster.offsetUnits < 0;
 }
@@ -49,7 +51,7 @@ CullReason hideableState(ShadowState& shadow, GLenum mode, bool& isTested) {
   if (polygons[0] != GL_FILL || polygons[1] != GL_FILL) return CullReason::polygonMode;
   if (isOn(real, GL_POLYGON_SMOOTH)) return CullReason::polygonSmooth;
   if (shadow.target().samples > 1 && !raster.multisample) return CullReason::multisampleState;
-  return offsetsNearer(raster) ? CullReason::offsetNearer : CullReason::culled;
+  return offsetsNearer(real, raster) ? CullReason::offsetNearer : CullReason::culled;
 }
 
 CullReason cullableState(ShadowState& shadow, GLenum mode) {
@@ -65,7 +67,7 @@ CullReason cullableState(ShadowState& shadow, GLenum mode) {
   if (target.samples > 1 && !raster.multisample) return CullReason::multisampleState;
   if (target.reason != Reason::traced && target.reason != Reason::framebuffer)
     return cullReason(target.reason);
-  if (offsetsNearer(raster)) return CullReason::offsetNearer;
+  if (offsetsNearer(real, raster)) return CullReason::offsetNearer;
   return hasMoreDrawBuffers(real) ? CullReason::drawBuffers : CullReason::culled;
 }
 

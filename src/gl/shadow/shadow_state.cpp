@@ -46,7 +46,9 @@ bool ShadowState::isSoftwareBelow() {
 
 void ShadowState::madeCurrent(uintptr_t drawable) {
   target_.drawable = drawable;
-  touch(kAllGroups);
+  touch(kAllGroups & ~kCurrent);
+  // While no values are pending, where the query changes nothing (see CurrentValues).
+  refresh(kCurrent);
 }
 
 void ShadowState::shareImpostorValues() {

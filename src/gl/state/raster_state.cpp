@@ -111,13 +111,20 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   return traced && fogReason(real, has) != Reason::traced ? Reason::fog : reason;
 }
 
-Reason polygonReason(const RealGl& real, const RareState& has) {
+/// Whether OpenGLs differ in what they offset: as specified, no filled polygon, but Mesa's llvmpipe offsets
+/// them, too (seen in 22.3).
+bool offsetsOnlyOthers(const RealGl& real, const RasterState& raster) {
+  return !raster.offsetFill && (raster.offsetFactor != 0 || raster.offsetUnits != 0) &&
+         (isOn(real, GL_POLYGON_OFFSET_LINE) || isOn(real, GL_POLYGON_OFFSET_POINT));
+}
+
+Reason polygonReason(const RealGl& real, const RareState& has, const RasterState& raster) {
   GLint mode[2] = {GL_FILL, GL_FILL};
   real.GetIntegerv(GL_POLYGON_MODE, mode);
   if (mode[0] != GL_FILL || mode[1] != GL_FILL) return Reason::polygonMode;
   if (has.fixedFunction && isOn(real, GL_POLYGON_STIPPLE)) return Reason::polygonStipple;
   if (isOn(real, GL_POLYGON_SMOOTH)) return Reason::polygonSmooth;
-  return Reason::traced;
+  return offsetsOnlyOthers(real, raster) ? Reason::polygonOffset : Reason::traced;
 }
 
 scene::CullFace readCull(const RealGl& real) {
@@ -135,6 +142,9 @@ void readRaster(const RealGl& real, const RareState& has, RasterState& raster, s
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
+  raster.offsetFill = isOn(real, GL_POLYGON_OFFSET_FILL);
+  real.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &raster.offsetFactor);
+  real.GetFloatv(GL_POLYGON_OFFSET_UNITS, &raster.offsetUnits);
   raster.unlessOpaque = Reason::traced;
   raster.colorWrites = {};
   raster.program = isPresent(real.UseProgram) ? static_cast<GLuint>(integer(real, GL_CURRENT_PROGRAM)) : 0;
@@ -149,7 +159,7 @@ void readRaster(const RealGl& real, const RareState& has, RasterState& raster, s
   const bool blended = raster.reason == Reason::depthMask || raster.reason == Reason::blend ||
                        (raster.reason == Reason::traced && raster.unlessOpaque != Reason::traced);
   const bool open = raster.butDepthFunc == Reason::traced;
-  const Reason polygon = blended || open ? polygonReason(real, has) : Reason::traced;
+  const Reason polygon = blended || open ? polygonReason(real, has, raster) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
   if (open && polygon != Reason::traced) raster.butDepthFunc = polygon;
   raster.layers =
@@ -163,9 +173,6 @@ void readRaster(const RealGl& real, const RareState& has, RasterState& raster, s
   }
   raster.cull = readCull(real);
   raster.frontFaceCcw = integer(real, GL_FRONT_FACE) == GL_CCW;
-  raster.offsetFill = isOn(real, GL_POLYGON_OFFSET_FILL);
-  real.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &raster.offsetFactor);
-  real.GetFloatv(GL_POLYGON_OFFSET_UNITS, &raster.offsetUnits);
 }
 
 }  // namespace gluray::gl

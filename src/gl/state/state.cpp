@@ -34,6 +34,8 @@ uint32_t groupsOfCapability(GLenum capability) {
     case GL_ALPHA_TEST:
     case GL_STENCIL_TEST:
     case GL_POLYGON_OFFSET_FILL:
+    case GL_POLYGON_OFFSET_LINE:
+    case GL_POLYGON_OFFSET_POINT:
     case GL_FOG:
     case GL_MULTISAMPLE:
     case GL_DITHER: return kRaster;
@@ -58,8 +60,6 @@ void readViewport(const RealGl& real, ViewportState& viewport) {
   viewport.depthNear = range[0], viewport.depthFar = range[1];
 }
 
-namespace {
-
 scene::ColorMaterial readColorMaterial(const RealGl& real) {
   scene::ColorMaterial result;
   if (!isOn(real, GL_COLOR_MATERIAL)) return result;
@@ -76,8 +76,6 @@ scene::ColorMaterial readColorMaterial(const RealGl& real) {
   if (face != GL_FRONT) result.back = mode;
   return result;
 }
-
-}  // namespace
 
 scene::Light readLight(const RealGl& real, GLenum name) {
   scene::Light light;

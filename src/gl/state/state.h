@@ -113,6 +113,8 @@ void readViewport(const RealGl& real, ViewportState& viewport);
 void readRaster(const RealGl& real, const RareState& has, RasterState& raster, scene::Fog& fog);
 /// Reads all of `shading` but fog, textures and alpha test.
 void readLighting(const RealGl& real, const RareState& has, scene::Shading& shading);
+/// Which materials follow the current colour, whether there is lighting or not.
+scene::ColorMaterial readColorMaterial(const RealGl& real);
 void readMaterial(const RealGl& real, scene::MaterialPair& material);
 /// Light `name`, on or off.
 scene::Light readLight(const RealGl& real, GLenum name);

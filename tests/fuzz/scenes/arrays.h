@@ -11,14 +11,12 @@ struct Attributes {
 };
 Attributes makeAttributes(Dice& dice);
 
-/// Appends draws of the shape from arrays. Returns which attributes have arrays: such draws leave these
-/// undefined. If `list` is false, they are set again afterwards.
-Attributes writeArrays(Writer& w, const Shape& shape, const Attributes& attributes, bool list);
+/// Appends draws of the shape from arrays. These leave attributes that have arrays undefined: they are set
+/// again afterwards. `list`: a list is compiled.
+void writeArrays(Writer& w, const Shape& shape, const Attributes& attributes, bool list);
 
 /// Appends a primitive that is sent by glArrayElement.
 void writeArrayElements(Writer& w, const Shape& shape, const Attributes& attributes);
 
-/// Appends calls that set the attributes of `attributes`, which have become undefined.
-void writeDefined(Writer& w, const Attributes& attributes);
 
 }  // namespace gluray::fuzz

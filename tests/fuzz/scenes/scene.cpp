@@ -22,9 +22,9 @@ class Scene {
   void change();
   void object();
   void place();
-  Attributes send(const Shape& shape, bool list);
+  void send(const Shape& shape, bool list);
   void list(const Shape& shape);
-  void listStep(const Shape& shape, Attributes& undefined);
+  void listStep(const Shape& shape);
   void current();
   void ask();
 
@@ -98,18 +98,17 @@ void Scene::current() {
   if (dice_.chance(20)) WRITE(w_, TexCoord2f, dice_.real(0, 2), 0.3f);
 }
 
-Attributes Scene::send(const Shape& shape, bool list) {
+void Scene::send(const Shape& shape, bool list) {
   const Attributes attributes = makeAttributes(dice_);
-  if (dice_.chance(arrayShare_)) return writeArrays(w_, shape, attributes, list);
-  if (dice_.chance(15))
+  if (dice_.chance(arrayShare_))
+    writeArrays(w_, shape, attributes, list);
+  else if (dice_.chance(15))
     writeArrayElements(w_, shape, attributes);
   else
     writePrimitives(w_, shape, attributes, dice_.chance(materials_ / 3));
-  return {false, false, false};
 }
 
-/// A step of a list. `undefined` collects the attributes that draws from arrays in the list leave undefined.
-void Scene::listStep(const Shape& shape, Attributes& undefined) {
+void Scene::listStep(const Shape& shape) {
   switch (dice_.below(10)) {
     case 0: return current();
     case 1: return writeMaterial(w_);
@@ -121,31 +120,23 @@ void Scene::listStep(const Shape& shape, Attributes& undefined) {
     case 5:
       if (lists_ > 1) WRITE(w_, CallList, GLuint{1 + dice_.below(lists_ - 1)});
       return;
-    default: {
-      const Attributes more = send(dice_.chance(50) ? shape : makeShape(dice_), true);
-      undefined.normals |= more.normals, undefined.colors |= more.colors;
-      undefined.texcoords |= more.texcoords;
-    }
+    default: return send(dice_.chance(50) ? shape : makeShape(dice_), true);
   }
 }
 
 void Scene::list(const Shape& shape) {
-  const GLenum mode = dice_.pick({GL_COMPILE, GL_COMPILE, GL_COMPILE_AND_EXECUTE});
-  // Nested lists leave undefined what their own draws do.
-  Attributes undefined = {true, true, true};
-  WRITE_AS(w_, newList, NewList, ++lists_, mode);
+  WRITE_AS(w_, newList, NewList, ++lists_, dice_.pick({GL_COMPILE, GL_COMPILE, GL_COMPILE_AND_EXECUTE}));
   const bool saves = dice_.chance(20);
-  if (saves) WRITE(w_, PushAttrib, dice_.pick({GL_CURRENT_BIT, GL_LIGHTING_BIT, GL_ALL_ATTRIB_BITS}));
-  for (uint32_t i = 1 + dice_.below(5); i > 0; --i) listStep(shape, undefined);
-  if (saves) WRITE(w_, PopAttrib);
+  if (saves)
+    WRITE_AS(w_, push, PushAttrib, dice_.pick({GL_CURRENT_BIT, GL_LIGHTING_BIT, GL_ALL_ATTRIB_BITS}));
+  for (uint32_t i = 1 + dice_.below(5); i > 0; --i) listStep(shape);
+  if (saves) WRITE_AS(w_, pop, PopAttrib);
   WRITE_AS(w_, endList, EndList);
-  if (mode == GL_COMPILE_AND_EXECUTE) writeDefined(w_, undefined);
   for (uint32_t calls = 1 + dice_.below(2); calls > 0; --calls) {
     if (dice_.chance(60)) WRITE(w_, Translatef, dice_.real(-1, 1), -0.3f, 0.0f);
     if (dice_.chance(40)) current();
     if (dice_.chance(20)) change();
     WRITE(w_, CallList, lists_);
-    writeDefined(w_, undefined);
   }
 }
 

@@ -76,6 +76,8 @@ struct Writer {
   void call(const char* name, Role role, Arguments... arguments) {
     calls.push_back(callOf<function>(name, role, arguments...));
   }
+  /// Makes one call of the last `count`, so that the shrinker keeps or leaves out all of them.
+  void join(size_t count);
   void call(std::string text, std::function<void(Gl, Answers&)> play) {
     calls.push_back({Role::other, std::move(play), [text = std::move(text)] { return text; }});
   }

@@ -47,7 +47,8 @@ Shape makeShape(Dice& dice) {
       const float u = static_cast<float>(i) / static_cast<float>(shape.columns - 1),
                   v = static_cast<float>(j) / static_cast<float>(shape.rows - 1);
       const glm::vec3 p = pointOf(kind, u, v, waves), n = normalOf(kind, u, v, waves);
-      Corner corner{{p.x, p.y, p.z}, {n.x, n.y, n.z}, {}, {2 * u, 2 * v}};
+      // No whole numbers of texels, where rounding would decide.
+      Corner corner{{p.x, p.y, p.z}, {n.x, n.y, n.z}, {}, {0.07f + 1.91f * u, 0.06f + 1.83f * v}};
       for (size_t k = 0; k < 4; ++k) corner.color[k] = first[k] + (last[k] - first[k]) * u;
       shape.corners.push_back(corner);
     }

@@ -38,8 +38,11 @@ void writeMaterial(Writer& w) {
 
 void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes, bool materials) {
   const auto corner = [&](uint32_t number) {
-    if (materials && w.dice.chance(5)) writeMaterial(w);
+    // Materials after the last vertex: avoided.md.
+    const bool changes = materials && w.dice.chance(5);
+    if (changes) writeMaterial(w);
     writeCorner(w, shape.corners[number], attributes);
+    if (changes) w.join(2);
   };
   const auto at = [&](uint32_t column, uint32_t row) { return row * shape.columns + column; };
   const auto triangles = [&](GLenum mode) {
@@ -74,11 +77,13 @@ void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes
 void writeMarks(Writer& w) {
   WRITE_AS(w, begin, Begin, w.dice.pick({GL_LINES, GL_POINTS, GL_LINE_STRIP, GL_LINE_LOOP}));
   for (int i = 0; i < 4; ++i) {
+    const size_t before = w.calls.size();
     if (w.dice.chance(50)) WRITE(w, Color4fv, w.dice.color());
     if (w.dice.chance(30)) writeMaterial(w);
     if (w.dice.chance(30)) WRITE(w, Normal3f, w.dice.real(-1, 1), 0.5f, 1.0f);
     const float x = w.dice.real(-2, 2), y = w.dice.real(-2, 2), z = w.dice.real(-2, 2);
     WRITE(w, Vertex3f, x, y, z);
+    w.join(w.calls.size() - before);
   }
   WRITE_AS(w, end, End);
 }
