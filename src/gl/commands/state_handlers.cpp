@@ -20,7 +20,7 @@ bool isRefused(const Context& c, GLbitfield mask) {
 void clearNow(Context& c, GLbitfield mask) {
   if (isRefused(c, mask)) return c.beforeForward(Context::Flush::all), c.real.Clear(mask);
   c.frames.beforeClear(mask);
-  c.syncCurrent();
+  c.shadow.current.changeState(c.real);
   c.layers.clearing();
   if (c.layers.clearsLater(mask)) return;
   bool later = false;
@@ -123,34 +123,52 @@ const GLubyte* getStringi(Context& c, GLenum name, GLuint index) {
   return c.real.GetStringi(name, index);
 }
 
+namespace {
+
+/// The real OpenGL stores all current values for a query of one.
+void noteAsked(Context& c, GLenum pname) {
+  switch (pname) {
+    case GL_CURRENT_COLOR:
+    case GL_CURRENT_INDEX:
+    case GL_CURRENT_NORMAL:
+    case GL_CURRENT_TEXTURE_COORDS:
+    case GL_CURRENT_SECONDARY_COLOR:
+    case GL_CURRENT_FOG_COORD:
+    case GL_EDGE_FLAG: c.shadow.current.stored();
+    default: break;
+  }
+}
+
+}  // namespace
+
 void getIntegerv(Context& c, GLenum pname, GLint* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetIntegerv(pname, data);
+  noteAsked(c, pname);
 }
 
 void getFloatv(Context& c, GLenum pname, GLfloat* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetFloatv(pname, data);
+  noteAsked(c, pname);
 }
 
 void getDoublev(Context& c, GLenum pname, GLdouble* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetDoublev(pname, data);
+  noteAsked(c, pname);
 }
 
 void getBooleanv(Context& c, GLenum pname, GLboolean* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetBooleanv(pname, data);
+  noteAsked(c, pname);
 }
 
 void getInteger64v(Context& c, GLenum pname, GLint64* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetInteger64v(pname, data);
+  noteAsked(c, pname);
 }
 
 namespace {
@@ -175,7 +193,10 @@ void endQueryIndexed(Context& c, GLenum target, GLuint) { endQuery(c, target); }
 void beginConditionalRender(Context& c, GLuint, GLenum) { ++c.shadow.activeQueries; }
 void endConditionalRender(Context& c) { endGuard(c); }
 
-void matrixMode(Context& c, GLenum mode) { c.shadow.matrixMode = mode; }
+void matrixMode(Context& c, GLenum mode) {
+  c.shadow.current.stateChanges();
+  c.shadow.matrixMode = mode;
+}
 
 uint32_t matrixGroups(Context& c) {
   if (c.shadow.matrixMode == 0) {
@@ -236,6 +257,11 @@ uint32_t texturesDeleted(Context& c, GLsizei n, const GLuint* names) {
   c.flusher.imagesChange();
   for (GLsizei i = 0; names && i < n; ++i) c.shadow.textures.deleted(names[i]);
   return kTexture | imagesDeleted(c, GL_TEXTURE, n, names);
+}
+
+uint32_t materialAsked(Context& c) {
+  c.shadow.current.stateChanges(), c.shadow.current.stored();
+  return 0;
 }
 
 uint32_t stencilSet(Context& c) {

@@ -36,7 +36,7 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       kind_(kind),
       group_(std::move(group)),
       triangles_(countTriangles(captured_)) {
-  leftByList_ = slotsOfLastVertex();
+  lastSlots_ = leftByList_ = slotsOfLastVertex();
 }
 
 GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
@@ -143,19 +143,43 @@ void GeometryRun::rasterise(Context& context) {
 void GeometryRun::execute(Context& context) {
   if (context.immediate.insideBegin() && !captured_.primitives.empty())
     return context.errors.set(GL_INVALID_OPERATION);
-  SlotMask finals = finalSlots_;
-  if (!captured_.primitives.empty()) {
-    context.immediate.closeRunIfOpen();
-    if (context.clock.passesThrough() && drawDirectly(context))
-      finals &= ~leftByList_;
-    else
-      draw(context);
+  const auto setFinals = [&](SlotMask slots) {
+    forEachSlot(slots, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  };
+  if (captured_.primitives.empty()) {
+    setFinals(finalSlots_);
+    if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
+    return;
   }
-  forEachSlot(finals, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
-  if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
-  if (captured_.primitives.empty()) return;
-  context.shadow.current.drawn();
-  if (!captured_.materials.empty()) context.shadow.latch.letGo(context.real);
+  context.immediate.closeRunIfOpen();
+  if (context.clock.passesThrough() && drawDirectly(context)) {
+    setFinals(finalSlots_ & ~leftByList_);
+  } else {
+    if (!context.lists.executesNow())
+      forEachSlot(leading_, [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
+    draw(context);
+    leave(context);
+  }
+  if (captured_.materials.empty()) return;
+  applyMaterials(context, captured_.materials.back());
+  context.shadow.latch.letGo(context.real);
+  context.shadow.current.restore(context.real);
+}
+
+// Mesa stores these attributes without holding them back. Those that were set before the vertices, and are
+// held back still, it stores again later, over them.
+void GeometryRun::leave(Context& context) {
+  CurrentValues& current = context.shadow.current;
+  const SlotMask finals = finalSlots_ & lastSlots_ & ~current.held();
+  forEachSlot(finals, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
+  // A real list also leaves attributes of array draws, which do not change them.
+  const SlotMask drawn = layout_.mask & kVertexAttributes;
+  current.storeAside(context.real, rasterised_ ? drawn : finals);
+  if (rasterised_ && !drawn) current.restore(context.real);
+  // Those that were set after the last vertex are held back.
+  forEachSlot(finalSlots_ & ~lastSlots_,
+              [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  if (finals & bit(kColor)) context.shadow.colorSet();
 }
 
 /// The run, as its list is called.
@@ -185,9 +209,8 @@ class GeometryRun::RunDraw final : public DrawRequest {
   Load load() override { return {DrawPath::list, run_.kind_, run_.triangles_}; }
   Fate make() override {
     run_.rasterise(c_);
-    // The run's last attributes are now current in the real OpenGL: ours are sent again.
-    c_.shadow.current.lost(run_.layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
-    c_.touch(kMaterial);
+    run_.rasterised_ = true;
+    c_.shadow.touch(kMaterial);
     return Fate::rasterised;
   }
 
@@ -202,6 +225,7 @@ void GeometryRun::draw(Context& context) {
   context.passthrough.works();
   inherit(context);
   context.shadow.refresh(kDrawGroups);
+  rasterised_ = false;
   RunDraw request(*this, context);
   context.draws.submit(request);
 }

@@ -22,11 +22,15 @@ class GeometryRun final : public ListOp {
   /// An array draw: leaves the current attributes unchanged.
   GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   ~GeometryRun() override;
+  /// Attributes that are set before its first glBegin.
+  void setLeading(SlotMask slots, const SlotValues& values) { leading_ = slots, leadingValues_ = values; }
   /// Draws the run, traced or rasterised, and makes its last attributes current.
   void execute(Context& context) override;
 
  private:
   class RunDraw;
+  /// Makes the attributes after its last vertex current.
+  void leave(Context& context);
   void draw(Context& context);
   /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);
@@ -48,8 +52,12 @@ class GeometryRun final : public ListOp {
   CapturedVertices captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
+  SlotMask lastSlots_ = 0;   // those of them that have the value of the last vertex
   SlotMask leftByList_ = 0;  // those of them that the real list has left current
   SlotValues finals_;
+  SlotMask leading_ = 0;
+  SlotValues leadingValues_{};
+  bool rasterised_ = false;  // in its last call
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;
   std::weak_ptr<ShareGroup> group_;

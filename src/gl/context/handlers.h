@@ -189,6 +189,7 @@ uint32_t imagesChanged(Context& c);
 // Commands that set stencil values, or let later draws set them.
 uint32_t capabilityEnabled(Context& c, GLenum capability);
 uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // only if `format` has stencil values
+uint32_t materialAsked(Context& c);
 uint32_t stencilSet(Context& c);
 /// As imagesChanged(), for the texture bound to `target` alone, and for deleted textures.
 uint32_t imageChanged(Context& c, GLenum target);

@@ -43,6 +43,8 @@ class ListCompiler {
   bool executing() const { return !list_ || mode_ == GL_COMPILE_AND_EXECUTE; }
   /// Whether a list is being called.
   bool calling() const { return depth_ > 0; }
+  /// Whether a step of the list that is compiled is being executed.
+  bool executesNow() const { return detached_; }
   GLuint name() const { return name_; }
   GLenum mode() const { return mode_; }
 
@@ -81,6 +83,7 @@ class ListCompiler {
   GLuint name_ = 0;
   GLenum mode_ = 0;
   GLenum misused_ = GL_NO_ERROR;  // error of the first illegal command in the glBegin being compiled
+  bool detached_ = false;
   int depth_ = 0;                 // nesting of the lists being called
   Parts p_;
 };

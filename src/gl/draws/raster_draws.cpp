@@ -4,9 +4,32 @@
 #include "gl/framebuffers/composed_views.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/real/errors.h"
+#include "gl/real/state_queries.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {
+namespace {
+
+/// Takes away the polygon offsets of lines and points while the batch is drawn with its own offset: Mesa's
+/// llvmpipe applies them to filled polygons, too (seen in 22.3).
+class WithoutOtherOffsets {
+ public:
+  explicit WithoutOtherOffsets(const RealGl& real) : real_(real) {
+    for (const GLenum offset : {GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
+      if (isOn(real, offset)) real.Disable(offset), taken_.push_back(offset);
+  }
+  ~WithoutOtherOffsets() {
+    for (const GLenum offset : taken_) real_.Enable(offset);
+  }
+  WithoutOtherOffsets(const WithoutOtherOffsets&) = delete;
+  WithoutOtherOffsets& operator=(const WithoutOtherOffsets&) = delete;
+
+ private:
+  const RealGl& real_;
+  std::vector<GLenum> taken_;
+};
+
+}  // namespace
 
 RasterDraws::Needs RasterDraws::needsOf(PrimitiveClass kind, Reason reason) const {
   Needs needs;
@@ -59,10 +82,10 @@ void RasterDraws::meet(std::span<const Triangle> triangles) {
 }
 
 void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
+  const WithoutOtherOffsets guard(p_.shadow.real);
   if (meeting == MultipassSurfaces::Meeting::pending) p_.flusher.present(Reason::passes);
   for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
     p_.cleared.forget();
-    p_.shadow.syncCurrent();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};
     if (redraw.clipFromObject) target.byMatrix = {redraw.mesh, *redraw.clipFromObject};
     const PresentResult result = p_.pending.presenter.present(p_.shadow.real, redraw.snapshot, target);
@@ -79,7 +102,10 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (p_.surfaces.coplanar.takeFound() && !batch.empty() &&
       (batch.key().layers == BatchKey::Layers::none || batch.key().layers == BatchKey::Layers::drawn) &&
       batch.key().framebuffer == p_.shadow.target().framebuffer)
-    p_.failsafe.protect([&] { p_.flusher.present(Reason::coincident); });
+    p_.failsafe.protect([&] {
+      const WithoutOtherOffsets guard(p_.shadow.real);
+      p_.flusher.present(Reason::coincident);
+    });
   if (p_.resolves.any()) p_.failsafe.protect([&] { p_.resolves.meetRasterDraw(); });
   if (p_.layers.pending()) p_.failsafe.protect([&] { p_.layers.meetRasterDraw(); });
   if (!batch.empty()) {
@@ -99,7 +125,6 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (p_.composed.waits() && kind == PrimitiveClass::surfaces) [[unlikely]]
     p_.failsafe.protect([&] { p_.composed.drawing(); });
   noteDepths();
-  p_.shadow.syncCurrent();
 }
 
 void RasterDraws::noteDepths() {

@@ -8,13 +8,14 @@
 // before. Elsewhere this changes nothing. Part of ShadowState, GL thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/current_values.h"
 #include "gl/real/real.h"
 
 namespace gluray::gl {
 
 class MaterialLatch {
  public:
-  explicit MaterialLatch(bool on) : on_(on) {}
+  MaterialLatch(bool on, const CurrentValues& current) : on_(on), current_(current) {}
   /// Whether the current context's OpenGL draws with the materials stored again: a Mesa before 23.
   static bool isIn(const RealGl& real);
   bool isOn() const { return on_; }
@@ -34,11 +35,15 @@ class MaterialLatch {
   void drawn() {
     if (waiting_.front | waiting_.back) waiting_ = {};
   }
-  /// After a query or draw of ours: sends the materials again, so that they are held back again.
+  /// After a query or draw of ours: sends the materials and current values again, so that they are held back
+  /// again.
   void restore(const RealGl& real) const;
 
  private:
+  void restoreMaterials(const RealGl& real) const;
+
   bool on_;                 // the quirk is switched on, and the real OpenGL needs it
+  const CurrentValues& current_;
   MaterialChange waiting_;  // materials sent since the last draw
 };
 

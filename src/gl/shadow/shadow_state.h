@@ -131,10 +131,8 @@ class ShadowState {
   /// The shader program `name` with its family. The host program sees no errors of this. May throw
   /// std::bad_alloc.
   std::shared_ptr<const KnownProgram> recognise(GLuint name);
-  void syncCurrent() {
-    if (current.anyUnsent()) [[unlikely]]
-      current.send(real);
-  }
+  /// Nothing: current values are sent at once.
+  void syncCurrent() {}
   /// Sends the real OpenGL held-back contents of buffers that its next draw may read.
   void sendBuffers();
   double viewportPixels() {

@@ -92,7 +92,6 @@ void WindowFrames::showLagged() {
   LaggedFrame frame = std::move(*lagged_);
   lagged_.reset();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
-  p_.shadow.syncCurrent();
   PresentResult result;
   if (!frame.window.stands()) {
     p_.pending.presenter.window().dropAhead();

@@ -43,7 +43,6 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     const float depthResolution = p_.shadow.target().depthResolution;
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
-    p_.shadow.syncCurrent();
     p_.pending.attachSecondaryScene();
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(p_.pending.batch.key().depthFunc, depthResolution),

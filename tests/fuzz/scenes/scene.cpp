@@ -105,7 +105,10 @@ void Scene::send(const Shape& shape, bool list) {
   else if (dice_.chance(15))
     writeArrayElements(w_, shape, attributes);
   else
-    writePrimitives(w_, shape, attributes, dice_.chance(materials_ / 3));
+    writePrimitives(w_, shape, attributes,
+                    !dice_.chance(materials_ / 3) ? Materials::none
+                    : list                        ? Materials::inLists
+                                                  : Materials::anywhere);
 }
 
 void Scene::listStep(const Shape& shape) {

@@ -40,6 +40,8 @@ Shape makeShape(Dice& dice) {
   shape.columns = small ? 2 + dice.below(4) : 4 + dice.below(20);
   shape.rows = small ? 2 + dice.below(4) : 4 + dice.below(12);
   const uint32_t kind = dice.below(4);
+  // Of fewer corners both sides of balls and rings would coincide.
+  if (kind == 1 || kind == 3) shape.columns += 3, shape.rows += 3;
   const float waves = dice.real(0, 6);
   const auto first = dice.color(), last = dice.color();
   for (uint32_t j = 0; j < shape.rows; ++j)

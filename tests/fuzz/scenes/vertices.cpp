@@ -36,20 +36,26 @@ void writeMaterial(Writer& w) {
   WRITE(w, Materialfv, face, name, w.dice.color());
 }
 
-void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes, bool materials) {
-  const auto corner = [&](uint32_t number) {
-    // Materials after the last vertex: avoided.md.
-    const bool changes = materials && w.dice.chance(5);
-    if (changes) writeMaterial(w);
+void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes, Materials materials) {
+  const GLenum face = w.dice.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK});
+  const GLenum name = w.dice.pick({GL_DIFFUSE, GL_AMBIENT, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION});
+  const auto corner = [&](uint32_t number, bool first = false) {
+    const bool changes = materials != Materials::none && w.dice.chance(5);
+    const size_t before = w.calls.size();
+    if (materials == Materials::inLists && (first || changes))
+      WRITE(w, Materialfv, face, name, w.dice.color());
+    else if (changes)
+      writeMaterial(w);
     writeCorner(w, shape.corners[number], attributes);
-    if (changes) w.join(2);
+    // Together: the shrinker leaves no material after the last vertex (avoided.md).
+    w.join(w.calls.size() - before);
   };
   const auto at = [&](uint32_t column, uint32_t row) { return row * shape.columns + column; };
   const auto triangles = [&](GLenum mode) {
     const std::vector<uint32_t> numbers = trianglesOf(shape);
     for (size_t i = 0; i < numbers.size(); ++i) {
       if (mode == GL_POLYGON ? i % 3 == 0 : i == 0) WRITE_AS(w, begin, Begin, mode);
-      corner(numbers[i]);
+      corner(numbers[i], mode == GL_POLYGON ? i % 3 == 0 : i == 0);
       if (mode == GL_POLYGON ? i % 3 == 2 : i + 1 == numbers.size()) WRITE_AS(w, end, End);
     }
   };
@@ -57,7 +63,7 @@ void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes
     case 0:
       for (uint32_t j = 0; j + 1 < shape.rows; ++j) {
         WRITE_AS(w, begin, Begin, GLenum{GL_TRIANGLE_STRIP});
-        for (uint32_t i = 0; i < shape.columns; ++i) corner(at(i, j)), corner(at(i, j + 1));
+        for (uint32_t i = 0; i < shape.columns; ++i) corner(at(i, j), i == 0), corner(at(i, j + 1));
         WRITE_AS(w, end, End);
       }
       return;
@@ -65,7 +71,7 @@ void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes
       for (uint32_t j = 0; j + 1 < shape.rows; ++j)
         for (uint32_t i = 0; i + 1 < shape.columns; ++i) {
           WRITE_AS(w, begin, Begin, GLenum{GL_TRIANGLE_FAN});
-          corner(at(i, j)), corner(at(i + 1, j)), corner(at(i + 1, j + 1)), corner(at(i, j + 1));
+          corner(at(i, j), true), corner(at(i + 1, j)), corner(at(i + 1, j + 1)), corner(at(i, j + 1));
           WRITE_AS(w, end, End);
         }
       return;
