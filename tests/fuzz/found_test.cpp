@@ -76,6 +76,19 @@ const Found kFound[] = {
            gl.End(), gl.EndList();
        error(gl, a), gl.CallList(2), error(gl, a);
      }},
+    {"glPopClientAttrib of nothing, while a buffer is mapped whose name was deleted before",
+     [](Gl gl, Answers& a) {
+       GLuint array = 0;
+       gl.GenVertexArrays(1, &array), gl.BindVertexArray(array);
+       const GLuint name = 1;
+       for (const bool again : {false, true}) {
+         gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, name);
+         gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof kValues, kValues, GL_STATIC_DRAW);
+         if (!again) gl.DeleteBuffers(1, &name);
+       }
+       gl.MapBuffer(GL_ELEMENT_ARRAY_BUFFER, GL_READ_WRITE), gl.PopClientAttrib(), error(gl, a);
+       a.push_back(static_cast<float>(gl.UnmapBuffer(GL_ELEMENT_ARRAY_BUFFER))), error(gl, a);
+     }},
     {"generic attribute 0 from a buffer",
      [](Gl gl, Answers& a) {
        gl.BindBuffer(GL_ARRAY_BUFFER, 1),

@@ -57,6 +57,8 @@ class CurrentValues {
   void letGo() { held_ = 0, pending_ = due_ = false; }
   /// After queries or draws of ours, which stored all values: they are held back again as before.
   void restore(const RealGl& real) const;
+  /// Whether Mesa may hold back values.
+  bool holdsAny() const { return pending_ || due_; }
   /// Slots that are held back.
   SlotMask held() const { return held_; }
   /// Stores values without holding them back, as lists do after their vertices.

@@ -11,8 +11,9 @@ namespace gluray::gl {
 
 /// A mesh, and what the classifier needs to know of the vertices it was built from.
 struct KnownMesh {
-  scene::MeshPtr mesh;       // null if it cannot be traced (homogeneous vertices)
-  bool homogeneous = false;  // some vertex has w != 1
+  scene::MeshPtr mesh;        // null if it cannot be traced (homogeneous vertices)
+  bool homogeneous = false;   // some vertex has w != 1
+  bool shortNormals = false;  // some normal has no direction: it is zero, or its square is in float
 };
 
 class MeshCache {

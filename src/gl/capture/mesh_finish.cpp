@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 namespace gluray::gl {
@@ -102,6 +103,24 @@ bool areModerate(const scene::Mesh& mesh) {
 }
 
 }  // namespace
+
+// Longer than the square root of the least float, for matrices that shorten it.
+bool isShortNormal(const glm::vec3& normal) { return !(glm::dot(normal, normal) > 1e-30f); }
+
+bool hasShortNormals(const scene::Mesh& mesh) {
+  if (!mesh.normals || mesh.normals.format != scene::Format::float3) return false;
+  return reducePieces(
+      mesh.vertexCount, kBoundsGrain, false,
+      [&](size_t first, size_t last, bool found) {
+        for (size_t i = first; i < last && !found; ++i) {
+          glm::vec3 normal;
+          std::memcpy(&normal, mesh.normals.data + i * mesh.normals.stride, sizeof normal);
+          found = isShortNormal(normal);
+        }
+        return found;
+      },
+      [](bool a, bool b) { return a || b; });
+}
 
 bool isFarAway(const scene::Mesh& mesh) {
   constexpr float kFarthest = 1e18f;

@@ -59,6 +59,13 @@ bool isBeforeViewersPlane(const scene::Mesh& mesh, const glm::dmat4& eyeFromObje
   return true;
 }
 
+/// Whether fixed function makes unit vectors of normals that have no direction: the result is undefined.
+bool normalizesShort(const KnownMesh& known, ShadowState& shadow) {
+  const scene::Shading& shading = shadow.shading();
+  if (shadow.raster().program != 0 || !shading.lighting || !shading.normalize) return false;
+  return known.mesh->normals ? known.shortNormals : isShortNormal(glm::make_vec3(shadow.current[kNormal]));
+}
+
 bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material) {
   if (!shading.lighting) return true;
   return faceAlpha(material.front, shading.colorMaterial.front) >= 1.0f &&
@@ -176,6 +183,7 @@ Reason Classifier::whereEverythingIsTraced(const KnownMesh& known,
   if (isFarAway(*known.mesh)) return Reason::farAway;
   if (!known.mesh->moderate) return Reason::notFinite;
   ShadowState& shadow = p_.shadow;
+  if (normalizesShort(known, shadow)) return Reason::notFinite;
   const glm::dmat4 clipFromObject = shadow.projection() * shadow.modelview();
   const glm::ivec4& viewport = shadow.viewport().box;
   const glm::ivec2 size(viewport.z, viewport.w);

@@ -12,8 +12,8 @@ namespace {
 
 /// Whether a reason against tracing surfaces says nothing about lines and points.
 bool isOfPolygons(Reason reason) {
-  return reason == Reason::polygonMode || reason == Reason::polygonStipple || reason == Reason::polygonSmooth ||
-         reason == Reason::polygonOffset;
+  return reason == Reason::polygonMode || reason == Reason::polygonStipple ||
+         reason == Reason::polygonSmooth || reason == Reason::polygonOffset;
 }
 
 /// Whether the size of points depends on their distance.

@@ -20,6 +20,7 @@ uint32_t vertexArraysDeleted(Context& c, GLsizei n, const GLuint* arrays) {
 }
 
 uint32_t arraysPopped(Context& c) {
+  if (!c.info().core && integer(c.real, GL_CLIENT_ATTRIB_STACK_DEPTH) == 0) return 0;  // an error
   c.shadow.attachments.forget();
   return kArrays;
 }

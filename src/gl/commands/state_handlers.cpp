@@ -274,9 +274,37 @@ uint32_t stencilSent(Context& c, GLenum format, const void* pixels) {
   return pixels || integer(c.real, GL_PIXEL_UNPACK_BUFFER_BINDING) != 0 ? stencilSet(c) : 0;
 }
 
+namespace {
+
+/// Groups that glEnable or glDisable touches. Notes what becomes of held-back current values: nothing if the
+/// capability has that value already.
+uint32_t capabilitySet(Context& c, GLenum capability, bool on) {
+  const uint32_t groups = groupsOfCapability(capability);
+  if (!c.shadow.current.holdsAny()) return groups;
+  if (isOn(c.real, capability) == on) return groups | kHeldNoted;
+  c.shadow.current.stateChanges();
+  if (capability == GL_COLOR_MATERIAL) c.shadow.current.stored();
+  return groups | kHeldNoted;
+}
+
+}  // namespace
+
 uint32_t capabilityEnabled(Context& c, GLenum capability) {
   if (capability == GL_STENCIL_TEST) stencilSet(c);
-  return groupsOfCapability(capability);
+  return capabilitySet(c, capability, true);
+}
+
+uint32_t capabilityDisabled(Context& c, GLenum capability) { return capabilitySet(c, capability, false); }
+
+uint32_t colorMaterialSet(Context& c, GLenum face, GLenum mode) {
+  constexpr uint32_t kGroups = kLighting | kMaterial;
+  if (!c.shadow.current.holdsAny()) return kGroups;
+  if (integer(c.real, GL_COLOR_MATERIAL_FACE) == static_cast<GLint>(face) &&
+      integer(c.real, GL_COLOR_MATERIAL_PARAMETER) == static_cast<GLint>(mode))
+    return kGroups | kHeldNoted;
+  c.shadow.current.stateChanges();
+  if (isOn(c.real, GL_COLOR_MATERIAL)) c.shadow.current.stored();
+  return kGroups | kHeldNoted;
 }
 
 uint32_t imagesChanged(Context& c) {

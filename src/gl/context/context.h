@@ -96,16 +96,13 @@ class Context {
   void count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
   /// A command is about to change state of these groups.
   void touch(uint32_t groups) {
-    if (groups & ~uint32_t{kArrays}) shadow.current.stateChanges();
+    if ((groups & ~uint32_t{kArrays}) && !(groups & kHeldNoted)) shadow.current.stateChanges();
     shadow.touch(groups);
   }
   /// A command with these arguments makes the real OpenGL store the current values that it holds back.
   template <class... Arguments>
   void storesCurrent(Arguments...) {
     shadow.current.stored();
-  }
-  void storesCurrent(GLenum capability) {
-    if (capability == GL_COLOR_MATERIAL) shadow.current.stored();
   }
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body()) {

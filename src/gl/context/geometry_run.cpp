@@ -156,7 +156,8 @@ void GeometryRun::execute(Context& context) {
     setFinals(finalSlots_ & ~leftByList_);
   } else {
     if (!context.lists.executesNow())
-      forEachSlot(leading_, [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
+      forEachSlot(leading_,
+                  [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
     draw(context);
     leave(context);
   }
@@ -170,6 +171,12 @@ void GeometryRun::execute(Context& context) {
 // held back still, it stores again later, over them.
 void GeometryRun::leave(Context& context) {
   CurrentValues& current = context.shadow.current;
+  if (context.lists.executesNow()) {  // Mesa makes the calls while it compiles them
+    forEachSlot(finalSlots_, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
+    current.sendRun(context.real, finalSlots_);
+    if (finalSlots_ & bit(kColor)) context.shadow.colorSet();
+    return;
+  }
   const SlotMask finals = finalSlots_ & lastSlots_ & ~current.held();
   forEachSlot(finals, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
   // A real list also leaves attributes of array draws, which do not change them.

@@ -190,6 +190,8 @@ uint32_t imagesChanged(Context& c);
 uint32_t capabilityEnabled(Context& c, GLenum capability);
 uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // only if `format` has stencil values
 uint32_t materialAsked(Context& c);
+uint32_t capabilityDisabled(Context& c, GLenum capability);
+uint32_t colorMaterialSet(Context& c, GLenum face, GLenum mode);
 uint32_t stencilSet(Context& c);
 /// As imagesChanged(), for the texture bound to `target` alone, and for deleted textures.
 uint32_t imageChanged(Context& c, GLenum target);

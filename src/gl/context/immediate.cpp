@@ -66,7 +66,8 @@ void Immediate::attribute(Slot slot, const float* values) {
     // Set after draws from arrays, in a list: Mesa holds it back while the next primitive is drawn.
     if (p_.lists.compiling() && ofArrays_ && p_.beginEnd.inside != Inside::captured) closeRun();
     if (!stream_.has(slot)) addSlotToRun(slot);
-    if (open_ && ofArrays_ && p_.beginEnd.inside != Inside::captured) p_.shadow.current.set(p_.shadow.real, slot, values);
+    if (open_ && ofArrays_ && p_.beginEnd.inside != Inside::captured)
+      p_.shadow.current.set(p_.shadow.real, slot, values);
     return stream_.set(slot, values);
   }
   p_.shadow.current.set(p_.shadow.real, slot, values);

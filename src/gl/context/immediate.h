@@ -115,7 +115,7 @@ class Immediate {
   VertexStream::Welding welding_;
   WhenToWeld weld_;
   VertexStream stream_;
-  bool open_ = false;                                // stream_ holds a run outside lists
+  bool open_ = false;  // stream_ holds a run outside lists
   // The run consists of draws from arrays: current values are also sent when they are set.
   bool ofArrays_ = false;
   // Attributes that a list's run sets before its first glBegin, and their values.

@@ -187,7 +187,7 @@ void Immediate::surrender() {
     p_.raster.before(class_);
     if (open ? p_.beginEnd.inside != Inside::captured : !open_) return;  // a failure there has surrendered it
   }
-  p_.shadow.sendBuffers();                 // glArrayElement may follow
+  p_.shadow.sendBuffers();  // glArrayElement may follow
   if (p_.lists.compiling()) {
     fragment = p_.shadow.real.GenLists(1);
     p_.shadow.real.NewList(fragment, GL_COMPILE);
@@ -202,8 +202,7 @@ void Immediate::surrender() {
   if (!p_.lists.compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
-    if (ofArrays_ && !open)
-      p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
+    if (ofArrays_ && !open) p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
   } else {
     sendRunValues();
     if (!open) p_.shadow.real.EndList();

@@ -84,7 +84,7 @@ class ListCompiler {
   GLenum mode_ = 0;
   GLenum misused_ = GL_NO_ERROR;  // error of the first illegal command in the glBegin being compiled
   bool detached_ = false;
-  int depth_ = 0;                 // nesting of the lists being called
+  int depth_ = 0;  // nesting of the lists being called
   Parts p_;
 };
 

@@ -42,7 +42,7 @@ class MaterialLatch {
  private:
   void restoreMaterials(const RealGl& real) const;
 
-  bool on_;                 // the quirk is switched on, and the real OpenGL needs it
+  bool on_;  // the quirk is switched on, and the real OpenGL needs it
   const CurrentValues& current_;
   MaterialChange waiting_;  // materials sent since the last draw
 };

@@ -184,8 +184,7 @@ void bindBufferWith(Gl gl, GLenum target, const Bytes& bytes) {
 }
 
 void setArrays(Gl gl, const Plan& plan, const std::byte* base) {
-  if (plan.interleaved)
-    return gl.InterleavedArrays(plan.interleavedFormat, 0, base);
+  if (plan.interleaved) return gl.InterleavedArrays(plan.interleavedFormat, 0, base);
   constexpr GLenum kArrays[] = {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_COLOR_ARRAY, GL_TEXTURE_COORD_ARRAY};
   for (size_t i = 0; i < 4; ++i)
     if (layouts(plan, i)->enabled) gl.EnableClientState(kArrays[i]);

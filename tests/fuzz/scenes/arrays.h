@@ -18,5 +18,4 @@ void writeArrays(Writer& w, const Shape& shape, const Attributes& attributes, bo
 /// Appends a primitive that is sent by glArrayElement.
 void writeArrayElements(Writer& w, const Shape& shape, const Attributes& attributes);
 
-
 }  // namespace gluray::fuzz

@@ -43,7 +43,7 @@ std::vector<Call> Scene::write() {
   clear();
   WRITE(w_, Materialf, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_SHININESS}, 8.0f);  // 0: avoided.md
   for (uint32_t name = 1; name < 3; ++name) writeTexture(w_, name);
-  writeCamera(w_, kSceneSize), writeLights(w_);
+  writeCamera(w_, kSceneSize), writeLights(w_), writeClipPlanes(w_);
   const uint32_t objects = 2 + dice_.below(6);
   for (uint32_t i = 0; i < objects; ++i) {
     if (dice_.chance(60)) change();
@@ -160,7 +160,9 @@ void Scene::object() {
 }
 
 void Scene::ask() {
-  const auto keep = [](const GLfloat* v, int n, Answers& answers) { answers.insert(answers.end(), v, v + n); };
+  const auto keep = [](const GLfloat* v, int n, Answers& answers) {
+    answers.insert(answers.end(), v, v + n);
+  };
   for (const GLenum name : {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_CURRENT_TEXTURE_COORDS})
     if (dice_.chance(40))
       w_.call("glGetFloatv(" + printed(name) + ")", [=](Gl gl, Answers& answers) {
@@ -170,13 +172,13 @@ void Scene::ask() {
   for (const GLenum face : {GL_FRONT, GL_BACK})
     for (const GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
       if (dice_.chance(25))
-        w_.call("glGetMaterialfv(" + printed(face) + ", " + printed(name) + ")", [=](Gl gl, Answers& answers) {
-          GLfloat v[4] = {};
-          gl.GetMaterialfv(face, name, v), keep(v, 4, answers);
-        });
-  w_.call("glGetError()", [](Gl gl, Answers& answers) {
-    answers.push_back(static_cast<float>(gl.GetError()));
-  });
+        w_.call("glGetMaterialfv(" + printed(face) + ", " + printed(name) + ")",
+                [=](Gl gl, Answers& answers) {
+                  GLfloat v[4] = {};
+                  gl.GetMaterialfv(face, name, v), keep(v, 4, answers);
+                });
+  w_.call("glGetError()",
+          [](Gl gl, Answers& answers) { answers.push_back(static_cast<float>(gl.GetError())); });
 }
 
 }  // namespace

@@ -10,7 +10,9 @@ namespace gluray::fuzz {
 /// Whether glBegin and glEnd, lists and stacks are in pairs, as in scenes that programs draw.
 bool isBalanced(const std::vector<Call>& calls);
 
-/// A part of `calls`, in order, for which `differs` holds, as it does for `calls`. After Zeller's ddmin (2002).
-std::vector<Call> shrink(std::vector<Call> calls, const std::function<bool(const std::vector<Call>&)>& differs);
+/// A part of `calls`, in order, for which `differs` holds, as it does for `calls`. After Zeller's ddmin
+/// (2002).
+std::vector<Call> shrink(std::vector<Call> calls,
+                         const std::function<bool(const std::vector<Call>&)>& differs);
 
 }  // namespace gluray::fuzz

@@ -81,6 +81,14 @@ void writeColorMaterial(Writer& w) {
   if (w.dice.chance(70)) writeToggle(w, GL_COLOR_MATERIAL, 65);
 }
 
+void writeClipPlanes(Writer& w) {
+  for (GLenum plane = GL_CLIP_PLANE0; plane < GL_CLIP_PLANE0 + 3; ++plane) {
+    std::array<GLdouble, 4> equation = {0, 1, 0, 0};
+    equation[0] = w.dice.real(-1, 1), equation[2] = w.dice.real(-1, 1), equation[3] = w.dice.real(0, 1);
+    WRITE(w, ClipPlane, plane, equation);
+  }
+}
+
 void writeSurface(Writer& w) {
   Dice& dice = w.dice;
   if (dice.chance(60)) WRITE(w, ShadeModel, dice.chance(75) ? GLenum{GL_SMOOTH} : GLenum{GL_FLAT});
@@ -109,13 +117,7 @@ void writeSurface(Writer& w) {
   } else if (dice.chance(50)) {
     WRITE(w, PolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
   }
-  if (dice.chance(30)) {
-    const GLenum plane = GL_CLIP_PLANE0 + dice.below(3);
-    writeToggle(w, plane, 40);
-    std::array<GLdouble, 4> equation = {0, 1, 0, 0};
-    equation[0] = dice.real(-1, 1), equation[2] = dice.real(-1, 1), equation[3] = dice.real(0, 1);
-    WRITE(w, ClipPlane, plane, equation);
-  }
+  if (dice.chance(30)) writeToggle(w, GL_CLIP_PLANE0 + dice.below(3), 40);
   if (dice.chance(15)) WRITE(w, LineWidth, dice.chance(50) ? 1.0f : dice.real(1, 4));
   if (dice.chance(15)) WRITE(w, PointSize, dice.chance(30) ? 1.0f : dice.real(1, 6));
 }
@@ -133,8 +135,9 @@ void writeFragments(Writer& w) {
   writeToggle(w, GL_BLEND, 20);
   const GLenum source = dice.pick({GL_SRC_ALPHA, GL_ONE});
   WRITE(w, BlendFunc, source, dice.pick({GL_ONE_MINUS_SRC_ALPHA, GL_ONE}));
-  WRITE(w, DepthFunc, dice.pick({GL_LESS, GL_LEQUAL, GL_LESS, GL_LEQUAL, GL_LEQUAL, GL_GREATER, GL_EQUAL,
-                                 GL_ALWAYS, GL_NOTEQUAL, GL_GEQUAL}));
+  WRITE(w, DepthFunc,
+        dice.pick({GL_LESS, GL_LEQUAL, GL_LESS, GL_LEQUAL, GL_LEQUAL, GL_GREATER, GL_EQUAL, GL_ALWAYS,
+                   GL_NOTEQUAL, GL_GEQUAL}));
   WRITE(w, DepthMask, static_cast<GLboolean>(dice.chance(90)));
   if (dice.chance(30)) writeToggle(w, GL_DEPTH_TEST, 85);
   writeToggle(w, GL_STENCIL_TEST, 15);

@@ -7,6 +7,8 @@ namespace gluray::fuzz {
 void writeCamera(Writer& w, int size);
 void writeTexture(Writer& w, uint32_t name);
 void writeLights(Writer& w);
+/// Equations of three clip planes, set once in a scene: avoided.md.
+void writeClipPlanes(Writer& w);
 /// Polygon state, textures, clip planes, normals.
 void writeSurface(Writer& w);
 /// glColorMaterial and GL_COLOR_MATERIAL.

@@ -31,8 +31,7 @@ void writeMaterial(Writer& w) {
     WRITE(w, Materialf, face, GLenum{GL_SHININESS}, w.dice.real(1, 60));  // 0: avoided.md
     return;
   }
-  const GLenum name =
-      w.dice.pick({GL_DIFFUSE, GL_AMBIENT, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION});
+  const GLenum name = w.dice.pick({GL_DIFFUSE, GL_AMBIENT, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION});
   WRITE(w, Materialfv, face, name, w.dice.color());
 }
 

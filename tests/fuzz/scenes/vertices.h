@@ -9,8 +9,8 @@ namespace gluray::fuzz {
 /// Where glMaterial stands between glBegin and glEnd.
 enum class Materials { none, anywhere, inLists };
 
-/// Appends the shape as triangles, strips, fans or polygons. In lists, materials that are new in the middle of
-/// a primitive confuse Mesa (avoided.md): there each primitive begins with the one that changes later.
+/// Appends the shape as triangles, strips, fans or polygons. In lists, materials that are new in the middle
+/// of a primitive confuse Mesa (avoided.md): there each primitive begins with the one that changes later.
 void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes, Materials materials);
 
 /// Appends lines or points with colours and materials of their own.
