@@ -37,6 +37,7 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       group_(std::move(group)),
       triangles_(countTriangles(captured_)) {
   lastSlots_ = leftByList_ = slotsOfLastVertex();
+  leadingMaterial_ = findLeadingMaterial();
 }
 
 GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
@@ -140,6 +141,19 @@ void GeometryRun::rasterise(Context& context) {
   context.real.CallList(realList_);
 }
 
+const MaterialChange* GeometryRun::leadingMaterial() const {
+  if (leadingMaterial_ == 0) return nullptr;
+  return &captured_.materials[leadingMaterial_ - 1];
+}
+
+// The last change up to the first vertex that was made outside glBegin and glEnd.
+uint32_t GeometryRun::findLeadingMaterial() const {
+  if (!layout_.has(kMaterialNumber) || captured_.vertexCount == 0) return 0;
+  auto number = static_cast<uint32_t>(captured_.vertex(0)[layout_.offset[kMaterialNumber]]);
+  while (number > 0 && !captured_.materials[number - 1].outside) --number;
+  return number;
+}
+
 void GeometryRun::execute(Context& context) {
   if (context.immediate.insideBegin() && !captured_.primitives.empty())
     return context.errors.set(GL_INVALID_OPERATION);
@@ -152,17 +166,23 @@ void GeometryRun::execute(Context& context) {
     return;
   }
   context.immediate.closeRunIfOpen();
+  const MaterialChange* leading = context.lists.executesNow() ? nullptr : leadingMaterial();
+  bool again = false;
   if (context.clock.passesThrough() && drawDirectly(context)) {
     setFinals(finalSlots_ & ~leftByList_);
   } else {
     if (!context.lists.executesNow())
       forEachSlot(leading_,
                   [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
+    if (leading) applyMaterials(context, *leading);
     draw(context);
+    again = leading && (context.shadow.current.held() & bit(kMaterialNumber));
     leave(context);
   }
   if (captured_.materials.empty()) return;
   applyMaterials(context, captured_.materials.back());
+  // Materials that Mesa still holds back it stores again later, over those of the vertices.
+  if (again) applyMaterials(context, *leading);
   context.shadow.latch.letGo(context.real);
   context.shadow.current.restore(context.real);
 }

@@ -34,6 +34,9 @@ class GeometryRun final : public ListOp {
   void draw(Context& context);
   /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);
+  /// The materials that are set before its first glBegin, if any.
+  const MaterialChange* leadingMaterial() const;
+  uint32_t findLeadingMaterial() const;
   /// Those of finalSlots_ that have the value of the last vertex, which the real list leaves current.
   SlotMask slotsOfLastVertex() const;
   /// Fills inherited slots with the caller's current values.
@@ -57,7 +60,8 @@ class GeometryRun final : public ListOp {
   SlotValues finals_;
   SlotMask leading_ = 0;
   SlotValues leadingValues_{};
-  bool rasterised_ = false;  // in its last call
+  uint32_t leadingMaterial_ = 0;  // its number; 0: none
+  bool rasterised_ = false;       // in its last call
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;
   std::weak_ptr<ShareGroup> group_;

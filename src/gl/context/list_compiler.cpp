@@ -119,7 +119,6 @@ void ListCompiler::callList(GLuint name) {
   if (depth_ == 0 && !p_.immediate.insideBegin() && !p_.clock.passesThrough()) {
     p_.shadow.current.store(p_.shadow.real);
     p_.shadow.latch.called(p_.shadow.real);
-    p_.shadow.current.restore(p_.shadow.real);
   }
   const auto list = p_.shadow.group.lists.find(name);
   if (!list || depth_ >= kDeepest) return;

@@ -100,15 +100,18 @@ void Scene::current() {
 
 void Scene::send(const Shape& shape, bool list) {
   const Attributes attributes = makeAttributes(dice_);
-  if (dice_.chance(arrayShare_))
+  if (dice_.chance(arrayShare_)) {
+    // So that Mesa keeps the attributes of a primitive before it: avoided.md.
+    if (list) WRITE(w_, Normal3f, dice_.real(-1, 1), 0.5f, 1.0f);
     writeArrays(w_, shape, attributes, list);
-  else if (dice_.chance(15))
+  } else if (dice_.chance(15)) {
     writeArrayElements(w_, shape, attributes);
-  else
+  } else {
     writePrimitives(w_, shape, attributes,
                     !dice_.chance(materials_ / 3) ? Materials::none
                     : list                        ? Materials::inLists
                                                   : Materials::anywhere);
+  }
 }
 
 void Scene::listStep(const Shape& shape) {
