@@ -1,5 +1,6 @@
-// During its lifetime, the program reads finished images if the bound read framebuffer shows unfinished
-// images with light (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
+// A read of colours by the program. A large one finishes the picture of the bound read framebuffer
+// (adr/0095). If that shows images with light that still have noise, the program reads a copy without it
+// during the lifetime of this object (adr/0054). Used by the generated stubs around glReadPixels; GL thread.
 #pragma once
 #include "gl/context/context.h"
 

@@ -82,9 +82,12 @@ void RasterDraws::meet(std::span<const Triangle> triangles) {
 }
 
 void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
-  const WithoutOtherOffsets guard(p_.shadow.real);
-  if (meeting == MultipassSurfaces::Meeting::pending) p_.flusher.present(Reason::passes);
+  if (meeting == MultipassSurfaces::Meeting::pending) {
+    const WithoutOtherOffsets guard(p_.shadow.real);
+    p_.flusher.present(Reason::passes);
+  }
   for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
+    const WithoutOtherOffsets guard(p_.shadow.real);
     p_.cleared.forget();
     p_.shadow.syncCurrent();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};

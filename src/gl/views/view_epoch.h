@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace gluray::gl {
@@ -22,6 +23,11 @@ struct ViewEpoch {
     std::shared_ptr<const scene::FramebufferCapture> capture;
     std::shared_ptr<const Image> written;  // PresentResult::written; null: it cannot be lit again
     std::vector<uint8_t> erased = {};      // by instance: not 0: a clear has removed it; empty: none
+    /// Takes the snapshot of relitOf(), which lacks erased surfaces.
+    void relight(scene::SnapshotPtr now) {
+      if (now->instances.size() != snapshot->instances.size()) erased.clear();
+      snapshot = std::move(now);
+    }
   };
   GLuint framebuffer = 0;
   GLenum drawBuffer = 0;

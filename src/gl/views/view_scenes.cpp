@@ -201,9 +201,8 @@ void ViewScenes::relit(const Outdated& batch, std::shared_ptr<const Image> writt
   for (ViewEpoch& epoch : open_)
     for (ViewEpoch::Drawn& drawn : epoch.batches) {
       if (drawn.snapshot != batch.before) continue;
-      if (drawn.snapshot->instances.size() != batch.now->instances.size()) drawn.erased.clear();
-      drawn.snapshot = batch.now, drawn.written = std::move(written);
-      return;
+      drawn.relight(batch.now);
+      return void(drawn.written = std::move(written));
     }
 }
 
@@ -211,8 +210,10 @@ scene::SnapshotPtr ViewScenes::broughtUpToDate(const scene::SnapshotPtr& snapsho
   try {
     for (ViewEpoch& epoch : open_)
       for (size_t i = 0; i < epoch.batches.size(); ++i)
-        if (epoch.batches[i].snapshot == snapshot)
-          return epoch.batches[i].snapshot = relitOf(epoch, i, extents_);
+        if (epoch.batches[i].snapshot == snapshot) {
+          epoch.batches[i].relight(relitOf(epoch, i, extents_));
+          return epoch.batches[i].snapshot;
+        }
   } catch (const std::exception&) { forget(); }
   return snapshot;
 }
