@@ -159,7 +159,7 @@ KnownMesh buildArrayMesh(const RealGl& real, const ArrayState& arrays, GLenum mo
         attribute(readers.texcoordsAbove[i], arrays.texcoordsAbove[i], range, keepPlace, 4, mesh->sizeBytes));
   mesh->indices = indicesFor(triangles, range.lower, mesh->sizeBytes);
   finishMesh(*mesh);
-  result.shortNormals = hasShortNormals(*mesh);
+  result.leastSquareOfNormals = leastSquareOfNormals(*mesh);
   result.mesh = std::move(mesh);
   return result;
 }

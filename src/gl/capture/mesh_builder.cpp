@@ -201,7 +201,7 @@ KnownMesh buildMesh(const CapturedVertices& captured) {
   }
   finishMesh(*mesh);
   if (mesh->shape != scene::Shape::triangles) mesh->geometryId = hashBytes(&mesh->shape, 1, mesh->geometryId);
-  result.shortNormals = hasShortNormals(*mesh);
+  result.leastSquareOfNormals = leastSquareOfNormals(*mesh);
   result.mesh = std::move(mesh);
   return result;
 }
@@ -240,7 +240,7 @@ KnownMesh buildMesh(CapturedVertices&& captured) {
   taken->vertices = std::move(captured.vertices);
   taken->indices = std::move(captured.indices);
   KnownMesh result;
-  result.shortNormals = hasShortNormals(*mesh);
+  result.leastSquareOfNormals = leastSquareOfNormals(*mesh);
   result.mesh = std::move(mesh);
   return result;
 }

@@ -18,10 +18,11 @@ KnownMesh buildMesh(CapturedVertices&& captured);
 /// null, describe its triangles.
 void finishMesh(scene::Mesh& mesh, const SurfaceFacts* facts = nullptr);
 
-/// Whether one of the mesh's normals is so short that GL_NORMALIZE may divide by zero.
-bool hasShortNormals(const scene::Mesh& mesh);
+/// The least square of a length among the mesh's normals that are not zero, in object space, as float has it;
+/// infinite if there are none.
+float leastSquareOfNormals(const scene::Mesh& mesh);
 /// The same for one normal.
-bool isShortNormal(const glm::vec3& normal);
+float squareOfNormal(const glm::vec3& normal);
 
 /// Whether a coordinate is beyond 1e18. Embree rejects coordinates beyond 1.8e18.
 bool isFarAway(const scene::Mesh& mesh);

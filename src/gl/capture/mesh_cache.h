@@ -5,6 +5,7 @@
 #include "scene/mesh.h"
 
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <unordered_map>
 
@@ -12,9 +13,9 @@ namespace gluray::gl {
 
 /// A mesh, and what the classifier needs to know of the vertices it was built from.
 struct KnownMesh {
-  scene::MeshPtr mesh;        // null if it cannot be traced (homogeneous vertices)
-  bool homogeneous = false;   // some vertex has w != 1
-  bool shortNormals = false;  // some normal has no direction: it is zero, or its square is in float
+  scene::MeshPtr mesh;       // null if it cannot be traced (homogeneous vertices)
+  bool homogeneous = false;  // some vertex has w != 1
+  float leastSquareOfNormals = std::numeric_limits<float>::infinity();  // as of the function of that name
 };
 
 class MeshCache {

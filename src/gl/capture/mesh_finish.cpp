@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace gluray::gl {
@@ -104,22 +105,25 @@ bool areModerate(const scene::Mesh& mesh) {
 
 }  // namespace
 
-// Longer than the square root of the least float, for matrices that shorten it.
-bool isShortNormal(const glm::vec3& normal) { return !(glm::dot(normal, normal) > 1e-30f); }
+float squareOfNormal(const glm::vec3& normal) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  return normal == glm::vec3(0) ? kInfinity : glm::dot(normal, normal);
+}
 
-bool hasShortNormals(const scene::Mesh& mesh) {
-  if (!mesh.normals || mesh.normals.format != scene::Format::float3) return false;
+float leastSquareOfNormals(const scene::Mesh& mesh) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  if (!mesh.normals || mesh.normals.format != scene::Format::float3) return kInfinity;
   return reducePieces(
-      mesh.vertexCount, kBoundsGrain, false,
-      [&](size_t first, size_t last, bool found) {
-        for (size_t i = first; i < last && !found; ++i) {
+      mesh.vertexCount, kBoundsGrain, kInfinity,
+      [&](size_t first, size_t last, float least) {
+        for (size_t i = first; i < last; ++i) {
           glm::vec3 normal;
           std::memcpy(&normal, mesh.normals.data + i * mesh.normals.stride, sizeof normal);
-          found = isShortNormal(normal);
+          least = std::min(least, squareOfNormal(normal));
         }
-        return found;
+        return least;
       },
-      [](bool a, bool b) { return a || b; });
+      [](float a, float b) { return std::min(a, b); });
 }
 
 bool isFarAway(const scene::Mesh& mesh) {

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gluray::gl {
 namespace {
@@ -60,11 +61,18 @@ bool isBeforeViewersPlane(const scene::Mesh& mesh, const glm::dmat4& eyeFromObje
   return true;
 }
 
-/// Whether fixed function makes unit vectors of normals that have no direction: the result is undefined.
+/// Whether fixed function makes unit vectors of normals that are not zero, but so short that the square of
+/// their length may be: the result is undefined. Normals of length 0 receive no light of light sources.
 bool normalizesShort(const KnownMesh& known, ShadowState& shadow) {
   const scene::Shading& shading = shadow.shading();
   if (shadow.raster().program != 0 || !shading.lighting || !shading.normalize) return false;
-  return known.mesh->normals ? known.shortNormals : isShortNormal(glm::make_vec3(shadow.current[kNormal]));
+  const float square = known.mesh->normals ? known.leastSquareOfNormals
+                                           : squareOfNormal(glm::make_vec3(shadow.current[kNormal]));
+  // The inverse transposed matrix divides lengths by at most the modelview's Frobenius norm.
+  const glm::dmat3 m(shadow.modelview());
+  const double norm = glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]);
+  constexpr double kLeast = 4 * std::numeric_limits<float>::min();  // room for roundings
+  return !(square / std::max(norm, 1.0) > kLeast);
 }
 
 bool isOpaque(const scene::Shading& shading, const scene::MaterialPair& material) {

@@ -40,9 +40,9 @@ HWY_INLINE Float3 add(const Float3& a, const Float3& b) {
 HWY_INLINE Float3 sub(const Float3& a, const Float3& b) {
   return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
-/// 1/|a|, at most 1e15, so that a vector of length 0 stays 0.
+/// 1/|a|, at most 1e19, so that a vector of length 0 stays 0.
 HWY_INLINE Float inverseLength(const Float3& a) {
-  return hn::Div(splat(1), hn::Sqrt(hn::Max(dot(a, a), splat(1e-30f))));
+  return hn::Div(splat(1), hn::Sqrt(hn::Max(dot(a, a), splat(1.2e-38f))));
 }
 HWY_INLINE Float3 unit(const Float3& a) { return scaled(a, inverseLength(a)); }
 

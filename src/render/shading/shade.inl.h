@@ -54,6 +54,15 @@ HWY_INLINE Float3 cornerNormal(const Surface& s, const Float3& n) {
   return s.lighting->shading->rescaleNormal ? scaled(eye, splat(s.rescale)) : eye;
 }
 
+// The share of a point's normal that comes from corners whose normals, of lengths l0 to l2, have a direction.
+// As in vertex lighting, corners without one receive no light of light sources, which fades towards them.
+HWY_INLINE Float shareWithDirection(Float l0, Float l1, Float l2, const Weights& weights) {
+  const Float zero = splat(0), one = splat(1);
+  const auto has = [&](Float length) HWY_ATTR { return hn::IfThenElseZero(hn::Gt(length, zero), one); };
+  const auto all = hn::Gt(hn::Min(hn::Min(l0, l1), l2), zero);
+  return hn::IfThenElse(all, one, weights(has(l0), has(l1), has(l2)));
+}
+
 // The normal inside the triangle. Interpolates directions as unit vectors, and lengths (which matter without
 // GL_NORMALIZE) separately, so that highlights do not fade between corners.
 HWY_INLINE Float3 pixelNormal(const Surface& s, const Attributes& a, const Weights& weights, int i) {
@@ -62,8 +71,9 @@ HWY_INLINE Float3 pixelNormal(const Surface& s, const Attributes& a, const Weigh
   const Float3 direction = unit(weights(scaled(n0, i0), scaled(n1, i1), scaled(n2, i2)));
   const Float3 eye = transform(s.eyeFromObjectNormal, direction);
   const scene::Shading& shading = *s.lighting->shading;
-  if (shading.normalize) return unit(eye);
-  const Float length = weights(hn::Mul(dot(n0, n0), i0), hn::Mul(dot(n1, n1), i1), hn::Mul(dot(n2, n2), i2));
+  const Float l0 = hn::Mul(dot(n0, n0), i0), l1 = hn::Mul(dot(n1, n1), i1), l2 = hn::Mul(dot(n2, n2), i2);
+  if (shading.normalize) return scaled(unit(eye), shareWithDirection(l0, l1, l2, weights));
+  const Float length = weights(l0, l1, l2);
   return scaled(eye, shading.rescaleNormal ? hn::Mul(length, splat(s.rescale)) : length);
 }
 

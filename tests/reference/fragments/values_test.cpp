@@ -87,6 +87,47 @@ TEST(OddValues, ThatAreLargeButFiniteAreTraced) {
   EXPECT_EQ(counts.drawsTraced, 1u);
 }
 
+/// They get no light of light sources, as in the real OpenGL; with lighting at pixels light fades towards
+/// them.
+TEST(OddValues, NormalsOfLengthZeroUnderNormalizeAreTraced) {
+  for (const bool twoSided : {false, true})
+    for (const Settings& settings : {TracedContext::vertexShading(), TracedContext::tracing()}) {
+      Sheet sheet;
+      for (size_t i = 0; i < sheet.normals.size(); ++i) {
+        const bool zero = i < sheet.normals.size() / 2;
+        sheet.normals[i] = i % 3 == 2 && !zero ? 1.0f : 0.0f;
+      }
+      BothStage stage = kValuesStage;
+      stage.settings = settings;
+      stage.tolerance = {2, 0.002, 1e-6f, "edges fall on either side of a pixel's centre"};
+      const gl::Statistics counts = compareBoth(stage, "zero normals", [&](scenes::Gl gl) {
+        const GLfloat dim[4] = {0.5f, 0.5f, 0.5f, 1};  // no colour is clamped
+        gl.Enable(GL_NORMALIZE), gl.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, twoSided);
+        gl.Lightfv(GL_LIGHT0, GL_DIFFUSE, dim);
+        sheet.draw(gl);
+      });
+      EXPECT_EQ(counts.drawsTraced, 1u);
+    }
+}
+
+TEST(OddValues, ShortNormalsUnderNormalizeAreTracedWhileTheirSquaresAreNot0) {
+  const auto countsOf = [](float length, double scale) {
+    Sheet sheet;
+    for (float& n : sheet.normals) n *= length;
+    for (float& p : sheet.positions) p *= static_cast<float>(scale);
+    BothStage stage = kValuesStage;
+    stage.tolerance = {2, 0.002, 1e-6f, "edges fall on either side of a pixel's centre"};
+    return compareBoth(stage, "short normals", [&](scenes::Gl gl) {
+      gl.Enable(GL_NORMALIZE), gl.Scaled(1 / scale, 1 / scale, 1 / scale);
+      sheet.draw(gl);
+    });
+  };
+  EXPECT_EQ(countsOf(1e-16f, 1).drawsTraced, 1u);
+  EXPECT_EQ(countsOf(1e-18f, 1).drawsTraced, 1u);
+  EXPECT_EQ(countsOf(1e-16f, 1e-4).drawsTraced, 0u);  // the matrix makes them shorter
+  EXPECT_EQ(countsOf(1e-18f, 1e4).drawsTraced, 1u);
+}
+
 /// A triangle of two units, which the matrix brings back.
 void drawFar(scenes::Gl gl, double far) {
   gl.Disable(GL_LIGHTING);

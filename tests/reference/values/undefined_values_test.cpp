@@ -42,8 +42,8 @@ void expectLeftAlone(const Draw& draw, gl::Reason reason, uint64_t draws) {
   EXPECT_EQ(ours.context().counts.statistics.rasterisedBecause[static_cast<size_t>(reason)], draws);
 }
 
-TEST(UndefinedValues, NormalsWithoutDirectionThatBecomeUnitVectors) {
-  for (const float length : {0.0f, 1e-25f, 1e-20f})
+TEST(UndefinedValues, ShortNormalsThatBecomeUnitVectors) {
+  for (const float length : {1e-25f, 1e-20f})
     expectLeftAlone(
         [&](Gl gl) {
           begin(gl), gl.Enable(GL_NORMALIZE), triangle(gl, 0, {0, length, length});
