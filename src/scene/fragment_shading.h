@@ -93,7 +93,7 @@ struct FragmentShading {
   PbrSurface pbr;
   bool writesDepth = false;  // gl_FragDepth: one depth for all samples of a pixel
   bool edges = false;        // paint the triangle edges selected by Instance::triangleEdges
-  bool edgesGrow = true;     // edges enlarge their triangles (render/local/edged_triangle.h)
+  bool edgesGrow = true;     // edges enlarge their triangles (render/edges/edged_triangle.h)
   float edgeWidth = 1;       // pixels
   float edgeOpacity = 1;     // largest weight of the edge colour
   glm::vec3 edgeColor{0};

@@ -11,6 +11,8 @@ struct DepthMap {
          constant = 0;     // polygon offset: slopeFactor * steepest window-space slope + constant
   bool euclidean = false;  // the slope is the length of the gradient instead
   double floatUnits = 0;   // also added: so many units in the last place of a triangle's largest float depth
+  /// Window depth, not clamped, without the triangle's own part of the polygon offset.
+  double windowDepth(double ndc) const { return ndc * scale + offset + constant; }
   /// The constant part of the polygon offset of a triangle whose NDC depths range from `ndc` to `further`.
   double constantOf(double ndc, double further) const;
 };

@@ -2,6 +2,7 @@
 
 #include "render/camera/focus.h"
 #include "render/camera/lens.h"
+#include "render/edges/grown_triangles.h"
 #include "render/lights/lamps.h"
 #include "render/lights/relit.h"
 #include "render/resolve/pixel_filter.h"
@@ -190,6 +191,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
   samplePositions = positionsOf(s, averages);
   if (averages) prepareAverages();
+  if (widestEdge > 0)
+    grown = std::make_unique<GrownTriangles>(
+        GrowthStage{s, surfaces, depth, accepted.get(), image->width, image->height, samplePositions});
   if (averages && s.backdrop) backdrop.emplace(s, eyeRays);
   for (size_t i = 0; i < s.instances.size() && scene::wantsCatcher(s.settings); ++i)
     if (s.instances[i].ground) catcher = static_cast<uint32_t>(i);

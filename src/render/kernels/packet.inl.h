@@ -17,15 +17,11 @@ namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 // Last stage: writes colour and depth into the image.
-HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, Work& work, CollectedHits& behind,
-                                Averages* averages) {
+HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, const GrownSamples& grown,
+                                Work& work, CollectedHits& behind, Averages* averages) {
   if (frame.hits) forgetHits(*frame.hits, work);
   clearPixels(averages ? 0 : frame.image->missColor, work);
-  if (frame.widestEdge > 0 && !work.lens) {
-    alignas(64) int32_t valid[kLanes];
-    std::copy_n(work.valid, kLanes, valid);
-    pickEdged(frame, valid, work);
-  }
+  if (frame.grown && !work.lens) pickEdged(frame, grown, work);
   if (frame.leastDepth && !work.lens) pickLeastDepth(frame, centersOf(work), behind, work);
   if (work.hits && frame.snapshot->layers)
     shadeLayers(frame, *frame.snapshot->layers, work);
@@ -45,22 +41,25 @@ HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Aver
   Work works[3];
   CollectedHits behind;  // scratch, for one packet at a time
   for (Work& work : works) initPacket(work.packet), work.waiting = waiting;
+  GrownSamples grown(frame.grown.get(), tile,
+                     2);  // a sample's last packets are finished while the next one is traced
   int count = 0;
   const bool layered = frame.snapshot->layers != nullptr;  // layers are traced in the last stage
   const auto back = [&](int stages) HWY_ATTR -> Work& { return works[(count - stages) % 3]; };
   for (int sample = 0; sample < static_cast<int>(frame.samplePositions.size()); ++sample) {
+    if (!frame.lens || sample == 0) grown.find(sample);
     for (int y = tile.y0; y < tile.y1; y += 4) {
       for (int x = tile.x0; x < tile.x1; x += 4, ++count) {
         aim(frame, tile, x, y, sample, back(0));
         traceWork(frame, back(0));
         if (count > 0 && !layered) fetchVertices(frame, back(1));
-        if (count > 1) finishWork(frame, tile, back(2), behind, averages);
+        if (count > 1) finishWork(frame, tile, grown, back(2), behind, averages);
       }
     }
   }
   if (count > 0 && !layered) fetchVertices(frame, back(1));
-  if (count > 1) finishWork(frame, tile, back(2), behind, averages);
-  if (count > 0) finishWork(frame, tile, back(1), behind, averages);
+  if (count > 1) finishWork(frame, tile, grown, back(2), behind, averages);
+  if (count > 0) finishWork(frame, tile, grown, back(1), behind, averages);
 }
 
 HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {

@@ -128,22 +128,6 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
   fetchVertices(frame, work);
 }
 
-// The same without RejectingFilter: of coincident triangles it finds only one.
-HWY_ATTR inline void traceBehind(const FrameData& frame, uint32_t lanes, Work& work) {
-  constexpr float kBehind = 1 + 0x1p-21f;  // skips the same hit
-  alignas(64) float passed[kLanes];
-  for (int i = 0; i < kLanes; ++i) {
-    work.valid[i] = lanes >> i & 1 ? -1 : 0;
-    passed[i] = work.packet.tFar[i] * kBehind;
-  }
-  const accel::ImpostorQuery* impostors = aimRays(frame, work);
-  for (int i = 0; i < kLanes; ++i)
-    if (work.valid[i]) work.packet.tNear[i] = std::max(work.packet.tNear[i], passed[i]);
-  frame.world->intersect(work.valid, work.packet, frame.accepted.get(), impostors);
-  work.hits = lanesThatHit(work.packet, work.valid);
-  fetchVertices(frame, work);
-}
-
 // Shades the nearest accepted hit of each lane, or keeps it, if visibility is collected first.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
   const bool wide = frame.image->has(Plane::wideColor);

@@ -7,8 +7,8 @@
 #define GLURAY_RENDER_FRAGMENT_INPUTS_INL_H_
 #endif
 
+#include "render/edges/edged_triangle.h"
 #include "render/frame_data/frame_data.h"
-#include "render/local/edged_triangle.h"
 #include "render/local/fragment.inl.h"
 #include "render/local/textured_triangle.h"
 

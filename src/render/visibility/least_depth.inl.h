@@ -9,8 +9,9 @@
 #define GLURAY_RENDER_LEAST_DEPTH_INL_H_
 #endif
 
+#include "render/edges/nearest.h"
+#include "render/packets/trace.inl.h"
 #include "render/visibility/collected_hits.h"
-#include "render/visibility/nearest.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -91,7 +92,7 @@ HWY_ATTR inline void pickLeastDepth(const FrameData& frame, const Centers& cente
       const int i = std::countr_zero(lanes);
       const accel::RayPacket& hit = work.packet;
       const Nearest next{depth[i], hit.instance[i], hit.primitive[i]};
-      if (!isSeenBefore(frame, next, {least[i], best.instance[i], best.primitive[i]})) continue;
+      if (!isSeenBefore(*frame.snapshot, next, {least[i], best.instance[i], best.primitive[i]})) continue;
       least[i] = depth[i];
       best.u[i] = hit.u[i], best.v[i] = hit.v[i];
       best.instance[i] = hit.instance[i], best.primitive[i] = hit.primitive[i];

@@ -153,16 +153,12 @@ HWY_ATTR inline void shadeOpen(const FrameData& frame, bool mayReject, SampleBlo
 }
 
 // Second stage: finds the samples that share a triangle; prefetches the vertices.
-HWY_ATTR inline void shareBlock(const FrameData& frame, SampleBlock& block) {
+HWY_ATTR inline void shareBlock(const FrameData& frame, const GrownSamples& grown, SampleBlock& block) {
   for (size_t s = 0; s < block.count(); ++s) {
     Work& work = block.samples[s];
     clearPixels(frame.image->missColor, work);
     block.filters[s].reset();
-    if (frame.widestEdge > 0) {
-      alignas(64) int32_t valid[kLanes];
-      std::copy_n(work.valid, kLanes, valid);
-      pickEdged(frame, valid, work);
-    }
+    if (frame.grown) pickEdged(frame, grown, work);
     if (frame.leastDepth) pickLeastDepth(frame, block.centers, block.behind, work);
     block.failed[s] = frame.ownPlanes ? cutLanes(frame, block.centers, work) : 0;
     block.open[s] = work.hits & ~block.failed[s];
@@ -188,6 +184,9 @@ HWY_ATTR inline void traceMultisampled(const FrameData& frame, const Tile& tile)
   std::vector<SampleBlock> blocks;
   blocks.reserve(3);
   for (int i = 0; i < 3; ++i) blocks.emplace_back(frame.samplePositions.size());
+  const auto samples = static_cast<int>(frame.samplePositions.size());
+  GrownSamples grown(frame.grown.get(), tile, samples);
+  for (int sample = 0; sample < samples; ++sample) grown.find(sample);
   int count = 0;
   const auto back = [&](int stages) HWY_ATTR -> SampleBlock& {
     return blocks[static_cast<size_t>((count - stages) % 3)];
@@ -195,11 +194,11 @@ HWY_ATTR inline void traceMultisampled(const FrameData& frame, const Tile& tile)
   for (int y = tile.y0; y < tile.y1; y += 4) {
     for (int x = tile.x0; x < tile.x1; x += 4, ++count) {
       traceBlock(frame, tile, x, y, back(0));
-      if (count > 0) shareBlock(frame, back(1));
+      if (count > 0) shareBlock(frame, grown, back(1));
       if (count > 1) finishBlock(frame, tile, back(2));
     }
   }
-  if (count > 0) shareBlock(frame, back(1));
+  if (count > 0) shareBlock(frame, grown, back(1));
   if (count > 1) finishBlock(frame, tile, back(2));
   if (count > 0) finishBlock(frame, tile, back(1));
 }

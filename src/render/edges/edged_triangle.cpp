@@ -1,4 +1,4 @@
-#include "render/local/edged_triangle.h"
+#include "render/edges/edged_triangle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +40,39 @@ EdgedTriangle::EdgedTriangle(const Surface& surface, const scene::Camera& camera
   for (int k = 0; k < 3; ++k)
     moved_[k] = corner_[k] - (f.edgesGrow ? 0.25 * width_ : 0.0) * unit(inward_[(k + 2) % 3] + inward_[k]);
   area_ = cross(moved_[1] - moved_[0], moved_[2] - moved_[0]);
+}
+
+std::optional<WindowBox> windowBoxOf(const Surface& surface, const scene::Camera& camera,
+                                     uint32_t primitive) {
+  const glm::dvec2 half = glm::dvec2(camera.viewport.z, camera.viewport.w) * 0.5,
+                   centre = glm::dvec2(camera.viewport.x, camera.viewport.y) + half;
+  WindowBox box{glm::dvec2(HUGE_VAL), glm::dvec2(-HUGE_VAL)};
+  for (uint32_t k = 0; k < 3; ++k) {
+    const glm::dvec4 clip =
+        surface.clipFromObject * glm::dvec4(surface.mesh->position(surface.mesh->corner(primitive, k)), 1);
+    if (!(clip.w > 0)) return std::nullopt;
+    const glm::dvec2 corner = centre + half * glm::dvec2(clip) / clip.w;
+    box.lower = glm::min(box.lower, corner), box.upper = glm::max(box.upper, corner);
+  }
+  return box;
+}
+
+std::array<HalfPlane, 6> EdgedTriangle::grown() const {
+  std::array<HalfPlane, 6> planes;
+  const double turn = area_ < 0 ? -1 : 1;
+  for (size_t k = 0; k < 3; ++k) {
+    const glm::dvec2 along = unit(moved_[(k + 1) % 3] - moved_[k]),
+                     normal = turn * glm::dvec2(-along.y, along.x);
+    planes[k] = {normal, glm::dot(normal, moved_[k])};
+    planes[k + 3] = {inward_[k], hidden_[k] ? glm::dot(inward_[k], corner_[k]) - 0.5 : -HUGE_VAL};
+  }
+  return planes;
+}
+
+std::array<HalfPlane, 3> EdgedTriangle::own() const {
+  std::array<HalfPlane, 3> planes;
+  for (size_t k = 0; k < 3; ++k) planes[k] = {inward_[k], glm::dot(inward_[k], corner_[k])};
+  return planes;
 }
 
 glm::dvec3 EdgedTriangle::barycentric(const glm::dvec2& at) const {

@@ -1,5 +1,5 @@
 // Triangles that grow by their painted edges.
-#include "render/local/edged_triangle.h"
+#include "render/edges/edged_triangle.h"
 
 #include "render/testing/test_trace.h"
 

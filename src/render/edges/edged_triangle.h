@@ -7,9 +7,25 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
+#include <optional>
 
 namespace gluray::render {
+
+/// Window positions p with dot(normal, p) >= least.
+struct HalfPlane {
+  glm::dvec2 normal;
+  double least;
+};
+
+/// Window coordinates.
+struct WindowBox {
+  glm::dvec2 lower, upper;
+};
+
+/// Bounds of a triangle in the window; none if a corner is not in front of the viewer.
+std::optional<WindowBox> windowBoxOf(const Surface& surface, const scene::Camera& camera, uint32_t primitive);
 
 class EdgedTriangle {
  public:
@@ -17,6 +33,13 @@ class EdgedTriangle {
   /// front of the viewer.
   EdgedTriangle(const Surface& surface, const scene::Camera& camera, uint32_t primitive);
 
+  /// Bounds of the grown triangle.
+  glm::dvec2 lower() const { return glm::min(glm::min(moved_[0], moved_[1]), moved_[2]); }
+  glm::dvec2 upper() const { return glm::max(glm::max(moved_[0], moved_[1]), moved_[2]); }
+  /// Half planes whose intersection is what covers() accepts. Without area they may hold anything.
+  std::array<HalfPlane, 6> grown() const;
+  /// Half planes whose intersection is the triangle before it grew.
+  std::array<HalfPlane, 3> own() const;
   /// Whether the triangle covers a window position.
   bool covers(const glm::dvec2& at) const;
   /// NDC depth at a window position.
