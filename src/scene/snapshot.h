@@ -90,7 +90,7 @@ struct Instance {
   glm::mat3 normalMatrix{1};        // the program's own, for normals per vertex and per triangle
   Attribute triangleColors;         // float4 or unorm8x4: triangle t has element triangleOffset + t
   Attribute triangleNormals;        // float3 or float4, object space
-  Attribute triangleEdges;          // bits8: bit k: paint the edge from corner k to the next
+  Attribute triangleEdges;          // bits8: bit k: paint the edge from corner k to the next; none: all
   uint32_t triangleOffset = 0;
   Impostors impostors;  // unless the mesh's shape is triangles
   CullFace cull = CullFace::none;

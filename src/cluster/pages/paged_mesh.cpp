@@ -32,7 +32,7 @@ void copyElements(const scene::Attribute& from, const std::vector<uint32_t>& whi
 }  // namespace
 
 bool PagedMesh::fits(const scene::Instance& instance, const scene::Shading& shading) {
-  const bool edged = instance.triangleEdges || (shading.fragment.edges);
+  const bool edged = instance.triangleEdges || shading.fragment.edges;
   return instance.mesh->shape == scene::Shape::triangles && !edged && !instance.ground;
 }
 

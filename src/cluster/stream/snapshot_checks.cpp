@@ -84,7 +84,6 @@ void checkInstances(const std::vector<scene::Instance>& instances,
             "triangles have no colours");
     require(fragment.normals != scene::FragmentShading::Normals::perTriangle || instance.triangleNormals,
             "triangles have no normals");
-    require(!fragment.edges || instance.triangleEdges, "triangles have no edges");
   }
 }
 

@@ -59,10 +59,4 @@ inline bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   return !(upper - lower > kDepthStep);
 }
 
-/// Whether all of the mesh's bounds have positive w.
-inline bool isBeforeViewer(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
-  const auto corners = boundsInClip(mesh, clipFromObject);
-  return std::all_of(corners.begin(), corners.end(), [](const glm::dvec4& p) { return p.w > 0; });
-}
-
 }  // namespace gluray::gl

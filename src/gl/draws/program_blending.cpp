@@ -19,7 +19,7 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   // one is culled.
   const bool single = mesh.shape == scene::Shape::triangles || mesh.shape == scene::Shape::spheres ||
                       (mesh.shape == scene::Shape::sticks && raster.cull != scene::CullFace::none);
-  if (single && !program.triangleEdges) return Reason::traced;
+  if (single && !program.shading.fragment.edges) return Reason::traced;
   return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
 }
 

@@ -137,12 +137,9 @@ Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
     return Reason::arrayState;
   if (program.triangleNormals && program.triangleOffset + triangles > program.triangleNormalCount)
     return Reason::arrayState;
-  // Triangles with growing edges are enlarged in the window, without bound near the viewer's plane, and the
-  // enlarged part has a different depth slope than the triangle. Behind the viewer, distances to edges are
-  // undefined.
-  const bool tilted =
-      offsetOf(p_.shadow, known.mesh->shape).factor != 0 && program.shading.fragment.edgesGrow;
-  if (program.triangleEdges && (tilted || !isBeforeViewer(*known.mesh, program.clipFromObject)))
+  // The part by which triangles grow has another depth slope than the triangle.
+  if (offsetOf(p_.shadow, known.mesh->shape).factor != 0 && program.shading.fragment.edges &&
+      program.shading.fragment.edgesGrow)
     return Reason::program;
   if (layersOf(program) != BatchKey::Layers::none) return Reason::traced;
   return ofBlending(*known.mesh);

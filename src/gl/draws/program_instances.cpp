@@ -65,9 +65,6 @@ Reason ProgramDraws::classifyInstances(const scene::Mesh& mesh, const Elements& 
     if (!isAffine(glm::dmat4(*m), glm::dvec3(1))) return Reason::homogeneous;
     if (RayPrecision::isFarFromOrigin(mesh, clipFromObject, {viewport.z, viewport.w}, glm::dmat4(*m)))
       return Reason::farFromOrigin;
-    // Edges are painted in the window: the same condition as in classifyAlways().
-    if (p_.shadow.program().triangleEdges && !isBeforeViewer(mesh, clipFromObject * glm::dmat4(*m)))
-      return Reason::program;
     if (glm::mat3(*m) != glm::mat3(0) && !scene::isPlaceable(*m)) return Reason::singularMatrix;
   }
   return Reason::traced;

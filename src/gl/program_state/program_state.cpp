@@ -164,10 +164,9 @@ Reason ProgramReader::readNormals() {
 
 Reason ProgramReader::readEdges() {
   scene::FragmentShading& f = out_.shading.fragment;
-  const ProgramUniform* sampler = samplerNamed(family_.edgeFlags);
-  f.edges = sampler != nullptr;
+  f.edges = !family_.edgeFlags.empty();
   out_.triangleEdges = {};
-  if (!sampler) return Reason::traced;
+  if (!f.edges) return Reason::traced;
   GLint viewport[4] = {};
   real_.GetIntegerv(GL_VIEWPORT, viewport);
   if (uniforms_.has(family_.edgeViewport) &&
@@ -177,7 +176,8 @@ Reason ProgramReader::readEdges() {
   f.edgesGrow = family_.edgesGrow;
   f.edgeOpacity = uniforms_.number(family_.edgeOpacity, 1);
   f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
-  return readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);
+  const ProgramUniform* sampler = samplerNamed(family_.edgeFlags);
+  return sampler ? readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount) : Reason::traced;
 }
 
 Reason ProgramReader::readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute,

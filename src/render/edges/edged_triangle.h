@@ -24,21 +24,21 @@ struct WindowBox {
   glm::dvec2 lower, upper;
 };
 
-/// Bounds of a triangle in the window; none if a corner is not in front of the viewer.
+/// Bounds of a triangle in the window; none if it lies behind the viewer, infinite if a part of it does.
 std::optional<WindowBox> windowBoxOf(const Surface& surface, const scene::Camera& camera, uint32_t primitive);
 
 class EdgedTriangle {
  public:
-  /// A triangle of a surface whose shading has edges (scene::FragmentShading::edges). Its corners must be in
-  /// front of the viewer.
+  /// A triangle of a surface whose shading has edges (scene::FragmentShading::edges). Corners behind the
+  /// viewer have the window positions that the geometry shader computes for them.
   EdgedTriangle(const Surface& surface, const scene::Camera& camera, uint32_t primitive);
 
-  /// Bounds of the grown triangle.
-  glm::dvec2 lower() const { return glm::min(glm::min(moved_[0], moved_[1]), moved_[2]); }
-  glm::dvec2 upper() const { return glm::max(glm::max(moved_[0], moved_[1]), moved_[2]); }
-  /// Half planes whose intersection is what covers() accepts. Without area they may hold anything.
+  /// Bounds of the grown triangle; infinite if a part of it lies behind the viewer.
+  WindowBox bounds() const;
+  /// Half planes whose intersection is what covers() accepts.
   std::array<HalfPlane, 6> grown() const;
-  /// Half planes whose intersection is the triangle before it grew.
+  /// Half planes whose intersection is the triangle before it grew; empty if a part of it lies behind the
+  /// viewer.
   std::array<HalfPlane, 3> own() const;
   /// Whether the triangle covers a window position.
   bool covers(const glm::dvec2& at) const;
@@ -50,17 +50,20 @@ class EdgedTriangle {
   float edgeShare(const glm::dvec2& at) const;
 
  private:
-  glm::dvec3 barycentric(const glm::dvec2& at) const;
+  /// The weights of the moved corners, each divided by its clip w.
+  glm::dvec3 shares(const glm::dvec2& at) const { return glm::dvec3(at, 1) * shareOf_; }
   double distance(int edge, const glm::dvec2& at) const {
     return glm::dot(inward_[edge], at - corner_[edge]);
   }
 
-  glm::dvec2 corner_[3], moved_[3];  // window
-  glm::dvec2 inward_[3];             // unit normals of the edges from corner k to the next
-  double depth_[3], w_[3];
+  glm::dvec2 corner_[3], inward_[3];  // window; inward_: unit normals of the edges from corner k to the next
+  glm::dvec3 moved_[3];               // homogeneous window positions: x*w, y*w, w
+  glm::dmat3 shareOf_{0};             // column k: the linear form of corner k's share; 0 without area
+  glm::dvec3 depth_;                  // clip z
   bool hidden_[3];
+  bool crosses_ = false;  // some corner is behind the viewer
   float opacity_ = 1;
-  double width_ = 1, area_ = 0;  // area_: twice that of the moved triangle
+  double width_ = 1;
 };
 
 }  // namespace gluray::render

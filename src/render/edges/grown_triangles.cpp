@@ -61,7 +61,8 @@ void eachGrown(const EdgedTriangle& triangle, const Tile& tile, const glm::dvec2
   constexpr double kRounding = 1e-3;  // pixels
   const std::array grown = triangle.grown();
   const std::array own = triangle.own();
-  const glm::dvec2 lower = triangle.lower() - kRounding, upper = triangle.upper() + kRounding;
+  const WindowBox box = triangle.bounds();
+  const glm::dvec2 lower = box.lower - kRounding, upper = box.upper + kRounding;
   const Range rows = pixelsIn({lower.y, upper.y}, offset.y, tile.y0, tile.y1);
   for (int y = rows.first; y < rows.last; ++y) {
     Interval outer = across(grown, y + offset.y, kRounding);

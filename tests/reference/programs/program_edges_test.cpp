@@ -49,8 +49,9 @@ const char* const kPainting =
     "  diffuseColor = mix(diffuseColor, vec3(0.0), emix);\n"
     "  ambientColor = mix( ambientColor, edgeColor, emix);\n";
 
-/// VTK's variants: 9.1's, 9.3's with an opacity, and since 9.4 corners that stay.
-enum class EdgeWay { opaque, faint, corners };
+/// VTK's variants: 9.1's, 9.1's of strips, whose edges are all painted, 9.3's with an opacity, and since 9.4
+/// corners that stay.
+enum class EdgeWay { opaque, all, faint, corners };
 
 std::string without(std::string text, const std::string& from, const std::string& to) {
   const size_t start = text.find(from), end = text.find(to, start);
@@ -59,6 +60,9 @@ std::string without(std::string text, const std::string& from, const std::string
 }
 
 std::string geometryText(EdgeWay way) {
+  if (way == EdgeWay::all)
+    return without(without(kEdgesGeometry, "uniform samplerBuffer", "void main"), "  float edgeValues",
+                   "  for (int i = 0; i < 3; i++)\n    {");
   if (way != EdgeWay::corners) return kEdgesGeometry;
   std::string text = without(kEdgesGeometry, "  vec2 offsets[3];", "  float edgeValues");
   text = without(text, "    gl_Position.xy = ", "    EmitVertex");
@@ -71,10 +75,12 @@ std::string edgedFragmentText(EdgeWay way) {
     text.replace(at, 10, "VCGSOutput");
   text.insert(text.find("void main()"),
               "in vec4 edgeEqn[3];\nuniform float lineWidth;\nuniform vec3 edgeColor;\n");
-  if (way != EdgeWay::opaque) text.insert(text.find("void main()"), "uniform float edgeOpacity;\n");
+  if (way == EdgeWay::faint || way == EdgeWay::corners)
+    text.insert(text.find("void main()"), "uniform float edgeOpacity;\n");
   if (way == EdgeWay::corners) text.replace(text.find("in vec4 edgeEqn"), 2, "noperspective in");
   std::string painting = kPainting;
-  for (size_t at = 0; way != EdgeWay::opaque && (at = painting.find(", emix)", at)) != std::string::npos;
+  for (size_t at = 0; text.find("edgeOpacity") != std::string::npos &&
+                      (at = painting.find(", emix)", at)) != std::string::npos;
        at += 10)
     painting.replace(at, 7, ", emix * edgeOpacity)");
   return text.insert(text.find("  vec3 normalVCGSOutput = normalize"), painting);
@@ -170,11 +176,31 @@ TEST(ProgramEdges, BetweenCornersThatStay) {
           "edges_staying", [&](Gl gl) { drawEdged(gl, ball(8), width, view, EdgeWay::corners, 0.7f); }, 1);
 }
 
-TEST(ProgramEdges, CornersBehindTheViewerAreLeftToTheRealOne) {
-  View view = perspectiveView(30);
-  view.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, 3.2}) * view.eyeFromObject;
-  expectSame(
-      "edges_inside", [&](Gl gl) { drawEdged(gl, ball(8), 2, view); }, 0);
+TEST(ProgramEdges, AllOfThem) {
+  expectBoth(
+      "edges_all", [](Gl gl) { drawEdged(gl, ball(8), 3, perspectiveView(30), EdgeWay::all); }, 1, {},
+      kEdgeTolerance);
+}
+
+/// A ball that is compressed to a needle thinner than a pixel: its edges alone make it visible.
+TEST(ProgramEdges, ThinnerThanAPixel) {
+  for (const float radius : {0.02f, 0.004f, 0.0005f}) {
+    ProgramMesh tube = ball(8);
+    for (glm::vec3& p : tube.positions) p.x *= radius, p.y *= radius;
+    for (const float width : {1.0f, 3.0f})
+      for (const View& view : {perspectiveView(30), parallelView(50)})
+        expectBoth(
+            "edges_needle", [&](Gl gl) { drawEdged(gl, tube, width, view); }, 1, {}, kEdgeTolerance);
+  }
+}
+
+TEST(ProgramEdges, PartlyBehindTheViewer) {
+  for (const double near : {2.4, 2.9, 3.2}) {
+    View view = perspectiveView(30);
+    view.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, near}) * view.eyeFromObject;
+    expectBoth(
+        "edges_inside", [&](Gl gl) { drawEdged(gl, ball(8), 2, view); }, 1, {}, kEdgeTolerance);
+  }
 }
 
 TEST(ProgramEdges, CulledOnesHideNothing) {
