@@ -4,7 +4,7 @@
 #pragma once
 #include "accel/rays/hit_filter.h"
 #include "render/camera/depth_map.h"
-#include "render/edges/nearest.h"
+#include "render/edges/seen_before.h"
 #include "render/local/surface.h"
 #include "render/tiles/tile.h"
 

@@ -69,6 +69,28 @@ TEST(AmbientOcclusion, UnderASphereIsItsFormFactor) {
   EXPECT_NEAR(meanOfHits(test::trace(s)), 1 - 36.0f / 144, 0.003f);
 }
 
+// Near the bottom of a groove a pixel's point may lie beside the triangle that its ray met, behind the other
+// wall.
+TEST(AmbientOcclusion, InNarrowGroovesIsNeverTotal) {
+  constexpr int kGrooves = 20000;
+  constexpr float kWidth = 6.0f / kGrooves;
+  test::MeshData data;
+  for (int i = 0; i <= 2 * kGrooves; ++i)
+    for (const float y : {-3.0f, 3.0f})
+      data.positions.push_back({0.5f * kWidth * static_cast<float>(i) - 3, y, i % 2 ? -0.5f * kWidth : 0.0f});
+  for (uint32_t i = 0; i < 4 * kGrooves; i += 2)
+    data.indices.insert(data.indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
+  scene::Snapshot s = occludedView({test::makeMesh(data)});
+  s.eyeFromWorld = glm::rotate(s.eyeFromWorld, 0.3, {0, 0, 1});
+  s.instances[0].eyeFromObject = s.eyeFromWorld;
+  s.settings.ao.samples = 64;
+  const test::Traced traced = test::trace(s);
+  // At the bottom a wall hides half of the sky.
+  EXPECT_LT(meanOfHits(traced), 0.9f);
+  for (int y = 0; y < kOcclusionSize; ++y)
+    for (int x = 0; x < kOcclusionSize; ++x) EXPECT_GT(traced.color(x, y).g, 64) << x << ", " << y;
+}
+
 TEST(AmbientOcclusion, ReachesAsFarAsItsRadius) {
   const auto lid = [](float height) { return test::parallelogram({0, 0, height}, {500, 0, 0}, {0, 500, 0}); };
   scene::Snapshot s = occludedView({backWall(), lid(50)});

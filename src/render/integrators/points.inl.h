@@ -93,7 +93,9 @@ HWY_ATTR inline void pointsOfTriangles(const Metric& metric, const ColoredHits& 
     for (int k = 0; k < 3; ++k) loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], normal[k]);
   const glm::vec3 away(metric.away);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
-    const Weights weights(group, i);
+    Weights weights(group, i);
+    // The pixel's point may lie beside the triangle that its ray met, there behind another surface.
+    weights.clampToTriangle();
     const Float3 corner[] = {load3(group.position[0], i), load3(group.position[1], i),
                              load3(group.position[2], i)};
     const Float3 object = weights(corner[0], corner[1], corner[2]);

@@ -44,6 +44,13 @@ struct Weights {
   HWY_INLINE Weights(const Group& g, int i) : w0(load(g.u + i)), w1(load(g.u + i)), w2(load(g.v + i)) {
     w0 = hn::Sub(hn::Sub(splat(1), w1), w2);
   }
+  /// Moves points that lie beside the triangle onto its edges.
+  HWY_INLINE void clampToTriangle() {
+    w1 = hn::Max(w1, hn::Zero(FloatTag())), w2 = hn::Max(w2, hn::Zero(FloatTag()));
+    const Float most = hn::Max(hn::Add(w1, w2), splat(1));
+    w1 = hn::Div(w1, most), w2 = hn::Div(w2, most);
+    w0 = hn::Sub(hn::Sub(splat(1), w1), w2);
+  }
   HWY_INLINE Float operator()(Float a, Float b, Float c) const {
     return hn::MulAdd(a, w0, hn::MulAdd(b, w1, hn::Mul(c, w2)));
   }

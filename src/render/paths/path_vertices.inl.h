@@ -48,7 +48,8 @@ HWY_ATTR inline void locateOnTriangles(const Metric& metric, const Surface& s, c
   const glm::mat3 linear(s.eyeFromObject);
   alignas(64) Row faces;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
-    const Weights weights(group, i);
+    Weights weights(group, i);
+    weights.clampToTriangle();
     const Float3 corner[] = {load3(group.position[0], i), load3(group.position[1], i),
                              load3(group.position[2], i)};
     const Float3 object = weights(corner[0], corner[1], corner[2]);

@@ -9,7 +9,7 @@
 #define GLURAY_RENDER_LEAST_DEPTH_INL_H_
 #endif
 
-#include "render/edges/nearest.h"
+#include "render/edges/seen_before.h"
 #include "render/packets/trace.inl.h"
 #include "render/visibility/collected_hits.h"
 
