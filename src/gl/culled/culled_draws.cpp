@@ -112,10 +112,7 @@ void CulledDraws::drawTried(const Plan& plan) {
   const bool wanted = next.way == CullingTrials::Way::culled, culled = wanted && drawCulled(plan);
   if (!culled) drawWhole(plan), p_.counts.notCulled(CullReason::mostShows);
   const double seconds = finished() - start;
-  if (next.measured && wanted)
-    history.trials.tookCulled(culled, seconds, trials_);
-  else if (next.measured)
-    history.trials.tookPlain(seconds);
+  if (next.measured) history.trials.took(next.way, culled, seconds, trials_);
   if (!history.visible.empty() || (!always && !history.trials.pays()) || !placeClusters(plan)) return;
   findVisible(plan, history.visible);
   if (next.measured) trials_.spend(finished() - start - seconds);
