@@ -5,6 +5,7 @@
 #include "gl/classify/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/textures/texture_env.h"
+#include "scene/box_corner.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -53,11 +54,8 @@ bool hasPlainTexcoords(const scene::Mesh& mesh, const float* current) {
 /// Whether the mesh lies in front of the viewer's plane, where -z equals the absolute value of z in eye
 /// space.
 bool isBeforeViewersPlane(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
-                       corner & 4 ? mesh.upper.z : mesh.lower.z);
-    if ((eyeFromObject * glm::dvec4(p, 1)).z > 0) return false;
-  }
+  for (int corner = 0; corner < 8; ++corner)
+    if ((eyeFromObject * glm::dvec4(scene::boxCorner(mesh.lower, mesh.upper, corner), 1)).z > 0) return false;
   return true;
 }
 
