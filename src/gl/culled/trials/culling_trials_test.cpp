@@ -1,5 +1,5 @@
 // Whether culling large draws pays, by simulated draws.
-#include "gl/trials/culling_trials.h"
+#include "gl/culled/trials/culling_trials.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gl/trials/frame_trials.h"
+#include "gl/culled/trials/frame_trials.h"
 
 #include <algorithm>
 #include <limits>

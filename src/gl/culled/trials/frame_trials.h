@@ -1,7 +1,7 @@
 // Decides by measurement whether culling small draws makes frames faster, as EngineChoice decides for
 // engines. Trials that would be slower wait until the budget allows them, or end in the middle of a frame, so
 // that they cost a small fraction of the program's drawing time (TrialBudget). Calls no OpenGL and reads no
-// clock. A part of FrameClock, GL thread.
+// clock. A part of SmallDraws, GL thread.
 #pragma once
 #include "base/growing_interval.h"
 #include "gl/trials/measurement.h"
