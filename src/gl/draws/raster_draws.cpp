@@ -111,7 +111,7 @@ void RasterDraws::before(PrimitiveClass kind) {
       p_.flusher.present(Reason::coincident);
     });
   if (p_.resolves.any()) p_.failsafe.protect([&] { p_.resolves.meetRasterDraw(); });
-  if (p_.layers.pending()) p_.failsafe.protect([&] { p_.layers.meetRasterDraw(); });
+  if (p_.layers.held.pending()) p_.failsafe.protect([&] { p_.layers.peels.meetRasterDraw(); });
   if (!batch.empty()) {
     const RasterState& raster = p_.shadow.raster();
     // Lines and points on a surface have its depth: drawing order decides, unless the surface was pushed

@@ -24,7 +24,7 @@ LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
     return LagRefusal::target;
   if (p_.clock.passesThrough() || p_.clock.measured()) return LagRefusal::measured;
   // Kept draws of programs refer to textures and buffers by name, and other contexts may change these.
-  if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.pending() ||
+  if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.held.pending() ||
       p_.pending.unresolved.waiting ||
       (!p_.pending.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
     return LagRefusal::state;
