@@ -216,11 +216,11 @@ Context::Flush flushToRead(GLenum format) {
 }
 
 void pictureCopied(Context& c) {
-  c.protect([&] { c.relighting.finishRead(); });
+  c.protect([&] { c.relighting.finish(Relighting::Place::read); });
 }
 
 void imagesRead(Context& c) {
-  c.protect([&] { c.relighting.finishObjects(); });
+  c.protect([&] { c.relighting.finish(Relighting::Place::images); });
 }
 
 uint32_t framebufferBound(Context& c) {

@@ -171,7 +171,7 @@ void Context::loseCurrent() {
     syncCurrent();
     // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their static
     // objects.
-    if (!isExiting()) flusher.flush(), relighting.finishAll();
+    if (!isExiting()) flusher.flush(), relighting.finish(Relighting::Place::leaving);
   });
   cleared.forget();
   if (t_thread.context == this) t_thread = {};

@@ -126,7 +126,7 @@ void RasterDraws::before(PrimitiveClass kind) {
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }
-  p_.failsafe.protect([&] { p_.relighting.beforeSampling(); });
+  p_.failsafe.protect([&] { p_.relighting.finish(Relighting::Place::sampling); });
   clearBelow_ = p_.cleared.target();
   if (p_.composed.waits() && kind == PrimitiveClass::surfaces) [[unlikely]]
     p_.failsafe.protect([&] { p_.composed.drawing(); });

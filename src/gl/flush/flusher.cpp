@@ -118,7 +118,7 @@ void Flusher::beforeBlit() noexcept {
     p_.resolves.meetBlit();
     p_.composed.settle();
     p_.window.settle();
-    p_.relighting.finishRead();
+    p_.relighting.finish(Relighting::Place::read);
     p_.shadow.sendBuffers();
   });
 }
