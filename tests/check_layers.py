@@ -40,7 +40,7 @@ FOLDERS = {
     "gl": ["basics", "real", "welding", "capture", "glsl", "families", "families/built_in", "families/files", "programs", "trials",
            "clock", "buffers", "sharing", "arrays", "textures", "program_state", "state", "shadow", "impostors", "batch", "objects",
            "views", "history", "counts", "framebuffers", "pending", "layers", "window", "flush", "classify", "draws",
-           "culled/shader_slice", "culled/clusters", "culled/small", "culled/feedback", "culled/instances", "culled", "context",
+           "culled/trials", "culled/shader_slice", "culled/clusters", "culled/small", "culled/feedback", "culled/instances", "culled", "context",
            "commands"],
     "control": ["", "messages", "auth", "connection", "client", "link/program", "link", "hub", "hub/server"],
     "cluster": ["stream", "messages", "local", "ranks", "ranks/mpi", "program", "arrays", "shares", "pages", "peers", "gather",

@@ -1,6 +1,7 @@
 #include "accel/placement.h"
 
 #include "accel/device/embree.h"
+#include "scene/box_corner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,9 +104,7 @@ Bounds boundsIn(const glm::dmat4& spaceFromWorld, const std::vector<PlacedBlas>&
     if (box.empty()) continue;
     const glm::dmat4 place = spaceFromWorld * glm::dmat4(placed.worldFromObject);
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec4 at(corner & 1 ? box.upper.x : box.lower.x, corner & 2 ? box.upper.y : box.lower.y,
-                          corner & 4 ? box.upper.z : box.lower.z, 1);
-      const glm::vec3 p(place * at);
+      const glm::vec3 p(place * glm::dvec4(scene::boxCorner(box.lower, box.upper, corner), 1));
       all.lower = glm::min(all.lower, p), all.upper = glm::max(all.upper, p);
     }
   }

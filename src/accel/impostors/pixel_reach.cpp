@@ -1,5 +1,6 @@
 // Extent in space of impostors with a size in pixels: bounds that hold for every rotation of the camera.
 #include "accel/impostors/impostor_reach.h"
+#include "scene/box_corner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,8 @@ struct Range {
     const scene::Mesh& mesh = *instance.mesh;
     middle = glm::dvec3(lightingFromObject * glm::dvec4(0.5f * (mesh.lower + mesh.upper), 1));
     for (int i = 0; i < 8; ++i) {
-      const glm::dvec3 corner(i & 1 ? mesh.upper.x : mesh.lower.x, i & 2 ? mesh.upper.y : mesh.lower.y,
-                              i & 4 ? mesh.upper.z : mesh.lower.z);
-      radius =
-          std::max(radius, glm::distance(middle, glm::dvec3(lightingFromObject * glm::dvec4(corner, 1))));
+      const glm::dvec4 corner(scene::boxCorner(mesh.lower, mesh.upper, i), 1);
+      radius = std::max(radius, glm::distance(middle, glm::dvec3(lightingFromObject * corner)));
     }
     farthest = std::abs(glm::dot(rows[3], glm::dvec4(middle, 1))) + glm::length(glm::dvec3(rows[3])) * radius;
   }

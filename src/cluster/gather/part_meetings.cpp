@@ -1,6 +1,7 @@
 #include "cluster/gather/part_meetings.h"
 
 #include "cluster/peers/meetings.h"
+#include "scene/box_corner.h"
 #include "scene/same_camera.h"
 
 #include <algorithm>
@@ -24,10 +25,8 @@ bool hasBox(const PartView& view) { return glm::all(glm::lessThanEqual(view.lowe
 
 std::array<glm::dvec3, 8> cornersOf(const PartView& view, const glm::dmat4& m) {
   std::array<glm::dvec3, 8> corners;
-  for (int i = 0; i < 8; ++i) {
-    const glm::bvec3 high(i & 1, i & 2, i & 4);
-    corners[static_cast<size_t>(i)] = m * glm::dvec4(glm::mix(view.lower, view.upper, high), 1);
-  }
+  for (int i = 0; i < 8; ++i)
+    corners[static_cast<size_t>(i)] = m * glm::dvec4(scene::boxCorner(view.lower, view.upper, i), 1);
   return corners;
 }
 

@@ -1,5 +1,7 @@
 #include "cluster/peers/near_peer.h"
 
+#include "scene/box_corner.h"
+
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -11,9 +13,7 @@ accel::Bounds transformed(const glm::dmat4& m, const glm::vec3& lower, const glm
   constexpr float kMax = std::numeric_limits<float>::max();
   accel::Bounds box{glm::vec3(kMax), glm::vec3(-kMax)};
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 at(corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
-                        corner & 4 ? upper.z : lower.z, 1);
-    const glm::vec3 there(m * at);
+    const glm::vec3 there(m * glm::dvec4(scene::boxCorner(lower, upper, corner), 1));
     box.lower = glm::min(box.lower, there), box.upper = glm::max(box.upper, there);
   }
   return box;

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "cluster/messages/version.h"
+#include "scene/box_corner.h"
 #include "scene/effects.h"
 #include "scene/secondary_scene.h"
 
@@ -52,8 +53,7 @@ void setBox(PartView& view, const scene::Snapshot& s) {
   for (const scene::Instance& instance : s.instances) {
     if (instance.ground) continue;
     for (int i = 0; i < 8; ++i) {
-      const glm::bvec3 high(i & 1, i & 2, i & 4);
-      const glm::vec3 corner = glm::mix(instance.mesh->lower, instance.mesh->upper, high);
+      const glm::vec3 corner = scene::boxCorner(instance.mesh->lower, instance.mesh->upper, i);
       const glm::dvec3 eye = instance.eyeFromObject * glm::dvec4(corner, 1);
       lower = glm::min(lower, eye), upper = glm::max(upper, eye);
     }

@@ -2,6 +2,7 @@
 #pragma once
 #include "cluster/testing/job_fixture.h"
 #include "render/testing/lit_wall.h"
+#include "scene/box_corner.h"
 
 #include <algorithm>
 #include <future>
@@ -98,8 +99,7 @@ inline glm::ivec4 boxOf(const scene::Snapshot& part) {
   const scene::Region& region = part.region;
   glm::dvec2 least(1e300), most(-1e300);
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 point((corner & 1 ? upper : lower).x, (corner & 2 ? upper : lower).y,
-                           (corner & 4 ? upper : lower).z, 1);
+    const glm::dvec4 point(scene::boxCorner(lower, upper, corner), 1);
     const glm::dvec4 clip = part.camera.clipFromEye * part.eyeFromWorld * point;
     const glm::dvec2 pixel =
         (glm::dvec2(clip) / clip.w + 1.0) * 0.5 * glm::dvec2(region.width, region.height);

@@ -22,11 +22,11 @@ void Pace::took(double seconds, double target) {
   slow_ = seconds > kTooSlow * target ? slow_ + 1 : 0;
   fast_ = seconds * growth < target ? fast_ + 1 : 0;
   if (slow_ >= kSlowFrames || (slow_ > 0 && seconds > kFarTooSlow * target)) {
-    patience_ = tried_ ? std::min(2 * patience_, kMaxPatience) : kPatience;
+    tried_ ? void(patience_.take()) : patience_.restart();
     tried_ = false;
     return step(-1);
   }
-  if (level_ + 1 == kLevels || fast_ < patience_) return;
+  if (level_ + 1 == kLevels || fast_ < patience_.next) return;
   tried_ = true;
   step(1);
 }

@@ -1,6 +1,7 @@
 // Chooses the number of rays of moving frames to reach the frame rate of the setting fps. Called by
 // frame::Renderer, separately for each view; the caller passes times.
 #pragma once
+#include "base/growing_interval.h"
 #include "render/moving/moving_frame.h"
 
 namespace gluray::frame {
@@ -17,12 +18,11 @@ class Pace {
  private:
   void step(int by);
 
-  static constexpr int kFirst = 1, kLevels = 6;            // one ray a pixel; a quarter, 1, 2, 4, 8, 16
-  static constexpr int kPatience = 4, kMaxPatience = 256;  // frames
+  static constexpr int kFirst = 1, kLevels = 6;  // one ray a pixel; a quarter, 1, 2, 4, 8, 16
   int level_ = kFirst;
-  int slow_ = 0, fast_ = 0;  // frames in a row
-  int patience_ = kPatience;
-  bool tried_ = false;  // the last step was an increase
+  int slow_ = 0, fast_ = 0;                // frames in a row
+  GrowingInterval<int> patience_{4, 256};  // fast frames before an increase
+  bool tried_ = false;                     // the last step was an increase
 };
 
 }  // namespace gluray::frame

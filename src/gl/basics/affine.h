@@ -1,5 +1,6 @@
 // Tests whether matrices are affine or invertible, and transforms bounds of meshes. Any thread.
 #pragma once
+#include "scene/box_corner.h"
 #include "scene/mesh.h"
 
 #include <glm/glm.hpp>
@@ -36,22 +37,16 @@ inline glm::dvec3 reachOf(const scene::Mesh& mesh) {
 /// The eight corners of the mesh's bounds, in clip space.
 inline std::array<glm::dvec4, 8> boundsInClip(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   std::array<glm::dvec4, 8> corners;
-  for (size_t corner = 0; corner < corners.size(); ++corner) {
-    glm::dvec4 p(mesh.lower, 1);
-    for (int c = 0; c < 3; ++c)
-      if (corner >> c & 1) p[c] = mesh.upper[c];
-    corners[corner] = clipFromObject * p;
-  }
+  for (int i = 0; i < 8; ++i)
+    corners[static_cast<size_t>(i)] =
+        clipFromObject * glm::dvec4(scene::boxCorner(mesh.lower, mesh.upper, i), 1);
   return corners;
 }
 
 /// Whether all points of the mesh have the same window depth: then drawing order, not distance, decides.
 inline bool isFlat(const scene::Mesh& mesh, const glm::dmat4& clipFromObject) {
   double lower = INFINITY, upper = -INFINITY;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec4 corner(i & 1 ? mesh.upper.x : mesh.lower.x, i & 2 ? mesh.upper.y : mesh.lower.y,
-                            i & 4 ? mesh.upper.z : mesh.lower.z, 1);
-    const glm::dvec4 clip = clipFromObject * corner;
+  for (const glm::dvec4& clip : boundsInClip(mesh, clipFromObject)) {
     const double depth = clip.z / clip.w;
     lower = std::min(lower, depth), upper = std::max(upper, depth);
   }

@@ -2,22 +2,15 @@
 
 #include "base/log.h"
 
-#include <algorithm>
 #include <string>
 
 namespace gluray::gl {
-namespace {
-
-constexpr int kMaxPause = 1024;  // clears of depth
-
-}  // namespace
 
 void Failsafe::fail(scene::Loss loss, const char* why) noexcept {
   if (loss == scene::Loss::draws) return;
   try {
     if (loss == scene::Loss::frames) {
-      if (!gone_ && pause_ == 0)
-        pause_ = nextPause_, since_ = 0, nextPause_ = std::min(2 * nextPause_, kMaxPause);
+      if (!gone_ && pause_ == 0) pause_ = pauses_.take(), since_ = 0;
       if (!gone_ && !std::exchange(told_, true))
         log::write(log::Level::warning,
                    std::string("out of memory or threads, so the real OpenGL draws some frames: ") + why);
@@ -33,8 +26,8 @@ void Failsafe::fail(scene::Loss loss, const char* why) noexcept {
 void Failsafe::depthCleared() noexcept {
   if (pause_ > 0) {
     --pause_;
-  } else if (nextPause_ > 1 && ++since_ >= nextPause_) {  // no failure for that long
-    nextPause_ = 1;
+  } else if (pauses_.next > 1 && ++since_ >= pauses_.next) {  // no failure for that long
+    pauses_.restart();
   }
 }
 

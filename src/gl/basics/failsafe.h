@@ -1,6 +1,7 @@
 // Catches GLuRay's own failures and decides how much the real OpenGL draws after each of them: a draw, some
 // frames, or all that follows. A part of each Context, GL thread.
 #pragma once
+#include "base/growing_interval.h"
 #include "gl/basics/reasons.h"
 #include "scene/failure.h"
 
@@ -46,10 +47,10 @@ class Failsafe {
  private:
   std::function<void()> drawHeld_;
   bool gone_ = false;
-  bool told_ = false;  // the first pause was logged
-  int pause_ = 0;      // clears of depth until tracing resumes; 0: no pause
-  int nextPause_ = 1;  // length of the next pause, in clears of depth
-  int since_ = 0;      // clears of depth since the last pause
+  bool told_ = false;                     // the first pause was logged
+  int pause_ = 0;                         // clears of depth until tracing resumes; 0: no pause
+  int since_ = 0;                         // clears of depth since the last pause
+  GrowingInterval<int> pauses_{1, 1024};  // their lengths, in clears of depth
 };
 
 template <class F>

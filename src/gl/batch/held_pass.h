@@ -1,4 +1,4 @@
-// Render passes whose draws are held back because their result is traced. Owned by LayerDraws, GL thread.
+// Render passes whose draws are held back because their result is traced. Owned by HeldPeels, GL thread.
 #pragma once
 #include "gl/batch/program_draw.h"
 #include "gl/clock/image_wish.h"

@@ -5,6 +5,7 @@
 #include "gl/classify/solid_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/textures/texture_env.h"
+#include "scene/box_corner.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -53,11 +54,8 @@ bool hasPlainTexcoords(const scene::Mesh& mesh, const float* current) {
 /// Whether the mesh lies in front of the viewer's plane, where -z equals the absolute value of z in eye
 /// space.
 bool isBeforeViewersPlane(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
-                       corner & 4 ? mesh.upper.z : mesh.lower.z);
-    if ((eyeFromObject * glm::dvec4(p, 1)).z > 0) return false;
-  }
+  for (int corner = 0; corner < 8; ++corner)
+    if ((eyeFromObject * glm::dvec4(scene::boxCorner(mesh.lower, mesh.upper, corner), 1)).z > 0) return false;
   return true;
 }
 
@@ -108,7 +106,7 @@ Reason Classifier::classify(PrimitiveClass kind) const {
   if (p_.shadow.target().wideColors && raster.program == 0) return Reason::framebuffer;
   if (solid) {
     if (const Reason reason = solidReason(p_.shadow, kind); reason != Reason::traced) return reason;
-  } else if (raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) {
+  } else if (raster.reason != Reason::traced && !p_.layers.drawn.mayBeDrawn()) {
     return raster.reason;
   }
   if (raster.program != 0) return solid ? Reason::program : ofProgram();
@@ -132,7 +130,7 @@ Reason Classifier::ofProgram() const {
     return told ? program.reason : Reason::program;
   }
   if (program.reason != Reason::traced) return program.reason;
-  if (raster.reason != Reason::traced && !p_.layers.mayBeDrawn()) return raster.reason;
+  if (raster.reason != Reason::traced && !p_.layers.drawn.mayBeDrawn()) return raster.reason;
   if (raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   // The alpha that is written equals the colour's only if it is clamped to 1.
   if (shadow.target().wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
@@ -158,7 +156,7 @@ Reason Classifier::ofProgramsMesh(const scene::Mesh& mesh,
     return Reason::programValue;
   if (isOpaqueByProgram(mesh)) return Reason::traced;
   if (program.known->family->opaqueColors) return Reason::programValue;
-  return p_.layers.mayBeDrawn() ? Reason::traced : p_.shadow.raster().unlessOpaque;
+  return p_.layers.drawn.mayBeDrawn() ? Reason::traced : p_.shadow.raster().unlessOpaque;
 }
 
 Reason Classifier::classify(const KnownMesh& known, const std::vector<MaterialChange>& materials) {
@@ -178,7 +176,7 @@ Reason Classifier::classify(const KnownMesh& known, const std::vector<MaterialCh
   if (reason != Reason::traced) return reason;
   const uint32_t triangles = known.mesh->triangleCount;
   if (isLayer(*known.mesh, materials))
-    return p_.layers.leavesDrawn(triangles) ? Reason::smallScene : ofImages(true);
+    return p_.layers.drawn.leaves(triangles) ? Reason::smallScene : ofImages(true);
   const EngineChoice& choice = p_.clock.choice;
   const bool leave =
       choice.way() == EngineChoice::Way::mixed && choice.takes(triangles, p_.shadow.viewportPixels());
@@ -209,7 +207,7 @@ Reason Classifier::whereEverythingIsTraced(const KnownMesh& known,
   if (raster.program != 0) return ofProgramsMesh(*known.mesh, materials);
   if (raster.unlessOpaque == Reason::traced && raster.alphaTest == scene::AlphaTest{}) return Reason::traced;
   if (isOpaque(*known.mesh, materials)) return Reason::traced;
-  if (raster.unlessOpaque != Reason::traced && !p_.layers.mayBeDrawn()) return raster.unlessOpaque;
+  if (raster.unlessOpaque != Reason::traced && !p_.layers.drawn.mayBeDrawn()) return raster.unlessOpaque;
   // OpenGL tests alpha once per pixel, at its centre. With `--shading sample`, GLuRay tests once per sample.
   const bool perSample = raster.multisample && shadow.target().samples > 1;
   return perSample ? Reason::alphaTest : Reason::traced;

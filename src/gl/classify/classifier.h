@@ -42,7 +42,7 @@ class Classifier {
   /// The same for a surface with this mesh. Call after classify(kind).
   Reason classify(const KnownMesh& mesh, const std::vector<MaterialChange>& materials);
   /// Whether a surface that can be traced is a layer that is blended in drawing order
-  /// (LayerDraws::mayBeDrawn()).
+  /// (DrawnLayers::mayBeDrawn()).
   bool isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const;
 
   /// Whether draws of this class are surfaces with a depth test against the framebuffer.

@@ -6,7 +6,6 @@
 #include "gl/clock/image_wish.h"
 #include "gl/clock/offscreen_animation.h"
 #include "gl/trials/engine_choice.h"
-#include "gl/trials/frame_trials.h"
 #include "scene/light_sampling.h"
 
 #include <GL/gl.h>
@@ -25,7 +24,6 @@ class FrameClock {
   uint64_t frame = 1;
   double beganSeconds = 0;  // time of this frame's first known clear or draw; 0: none yet
   EngineChoice choice;
-  FrameTrials smallDraws;
 
   /// Whether draws pass through to the real OpenGL. If so, only lists are captured, and no state is read.
   bool passesThrough() const { return passesThrough_; }

@@ -91,10 +91,11 @@ Fate drawByProgram(Context& c, GLenum mode, const Elements& e) {
   c.shadow.refresh(kProgramGroups);
   c.immediate.closeRunIfOpen();
   if (passOf(c.shadow.program()) == Family::Pass::peelDepths &&
-      c.protect([&] { return c.layers.holdDepths(mode, e, trianglesOf(mode, e)); }))
+      c.protect([&] { return c.layers.peels.holdDepths(mode, e, trianglesOf(mode, e)); }))
     return Fate::heldPass;
-  if (c.layers.drawsNothing()) return Fate::leftOutPass;
-  if (c.layers.asks() && c.protect([&] { return c.layers.holdLater(mode, e); })) return Fate::heldPeel;
+  if (c.layers.later.drawsNothing()) return Fate::leftOutPass;
+  if (c.layers.held.asks() && c.protect([&] { return c.layers.later.holdLater(mode, e); }))
+    return Fate::heldPeel;
   ProgramArraysDraw request(c, mode, e);
   return c.draws.submit(request);
 }

@@ -20,7 +20,7 @@ bool isPicture(const RealGl& real, const scene::Region& region) {
 void FinishedRead::begin(const scene::Region& region, GLenum format) noexcept {
   if (flushToRead(format) != Context::Flush::read || context_.failsafe.aside()) return;
   context_.protect([&] {
-    if (isPicture(context_.real, region)) context_.relighting.finishRead();
+    if (isPicture(context_.real, region)) context_.relighting.finish(Relighting::Place::read);
   });
   if (context_.shadow.settings.changesImage() && !context_.clock.passesThrough() &&
       !context_.clock.animates())

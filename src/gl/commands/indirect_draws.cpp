@@ -140,13 +140,6 @@ void meetPasses(Context& c, GLenum mode, const std::vector<Elements>& all) {
   });
 }
 
-/// Whether draws may be culled.
-bool mayCull(Context& c) {
-  if (!c.culled.isActive()) return false;
-  c.shadow.refresh(kProgramGroups);
-  return c.culled.takesParts();
-}
-
 /// Whether one of the draws is large enough to be culled.
 bool isCulled(Context& c, const std::vector<Elements>& all) {
   if (all.empty()) c.counts.notCulled(CullReason::indirect);
@@ -182,7 +175,7 @@ void drawAll(Context& c, const IndirectDraws& d, const std::vector<Elements>& al
 
 void draw(Context& c, const IndirectDraws& d) {
   if (c.lists.compiling()) return c.lists.recordFragment([&] { drawBelow(c.real, d); });
-  const bool meets = mayMeetPasses(c), culls = mayCull(c);
+  const bool meets = mayMeetPasses(c), culls = c.culled.takesParts();
   const auto known = meets || culls ? describe(c, d) : std::nullopt;
   if (meets && known) meetPasses(c, d.mode, *known);
   if (!culls || !known || !isCulled(c, *known)) return leave(c, d);

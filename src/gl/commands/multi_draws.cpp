@@ -27,7 +27,7 @@ bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& ele
   }
   const auto mayCullAny = [&] {
     for (GLsizei i = 0; i < draws; ++i)
-      if (c.culled.mayCull(elementsOf(i))) return true;
+      if (c.culled.mayLeaveOut(elementsOf(i)) != CulledDraws::Part::nothing) return true;
     return false;
   };
   const DrawPath path = pathOf(elementsOf(0));

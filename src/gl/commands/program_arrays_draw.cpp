@@ -10,8 +10,8 @@ namespace {
 
 Reason classifyPass(Context& c, PrimitiveClass primitive) {
   switch (layersOf(c.shadow.program())) {
-    case BatchKey::Layers::peeled: return c.layers.classifyPeel(primitive);
-    case BatchKey::Layers::summed: return c.layers.classifySum(primitive);
+    case BatchKey::Layers::peeled: return c.layers.peels.classify(primitive);
+    case BatchKey::Layers::summed: return c.layers.sums.classify(primitive);
     case BatchKey::Layers::none:
     case BatchKey::Layers::drawn:
     case BatchKey::Layers::visibility: break;

@@ -1,11 +1,10 @@
 #include "gl/commands/raster_light.h"
 
+#include "gl/arrays/assembly.h"
 #include "gl/basics/affine.h"
 #include "gl/capture/mesh_builder.h"
 #include "gl/commands/array_draws.h"
 #include "gl/context/context.h"
-#include "gl/culled/clusters/assembly.h"
-#include "gl/culled/cullable_state.h"
 #include "gl/real/state_queries.h"
 #include "scene/effects.h"
 
@@ -33,9 +32,10 @@ bool isClipped(ShadowState& shadow) {
 
 /// LightReason::lit, or the reason why the draw may have written less than colours and depth. The depths show
 /// which fragments it did not write, unless the framebuffer is multisampled.
-LightReason litState(ShadowState& shadow, GLenum mode, const Elements& e) {
+LightReason litState(Context& c, GLenum mode, const Elements& e) {
+  ShadowState& shadow = c.shadow;
   if (e.instances >= 0 && (e.instances != 1 || e.baseInstance != 0)) return LightReason::instanced;
-  if (const CullReason reason = cullableState(shadow, mode); reason != CullReason::culled)
+  if (const CullReason reason = c.culled.reasonOfState(mode); reason != CullReason::culled)
     return lightReason(reason);
   const RasterState& raster = shadow.raster();
   if (raster.isReversed()) return LightReason::depthFunc;
@@ -100,13 +100,13 @@ void addSurface(Context& c, const scene::MeshPtr& mesh, const glm::dmat4& clipFr
 
 LightReason light(Context& c, GLenum mode, const Elements& e) {
   ShadowState& shadow = c.shadow;
-  if (const LightReason reason = litState(shadow, mode, e); reason != LightReason::lit) return reason;
+  if (const LightReason reason = litState(c, mode, e); reason != LightReason::lit) return reason;
   if (!c.pending.canTrace()) return LightReason::noGlsl;
-  CulledDraws::Source from;
-  if (const CullReason reason = c.culled.source(mode, e, from); reason != CullReason::culled)
+  CulledDraws::Surface from;
+  if (const CullReason reason = c.culled.findSurface(mode, e, from); reason != CullReason::culled)
     return lightReason(reason);
-  if (!from.position.terms.empty()) return LightReason::instanced;
-  if (from.program && from.program->discards() && shadow.target().samples > 1) return LightReason::leavesOut;
+  if (from.instanced) return LightReason::instanced;
+  if (from.discards && shadow.target().samples > 1) return LightReason::leavesOut;
   const bool restarts = assemblyOf(shadow.real, false, mode, e).restart.has_value();
   if (!from.positions->enabled || restarts) return LightReason::arrayState;
   ArrayState positions;
@@ -118,7 +118,7 @@ LightReason light(Context& c, GLenum mode, const Elements& e) {
   if (known.homogeneous || !known.mesh) return LightReason::homogeneous;
   if (known.mesh->triangleCount == 0) return LightReason::lit;
   if (isFarAway(*known.mesh)) return LightReason::farAway;
-  const glm::dmat4& matrix = from.matrix.clipFromObject;
+  const glm::dmat4& matrix = from.clipFromObject;
   if (!isInvertible(matrix)) return LightReason::singularMatrix;
   const glm::ivec4& viewport = shadow.viewport().box;
   const glm::ivec2 size(viewport.z, viewport.w);

@@ -22,8 +22,8 @@ void clearNow(Context& c, GLbitfield mask) {
   if (isRefused(c, mask)) return c.beforeForward(Context::Flush::all), c.real.Clear(mask);
   c.frames.beforeClear(mask);
   c.syncCurrent();
-  c.layers.clearing();
-  if (c.layers.clearsLater(mask)) return;
+  c.layers.peels.clearing();
+  if (c.layers.later.clearsLater(mask)) return;
   bool later = false;
   c.protect([&] { later = c.window.clearsLater(mask); });
   const UnresolvedImage::Cleared clean = later ? UnresolvedImage::Cleared{} : c.flusher.beforeClear(mask);
@@ -50,7 +50,7 @@ void flush(Context& c) {
 void finish(Context& c) {
   c.protect([&] {
     c.window.showLagged();
-    if (c.layers.holdsBack()) c.flusher.flush();
+    if (c.layers.held.holdsBack()) c.flusher.flush();
   });
   c.frames.finish();
   c.shadow.textures.finished();
@@ -63,7 +63,7 @@ void fenceSync(Context& c, GLenum, GLbitfield) {
   if (c.shadow.group.contexts == 1) return;
   const Batch& batch = c.pending.batch;
   const bool isPending = !batch.empty() && batch.key().framebuffer != 0;
-  if (isPending || c.layers.holdsBack())
+  if (isPending || c.layers.held.holdsBack())
     c.flusher.flush();
   else if (c.resolves.waits())
     c.flusher.settle();
@@ -166,7 +166,7 @@ void endGuard(Context& c) { c.shadow.activeQueries = std::max(0, c.shadow.active
 
 void beginQuery(Context& c, GLenum target, GLuint id) {
   if (!countsDraws(target)) return;
-  if (c.layers.pending()) c.protect([&] { c.layers.queryBegins(target, id); });
+  if (c.layers.held.pending()) c.protect([&] { c.layers.later.queryBegins(target, id); });
   ++c.shadow.activeQueries;
 }
 void beginQueryIndexed(Context& c, GLenum target, GLuint, GLuint id) { beginQuery(c, target, id); }
@@ -216,11 +216,11 @@ Context::Flush flushToRead(GLenum format) {
 }
 
 void pictureCopied(Context& c) {
-  c.protect([&] { c.relighting.finishRead(); });
+  c.protect([&] { c.relighting.finish(Relighting::Place::read); });
 }
 
 void imagesRead(Context& c) {
-  c.protect([&] { c.relighting.finishObjects(); });
+  c.protect([&] { c.relighting.finish(Relighting::Place::images); });
 }
 
 uint32_t framebufferBound(Context& c) {
@@ -272,13 +272,13 @@ uint32_t imagesChanged(Context& c) {
 }
 
 uint32_t programChanged(Context& c, GLuint program) {
-  c.layers.programChanges(program);
+  c.layers.peels.programChanges(program);
   c.protect([&] { c.shadow.group.programChanged(program); });
   return kRaster | kProgram | kAttributes;
 }
 
 uint32_t programDeleted(Context& c, GLuint program) {
-  c.layers.programChanges(program);
+  c.layers.peels.programChanges(program);
   c.shadow.group.programDeleted(program);
   return kRaster | kProgram | kAttributes;
 }

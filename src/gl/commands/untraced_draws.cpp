@@ -12,7 +12,7 @@ namespace {
 bool isUntraced(Context& c) {
   if (c.untraced.inUse() == Reason::traced) return false;
   const bool isAsked = c.counts.kinds() || c.surfaces.objects.asked() || c.shadow.settings.light.rasterised;
-  if (isAsked || !c.pending.batch.empty() || !c.layers.idle()) return false;
+  if (isAsked || !c.pending.batch.empty() || !c.layers.held.idle()) return false;
   // Surfaces drawn in several passes are recognised by their vertices.
   if (c.untraced.readsFixedVertices() && c.surfaces.passes.asksForFixed()) return false;
   return !c.surfaces.passes.any() && c.untraced.areAll();

@@ -67,7 +67,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       layers({shadow, failsafe, clock, counts, cleared, pending, flusher}),
       resolves({shadow, failsafe, clock, surfaces, cleared, pending, window, composed}),
       window({shadow, failsafe, clock, counts, surfaces, cleared, pending, layers}),
-      passthrough({shadow, failsafe, clock, counts, cleared, flusher, window, attention}),
+      passthrough({shadow, failsafe, clock, counts, cleared, flusher, window, attention, culled}),
       frames({settings, shadow, failsafe, clock, counts, surfaces, cleared, pending, flusher, relighting,
               resolves, window, passthrough, immediate, lists}),
       fullscreen({shadow, failsafe, cleared, pending, flusher, relighting, resolves}),
@@ -171,7 +171,7 @@ void Context::loseCurrent() {
     syncCurrent();
     // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their static
     // objects.
-    if (!isExiting()) flusher.flush(), relighting.finishAll();
+    if (!isExiting()) flusher.flush(), relighting.finish(Relighting::Place::leaving);
   });
   cleared.forget();
   if (t_thread.context == this) t_thread = {};

@@ -76,7 +76,7 @@ bool FullscreenPasses::replace(GLenum mode, const Elements& elements) {
   const scene::Region region{viewport.x, viewport.y, viewport.z, viewport.w};
   const GLuint texture = wholeTarget(mode, elements, region);
   if (texture == 0) return false;
-  p_.relighting.beforeSampling();
+  p_.relighting.finish(Relighting::Place::sampling);
   return resolving ? p_.resolves.byProgram(texture, region) : antialiasInto(texture, region, instead);
 }
 

@@ -3,6 +3,7 @@
 #include "gl/buffers/buffer.h"
 #include "gl/clock/frame_settings.h"
 #include "gl/context/attention.h"
+#include "gl/culled/culled_draws.h"
 #include "gl/window/window_frames.h"
 
 namespace gluray::gl {
@@ -14,10 +15,7 @@ void PassthroughFrames::startMeasuring() {
 }
 
 void PassthroughFrames::stopMeasuring() {
-  if (p_.clock.smallDraws.wantsStop()) {
-    p_.shadow.real.Finish();
-    p_.clock.smallDraws.stop(p_.shadow.info.clock());
-  }
+  p_.culled.endFrame();
   if (!p_.clock.measured()) return;
   p_.shadow.real.Finish();
   p_.clock.choice.stop();

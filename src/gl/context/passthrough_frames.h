@@ -7,6 +7,7 @@
 namespace gluray::gl {
 
 class Attention;
+class CulledDraws;
 class WindowFrames;
 
 class PassthroughFrames {
@@ -20,6 +21,7 @@ class PassthroughFrames {
     Flusher& flusher;
     WindowFrames& window;
     Attention& attention;
+    CulledDraws& culled;
   };
   explicit PassthroughFrames(const Parts& parts) : p_(parts) {}
 

@@ -1,7 +1,7 @@
 #include "gl/culled/constant_attributes.h"
 
 #include "gl/arrays/array_indices.h"
-#include "gl/culled/clusters/assembly.h"
+#include "gl/arrays/assembly.h"
 #include "gl/culled/instances/instance_arrays.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "gl/culled/small_draws.h"
 
 #include "gl/batch/clears.h"
-#include "gl/culled/clusters/assembly.h"
 #include "gl/culled/cullable_state.h"
-#include "gl/culled/culled_draws.h"
+#include "gl/culled/draw_content.h"
+#include "gl/culled/position_sources.h"
 #include "gl/framebuffers/cleared_framebuffers.h"
 #include "gl/real/errors.h"
 #include "gl/real/state_queries.h"
@@ -33,25 +33,26 @@ bool isInstanced(const ArrayState& arrays) {
   return any;
 }
 
-scene::Region between(glm::ivec2 lower, glm::ivec2 upper) {
-  return {lower.x, lower.y, upper.x - lower.x, upper.y - lower.y};
-}
-
 }  // namespace
 
 bool SmallDraws::isOn() {
   if (frame_ != p_.clock.frame) beginFrame();
   if (!culls_) return false;
-  FrameTrials& trials = p_.clock.smallDraws;
-  culls_ = !trials.isOver();
-  return trials.takes(load_.draws);
+  culls_ = !trials_.isOver();
+  return trials_.takes(load_.draws);
+}
+
+void SmallDraws::endFrame() {
+  if (!trials_.wantsStop()) return;
+  p_.shadow.real.Finish();
+  trials_.stop(p_.shadow.info.clock());
 }
 
 void SmallDraws::count(const Elements& e) {
   ++load_.draws, load_.vertices += e.count, load_.work += kVerticesOfDraw + e.count;
-  if (p_.clock.smallDraws.isMeasured() && !p_.clock.smallDraws.wantsStop()) {
+  if (trials_.isMeasured() && !trials_.wantsStop()) {
     p_.shadow.real.Finish();
-    p_.clock.smallDraws.start(p_.shadow.info.clock());
+    trials_.start(p_.shadow.info.clock());
   }
 }
 
@@ -59,25 +60,24 @@ bool SmallDraws::leavesOut(GLenum mode, const Elements& e) {
   const bool on = isOn();
   count(e);
   if (!on || e.count < kFewVertices || e.repeats() != 1 || e.baseInstance != 0) return false;
-  FrameTrials& trials = p_.clock.smallDraws;
-  if (!trials.isTimed()) {
-    trials.worked(trials.drawSeconds());
+  if (!trials_.isTimed()) {
+    trials_.worked(trials_.drawSeconds());
     return hides(mode, e);
   }
   apartSeconds_ = 0;
   const double start = p_.shadow.info.clock();
   const bool hidden = hides(mode, e);
-  trials.worked(p_.shadow.info.clock() - start - apartSeconds_);
+  trials_.worked(p_.shadow.info.clock() - start - apartSeconds_);
   return hidden;
 }
 
 bool SmallDraws::hides(GLenum mode, const Elements& e) {
   Candidate candidate;
   if (!find(mode, e, candidate)) return false;
-  if (epoch_ != p_.cleared.depthEpoch(common_.reversed)) beginEpoch();
+  if (epoch_ != p_.cleared.depthEpoch(common_.region.reversed)) beginEpoch();
   if (!settles_ && schedule_.isDue()) readDepths();
   if (!mayShow(candidate)) {
-    p_.clock.smallDraws.leftOut(candidate.vertices);
+    trials_.leftOut(candidate.vertices);
     if (!verifiedAsHidden(candidate, mode, e)) return true;  // it was made
     const CulledMesh& mesh = *candidate.mesh;
     p_.counts.culled(uint64_t{mesh.primitives()} * (mesh.corners() - 2));
@@ -91,9 +91,8 @@ bool SmallDraws::hides(GLenum mode, const Elements& e) {
 
 void SmallDraws::beginFrame() {
   const bool always = p_.shadow.settings.cull.draws == Culling::always;
-  FrameTrials& trials = p_.clock.smallDraws;
   load_.waiting = waiting_;
-  const FrameTrials::Way way = trials.nextFrame(always, load_);
+  const FrameTrials::Way way = trials_.nextFrame(always, load_);
   culls_ = way != FrameTrials::Way::plain, settles_ = way == FrameTrials::Way::settling;
   frame_ = p_.clock.frame;
   const double work = std::exchange(load_, {}).work;
@@ -101,7 +100,7 @@ void SmallDraws::beginFrame() {
   seen_.any = false, drawn_.clear();
   if (!culls_) return;
   commonIsOld_ = true;
-  turn_ += !settles_ ? 1 : trials.takes(0) ? kOfSweep : 0;
+  turn_ += !settles_ ? 1 : trials_.takes(0) ? kOfSweep : 0;
   forgetOld();
   if (settles_) return;
   // If a trial has not paid, looks have become rare.
@@ -112,7 +111,7 @@ void SmallDraws::beginFrame() {
 }
 
 void SmallDraws::beginEpoch() {
-  epoch_ = p_.cleared.depthEpoch(common_.reversed);
+  epoch_ = p_.cleared.depthEpoch(common_.region.reversed);
   seen_.any = false, drawn_.clear();
   schedule_.beginEpoch();
   lookedAt_ = p_.shadow.info.clock();
@@ -127,26 +126,11 @@ void SmallDraws::readCommon(GLenum mode) {
   common_ = {};
   common_.reason = hideableState(shadow, mode, common_.isTested);
   if (common_.reason != CullReason::culled) return;
-  const ViewportState& viewport = shadow.viewport();
-  const TargetState& target = shadow.target();
-  const glm::ivec4 v = viewport.box, scissor = scissorBox(shadow.real);
-  common_.samples = target.samples;
-  const int beside = common_.samples > 1 ? 1 : 0;  // samples beside the scissor box (CulledDraws::mapWindow)
-  const auto clipped = [&](glm::ivec2 lower, glm::ivec2 upper) {
-    lower = glm::max(lower - beside, glm::ivec2(0)), upper += beside;
-    return between(lower, target.size.x > 0 ? glm::min(upper, target.size) : upper);
-  };
-  const glm::ivec2 lower(v.x, v.y), upper(v.x + v.z, v.y + v.w), corner(scissor.x, scissor.y);
-  common_.seen = clipped(lower, upper);
-  common_.drawn =
-      clipped(glm::max(lower, corner), glm::min(upper, corner + glm::ivec2(scissor.z, scissor.w)));
-  if (common_.drawn.width <= 0 || common_.drawn.height <= 0) common_.reason = CullReason::smallDraw;
-  WindowMapping& window = common_.window;
-  window.viewport = glm::dvec4(v.x - common_.seen.x, v.y - common_.seen.y, v.z, v.w);
-  window.sampleReach = common_.samples > 1 ? 0.5 : 0;
-  window.depthNear = viewport.depthNear, window.depthFar = viewport.depthFar;
-  common_.reversed = shadow.raster().isReversed();
-  if (common_.reversed) window.depthNear = 1 - window.depthNear, window.depthFar = 1 - window.depthFar;
+  common_.region = drawnRegionOf(shadow);
+  if (common_.region.drawn.width <= 0 || common_.region.drawn.height <= 0)
+    common_.reason = CullReason::smallDraw;
+  WindowMapping& window = common_.window = mappingTo(common_.region.inViewport, shadow);
+  if (common_.region.reversed) window.depthNear = 1 - window.depthNear, window.depthFar = 1 - window.depthFar;
 }
 
 bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
@@ -160,8 +144,8 @@ bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
   if (shadow.raster().program != 0) {
     if (!findByProgram(candidate, arrays, positions, components)) return false;
   } else {
-    CulledDraws::Source from;
-    if (shadow.info.core || p_.culled.placeByFixedFunction(from) != CullReason::culled) return false;
+    PositionSource from;
+    if (shadow.info.core || p_.sources.findFixedFunction(from) != CullReason::culled) return false;
     candidate.matrix = from.matrix;
     arrays = from.arrays, positions = from.positions, components = from.components;
   }
@@ -171,60 +155,55 @@ bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
 bool SmallDraws::findByProgram(Candidate& candidate, const ArrayState*& arrays, const ArraySource*& positions,
                                int& components) {
   ShadowState& shadow = p_.shadow;
-  CulledProgram& program = p_.culled.programInUse();
+  CulledProgram& program = p_.sources.programInUse();
   if (program.reason() != CullReason::culled) return false;
   if (isInstanced(shadow.attributes())) return false;
   PlacedPosition placed;
   if (!program.placedPosition(shadow.real, shadow.info.core, placed)) return false;
   candidate.program = &program, candidate.matrix = placed.matrix;
   components = placed.position->components;
-  return p_.culled.findPositions(program, placed.position->attribute, arrays, positions);
+  return p_.sources.findArray(program, placed.position->attribute, arrays, positions);
 }
 
 bool SmallDraws::findMesh(GLenum mode, const Elements& e, const ArrayState& arrays,
                           const ArraySource& positions, int components, Candidate& candidate) {
   ShadowState& shadow = p_.shadow;
   const bool always = shadow.settings.cull.draws == Culling::always;
-  const bool inBuffers = positions.buffer && (!e.type || arrays.elements);
-  if (!positions.enabled || (!inBuffers && !always) || arrays.reason == Reason::deletedBuffer) return false;
-  ArrayState content;
-  content.vertex = positions, content.vertex.size = std::min(positions.size, components);
-  content.elements = arrays.elements;
-  if (foreignReason(content) != Reason::traced) return false;
-  const Assembly assembly = assemblyOf(shadow.real, shadow.raster().firstVertexProvokes, mode, e);
-  if (assembly.restart && !inBuffers) return false;
-  Known& known = meshes_[assembly.added(contentOf(shadow.real, content, mode, e))];
+  DrawContent content;
+  if (readContent(shadow, arrays, positions, components, mode, e, content) != CullReason::culled)
+    return false;
+  Known& known = meshes_[content.name];
   if (known.frames == 0) ++waiting_;
   if (known.frames == 0 || known.lastFrame != frame_) ++known.frames;
   known.lastFrame = frame_, known.lastTurn = turn_;
   if (known.refused) return false;
-  FrameTrials& trials = p_.clock.smallDraws;
-  if (!always && known.frames < kKnownFrames) return trials.isUnknown(), false;
+  if (!always && known.frames < kKnownFrames) return trials_.isUnknown(), false;
   if (!known.mesh) {
     // The trials limit the cost of settling.
-    if (!always && !settles_ && buildSeconds_ > kBuildSeconds) return trials.isUnknown(), false;
+    if (!always && !settles_ && buildSeconds_ > kBuildSeconds) return trials_.isUnknown(), false;
     const double start = p_.shadow.info.clock();
-    known.mesh = CulledMesh::create(shadow.real, positions, components, content, assembly, e);
+    known.mesh = CulledMesh::create(shadow.real, positions, components, content.arrays, content.assembly, e);
     known.refused = !known.mesh, --waiting_;
     if (known.mesh) known.mesh->build(), known.mesh->forgetVertices();
     buildSeconds_ += p_.shadow.info.clock() - start;
   }
   if (known.refused) return false;
-  trials.isBoxed(e.count);
+  trials_.isBoxed(e.count);
   candidate.mesh = known.mesh;
   return true;
 }
 
 /// Whether the depths that were read bound the depths against which the next draw is tested.
 bool SmallDraws::isSeen() const {
-  return seen_.any && common_.isTested && seen_.reversed == common_.reversed &&
-         seen_.epoch == p_.cleared.depthEpoch(seen_.reversed) && contains(seen_.region, common_.drawn);
+  return seen_.any && common_.isTested && seen_.reversed == common_.region.reversed &&
+         seen_.epoch == p_.cleared.depthEpoch(seen_.reversed) && contains(seen_.region, common_.region.drawn);
 }
 
 bool SmallDraws::mayShow(const Candidate& candidate) const {
   WindowMapping window = common_.window;
   const bool isBounded = isSeen();
-  window.viewport.x += common_.seen.x - seen_.region.x, window.viewport.y += common_.seen.y - seen_.region.y;
+  window.viewport.x += common_.region.inViewport.x - seen_.region.x,
+      window.viewport.y += common_.region.inViewport.y - seen_.region.y;
   return candidate.mesh->clusters().anyMayShow(
       BoxVisibility(candidate.matrix, window, isBounded ? &seen_.pyramid : nullptr));
 }
@@ -232,23 +211,23 @@ bool SmallDraws::mayShow(const Candidate& candidate) const {
 void SmallDraws::readDepths() {
   ShadowState& shadow = p_.shadow;
   FramebufferReader& reader = p_.pending.presenter.reader();
-  FrameTrials& trials = p_.clock.smallDraws;
   const bool wasSeen = isSeen();
-  const double before = trials.isTimed() ? shadow.info.clock() : 0;
-  if (trials.isTimed()) shadow.real.Finish();  // the cost of earlier drawing does not count
-  const double start = trials.isTimed() ? shadow.info.clock() : 0;
+  const double before = trials_.isTimed() ? shadow.info.clock() : 0;
+  if (trials_.isTimed()) shadow.real.Finish();  // the cost of earlier drawing does not count
+  const double start = trials_.isTimed() ? shadow.info.clock() : 0;
   seen_.any = false;
   shadow.errors.keepPending();  // reads of pixels must not find errors pending
-  const bool isRead = common_.samples > 1
-                          ? reader.readFarthest(shadow.real, common_.seen, common_.reversed, depths_)
-                          : reader.readDepth(shadow.real, common_.seen, depths_);
+  const bool isRead =
+      common_.region.samples > 1
+          ? reader.readFarthest(shadow.real, common_.region.inViewport, common_.region.reversed, depths_)
+          : reader.readDepth(shadow.real, common_.region.inViewport, depths_);
   const double readAt = p_.shadow.info.clock();
   if (isRead) {
-    if (common_.reversed)
+    if (common_.region.reversed)
       for (float& depth : depths_) depth = 1 - depth;
-    seen_.pyramid.build(depths_.data(), common_.seen.width, common_.seen.height);
-    seen_.region = common_.seen, seen_.reversed = common_.reversed, seen_.any = true;
-    seen_.epoch = p_.cleared.depthEpoch(common_.reversed);
+    seen_.pyramid.build(depths_.data(), common_.region.inViewport.width, common_.region.inViewport.height);
+    seen_.region = common_.region.inViewport, seen_.reversed = common_.region.reversed, seen_.any = true;
+    seen_.epoch = p_.cleared.depthEpoch(common_.region.reversed);
   }
   const double now = p_.shadow.info.clock();
   double all = 0, hidden = 0;
@@ -256,14 +235,14 @@ void SmallDraws::readDepths() {
     all += drawn.vertices;
     if (!mayShow(drawn)) hidden += drawn.vertices;
   }
-  const double pixels = double(common_.seen.width) * common_.seen.height;
+  const double pixels = double(common_.region.inViewport.width) * common_.region.inViewport.height;
   // Without earlier depths, a first look is most useful.
   const double wasted = all > 0 ? hidden / all * (readAt - lookedAt_) : 0;
   schedule_.looked(wasSeen || hidden > 0 ? wasted : 2 * wasted, now - readAt + kReadSeconds * pixels);
   drawn_.clear();
   lookedAt_ = p_.shadow.info.clock();
-  if (!trials.isTimed()) return trials.looked(lookedAt_ - readAt + kReadSeconds * pixels, lookedAt_);
-  trials.looked(lookedAt_ - start, lookedAt_);
+  if (!trials_.isTimed()) return trials_.looked(lookedAt_ - readAt + kReadSeconds * pixels, lookedAt_);
+  trials_.looked(lookedAt_ - start, lookedAt_);
   apartSeconds_ += lookedAt_ - before;
 }
 
@@ -285,7 +264,7 @@ bool SmallDraws::isHidden(const Candidate& candidate, GLenum mode, const Element
   GLuint samples = 0;
   real.GetQueryObjectuiv(query_, GL_QUERY_RESULT, &samples);
   if (samples == 0) return true;
-  p_.culled.refuseDifferent(candidate.program);
+  p_.sources.refuseDifferent(candidate.program);
   return false;
 }
 

@@ -6,9 +6,10 @@
 #include "gl/culled/clusters/box_visibility.h"
 #include "gl/culled/clusters/culled_mesh.h"
 #include "gl/culled/clusters/depth_pyramid.h"
+#include "gl/culled/drawn_region.h"
+#include "gl/culled/trials/frame_trials.h"
+#include "gl/culled/trials/look_schedule.h"
 #include "gl/real/elements.h"
-#include "gl/trials/frame_trials.h"
-#include "gl/trials/look_schedule.h"
 #include "scene/snapshot.h"
 
 #include <GL/gl.h>
@@ -21,11 +22,11 @@
 namespace gluray::gl {
 
 class ClearedFramebuffers;
-class CulledDraws;
 class CulledProgram;
 class DrawCounts;
 class FrameClock;
 class PendingBatch;
+class PositionSources;
 class ShadowState;
 struct ArrayState;
 struct ArraySource;
@@ -38,12 +39,14 @@ class SmallDraws {
     DrawCounts& counts;
     PendingBatch& pending;
     const ClearedFramebuffers& cleared;
-    CulledDraws& culled;
+    PositionSources& sources;
   };
   explicit SmallDraws(const Parts& parts) : p_(parts) {}
 
   /// Whether draws may be skipped in this frame.
   bool isOn();
+  /// The frame is complete: ends its measurement.
+  void endFrame();
   /// Counts a draw while !isOn(), when leavesOut() is not called.
   void count(const Elements& elements);
   /// Whether a rasterised draw is certainly invisible: then it is counted, and the caller skips it. First
@@ -69,10 +72,8 @@ class SmallDraws {
   /// Data that draws share until state changes.
   struct Common {
     CullReason reason = CullReason::culled;  // reason why draws are not skipped
-    scene::Region drawn, seen;               // pixels that draws may change; the same without scissor test
-    WindowMapping window;                    // relative to the lower corner of `seen`
-    int samples = 1;
-    bool reversed = false;
+    DrawnRegion region;
+    WindowMapping window;   // relative to the lower corner of the region in the viewport
     bool isTested = false;  // depths decide visibility
   };
   /// Depths that the framebuffer has had.
@@ -105,6 +106,7 @@ class SmallDraws {
   void forgetOld();
 
   Parts p_;
+  FrameTrials trials_;
   bool culls_ = false;                 // the remaining draws of this frame, or some of them
   bool settles_ = false;               // this frame is a settling one
   uint64_t frame_ = 0, culledIn_ = 0;  // current frame; last culled frame

@@ -104,7 +104,7 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   const bool program = p_.shadow.raster().program != 0;
   const bool layer = p_.classifier.isLayer(*mesh, materials);
   if (layer)
-    p_.layers.describe(key, program ? BatchKey::DrawnBy::builtIns : BatchKey::DrawnBy::fixedFunction);
+    p_.layers.drawn.describe(key, program ? BatchKey::DrawnBy::builtIns : BatchKey::DrawnBy::fixedFunction);
   if (program) return addByProgram(key, mesh, slots);
   if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
   if (!open(key, p_.shadow.modelview())) return;

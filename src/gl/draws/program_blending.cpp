@@ -31,7 +31,8 @@ Reason ProgramDraws::unlessOpaque() const {
 bool ProgramDraws::mayBeBlended() const {
   const ArrayState& arrays = p_.shadow.attributes();
   const bool instanced = !arrays.instanceTransform.empty() || arrays.instanceColor.enabled;
-  return !instanced && layersOf(p_.shadow.program()) == BatchKey::Layers::none && p_.layers.mayBeDrawn();
+  return !instanced && layersOf(p_.shadow.program()) == BatchKey::Layers::none &&
+         p_.layers.drawn.mayBeDrawn();
 }
 
 bool ProgramDraws::isBlended(const scene::Mesh& mesh) const {

@@ -100,7 +100,7 @@ Reason ProgramDraws::classify(const KnownMesh& known, uint64_t load) {
     reason = Reason::coincident;
   if (reason != Reason::traced) return reason;
   if (isBlended(*known.mesh))
-    return p_.layers.leavesDrawn(load) ? Reason::smallScene : p_.classifier.ofImages(true);
+    return p_.layers.drawn.leaves(load) ? Reason::smallScene : p_.classifier.ofImages(true);
   // Judged for each draw and not for their sum, so that a surface that is drawn again is drawn in the same
   // way.
   const bool leave = p_.clock.leavesAlone(load, p_.shadow.viewportPixels());
@@ -163,13 +163,13 @@ ProgramDraws::Placed ProgramDraws::preparePlace(const scene::Mesh& mesh, const g
   BatchKey key = Batch::keyOf(p_.shadow.pixelState(), projection);
   key.layers = layersOf(program);
   const bool blended = isBlended(mesh);
-  if (blended) p_.layers.describe(key, BatchKey::DrawnBy::arrays);
+  if (blended) p_.layers.drawn.describe(key, BatchKey::DrawnBy::arrays);
   const bool peeled = key.layers == BatchKey::Layers::peeled;
   key.offset = peeled ? scene::PolygonOffset{} : offsetOf(p_.shadow, shape);
   p_.filler.clampToTarget(key.region);
   if (key.region.width <= 0 || key.region.height <= 0) return Placed::nowhere;
   const BatchKey* there = !p_.pending.batch.empty() ? &p_.pending.batch.key()
-                          : peeled                  ? p_.layers.tracedKey()
+                          : peeled                  ? p_.layers.held.tracedKey()
                                                     : nullptr;
   modelview = p_.filler.factor(program.clipFromObject, reach, there, key, !peeled);
   if (key.layers != BatchKey::Layers::none && !blended)

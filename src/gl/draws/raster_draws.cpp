@@ -111,7 +111,7 @@ void RasterDraws::before(PrimitiveClass kind) {
       p_.flusher.present(Reason::coincident);
     });
   if (p_.resolves.any()) p_.failsafe.protect([&] { p_.resolves.meetRasterDraw(); });
-  if (p_.layers.pending()) p_.failsafe.protect([&] { p_.layers.meetRasterDraw(); });
+  if (p_.layers.held.pending()) p_.failsafe.protect([&] { p_.layers.peels.meetRasterDraw(); });
   if (!batch.empty()) {
     const RasterState& raster = p_.shadow.raster();
     // Lines and points on a surface have its depth: drawing order decides, unless the surface was pushed
@@ -126,7 +126,7 @@ void RasterDraws::before(PrimitiveClass kind) {
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
     if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
   }
-  p_.failsafe.protect([&] { p_.relighting.beforeSampling(); });
+  p_.failsafe.protect([&] { p_.relighting.finish(Relighting::Place::sampling); });
   clearBelow_ = p_.cleared.target();
   if (p_.composed.waits() && kind == PrimitiveClass::surfaces) [[unlikely]]
     p_.failsafe.protect([&] { p_.composed.drawing(); });

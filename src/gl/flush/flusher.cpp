@@ -16,9 +16,9 @@
 namespace gluray::gl {
 
 void Flusher::flushBatch() {
-  if (p_.layers.holdsDepths()) p_.layers.giveUp();
+  if (p_.layers.held.holdsDepths()) p_.layers.held.giveUp();
   present();
-  if (p_.layers.asks()) p_.layers.giveUp();
+  if (p_.layers.held.asks()) p_.layers.held.giveUp();
 }
 
 void Flusher::present(Reason reason) {
@@ -39,8 +39,9 @@ void Flusher::presentBatch(Reason reason) {
   if (isVisibility && reason != Reason::traced)
     return void(p_.pending.batch.takeSnapshot());  // the real OpenGL has drawn them
   const bool peeled = key.layers == BatchKey::Layers::peeled;
-  if (peeled && (reason == Reason::shortage || !p_.layers.haveSurfaces())) return p_.layers.giveUp();
-  if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.readUnder())
+  if (peeled && (reason == Reason::shortage || !p_.layers.peels.haveSurfaces()))
+    return p_.layers.held.giveUp();
+  if (key.layers == BatchKey::Layers::drawn && reason == Reason::traced && !p_.layers.drawn.readUnder())
     reason = Reason::framebuffer;
   const bool rasterise = reason != Reason::traced;
   if (!rasterise) p_.pending.attachSecondaryScene();
@@ -56,7 +57,7 @@ void Flusher::presentBatch(Reason reason) {
   p_.cleared.forget();
   if (!rasterise) p_.composed.presenting(key, *snapshot);
   const PresentResult result =
-      peeled ? p_.layers.present(snapshot, key)
+      peeled ? p_.layers.peels.present(snapshot, key)
              : p_.pending.presenter.present(p_.shadow.real, snapshot,
                                             {.depthFunc = key.depthFunc,
                                              .core = p_.shadow.info.core,
@@ -117,13 +118,14 @@ void Flusher::beforeBlit() noexcept {
     p_.resolves.meetBlit();
     p_.composed.settle();
     p_.window.settle();
-    p_.relighting.finishRead();
+    p_.relighting.finish(Relighting::Place::read);
     p_.shadow.sendBuffers();
   });
 }
 
 void Flusher::imagesChange() noexcept {
-  if (p_.layers.asks() || p_.pending.batch.readsImages() || p_.resolves.waits() || p_.window.readsImages())
+  if (p_.layers.held.asks() || p_.pending.batch.readsImages() || p_.resolves.waits() ||
+      p_.window.readsImages())
     p_.failsafe.protect([&] { flush(); });
 }
 

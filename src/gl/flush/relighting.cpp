@@ -63,20 +63,14 @@ void Relighting::finishSampled() {
   }
 }
 
-void Relighting::finishAll() {
-  if (p_.surfaces.views.empty()) return;
-  for (const GLuint framebuffer : p_.surfaces.views.unchecked()) finish(framebuffer);
-}
-
-void Relighting::finishObjects() {
-  if (p_.surfaces.views.empty()) return;
+void Relighting::finishAt(Place place) {
+  if (place == Place::sampling) return finishSampled();
+  if (place == Place::read) {
+    const bool objects = p_.shadow.rare().framebufferObjects;
+    return finish(objects ? static_cast<GLuint>(integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING)) : 0);
+  }
   for (const GLuint framebuffer : p_.surfaces.views.unchecked())
-    if (framebuffer != 0) finish(framebuffer);
-}
-
-void Relighting::finishRead() {
-  const bool objects = p_.shadow.rare().framebufferObjects;
-  finish(objects ? static_cast<GLuint>(integer(p_.shadow.real, GL_READ_FRAMEBUFFER_BINDING)) : 0);
+    if (framebuffer != 0 || place == Place::leaving) finish(framebuffer);
 }
 
 namespace {

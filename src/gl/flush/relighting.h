@@ -6,6 +6,7 @@
 
 #include <GL/gl.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,16 +32,16 @@ class Relighting {
     p_.clock.finishPicture(framebuffer);
     update(framebuffer);
   }
-  /// The same for all framebuffers, or for all but the window.
-  void finishAll();
-  void finishObjects();
-  /// The bound read framebuffer is read or copied next.
-  void finishRead();
-  /// The real OpenGL draws next, into the current framebuffer: finishes the pictures of others whose colours
-  /// are bound as textures.
-  void beforeSampling() {
-    if (!p_.surfaces.views.empty()) [[unlikely]]
-      finishSampled();
+  /// What happens next, and whose pictures it finishes.
+  enum class Place : uint8_t {
+    read,      // pixels are read, copied or blitted: that of the bound read framebuffer
+    images,    // textures are read or copied: those of all framebuffer objects
+    sampling,  // the real OpenGL draws: those of other framebuffers whose colours are bound as textures
+    leaving,   // the context is left: all
+  };
+  void finish(Place place) {
+    if (place == Place::read || !p_.surfaces.views.empty()) [[unlikely]]
+      finishAt(place);
   }
 
  private:
@@ -48,6 +49,7 @@ class Relighting {
   struct Replaced {
     std::shared_ptr<const Image> before, now;
   };
+  void finishAt(Place place);
   void finishSampled();
   std::optional<Replaced> relight(ViewScenes::Outdated one, const std::vector<Replaced>& below);
 

@@ -4,6 +4,7 @@
 #include "gl/impostors/sent_billboards.h"
 #include "gl/program_state/program_state.h"
 #include "gl/real/state_queries.h"
+#include "scene/box_corner.h"
 
 #include <glm/glm.hpp>
 
@@ -213,9 +214,7 @@ bool showsSticks(const RealGl& real, const ProgramState& program, const scene::M
   const double scale = 1.74 / double{program.impostors.radiusDivisor};  // corners are sqrt(3) radii away
   ZRange all;
   for (int corner = 0; corner < 8; ++corner)
-    all.add(z({corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
-               corner & 4 ? mesh.upper.z : mesh.lower.z}),
-            scale * double{mesh.radius});
+    all.add(z(scene::boxCorner(mesh.lower, mesh.upper, corner)), scale * double{mesh.radius});
   // Beyond the far plane, the program clamps depths instead of discarding fragments; a GL_LESS test then
   // fails.
   const glm::dmat4 clipFromEye = program.clipFromObject * glm::inverse(eye);

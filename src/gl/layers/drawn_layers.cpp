@@ -1,8 +1,6 @@
-// Surfaces that are blended in drawing order (scene::Layers::Of::drawn, ADR 0038), with blending on or
-// without depth writes, drawn by fixed function or by shader programs that families describe. Colour and
-// depth below them are read when the batch is presented.
+#include "gl/layers/drawn_layers.h"
+
 #include "gl/basics/affine.h"
-#include "gl/layers/layer_draws.h"
 #include "gl/real/errors.h"
 
 #include <algorithm>
@@ -43,11 +41,11 @@ scene::Region united(const scene::Region& a, const scene::Region& b) {
 
 }  // namespace
 
-bool LayerDraws::mayBeDrawn() const {
+bool DrawnLayers::mayBeDrawn() const {
   return p_.shadow.raster().layers.has_value() && p_.shadow.target().blendable;
 }
 
-void LayerDraws::describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const {
+void DrawnLayers::describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const {
   key.layers = BatchKey::Layers::drawn;
   key.drawnBy = drawnBy;
   key.blending = *p_.shadow.raster().layers;
@@ -55,7 +53,7 @@ void LayerDraws::describe(BatchKey& key, BatchKey::DrawnBy drawnBy) const {
   key.depthSteps = p_.shadow.target().depthSteps;
 }
 
-bool LayerDraws::leavesDrawn(uint64_t triangles) {
+bool DrawnLayers::leaves(uint64_t triangles) {
   if (frame_ != p_.clock.frame) {
     frame_ = p_.clock.frame;
     lastDrawn_ = std::exchange(drawn_, {});
@@ -70,7 +68,7 @@ bool LayerDraws::leavesDrawn(uint64_t triangles) {
       p_.shadow.viewportPixels());
 }
 
-bool LayerDraws::readUnder() {
+bool DrawnLayers::readUnder() {
   p_.shadow.errors.keepPending();
   const scene::Snapshot& waiting = p_.pending.batch.waiting();
   scene::Region region;

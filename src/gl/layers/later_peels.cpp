@@ -1,8 +1,7 @@
-// Peels after the first one, whose layers are already traced. They are held back until the program has drawn
-// enough peels to show all layers. The program decides when to stop by occlusion queries; these count the
-// pixels that the peels would have written.
+#include "gl/layers/later_peels.h"
+
 #include "gl/batch/clears.h"
-#include "gl/layers/layer_draws.h"
+#include "gl/layers/layer_programs.h"
 #include "gl/layers/peel_limits.h"
 #include "gl/layers/peel_outputs.h"
 #include "gl/programs/uniforms.h"
@@ -65,9 +64,9 @@ bool reads(const ProgramDraw& draw, GLuint texture) {
 
 }  // namespace
 
-bool LayerDraws::mayAsk() const { return p_.shadow.info.core && behindOf(peeling_.target) != 0; }
+bool LaterPeels::mayAsk() const { return p_.shadow.info.core && behindOf(peeling_.target) != 0; }
 
-void LayerDraws::ask(PresentResult& result) {
+void LaterPeels::ask(PresentResult& result) {
   peeling_.stage = Peeling::Stage::peels;
   peeling_.counts = *result.layers;
   peeling_.target.image = std::move(result.image);
@@ -79,7 +78,7 @@ void LayerDraws::ask(PresentResult& result) {
 
 /// Whether the current draw belongs to the first peel, and a part of that peel was traced early because the
 /// program linked a shader program in between.
-bool LayerDraws::joinsFirstPeel() const {
+bool LaterPeels::joinsFirstPeel() const {
   const ProgramState& program = p_.shadow.program();
   if (!peeling_.target.later.empty() || p_.shadow.activeQueries > 0 ||
       passOf(program) != Family::Pass::peel || program.reason != Reason::traced)
@@ -87,7 +86,7 @@ bool LayerDraws::joinsFirstPeel() const {
   return inputTexture(p_.shadow.real, program) == peeling_.depthsFound;
 }
 
-bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
+bool LaterPeels::holdLater(GLenum mode, const Elements& elements) {
   if (joinsFirstPeel()) {
     peeling_.stage = Peeling::Stage::surfaces;
     peeling_.target.image.clear();
@@ -111,14 +110,14 @@ bool LayerDraws::holdLater(GLenum mode, const Elements& elements) {
   }
   if (known && open && (p_.shadow.activeQueries == 1 ? addBlended(mode, elements) : addPeel(mode, elements)))
     return true;
-  giveUp();
+  held_.giveUp();
   return false;
 }
 
-bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
+bool LaterPeels::addPeel(GLenum mode, const Elements& elements) {
   const ProgramState& program = p_.shadow.program();
   if (p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peel || !program.uniforms ||
-      !peelsIntoAll())
+      !peelsIntoAll(p_.shadow))
     return false;
   std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow);
   const GLuint result = outputOf(p_.shadow.real, *program.known, outputs);
@@ -140,7 +139,7 @@ bool LayerDraws::addPeel(GLenum mode, const Elements& elements) {
 }
 
 /// Holds back the draw, counted by a query, that blends a peel's farthest layers over those of earlier peels.
-bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
+bool LaterPeels::addBlended(GLenum mode, const Elements& elements) {
   const auto pixels = surelyWritten(peeling_.counts, peeling_.peel);
   if (peeling_.blended || !pixels || peeling_.query != GL_SAMPLES_PASSED ||
       !putsOver(p_.shadow.real, p_.shadow.rare()))
@@ -162,7 +161,7 @@ bool LayerDraws::addBlended(GLenum mode, const Elements& elements) {
 }
 
 /// Whether the current draw blends the layers that remain after the newest peel over its farthest layers.
-bool LayerDraws::blendsRest() const {
+bool LaterPeels::blendsRest() const {
   const ProgramState& program = p_.shadow.program();
   if (!peeling_.blended || p_.shadow.activeQueries > 0 || passOf(program) != Family::Pass::peelRest ||
       !putsOver(p_.shadow.real, p_.shadow.rare()) ||
@@ -174,7 +173,7 @@ bool LayerDraws::blendsRest() const {
          std::find(newest.begin(), newest.end(), HeldPass::Output{input, 0}) != newest.end();
 }
 
-bool LayerDraws::drawsNothing() {
+bool LaterPeels::drawsNothing() {
   if (!peeling_.emptied) return false;
   const ProgramState& program = p_.shadow.program();
   const bool rest = p_.shadow.activeQueries == 0 && passOf(program) == Family::Pass::peelRest;
@@ -184,7 +183,7 @@ bool LayerDraws::drawsNothing() {
 
 /// Traces the waiting image again, as `peels` peels would show it (scene::Layers::peels). If that fails,
 /// returns false, and nothing waits any more.
-bool LayerDraws::traceAgain(uint32_t peels) {
+bool LaterPeels::traceAgain(uint32_t peels) {
   if (peeling_.layers->peels == peels) return true;
   auto layers = std::make_shared<scene::Layers>(*peeling_.layers);
   layers->peels = peels;
@@ -192,7 +191,7 @@ bool LayerDraws::traceAgain(uint32_t peels) {
   snapshot->layers = layers;
   PresentResult result = p_.pending.presenter.layers().trace(snapshot, peeling_.target);
   if (result.outcome != PresentResult::traced) {
-    giveUp();
+    held_.giveUp();
     return false;
   }
   peeling_.layers = std::move(layers);
@@ -201,8 +200,8 @@ bool LayerDraws::traceAgain(uint32_t peels) {
   return true;
 }
 
-bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
-  if (!asks()) return false;
+bool LaterPeels::clearsLater(GLbitfield mask) noexcept {
+  if (!held_.asks()) return false;
   bool held = false;
   p_.failsafe.protect([&] {
     HeldPass pass{
@@ -212,28 +211,28 @@ bool LayerDraws::clearsLater(GLbitfield mask) noexcept {
     held = mask == GL_COLOR_BUFFER_BIT && p_.shadow.activeQueries == 0 && peeling_.blended &&
            !pass.outputs.empty() && contains({box.x, box.y, box.z, box.w}, all) &&
            clearsInFull(p_.shadow.real, p_.shadow.rare(), mask);
-    if (!held) return giveUp();
+    if (!held) return held_.giveUp();
     p_.shadow.real.GetFloatv(GL_COLOR_CLEAR_VALUE, &pass.clear->x);
     peeling_.target.later.push_back(std::move(pass));
   });
   return held;
 }
 
-void LayerDraws::queryBegins(GLenum target, GLuint name) {
-  if (holdsDepths()) return giveUp();
-  if (!asks()) return;
-  if (p_.shadow.activeQueries > 0) return giveUp();
+void LaterPeels::queryBegins(GLenum target, GLuint name) {
+  if (held_.holdsDepths()) return held_.giveUp();
+  if (!held_.asks()) return;
+  if (p_.shadow.activeQueries > 0) return held_.giveUp();
   peeling_.query = target, peeling_.queryName = name;
   if (showsAll(peeling_.peel, peeling_.counts, peeling_.target.opaqueDepths.size())) {
     // The image was traced for fewer peels than the program has drawn: trace all layers.
     if (peeling_.layers->peels >= peeling_.peel || traceAgain(0)) showWaiting();
   } else if (!surelyWritten(peeling_.counts, peeling_.peel))
-    giveUp();
+    held_.giveUp();
 }
 
 /// Shows the waiting image, because the program has drawn enough peels to show all layers, or is about to
 /// draw the remaining ones. Returns false if the real OpenGL drew everything.
-bool LayerDraws::showWaiting() {
+bool LaterPeels::showWaiting() {
   peeling_.stage = Peeling::Stage::none;
   p_.cleared.forget();
   const PresentResult result =
@@ -244,12 +243,12 @@ bool LayerDraws::showWaiting() {
     peeling_.succeeded();
   } else {
     if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
-    countHeld();
+    held_.countHeld();
     p_.pending.withdrawPeeled();
     p_.failsafe.fail(result.loss(),
                      result.why.empty() ? "traced layers could not be shown" : result.why.c_str());
   }
-  end();
+  held_.end();
   return shown;
 }
 

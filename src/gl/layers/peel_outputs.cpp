@@ -2,6 +2,7 @@
 
 #include "gl/programs/uniforms.h"
 #include "gl/real/state_queries.h"
+#include "gl/state/output_state.h"
 
 #include <GL/glext.h>
 
@@ -48,6 +49,13 @@ GLuint inputTexture(const RealGl& real, const ProgramState& program) {
   const GLint name = integer(real, GL_TEXTURE_BINDING_2D);
   real.ActiveTexture(static_cast<GLenum>(active));
   return static_cast<GLuint>(name);
+}
+
+bool peelsIntoAll(ShadowState& shadow) {
+  const bool open = !shadow.raster().scissorTest || shadow.viewport().scissor == shadow.viewport().box;
+  return open && shadow.target().framebuffer != 0 && shadow.target().samples == 1 &&
+         shadow.viewport().box.x == 0 && shadow.viewport().box.y == 0 && shadow.viewport().box.z > 0 &&
+         shadow.viewport().box.w > 0 && keepsLargest(shadow.real, shadow.rare());
 }
 
 }  // namespace gluray::gl

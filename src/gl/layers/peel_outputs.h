@@ -23,4 +23,7 @@ GLint inputUnit(const ProgramState& program);
 /// The texture bound to GL_TEXTURE_2D of that unit; 0 if there is no texture or no unit.
 GLuint inputTexture(const RealGl& real, const ProgramState& program);
 
+/// Whether draws now fill a framebuffer object of the viewport's size and keep the maximum (GL_MAX).
+bool peelsIntoAll(ShadowState& shadow);
+
 }  // namespace gluray::gl

@@ -1,6 +1,6 @@
 // State of dual depth peeling. A program that peels first draws a depth pass, which finds each pixel's
 // nearest and farthest depth, then peel after peel between these. GLuRay holds the depth pass back, traces
-// all layers in place of the first peel, and leaves nothing for later peels. Owned by LayerDraws, GL thread.
+// all layers in place of the first peel, and leaves nothing for later peels. Owned by HeldPeels, GL thread.
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/held_pass.h"

@@ -1,7 +1,6 @@
-// Transparent surfaces that are summed without order (weighted blending, scene::Layers::Of::sums). Nothing is
-// held back: the traced sums are added to those in the framebuffer, and rasterised draws may come before and
-// after.
-#include "gl/layers/layer_draws.h"
+#include "gl/layers/sum_draws.h"
+
+#include "gl/layers/layer_programs.h"
 #include "gl/real/buffer_bits.h"
 #include "gl/real/state_queries.h"
 #include "gl/state/output_state.h"
@@ -14,11 +13,11 @@
 
 namespace gluray::gl {
 
-Reason LayerDraws::classifySum(PrimitiveClass kind) {
+Reason SumDraws::classify(PrimitiveClass kind) {
   if (p_.failsafe.aside()) return p_.failsafe.reason();
   if (p_.shadow.info.off) return Reason::off;
   if (p_.shadow.activeQueries > 0) return Reason::query;
-  if (const Reason reason = classifySeenThrough(kind); reason != Reason::traced) return reason;
+  if (const Reason reason = seenThroughReason(p_.shadow, kind); reason != Reason::traced) return reason;
   const TargetState& target = p_.shadow.target();
   if (target.framebuffer == 0 || target.samples > 1 ||
       !addsUp(p_.shadow.real, p_.shadow.rare(), p_.shadow.raster()))
@@ -30,7 +29,7 @@ Reason LayerDraws::classifySum(PrimitiveClass kind) {
   return p_.pending.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
-bool LayerDraws::startSums(const BatchKey& key, const glm::dmat4& modelview) {
+bool SumDraws::start(const BatchKey& key, const glm::dmat4& modelview) {
   if (!p_.pending.batch.empty()) return true;
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::sums;

@@ -14,13 +14,11 @@ constexpr int kWindow = 32;                  // frames over which the largest lo
 constexpr double kFaster = 0.87;             // change if the other way takes less than this share of the time
 constexpr double kOptimism = 0.6;            // lower limit of a cost now, as a share of its measurement
 constexpr double kSame = 1.5, kStays = 2.0;  // maximum ratio of loads of one kind, also until it is left
-constexpr double kFirstLook = 2, kLongestLook = 64;
-constexpr double kFirstTrial = 4, kLongestTrial = 1024, kTrialGrowth = 4;  // seconds between trials
-constexpr double kShare = 0.01;            // of the real OpenGL's drawing time, spent on trials of tracing
-constexpr double kMaxSavedSeconds = 0.25;  // maximum budget
-constexpr double kHopeless = 2;            // a second traced frame this many times as slow ends the trial
-constexpr double kLikely = 2;              // estimate of a traced frame, in units of leastTraceSeconds()
-constexpr double kFirstTrace = 20e-3;      // seconds: the first one starts threads and builds shaders
+constexpr double kShare = 0.01;              // of the real OpenGL's drawing time, spent on trials of tracing
+constexpr double kMaxSavedSeconds = 0.25;    // maximum budget
+constexpr double kHopeless = 2;              // a second traced frame this many times as slow ends the trial
+constexpr double kLikely = 2;                // estimate of a traced frame, in units of leastTraceSeconds()
+constexpr double kFirstTrace = 20e-3;        // seconds: the first one starts threads and builds shaders
 constexpr double kNever = 1e300;
 constexpr size_t kKinds = 32;
 
@@ -108,27 +106,19 @@ EngineChoice::Way EngineChoice::frameEnded() {
   account(kinds_[kind_], seconds);
   switch (phase_) {
     case Phase::settling:
-      if (--left_ > 0) break;
-      if (isHopeless(kinds_[kind_], seconds)) {
-        best_ = seconds;
-        conclude();
-        break;
-      }
-      // Too large for the real OpenGL: no alternative to measure.
-      if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
-        rest();
+      if (--settles_ > 0) break;
+      if (isHopeless(kinds_[kind_], seconds))
+        measured_ = Measurement(1), measured_.add(seconds), conclude();
+      else if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
+        hold(kNever);  // too large for the real OpenGL: no alternative to measure
       else
         measure(trial_ ? 1 : kTimes);
       break;
-    case Phase::measuring:
-      if (seconds >= 0 && within(load, kinds_[kind_].load, kStays)) {
-        best_ = best_ < 0 ? seconds : std::min(best_, seconds);
-        --left_;
-      } else {
-        ++attempts_;
-      }
-      if (left_ <= 0 || attempts_ >= kAttempts) conclude();
+    case Phase::measuring: {
+      const bool counts = seconds >= 0 && within(load, kinds_[kind_].load, kStays);
+      if (counts ? measured_.add(seconds) : measured_.fails(kAttempts)) conclude();
       break;
+    }
     case Phase::holding:
       if (nextLook_ < kNever && clock_() >= nextLook_) measure(kTimes);
       break;
@@ -165,15 +155,13 @@ EngineChoice::Kind& EngineChoice::kindOf(const FrameLoad& load) {
   for (Kind& kind : kinds_)
     if (within(kind.load, load, kSame)) return kind;
   if (kinds_.size() >= kKinds) kinds_.clear();
-  kinds_.push_back({load});
-  kinds_.back().trialInterval = kFirstTrial;
-  return kinds_.back();
+  return kinds_.emplace_back(Kind{load});
 }
 
 /// Changes to another kind of frames.
 void EngineChoice::enter(Kind& kind) {
   kind_ = static_cast<size_t>(&kind - kinds_.data());
-  lookInterval_ = kFirstLook;
+  lookInterval_.restart();
   // An interrupted trial has no result: its way does not count as used.
   const Way used = trial_ ? other(way_) : way_, unused = other(used);
   const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
@@ -187,49 +175,39 @@ void EngineChoice::settle(Way way, bool trial) {
   way_ = way;
   trial_ = trial;
   phase_ = Phase::settling;
-  left_ = trial ? kTrialSettle : kSettle;
+  settles_ = trial ? kTrialSettle : kSettle;
   timing_ = trial && way == Way::traced ? Timing::wanted : Timing::off;
 }
 
 void EngineChoice::measure(int frames) {
   phase_ = Phase::measuring;
-  left_ = frames;
-  attempts_ = 0;
-  best_ = -1;
+  measured_ = Measurement(frames);
   timing_ = Timing::wanted;
 }
 
-/// Holds the decision until frames are of another kind.
-void EngineChoice::rest() {
+/// Holds the decision until frames are of another kind, or until `nextLook`.
+void EngineChoice::hold(double nextLook) {
   phase_ = Phase::holding;
   trial_ = false;
   timing_ = Timing::off;
-  nextLook_ = kNever;
-}
-
-void EngineChoice::hold() {
-  phase_ = Phase::holding;
-  timing_ = Timing::off;
-  nextLook_ = clock_() + lookInterval_;
-  lookInterval_ = std::clamp(2 * lookInterval_, kFirstLook, kLongestLook);
+  nextLook_ = nextLook;
 }
 
 void EngineChoice::conclude() {
   Kind& kind = kinds_[kind_];
   const Way unused = other(way_);
-  if (best_ >= 0) kind.seconds[indexOf(way_)] = best_;
+  if (measured_.isKnown()) kind.seconds[indexOf(way_)] = measured_.seconds();
   const double here = kind.seconds[indexOf(way_)], there = kind.seconds[indexOf(unused)];
   if (trial_) {
-    kind.nextTrial = clock_() + kind.trialInterval;
-    kind.trialInterval = std::min(kTrialGrowth * kind.trialInterval, kLongestTrial);
-    trial_ = false;
-    if (best_ < 0 || here > kFaster * there) way_ = unused;
-    return hold();
+    kind.nextTrial = clock_() + kind.trialInterval.take();
+    if (!measured_.isKnown() || here > kFaster * there) way_ = unused;
+  } else {
+    const bool allowed = unused == Way::traced ? affordsTracing(kind) : !tooLarge(kind.load, 1);
+    if (measured_.isKnown() && allowed && leastSeconds(unused, kind) < kFaster * here &&
+        clock_() >= kind.nextTrial)
+      return settle(unused, true);
   }
-  const bool allowed = unused == Way::traced ? affords(likelyLoss(kind)) : !tooLarge(kind.load, 1);
-  if (best_ >= 0 && allowed && leastSeconds(unused, kind) < kFaster * here && clock_() >= kind.nextTrial)
-    return settle(unused, true);
-  hold();
+  hold(clock_() + lookInterval_.take());
 }
 
 /// Lower bound of the seconds that a frame of this kind takes when drawn this way, measured or not: the
@@ -245,18 +223,14 @@ double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
   return least;
 }
 
-/// Estimated seconds by which a trial of tracing takes longer than the same number of frames of the real
-/// OpenGL, whose time was measured.
-double EngineChoice::likelyLoss(const Kind& kind) const {
+/// Whether the budget allows a trial of tracing, by its estimated loss: the seconds that it takes longer than
+/// the same number of frames of the real OpenGL, whose time was measured. A trial that likely wins needs no
+/// budget. The required budget never exceeds its maximum.
+bool EngineChoice::affordsTracing(const Kind& kind) const {
   const double direct = kind.seconds[indexOf(Way::passthrough)], known = kind.seconds[indexOf(Way::traced)];
   const double likely =
       known >= 0 ? known : std::max(leastSeconds(Way::traced, kind), kLikely * leastTraceSeconds(kind.load));
-  return (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
-}
-
-/// Whether the budget allows a trial of tracing that likely loses `loss` seconds. A trial that likely wins
-/// needs no budget. The required budget never exceeds its maximum.
-bool EngineChoice::affords(double loss) const {
+  const double loss = (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
   return loss <= 0 || budget_.left() >= std::min(loss, kMaxSavedSeconds);
 }
 

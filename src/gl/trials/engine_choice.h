@@ -4,6 +4,8 @@
 // of FrameClock, GL thread.
 #pragma once
 #include "base/clock.h"
+#include "base/growing_interval.h"
+#include "gl/trials/measurement.h"
 #include "gl/trials/trial_budget.h"
 #include "settings/settings.h"
 
@@ -88,7 +90,8 @@ class EngineChoice {
   struct Kind {
     FrameLoad load;
     double seconds[2] = {-1, -1};  // traced, passthrough; negative: not measured
-    double nextTrial = 0, trialInterval = 0;
+    double nextTrial = 0;
+    GrowingInterval<double> trialInterval{4, 1024, 4};  // seconds
   };
 
   static int indexOf(Way way) { return way == Way::passthrough ? 1 : 0; }
@@ -98,13 +101,11 @@ class EngineChoice {
   void enter(Kind& kind);
   void settle(Way way, bool trial);
   void measure(int frames);
-  void rest();
-  void hold();
+  void hold(double nextLook);
   void conclude();
   double leastSeconds(Way way, const Kind& kind) const;
   double leastTraceSeconds(const FrameLoad& load) const;
-  double likelyLoss(const Kind& kind) const;
-  bool affords(double loss) const;
+  bool affordsTracing(const Kind& kind) const;
   bool isHopeless(const Kind& kind, double seconds) const;
   void account(const Kind& kind, double seconds);
   bool tooLarge(const FrameLoad& load, double slack) const {
@@ -132,10 +133,10 @@ class EngineChoice {
   bool trial_ = false;       // the current way is not known to be faster
   bool everTraced_ = false;  // a frame was drawn by Way::traced
   TrialBudget budget_;       // for trials of tracing
-  int left_ = 0;             // frames left in this phase
-  int attempts_ = 0;         // measured frames that were of another kind
-  double best_ = -1;         // fastest measured frame of this kind, seconds
-  double nextLook_ = 0, lookInterval_ = 0;
+  int settles_ = 0;          // frames until it is measured
+  Measurement measured_{0};  // frames of this kind; those of another kind are failures
+  double nextLook_ = 0;
+  GrowingInterval<double> lookInterval_{2, 64, 2, 0};  // seconds; the first decision is checked at once
 };
 
 }  // namespace gluray::gl

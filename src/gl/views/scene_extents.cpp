@@ -1,5 +1,6 @@
 #include "gl/views/scene_extents.h"
 
+#include "scene/box_corner.h"
 #include "scene/mesh.h"
 #include "scene/same_camera.h"
 #include "scene/secondary_scene.h"
@@ -17,10 +18,6 @@ namespace {
 constexpr size_t kMaxScenes = 4;       // of layers, insets and other views
 constexpr size_t kMaxSurfaces = 4096;  // of larger scenes nothing is remembered
 
-glm::dvec3 cornerOf(const glm::dvec3& lower, const glm::dvec3& upper, int corner) {
-  return {corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y, corner & 4 ? upper.z : lower.z};
-}
-
 }  // namespace
 
 void SceneExtents::add(const scene::Instance& instance, const glm::dmat4& eyeFromPart, Surfaces& to) {
@@ -34,7 +31,8 @@ bool SceneExtents::isOutside(const Surface& surface, const glm::dmat4& clipFromE
   const glm::dmat4 clipFromObject = clipFromEye * surface.eyeFromObject;
   unsigned outside = 0x3f;  // a bit for each plane that all corners so far lie beyond
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 clip = clipFromObject * glm::dvec4(cornerOf(surface.lower, surface.upper, corner), 1);
+    const glm::dvec4 clip =
+        clipFromObject * glm::dvec4(scene::boxCorner(surface.lower, surface.upper, corner), 1);
     for (int axis = 0; axis < 3; ++axis) {
       if (!(clip[axis] < -clip.w)) outside &= ~(1u << (2 * axis));
       if (!(clip[axis] > clip.w)) outside &= ~(2u << (2 * axis));
@@ -50,7 +48,8 @@ double SceneExtents::diagonalOf(const Scene& scene) {
   for (const Surface& surface : scene.surfaces) {
     const glm::dmat4 worldFromObject = worldFromEye * surface.eyeFromObject;
     for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec3 at(worldFromObject * glm::dvec4(cornerOf(surface.lower, surface.upper, corner), 1));
+      const glm::dvec3 at(worldFromObject *
+                          glm::dvec4(scene::boxCorner(surface.lower, surface.upper, corner), 1));
       lower = glm::min(lower, at), upper = glm::max(upper, at);
     }
   }

@@ -2,6 +2,7 @@
 
 #include "gl/batch/clears.h"
 #include "gl/views/secondary_scene_builder.h"
+#include "scene/box_corner.h"
 #include "scene/mesh.h"
 #include "scene/same_camera.h"
 
@@ -35,9 +36,7 @@ bool isInside(const scene::Region& box, const scene::Camera& camera, const scene
   if (mesh.shape != scene::Shape::triangles) return false;  // larger than their points
   const glm::dmat4 clipFromObject = camera.clipFromEye * instance.eyeFromObject;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 at(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
-                        corner & 4 ? mesh.upper.z : mesh.lower.z);
-    const glm::dvec4 clip = clipFromObject * glm::dvec4(at, 1);
+    const glm::dvec4 clip = clipFromObject * glm::dvec4(scene::boxCorner(mesh.lower, mesh.upper, corner), 1);
     if (!(clip.w > 0)) return false;
     const glm::dvec2 window =
         glm::dvec2(camera.viewport) +

@@ -1,5 +1,5 @@
-// Shows a window's frames without its back buffer (presented_frames.cpp), or later, while the program
-// prepares the next one (lagged_frame.cpp). A part of each Context, GL thread.
+// Shows a window's frames without its back buffer (adr/0024), or later, while the program prepares the next
+// one (adr/0023). A part of each Context, GL thread.
 #pragma once
 #include "gl/pending/pending_batch.h"
 #include "gl/window/lagged_frame.h"

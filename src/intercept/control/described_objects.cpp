@@ -2,6 +2,7 @@
 
 #include "frame/questions/listed_lights.h"
 #include "render/bsdf/material_rules.h"
+#include "scene/box_corner.h"
 #include "settings/object_rule.h"
 #include "settings/rows.h"
 
@@ -57,10 +58,7 @@ json colorOf(const scene::Instance& instance, const scene::Shading& shading) {
 std::pair<glm::dvec3, glm::dvec3> boundsOf(const scene::Mesh& mesh, const glm::dmat4& to) {
   glm::dvec3 lower(std::numeric_limits<double>::infinity()), upper = -lower;
   for (int corner = 0; corner < 8; ++corner) {
-    glm::dvec4 p(mesh.lower, 1);
-    for (int c = 0; c < 3; ++c)
-      if (corner >> c & 1) p[c] = double{mesh.upper[c]};
-    const glm::dvec3 moved(to * p);
+    const glm::dvec3 moved(to * glm::dvec4(scene::boxCorner(mesh.lower, mesh.upper, corner), 1));
     lower = glm::min(lower, moved), upper = glm::max(upper, moved);
   }
   return {lower, upper};

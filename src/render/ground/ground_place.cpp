@@ -1,5 +1,6 @@
 #include "render/ground/ground_place.h"
 
+#include "scene/box_corner.h"
 #include "scene/secondary_scene.h"
 
 #include <algorithm>
@@ -58,11 +59,8 @@ Box boundsOf(const scene::Snapshot& s, const glm::dmat4& viewFromWorld, const gl
       around = radius / axes *
                stretchOf(instance.eyeFromObject * glm::inverse(glm::dmat4(instance.lightingFromObject)));
     Box own;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec4 at(corner & 1 ? mesh.upper.x : mesh.lower.x, corner & 2 ? mesh.upper.y : mesh.lower.y,
-                          corner & 4 ? mesh.upper.z : mesh.lower.z, 1);
-      own.add(glm::dvec3(place * at), around);
-    }
+    for (int corner = 0; corner < 8; ++corner)
+      own.add(glm::dvec3(place * glm::dvec4(scene::boxCorner(mesh.lower, mesh.upper, corner), 1)), around);
     if (own.isFinite()) box.add(own.lower, glm::dvec3(0)), box.add(own.upper, glm::dvec3(0));
   }
   return box;

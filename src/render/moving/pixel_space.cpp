@@ -1,5 +1,7 @@
 #include "render/moving/pixel_space.h"
 
+#include "scene/box_corner.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,10 +13,9 @@ namespace {
 glm::dvec2 extent(const FrameData& frame, const glm::dvec3& axis) {
   const glm::dmat4& eyeFromWorld = frame.snapshot->eyeFromWorld;
   const accel::Bounds seen = frame.world->seenBounds();
-  const glm::dvec3 ends[] = {seen.lower, seen.upper};
   glm::dvec2 range(std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity());
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 world(ends[corner & 1].x, ends[corner >> 1 & 1].y, ends[corner >> 2].z, 1);
+    const glm::dvec4 world(scene::boxCorner(seen.lower, seen.upper, corner), 1);
     const double along = glm::dot(axis, glm::dvec3(eyeFromWorld * world));
     range = {std::min(range.x, along), std::max(range.y, along)};
   }

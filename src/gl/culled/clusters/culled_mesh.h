@@ -3,8 +3,8 @@
 #pragma once
 #include "base/background_job.h"
 #include "gl/arrays/arrays.h"
+#include "gl/arrays/assembly.h"
 #include "gl/buffers/buffer.h"
-#include "gl/culled/clusters/assembly.h"
 #include "gl/culled/clusters/clusters.h"
 #include "gl/culled/clusters/unit_clusters.h"
 #include "gl/real/real.h"

@@ -1,6 +1,6 @@
 #include "gl/culled/feedback/position_feedback.h"
 
-#include "gl/culled/clusters/assembly.h"
+#include "gl/arrays/assembly.h"
 #include "gl/real/feedback_stage.h"
 #include "gl/real/state_queries.h"
 

@@ -57,9 +57,4 @@ void needSections(const FamilyList& list, const CodeSections& known) {
                           (all.empty() ? "" : "; there are " + all));
 }
 
-void FamilyList::append(const FamilyList& more) {
-  families.insert(families.end(), more.families.begin(), more.families.end());
-  for (const auto& [name, known] : more.code) code[name].add(known);
-}
-
 }  // namespace gluray::gl

@@ -18,23 +18,6 @@ std::string ofLight(const std::string& pattern, const FamilyLights& lights, int 
   return pattern.substr(0, at) + name + pattern.substr(at + 2);
 }
 
-bool Family::hasBuiltInVertices() const { return position == "gl_Vertex"; }
-
-bool Family::mentions(std::string_view name) const {
-  if (mentioned.contains(name)) return true;
-  // "lightColor12" is mentioned as "lightColor{}".
-  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-  for (size_t digit = 0, end = 0; digit < name.size(); digit = end + 1) {
-    digit = std::min(name.find_first_of("0123456789", digit), name.size());
-    for (end = digit; end < name.size() && isDigit(name[end]);) ++end;
-    std::string pattern(name.substr(0, digit));
-    pattern += "{}";
-    pattern += name.substr(end);
-    if (end > digit && mentioned.contains(pattern)) return true;
-  }
-  return false;
-}
-
 namespace {
 
 [[noreturn]] void fail(const toml::node& at, const std::string& file, const std::string& what) {

@@ -1,5 +1,5 @@
 // Whether culling large draws pays, by simulated draws.
-#include "gl/trials/culling_trials.h"
+#include "gl/culled/trials/culling_trials.h"
 
 #include <gtest/gtest.h>
 
@@ -22,10 +22,7 @@ struct TriedMesh {
     const bool isCulled = next.way == DrawWay::culled && possible;
     const double took = isCulled ? culled : plain;
     measured += next.measured;
-    if (next.measured && next.way == DrawWay::culled)
-      trials.tookCulled(isCulled, took, budget);
-    else if (next.measured)
-      trials.tookPlain(took);
+    if (next.measured) trials.took(next.way, isCulled, took, budget);
     return took;
   }
 };

@@ -1,5 +1,5 @@
 // When depth reads are due.
-#include "gl/trials/look_schedule.h"
+#include "gl/culled/trials/look_schedule.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Whether skipping small draws pays, by a simulated program with its own clock.
-#include "gl/trials/frame_trials.h"
+#include "gl/culled/trials/frame_trials.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "gl/culled/clusters/assembly.h"
+#include "gl/arrays/assembly.h"
 
 #include "gl/real/extensions.h"
 #include "gl/real/state_queries.h"

@@ -1,9 +1,13 @@
-// WindowFrames: images that are shown without the back buffer (ADR 0024).
+#include "gl/window/window_frames.h"
+
+#include "base/clock.h"
 #include "base/timeline.h"
 #include "gl/batch/clears.h"
+#include "gl/layers/layer_draws.h"
 #include "gl/pending/address_space_gate.h"
 #include "gl/real/draw_binding.h"
-#include "gl/window/window_frames.h"
+#include "gl/real/errors.h"
+#include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
 
@@ -147,6 +151,117 @@ bool WindowFrames::readsImages() const {
 bool WindowFrames::readsBuffer(GLuint buffer) const {
   return (presented_.waiting && presented_.waiting->readsBuffer(buffer)) ||
          (lagged_ && lagged_->batch.readsBuffer(buffer));
+}
+
+LagRefusal WindowFrames::whyNotLag(GLenum buffer) const {
+  if (p_.pending.batch.empty())
+    return p_.clock.passesThrough() ? LagRefusal::measured : LagRefusal::nothingToDo;
+  const BatchKey& key = p_.pending.batch.key();
+  const bool right = key.drawBuffer == buffer || (buffer == GL_BACK && key.drawBuffer == GL_BACK_LEFT);
+  if (key.framebuffer != 0 || !right || key.samples > 1 || !key.colorWrites.all() || key.encodes)
+    return LagRefusal::target;
+  if (p_.clock.passesThrough() || p_.clock.measured()) return LagRefusal::measured;
+  // Kept draws of programs refer to textures and buffers by name, and other contexts may change these.
+  if (p_.shadow.activeQueries > 0 || key.layers != BatchKey::Layers::none || p_.layers.held.pending() ||
+      p_.pending.unresolved.waiting ||
+      (!p_.pending.batch.programDraws().empty() && p_.shadow.group.contexts > 1))
+    return LagRefusal::state;
+  return p_.failsafe.aside() || p_.shadow.info.off || addressSpaceIsShort() ? LagRefusal::failure
+                                                                            : LagRefusal::none;
+}
+
+void WindowFrames::noteBegin() {
+  if (p_.clock.beganSeconds == 0) p_.clock.beganSeconds = nowSeconds();
+}
+
+LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
+  LagRefusal refusal = LagRefusal::failure;
+  p_.failsafe.protect([&] {
+    settle();
+    refusal = whyNotLag(window.overdue.buffer);
+    if (refusal != LagRefusal::none) return;
+    p_.shadow.errors.keepPending();
+    p_.pending.attachSecondaryScene();
+    LaggedFrame frame{{}, window, {}, 1, {}};
+    const GLenum depthFunc = p_.pending.batch.key().depthFunc;
+    const glm::ivec2 size = window.overdue.size;
+    if (window.show && mayShowDirectly() && contains(p_.cleared.target()->region, {0, 0, size.x, size.y})) {
+      frame.cleared = p_.cleared.target();
+      frame.farthest = farthestHit(depthFunc, p_.shadow.target().depthResolution);
+    }
+    refusal =
+        p_.pending.presenter.window().traceAhead(p_.shadow.real, p_.pending.batch.pending(),
+                                                 {depthFunc, frame.cleared, frame.farthest, window.overdue});
+    if (refusal != LagRefusal::none) return;
+    frame.batch = p_.pending.hold("ahead");
+    lagged_ = std::move(frame);
+    p_.shadow.real.Flush();  // lets the frame's rasterised draws start
+  });
+  return refusal;
+}
+
+/// Shows the frame without the back buffer, if that contained only a clear and the next frame begins with a
+/// clear. Returns false if the frame was not shown.
+bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
+  constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
+  const PresentResult result = p_.pending.presenter.window().show(
+      p_.shadow.real, frame.batch.snapshot,
+      {*frame.cleared, frame.farthest, p_.shadow.info.core, {}, frame.window.show});
+  if (result.outcome != PresentResult::traced) return p_.shadow.latch.restore(p_.shadow.real), false;
+  p_.pending.takeResult(result);
+  noteUse(Quirk::softwareShow);
+  return true;
+}
+
+PresentResult WindowFrames::presentLagged(LaggedFrame& frame) {
+  const PresentResult result = p_.pending.presenter.present(p_.shadow.real, frame.batch.snapshot,
+                                                            {.depthFunc = frame.batch.key.depthFunc,
+                                                             .core = p_.shadow.info.core,
+                                                             .programDraws = std::move(frame.batch.draws)});
+  p_.pending.takeResult(result);
+  frame.window.swap();
+  return result;
+}
+
+void WindowFrames::showLagged() {
+  if (!lagged_) return;
+  noteBegin();
+  const timeline::Span span("show lagged", lagged_->batch.snapshot->instances.size());
+  LaggedFrame frame = std::move(*lagged_);
+  lagged_.reset();
+  const double start = p_.counts.kinds() ? nowSeconds() : 0;
+  p_.shadow.syncCurrent();
+  PresentResult result;
+  if (!frame.window.stands()) {
+    p_.pending.presenter.window().dropAhead();
+    result.outcome = PresentResult::traced;  // the window is gone: no failure
+  } else if (!showsDirectly(frame)) {
+    result = presentLagged(frame);
+  } else {
+    result.outcome = PresentResult::traced;
+  }
+  for (const WindowClear& clear : frame.clears)
+    if (const GLenum pending = p_.pending.presenter.window().clear(p_.shadow.real, clear))
+      p_.shadow.errors.set(pending);
+  if (p_.counts.kinds()) [[unlikely]]
+    p_.counts.kinds()->exclude(nowSeconds() - start);
+  if (result.outcome != PresentResult::traced) p_.failsafe.fail(result.loss(), result.reason());
+}
+
+bool WindowFrames::clearsLater(GLbitfield mask) {
+  constexpr size_t kMaxClears = 8;
+  noteBegin();
+  p_.pending.stopRefining();
+  if (!lagged_ && !lacks()) return false;
+  if (!p_.pending.batch.empty() || mask == 0 || mask & ~kClears || p_.clock.passesThrough() ||
+      p_.failsafe.aside() || p_.clock.startsMeasuring() || p_.shadow.activeQueries > 0 ||
+      !clearsWindow(p_.shadow.real, p_.shadow.rare(), mask))
+    return false;
+  if (!lagged_) return holdsClear(mask);
+  if (lagged_->clears.size() >= kMaxClears) return false;
+  lagged_->clears.push_back(windowClear(p_.shadow.real, mask));
+  return true;
 }
 
 }  // namespace gluray::gl

@@ -1,5 +1,5 @@
 // The triangles of strips, fans and restarted primitives.
-#include "gl/culled/clusters/assembly.h"
+#include "gl/arrays/assembly.h"
 
 #include <gtest/gtest.h>
 

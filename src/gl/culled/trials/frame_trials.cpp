@@ -1,4 +1,4 @@
-#include "gl/trials/frame_trials.h"
+#include "gl/culled/trials/frame_trials.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,17 +11,17 @@ FrameTrials::Way FrameTrials::nextFrame(bool always, const Load& last) {
   from_ = at_ = spent_ = gained_ = asked_ = unknown_ = forDraws_ = boxed_ = 0;
   allowance_ = std::numeric_limits<double>::infinity();
   always_ = always;
-  secondsOfWork_ = plain_ > 0 && last.work > 0 ? plain_ / last.work : 0;
+  secondsOfWork_ = plain_.seconds() > 0 && last.work > 0 ? plain_.seconds() / last.work : 0;
   way_ = always ? Way::culled : choose(last);
   return way_;
 }
 
 FrameTrials::Way FrameTrials::choose(const Load& last) {
   if (last.draws < kFewDraws || last.vertices < kFewVertices) return Way::plain;
-  if (plain_ > 0) budget_.earn(plain_, kSaved * plain_);
+  if (plain_.seconds() > 0) budget_.earn(plain_.seconds(), kSaved * plain_.seconds());
   if (last.vertices > kSame * load_ || load_ > kSame * last.vertices) startAnew(last.vertices);
-  const double most = kTrial * plain_;
-  if (phase_ == Phase::holding && --left_ <= 0) {
+  const double most = kTrial * plain_.seconds();
+  if (phase_ == Phase::holding && --hold_ <= 0) {
     if (better_ == Way::culled)
       measureAgain(true);
     else
@@ -32,7 +32,7 @@ FrameTrials::Way FrameTrials::choose(const Load& last) {
     case Phase::measuring: measured_ = true; return Way::plain;
     case Phase::settling:
       if (budget_.left() <= 0) return Way::plain;
-      from_ = reached_, allowance_ = std::min(budget_.left(), kSettling * plain_);
+      from_ = reached_, allowance_ = std::min(budget_.left(), kSettling * plain_.seconds());
       return Way::settling;
     case Phase::saving: return Way::plain;
     case Phase::trying:
@@ -73,40 +73,40 @@ void FrameTrials::endSweep(const Load& last) {
 /// Notices when culling no longer pays, without measuring.
 void FrameTrials::endCulledFrame() {
   weak_ = gained_ - spent_ < kWeak * paid_ ? weak_ + 1 : 0;
-  if (over_ || (weak_ >= kWeakFrames && kCulledHold - left_ >= kHold)) measureAgain(true);
+  if (over_ || (weak_ >= kWeakFrames && kCulledHold - hold_ >= kHold)) measureAgain(true);
 }
 
 void FrameTrials::stop(double seconds) {
   running_ = false;
   const double took = seconds - startedAt_;
   if (phase_ == Phase::measuring) {
-    plain_ = plain_ < 0 ? took : std::min(plain_, took);
-    if (--left_ > 0) return;
-    if (!begun_) begun_ = true, budget_.add(kSaved * plain_, kSaved * plain_);
-    phase_ = settled_ ? Phase::trying : Phase::settling, left_ = kTries;
+    if (!plain_.add(took)) return;
+    if (!begun_) begun_ = true, budget_.add(kSaved * plain_.seconds(), kSaved * plain_.seconds());
+    phase_ = settled_ ? Phase::trying : Phase::settling, culled_ = Measurement(kTries);
     return;
   }
   if (phase_ != Phase::trying) return;
-  culled_ = culled_ < 0 ? took : std::min(culled_, took);
-  budget_.spend(std::max(took - plain_, spent_ - gained_)), charged_ = true;
+  const double plain = plain_.seconds();
+  const bool isLast = culled_.add(took);
+  budget_.spend(std::max(took - plain, spent_ - gained_)), charged_ = true;
   paid_ = gained_ - spent_;
   if (asked_ > 0) drawSeconds_ = forDraws_ / asked_;
   if (unknown_ > kUnknown * asked_ && !resettled_) return resettled_ = true, measureAgain(false);
   // The first slow frame may be due to chance or cold caches.
-  if ((over_ || took > kHopeless * plain_) && ++failed_ == kFailures) return conclude(false);
-  if (--left_ <= 0) conclude(culled_ < kGain * plain_);
+  if ((over_ || took > kHopeless * plain) && culled_.fails(kFailures)) return conclude(false);
+  if (isLast) conclude(culled_.seconds() < kGain * plain);
 }
 
 void FrameTrials::looked(double seconds, double now) {
   cost(seconds);
-  if (running_ && phase_ == Phase::trying && now - startedAt_ > kGain * plain_) over_ = true;
+  if (running_ && phase_ == Phase::trying && now - startedAt_ > kGain * plain_.seconds()) over_ = true;
 }
 
 void FrameTrials::startAnew(double vertices) {
   load_ = vertices;
   // If culling does not pay, a changing scene must not start a trial at once.
   if (phase_ == Phase::holding && better_ == Way::plain) {
-    left_ = std::min(left_, kHold), settled_ = false;
+    hold_ = std::min(hold_, kHold), settled_ = false;
     return;
   }
   if (++restarts_ > kRestarts)
@@ -118,14 +118,14 @@ void FrameTrials::startAnew(double vertices) {
 /// `settled`: boxes are already computed.
 void FrameTrials::measureAgain(bool settled) {
   settled_ = settled, weak_ = 0;
-  phase_ = Phase::measuring, left_ = settled ? kTries : 1, plain_ = culled_ = -1, failed_ = 0;
+  phase_ = Phase::measuring, plain_ = Measurement(settled ? kTries : 1);
   reached_ = sweepAsked_ = sweepUnknown_ = sweepBoxed_ = 0, sweeps_ = 0;
 }
 
 void FrameTrials::conclude(bool pays) {
   restarts_ = weak_ = 0, resettled_ = false;
-  interval_ = pays ? kHold : std::min(2 * interval_, kLongHold);
-  phase_ = Phase::holding, left_ = pays ? kCulledHold : interval_;
+  if (pays) again_.next = 2 * kHold;
+  phase_ = Phase::holding, hold_ = pays ? kCulledHold : again_.take();
   better_ = pays ? Way::culled : Way::plain;
 }
 

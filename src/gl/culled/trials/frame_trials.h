@@ -1,8 +1,10 @@
 // Decides by measurement whether culling small draws makes frames faster, as EngineChoice decides for
 // engines. Trials that would be slower wait until the budget allows them, or end in the middle of a frame, so
 // that they cost a small fraction of the program's drawing time (TrialBudget). Calls no OpenGL and reads no
-// clock. A part of FrameClock, GL thread.
+// clock. A part of SmallDraws, GL thread.
 #pragma once
+#include "base/growing_interval.h"
+#include "gl/trials/measurement.h"
 #include "gl/trials/trial_budget.h"
 
 #include <cstdint>
@@ -104,9 +106,11 @@ class FrameTrials {
   Phase phase_ = Phase::measuring;
   Way way_ = Way::plain, better_ = Way::plain;
   bool measured_ = false, running_ = false, always_ = false;
-  int left_ = 1, interval_ = kHold / 2, restarts_ = 0, failed_ = 0;
-  double load_ = 0;                                  // vertices of the frames being compared
-  double plain_ = -1, culled_ = -1, startedAt_ = 0;  // seconds; negative: not measured
+  int hold_ = 0, restarts_ = 0;  // frames until this phase ends; restarts
+  GrowingInterval<int> again_{kHold, kLongHold};
+  double load_ = 0;  // vertices of the frames being compared
+  Measurement plain_{1}, culled_{kTries};
+  double startedAt_ = 0;  // seconds
   TrialBudget budget_;
   bool begun_ = false;  // the initial budget was added
 

@@ -1,0 +1,19 @@
+// The pixels that draws with the current state may change. GL thread, context current.
+#pragma once
+#include "gl/culled/clusters/box_visibility.h"
+#include "gl/shadow/shadow_state.h"
+#include "scene/snapshot.h"
+
+namespace gluray::gl {
+
+struct DrawnRegion {
+  scene::Region drawn, inViewport;  // with, and without scissor test
+  int samples = 1;                  // of a pixel
+  bool reversed = false;            // larger depths are nearer
+};
+DrawnRegion drawnRegionOf(ShadowState& shadow);
+
+/// Maps clip space to pixels relative to the lower corner of `region`, and to window depth.
+WindowMapping mappingTo(const scene::Region& region, ShadowState& shadow);
+
+}  // namespace gluray::gl

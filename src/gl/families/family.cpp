@@ -1,0 +1,29 @@
+#include "gl/families/family.h"
+
+#include <algorithm>
+
+namespace gluray::gl {
+
+bool Family::hasBuiltInVertices() const { return position == "gl_Vertex"; }
+
+bool Family::mentions(std::string_view name) const {
+  if (mentioned.contains(name)) return true;
+  // "lightColor12" is mentioned as "lightColor{}".
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  for (size_t digit = 0, end = 0; digit < name.size(); digit = end + 1) {
+    digit = std::min(name.find_first_of("0123456789", digit), name.size());
+    for (end = digit; end < name.size() && isDigit(name[end]);) ++end;
+    std::string pattern(name.substr(0, digit));
+    pattern += "{}";
+    pattern += name.substr(end);
+    if (end > digit && mentioned.contains(pattern)) return true;
+  }
+  return false;
+}
+
+void FamilyList::append(const FamilyList& more) {
+  families.insert(families.end(), more.families.begin(), more.families.end());
+  for (const auto& [name, known] : more.code) code[name].add(known);
+}
+
+}  // namespace gluray::gl
