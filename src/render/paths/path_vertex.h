@@ -19,6 +19,7 @@ struct PathVertex {
   glm::vec3 specular{0};  // specular colour in the program's equation
   float shininess = 0;    // their exponent
   float opacity = 1;      // the rest goes straight through
+  float metallic = 0, roughness = 0.5f;  // of physically based materials
   uint32_t instance = 0;
   bool front = true;  // the path arrives from the front side by winding
 };
