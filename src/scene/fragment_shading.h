@@ -31,8 +31,8 @@ struct FragmentLight {
 
 /// Light that arrives from an environment image, prefiltered by the program.
 struct PbrEnvironment {
-  glm::mat3 worldFromEye{1};  // from the program's eye space to the space of the images
-  bool byHarmonics = false;   // irradiance is given by `harmonics` instead of an image
+  glm::mat3 worldFromEye{1};                        // from the program's eye space to the space of the images
+  bool byHarmonics = false;                         // irradiance is given by `harmonics` instead of an image
   std::array<std::array<float, 9>, 3> harmonics{};  // of red, green, blue: coefficients for each function
   std::vector<Texture> irradiance;                  // one cube map; none if byHarmonics
   std::vector<Texture> prefiltered;                 // one cube map; rougher surfaces use smaller levels
@@ -52,8 +52,8 @@ struct PbrSurface {
   float occlusionStrength = 1;  // weight of the occlusion in `material`
   float normalScale = 1;        // of x and y in `normal`
   std::vector<Texture> textures;
-  // Indices into `textures`; -1: none. material: occlusion in red, roughness in green, metallic in blue, each a
-  // factor. emission: a factor. normal: normals in tangent space, 0 .. 1 for components -1 .. 1.
+  // Indices into `textures`; -1: none. material: occlusion in red, roughness in green, metallic in blue, each
+  // a factor. emission: a factor. normal: normals in tangent space, 0 .. 1 for components -1 .. 1.
   int material = -1, emission = -1, normal = -1;
   PbrEnvironment environment;
   bool operator==(const PbrSurface&) const = default;

@@ -44,7 +44,7 @@ struct TexelGrid {
 /// The base level and, for mipmapping, the smaller levels up to the last that may be sampled.
 struct TextureImage : TexelGrid {
   BaseFormat baseFormat = BaseFormat::rgba;
-  bool opaque = true;  // every alpha of every level is 1
+  bool opaque = true;      // every alpha of every level is 1
   bool normalised = true;  // every component of every level lies in 0 .. 1
   std::vector<TexelGrid> mipmaps;
 

@@ -73,8 +73,9 @@ std::string valuesText(const Surface& s) {
     text +=
         "  vec3 albedo = diffuseColor;\n  float roughness = roughnessUniform;\n"
         "  float metallic = metallicUniform;\n  float ao = 1.0;\n  vec3 emissiveColor = vec3(0.0);\n";
-  return text + "  vec3 N = normalVCVSOutput;\n  vec3 V = normalize(-vertexVC.xyz);\n"
-                "  float NdV = clamp(dot(N, V), 1e-5, 1.0);\n";
+  return text +
+         "  vec3 N = normalVCVSOutput;\n  vec3 V = normalize(-vertexVC.xyz);\n"
+         "  float NdV = clamp(dot(N, V), 1e-5, 1.0);\n";
 }
 
 std::string environmentText(const Surface& s) {
@@ -100,8 +101,7 @@ std::string pbrDeclarations(const Surface& s) {
   if (s.pbrTextures)
     text += "uniform sampler2D albedoTex;\nuniform sampler2D emissiveTex;\nuniform sampler2D materialTex;\n";
   if (s.normalMap)
-    text +=
-        "uniform sampler2D normalTex;\nuniform float normalScaleUniform;\nin vec3 tangentVCVSOutput;\n";
+    text += "uniform sampler2D normalTex;\nuniform float normalScaleUniform;\nin vec3 tangentVCVSOutput;\n";
   return text + environmentDeclarations(s) + kPbrFunctions;
 }
 
@@ -117,12 +117,11 @@ std::string normalMapText() {
 
 std::string pbrText(const Surface& s) {
   const bool lit = s.environment != Surface::Environment::none;
-  std::string text =
-      valuesText(s) + environmentText(s) +
-      "  vec3 Lo = vec3(0.0);\n  vec3 F0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
-      "  float f90 = clamp(dot(F0, vec3(50.0 * 0.33)), 0.0, 1.0);\n"
-      "  vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);\n"
-      "  vec3 L, H, radiance, F, specular, diffuse;\n  float NdL, NdH, HdL;\n";
+  std::string text = valuesText(s) + environmentText(s) +
+                     "  vec3 Lo = vec3(0.0);\n  vec3 F0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
+                     "  float f90 = clamp(dot(F0, vec3(50.0 * 0.33)), 0.0, 1.0);\n"
+                     "  vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);\n"
+                     "  vec3 L, H, radiance, F, specular, diffuse;\n  float NdL, NdH, HdL;\n";
   text += s.lights == Surface::Lights::pbr ? repeated(s.lightCount, kPbrLight) : kPbrHeadlight;
   text += lit ? "  vec3 specularBrdf = F0 * brdf.r + F90 * brdf.g;\n"
                 "  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;\n"

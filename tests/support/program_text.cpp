@@ -41,7 +41,8 @@ const char* const kPositional =
 
 bool hasColorTcoord(const Surface& s) { return s.color == Surface::Color::mapped && s.colorTcoord; }
 bool hasTcoord(const Surface& s) {
-  return s.actorTexture || s.pbrTextures || s.normalMap || (s.color == Surface::Color::mapped && !s.colorTcoord);
+  return s.actorTexture || s.pbrTextures || s.normalMap ||
+         (s.color == Surface::Color::mapped && !s.colorTcoord);
 }
 
 /// Statements that copy attribute `name` to the vertex shader's output `name` + VCVSOutput.

@@ -71,17 +71,17 @@ std::string ofLight(const std::string& pattern, const FamilyLights& lights, int 
 
 struct FamilyPbr {
   FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
-  FamilyValue occlusionStrength;              // of the material texture's occlusion
-  std::string materialTexture;                // sampler: occlusion, roughness and metallic in red, green, blue
-  std::string emissiveTexture;                // sampler: factor of `emissive`
-  std::string normalTexture;                  // sampler: normals in tangent space
-  FamilyValue normalScale;                    // of x and y of these normals
-  std::string environmentMatrix;              // uniform: from eye space to the environment's images
-  std::string irradiance;                     // cube sampler
-  std::vector<std::string> harmonics;         // uniforms in place of `irradiance`, one per colour: 9 numbers
-  std::string prefiltered;                    // cube sampler; its levels are for increasing roughness
+  FamilyValue occlusionStrength;            // of the material texture's occlusion
+  std::string materialTexture;              // sampler: occlusion, roughness and metallic in red, green, blue
+  std::string emissiveTexture;              // sampler: factor of `emissive`
+  std::string normalTexture;                // sampler: normals in tangent space
+  FamilyValue normalScale;                  // of x and y of these normals
+  std::string environmentMatrix;            // uniform: from eye space to the environment's images
+  std::string irradiance;                   // cube sampler
+  std::vector<std::string> harmonics;       // uniforms in place of `irradiance`, one per colour: 9 numbers
+  std::string prefiltered;                  // cube sampler; its levels are for increasing roughness
   std::string prefilteredMaxLevelInSource;  // text before the level for roughness 1 in the source
-  std::string brdfTable;                      // sampler, looked up at cosine and roughness
+  std::string brdfTable;                    // sampler, looked up at cosine and roughness
   bool given() const { return roughness.given(); }
 };
 

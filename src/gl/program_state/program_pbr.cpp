@@ -21,9 +21,9 @@ Reason ProgramReader::readPbr() {
   const std::vector<scene::Texture>& colors = out_.shading.textures;
   if (!std::all_of(colors.begin(), colors.end(), [](const auto& t) { return t.image->normalised; }))
     return refuse("a texture has values outside 0 to 1");
-  for (const auto& [name, index] : {std::pair{&names.materialTexture, &pbr.material},
-                                    std::pair{&names.emissiveTexture, &pbr.emission},
-                                    std::pair{&names.normalTexture, &pbr.normal}})
+  for (const auto& [name, index] :
+       {std::pair{&names.materialTexture, &pbr.material}, std::pair{&names.emissiveTexture, &pbr.emission},
+        std::pair{&names.normalTexture, &pbr.normal}})
     if (const Reason reason = readPbrTexture(*name, *index); reason != Reason::traced) return reason;
   if (pbr.normal >= 0 && !program_.attribute(family_.tangent))
     return refuse("it has a normal map, but no tangents");

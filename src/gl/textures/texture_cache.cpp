@@ -98,7 +98,8 @@ void TextureCache::forgetAttached() {
 void TextureCache::framebufferBound(const RealGl& real) {
   const bool cached = std::any_of(images_.begin(), images_.end(),
                                   [&](const auto& known) { return attached_.contains(known.first.name); });
-  if (!cached || !drawnToKnown_ || attachedIncomplete_ || !isPresent(real.GetFramebufferAttachmentParameteriv))
+  if (!cached || !drawnToKnown_ || attachedIncomplete_ ||
+      !isPresent(real.GetFramebufferAttachmentParameteriv))
     return forgetAttached();
   std::vector<GLuint> now = texturesDrawnTo(real);
   const auto isIn = [](const std::vector<GLuint>& names, GLuint name) {

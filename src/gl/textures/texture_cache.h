@@ -72,9 +72,10 @@ class TextureCache {
   ShareGroup& group_;
   uint64_t changesKnown_ = 0;  // value of ShareGroup::textureChanges that images_ reflects
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
-  std::set<GLuint> attached_;                 // names of textures that were ever attached
-  bool attachedIncomplete_ = false;           // memory ran out: any texture may have been attached
-  // Textures attached to the draw framebuffer. Known while an image of a texture that was ever attached is kept.
+  std::set<GLuint> attached_;        // names of textures that were ever attached
+  bool attachedIncomplete_ = false;  // memory ran out: any texture may have been attached
+  // Textures attached to the draw framebuffer. Known while an image of a texture that was ever attached is
+  // kept.
   std::vector<GLuint> drawnTo_;
   bool drawnToKnown_ = false;
   std::weak_ptr<const void> checkedStorage_;  // the last storage that isOpaque() was called for

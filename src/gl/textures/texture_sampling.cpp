@@ -95,13 +95,11 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
   texture.mipFilter = toMipFilter(min);
   real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
   readLod(real, has, target, texture);
-  if (has.anisotropy)
-    real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &texture.maxAnisotropy);
+  if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &texture.maxAnisotropy);
   if (texture.maxAnisotropy > 1 && !isKnownAnisotropy(target, texture)) return Reason::textureAnisotropy;
   texture.seamless =
       target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  const bool plain =
-      !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
+  const bool plain = !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
   return plain ? Reason::traced : Reason::textureFormat;
 }
 

@@ -38,7 +38,8 @@ int levelFor(const scene::Texture& t, const Footprint& f) {
 struct Ellipse {
   float a, b, c, boxU, boxV;
   Ellipse(const glm::vec2& dx, const glm::vec2& dy) {
-    a = dx.y * dx.y + dy.y * dy.y + 1, b = -2 * (dx.x * dx.y + dy.x * dy.y), c = dx.x * dx.x + dy.x * dy.x + 1;
+    a = dx.y * dx.y + dy.y * dy.y + 1, b = -2 * (dx.x * dx.y + dy.x * dy.y),
+    c = dx.x * dx.x + dy.x * dy.x + 1;
     const float f = a * c - b * b / 4, d = 4 * a * c - b * b;
     boxU = 2 / d * std::sqrt(d * c * f), boxV = 2 / d * std::sqrt(a * d * f);
     const float scale = static_cast<float>(kWeights - 1) / f;

@@ -51,8 +51,8 @@ TEST(Anisotropic, TheShorterAxisChoosesTheLevel) {
   EXPECT_EQ(red(biased, {{4, 0, 0}, {0, 8, 0}}), 3);
 }
 
-/// In the middle between four texels of a magnified image, all weigh the same; on a texel's centre, the others
-/// within one texel weigh exp(-2).
+/// In the middle between four texels of a magnified image, all weigh the same; on a texel's centre, the
+/// others within one texel weigh exp(-2).
 TEST(Anisotropic, WeighsByTheDistance) {
   const auto t = textureOf(1, [](int x, int y, int) { return glm::vec4(x == 32 && y == 32 ? 1.0f : 0.0f); });
   EXPECT_NEAR(red(t, {}, 32.0f / 64, 32.0f / 64), 0.25f, 1e-5f);

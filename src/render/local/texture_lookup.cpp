@@ -147,9 +147,7 @@ glm::vec3 fromFace(int face, glm::vec3 d) {
 
 /// The texel one step beyond an edge of a face, on the face behind that edge.
 Color texelBeyond(const TexelReader& read, int size, int face, int i, int j) {
-  const auto centre = [&](int x) {
-    return (2 * static_cast<float>(x) + 1) / static_cast<float>(size) - 1;
-  };
+  const auto centre = [&](int x) { return (2 * static_cast<float>(x) + 1) / static_cast<float>(size) - 1; };
   glm::vec3 at(centre(i), centre(j), 1);
   for (int axis = 0; axis < 2; ++axis)  // folds it over the edge
     if (std::abs(at[axis]) > 1) at.z = 2 - std::abs(at[axis]), at[axis] = at[axis] < 0 ? -1.0f : 1.0f;

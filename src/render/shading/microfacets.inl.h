@@ -1,4 +1,5 @@
-// Physically based shading of fragment programs. Part of kernels.cpp (compiled once for each instruction set).
+// Physically based shading of fragment programs. Part of kernels.cpp (compiled once for each instruction
+// set).
 #if defined(GLURAY_RENDER_MICROFACETS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_MICROFACETS_INL_H_
 #undef GLURAY_RENDER_MICROFACETS_INL_H_
@@ -6,8 +7,8 @@
 #define GLURAY_RENDER_MICROFACETS_INL_H_
 #endif
 
-#include "render/local/pbr_environment.h"
-#include "render/local/pbr_textures.h"
+#include "render/shading/pbr_environment.h"
+#include "render/shading/pbr_textures.h"
 #include "render/shading/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();

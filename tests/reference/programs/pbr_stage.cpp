@@ -28,7 +28,8 @@ void material(Gl gl, GLuint program, const char* sampler, GLenum unit, GLint for
   std::vector<uint8_t> texels;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const glm::vec4 c = color((static_cast<float>(x) + 0.5f) / kSide, (static_cast<float>(y) + 0.5f) / kSide);
+      const glm::vec4 c =
+          color((static_cast<float>(x) + 0.5f) / kSide, (static_cast<float>(y) + 0.5f) / kSide);
       for (int i = 0; i < 4; ++i) texels.push_back(byteOf(c[i]));
     }
   useUnit(gl, program, sampler, GL_TEXTURE_2D, unit);
@@ -128,8 +129,7 @@ void setEnvironment(Gl gl, GLuint program, const Surface& surface) {
                                    {0.5f, 0.3f, 0.1f, 0.1f, -0.1f, 0.1f, 0.05f, 0.1f, -0.05f},
                                    {0.4f, -0.2f, 0.2f, 0.2f, 0.05f, -0.1f, 0.1f, 0.2f, 0.1f}};
   const char* const names[] = {"shRed", "shGreen", "shBlue"};
-  for (int c = 0; c < 3; ++c)
-    gl.Uniform1fv(gl.GetUniformLocation(program, names[c]), 9, coefficients[c]);
+  for (int c = 0; c < 3; ++c) gl.Uniform1fv(gl.GetUniformLocation(program, names[c]), 9, coefficients[c]);
   const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.7f, glm::normalize(glm::vec3(0.2f, 1, -0.3f)));
   setMat3(gl, program, "envMatrix", glm::mat3(turned));
 }

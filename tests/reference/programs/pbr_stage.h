@@ -10,8 +10,8 @@ struct PbrFilter {
   float anisotropy = 1;
 };
 
-/// Makes the images that `surface` samples, binds them to units from 5 on, and sets the uniforms of the program
-/// in use.
+/// Makes the images that `surface` samples, binds them to units from 5 on, and sets the uniforms of the
+/// program in use.
 void setPbrInputs(Gl gl, GLuint program, const Surface& surface, const PbrFilter& filter = {});
 
 }  // namespace gluray::test

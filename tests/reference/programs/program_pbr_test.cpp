@@ -125,8 +125,7 @@ class PbrMutants : public testing::TestWithParam<PbrCase> {};
 TEST_P(PbrMutants, AreNotTakenForTheOriginal) {
   const Surface& surface = GetParam().surface;
   expectMutantsSeen(
-      GetParam().name,
-      {{GL_VERTEX_SHADER, vertexText(surface)}, {GL_FRAGMENT_SHADER, fragmentText(surface)}},
+      GetParam().name, {{GL_VERTEX_SHADER, vertexText(surface)}, {GL_FRAGMENT_SHADER, fragmentText(surface)}},
       [&](Gl gl, GLuint program) {
         const ProgramMesh mesh = ball(12);
         const Upload up = upload(gl, mesh, program);
@@ -142,10 +141,7 @@ TEST_P(PbrMutants, AreNotTakenForTheOriginal) {
 
 const PbrCase kMutantCases[] = {
     {"pbr_textures",
-     {.lights = Lights::pbr,
-      .pbrTextures = true,
-      .normalMap = true,
-      .environment = Environment::harmonics}},
+     {.lights = Lights::pbr, .pbrTextures = true, .normalMap = true, .environment = Environment::harmonics}},
     {"pbr_irradiance", {.lights = Lights::pbrHeadlight, .environment = Environment::cube}},
 };
 INSTANTIATE_TEST_SUITE_P(MoreCases, PbrMutants, testing::ValuesIn(kMutantCases),

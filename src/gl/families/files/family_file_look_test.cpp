@@ -91,7 +91,8 @@ TEST(FamilyFileLook, LightMistakes) {
 
 TEST(FamilyFileLook, PbrTexturesAndEnvironments) {
   const Family f = parsed(
-      "match.code = \"c\"\nvertex.tangent = \"t\"\ncolor.textures = \"a\"\ncolor.textures_replace_alpha = true\n"
+      "match.code = \"c\"\nvertex.tangent = \"t\"\ncolor.textures = \"a\"\ncolor.textures_replace_alpha = "
+      "true\n"
       "material.unused_opacity_in_source = \"x;\"\n"
       "pbr.roughness = \"r\"\npbr.material_texture = \"m\"\npbr.occlusion_strength = 0.5\n"
       "pbr.emissive_texture = \"e\"\npbr.normal_texture = \"n\"\npbr.normal_scale = \"ns\"\n"
@@ -114,8 +115,9 @@ TEST(FamilyFileLook, PbrMistakes) {
             "x.toml:1: family \"f\": pbr.normal_texture needs vertex.tangent");
   EXPECT_EQ(mistakeIn("pbr.prefiltered = \"p\""),
             "x.toml:1: family \"f\": pbr.prefiltered and pbr.brdf_table need each other");
-  EXPECT_EQ(mistakeIn("pbr.prefiltered_max_level_in_source = \"p\""),
-            "x.toml:1: family \"f\": unused_opacity_in_source and prefiltered_max_level_in_source need match.code");
+  EXPECT_EQ(
+      mistakeIn("pbr.prefiltered_max_level_in_source = \"p\""),
+      "x.toml:1: family \"f\": unused_opacity_in_source and prefiltered_max_level_in_source need match.code");
 }
 
 TEST(FamilyFileLook, LightsWithoutHighlights) {

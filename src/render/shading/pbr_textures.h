@@ -1,4 +1,5 @@
-// The textures of physically based materials (scene::PbrSurface) at hits. Used by the kernels on tracing threads.
+// The textures of physically based materials (scene::PbrSurface) at hits. Used by the kernels on tracing
+// threads.
 #pragma once
 #include "render/local/textured_triangle.h"
 
@@ -28,8 +29,8 @@ class PbrTextures {
   TexturedTriangle triangle_;
 };
 
-/// The normal that a normal map gives. `normal`, `tangent`: of the surface, in the same space; `normal` and the
-/// result have unit length.
+/// The normal that a normal map gives. `normal`, `tangent`: of the surface, in the same space; `normal` and
+/// the result have unit length.
 glm::vec3 mappedNormal(const glm::vec3& normal, const glm::vec3& tangent, const glm::vec3& texel);
 
 }  // namespace gluray::render

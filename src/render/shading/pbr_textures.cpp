@@ -1,4 +1,4 @@
-#include "render/local/pbr_textures.h"
+#include "render/shading/pbr_textures.h"
 
 namespace gluray::render {
 

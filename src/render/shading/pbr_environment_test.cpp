@@ -1,7 +1,7 @@
 // Environments and textures of physically based materials against analytic values.
-#include "render/local/pbr_environment.h"
+#include "render/shading/pbr_environment.h"
 
-#include "render/local/pbr_textures.h"
+#include "render/shading/pbr_textures.h"
 #include "render/local/texture_lookup.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(SeamlessCube, IsTheSameOnBothSidesOfEveryEdge) {
 
 TEST(SeamlessCube, OnAnEdgeIsTheMeanOfBothFaces) {
   const auto t = cubeOf(4, 1, [](int face, int, int, int) { return glm::vec4(float(face)); });
-  EXPECT_NEAR(redIn(t, {1, 0.1f, 1}), 2, 1e-5f);   // +x: 0, +z: 4
+  EXPECT_NEAR(redIn(t, {1, 0.1f, 1}), 2, 1e-5f);      // +x: 0, +z: 4
   EXPECT_NEAR(redIn(t, {-1, 1, 0.3f}), 1.5f, 1e-5f);  // -x: 1, +y: 2
   EXPECT_NEAR(redIn(t, {1, 0.1f, 0.2f}), 0, 0) << "inside of a face";
 }
@@ -85,7 +85,8 @@ TEST(PbrEnvironment, RougherSurfacesSeeSmallerLevels) {
 
 TEST(PbrEnvironment, IsTurnedByItsMatrix) {
   scene::PbrEnvironment e;
-  e.irradiance = e.prefiltered = {cubeOf(4, 1, [](int face, int, int, int) { return glm::vec4(float(face)); })};
+  e.irradiance =
+      e.prefiltered = {cubeOf(4, 1, [](int face, int, int, int) { return glm::vec4(float(face)); })};
   e.worldFromEye = glm::mat3(0, 1, 0, 0, 0, 1, 1, 0, 0);  // x to y, y to z, z to x
   EXPECT_EQ(render::irradianceOf(e, glm::vec3(1, 0, 0)).r, 2);
   EXPECT_EQ(render::irradianceOf(e, glm::vec3(0, -1, 0)).r, 5);
@@ -95,8 +96,8 @@ TEST(PbrEnvironment, IsTurnedByItsMatrix) {
 /// Each coefficient alone, at a direction where its function has a known value.
 TEST(PbrEnvironment, HarmonicsAreTheirFunctions) {
   const glm::vec3 n = glm::normalize(glm::vec3(0.6f, 0.5f, 0.4f));
-  const float values[9] = {1,         n.y,       n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1,
-                           n.x * n.z, n.x * n.x - n.y * n.y};
+  const float values[9] = {
+      1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
   for (size_t i = 0; i < 9; ++i) {
     scene::PbrEnvironment e;
     e.byHarmonics = true;

@@ -1,4 +1,4 @@
-#include "render/local/pbr_environment.h"
+#include "render/shading/pbr_environment.h"
 
 #include "render/local/mipmap.h"
 #include "render/local/texture_lookup.h"
