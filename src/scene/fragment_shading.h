@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,10 +29,33 @@ struct FragmentLight {
   bool operator==(const FragmentLight&) const = default;
 };
 
+/// Light that arrives from an environment image, prefiltered by the program.
+struct PbrEnvironment {
+  glm::mat3 worldFromEye{1};                        // from the program's eye space to the space of the images
+  bool byHarmonics = false;                         // irradiance is given by `harmonics` instead of an image
+  std::array<std::array<float, 9>, 3> harmonics{};  // of red, green, blue: coefficients for each function
+  std::vector<Texture> irradiance;                  // one cube map; none if byHarmonics
+  std::vector<Texture> prefiltered;                 // one cube map; rougher surfaces use smaller levels
+  std::vector<Texture> brdf;                        // one texture by cosine and roughness: factors of f0, f90
+  float maxLevel = 0;                               // level of `prefiltered` for roughness 1
+  bool on() const { return !prefiltered.empty(); }
+  bool operator==(const PbrEnvironment&) const = default;
+};
+
 /// Microfacet reflection of VTK's physically based shading.
 struct PbrSurface {
+  /// Texture unit of the coordinates that are the vertices' tangents.
+  static constexpr uint32_t kTangentUnit = 2;
+
   float metallic = 0, roughness = 0.5f, baseF0 = 0.04f;
   glm::vec3 edgeTint{1}, emissive{0};
+  float occlusionStrength = 1;  // weight of the occlusion in `material`
+  float normalScale = 1;        // of x and y in `normal`
+  std::vector<Texture> textures;
+  // Indices into `textures`; -1: none. material: occlusion in red, roughness in green, metallic in blue, each
+  // a factor. emission: a factor. normal: normals in tangent space, 0 .. 1 for components -1 .. 1.
+  int material = -1, emission = -1, normal = -1;
+  PbrEnvironment environment;
   bool operator==(const PbrSurface&) const = default;
 };
 

@@ -44,7 +44,8 @@ struct TexelGrid {
 /// The base level and, for mipmapping, the smaller levels up to the last that may be sampled.
 struct TextureImage : TexelGrid {
   BaseFormat baseFormat = BaseFormat::rgba;
-  bool opaque = true;  // every alpha of every level is 1
+  bool opaque = true;      // every alpha of every level is 1
+  bool normalised = true;  // every component of every level lies in 0 .. 1
   std::vector<TexelGrid> mipmaps;
 
   int levels() const { return static_cast<int>(mipmaps.size()) + 1; }
@@ -57,11 +58,13 @@ struct Texture {
   TextureTarget target = TextureTarget::texture2D;
   uint8_t unit = 0;  // texture unit, 0 .. 7; also the number of its coordinate set
   Wrap wrapS = Wrap::repeat, wrapT = Wrap::repeat, wrapR = Wrap::repeat;
+  bool seamless = false;  // cube maps: linear filters blend texels of adjacent faces
   Filter magFilter = Filter::linear, minFilter = Filter::linear;
   MipFilter mipFilter = MipFilter::none;  // between levels, where the image is minified
   LodRule lodRule = LodRule::specified;
   float lodBias = 0;  // sum of the unit's and the texture's
   float minLod = -1000, maxLod = 1000;
+  float maxAnisotropy = 1;  // above 1: of two-dimensional textures, as llvmpipe filters them
   glm::vec4 borderColor{0};
   TexEnv env = TexEnv::modulate;
   Combine combine;  // where env is TexEnv::combine

@@ -10,6 +10,7 @@ import pathlib
 import shutil
 import subprocess
 
+import gltf
 import models
 
 HACKS = pathlib.Path("/usr/libexec/xscreensaver")
@@ -106,10 +107,14 @@ def pymol_sticks(folder):
     return pymol(folder, "pymol_sticks_scene.py")
 
 
-def f3d(folder):
+def f3d(folder, model=None):
     """Without configuration files; the option has two names."""
     own_look = "--no-config" if "--no-config" in subprocess.run(["f3d", "--help"], capture_output=True, text=True).stdout else "--dry-run"
-    return ["f3d", own_look, "--resolution=600,600", str(models.write_ply(folder / "knot.ply", **SMALL))]
+    return ["f3d", own_look, "--resolution=600,600", str(model or models.write_ply(folder / "knot.ply", **SMALL))]
+
+
+def f3d_textured(folder):
+    return f3d(folder, gltf.write(folder / "knot.gltf"))
 
 
 def whole(command, reason, culled=0, environment=None, **more):
@@ -156,6 +161,8 @@ MORE = {
     "billard": wide(lambda folder: ["/usr/games/billard-gl"], "GLUT; title, drawn without depth test", 0.0, frame=30),
     "glxheads": wide(lambda folder: ["glxheads"], "Xlib alone; one flat triangle, no depth test", 0.0, frame=20, colors=2),
     "f3d": wide(f3d, "VTK 9; physically based, no toolkit; later versions draw full-screen quads in every frame", 0.98, rest=3.0, environment={"GLURAY_ENGINE": "always"}, needs=("f3d",)),
+    "f3d_textured": wide(f3d_textured, "the same with the textures and the normal map of a glTF file, which are filtered anisotropically", 0.98, rest=3.0,
+                         environment={"GLURAY_ENGINE": "always"}, needs=("f3d",)),
     "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; shaders of its own", 0.0, rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),

@@ -1,15 +1,8 @@
 // The pieces of VTK 9.1's polygonal shaders (vtkOpenGLPolyDataMapper's replacements in vtkPolyDataVS and FS).
-#include "tests/support/program_text.h"
+#include "tests/support/pbr_text.h"
 
 namespace gluray::test {
 namespace {
-
-std::string repeated(int count, const std::string& text) {
-  std::string all;
-  for (int i = 0; i < count; ++i)
-    for (const char c : text) all += c == '@' ? std::to_string(i) : std::string(1, c);
-  return all;
-}
 
 const char* const kPhongStart =
     "  vec3 diffuse = vec3(0,0,0);\n  vec3 specular = vec3(0,0,0);\n  float df;\n  float sf;\n";
@@ -46,53 +39,10 @@ const char* const kPositional =
     "normalize(-vertexVC.xyz))), specularPower);\n"
     "  specular += (sf * lightColor@);\n";
 
-const char* const kPbrFunctions =
-    "const float PI = 3.14159265359;\nconst float recPI = 0.31830988618;\n"
-    "float D_GGX(float NdH, float roughness) {\n"
-    "  float a = roughness * roughness;\n  float a2 = a * a;\n"
-    "  float d = (NdH * a2 - NdH) * NdH + 1.0;\n  return a2 / (PI * d * d);\n}\n"
-    "float V_SmithCorrelated(float NdV, float NdL, float roughness) {\n"
-    "  float a2 = roughness * roughness;\n"
-    "  float ggxV = NdL * sqrt(a2 + NdV * (NdV - a2 * NdV));\n"
-    "  float ggxL = NdV * sqrt(a2 + NdL * (NdL - a2 * NdL));\n  return 0.5 / (ggxV + ggxL);\n}\n"
-    "vec3 F_Schlick(vec3 F0, vec3 F90, float HdL) { return F0 + (F90 - F0) * pow(1.0 - HdL, 5.0); }\n"
-    "vec3 DiffuseLambert(vec3 albedo) { return albedo * recPI; }\n"
-    "vec3 SpecularIsotropic(float NdH, float NdV, float NdL, float HdL, float roughness, vec3 F0, vec3 F90, "
-    "out "
-    "vec3 F) {\n"
-    "  float D = D_GGX(NdH, roughness);\n  float V = V_SmithCorrelated(NdV, NdL, roughness);\n"
-    "  F = F_Schlick(F0, F90, HdL);\n  return (D * V) * F;\n}\n";
-
-const char* const kPbrStart =
-    "  vec3 albedo = diffuseColor;\n  float roughness = roughnessUniform;\n  float metallic = "
-    "metallicUniform;\n"
-    "  float ao = 1.0;\n  vec3 emissiveColor = vec3(0.0);\n  vec3 N = normalVCVSOutput;\n"
-    "  vec3 V = normalize(-vertexVC.xyz);\n  float NdV = clamp(dot(N, V), 1e-5, 1.0);\n  vec3 Lo = "
-    "vec3(0.0);\n"
-    "  vec3 F0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
-    "  float f90 = clamp(dot(F0, vec3(50.0 * 0.33)), 0.0, 1.0);\n"
-    "  vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);\n"
-    "  vec3 L, H, radiance, F, specular, diffuse;\n  float NdL, NdH, HdL;\n";
-const char* const kPbrLight =
-    "  L = normalize(-lightDirectionVC@);\n  H = normalize(V + L);\n  HdL = clamp(dot(H, L), 1e-5, 1.0);\n"
-    "  NdL = clamp(dot(N, L), 1e-5, 1.0);\n  NdH = clamp(dot(N, H), 1e-5, 1.0);\n  radiance = lightColor@;\n"
-    "  specular = SpecularIsotropic(NdH, NdV, NdL, HdL, roughness, F0, F90, F);\n"
-    "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n"
-    "  Lo += radiance * (diffuse + specular) * NdL;\n";
-/// For a single light at the viewer: L = V = H.
-const char* const kPbrHeadlight =
-    "  specular = SpecularIsotropic(NdV, NdV, NdV, 1.0, roughness, F0, F90, F);\n"
-    "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n  radiance = lightColor0;\n"
-    "  Lo += radiance * (diffuse + specular) * NdV;\n";
-const char* const kPbrEnd =
-    "  vec3 ambient = vec3(0.0);\n  vec3 color = ambient + Lo;\n  color = mix(color, color * ao, "
-    "aoStrengthUniform);\n"
-    "  color += emissiveColor;\n  color = pow(color, vec3(1.0/2.2));\n  fragOutput0 = vec4(color, "
-    "opacity);\n";
-
 bool hasColorTcoord(const Surface& s) { return s.color == Surface::Color::mapped && s.colorTcoord; }
 bool hasTcoord(const Surface& s) {
-  return s.actorTexture || (s.color == Surface::Color::mapped && !s.colorTcoord);
+  return s.actorTexture || s.pbrTextures || s.normalMap ||
+         (s.color == Surface::Color::mapped && !s.colorTcoord);
 }
 
 /// Statements that copy attribute `name` to the vertex shader's output `name` + VCVSOutput.
@@ -122,12 +72,7 @@ std::string uniformText(const Surface& s) {
   if (s.lights > Surface::Lights::headlight)
     text += repeated(s.lightCount, "uniform vec3 lightColor@;\nuniform vec3 lightDirectionVC@;\n");
   if (s.lights == Surface::Lights::positional) text += repeated(s.lightCount, positional);
-  if (s.lights >= Surface::Lights::pbr)
-    text += std::string(
-                "uniform float metallicUniform;\nuniform float roughnessUniform;\nuniform float "
-                "aoStrengthUniform;\n"
-                "uniform float baseF0Uniform;\nuniform vec3 edgeTintUniform;\n") +
-            kPbrFunctions;
+  if (s.lights >= Surface::Lights::pbr) text += pbrDeclarations(s);
   if (s.clipPlanes) text += "uniform int numClipPlanes;\nin float clipDistancesVSOutput[6];\n";
   if (s.depthOffset) text += "uniform float cOffset;\nuniform float cFactor;\n";
   if (s.actorTexture) text += "uniform sampler2D actortexture;\n";
@@ -178,7 +123,8 @@ std::string colorText(const Surface& s) {
 std::string normalText(const Surface& s) {
   const std::string turned = "  if (gl_FrontFacing == false) { normalVCVSOutput = -normalVCVSOutput; }\n";
   if (s.normals == Surface::Normals::vertex)
-    return "  vec3 normalVCVSOutput = normalize(normalVCVSOutput);\n" + turned;
+    return "  vec3 normalVCVSOutput = normalize(normalVCVSOutput);\n" + turned +
+           (s.normalMap ? normalMapText() : "");
   if (s.normals == Surface::Normals::cell)
     return "  vec3 normalVCVSOutput = texelFetch(textureN, gl_PrimitiveID + PrimitiveIDOffset).xyz;\n"
            "  normalVCVSOutput = normalize(normalMatrix * normalVCVSOutput);\n" +
@@ -202,8 +148,8 @@ std::string lightText(const Surface& s) {
     case Surface::Lights::positional:
       return std::string("  vec3 vertLightDirectionVC;\n  float attenuation;\n") + kPhongStart +
              repeated(s.lightCount, kPositional) + kPhongEnd;
-    case Surface::Lights::pbr: return kPbrStart + repeated(s.lightCount, kPbrLight) + kPbrEnd;
-    case Surface::Lights::pbrHeadlight: return std::string(kPbrStart) + kPbrHeadlight + kPbrEnd;
+    case Surface::Lights::pbr:
+    case Surface::Lights::pbrHeadlight: return pbrText(s);
   }
   return "";
 }
@@ -221,6 +167,7 @@ std::string vertexText(const Surface& s) {
   if (hasTcoord(s)) text += "in vec2 tcoord;\nout vec2 tcoordVCVSOutput;\n";
   if (hasColorTcoord(s)) text += "in vec2 colorTCoord;\nout vec2 colorTCoordVCVSOutput;\n";
   if (s.tcoordMatrix) text += "uniform mat4 tcMatrix;\n";
+  if (s.normalMap) text += "in vec3 tangentMC;\nout vec3 tangentVCVSOutput;\n";
   if (s.clipPlanes)
     text += "uniform int numClipPlanes;\nuniform vec4 clipPlanes[6];\nout float clipDistancesVSOutput[6];\n";
   text += "void main()\n{\n";
@@ -232,6 +179,7 @@ std::string vertexText(const Surface& s) {
   if (hasTcoord(s)) text += tcoordText(s, "tcoord");
   if (hasColorTcoord(s)) text += tcoordText(s, "colorTCoord");
   if (normals) text += "  normalVCVSOutput = normalMatrix * normalMC;\n";
+  if (s.normalMap) text += "  tangentVCVSOutput = normalMatrix * tangentMC;\n";
   return text + "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n  gl_Position = MCDCMatrix * vertexMC;\n}\n";
 }
 

@@ -14,6 +14,11 @@ struct Surface {
   Lights lights = Lights::directional;
   int lightCount = 1;
   bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
+  /// Of physically based materials: textures of base colour, material and emission; a normal map; images of
+  /// an environment with irradiance as spherical harmonics or as a cube map.
+  bool pbrTextures = false, normalMap = false;
+  enum class Environment { none, harmonics, cube };
+  Environment environment = Environment::none;
   /// As in VTK since 9.3: the map is looked up at colorTCoord. tcoordMatrix: tcMatrix acts on all of
   /// them.
   bool colorTcoord = false, tcoordMatrix = false;

@@ -86,9 +86,15 @@ void fields(auto& archive, Like<scene::FragmentLight> auto& value) {
   archive(kind, color, direction, position, attenuation, coneAngle, exponent, ownHighlight, highlight,
           shininess, half);
 }
+void fields(auto& archive, Like<scene::PbrEnvironment> auto& value) {
+  auto& [worldFromEye, byHarmonics, harmonics, irradiance, prefiltered, brdf, maxLevel] = value;
+  archive(worldFromEye, byHarmonics, harmonics, irradiance, prefiltered, brdf, maxLevel);
+}
 void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
-  auto& [metallic, roughness, baseF0, edgeTint, emissive] = value;
-  archive(metallic, roughness, baseF0, edgeTint, emissive);
+  auto& [metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, textures, material,
+         emission, normal, environment] = value;
+  archive(metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, textures, material,
+          emission, normal, environment);
 }
 void fields(auto& archive, Like<scene::HeightColors> auto& value) {
   auto& [axis, scale, offset, exponent] = value;
@@ -130,10 +136,11 @@ void fields(auto& archive, Like<scene::TexGen> auto& value) {
   archive(coordinates);
 }
 void fields(auto& archive, Like<scene::Texture> auto& value) {
-  auto& [image, target, unit, wrapS, wrapT, wrapR, magFilter, minFilter, mipFilter, lodRule, lodBias, minLod,
-         maxLod, borderColor, env, combine, envColor, texGen, textureMatrix] = value;
-  archive(image, target, unit, wrapS, wrapT, wrapR, magFilter, minFilter, mipFilter, lodRule, lodBias, minLod,
-          maxLod, borderColor, env, combine, envColor, texGen, textureMatrix);
+  auto& [image, target, unit, wrapS, wrapT, wrapR, seamless, magFilter, minFilter, mipFilter, lodRule,
+         lodBias, minLod, maxLod, maxAnisotropy, borderColor, env, combine, envColor, texGen, textureMatrix] =
+      value;
+  archive(image, target, unit, wrapS, wrapT, wrapR, seamless, magFilter, minFilter, mipFilter, lodRule,
+          lodBias, minLod, maxLod, maxAnisotropy, borderColor, env, combine, envColor, texGen, textureMatrix);
 }
 void fields(auto& archive, Like<scene::Shading> auto& value) {
   auto& [lighting, smooth, twoSided, localViewer, separateSpecular, colorSum, normalize, rescaleNormal,

@@ -63,11 +63,29 @@ void checkTexture(const scene::Texture& texture) {
               "there is no such texture unit");
 }
 
+void checkSingle(const std::vector<scene::Texture>& textures, scene::TextureTarget target) {
+  require(textures.size() == 1 && textures.front().target == target, "an environment lacks an image");
+  checkTexture(textures.front());
+}
+
+void checkPbr(const scene::PbrSurface& pbr) {
+  require(pbr.textures.size() <= scene::kTextureUnits, "there are too many textures");
+  for (const scene::Texture& texture : pbr.textures) checkTexture(texture);
+  for (const int index : {pbr.material, pbr.emission, pbr.normal})
+    require(index >= -1 && index < static_cast<int>(pbr.textures.size()), "a material lacks a texture");
+  const scene::PbrEnvironment& environment = pbr.environment;
+  if (!environment.on()) return;
+  checkSingle(environment.prefiltered, scene::TextureTarget::cubeMap);
+  checkSingle(environment.brdf, scene::TextureTarget::texture2D);
+  if (!environment.byHarmonics) checkSingle(environment.irradiance, scene::TextureTarget::cubeMap);
+}
+
 void checkShadings(const std::vector<scene::Shading>& shadings) {
   for (const scene::Shading& shading : shadings) {
     require(shading.textures.size() <= scene::kTextureUnits, "there are too many textures");
     for (const scene::Texture& texture : shading.textures) checkTexture(texture);
     for (const scene::Texture& texture : shading.fragment.map) checkTexture(texture);
+    checkPbr(shading.fragment.pbr);
     require(shading.fragment.height.axis >= 0 && shading.fragment.height.axis <= 2, "colours by no axis");
     require(shading.fragment.color != scene::FragmentShading::Color::map || !shading.fragment.map.empty(),
             "a map is missing");

@@ -74,6 +74,12 @@ scene::Shading shading() {
   s.fragment.texturesFirst = s.fragment.ignoresAlpha = true;
   s.fragment.paintsBack = true, s.fragment.backColor = {0.5f, 0.25f, 1};
   s.fragment.edgeColor = {1, 0, 0.5f};
+  s.textures[0].maxAnisotropy = 4;
+  scene::PbrSurface& pbr = s.fragment.pbr;
+  pbr.textures = {s.textures[0]}, pbr.material = 0, pbr.occlusionStrength = 0.5f, pbr.normalScale = 2;
+  pbr.environment.brdf = {s.textures[0]};
+  pbr.environment.harmonics[2][8] = 3, pbr.environment.byHarmonics = true, pbr.environment.maxLevel = 4;
+  pbr.environment.worldFromEye[1].z = 0.5f;
   return s;
 }
 
@@ -172,6 +178,10 @@ TEST(SnapshotStream, ValuesArrive) {
   EXPECT_EQ(*read->layers, *s.layers);
   EXPECT_EQ(*read->backdrop, *s.backdrop);
   EXPECT_EQ(read->shadings[0].lights, s.shadings[0].lights);
+  scene::PbrSurface pbr = read->shadings[0].fragment.pbr;
+  EXPECT_EQ(pbr.textures[0].image->texels, s.shadings[0].textures[0].image->texels);
+  pbr.textures[0].image = pbr.environment.brdf[0].image = s.shadings[0].textures[0].image;
+  EXPECT_EQ(pbr, s.shadings[0].fragment.pbr);
   EXPECT_EQ(read->shadings[0].textures[0].image->texels, s.shadings[0].textures[0].image->texels);
   const scene::Instance &got = read->instances[1], &wanted = s.instances[1];
   EXPECT_EQ(got.object.value, 7u);

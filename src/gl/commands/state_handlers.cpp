@@ -224,7 +224,7 @@ void imagesRead(Context& c) {
 }
 
 uint32_t framebufferBound(Context& c) {
-  c.shadow.textures.framebufferBound();
+  c.shadow.textures.framebufferBound(c.real);
   return kTarget | kTexture;
 }
 

@@ -229,6 +229,10 @@ scene::Instance instanceOf(const scene::MeshPtr& mesh, const glm::dmat4& modelvi
   instance.normal = program.normal;
   instance.texcoord = program.texcoord;
   if (program.texcoordAbove != glm::vec4(0, 0, 0, 1)) instance.texcoordsAbove = {program.texcoordAbove};
+  if (program.tangent != glm::vec3(0)) {
+    instance.texcoordsAbove.resize(scene::PbrSurface::kTangentUnit, glm::vec4(0, 0, 0, 1));
+    instance.texcoordsAbove.back() = glm::vec4(program.tangent, 1);
+  }
   instance.triangleColors = program.triangleColors;
   instance.triangleNormals = program.triangleNormals;
   instance.triangleEdges = program.triangleEdges;

@@ -34,6 +34,7 @@ struct FamilyMaterial {
       specularColor;
   FamilyValue emission;  // added to ambient light; only in families without vertex colours
   FamilyValue shininess, opacity;
+  std::string unusedOpacityInSource;  // text in the source of programs that do not use `opacity`
   bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
 };
 
@@ -70,6 +71,17 @@ std::string ofLight(const std::string& pattern, const FamilyLights& lights, int 
 
 struct FamilyPbr {
   FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
+  FamilyValue occlusionStrength;            // of the material texture's occlusion
+  std::string materialTexture;              // sampler: occlusion, roughness and metallic in red, green, blue
+  std::string emissiveTexture;              // sampler: factor of `emissive`
+  std::string normalTexture;                // sampler: normals in tangent space
+  FamilyValue normalScale;                  // of x and y of these normals
+  std::string environmentMatrix;            // uniform: from eye space to the environment's images
+  std::string irradiance;                   // cube sampler
+  std::vector<std::string> harmonics;       // uniforms in place of `irradiance`, one per colour: 9 numbers
+  std::string prefiltered;                  // cube sampler; its levels are for increasing roughness
+  std::string prefilteredMaxLevelInSource;  // text before the level for roughness 1 in the source
+  std::string brdfTable;                    // sampler, looked up at cosine and roughness
   bool given() const { return roughness.given(); }
 };
 
@@ -147,7 +159,7 @@ struct Family {
   bool onlySolids = false;          // describes only draws of lines and points that settings turn into solids
   bool strict = true;  // a program with an active variable that the family does not mention does not fit
 
-  std::string position, normal, color, texcoord;                 // attributes
+  std::string position, normal, color, texcoord, tangent;        // attributes
   std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes
   std::string instanceShift;                                     // per-instance: a position and a scale
   std::vector<std::string> clipFromObject, eyeFromObject;        // uniforms, multiplied from left to right
@@ -179,6 +191,7 @@ struct Family {
   std::string backColorIf;            // uniform; 0: they have none
   std::vector<std::string> textures;  // samplers; multiply the lit colour, or
   bool texturesFirst = false;         // the base colour, before it is lit
+  bool texturesReplaceAlpha = false;  // where there is one, the colour's alpha does not count
   std::string texturesIf;             // uniform; 0: no textures
   std::string anyTexture;  // one of `textures`; the program may have a sampler2D of any name for it
 

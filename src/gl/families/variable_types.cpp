@@ -29,6 +29,7 @@ const Types kPlain{"a number, vector or matrix", [](GLenum t) { return glslName(
 const Types kVec4{"a vec4", [](GLenum t) { return t == GL_FLOAT_VEC4; }};
 const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 || t == GL_FLOAT_MAT4; }};
 const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
+const Types kCube{"a samplerCube", [](GLenum t) { return t == GL_SAMPLER_CUBE; }};
 const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
 
 /// Reports variables of wrong types.
@@ -82,7 +83,7 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   if (!f.rasteriseBecause.empty()) return;
   const TypeCheck check(p, out);
   for (const std::string* name :
-       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.impostors.axis})
+       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.tangent, &f.impostors.axis})
     check.attribute(*name);
   check.attribute(f.instanceShift, kVec4);
   for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
@@ -111,7 +112,12 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
   check.material(f.material), check.material(f.backMaterial);
   check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
-                &f.depthOffset, &f.depthFactor});
+                &f.pbr.occlusionStrength, &f.pbr.normalScale, &f.depthOffset, &f.depthFactor});
+  for (const std::string* name :
+       {&f.pbr.materialTexture, &f.pbr.emissiveTexture, &f.pbr.normalTexture, &f.pbr.brdfTable})
+    check.uniform(*name, kImage);
+  check.uniform(f.pbr.irradiance, kCube), check.uniform(f.pbr.prefiltered, kCube);
+  check.uniform(f.pbr.environmentMatrix, kLinear), check.uniforms(f.pbr.harmonics, kNumber);
   const FamilyLights& l = f.lights;
   for (const std::string* name : {&l.color, &l.direction.uniform, &l.position, &l.attenuation, &l.halfVector})
     check.light(*name, kVector);

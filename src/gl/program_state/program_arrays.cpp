@@ -133,6 +133,10 @@ void AttributeReader::readVertices(const Family& family) {
   const bool mapped = two || !program_->program.attribute(family.texcoord);
   take(mapped ? mapTexcoord(program_->program, family) : family.texcoord, out_.texcoord);
   if (two) out_.texcoordsAbove.resize(1), take(family.texcoord, out_.texcoordsAbove.front());
+  if (attribute(family.tangent)) {
+    out_.texcoordsAbove.resize(scene::PbrSurface::kTangentUnit);
+    take(family.tangent, out_.texcoordsAbove.back());
+  }
   out_.shape = family.impostors.shape;
   take(family.impostors.radius.uniform, out_.radius);
   take(family.impostors.axis, out_.axis);

@@ -120,19 +120,25 @@ Reason ProgramReader::readTextures() {
   if (uniforms_.has(family_.texturesIf) && uniforms_.integer(family_.texturesIf) == 0) return Reason::traced;
   out_.shading.fragment.texturesOnBack =
       !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
-  const bool second = hasTwoTexcoords(program_, family_);
   for (const std::string& name : family_.textures) {
     const ProgramUniform* sampler = samplerNamed(name);
     if (!sampler) continue;
     scene::Texture texture;
-    const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, texture);
-    if (reason != Reason::traced) return reason;
-    texture.env = scene::TexEnv::modulate;
-    texture.unit = second ? 1 : 0;  // the unit that has the family's texture coordinate
-    texture.textureMatrix = texcoordMatrix_;
-    (second ? out_.texcoordAbove : out_.texcoord) = current(family_.texcoord);
+    if (const Reason reason = readTexture(*sampler, texture); reason != Reason::traced) return reason;
     out_.shading.textures.push_back(std::move(texture));
+    if (family_.texturesReplaceAlpha) out_.shading.fragment.ignoresAlpha = true;
   }
+  return Reason::traced;
+}
+
+Reason ProgramReader::readTexture(const ProgramUniform& sampler, scene::Texture& texture) {
+  const Reason reason = textures_.bound(real_, has_, unitOf(sampler), sampler.type, texture);
+  if (reason != Reason::traced) return reason;
+  const bool second = hasTwoTexcoords(program_, family_);
+  texture.env = scene::TexEnv::modulate;
+  texture.unit = second ? 1 : 0;  // the unit that has the family's texture coordinate
+  texture.textureMatrix = texcoordMatrix_;
+  (second ? out_.texcoordAbove : out_.texcoord) = current(family_.texcoord);
   return Reason::traced;
 }
 

@@ -21,7 +21,7 @@ void ProgramReader::readMaterial(const FamilyMaterial& m, scene::Material& mater
   if (m.emission.given()) material.ambient += uniforms_.value(m.emission, glm::vec4(0));
   material.emission = glm::vec4(0, 0, 0, 1);
   material.shininess = uniforms_.number(m.shininess, 0);
-  material.diffuse.a = uniforms_.number(m.opacity, 1);
+  material.diffuse.a = out_.known->ignoresOpacity ? 1 : uniforms_.number(m.opacity, 1);
 }
 
 void ProgramReader::readModel() {
@@ -55,12 +55,6 @@ void ProgramReader::readModel() {
                  (family_.backColorIf.empty() || uniforms_.integer(family_.backColorIf) != 0);
   f.backColor = glm::vec3(uniforms_.value(family_.backColor, glm::vec4(0)));
   f.parallelView = uniforms_.integer(family_.parallelView) != 0;
-  if (!family_.pbr.given()) return;
-  f.pbr.metallic = uniforms_.number(family_.pbr.metallic, 0);
-  f.pbr.roughness = uniforms_.number(family_.pbr.roughness, 0.5f);
-  f.pbr.baseF0 = uniforms_.number(family_.pbr.baseF0, 0.04f);
-  f.pbr.edgeTint = glm::vec3(uniforms_.value(family_.pbr.edgeTint, glm::vec4(1)));
-  f.pbr.emissive = glm::vec3(uniforms_.value(family_.pbr.emissive, glm::vec4(0)));
 }
 
 void ProgramReader::readFog() {

@@ -60,6 +60,13 @@ class ProgramReader {
   Reason readMap(const ProgramUniform& sampler);
   Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
   Reason readTextures();
+  /// Reads the texture of a sampler into `texture`, with the family's texture coordinates.
+  Reason readTexture(const ProgramUniform& sampler, scene::Texture& texture);
+  Reason readPbr();
+  /// Appends the texture of sampler `name` to those of the surface and sets `index`, if the sampler is
+  /// active.
+  Reason readPbrTexture(const std::string& name, int& index);
+  Reason readEnvironment();
   /// The current value of an attribute whose array is not enabled.
   glm::vec4 current(const std::string& name) const;
 

@@ -34,7 +34,8 @@ Reason ProgramReader::read() {
   if (const Reason reason = readTexcoordMatrix(); reason != Reason::traced) return reason;
   if (const Reason reason = readColor(); reason != Reason::traced) return reason;
   if (const Reason reason = readEnabled(); reason != Reason::traced) return reason;
-  return readTextures();
+  if (const Reason reason = readTextures(); reason != Reason::traced) return reason;
+  return readPbr();
 }
 
 Reason ProgramReader::checkNeutral() {

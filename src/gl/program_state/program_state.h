@@ -42,6 +42,7 @@ struct ProgramState {
   glm::vec4 color{1};           // if the colour attribute is not an array
   glm::vec3 normal{0, 0, 1};
   glm::vec4 texcoord{0, 0, 0, 1}, texcoordAbove{0, 0, 0, 1};  // texcoordAbove: if hasTwoTexcoords()
+  glm::vec3 tangent{0};                                       // if the tangent attribute is not an array
 };
 
 /// Whether the program takes its vertices from fixed function's attributes.

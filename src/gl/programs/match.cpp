@@ -7,6 +7,7 @@
 #include "gl/programs/built_in_uniforms.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace gluray::gl {
 namespace {
@@ -148,6 +149,12 @@ int occurrences(const std::string& part, const std::string& text) {
   return count;
 }
 
+/// The number that follows the first occurrence of `before`; 0 if there is none.
+float numberAfter(const std::string& before, const std::string& text) {
+  const size_t at = text.find(before);
+  return at == std::string::npos ? 0 : std::strtof(text.c_str() + at + before.size(), nullptr);
+}
+
 }  // namespace
 
 Renames renamedBy(const Program& program, const Family& family) {
@@ -186,6 +193,10 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
   if (!lights.countInSource.empty()) known.lightCount = occurrences(lights.countInSource, source.text());
   if (!lights.noHighlightInSource.empty())
     known.highlightCount = known.lightCount - occurrences(lights.noHighlightInSource, source.text());
+  if (const std::string& before = family->pbr.prefilteredMaxLevelInSource; !before.empty())
+    known.prefilteredMaxLevel = numberAfter(before, source.text());
+  const std::string& unused = family->material.unusedOpacityInSource;
+  known.ignoresOpacity = !unused.empty() && occurrences(unused, source.text()) > 0;
   if (!family->code.empty())
     known.note = notesOn(statementsFor(*family, known.program, source), families.code, family->code);
 }

@@ -18,6 +18,8 @@ struct KnownProgram {
   std::string note;                      // notes of its code sections, for the user, if it is traced
   int lightCount = -1;                   // by FamilyLights::countInSource; -1: not counted
   int highlightCount = -1;               // by FamilyLights::noHighlightInSource; -1: not counted
+  float prefilteredMaxLevel = 0;         // by FamilyPbr::prefilteredMaxLevelInSource
+  bool ignoresOpacity = false;           // by FamilyMaterial::unusedOpacityInSource
   bool unknownCode = false;              // the nearest family fits except for unknown statements
 };
 

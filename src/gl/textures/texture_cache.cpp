@@ -3,6 +3,7 @@
 #include "gl/arrays/arrays.h"
 #include "gl/real/state_queries.h"
 #include "gl/sharing/share_group.h"
+#include "gl/textures/drawn_textures.h"
 #include "gl/textures/texture_env.h"
 #include "gl/textures/texture_sampling.h"
 
@@ -83,13 +84,31 @@ void TextureCache::attached(GLuint name) noexcept {
   try {
     if (name != 0) attached_.insert(name);
   } catch (...) { attachedIncomplete_ = true; }  // no memory
-  framebufferBound();
+  forgetAttached();
 }
 
-void TextureCache::framebufferBound() {
+void TextureCache::forgetAttached() {
+  drawnToKnown_ = false;
   if (attachedIncomplete_) return allImagesChanged();
   if (attached_.empty()) return;
   std::erase_if(images_, [&](const auto& known) { return attached_.contains(known.first.name); });
+  tellOthers();
+}
+
+void TextureCache::framebufferBound(const RealGl& real) {
+  const bool cached = std::any_of(images_.begin(), images_.end(),
+                                  [&](const auto& known) { return attached_.contains(known.first.name); });
+  if (!cached || !drawnToKnown_ || attachedIncomplete_ ||
+      !isPresent(real.GetFramebufferAttachmentParameteriv))
+    return forgetAttached();
+  std::vector<GLuint> now = texturesDrawnTo(real);
+  const auto isIn = [](const std::vector<GLuint>& names, GLuint name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::erase_if(images_, [&](const auto& known) {
+    return isIn(now, known.first.name) || isIn(drawnTo_, known.first.name);
+  });
+  drawnTo_ = std::move(now);
   tellOthers();
 }
 
@@ -123,7 +142,10 @@ std::shared_ptr<const scene::TextureImage> TextureCache::image(const RealGl& rea
   const Key key{target, static_cast<GLuint>(integer(real, known->binding)), range};
   if (const auto found = images_.find(key); found != images_.end()) return found->second;
   auto image = readImage(real, has, target, range, reason);
-  if (image) images_[key] = image;
+  if (!image) return image;
+  if (attached_.contains(key.name) && !drawnToKnown_ && isPresent(real.GetFramebufferAttachmentParameteriv))
+    drawnTo_ = texturesDrawnTo(real), drawnToKnown_ = true;
+  images_[key] = image;
   return image;
 }
 

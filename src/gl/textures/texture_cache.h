@@ -30,9 +30,10 @@ class TextureCache {
   /// Invalidates all images.
   void allImagesChanged();
   /// Reports that a texture is attached to a framebuffer. Draws may change it, so its images are invalidated
-  /// now and each time a framebuffer is bound.
+  /// now and each time that framebuffer is bound or another one is bound in its place.
   void attached(GLuint name) noexcept;
-  void framebufferBound();
+  /// Reports that a framebuffer is bound, or is drawn to by a copy.
+  void framebufferBound(const RealGl& real);
   /// Whether a texture may ever have been attached to a framebuffer.
   bool mayBeAttached(GLuint name) const { return attachedIncomplete_ || attached_.contains(name); }
   /// Reports glFlush or glFinish: other contexts can now see what was drawn into textures.
@@ -62,6 +63,7 @@ class TextureCache {
                   std::vector<scene::Texture>& textures);
   std::shared_ptr<const scene::TextureImage> image(const RealGl& real, const RareState& has, GLenum target,
                                                    const ImageRange& range, Reason& reason);
+  void forgetAttached();
   /// Forgets images that another context may have changed.
   void forgetChanged();
   /// Tells the other contexts that this one has changed an image.
@@ -70,8 +72,12 @@ class TextureCache {
   ShareGroup& group_;
   uint64_t changesKnown_ = 0;  // value of ShareGroup::textureChanges that images_ reflects
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
-  std::set<GLuint> attached_;                 // names of textures that were ever attached
-  bool attachedIncomplete_ = false;           // memory ran out: any texture may have been attached
+  std::set<GLuint> attached_;        // names of textures that were ever attached
+  bool attachedIncomplete_ = false;  // memory ran out: any texture may have been attached
+  // Textures attached to the draw framebuffer. Known while an image of a texture that was ever attached is
+  // kept.
+  std::vector<GLuint> drawnTo_;
+  bool drawnToKnown_ = false;
   std::weak_ptr<const void> checkedStorage_;  // the last storage that isOpaque() was called for
   bool checkedOpaque_ = false;
 };

@@ -100,6 +100,7 @@ struct TexelForm {
   scene::BaseFormat base = scene::BaseFormat::rgba;
   bool bytes = true;  // eight bits per component suffice
   bool srgb = false, depth = false;
+  bool normalised = true;  // components lie in 0 .. 1
 };
 
 std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum target,
@@ -119,7 +120,7 @@ std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum
     const GLint t = has.textureTypes ? ask(type) : GL_UNSIGNED_NORMALIZED;
     if (t == GL_NONE || t == GL_UNSIGNED_NORMALIZED) continue;
     if (t != GL_FLOAT && t != GL_SIGNED_NORMALIZED) return std::nullopt;  // integer formats are not traced
-    form.bytes = false;
+    form.bytes = form.normalised = false;
   }
   using scene::BaseFormat;
   if (form.depth) {
@@ -268,6 +269,7 @@ std::shared_ptr<const scene::TextureImage> readImage(const RealGl& real, const R
   }
   auto image = std::make_shared<scene::TextureImage>();
   image->baseFormat = form->base;
+  image->normalised = form->normalised;
   image->mipmaps.resize(static_cast<size_t>(range.levels - 1));
   const PixelGuard guard(real, has.fixedFunction);
   readLevel(real, target, range.base, *form, *image);

@@ -60,6 +60,12 @@ void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Tex
   texture.lodRule = lodRuleOf(real);
 }
 
+/// Whether the renderer knows how the real OpenGL filters: OpenGL does not specify it.
+bool isKnownAnisotropy(GLenum target, const scene::Texture& texture) {
+  return target == GL_TEXTURE_2D && texture.lodRule == scene::LodRule::llvmpipe &&
+         texture.minFilter == scene::Filter::linear && texture.magFilter == scene::Filter::linear;
+}
+
 }  // namespace
 
 bool isSwizzled(const RealGl& real, const RareState& has, GLenum target) {
@@ -89,13 +95,11 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
   texture.mipFilter = toMipFilter(min);
   real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
   readLod(real, has, target, texture);
-  GLfloat anisotropy = 1;
-  if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropy);
-  if (anisotropy > 1) return Reason::textureAnisotropy;
-  const bool seamless =
+  if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &texture.maxAnisotropy);
+  if (texture.maxAnisotropy > 1 && !isKnownAnisotropy(target, texture)) return Reason::textureAnisotropy;
+  texture.seamless =
       target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  const bool plain =
-      !seamless && !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
+  const bool plain = !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
   return plain ? Reason::traced : Reason::textureFormat;
 }
 

@@ -51,8 +51,8 @@ bsdf::Any MaterialModel::bsdf(const glm::vec3& color, bool inside) const {
   return bsdf::Lambert{color};
 }
 
-bsdf::VtkPbr vtkBsdf(const scene::PbrSurface& pbr, const glm::vec3& color) {
-  return {color, pbr.metallic, pbr.roughness, pbr.baseF0, pbr.edgeTint};
+bsdf::VtkPbr vtkBsdf(const scene::PbrSurface& pbr, const glm::vec3& color, float metallic, float roughness) {
+  return {color, metallic, roughness, pbr.baseF0, pbr.edgeTint};
 }
 
 }  // namespace gluray::render

@@ -31,6 +31,6 @@ struct MaterialModel {
 };
 
 /// The model of VTK's physically based surfaces.
-bsdf::VtkPbr vtkBsdf(const scene::PbrSurface&, const glm::vec3& color);
+bsdf::VtkPbr vtkBsdf(const scene::PbrSurface&, const glm::vec3& color, float metallic, float roughness);
 
 }  // namespace gluray::render

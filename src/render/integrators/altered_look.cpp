@@ -65,8 +65,14 @@ void toEmission(scene::Shading& s) {
     s.colorMaterial = {ofEmission(s.colorMaterial.front), ofEmission(s.colorMaterial.back)};
     return;
   }
-  if (s.fragment.model == Fragment::Model::pbr)
-    s.fragment.colorIsDiffuseOnly = true, s.fragment.edges = false;
+  if (s.fragment.model == Fragment::Model::pbr) {
+    // The emission, which becomes the ambient colour, is multiplied by its texture and nothing else.
+    const scene::PbrSurface& pbr = s.fragment.pbr;
+    const bool textured = pbr.emission >= 0;
+    s.fragment.color = Fragment::Color::material;
+    s.fragment.colorIsDiffuseOnly = !textured, s.fragment.edges = false;
+    if (textured) s.textures = {pbr.textures[static_cast<size_t>(pbr.emission)]};
+  }
   s.fragment.model = Fragment::Model::unlit;
   s.fragment.backColor = glm::vec3(0);
 }

@@ -133,9 +133,63 @@ inline Color sampleSlice(const TexelReader& read, bool flat, const Taps& s, cons
   return mix(below, mix(read(s.lower, t.upper, k), read(s.upper, t.upper, k), s.weight), t.weight);
 }
 
+/// The point of a cube map's face at (sc, tc, ma), relative to the face.
+glm::vec3 fromFace(int face, glm::vec3 d) {
+  switch (face) {
+    case 0: return {d.z, -d.y, -d.x};
+    case 1: return {-d.z, -d.y, d.x};
+    case 2: return {d.x, d.z, d.y};
+    case 3: return {d.x, -d.z, -d.y};
+    case 4: return {d.x, -d.y, d.z};
+    default: return {-d.x, -d.y, -d.z};
+  }
+}
+
+/// The texel one step beyond an edge of a face, on the face behind that edge.
+Color texelBeyond(const TexelReader& read, int size, int face, int i, int j) {
+  const auto centre = [&](int x) { return (2 * static_cast<float>(x) + 1) / static_cast<float>(size) - 1; };
+  glm::vec3 at(centre(i), centre(j), 1);
+  for (int axis = 0; axis < 2; ++axis)  // folds it over the edge
+    if (std::abs(at[axis]) > 1) at.z = 2 - std::abs(at[axis]), at[axis] = at[axis] < 0 ? -1.0f : 1.0f;
+  const glm::vec3 direction = fromFace(face, at);
+  const int other = cubeFace(direction);
+  const glm::vec2 st = coordinatesInFace(other, direction);
+  const auto index = [&](float c) {
+    return std::clamp(static_cast<int>(c * static_cast<float>(size)), 0, size - 1);
+  };
+  return read(index(st.x), index(st.y), other);
+}
+
+/// Linear filtering across the edges of a cube map. The texel that is missing at a corner is the mean of the
+/// other three (OpenGL 4.6, 8.14.1).
+Color sampleSeamless(const TexelReader& read, int size, glm::vec3 str) {
+  const int face = static_cast<int>(str.z);
+  const float u = str.x * static_cast<float>(size) - 0.5f, v = str.y * static_cast<float>(size) - 0.5f;
+  const int i = wholeBelow(u), j = wholeBelow(v);
+  Color texels[4], sum{};
+  int missing = -1;
+  for (int k = 0; k < 4; ++k) {
+    const int x = i + (k & 1), y = j + (k >> 1);
+    const bool outX = x < 0 || x >= size, outY = y < 0 || y >= size;
+    if (outX && outY) {
+      missing = k;
+      continue;
+    }
+    texels[k] = outX || outY ? texelBeyond(read, size, face, x, y) : read(x, y, face);
+    sum += texels[k];
+  }
+  if (missing >= 0) texels[missing] = sum * (1 / 3.0f);
+  const float s = u - static_cast<float>(i), t = v - static_cast<float>(j);
+  return mix(mix(texels[0], texels[1], s), mix(texels[2], texels[3], s), t);
+}
+
 }  // namespace
 
 glm::vec4 sampleLevel(const scene::Texture& t, const TexelGrid& grid, Filter filter, glm::vec3 str) {
+  if (t.seamless && filter == Filter::linear) {
+    const TexelReader read(t, grid);
+    return read.finished(sampleSeamless(read, grid.width, str));
+  }
   Taps r{0, 0, 0};
   if (t.target == TextureTarget::cubeMap) r.lower = static_cast<int>(str.z);
   if (t.target == TextureTarget::texture3D) r = tapsOf(t.wrapR, filter, str.z, grid.depth);

@@ -61,10 +61,11 @@ glm::dvec3 sizeOf(const Texture& t) {
 }  // namespace
 
 TexturedTriangle::TexturedTriangle(const Surface& surface, const scene::Camera& camera)
-    : surface_(surface),
-      map_(camera.viewport),
-      rowsFromTop_(camera.rowsFromTop),
-      textures_(surface.lighting->shading->textures) {
+    : TexturedTriangle(surface, camera, surface.lighting->shading->textures) {}
+
+TexturedTriangle::TexturedTriangle(const Surface& surface, const scene::Camera& camera,
+                                   const std::vector<Texture>& textures)
+    : surface_(surface), map_(camera.viewport), rowsFromTop_(camera.rowsFromTop), textures_(textures) {
   planes_ = std::any_of(textures_.begin(), textures_.end(), needsFootprint);
 }
 
@@ -161,6 +162,14 @@ glm::vec4 TexturedTriangle::color(uint32_t primitive, float u, float v, glm::dve
   glm::vec4 color = primary;
   for (const Texture& t : textures_) color = glm::clamp(applyEnvironment(t, in, color), 0.0f, 1.0f);
   return color;
+}
+
+void TexturedTriangle::texels(uint32_t primitive, float u, float v, glm::dvec2 window,
+                              const WeightSteps* steps, glm::vec4 (&out)[scene::kTextureUnits]) {
+  if (primitive != primitive_) enter(primitive);
+  const glm::dvec3 weights(1.0 - u - v, u, v);
+  for (size_t i = 0; i < textures_.size(); ++i)
+    out[i] = sample(textures_[i], coordinates_[i], weights, window, steps);
 }
 
 glm::vec4 textureFragment(const Surface& surface, const scene::Camera& camera, uint32_t primitive, float u,

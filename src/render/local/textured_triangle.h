@@ -14,12 +14,17 @@ namespace gluray::render {
 class TexturedTriangle {
  public:
   TexturedTriangle(const Surface&, const scene::Camera&);
+  /// `textures`: those to sample in place of the surface's; at most kTextureUnits. Must outlive it.
+  TexturedTriangle(const Surface&, const scene::Camera&, const std::vector<scene::Texture>& textures);
 
   /// The colour after all texture units, every channel in 0 .. 1, of the fragment at (u, v) of a triangle and
   /// at a window position. `primary`: its colour before texturing. `steps`: the pixel's extent on the
   /// triangle; null: from the window position.
   glm::vec4 color(uint32_t primitive, float u, float v, glm::dvec2 window, const glm::vec4& primary,
                   const WeightSteps* steps = nullptr);
+  /// The textures' texels there, before any environment, in their order.
+  void texels(uint32_t primitive, float u, float v, glm::dvec2 window, const WeightSteps* steps,
+              glm::vec4 (&out)[scene::kTextureUnits]);
 
  private:
   /// Homogeneous coordinates (s, t, r, q) of a unit: at the corners, and as a linear function of the window

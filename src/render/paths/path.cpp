@@ -20,8 +20,11 @@ bool isMirrored(const View& view) { return view.areaSign * view.away > 0; }
 
 bool filtersTextures(const Surface& s) {
   if (!s.instance) return false;
-  const auto& textures = s.lighting->shading->textures;
-  return std::any_of(textures.begin(), textures.end(), needsFootprint);
+  const scene::Shading& shading = *s.lighting->shading;
+  const auto any = [](const std::vector<scene::Texture>& textures) {
+    return std::any_of(textures.begin(), textures.end(), needsFootprint);
+  };
+  return any(shading.textures) || any(shading.fragment.pbr.textures);
 }
 
 /// The sky of a rig takes the place of the constant environment.
@@ -67,7 +70,7 @@ bsdf::Any Path::bsdfOf(const PathVertex& v, bool inside) const {
   const scene::FragmentShading& fragment = frame.surfaces[v.instance].lighting->shading->fragment;
   const MaterialModel& material = materials[v.instance];
   if (material.isProgram() && fragment.model == scene::FragmentShading::Model::pbr)
-    return vtkBsdf(fragment.pbr, v.albedo);
+    return vtkBsdf(fragment.pbr, v.albedo, v.metallic, v.roughness);
   return material.bsdf(v.albedo, inside);
 }
 

@@ -109,6 +109,47 @@ TEST(PathTextures, SeenByDiffuseSurfacesGiveTheirMean) {
   }
 }
 
+/// One texel.
+scene::Texture plain(const glm::vec4& color) {
+  auto image = std::make_shared<scene::TextureImage>();
+  image->width = image->height = 1;
+  image->floats = {color};
+  scene::Texture t;
+  t.image = image;
+  return t;
+}
+
+/// Differences of the encoded images.
+void expectNear(const test::Radiances& a, const test::Radiances& b, float most) {
+  for (int y = 0; y < kPathSize; ++y)
+    for (int x = 0; x < kPathSize; ++x)
+      for (int c = 0; c < 3; ++c) ASSERT_NEAR(a.at(x, y)[c], b.at(x, y)[c], most) << x << " " << y;
+}
+
+/// Base colour, roughness, metallic share, emission and normals of paths are those of the local look.
+TEST(PathTextures, OfPhysicallyBasedMaterialsAreThoseOfTheLocalLook) {
+  scene::Snapshot s = test::pathView({test::ballMesh(60)});
+  s.settings.environment.strength = 0;
+  s.settings.path.depth = 1, s.settings.path.samples = 64;
+  scene::FragmentShading& f = s.shadings[0].fragment;
+  f.model = scene::FragmentShading::Model::pbr, f.texturesFirst = true;
+  f.lights.resize(1);
+  f.lights[0].color = glm::vec3(3);
+  s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
+  s.instances[0].materials[0].front.diffuse = glm::vec4(1);
+  s.instances[0].texcoordsAbove = {glm::vec4(0, 0, 0, 1), glm::vec4(0.3f, 1, 0.2f, 1)};
+  s.shadings[0].textures = {plain({0.7f, 0.5f, 0.3f, 1})};
+  f.pbr.metallic = 1, f.pbr.roughness = 1, f.pbr.emissive = {0.4f, 0.2f, 0};
+  f.pbr.textures = {plain({1, 0.5f, 0.6f, 1}), plain({0.5f, 0.25f, 1, 1}), plain({0.6f, 0.45f, 0.95f, 1})};
+  f.pbr.material = 0, f.pbr.emission = 1;
+  for (const int normal : {-1, 2}) {
+    f.pbr.normal = normal;
+    scene::Snapshot look = s;
+    look.settings.integrator = LightIntegrator::local;
+    expectNear(radiances(s), radiances(look), 6e-3f);
+  }
+}
+
 TEST(RayCone, IsAsWideAsThePixel) {
   const scene::Snapshot s = floorView(false, true);
   const RaySetup setup = makeRaySetup(s, glm::vec3(-1), glm::vec3(1)), eye = makeEyeRays(s, setup);

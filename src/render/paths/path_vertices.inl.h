@@ -92,6 +92,24 @@ inline glm::vec3 seenNormal(const glm::vec3& normal, const glm::vec3& back) {
   return cosine >= kMin ? normal : glm::normalize(normal + (kMin - cosine) * back);
 }
 
+/// What a physically based material's textures change at the group's vertices.
+inline void applyPbrTexels(const Path& path, const Surface& s, const Group& group, const float* x,
+                           const float* y, PathVertices& out) {
+  const scene::PbrSurface& pbr = s.lighting->shading->fragment.pbr;
+  PbrTextures textures(s, path.frame.snapshot->camera);
+  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    PathVertex& v = out.lane[i];
+    const PbrTexels t = textures.at(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]},
+                                    group.steps ? group.steps + i : nullptr);
+    v.metallic *= t.metallic, v.roughness *= t.roughness;
+    if (pbr.normal < 0) continue;
+    const glm::vec3 bent = mappedNormal(v.shading, s.eyeFromVertexNormal * t.tangent, t.normal);
+    if (!(glm::dot(bent, bent) > 0)) continue;  // no tangent
+    v.shading = bent;
+  }
+}
+
 /// Writes the vertices of the group's lanes. `x`, `y`: window positions, for textures.
 HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors, uint32_t instance,
                                    const Group& group, const Row (&from)[3], const VertexRows& rows,
@@ -108,13 +126,14 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
   const bool sided = program ? shading.fragment.backMaterial : shading.twoSided;
   const bool unlit = !isLit(shading) && model.isProgram();
   const bool emits = colors.emission && isLit(shading);
+  const scene::PbrSurface& pbr = shading.fragment.pbr;
   if (emits) shade(path.frame, (*colors.emission)[instance], group, back, x, y, emission);
   const auto at = [](const Row* r, int i) { return glm::vec3(r[0][i], r[1][i], r[2][i]); };
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     PathVertex& v = out.lane[i];
     v.point = at(rows.point, i), v.geometric = at(rows.geometric, i), v.lift = at(rows.lift, i);
-    v.shading = seenNormal(at(rows.shading, i), at(from, i));
+    v.shading = at(rows.shading, i), v.metallic = pbr.metallic, v.roughness = pbr.roughness;
     v.error = rows.error[i];
     const glm::vec3 color = captured ? path.captured->at(instance, v.point) : at(albedo.value, i);
     v.albedo = unlit ? glm::vec3(0) : glm::clamp(color, 0.0f, 1.0f);
@@ -127,6 +146,11 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
     v.shininess = m.shininess;
     v.instance = instance;
     v.front = !(back >> i & 1);
+  }
+  if (!pbr.textures.empty() && model.isProgram()) applyPbrTexels(path, s, group, x, y, out);
+  for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
+    PathVertex& v = out.lane[std::countr_zero(lanes)];
+    v.shading = seenNormal(v.shading, at(from, std::countr_zero(lanes)));
   }
 }
 

@@ -8,26 +8,11 @@
 #endif
 
 #include "render/shading/fragment_inputs.inl.h"
+#include "render/shading/microfacets.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-
-/// Direction from light to surface, and the attenuation by distance and cone.
-HWY_INLINE Incoming arriving(const scene::FragmentLight& light, float coneCosine, const Float3& p) {
-  if (light.kind != scene::FragmentLight::positional) return {splat(light.direction), splat(1)};
-  const Float3 way = sub(p, splat(light.position));
-  const Float distance = hn::Sqrt(dot(way, way));
-  const Float sum = hn::MulAdd(hn::MulAdd(splat(light.attenuation.z), distance, splat(light.attenuation.y)),
-                               distance, splat(light.attenuation.x));
-  Incoming in{unit(way), hn::Div(splat(1), sum)};
-  if (light.coneAngle < 90) {
-    const Float cosine = dot(in.direction, splat(light.direction));
-    const Float inside = power(hn::Max(cosine, splat(0)), splat(light.exponent));
-    in.factor = hn::IfThenElseZero(hn::Ge(cosine, splat(coneCosine)), hn::Mul(in.factor, inside));
-  }
-  return in;
-}
 
 /// The specular factor, without colours.
 HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::FragmentLight& light,
@@ -103,66 +88,6 @@ HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& 
   return add(ambient, diffuse);
 }
 
-/// The direction that a mirror of this normal sends light to that comes along -v; both unit length.
-HWY_INLINE Float3 mirrored(const Float3& v, const Float3& normal) {
-  return sub(scaled(normal, hn::Mul(splat(2), dot(normal, v))), v);
-}
-
-/// Physically based shading of VTK 9 without images: GGX distribution, height-correlated Smith visibility,
-/// Schlick's Fresnel term, Lambertian diffuse; the result is gamma-encoded with 1/2.2.
-template <class Seen>
-HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const Fragment& at,
-                              const Seen& seen) {
-  constexpr float kInversePi = 0.31830988618f;
-  const Lighting& lighting = *s.lighting;
-  const scene::FragmentShading& f = lighting.shading->fragment;
-  const scene::PbrSurface& pbr = f.pbr;
-  const Float zero = splat(0), one = splat(1), least = splat(1e-5f);
-  const auto clamped = [&](Float v) HWY_ATTR { return hn::Min(hn::Max(v, least), one); };
-  const auto mix = [&](const Float3& a, const Float3& b, float w)
-                       HWY_ATTR { return add(scaled(a, splat(1 - w)), scaled(b, splat(w))); };
-  Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
-  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // the program ignores the edge colour
-  const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, pbr.metallic);
-  const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
-  const Float3 f90 = mix({grey, grey, grey}, splat(pbr.edgeTint), pbr.metallic);
-  const float a2 = pbr.roughness * pbr.roughness, a4 = a2 * a2;
-  const Float nv = clamped(dot(at.normal, at.toViewer));
-  Float3 sum{zero, zero, zero};
-  for (size_t l = 0; l < f.lights.size(); ++l) {
-    const Incoming in = arriving(f.lights[l], lighting.coneCosines[l], at.position);
-    const Float3 towards = unit(scaled(in.direction, splat(-1))), half = unit(add(at.toViewer, towards));
-    const Float hl = clamped(dot(half, towards)), nl = clamped(dot(at.normal, towards)),
-                nh = clamped(dot(at.normal, half));
-    const Float d = hn::MulAdd(hn::MulSub(nh, splat(a4), nh), nh, one);
-    const Float distribution = hn::Div(splat(a4 * kInversePi), hn::Mul(d, d));
-    const auto smith = [&](Float x, Float y) HWY_ATTR {
-      return hn::Mul(y, hn::Sqrt(hn::MulAdd(x, hn::NegMulAdd(splat(a2), x, x), splat(a2))));
-    };
-    const Float visibility = hn::Div(splat(0.5f), hn::Add(smith(nv, nl), smith(nl, nv)));
-    const Float away = hn::Sub(one, hl), away2 = hn::Mul(away, away),
-                away5 = hn::Mul(hn::Mul(away2, away2), away);
-    const Float3 fresnel = add(f0, scaled(sub(f90, f0), away5));
-    const Float3 specular = scaled(fresnel, hn::Mul(distribution, visibility));
-    const Float3 through = scaled(sub({one, one, one}, fresnel), splat((1 - pbr.metallic) * kInversePi));
-    const Float3 color = seen.arriving(l, splat(f.lights[l].color));
-    const Float3 radiance = scaled(color, hn::Mul(in.factor, nl));
-    if constexpr (Seen::kHasSizes) {
-      const Float3 matte = scaled(color, seen.diffuse(l, hn::Mul(in.factor, nl), at.normal));
-      sum = add(sum, add(times(matte, times(through, albedo)), times(radiance, specular)));
-    } else {
-      sum = add(sum, times(radiance, add(times(through, albedo), specular)));
-    }
-  }
-  const Float3 matte = times(sub({one, one, one}, f0), albedo);
-  sum = seen.withDome(sum, scaled(matte, splat((1 - pbr.metallic) * kInversePi)), at.normal);
-  sum = seen.withDome(sum, scaled(f0, splat(kInversePi)), mirrored(at.toViewer, at.normal));
-  sum = add(sum, splat(pbr.emissive));
-  const Float gamma = splat(1 / 2.2f);
-  const auto encoded = [&](Float v) HWY_ATTR { return power(hn::Max(v, zero), gamma); };
-  return {encoded(sum.x), encoded(sum.y), encoded(sum.z)};
-}
-
 /// A colour for a normal: half of it plus a half.
 HWY_INLINE Float3 halfway(const Float3& n) {
   const auto half = [](Float v) HWY_ATTR { return hn::MulAdd(v, splat(0.5f), splat(0.5f)); };
@@ -203,6 +128,9 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
   alignas(64) Row edges;
   if (f.edges) edgeShares(frame, s, group, x, y, edges);
   const bool lit = f.model != Shading::Model::unlit, impostors = s.mesh->shape != scene::Shape::triangles;
+  PbrRows maps;
+  const bool mapped = !f.pbr.textures.empty() && f.model == Shading::Model::pbr;
+  if (mapped) loadPbrTexels(frame, s, group, x, y, maps);
   const bool unitVertices = f.unitNormals != Shading::UnitNormals::pixels;
   if (unitVertices || f.normalColors || f.rim.on)
     loadUnitNormals(s, group, normals);
@@ -232,8 +160,10 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
         if (f.unitNormals != Shading::UnitNormals::vertices) at.normal = unit(at.normal);
         if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
       }
-      color =
-          f.model == Shading::Model::pbr ? microfacets(s, m, at, seen.at(i)) : phong(s, m, at, seen.at(i));
+      if (f.model == Shading::Model::pbr)
+        color = microfacets(s, m, at, mapped ? texelsAt(s, maps, i, at) : constantsOf(f.pbr), seen.at(i));
+      else
+        color = phong(s, m, at, seen.at(i));
     } else {
       color = unlit(f, m, at);
     }

@@ -114,6 +114,10 @@ Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program) {
   std::vector<glm::vec2> turned;  // a new position for each vertex
   for (const glm::vec2& at : mesh.texcoords) turned.emplace_back(at.y, 0.3f * at.x);
   add("colorTCoord", turned, 2, GL_FLOAT);
+  std::vector<glm::vec3> tangents;  // not perpendicular to the normals, of different lengths
+  for (const glm::vec3& n : mesh.normals)
+    tangents.push_back(1.5f * glm::cross(glm::vec3(0.1f, 0.9f, 0.3f), n) + 0.2f * n);
+  add("tangentMC", tangents, 3, GL_FLOAT);
   up.indices = buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
   return up;
 }

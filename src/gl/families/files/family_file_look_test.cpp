@@ -89,6 +89,37 @@ TEST(FamilyFileLook, LightMistakes) {
   EXPECT_EQ(mistakeIn("lights.shininess = []"), "x.toml:6: shininess needs a value");
 }
 
+TEST(FamilyFileLook, PbrTexturesAndEnvironments) {
+  const Family f = parsed(
+      "match.code = \"c\"\nvertex.tangent = \"t\"\ncolor.textures = \"a\"\ncolor.textures_replace_alpha = "
+      "true\n"
+      "material.unused_opacity_in_source = \"x;\"\n"
+      "pbr.roughness = \"r\"\npbr.material_texture = \"m\"\npbr.occlusion_strength = 0.5\n"
+      "pbr.emissive_texture = \"e\"\npbr.normal_texture = \"n\"\npbr.normal_scale = \"ns\"\n"
+      "pbr.environment_matrix = \"em\"\npbr.irradiance = \"ir\"\n"
+      "pbr.irradiance_harmonics = [\"h0\", \"h1\", \"h2\"]\npbr.prefiltered = \"p\"\n"
+      "pbr.prefiltered_max_level_in_source = \"max = \"\npbr.brdf_table = \"b\"\n");
+  EXPECT_EQ(f.tangent, "t");
+  EXPECT_TRUE(f.texturesReplaceAlpha);
+  EXPECT_EQ(f.material.unusedOpacityInSource, "x;");
+  EXPECT_EQ(f.pbr.occlusionStrength.constant, std::vector<float>{0.5f});
+  EXPECT_EQ(f.pbr.normalScale.uniform, "ns");
+  EXPECT_EQ(f.pbr.harmonics, (std::vector<std::string>{"h0", "h1", "h2"}));
+  EXPECT_EQ(f.pbr.prefilteredMaxLevelInSource, "max = ");
+  for (const char* name : {"t", "a", "m", "e", "n", "ns", "em", "ir", "h0", "h1", "h2", "p", "b"})
+    EXPECT_TRUE(f.mentions(name)) << name;
+}
+
+TEST(FamilyFileLook, PbrMistakes) {
+  EXPECT_EQ(mistakeIn("pbr.normal_texture = \"n\""),
+            "x.toml:1: family \"f\": pbr.normal_texture needs vertex.tangent");
+  EXPECT_EQ(mistakeIn("pbr.prefiltered = \"p\""),
+            "x.toml:1: family \"f\": pbr.prefiltered and pbr.brdf_table need each other");
+  EXPECT_EQ(
+      mistakeIn("pbr.prefiltered_max_level_in_source = \"p\""),
+      "x.toml:1: family \"f\": unused_opacity_in_source and prefiltered_max_level_in_source need match.code");
+}
+
 TEST(FamilyFileLook, LightsWithoutHighlights) {
   const Family f = parsed(
       "match.code = \"c\"\nlights.count_in_source = \"lit(\"\nlights.no_highlight_in_source = \"* 0.0\"\n");

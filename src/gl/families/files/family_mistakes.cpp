@@ -65,6 +65,13 @@ std::string mistakeInLook(const Family& family) {
     return "lights.count_in_source needs match.code";
   if (!family.lights.noHighlightInSource.empty() && family.lights.countInSource.empty())
     return "lights.no_highlight_in_source needs lights.count_in_source";
+  if (!(family.material.unusedOpacityInSource.empty() && family.pbr.prefilteredMaxLevelInSource.empty()) &&
+      family.code.empty())
+    return "unused_opacity_in_source and prefiltered_max_level_in_source need match.code";
+  if (!family.pbr.normalTexture.empty() && family.tangent.empty())
+    return "pbr.normal_texture needs vertex.tangent";
+  if (family.pbr.prefiltered.empty() != family.pbr.brdfTable.empty())
+    return "pbr.prefiltered and pbr.brdf_table need each other";
   if (!family.backColorIf.empty() && !family.backColor.given())
     return "color.back_faces_if needs color.back_faces";
   if (family.backColor.given() && family.impostors.given()) return "impostors have no color.back_faces";

@@ -75,6 +75,7 @@ void FamilyReader::readVertex() {
   name("normal", family_.normal);
   name("color", family_.color);
   name("texcoord", family_.texcoord);
+  name("tangent", family_.tangent);
 }
 
 void FamilyReader::readInstance() {
@@ -142,6 +143,7 @@ void FamilyReader::readTextures() {
     fail(at("any_texture"), "any_texture is none of the textures");
   name("textures_if", family_.texturesIf);
   choice("textures_apply", {{"after_light", false}, {"before_light", true}}, family_.texturesFirst);
+  flag("textures_replace_alpha", family_.texturesReplaceAlpha);
   name("textures_on_back_faces", family_.texturesOnBack);
 }
 

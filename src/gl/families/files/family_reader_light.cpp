@@ -13,6 +13,7 @@ void FamilyReader::readMaterial(FamilyMaterial& m) {
   value("emission_color", m.emission);
   value("shininess", m.shininess);
   value("opacity", m.opacity);
+  text("unused_opacity_in_source", m.unusedOpacityInSource);
 }
 
 void FamilyReader::readLights() {
@@ -70,6 +71,17 @@ void FamilyReader::readPbr() {
   value("base_f0", p.baseF0);
   value("edge_tint", p.edgeTint);
   value("emissive", p.emissive);
+  value("occlusion_strength", p.occlusionStrength);
+  name("material_texture", p.materialTexture);
+  name("emissive_texture", p.emissiveTexture);
+  name("normal_texture", p.normalTexture);
+  value("normal_scale", p.normalScale);
+  name("environment_matrix", p.environmentMatrix);
+  name("irradiance", p.irradiance);
+  names("irradiance_harmonics", p.harmonics);
+  name("prefiltered", p.prefiltered);
+  text("prefiltered_max_level_in_source", p.prefilteredMaxLevelInSource);
+  name("brdf_table", p.brdfTable);
 }
 
 void FamilyReader::readFog() {
