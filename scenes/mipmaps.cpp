@@ -142,7 +142,7 @@ void incomplete(Gl gl, int width, int height) {
   sendAt(gl, sphere(24, 36), 0.9f, -0.5f, 0, 0.4f, kNormals | kTexcoords);
 }
 
-/// Drawn by the real OpenGL.
+/// Traced where the renderer knows the real OpenGL's filter.
 void anisotropic(Gl gl, int width, int height) {
   mipmapStage(gl, width, height);
   tintedLevels(gl, 32);
@@ -164,7 +164,7 @@ constexpr Scene kMipmapScenes[] = {
     {"mipmap-into-framebuffer-object", intoFramebufferObject, true, kLevelEdges},
     {"mipmap-1d", oneDimensional, true, kLevelEdges},
     {"mipmap-incomplete", incomplete},
-    {"anisotropic-filter", anisotropic, false},
+    {"anisotropic-filter", anisotropic, false, kLevelEdges},
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "gl/textures/texture_sampling.h"
 
+#include "gl/real/extensions.h"
 #include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
@@ -60,10 +61,13 @@ void readLod(const RealGl& real, const RareState& has, GLenum target, scene::Tex
   texture.lodRule = lodRuleOf(real);
 }
 
-/// Whether the renderer knows how the real OpenGL filters: OpenGL does not specify it.
-bool isKnownAnisotropy(GLenum target, const scene::Texture& texture) {
-  return target == GL_TEXTURE_2D && texture.lodRule == scene::LodRule::llvmpipe &&
-         texture.minFilter == scene::Filter::linear && texture.magFilter == scene::Filter::linear;
+/// Whether the renderer knows how the real OpenGL filters: OpenGL does not specify it, and Mesa 24 changed
+/// it.
+bool isKnownAnisotropy(const RealGl& real, GLenum target, const scene::Texture& texture) {
+  const int mesa = mesaVersionOf(real.GetString(GL_VERSION));
+  return mesa >= 2200 && mesa < 2400 && target == GL_TEXTURE_2D &&
+         texture.lodRule == scene::LodRule::llvmpipe && texture.minFilter == scene::Filter::linear &&
+         texture.magFilter == scene::Filter::linear;
 }
 
 }  // namespace
@@ -96,7 +100,8 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
   real.GetTexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
   readLod(real, has, target, texture);
   if (has.anisotropy) real.GetTexParameterfv(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, &texture.maxAnisotropy);
-  if (texture.maxAnisotropy > 1 && !isKnownAnisotropy(target, texture)) return Reason::textureAnisotropy;
+  if (texture.maxAnisotropy > 1 && !isKnownAnisotropy(real, target, texture))
+    return Reason::textureAnisotropy;
   texture.seamless =
       target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   const bool plain = !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;

@@ -22,12 +22,12 @@ const std::array<float, kWeights>& weights() {
   return table;
 }
 
-/// The level where the ellipse's shorter axis is about one texel, the axes' ratio limited to maxAnisotropy.
+/// The level where the ellipse's shorter axis is about one texel. llvmpipe compares the axes' ratio with the
+/// limit in a way that never applies it.
 int levelFor(const scene::Texture& t, const Footprint& f) {
   if (t.mipFilter == scene::MipFilter::none) return 0;
   const double x = glm::dot(f.dx, f.dx), y = glm::dot(f.dy, f.dy);
-  const double most = double{t.maxAnisotropy} * double{t.maxAnisotropy};
-  const double shorter = std::max(std::min(x, y), std::max(x, y) / most);
+  const double shorter = std::min(x, y);
   if (!(shorter > 0) || !std::isfinite(shorter)) return 0;
   const float lod = limitedLod(t, llvmpipeLod(shorter));
   const float level = t.mipFilter == scene::MipFilter::nearest ? std::floor(lod + 0.5f) : std::floor(lod);

@@ -7,9 +7,9 @@
 #define GLURAY_RENDER_MICROFACETS_INL_H_
 #endif
 
+#include "render/shading/fragment_inputs.inl.h"
 #include "render/shading/pbr_environment.h"
 #include "render/shading/pbr_textures.h"
-#include "render/shading/fragment_inputs.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {

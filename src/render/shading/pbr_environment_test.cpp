@@ -1,8 +1,8 @@
 // Environments and textures of physically based materials against analytic values.
 #include "render/shading/pbr_environment.h"
 
-#include "render/shading/pbr_textures.h"
 #include "render/local/texture_lookup.h"
+#include "render/shading/pbr_textures.h"
 
 #include <gtest/gtest.h>
 
