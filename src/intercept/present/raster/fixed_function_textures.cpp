@@ -153,6 +153,14 @@ ShadingTextures::~ShadingTextures() {
   }
   select(0);
   for (const auto& [image, name] : names_) real_.DeleteTextures(1, &name);
+  if (seamlessBefore_) setSeamless(*seamlessBefore_);
+}
+
+void ShadingTextures::setSeamless(bool on) {
+  if (on)
+    real_.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  else
+    real_.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
 void ShadingTextures::select(int unit) {
@@ -218,6 +226,12 @@ void ShadingTextures::bind(const scene::Texture& texture, GLenum target) {
     real_.TexParameterf(target, GL_TEXTURE_MAX_LOD, texture.maxLod);
   }
   real_.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, glm::value_ptr(texture.borderColor));
+  anisotropic_ = anisotropic_ || texture.maxAnisotropy > 1;  // the program's OpenGL has the extension then
+  if (anisotropic_) real_.TexParameterf(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, texture.maxAnisotropy);
+  constexpr int kHasSeamless = 32;
+  if (target != GL_TEXTURE_CUBE_MAP || (features_.version < kHasSeamless && !texture.seamless)) return;
+  if (!seamlessBefore_) seamlessBefore_ = real_.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  setSeamless(texture.seamless);
 }
 
 }  // namespace gluray::present

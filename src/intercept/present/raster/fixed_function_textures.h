@@ -4,6 +4,7 @@
 #include "intercept/present/state/features.h"
 #include "scene/texture.h"
 
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -25,11 +26,14 @@ class ShadingTextures {
   void turnOff(int unit);
   void keepMatrix(int unit);
   void bind(const scene::Texture&, GLenum target);
+  void setSeamless(bool on);
 
   const gl::RealGl& real_;
   const Features& features_;
   std::unordered_map<const scene::TextureImage*, GLuint> names_;
-  std::vector<bool> on_;  // units that the last set() enabled
+  std::vector<bool> on_;                // units that the last set() enabled
+  bool anisotropic_ = false;            // some texture has an anisotropic filter
+  std::optional<bool> seamlessBefore_;  // GL_TEXTURE_CUBE_MAP_SEAMLESS, once it has been set
   struct Matrix {
     int unit;
     GLdouble values[16];
