@@ -25,8 +25,8 @@ Reason ProgramReader::readPbr() {
        {std::pair{&names.materialTexture, &pbr.material}, std::pair{&names.emissiveTexture, &pbr.emission},
         std::pair{&names.normalTexture, &pbr.normal}})
     if (const Reason reason = readPbrTexture(*name, *index); reason != Reason::traced) return reason;
-  if (pbr.normal >= 0 && !program_.attribute(family_.tangent))
-    return refuse("it has a normal map, but no tangents");
+  if (pbr.normal >= 0 && !(program_.attribute(family_.tangent) && program_.attribute(family_.normal)))
+    return refuse("it has a normal map, but lacks normals or tangents of vertices");
   if (pbr.normal >= 0) out_.tangent = glm::vec3(current(family_.tangent));
   return readEnvironment();
 }
