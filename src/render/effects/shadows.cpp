@@ -73,7 +73,7 @@ HWY_ATTR inline void aimAtLight(const Shadows& s, int row, const SurfacePoints& 
     store(load(points.origin[0] + i), rays.orgX + i), store(load(points.origin[1] + i), rays.orgY + i),
         store(load(points.origin[2] + i), rays.orgZ + i);
     store(world.x, rays.dirX + i), store(world.y, rays.dirY + i), store(world.z, rays.dirZ + i);
-    store(load(points.start + i), rays.tNear + i);
+    store(hn::Zero(FloatTag()), rays.tNear + i);
     store(towards.distance, rays.tFar + i);
     store(towards.weight, out.weights + i);
     store(past, out.grazing + i);

@@ -42,8 +42,7 @@ HWY_INLINE Float3 facing(const Float3& v, const Float3& side) {
   return scaled(v, sign);
 }
 
-/// Puts the origin above a point in eye space: by what rounding may have moved the point, and by `lift`;
-/// sets where rays start to meet surfaces.
+/// Puts the origin above a point in eye space: by what rounding may have moved the point, and by `lift`.
 HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3& eye, const Float3& normal,
                             const Float3& lift, SurfacePoints& out, int i) {
   // Coordinates in the world are rounded by 2^-24 of their size, in the point as in what the ray meets.
@@ -58,7 +57,6 @@ HWY_INLINE void placeOrigin(const Metric& metric, const Surface& s, const Float3
   const Float3 above = add(add(eye, scaled(normal, error)), lift);
   store3(transformPoint(metric.worldFromEye, above), out.origin, i);
   store3(above, out.eye, i);
-  store(hn::Mul(error, splat(kErrorsPassed)), out.start + i);
   const Float height = largestSize(lift);
   store(hn::IfThenElseZero(hn::Gt(height, error), height), out.lift + i);
 }

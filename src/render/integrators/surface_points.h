@@ -7,16 +7,11 @@
 
 namespace gluray::render {
 
-/// In a groove as narrow as their errors, origins may lie behind the other wall. So that this wall does not
-/// block everything, rays meet nothing within this many errors of their origins.
-constexpr float kErrorsPassed = 4;
-
 /// Points of a packet. Both normals are of unit length, in eye space, on the viewer's side.
 struct SurfacePoints {
   /// World space: offset above the point by its error, so that rays do not hit the surface of the point.
   alignas(64) Row origin[3];
   alignas(64) Row eye[3];        // the same point in eye space
-  alignas(64) Row start;         // distance from the origin, in eye space, from which on rays meet surfaces
   alignas(64) Row lift;          // height of the curved surface above the triangle; 0: below rounding
   alignas(64) Row geometric[3];  // of the triangle
   alignas(64) Row shading[3];    // of the curved surface that the triangles approximate

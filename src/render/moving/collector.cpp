@@ -103,7 +103,6 @@ HWY_ATTR inline void wait(const Collector& c, const ColoredHits& hits, const Sur
     to.asked.points.shading[axis][at] = points.shading[axis][lane];
   }
   to.asked.points.lift[at] = points.lift[lane];
-  to.asked.points.start[at] = points.start[lane];
   to.asked.points.turned[at] = points.turned[lane];
   to.asked.x[at] = hits.x[lane], to.asked.y[at] = hits.y[lane];
   to.asked.instance[at] = hits.instance, to.asked.place[at] = static_cast<uint32_t>(lane);

@@ -194,7 +194,7 @@ class Wave {
     const glm::vec3 org = originOf(i, way), dir = glm::mat3(path_.metric.worldFromEye) * way;
     rays.orgX[i] = org.x, rays.orgY[i] = org.y, rays.orgZ[i] = org.z;
     rays.dirX[i] = dir.x, rays.dirY[i] = dir.y, rays.dirZ[i] = dir.z;
-    rays.tNear[i] = kErrorsPassed * vertices_.lane[i].error, rays.tFar[i] = tFar;
+    rays.tNear[i] = 0, rays.tFar[i] = tFar;
   }
 
   /// The share of the lights' light that reaches the vertices of `lanes` along rays aimed there.
