@@ -1,7 +1,7 @@
 // Triangles with painted edges, as in VTK's geometry shader. If edges grow
 // (scene::FragmentShading::edgesGrow), corners move outwards in the window by up to a quarter of the line
-// width and keep their depths, so that lines on outlines are fully visible. Made by the kernels for single
-// pixels.
+// width and keep their depths, so that lines on outlines are fully visible. Made for single
+// pixels and, where triangles grow, for tiles.
 #pragma once
 #include "render/local/surface.h"
 

@@ -1,6 +1,7 @@
 // Triangles that grow by their painted edges.
 #include "render/edges/edged_triangle.h"
 
+#include "render/testing/edged_scene.h"
 #include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
@@ -20,14 +21,9 @@ scene::Snapshot square(float width, uint8_t flags0, uint8_t flags1, float slope 
                                        {0.5f, 0.5f, -0.5f * slope}, {-0.5f, 0.5f, 0.5f * slope});
   auto s = test::makeSnapshot({test::makeMesh(data)}, 64);
   scene::Instance& instance = s.instances[0];
-  instance.triangleEdges = test::makeAttribute(std::vector<uint8_t>{flags0, flags1}, scene::Format::bits8);
   instance.materials[0].front.diffuse = instance.materials[0].back.diffuse = glm::vec4(1);
   instance.materials[0].front.ambient = instance.materials[0].back.ambient = glm::vec4(0);
-  scene::FragmentShading& f = s.shadings[0].fragment;
-  f.model = scene::FragmentShading::Model::unlit;
-  f.edges = true;
-  f.edgeWidth = width;
-  f.edgeColor = {1, 0, 0};
+  test::paintEdges(s, {flags0, flags1}, width);
   return s;
 }
 

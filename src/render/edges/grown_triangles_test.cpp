@@ -2,6 +2,7 @@
 #include "render/edges/grown_triangles.h"
 
 #include "render/edges/edged_triangle.h"
+#include "render/testing/edged_scene.h"
 #include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
@@ -34,12 +35,7 @@ scene::Snapshot soup(uint32_t seed, uint32_t count, float width) {
     flags.push_back(static_cast<uint8_t>(random() & 7));
   }
   auto s = test::makeSnapshot({test::makeMesh(data)}, kSize);
-  s.instances[0].triangleEdges = test::makeAttribute(flags, scene::Format::bits8);
-  scene::FragmentShading& f = s.shadings[0].fragment;
-  f.model = scene::FragmentShading::Model::unlit;
-  f.edges = true;
-  f.edgeWidth = width;
-  f.edgeColor = {1, 0, 0};
+  test::paintEdges(s, flags, width);
   return s;
 }
 
