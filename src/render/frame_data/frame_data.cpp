@@ -65,15 +65,14 @@ double reachOfLeastDepth(const FrameData& frame, bool atCenters) {
   return longest * nearer / kThinnest;
 }
 
-/// Fills lightings of what rays from the viewer meet, and widestEdge.
+/// Fills lightings of what rays from the viewer meet, and edgesGrow.
 void addLightings(FrameData& frame) {
   const std::vector<scene::Shading>& own = frame.shadings();
   const scene::SecondaryScene* around = frame.snapshot->secondaryScene.get();
   frame.lightings.reserve(own.size() + (around ? around->shadings.size() : 0));
   for (const scene::Shading& shading : own) {
     frame.lightings.emplace_back(shading);
-    if (shading.fragment.edges && shading.fragment.edgesGrow)
-      frame.widestEdge = std::max(frame.widestEdge, shading.fragment.edgeWidth);
+    frame.edgesGrow = frame.edgesGrow || (shading.fragment.edges && shading.fragment.edgesGrow);
   }
 }
 
@@ -84,7 +83,7 @@ bool clipAtRays(FrameData& frame) {
   const scene::Snapshot& s = *frame.snapshot;
   const bool discarded =
       frame.oncePerPixel && std::any_of(s.shadings.begin(), s.shadings.end(), scene::isProgram);
-  if (frame.widestEdge != 0 || discarded || !clipPlanesShared(s.instances)) return false;
+  if (frame.edgesGrow || discarded || !clipPlanesShared(s.instances)) return false;
   if (s.instances.empty()) return true;
   // A plane acts on eye coordinates; as a row vector, times the modelview matrix, it acts on world
   // coordinates.
@@ -130,7 +129,7 @@ void prepareLeastDepth(FrameData& frame) {
     const glm::dmat4 rows = glm::transpose(s.camera.clipFromEye * s.eyeFromWorld);
     frame.clipZ = rows[2], frame.clipW = rows[3];
   }
-  if ((frame.widestEdge > 0 || frame.leastDepth) &&
+  if ((frame.edgesGrow || frame.leastDepth) &&
       std::any_of(frame.surfaces.begin(), frame.surfaces.end(), mayRefuse))
     frame.accepted = std::make_unique<AcceptedHits>(frame.surfaces);
 }
@@ -191,7 +190,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   ownPlanes = std::any_of(surfaces.begin(), surfaces.end(), [](const Surface& f) { return f.ownClipPlanes; });
   samplePositions = positionsOf(s, averages);
   if (averages) prepareAverages();
-  if (widestEdge > 0)
+  if (edgesGrow)
     grown = std::make_unique<GrownTriangles>(
         GrowthStage{s, surfaces, depth, accepted.get(), image->width, image->height, samplePositions});
   if (averages && s.backdrop) backdrop.emplace(s, eyeRays);

@@ -58,7 +58,7 @@ struct FrameData {
   mutable std::atomic<bool> seenThrough{false};  // averages: some hit has an alpha other than 1
   // Layers: LayerCounts::open and ::before.
   mutable std::array<std::array<std::atomic<uint32_t>, LayerCounts::kMax>, 2> layerCounts{};
-  float widestEdge = 0;                         // largest width of painted edges, pixels; 0: there are none
+  bool edgesGrow = false;                       // some surface's triangles grow by their edges
   std::unique_ptr<const GrownTriangles> grown;  // null: no triangle grows by its edges
   bool leastDepth = false;  // depths shift by triangles' slopes: the nearest hit may not have the least depth
   // leastDepth: largest eye-space distance by which a hit of lesser depth may lie behind another.

@@ -29,7 +29,7 @@ void LightHistory::begin(const FrameData& frame, const VisibilityIntegrator& int
   moving.channels = channels_ = {integrator.used()};
   Frame &now = frames_[now_], &before = frames_[1 - now_];
   now.visibility.resize(width, height, moving.channels.count());
-  hits_.resize(width, height, frame.widestEdge > 0);
+  hits_.resize(width, height, frame.edgesGrow);
   now.space = PixelSpace(frame);
   now.placement.rememberScene(snapshot);
   moving.space = now.space, moving.visibility = &now.visibility, moving.hits = &hits_;
