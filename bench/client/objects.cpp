@@ -1,14 +1,12 @@
 // gluray-bench-objects: a program of many objects, each one a draw of its own by a shader program, with a
-// model matrix and a colour as uniforms. Prints frame times as a line of JSON.
+// model matrix and a colour as uniforms, or all of them the instances of one draw. Prints frame times as a
+// line of JSON.
+#include "bench/client/balls.h"
 #include "bench/client/window.h"
 #include "bench/data/orbit.h"
 #include "bench/data/report.h"
 
 #include <CLI/CLI.hpp>
-
-#define GL_GLEXT_PROTOTYPES
-#include <GL/gl.h>
-#include <GL/glext.h>
 
 #include <algorithm>
 #include <array>
@@ -36,116 +34,16 @@ struct Options {
   double distance = kDistance;  // of the viewer from its middle
   double step = 1.5;            // degrees a frame
   double settleSeconds = 0;
-  bool tellsAll = false;
+  bool instanced = false, tellsAll = false;
 };
 
 constexpr double kReach = 150;
-constexpr int kMeshes = 64;
-
-constexpr const char* kVertexShader = R"(#version 130
-uniform mat4 clipFromWorld, worldFromObject;
-uniform vec3 viewer;
-in vec3 position, normal;
-out vec3 place, toEye, direction;
-void main() {
-  vec4 world = worldFromObject * vec4(position, 1.0);
-  place = 0.3 * position;
-  toEye = viewer - world.xyz;
-  direction = mat3(worldFromObject) * normal;
-  gl_Position = clipFromWorld * world;
-})";
-constexpr const char* kFragmentShader = R"(#version 130
-uniform vec3 paint;
-in vec3 place, toEye, direction;
-out vec4 color;
-void main() {
-  vec3 n = normalize(direction), v = normalize(toEye);
-  vec3 base = paint * (0.8 + 0.2 * fract(place.x + place.z));
-  vec3 sum = 0.1 * base;
-  for (int i = 0; i < 3; ++i) {
-    vec3 l = normalize(v + vec3(float(i) - 1.0, 0.6, 0.5));
-    sum += 0.3 * (base * max(dot(n, l), 0.0) + pow(max(dot(n, normalize(l + v)), 0.0), 40.0));
-  }
-  color = vec4(sum, 1.0);
-})";
 
 struct Object {
   std::array<double, 3> center;
   int mesh;
   std::array<float, 3> paint;
 };
-
-/// Balls of 2 * side * (side - 1) triangles with waves.
-class Balls {
- public:
-  explicit Balls(int side) : count_(6 * side * (side - 1)) {
-    std::vector<unsigned short> indices;
-    for (int row = 0; row < side; ++row)
-      for (int column = 0; column < side; ++column) {
-        const auto at = [&](int r, int c) { return static_cast<unsigned short>(r * (side + 1) + c); };
-        const auto add = [&](auto... all) { (indices.push_back(all), ...); };
-        if (row > 0) add(at(row, column), at(row + 1, column), at(row, column + 1));
-        if (row + 1 < side) add(at(row, column + 1), at(row + 1, column), at(row + 1, column + 1));
-      }
-    glGenVertexArrays(kMeshes, arrays_.data());
-    glGenBuffers(kMeshes, buffers_.data());
-    GLuint elements = 0;
-    glGenBuffers(1, &elements);
-    for (int i = 0; i < kMeshes; ++i) {
-      glBindVertexArray(arrays_[size_t(i)]);
-      glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, elements);
-      if (i == 0)
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(2 * indices.size()), indices.data(), GL_STATIC_DRAW);
-      send(buffers_[size_t(i)], side, 0.1 * i);
-    }
-  }
-  void draw(int mesh) const {
-    glBindVertexArray(arrays_[size_t(mesh)]);
-    glDrawElements(GL_TRIANGLES, count_, GL_UNSIGNED_SHORT, nullptr);
-  }
-  GLsizei triangles() const { return count_ / 3; }
-
- private:
-  static void send(GLuint buffer, int side, double phase) {
-    std::vector<float> values;
-    for (int row = 0; row <= side; ++row)
-      for (int column = 0; column <= side; ++column) {
-        const double theta = M_PI * row / side, phi = 2 * M_PI * column / side;
-        const double n[] = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                            std::cos(theta)};
-        const double r = 0.9 + 0.1 * std::sin(5 * theta + phase) * std::cos(3 * phi);
-        for (const double c : n) values.push_back(float(r * c));
-        for (const double c : n) values.push_back(float(c));
-      }
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(4 * values.size()), values.data(), GL_STATIC_DRAW);
-    glEnableVertexAttribArray(0), glEnableVertexAttribArray(1);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 24, nullptr);
-    glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 24, reinterpret_cast<const void*>(12));
-  }
-
-  GLsizei count_;
-  std::array<GLuint, kMeshes> arrays_{}, buffers_{};
-};
-
-GLuint makeProgram() {
-  const GLuint program = glCreateProgram();
-  for (const auto& [type, text] :
-       {std::pair(GL_VERTEX_SHADER, kVertexShader), std::pair(GL_FRAGMENT_SHADER, kFragmentShader)}) {
-    const GLuint shader = glCreateShader(GLenum(type));
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
-  }
-  glBindAttribLocation(program, 0, "position");
-  glBindAttribLocation(program, 1, "normal");
-  glLinkProgram(program);
-  GLint linked = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (!linked) throw std::runtime_error("OpenGL does not link the shaders");
-  return program;
-}
 
 std::vector<Object> makeObjects(int count) {
   std::mt19937 random(1);
@@ -156,7 +54,7 @@ std::vector<Object> makeObjects(int count) {
     if (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] > 1) continue;
     const auto channel = [&] { return float(0.6 + 0.4 * number(random)); };
     all.push_back({{kReach * p[0], kReach * p[1], kReach * p[2]},
-                   int(all.size()) % kMeshes,
+                   int(all.size()) % Balls::kMeshes,
                    {channel(), channel(), channel()}});
   }
   return all;
@@ -182,7 +80,7 @@ class Scene {
   explicit Scene(const Options& options)
       : options_(options),
         balls_(options.side),
-        program_(makeProgram()),
+        program_(makeBallProgram(options.instanced)),
         objects_(makeObjects(options.count)) {
     glUseProgram(program_);
     glEnable(GL_DEPTH_TEST);
@@ -196,32 +94,30 @@ class Scene {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUniformMatrix4fv(place("clipFromWorld"), 1, GL_FALSE, clipFromWorld(pose, options_.distance).data());
     glUniform3f(place("viewer"), float(pose.eye[0]), float(pose.eye[1]), float(pose.eye[2]));
+    options_.instanced ? drawInstances() : drawOneByOne();
+  }
+
+ private:
+  void drawInstances() {
+    places_.clear();
+    for (const Object& o : objects_) places_.push_back({centerOf(o), float(options_.radius), o.paint});
+    balls_.drawInstances(places_);
+  }
+  void drawOneByOne() {
     const GLint matrix = place("worldFromObject"), paint = place("paint");
     const auto size = float(options_.radius);
     for (const Object& o : objects_) {
-      const Matrix m{size,
-                     0,
-                     0,
-                     0,
-                     0,
-                     size,
-                     0,
-                     0,
-                     0,
-                     0,
-                     size,
-                     0,
-                     float(o.center[0]),
-                     float(o.center[1]),
-                     float(o.center[2]),
-                     1};
+      const std::array<float, 3> center = centerOf(o);
+      const Matrix m{size, 0, 0, 0, 0, size, 0, 0, 0, 0, size, 0, center[0], center[1], center[2], 1};
       glUniformMatrix4fv(matrix, 1, GL_FALSE, m.data());
       glUniform3fv(paint, 1, o.paint.data());
       balls_.draw(o.mesh);
     }
   }
 
- private:
+  static std::array<float, 3> centerOf(const Object& o) {
+    return {float(o.center[0]), float(o.center[1]), float(o.center[2])};
+  }
   GLint place(const char* name) const { return glGetUniformLocation(program_, name); }
   void sort(const CameraPose& pose) {
     if (options_.order == "random") return;
@@ -237,6 +133,7 @@ class Scene {
   Balls balls_;
   GLuint program_;
   std::vector<Object> objects_;
+  std::vector<BallPlace> places_;  // reused by each frame
 };
 
 void run(const Options& options) {
@@ -283,6 +180,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.01, 90.0));
   app.add_option("--frames", options.frames, "frames to measure")->check(CLI::Range(0, 100000));
   app.add_option("--settle", options.settleSeconds, "seconds of drawing before frames are measured");
+  app.add_flag("--instanced", options.instanced,
+               "draws all balls, of one mesh, as the instances of one draw");
   app.add_flag("--all", options.tellsAll, "prints the times of all frames, those that settle included");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -2,7 +2,7 @@
 
 4,000 balls of 1,012 triangles (or of 84) in a ball, each drawn with a model matrix and a colour of its own as uniforms, by a program with three lights; the
 camera turns by 1.5 degrees a frame. Draws come in a random order, from front to back or from back to front; "inside": the camera is among the
-objects, of which most are out of its view. The plain program and the program with cull.draws = off, always and auto take turns, round by round.
+objects, of which most are out of its view; "instances": balls of one shape, all in one draw. The plain program and the program with cull.draws = off, always and auto take turns, round by round.
 Medians; a way is compared with the plain program's frames of the same numbers. What trials of auto cost is in the frames before that: from the first second until auto is measured, all frames are compared with the plain program's
 frames of the same numbers, as a whole, and the worst few seconds of them. Results go to bench/results/NAME.json.
 """
@@ -19,7 +19,8 @@ from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCENES = {"random": ["--order", "random"], "front": ["--order", "front"], "back": ["--order", "back"],
-          "inside": ["--order", "random", "--distance", "100"], "open": ["--order", "random", "--radius", "4"]}
+          "inside": ["--order", "random", "--distance", "100"],
+          "instances": ["--instanced"], "open": ["--order", "random", "--radius", "4"]}
 WAYS = ["off", "always", "auto"]
 WORST_S = 5  # of the plain program: the windows of which the worst is told
 

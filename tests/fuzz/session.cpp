@@ -1,6 +1,6 @@
 #include "tests/fuzz/session.h"
 
-#include "frame/tracing/renderer.h"
+#include "frame/testing/test_renderer.h"
 #include "tests/fuzz/comparison.h"
 #include "tests/fuzz/null_gl.h"
 #include "tests/support/gl_state.h"
@@ -65,7 +65,7 @@ class Tracer final : public gl::Presenter {
     if (target.rasterise) {
       result.outcome = gl::PresentResult::rasterised;
     } else if (++images_ % 500 != 0 &&
-               frame::Renderer::shared().render(*snapshot, image_, statistics, result.why)) {
+               test::testRenderer().render(*snapshot, image_, statistics, result.why)) {
       result.outcome = gl::PresentResult::traced;
       g_drawn.byPrograms += target.programDraws.size();
     }

@@ -1,6 +1,6 @@
 #include "tests/lag/lag_stage.h"
 
-#include "frame/tracing/renderer.h"
+#include "frame/testing/test_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ gl::LagWindow windowOf(const LagOptions& options, const std::function<void()>& s
 
 bool traceByRenderer(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                      std::string& why) {
-  return frame::Renderer::shared().render(snapshot, image, cost, why);
+  return testRenderer().render(snapshot, image, cost, why);
 }
 
 Shown play(const DrawFrame& draw, int count, const LagOptions& options) {

@@ -2,6 +2,7 @@
 #include "accel/testing/test_scene.h"
 #include "frame/questions/listed_lights.h"
 #include "frame/questions/pick.h"
+#include "frame/testing/test_renderer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -30,17 +31,17 @@ scene::Snapshot squares(bool perspective = true) {
 TEST(PickTest, FindsTheNearestSurfaceItsPointAndItsNormal) {
   for (const bool perspective : {true, false}) {
     const scene::Snapshot s = squares(perspective);
-    const auto middle = pick(Renderer::shared(), s, {32.5, 32.5});
+    const auto middle = pick(gluray::test::testRenderer(), s, {32.5, 32.5});
     ASSERT_TRUE(middle) << perspective;
     EXPECT_EQ(middle->instance, 1u);
     EXPECT_NEAR(worldPoint(s, middle->point).z, 0.5, 1e-5);
     EXPECT_NEAR(middle->normal.z, 1, 1e-6);
     EXPECT_NEAR(Viewer(s).distanceOf(middle->point), perspective ? 3.5 : 2.5, 1e-3);
-    const auto aside = pick(Renderer::shared(), s, {15, 32});
+    const auto aside = pick(gluray::test::testRenderer(), s, {15, 32});
     ASSERT_TRUE(aside);
     EXPECT_EQ(aside->instance, 0u);
-    EXPECT_FALSE(pick(Renderer::shared(), s, {1, 1}));
-    EXPECT_FALSE(pick(Renderer::shared(), s, {-5, 1000}));
+    EXPECT_FALSE(pick(gluray::test::testRenderer(), s, {1, 1}));
+    EXPECT_FALSE(pick(gluray::test::testRenderer(), s, {-5, 1000}));
   }
 }
 
@@ -52,7 +53,7 @@ TEST(PickTest, IsTheSameWithLightLensAndSamples) {
   s.settings.camera.aperture = 0.5f;
   s.settings.ground.kind = GroundKind::plane;
   s.ground = scene::GroundUse::drawn;
-  const auto found = pick(Renderer::shared(), s, {32.5, 32.5});
+  const auto found = pick(gluray::test::testRenderer(), s, {32.5, 32.5});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->instance, 1u);
   EXPECT_NEAR(worldPoint(s, found->point).z, 0.5, 1e-5);
@@ -62,9 +63,9 @@ TEST(PickTest, DoesNotMeetWhatIsHiddenFromTheCamera) {
   scene::Snapshot s = squares();
   s.instances[1].object = {9};
   s.settings.material.objects = {"9 hidden-from=camera"};
-  EXPECT_EQ(pick(Renderer::shared(), s, {32.5, 32.5})->instance, 0u);
+  EXPECT_EQ(pick(gluray::test::testRenderer(), s, {32.5, 32.5})->instance, 0u);
   s.settings.material.objects = {"9 hidden-from=shadow"};
-  EXPECT_EQ(pick(Renderer::shared(), s, {32.5, 32.5})->instance, 1u);
+  EXPECT_EQ(pick(gluray::test::testRenderer(), s, {32.5, 32.5})->instance, 1u);
 }
 
 TEST(CameraTest, IsDescribedInTheWorld) {

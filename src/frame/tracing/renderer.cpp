@@ -142,11 +142,6 @@ class Renderer::InFront {
 Renderer::Renderer(Threads threads) : engine_(std::make_unique<Engine>(threads)) {}
 Renderer::~Renderer() = default;
 
-Renderer& Renderer::shared() {
-  static auto* renderer = new Renderer;
-  return *renderer;
-}
-
 namespace {
 
 /// Runs `body`, where its stack is ample; false, with the reason in `error` and the loss in `cost`, if it

@@ -31,9 +31,6 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// The process's renderer, made at the first call. Never destroyed: hosts call us while they exit.
-  static Renderer& shared();
-
   /// Traces `snapshot` into `image`, which is resized to the region. Returns false on failure, with one line
   /// in `error` and the loss in `cost.loss`; the image is then undefined. Any thread.
   bool render(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,

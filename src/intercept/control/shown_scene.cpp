@@ -1,6 +1,7 @@
 #include "intercept/control/shown_scene.h"
 
 #include "frame/questions/pick.h"
+#include "intercept/tracing/shared_renderer.h"
 #include "scene/same_camera.h"
 
 #include <algorithm>
@@ -88,7 +89,7 @@ std::optional<ShownPoint> pointAt(const std::vector<ShownView>& views, const glm
       const glm::dvec2 at = position - glm::dvec2(*place);
       const scene::Snapshot& s = *batch->snapshot;
       if (!isIn(s.camera.viewport, at)) continue;
-      const auto picked = frame::pick(frame::Renderer::shared(), s, at);
+      const auto picked = frame::pick(sharedRenderer(), s, at);
       if (!picked || picked->depth >= depth) continue;
       depth = picked->depth;
       const glm::ivec4& viewport = s.camera.viewport;

@@ -1,7 +1,7 @@
 #include "intercept/tracing/make_presenter.h"
 
-#include "frame/tracing/renderer.h"
 #include "intercept/present/tracing_presenter.h"
+#include "intercept/tracing/shared_renderer.h"
 #include "intercept/tracing/workers.h"
 
 namespace gluray::intercept {
@@ -19,16 +19,16 @@ bool trace(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost
 
 bool antialias(const Settings& settings, const scene::Fxaa& fxaa, const uint32_t* in, int width, int height,
                uint32_t* out) {
-  return frame::Renderer::shared().antialias(settings, fxaa, in, width, height, out);
+  return sharedRenderer().antialias(settings, fxaa, in, width, height, out);
 }
 
 bool resolve(const Settings& settings, const scene::Resolve& how, const Image& samples, Image& out) {
-  return frame::Renderer::shared().resolve(settings, how, samples, out);
+  return sharedRenderer().resolve(settings, how, samples, out);
 }
 
 bool improves() {
   const cluster::RemoteTracer* const job = workers();
-  return job ? job->improves() : frame::Renderer::shared().improves();
+  return job ? job->improves() : sharedRenderer().improves();
 }
 
 /// Traces and writes back nothing, to measure the cost of interception.

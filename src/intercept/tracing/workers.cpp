@@ -4,8 +4,8 @@
 #include "base/log.h"
 #include "control/link/job.h"
 #include "control/runtime_directory.h"
-#include "frame/tracing/renderer.h"
 #include "intercept/session/session.h"
+#include "intercept/tracing/shared_renderer.h"
 
 #include <charconv>
 #include <string>
@@ -29,7 +29,7 @@ int rankOnMachine() {
 
 bool traceHere(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                const std::function<bool()>& stop) {
-  frame::Renderer& renderer = frame::Renderer::shared();
+  frame::Renderer& renderer = sharedRenderer();
   return stop ? renderer.renderBehind(snapshot, image, cost, error, stop)
               : renderer.render(snapshot, image, cost, error);
 }

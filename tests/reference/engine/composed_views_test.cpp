@@ -1,7 +1,7 @@
 // A rank of an MPI program reads its image, composes it with others, and draws the result over a background
 // (adr/0089): where the image is recognised, the framebuffer is that of one process; elsewhere it is what
 // the program has drawn.
-#include "frame/tracing/renderer.h"
+#include "frame/testing/test_renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "tests/reference/engine/quad.h"
 #include "tests/reference/framebuffer.h"
@@ -76,7 +76,7 @@ struct Rank {
     tracer.trace = [](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error) {
       scene::Snapshot without = s;
       without.ground = scene::GroundUse::none, without.backdrop = nullptr;
-      return frame::Renderer::shared().render(without, image, cost, error);
+      return testRenderer().render(without, image, cost, error);
     };
     tracer.standsAlone = [](const scene::Snapshot&) { return false; };
     tracer.shown = [](const scene::Snapshot&, const Image&, bool) {};
@@ -84,7 +84,7 @@ struct Rank {
         [](const scene::Snapshot&) { return true; },
         [this](const scene::Snapshot& s, Image& image, scene::TraceCost& cost, std::string& error) {
           ++completed;
-          return frame::Renderer::shared().render(s, image, cost, error);
+          return testRenderer().render(s, image, cost, error);
         },
         [this] { ++leftOut; }};
     return tracer;

@@ -1,7 +1,7 @@
 // The tracer fails for some images: each failure costs what it concerns (scene::Loss), and every image is
 // the real OpenGL's.
 #include "base/files.h"
-#include "frame/tracing/renderer.h"
+#include "frame/testing/test_renderer.h"
 #include "intercept/present/tracing_presenter.h"
 #include "tests/support/traced_context.h"
 
@@ -44,7 +44,7 @@ Outcome frames(int count, const std::vector<int>& failing, scene::Loss loss) {
   const auto trace = [&](const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost,
                          std::string& error) {
     if (std::ranges::find(failing, frame) == failing.end())
-      return frame::Renderer::shared().render(snapshot, image, cost, error);
+      return testRenderer().render(snapshot, image, cost, error);
     cost.loss = loss;
     return error = "this test lets tracing fail", false;
   };
