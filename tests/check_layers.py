@@ -36,7 +36,7 @@ FOLDERS = {
     "frame": ["tracing", "refinement", "images", "pixels", "questions"],
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", ""],
     "render": ["tiles", "camera", "local", "edges", "bsdf", "sampling", "resolve", "lights", "frame_data", "shading", "hit_points", "remote",
-               "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", ""],
+               "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", "", "exposure"],
     "gl": ["basics", "real", "welding", "capture", "glsl", "families", "families/built_in", "families/files", "programs", "trials",
            "clock", "buffers", "sharing", "arrays", "textures", "program_state", "state", "shadow", "impostors", "batch", "objects",
            "views", "history", "counts", "framebuffers", "pending", "layers", "window", "flush", "classify", "draws",

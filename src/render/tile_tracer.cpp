@@ -127,7 +127,8 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   std::optional<accel::PageCache::Reader> reader;  // tiles of a source have readers of their own
   if (!options.source) reader.emplace(world.pages());
   FrameData frame(snapshot, world, image);
-  if (wantsFeatures(snapshot)) frame.tone.reset();
+  if (options.litExposure != 1) frame.exposeLit(options.litExposure);
+  if (wantsFeatures(snapshot)) frame.dropTones();
   frame.remote = options.remote;
   if (frame.remote) frame.remote->begin(frame);
   const double start = nowSeconds();

@@ -35,7 +35,8 @@ struct TraceOptions {
   // With remote surfaces: called when the image is complete, before other processes get their last answers;
   // `seconds`: time since all processes began.
   std::function<void(double seconds)> traced = {};
-  bool averages = true;  // pixels may average several samples; false only with a source
+  float litExposure = 1;  // factor of linear light of lit surfaces
+  bool averages = true;   // pixels may average several samples; false only with a source
 };
 
 /// Computes colour and window depth of every pixel of the snapshot's region, for the instances in `world`.

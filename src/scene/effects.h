@@ -16,6 +16,16 @@ inline bool wantsShadows(const Settings& s) {
 }
 /// Whether colours depend on secondary rays, and so on other surfaces and on noisy samples.
 inline bool wantsLight(const Settings& s) { return wantsPaths(s) || wantsOcclusion(s) || wantsShadows(s); }
+/// Whether surfaces are lit otherwise than by the program's lights and lighting equation alone.
+inline bool changesLight(const Settings& s) {
+  return wantsLight(s) || s.lights.rig != LightRig::program || !s.lights.file.empty();
+}
+/// Leaves surfaces the program's own light.
+inline void dropLight(Settings& s) {
+  s.ao.enabled = false, s.shadows.enabled = false;
+  s.integrator = LightIntegrator::local;
+  s.lights.rig = LightRig::program, s.lights.file.clear();
+}
 /// Whether scenes get a ground. A catcher needs a light effect.
 inline bool wantsGround(const Settings& s) {
   if (s.look == Look::honest) return false;

@@ -41,17 +41,17 @@ class Commands(unittest.TestCase):
         self.assertEqual(self.output("get", "--set", "ao.samples=2", "ao.samples"), "2\n")
 
     def test_why_shows_every_layer(self):
-        self.user.write_text("ao.samples = 8\npreset = 'paper'\n[presets.paper]\nao.samples = 9\n[program.viewer]\nao.samples = 10\n")
+        self.user.write_text("ao.samples = 8\npreset = 'streamlines'\n[presets.streamlines]\nao.samples = 9\n[program.viewer]\nao.samples = 10\n")
         self.project.write_text("ao.samples = 11\n")
         one = json.loads(self.output("get", "--why", "--json", "--program", "viewer", "--set", "ao.samples=12", "ao.samples", GLURAY_AO_SAMPLES="13"))[0]
         layers = {layer["layer"]: (layer["value"], layer["place"]) for layer in one["layers"]}
         self.assertEqual(layers, {
             "built-in": (16, ""), "system": (None, ""), "user": (8, f"{self.user}:1"), "project": (11, f"{self.project}:1"),
-            "program": (10, f"{self.user}:6"), "preset": (9, f"paper, {self.user}:4"), "environment": (13, "GLURAY_AO_SAMPLES"),
+            "program": (10, f"{self.user}:6"), "preset": (9, f"streamlines, {self.user}:4"), "environment": (13, "GLURAY_AO_SAMPLES"),
             "command line": (12, "--set ao.samples"), "live": (None, "")})
         self.assertEqual((one["value"], one["layer"], one["default"]), (12, "command line", 16))
         text = " ".join(self.output("get", "--why", "ao.samples").split())
-        for part in ("ao.samples = 9 (preset: paper, ", "user", "11", "Default: 16", "from the next frame on"):
+        for part in ("ao.samples = 9 (preset: streamlines, ", "user", "11", "Default: 16", "from the next frame on"):
             self.assertIn(part, text)
 
     def test_json_has_types(self):
@@ -77,7 +77,7 @@ class Commands(unittest.TestCase):
         listing = self.run_gluray("presets")
         self.assertIn("did you mean 'spp'?", listing.stderr)
         text = listing.stdout
-        for name in ("draft", "presentation", "publication", "paper", "ospray", "mine  (chosen)"):
+        for name in ("draft", "presentation", "figure", "streamlines", "molecule", "metal", "outdoor", "poster", "honest", "ospray", "mine  (chosen)"):
             self.assertIn(f"\n{name}\n", "\n" + text)
         self.assertNotIn("\x1b", text)
         mine = self.run_gluray("presets", "mine").stdout
@@ -86,7 +86,7 @@ class Commands(unittest.TestCase):
         found = {p["name"]: p for p in json.loads(self.run_gluray("presets", "--json").stdout)}
         self.assertEqual([p["name"] for p in found.values() if p["chosen"]], ["mine"])
         self.assertEqual(found["mine"]["values"][0], {"name": "spp", "value": "2", "place": f"mine, {self.user}:4", "wrong": ""})
-        for preset in ("draft", "presentation", "publication", "paper", "ospray"):
+        for preset in ("draft", "presentation", "figure", "streamlines", "molecule", "metal", "outdoor", "poster", "honest", "ospray"):
             self.assertEqual(self.output("get", "--preset", preset, "preset"), preset + "\n")
 
 

@@ -85,12 +85,12 @@ class Files(unittest.TestCase):
         self.assertEqual(self.complaints(), [])
 
     def test_presets_by_name(self):
-        plain, paper, stronger = self.image(), self.image("--preset", "paper"), self.image("--preset", "paper", "--set", "shadows.strength=0.5")
+        plain, paper, stronger = self.image(), self.image("--preset", "streamlines"), self.image("--preset", "streamlines", "--set", "shadows.strength=0.5")
         self.assertEqual(len({plain, paper, stronger}), 3)
         self.start()
-        self.write(self.user, "preset = 'paper'\n")
+        self.write(self.user, "preset = 'streamlines'\n")
         self.assertEqual(self.later(), paper)
-        self.write(self.project, "[presets.paper]\nshadows.strength = 0.5\n")
+        self.write(self.project, "[presets.streamlines]\nshadows.strength = 0.5\n")
         self.assertEqual(self.later(), stronger)
         self.write(self.project, "preset = 'none'\n")
         self.assertEqual(self.later(), plain)
@@ -102,7 +102,7 @@ class Files(unittest.TestCase):
         self.write(self.user, "ao = true\n")
         occluded = self.later()
         for text, word in (("ao = perhaps\n", ""), ("[ao\n", ""), ("ao.strenth = 1\nao = false\n", ""), ("ao = 'some'\n", "use on, off, true"),
-                           ("aoo = true\n", "did you mean 'ao'?"), ("preset = 'paperr'\n", "did you mean 'paper'?"), ("ao = true\0\n", "")):
+                           ("aoo = true\n", "did you mean 'ao'?"), ("preset = 'streamlinez'\n", "did you mean 'streamlines'?"), ("ao = true\0\n", "")):
             before = len(self.complaints())
             self.write(self.user, text)
             self.assertEqual([self.later(), self.later()], [occluded] * 2, text)

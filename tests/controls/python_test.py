@@ -38,8 +38,8 @@ class Python(PythonCase):
         self.assertEqual(paraview.settings()["ao.samples"], 4)
         self.assertEqual(vmd.preset("draft"), None)
         self.assertEqual(second.live["preset"], "draft")
-        gluray.preset("paper")
-        self.assertEqual(first.live["preset"], "paper")
+        gluray.preset("streamlines")
+        self.assertEqual(first.live["preset"], "streamlines")
 
     def test_undo_and_gestures(self):
         _, first, _ = self.two()

@@ -3,9 +3,12 @@
 #include "accel/world.h"
 #include "base/ample_stack.h"
 #include "base/clock.h"
+#include "base/log.h"
 #include "base/timeline.h"
 #include "frame/tracing/pace.h"
+#include "frame/tracing/view_exposures.h"
 #include "parallel/arena.h"
+#include "render/exposure/light_meter.h"
 #include "render/ground/staged_scene.h"
 #include "render/resolve/anti_alias.h"
 #include "render/resolve/resolve_samples.h"
@@ -66,6 +69,7 @@ class Renderer::Engine {
     cost.buildSeconds = built - start;
     const timeline::Span span("trace");
     if (paced) options.rays = paces_[snapshot.view].rays();
+    options.litExposure = exposureOf(snapshot, options);
     options.histories = &histories_;
     const auto took = [&](double seconds) {
       cost.traceSeconds = seconds;
@@ -102,6 +106,19 @@ class Renderer::Engine {
     return render::hasLight(snapshot) && snapshot.lightSampling.mode == scene::LightSampling::Mode::moving;
   }
 
+  /// The factor for lit surfaces. Parts of a view that other processes have are not measured.
+  float exposureOf(const scene::Snapshot& snapshot, const render::TraceOptions& options) {
+    if (!render::wantsMeter(snapshot)) return 1;
+    if (options.remote) {
+      log::once(log::Level::warning, "auto-exposure",
+                "auto-exposure: this process has a part of the view only; set gather, or exposure");
+      return 1;
+    }
+    const timeline::Span span("meter");
+    return exposures_.exposureOf(snapshot,
+                                 [&] { return render::meteredExposure(snapshot, *world_, *arena_); });
+  }
+
   static constexpr size_t kMaxPaces = 64;
 
   void prepareArena(int threads) {
@@ -119,6 +136,7 @@ class Renderer::Engine {
   // Of moving frames, by view; none while light is off.
   render::LightHistories histories_;
   std::map<uint64_t, Pace> paces_;
+  ViewExposures exposures_;
 };
 
 /// Locks the engine before calls behind all others.

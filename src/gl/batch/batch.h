@@ -4,6 +4,7 @@
 #include "gl/batch/program_draw.h"
 #include "gl/batch/snapshot_memory.h"
 #include "gl/state/state.h"
+#include "scene/effects.h"
 #include "scene/snapshot.h"
 
 #include <memory>
@@ -82,6 +83,9 @@ class Batch {
   bool holdsData() const;
   /// Traces the batch as if no setting changed images.
   void dropImageChanges() { snapshot_->settings = snapshot_->settings.withoutImageChanges(); }
+  /// Leaves surfaces the program's own light.
+  void dropLight() { scene::dropLight(snapshot_->settings); }
+  void setUpwardAxis(LightsUp axis) { snapshot_->settings.lights.up = axis; }
   /// Sets the number of the view's frame to which the batch belongs.
   void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
   void setLightMode(scene::LightSampling::Mode mode) { snapshot_->lightSampling.mode = mode; }

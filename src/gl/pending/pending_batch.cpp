@@ -94,7 +94,11 @@ void PendingBatch::takeResult(const PresentResult& result, bool known) {
 void PendingBatch::attachSecondaryScene() {
   capturedSurfaces.collect(batch);
   const bool isSeen = p_.clock.shows || (batch.key().framebuffer == 0 && !p_.clock.reads);
-  if (!isSeen && batch.holdsData()) batch.dropImageChanges();
+  const bool isData = !isSeen && batch.holdsData();
+  const bool isInset = !isData && p_.surfaces.views.isLeftAlone(batch.key(), batch.waiting());
+  if (isData) batch.dropImageChanges();
+  if (isInset) batch.dropLight();
+  batch.setUpwardAxis(p_.surfaces.views.upwardAxisOf(batch.key(), batch.waiting()));
   if (batch.key().layers != BatchKey::Layers::visibility)
     p_.surfaces.objects.number(batch.key(), batch.unnumbered());
   const uint64_t frame = p_.surfaces.views.frameOf(batch.key(), batch.waiting());
@@ -104,7 +108,10 @@ void PendingBatch::attachSecondaryScene() {
     batch.setLightMode(p_.clock.offscreenMode({region.width, region.height}, frame));
   }
   const bool isLast = p_.clock.shows && batch.key().framebuffer == 0 && p_.shadow.info.doubleBuffered;
-  batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting(), isLast));
+  if (isData || isInset)
+    batch.setSecondaryScene(nullptr);
+  else
+    batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting(), isLast));
   batch.setExtent(p_.surfaces.views.extentOf(batch.waiting()));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());
 }

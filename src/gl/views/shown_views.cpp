@@ -23,6 +23,14 @@ bool ShownViews::mayStand(const BatchKey& key, uint64_t frame) const {
   });
 }
 
+bool ShownViews::isInset(const BatchKey& key, uint64_t frame) const {
+  const auto area = [](const glm::ivec4& v) { return int64_t{v.z} * v.w; };
+  return std::any_of(views_.begin(), views_.end(), [&](const View& v) {
+    const bool same = v.frame == frame && v.framebuffer == key.framebuffer && v.drawBuffer == key.drawBuffer;
+    return same && contains(v.viewport, key.viewport) && 4 * area(key.viewport) <= area(v.viewport);
+  });
+}
+
 std::optional<ShownViews::Clear> ShownViews::mayPaint(const BatchKey& key, const scene::Region& region,
                                                       uint64_t frame) const {
   const bool painted = std::any_of(views_.begin(), views_.end(), [&](const View& v) {
@@ -62,7 +70,8 @@ void ShownViews::colorCleared(const Clear& clear) {
 }
 
 bool wantsShownViews(const Settings& settings) {
-  return scene::wantsGround(settings) || scene::wantsBackdrop(settings);
+  return scene::wantsGround(settings) || scene::wantsBackdrop(settings) ||
+         (scene::changesLight(settings) && !settings.lights.insets);
 }
 
 bool holdsLitSurface(const scene::Snapshot& s) {

@@ -16,6 +16,9 @@ class ShownViews {
   /// Whether the batch may begin to show a ground: not in an inset, such as an orientation marker, which lies
   /// within a view that was drawn before it; and not in a further layer over a view that has one.
   bool mayStand(const BatchKey&, uint64_t frame) const;
+  /// Whether the batch belongs to a small view inside another one that was drawn before it, such as an
+  /// orientation marker: at most a quarter of its area.
+  bool isInset(const BatchKey&, uint64_t frame) const;
   struct Clear {
     GLuint framebuffer;
     scene::Region box;

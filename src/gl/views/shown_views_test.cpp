@@ -41,6 +41,18 @@ TEST(ShownViews, InsetsAreThoseOfViewsWithoutGround) {
   EXPECT_TRUE(views.mayStand(keyAt(kWindow), 1)) << "its first batch held nothing lit";
 }
 
+TEST(ShownViews, SmallViewsInsideOthersAreInsets) {
+  ShownViews views;
+  EXPECT_FALSE(views.isInset(keyAt(kMarker), 1)) << "nothing is around it";
+  views.traced(keyAt(kWindow), drawn(1, scene::GroundUse::none));
+  EXPECT_TRUE(views.isInset(keyAt(kMarker), 1));
+  EXPECT_FALSE(views.isInset(keyAt(kWindow), 1)) << "a further layer";
+  EXPECT_FALSE(views.isInset(keyAt({0, 0, 400, 400}), 1)) << "a third of the window";
+  EXPECT_TRUE(views.isInset(keyAt({400, 300, 400, 300}), 1)) << "a quarter";
+  EXPECT_FALSE(views.isInset(keyAt(kBeside), 1));
+  EXPECT_FALSE(views.isInset(keyAt(kMarker), 2)) << "the next frame";
+}
+
 TEST(ShownViews, AClearOfColoursBeginsAnew) {
   ShownViews views;
   views.traced(keyAt(kWindow), drawn(1));

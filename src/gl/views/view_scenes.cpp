@@ -126,6 +126,14 @@ uint64_t ViewScenes::frameOf(const BatchKey& key, const scene::Snapshot& s) noex
   } catch (const std::exception&) { return 0; }  // no memory
 }
 
+LightsUp ViewScenes::upwardAxisOf(const BatchKey& key, const scene::Snapshot& s) noexcept {
+  if (s.settings.lights.up != LightsUp::automatic) return s.settings.lights.up;
+  if (!scene::changesLight(s.settings) && !scene::wantsGround(s.settings)) return LightsUp::automatic;
+  try {
+    return axes_.axisOf(key, s);
+  } catch (const std::exception&) { return LightsUp::automatic; }  // no memory
+}
+
 scene::GroundUse ViewScenes::groundOf(const BatchKey& key, const scene::Snapshot& s) noexcept {
   using scene::GroundUse;
   if (!scene::wantsGround(s.settings)) return GroundUse::none;

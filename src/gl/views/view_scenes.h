@@ -4,8 +4,10 @@
 #pragma once
 #include "gl/views/scene_extents.h"
 #include "gl/views/shown_views.h"
+#include "gl/views/upward_axes.h"
 #include "gl/views/view_epoch.h"
 #include "gl/views/view_frames.h"
+#include "scene/effects.h"
 #include "scene/secondary_scene.h"
 
 #include <algorithm>
@@ -33,6 +35,12 @@ class ViewScenes {
   /// What the setting `ground` means to that batch: the first opaque one of a view that holds a lit surface
   /// shows it.
   scene::GroundUse groundOf(const BatchKey&, const scene::Snapshot&) noexcept;
+  /// Whether effects of light leave the batch alone, because its view is an inset of another one.
+  bool isLeftAlone(const BatchKey& key, const scene::Snapshot& s) const {
+    return scene::changesLight(s.settings) && !s.settings.lights.insets && shown_.isInset(key, s.frame);
+  }
+  /// The setting lights.up of the batch, found from its camera if it is `auto`.
+  LightsUp upwardAxisOf(const BatchKey&, const scene::Snapshot&) noexcept;
   /// The batch was traced, or surely will be: it belongs to its view. `image`: of surfaces that the real
   /// OpenGL has drawn, instead.
   void traced(const BatchKey&, const scene::SnapshotPtr&,
@@ -76,7 +84,7 @@ class ViewScenes {
   uint64_t frameOf(const BatchKey&, const scene::Snapshot&) noexcept;
   /// As depthCleared() for the window, whose content is undefined after a swap.
   void swapped() noexcept;
-  void forget() { open_.clear(), ended_.clear(), shown_.clear(), extents_.clear(); }
+  void forget() { open_.clear(), ended_.clear(), shown_.clear(), extents_.clear(), axes_.clear(); }
   bool empty() const { return open_.empty() && ended_.empty() && shown_.empty(); }
 
  private:
@@ -93,6 +101,7 @@ class ViewScenes {
   ShownViews shown_;             // while settings ask for a ground or a background
   ViewFrames frames_;
   SceneExtents extents_;
+  UpwardAxes axes_;
   uint64_t clock_ = 0;  // counts ends
 };
 

@@ -69,7 +69,8 @@ AmbientOcclusion::AmbientOcclusion(const FrameData& of, const Metric& m, const O
       samples(samplesOf(of, of.snapshot->settings.ao.samples)),
       radius(of.snapshot->settings.ao.distance > 0 ? of.snapshot->settings.ao.distance
                                                    : of.snapshot->settings.ao.radius * metric.diagonal),
-      strength(of.snapshot->settings.ao.strength) {}
+      strength(of.snapshot->settings.ao.strength),
+      interreflects(of.snapshot->settings.ao.interreflection) {}
 
 void AmbientOcclusion::estimate(const AskedPoints& asked, Visibility& visibility) const noexcept {
   HWY_DYNAMIC_DISPATCH(occlude)(*this, asked, visibility.occlusion);

@@ -4,6 +4,8 @@
 #include "render/integrators/metric.h"
 #include "render/integrators/occluders.h"
 
+#include <algorithm>
+
 namespace gluray::render {
 
 /// The unoccluded part of the hemisphere above a point,
@@ -21,6 +23,16 @@ struct AmbientOcclusion {
   int samples;     // rays a point, >= 1; noise falls as 1/sqrt(samples)
   float radius;    // eye space
   float strength;  // 0: no effect, 1: full
+  bool interreflects;
+
+  /// The fraction of light that arrives where `seen` of the hemisphere is unoccluded, with what surfaces of
+  /// this reflectance around the point reflect. Source: Jimenez, Wu, Pesce, Jarabo, "Practical Real-Time
+  /// Strategies for Accurate Indirect Occlusion", 2016, section 5.
+  static float withReflections(float seen, float reflectance) {
+    const float a = 2.0404f * reflectance - 0.3324f, b = -4.7951f * reflectance + 0.6417f,
+                c = 2.7552f * reflectance + 0.6903f;
+    return std::max(seen, ((seen * a + b) * seen + c) * seen);
+  }
 };
 
 }  // namespace gluray::render

@@ -77,7 +77,9 @@ std::vector<float> SurfaceLight::meaning() const {
 void SurfaceLight::apply(const ColoredHits& hits, const Visibility& visibility,
                          ColorRows& rows) const noexcept {
   const ColorRows* direct = hits.direct;
-  ColorRows relitDirect, fog;
+  ColorRows relitDirect, fog, unshadowed;
+  const bool interreflects = occlusion_ && occlusion_->interreflects;
+  if (interreflects) unshadowed = rows;
   if (relight(hits, visibility, rows) && occlusion_ && direct) {
     shadeArriving(frame_.direct->surfaces[hits.instance], hits, visibility, nullptr, relitDirect);
     direct = &relitDirect;
@@ -86,7 +88,7 @@ void SurfaceLight::apply(const ColoredHits& hits, const Visibility& visibility,
   // Fog lies before the surface. It is in the direct look, too.
   if (!direct && hits.surface.lighting->shading->fog.mode != scene::Fog::off)
     fogAlone(hits, fog), direct = &fog;
-  occlude(hits, visibility, direct, rows);
+  occlude(visibility, direct, interreflects ? &unshadowed : nullptr, rows);
 }
 
 bool SurfaceLight::relight(const ColoredHits& hits, const Visibility& visibility, ColorRows& rows) const {
@@ -107,13 +109,16 @@ void SurfaceLight::shadeArriving(const Surface& surface, const ColoredHits& hits
   shadeAgain(frame_, surface, hits, arrival, rows);
 }
 
-/// `kept`: the part of the colours that stays as it is; null: none.
-void SurfaceLight::occlude(const ColoredHits&, const Visibility& visibility, const ColorRows* kept,
+void SurfaceLight::occlude(const Visibility& visibility, const ColorRows* kept, const ColorRows* reflectance,
                            ColorRows& rows) const {
   for (int c = 0; c < 3; ++c) {
     for (int i = 0; i < kLanes; ++i) {
       const float ambient = rows.value[c][i] - (kept ? kept->value[c][i] : 0);
-      rows.value[c][i] -= occlusion_->strength * (1 - visibility.occlusion[i]) * ambient;
+      float blocked = occlusion_->strength * (1 - visibility.occlusion[i]);
+      if (reflectance)
+        blocked = 1 - AmbientOcclusion::withReflections(1 - blocked,
+                                                        std::clamp(reflectance->value[c][i], 0.0f, 1.0f));
+      rows.value[c][i] -= blocked * ambient;
     }
   }
 }

@@ -28,7 +28,9 @@ class SurfaceLight final : public VisibilityIntegrator {
   bool relight(const ColoredHits&, const Visibility&, ColorRows&) const;
   void shadeArriving(const Surface&, const ColoredHits&, const Visibility&, const scene::Dome*,
                      ColorRows&) const;
-  void occlude(const ColoredHits&, const Visibility&, const ColorRows* kept, ColorRows&) const;
+  /// `kept`: the part of the colours that stays as it is; null: none. `reflectance`: the surfaces' colours
+  /// under their own light; null: occluded points get no reflected light.
+  void occlude(const Visibility&, const ColorRows* kept, const ColorRows* reflectance, ColorRows&) const;
 
   const FrameData& frame_;
   Metric metric_;

@@ -1,6 +1,7 @@
 #include "render/frame_data/backdrop_look.h"
 
 #include "render/lights/make_environment.h"
+#include "render/resolve/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +10,9 @@
 namespace gluray::render {
 namespace {
 
-/// IEC 61966-2-1.
-float decoded(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
-
 /// A colour as people choose it on screens, as the framebuffer takes it.
 glm::vec3 asWritten(const glm::vec3& color, bool encodes) {
-  return encodes ? glm::vec3(decoded(color.r), decoded(color.g), decoded(color.b)) : color;
+  return encodes ? glm::vec3(decodedSrgb(color.r), decodedSrgb(color.g), decodedSrgb(color.b)) : color;
 }
 
 }  // namespace
@@ -34,6 +32,10 @@ BackdropLook::BackdropLook(const scene::Snapshot& s, const RaySetup& eyeRays)
   if (background.kind == BackgroundKind::gradient) bottom_ = asWritten(background.bottom, s.encodes);
   base_ = static_cast<float>(s.camera.viewport.y);
   height_ = static_cast<float>(std::max(s.camera.viewport.w, 1));
+}
+
+void BackdropLook::expose(const scene::Snapshot& s, float factor) {
+  if (environment_) tone_ = makeToneMap(s, factor);
 }
 
 glm::vec3 BackdropLook::at(float x, float y) const noexcept {

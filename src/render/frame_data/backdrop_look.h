@@ -24,6 +24,8 @@ class BackdropLook {
   bool covers(int x, int y) const {
     return isClear_.empty() || isClear_[static_cast<size_t>(y) * width_ + static_cast<size_t>(x)] != 0;
   }
+  /// Brightens an environment by a factor of linear light.
+  void expose(const scene::Snapshot&, float factor);
   /// Its colour at a window position, encoded as in the framebuffer.
   glm::vec3 at(float x, float y) const noexcept;
 

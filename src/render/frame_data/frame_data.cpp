@@ -181,7 +181,7 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   averages = target.isAverages();
   const int samples = averages ? 1 : s.samples;
   oncePerPixel = samples > 1 && s.settings.shading != ShadingRate::sample;
-  tone = makeToneMap(s);
+  tone = litTone = makeToneMap(s);
   if (s.settings.look == Look::honest) honest.emplace(s), relit = nullptr;
   addLightings(*this);
   const View view(s.camera);
@@ -199,6 +199,11 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
   if (s.catches && !lens && !averages) knownDepths = findKnownDepths(s, rays, w);
   if (s.secondaryScene) addSecondaryScene(view);
   if (relit) lamps = makeLamps(s, *relit, eyeRays, depth);
+}
+
+void FrameData::exposeLit(float factor) {
+  litTone = makeToneMap(*snapshot, factor);
+  if (backdrop) backdrop->expose(*snapshot, factor);
 }
 
 /// After all that rays from the viewer meet is known: they do not meet these.

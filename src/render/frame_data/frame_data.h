@@ -69,7 +69,8 @@ struct FrameData {
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: local look only
   RemoteSurfaces* remote = nullptr;        // null: no other process has surfaces of this view
-  std::optional<ToneMap> tone;             // none: colours stay
+  std::optional<ToneMap> tone;             // of unlit surfaces and visible lights; none: colours stay
+  std::optional<ToneMap> litTone;          // of surfaces with lighting
   std::unique_ptr<const Lamps> lamps;      // null: no visible lights
   std::optional<KnownDepths> knownDepths;  // of catchers; none: their rays are not shortened
   const DirectLook* direct = nullptr;      // the surfaces without ambient light, if the integrator needs them
@@ -87,11 +88,15 @@ struct FrameData {
   /// std::runtime_error if a matrix cannot be inverted.
   FrameData(const scene::Snapshot& snapshot, const accel::World& world, Image& image);
   ~FrameData();
+  /// Brightens lit surfaces, and the environment behind them, by a factor of linear light.
+  void exposeLit(float factor);
+  /// Colours become auxiliary features, which no tone map changes.
+  void dropTones() { tone.reset(), litTone.reset(); }
   const std::vector<scene::Shading>& shadings() const;
   /// Index into shadings() and lightings of one of the snapshot's instances.
   uint32_t shadingOf(size_t instance) const;
   /// Whether anything changes the colours of the local look.
-  bool changesColors() const { return integrator || tone; }
+  bool changesColors() const { return integrator || tone || litTone; }
 
  private:
   void prepareAverages();

@@ -2,6 +2,7 @@
 
 #include "scene/box_corner.h"
 #include "scene/secondary_scene.h"
+#include "scene/upward_axis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ std::optional<GroundPlace> placeGround(const scene::Snapshot& s) {
   const glm::dvec3 axes = axesOf(s.eyeFromWorld * worldFromView);
   const Box box = boundsOf(s, viewFromWorld, axes);
   if (!box.isFinite()) return std::nullopt;
-  const int up = static_cast<int>(s.settings.lights.up), right = (up + 1) % 3, front = (up + 2) % 3;
+  const int up = scene::upwardAxis(s.settings), right = (up + 1) % 3, front = (up + 2) % 3;
   const double diagonal = glm::length(axes * (box.upper - box.lower));
   const double size = double{s.settings.ground.size} * diagonal / 2;
   const double half = std::exp2(std::ceil(std::log2(size / axes[up])));

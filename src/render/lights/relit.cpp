@@ -26,6 +26,28 @@ LightSource headlight(float strength, const Viewer& away) {
   return light;
 }
 
+/// Ambient light stays.
+void dim(scene::Shading& s, float factor) {
+  const auto scale = [&](glm::vec4& color) { color = glm::vec4(glm::vec3(color) * factor, color.a); };
+  for (scene::Light& light : s.lights) scale(light.diffuse), scale(light.specular);
+  for (FragmentLight& light : s.fragment.lights) light.color *= factor, light.highlight *= factor;
+}
+
+/// The sum of the diffuse colours of a lit shading's lights, of the shading where it is brightest; white
+/// where none has lights.
+glm::vec3 colorOfLights(const std::vector<scene::Shading>& shadings) {
+  const auto most = [](const glm::vec3& c) { return std::max(c.r, std::max(c.g, c.b)); };
+  glm::vec3 brightest(0);
+  for (const scene::Shading& s : shadings) {
+    if (!isLit(s)) continue;
+    glm::vec3 sum(0);
+    for (const scene::Light& light : s.lights) sum += glm::vec3(light.diffuse);
+    for (const FragmentLight& light : s.fragment.lights) sum += light.color;
+    if (most(sum) > most(brightest)) brightest = sum;
+  }
+  return most(brightest) > 0 ? brightest / most(brightest) : glm::vec3(1);
+}
+
 class Relighter {
  public:
   /// Without a rig, the program's lights stay.
@@ -74,8 +96,9 @@ class Relighter {
     out_.instances[i].lightingFromObject = lighting;
   }
 
-  /// Leaves it the rig's light at the viewer alone.
+  /// Leaves it the program's lights, dimmed, or the rig's light at the viewer alone.
   void lightByRig(scene::Shading& s) const {
+    if (rig_->program > 0) return dim(s, rig_->program);
     s.lights.clear(), s.fragment.lights.clear();
     if (!(rig_->headlight > 0)) return;
     if (isProgram(s))
@@ -109,7 +132,8 @@ std::shared_ptr<const Relit> relight(const scene::Snapshot& snapshot, const RayS
   if (settings.rig == LightRig::program && settings.file.empty()) return nullptr;
   const auto added = lightsOf(settings.file);
   const Directions camera = cameraDirections(eyeRays, snapshot.camera.viewport);
-  const std::optional<Rig> rig = makeRig(snapshot.settings, snapshot.eyeFromWorld, camera);
+  std::optional<Rig> rig = makeRig(snapshot.settings, snapshot.eyeFromWorld, camera);
+  if (rig && rig->program > 0) rig->lights.front().color = colorOfLights(snapshot.shadings);
   if (!rig && (!added || added->empty())) return nullptr;
   auto relit = std::make_shared<Relit>();
   if (rig) relit->sources = rig->lights, relit->dome = rig->dome;

@@ -1,5 +1,7 @@
 #include "render/lights/rig.h"
 
+#include "scene/upward_axis.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,7 @@ float strongest(float share, float cosine) {
 }
 
 bool onCamera(const Settings::Lights& s) {
-  if (s.attached == LightsAttached::automatic) return s.rig == LightRig::threePoint;
+  if (s.attached == LightsAttached::automatic) return s.rig != LightRig::sun && s.rig != LightRig::sky;
   return s.attached == LightsAttached::camera;
 }
 
@@ -71,7 +73,7 @@ Directions cameraDirections(const RaySetup& eyeRays, const glm::ivec4& viewport)
 
 Directions rigDirections(const Settings& settings, const glm::dmat4& eyeFromWorld, const Directions& camera) {
   const Settings::Lights& s = settings.lights;
-  return onCamera(s) ? camera : sceneDirections(eyeFromWorld, static_cast<int>(s.up));
+  return onCamera(s) ? camera : sceneDirections(eyeFromWorld, scene::upwardAxis(settings));
 }
 
 std::optional<Rig> makeRig(const Settings& settings, const glm::dmat4& eyeFromWorld,
@@ -84,11 +86,11 @@ std::optional<Rig> makeRig(const Settings& settings, const glm::dmat4& eyeFromWo
   const float share = 1 / s.ratio;
   Rig rig;
   rig.dome.up = glm::vec3(d.up);
-  if (s.rig == LightRig::headlightAndKey) {
+  if (s.rig == LightRig::headlightAndKey || s.rig == LightRig::programAndKey) {
     // As if the scene were seen from its front: brightness stays the same while the camera moves.
     const float strength = s.strength * strongest(share, glm::dot(key, glm::vec3(d.front)));
     rig.lights = {distant(key, strength)};
-    rig.headlight = strength * share;
+    (s.rig == LightRig::headlightAndKey ? rig.headlight : rig.program) = strength * share;
   } else if (s.rig == LightRig::threePoint) {
     const glm::vec3 fill = d.towards(s.azimuth - 90.0, s.elevation / 3.0),
                     behind = d.towards(s.azimuth + 180.0, s.elevation);

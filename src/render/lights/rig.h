@@ -34,6 +34,7 @@ Directions rigDirections(const Settings&, const glm::dmat4& eyeFromWorld, const 
 struct Rig {
   std::vector<scene::LightSource> lights;
   float headlight = 0;  // strength of the light at the viewer; 0: none
+  float program = 0;    // factor of the program's lights; 0: the rig replaces them
   scene::Dome dome;
 };
 

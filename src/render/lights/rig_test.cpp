@@ -27,23 +27,27 @@ TEST(Rig, IsNoneForTheProgramsLights) { EXPECT_FALSE(makeRig(with(LightRig::prog
 TEST(Rig, KeyComesFromTheUpperRightFrontWhicheverAxisIsUp) {
   for (const LightsUp up : {LightsUp::x, LightsUp::y, LightsUp::z}) {
     Settings s = with(LightRig::headlightAndKey);
-    s.lights.up = up;
+    s.lights.up = up, s.lights.azimuth = 45, s.lights.attached = LightsAttached::scene;
     const glm::vec3 towards = -makeRig(s, glm::dmat4(1))->lights[0].direction;
     EXPECT_GT(glm::dot(towards, glm::normalize(glm::vec3(1))), 0.9999f);
   }
 }
 
-TEST(Rig, KeyStaysInTheSceneAndThreePointsStayWithTheCamera) {
+TEST(Rig, KeyStaysWithTheCameraAndTheSunInTheScene) {
   const glm::dmat4 turned =
       glm::rotate(glm::dmat4(1), glm::radians(70.0), glm::normalize(glm::dvec3(1, 2, 3)));
   const auto keyOf = [](const Settings& s, const glm::dmat4& m) {
     return glm::dvec3(makeRig(s, m)->lights[0].direction);
   };
-  Settings s = with(LightRig::headlightAndKey);
+  for (const LightRig rig : {LightRig::headlightAndKey, LightRig::programAndKey, LightRig::threePoint}) {
+    Settings s = with(rig);
+    EXPECT_EQ(keyOf(s, turned), keyOf(s, glm::dmat4(1)));
+    s.lights.attached = LightsAttached::scene;
+    EXPECT_LT(glm::length(keyOf(s, turned) - glm::dmat3(turned) * keyOf(s, glm::dmat4(1))), 1e-6);
+  }
+  Settings s = with(LightRig::sun);
   EXPECT_LT(glm::length(keyOf(s, turned) - glm::dmat3(turned) * keyOf(s, glm::dmat4(1))), 1e-6);
   s.lights.attached = LightsAttached::camera;
-  EXPECT_EQ(keyOf(s, turned), keyOf(s, glm::dmat4(1)));
-  s = with(LightRig::threePoint);
   EXPECT_EQ(keyOf(s, turned), keyOf(s, glm::dmat4(1)));
 }
 
@@ -87,6 +91,26 @@ TEST(Rig, IsAboutAsBrightAsAHeadlight) {
       EXPECT_LT(full, count / 20) << "blown out by " << static_cast<int>(rig);
       EXPECT_NEAR(sum / static_cast<float>(count), 170, 45) << static_cast<int>(rig);
     }
+}
+
+TEST(Rig, KeepsTheProgramsLightsBesideItsKey) {
+  for (const Shader shader : {Shader::fixedFunction, Shader::phong}) {
+    scene::Snapshot s = test::litView({test::ballMesh(60)}, shader, {0, 0, 1, 0});
+    s.settings.shadows.enabled = false;
+    for (scene::Light& light : s.shadings[0].lights) light.diffuse = {0, 0.5f, 0, 1}, light.specular = {};
+    for (scene::FragmentLight& light : s.shadings[0].fragment.lights) light.color = {0, 0.5f, 0};
+    s.settings.lights.rig = LightRig::programAndKey;
+    const Traced traced = test::trace(s);
+    int greens = 0;
+    for (int y = 0; y < test::kLitSize; ++y)
+      for (int x = 0; x < test::kLitSize; ++x) {
+        if (!traced.hit(x, y)) continue;
+        const glm::vec4 color = traced.color(x, y);
+        EXPECT_LE(color.r, 0) << "the key has the colour of the program's light";
+        greens += color.g > 60 ? 1 : 0;
+      }
+    EXPECT_GT(greens, 300);
+  }
 }
 
 TEST(Rig, LightsFixedFunctionAndProgramsAlike) {

@@ -151,7 +151,8 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
     }
     (collects ? frame.collector : frame.integrator)->light(hits, rows);
   }
-  if (frame.tone) frame.tone->apply(rows);
+  const bool lit = isLit(*frame.surfaces[instance].lighting->shading);
+  if (const auto& tone = lit ? frame.litTone : frame.tone) tone->apply(rows);
 }
 
 /// Whether the integrator shades hits again, and no alpha decides whether they are there.

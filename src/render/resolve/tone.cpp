@@ -46,6 +46,16 @@ HWY_INLINE Float3 reinhard(const Float3& c) {
   return scaled(c, hn::Div(splat(1), hn::Add(splat(1), luminance)));
 }
 
+/// Slope 1 at its start.
+HWY_INLINE Float3 shoulder(const Float3& c) {
+  constexpr float kStart = 0.6f, kRest = 1 - kStart;
+  const Float most = hn::Max(c.x, hn::Max(c.y, c.z)), start = splat(kStart);
+  const Float fading = power(splat(2.71828183f), hn::Mul(hn::Sub(start, most), splat(1 / kRest)));
+  const Float bent = hn::MulAdd(hn::Sub(splat(1), fading), splat(kRest), start);
+  const Float factor = hn::Div(bent, hn::Max(most, start));
+  return scaled(c, hn::IfThenElse(hn::Gt(most, start), factor, splat(1)));
+}
+
 template <class Curve>
 HWY_INLINE Float3 each(const Float3& c, Curve&& curve) {
   return {curve(c.x), curve(c.y), curve(c.z)};
@@ -59,6 +69,7 @@ HWY_INLINE Float3 bent(Tone tone, const Float3& c) {
     case Tone::reinhard: return reinhard(c);
     case Tone::aces: return each(c, [](Float x) HWY_ATTR { return aces(x); });
     case Tone::filmic: return each(c, filmic);
+    case Tone::shoulder: return shoulder(c);
   }
   return c;
 }
@@ -89,11 +100,11 @@ HWY_EXPORT(applyTone);
 
 void ToneMap::apply(ColorRows& rows) const { HWY_DYNAMIC_DISPATCH(applyTone)(*this, rows); }
 
-std::optional<ToneMap> makeToneMap(const scene::Snapshot& snapshot) {
+std::optional<ToneMap> makeToneMap(const scene::Snapshot& snapshot, float factor) {
   const Settings& settings = snapshot.settings;
-  if (settings.look == Look::honest || (settings.exposure == 0 && settings.tone == Tone::none))
-    return std::nullopt;
-  return ToneMap{std::exp2(settings.exposure), settings.tone, !snapshot.encodes};
+  const bool acts = settings.exposure != 0 || settings.tone != Tone::none || factor != 1;
+  if (settings.look == Look::honest || !acts) return std::nullopt;
+  return ToneMap{factor * std::exp2(settings.exposure), settings.tone, !snapshot.encodes};
 }
 
 }  // namespace gluray::render

@@ -15,6 +15,8 @@ namespace gluray::render {
 ///   aces      K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015, with that page's exposure factor of 0.6
 ///   filmic    J. Hable, "Filmic Tonemapping Operators", 2010, with that page's exposure bias of 2 and white
 ///             at 11.2
+///   shoulder  the largest channel x becomes x up to a = 0.6 and a + (1 - a) (1 - exp((a - x) / (1 - a)))
+///             beyond; the others shrink with it
 struct ToneMap {
   float exposure = 1;  // factor of linear light
   Tone curve = Tone::none;
@@ -24,7 +26,7 @@ struct ToneMap {
   void apply(ColorRows&) const;
 };
 
-/// None if the settings do not change colours.
-std::optional<ToneMap> makeToneMap(const scene::Snapshot&);
+/// None if neither the settings nor `factor`, of linear light, change colours.
+std::optional<ToneMap> makeToneMap(const scene::Snapshot&, float factor = 1);
 
 }  // namespace gluray::render

@@ -33,13 +33,17 @@ glm::dvec3 expected(Tone tone, const glm::dvec3& linear) {
     case Tone::aces: return {aces(linear.x), aces(linear.y), aces(linear.z)};
     case Tone::filmic:
       return glm::dvec3(hable(2 * linear.x), hable(2 * linear.y), hable(2 * linear.z)) / hable(11.2);
+    case Tone::shoulder: {
+      const double most = std::max({linear.x, linear.y, linear.z});
+      return most <= 0.6 ? linear : linear * ((0.6 + 0.4 * (1 - std::exp((0.6 - most) / 0.4))) / most);
+    }
   }
   return {};
 }
 
 TEST(ToneMap, IsItsEquation) {
   test::withEachTarget([](int64_t) {
-    for (const Tone tone : {Tone::none, Tone::reinhard, Tone::aces, Tone::filmic}) {
+    for (const Tone tone : {Tone::none, Tone::reinhard, Tone::aces, Tone::filmic, Tone::shoulder}) {
       for (const float exposure : {0.25f, 1.0f, 8.0f}) {
         for (const bool sRgb : {false, true}) {
           ColorRows rows{};
@@ -67,7 +71,7 @@ TEST(ToneMap, IsItsEquation) {
 }
 
 TEST(ToneMap, KeepsBlackAndTakesAnyNumber) {
-  for (const Tone tone : {Tone::none, Tone::reinhard, Tone::aces, Tone::filmic}) {
+  for (const Tone tone : {Tone::none, Tone::reinhard, Tone::aces, Tone::filmic, Tone::shoulder}) {
     ColorRows rows{};
     rows.value[0][1] = std::numeric_limits<float>::quiet_NaN();
     rows.value[0][2] = std::numeric_limits<float>::infinity();

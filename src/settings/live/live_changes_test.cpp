@@ -31,8 +31,8 @@ TEST_F(Live, LiveValuesOverrideFiles) {
 
 TEST_F(Live, PresetsAreSetLiveByName) {
   live_.start(sources_);
-  EXPECT_EQ(whyOf({{"preset", "publication"}, {"spp", "2"}}), "");
-  EXPECT_EQ(source_.current()->preset, "publication");
+  EXPECT_EQ(whyOf({{"preset", "figure"}, {"spp", "2"}}), "");
+  EXPECT_EQ(source_.current()->preset, "figure");
   EXPECT_TRUE(source_.current()->shadows.enabled);
   EXPECT_EQ(spp(), 2);
   EXPECT_EQ(whyOf({{"preset", "draft"}}), "");

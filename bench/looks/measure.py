@@ -1,0 +1,81 @@
+"""What a reader sees of a look: a picture compared with the program's own.
+
+All quantities are over the pixels of surfaces. Luminance is that of displayed values, 0.2126 R + 0.7152 G + 0.0722 B, from 0 to 1.
+"""
+import dataclasses
+
+import numpy as np
+
+LOST_FROM, LOST_TO = 0.15, 0.06  # luminance of the program's own picture, and of one in which it is lost
+COLORFUL = 0.1                   # chroma from which hues count
+BINS = 32                        # of the colour map
+
+
+@dataclasses.dataclass
+class Measures:
+    brightness: float  # mean luminance over that of the program's own picture
+    lost: float        # share of pixels that became nearly black
+    hue: float         # mean change of hue in degrees, of colourful pixels
+    burnt: float       # share of pixels with a channel at 255 that was below 250
+    order: float       # rank correlation of mean luminance along the colour map; 1 without scalars
+    depth: float       # spread (from the 10th to the 90th percentile) of luminance over the program's own, around their median
+
+    LIMITS = {"brightness": (0.85, 1.15), "lost": (0, 0.01), "hue": (0, 6), "burnt": (0, 0.01), "order": (0.98, 1), "depth": (0.1, np.inf)}
+
+    def misses(self, but=()):
+        """Names of the figures that are out of their limits."""
+        return [name for name, (least, most) in self.LIMITS.items() if name not in but and not least <= getattr(self, name) <= most]
+
+
+def luminance(image):
+    return image @ (0.2126, 0.7152, 0.0722) / 255
+
+
+def hue(image):
+    """Degrees, and chroma from 0 to 1."""
+    r, g, b = (image[..., i] / 255 for i in range(3))
+    most, least = image.max(-1) / 255, image.min(-1) / 255
+    chroma = most - least
+    safe = np.where(chroma > 0, chroma, 1)
+    sector = np.where(most == r, (g - b) / safe % 6, np.where(most == g, (b - r) / safe + 2, (r - g) / safe + 4))
+    return 60 * sector, chroma
+
+
+def inner(mask):
+    """The pixels whose eight neighbours belong to the mask, too: edges that smoothing mixes with the background are left out."""
+    padded = np.pad(mask, 1)
+    height, width = mask.shape
+    return np.logical_and.reduce([padded[y:y + height, x:x + width] for y in range(3) for x in range(3)])
+
+
+def ranks(values):
+    order = np.empty(len(values))
+    order[np.argsort(values)] = np.arange(len(values))
+    return order
+
+
+def order_along_map(own, look, values):
+    """Rank correlation between the luminance of both pictures over equal ranges of the scalar. `values`: bytes, 0: no scalar."""
+    if not (values > 0).any():
+        return 1.0
+    which = (values.astype(int) * BINS) // 256
+    bins = [i for i in range(BINS) if ((which == i) & (values > 0)).sum() >= 50]
+    if len(bins) < 3:
+        return 1.0
+    means = [[picture[(which == i) & (values > 0)].mean() for i in bins] for picture in (own, look)]
+    return float(np.corrcoef(ranks(means[0]), ranks(means[1]))[0, 1])
+
+
+def measure(own, look, surfaces, values):
+    """`own`, `look`: bytes, height x width x 3; `surfaces`: of bools; `values`: bytes, height x width."""
+    surfaces = inner(surfaces)
+    own, look, values = own[surfaces].astype(float), look[surfaces].astype(float), values[surfaces]
+    a, b = luminance(own), luminance(look)
+    (hue_a, chroma_a), (hue_b, chroma_b) = hue(own), hue(look)
+    colorful = (chroma_a > COLORFUL) & (chroma_b > COLORFUL)
+    turned = np.abs((hue_b - hue_a + 180) % 360 - 180)[colorful]
+    seen = a > LOST_TO
+    gain = b[seen] / a[seen]
+    low, middle, high = np.percentile(gain, (10, 50, 90)) if seen.any() else (1, 1, 1)
+    return Measures(brightness=b.mean() / a.mean(), lost=float(((a > LOST_FROM) & (b < LOST_TO)).mean()), hue=float(turned.mean()) if turned.size else 0.0,
+                    burnt=float(((look == 255) & (own < 250)).any(-1).mean()), order=order_along_map(a, b, values), depth=float((high - low) / max(middle, 1e-6)))

@@ -1,0 +1,83 @@
+"""what looks do to pictures, as a reader sees them: brightness, lost details, hues, burnt pixels, order of colours, depth
+
+Twelve scenes by VTK (bench/looks/scenes.py), each in the program's own light and in each look (preset). Over the pixels of surfaces: mean luminance over the
+program's own; share of pixels that became nearly black; mean change of hue; share of pixels that became white or saturated; rank correlation of luminance
+along the colour map; and spread of light and shade over the program's own. A figure out of its limits (bench/looks/measure.py) is marked.
+Needs Debian's VTK (python3-vtk9 or python3-paraview). Pictures stay in FOLDER. Results go to bench/results/NAME.json.
+"""
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import time
+
+from support import machine, programs
+from support.display import display
+from support.options import Parser
+from support.telling import status_of
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+LOOKS = ["presentation", "figure", "streamlines", "molecule", "metal", "outdoor", "poster"]
+PYTHON = "/usr/bin/python3"  # Debian's, which has VTK
+
+
+def arguments(argv):
+    parser = Parser(__doc__, prog="scripts/bench looks")
+    parser.add_argument("--looks", default=",".join(LOOKS), help=f"presets ({','.join(LOOKS)})")
+    parser.add_argument("--scenes", default="", help="of bench/looks/scenes.py (all)")
+    parser.add_argument("--size", default="800x600", help="of the pictures (800x600)")
+    parser.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("/tmp/gluray-looks"), help="for the pictures (/tmp/gluray-looks)")
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--name", default="looks", help="name of the result file")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build" / "release", help="build folder")
+    options = parser.parse_args(argv)
+    options.looks, options.scenes = options.looks.split(","), [name for name in options.scenes.split(",") if name]
+    return options
+
+
+def drawn(options, environment, look=None):
+    """Draws the scenes in a look, or the program's own pictures. Returns seconds."""
+    folder = options.folder / (look or "own")
+    command = [PYTHON, "-B", ROOT / "bench" / "looks" / "draw.py", folder, options.size, *([] if look else ["--values"]), *options.scenes]
+    if look:
+        command = [options.build / "apps" / "gluray" / "gluray", "--threads", options.threads, "--preset", look, "--", *command]
+    began = time.monotonic()
+    done = subprocess.run([str(word) for word in command], env={**os.environ, **environment}, capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise programs.Failed(f"exit code {done.returncode}: {' '.join(map(str, command))}\n{done.stderr}")
+    return time.monotonic() - began, done.stdout.split()
+
+
+def measured(options, look, scene):
+    import numpy as np
+    from PIL import Image
+
+    sys.path.insert(0, str(ROOT / "bench" / "looks"))
+    from measure import measure
+
+    read = lambda folder, end, mode: np.asarray(Image.open(options.folder / folder / f"{scene}{end}").convert(mode))
+    surfaces = np.load(options.folder / "own" / f"{scene}.depth.npy") < 1
+    return measure(read("own", ".png", "RGB"), read(look, ".png", "RGB"), surfaces, read("own", ".values.png", "L"))
+
+
+def run(options, argv):
+    result = {"suite": "looks", "command": ("scripts/bench looks " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
+    programs.require(options.build / "apps" / "gluray" / "gluray")
+    with display() as name:
+        environment = {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads)}
+        own_seconds, scenes = drawn(options, environment)
+        for look in options.looks:
+            seconds, _ = drawn(options, environment, look)
+            print(f"{look}: {seconds:.0f} s (the program's own pictures: {own_seconds:.0f} s)", flush=True)
+            for scene in scenes:
+                figures = measured(options, look, scene)
+                print(f"  {scene:12} brightness {figures.brightness:.2f}  lost {100 * figures.lost:4.1f} %  hue {figures.hue:4.1f}  burnt {100 * figures.burnt:4.1f} %  "
+                      f"order {figures.order:.3f}  depth {figures.depth:.2f}  {' '.join(figures.misses())}", flush=True)
+                result["rows"].append({"look": look, "scene": scene, **{k: round(v, 4) for k, v in vars(figures).items()}, "misses": figures.misses()})
+    machine.write(ROOT, options.name, result)
+
+
+def main(argv):
+    options = arguments(argv)
+    return status_of(lambda: run(options, argv))
