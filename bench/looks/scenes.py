@@ -64,12 +64,12 @@ def wavelet(extent=40):
 
 
 def clip(renderer):
-    """A volume cut open, coloured by its value."""
-    plane = vtk.vtkPlane()
-    plane.SetNormal(-1, -0.4, -0.6)
+    """A volume with an eighth cut out, coloured by its value."""
+    box = vtk.vtkBox()
+    box.SetBounds(0, 30, 0, 30, 0, 30)
     source, clipped, surface = wavelet(20), vtk.vtkClipDataSet(), vtk.vtkDataSetSurfaceFilter()
     clipped.SetInputConnection(source.GetOutputPort())
-    clipped.SetClipFunction(plane)
+    clipped.SetClipFunction(box)
     surface.SetInputConnection(clipped.GetOutputPort())
     add(renderer, mapped(surface, (37, 277), bright(), "RTData"))
     return (1, 0.6, 0.9), (0, 1, 0), 1.2
@@ -79,7 +79,7 @@ def contours(renderer):
     """Nested isosurfaces in the colours of their values."""
     source, surfaces = wavelet(), vtk.vtkContourFilter()
     surfaces.SetInputConnection(source.GetOutputPort())
-    surfaces.GenerateValues(6, 100, 230)
+    surfaces.GenerateValues(12, 90, 240)
     add(renderer, mapped(surfaces, (90, 240)))
     return (0.8, 0.75, 1.0), (0, 1, 0), 1.2
 

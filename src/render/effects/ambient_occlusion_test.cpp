@@ -1,4 +1,5 @@
 // Ambient occlusion against scenes whose hidden share of the sky is known in closed form.
+#include "render/effects/ambient_occlusion.h"
 #include "render/testing/test_ball.h"
 #include "render/testing/test_targets.h"
 #include "render/testing/test_trace.h"

@@ -18,9 +18,11 @@ inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
   return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
 }
 
-/// Number of light samples at a point; the settings request `count`.
+/// Number of light samples at a point; the settings request `count` for a pixel. Pixels that average several
+/// samples share them among these.
 inline int samplesOf(const FrameData& frame, int count) {
-  return frame.moving ? std::min(count, frame.moving->rays.perPixel) : count;
+  if (frame.moving) return std::min(count, frame.moving->rays.perPixel);
+  return frame.averages ? frame.lightSamplesEach(count) : count;
 }
 
 /// Seeds of points: the seeds of their pixels, or in moving frames one sequence for all.

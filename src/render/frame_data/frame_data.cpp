@@ -228,6 +228,11 @@ const std::vector<scene::Shading>& FrameData::shadings() const {
   return relit ? relit->shadings : snapshot->shadings;
 }
 
+int FrameData::lightSamplesEach(int count) const {
+  const int each = static_cast<int>(samplePositions.size()) - (lens ? 1 : 0);
+  return std::max(1, (count + each - 1) / std::max(each, 1));
+}
+
 uint32_t FrameData::shadingOf(size_t instance) const {
   return relit ? relit->shadingOf[instance] : snapshot->instances[instance].shading;
 }

@@ -93,6 +93,8 @@ struct FrameData {
   /// Colours become auxiliary features, which no tone map changes.
   void dropTones() { tone.reset(), litTone.reset(); }
   const std::vector<scene::Shading>& shadings() const;
+  /// Of averages: how many of a pixel's `count` light samples each of its samples takes; at least 1.
+  int lightSamplesEach(int count) const;
   /// Index into shadings() and lightings of one of the snapshot's instances.
   uint32_t shadingOf(size_t instance) const;
   /// Whether anything changes the colours of the local look.

@@ -206,7 +206,7 @@ TEST(Rig, CastsShadowsOfItsKeyAlone) {
   for (const Shader shader : {Shader::fixedFunction, Shader::phong}) {
     scene::Snapshot s = test::litView({test::wall(), test::screen()}, shader, {0, 0, 1, 0});
     s.settings.lights.rig = LightRig::headlightAndKey;
-    s.settings.lights.elevation = 0;
+    s.settings.lights.azimuth = 45, s.settings.lights.elevation = 0;
     const Traced traced = test::trace(s);
     const float lit = traced.color(4, 32).g, dark = traced.color(60, 32).g;
     EXPECT_NEAR(lit, 255 * 0.841f, 6) << "both lights, the key at 45 degrees";

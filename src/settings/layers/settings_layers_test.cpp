@@ -171,8 +171,8 @@ TEST(Presets, AreAllRight) {
       EXPECT_EQ(readValue(*findSetting(v.name), v.value, session), "") << preset.name << ": " << v.name;
     }
   }
-  EXPECT_EQ(names, (std::vector<std::string>{"draft", "honest", "presentation", "figure", "poster", "streamlines",
-                                                    "molecule", "metal", "outdoor", "ospray"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"draft", "honest", "presentation", "figure", "poster",
+                                             "streamlines", "molecule", "metal", "outdoor", "ospray"}));
 }
 
 TEST_F(LayersOf, WrongProfilesAreReported) {
