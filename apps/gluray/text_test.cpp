@@ -116,6 +116,18 @@ functions that the program looked up and GLuRay does not know: it does not see c
 )");
 }
 
+TEST(Text, CompositionInTheStencilBufferIsExplained) {
+  json composed = report();
+  json& kinds = composed["explain"]["kinds"];
+  kinds.push_back(kind("surfaces", "glBegin", 4454, 4736, 1.0, "colour mask", {"stencil", "cull"}));
+  kinds.push_back(kind("surfaces", "glBegin", 9, 12, 1.0, "colour mask", {"cull"}));
+  const std::string text = explanationText(composed);
+  EXPECT_NE(text.find("  The program composes surfaces with the stencil buffer"), text.npos) << text;
+  EXPECT_NE(text.find("4 454 draws"), text.npos) << text;
+  kinds.erase(kinds.size() - 2);
+  EXPECT_EQ(explanationText(composed).find("composes"), text.npos);
+}
+
 TEST(Text, ProgramsThatDrawNothingAreExplainedToo) {
   json empty = report();
   empty["explain"]["kinds"] = json::array();

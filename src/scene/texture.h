@@ -65,6 +65,7 @@ struct Texture {
   float lodBias = 0;  // sum of the unit's and the texture's
   float minLod = -1000, maxLod = 1000;
   float maxAnisotropy = 1;  // above 1: of two-dimensional textures, as llvmpipe filters them
+  bool byteFilter = false;  // filters of texels with eight bits round to eight bits, as llvmpipe's do
   glm::vec4 borderColor{0};
   TexEnv env = TexEnv::modulate;
   Combine combine;  // where env is TexEnv::combine

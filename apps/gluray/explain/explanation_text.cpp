@@ -52,6 +52,27 @@ std::string drawTable(const json& kinds, double frames) {
   return table.text("  ");
 }
 
+/// Says that the program composes surfaces in the stencil buffer; empty where it does not.
+std::string stencilLines(const json& kinds) {
+  uint64_t draws = 0;
+  for (const json& kind : kinds) {
+    const json& state = kind.at("state");
+    if (std::find(state.begin(), state.end(), "stencil") != state.end() &&
+        text(kind, "reason") == "colour mask")
+      draws += number(kind, "count");
+  }
+  if (draws == 0) return "";
+  return wrapped(
+      "The program composes surfaces with the stencil buffer, as OpenCSG does to show differences and "
+      "intersections of solids: " +
+          grouped(draws) +
+          " draws count surfaces in the stencil buffer without drawing colours. These counts decide what "
+          "later "
+          "draws show. A ray finds the nearest surface and does not count, so the real OpenGL makes all of "
+          "these draws.",
+      100, "  ");
+}
+
 std::string tracingLine(const json& report) {
   const json& ms = report.at("ms");
   const auto part = [&](const char* name) { return fixed(ms.at(name).get<double>(), 3); };
@@ -215,6 +236,7 @@ std::string explanationText(const json& report) {
   const json& explain = report.at("explain");
   const double frames = std::max(1.0, report.at("frames").get<double>());
   return heading(report) + "\ndraws, of all frames\n" + drawTable(explain.at("kinds"), frames) +
+         stencilLines(explain.at("kinds")) +
          reasonsLine("large draws that were not culled", explain.value("notCulled", json::object())) +
          litLines(report) + tracingLine(report) + lightLine(report) + lagLine(report) +
          programLines(explain.value("programs", json::array())) + "\ncontexts, through the door " +

@@ -137,10 +137,11 @@ void fields(auto& archive, Like<scene::TexGen> auto& value) {
 }
 void fields(auto& archive, Like<scene::Texture> auto& value) {
   auto& [image, target, unit, wrapS, wrapT, wrapR, seamless, magFilter, minFilter, mipFilter, lodRule,
-         lodBias, minLod, maxLod, maxAnisotropy, borderColor, env, combine, envColor, texGen, textureMatrix] =
-      value;
+         lodBias, minLod, maxLod, maxAnisotropy, byteFilter, borderColor, env, combine, envColor, texGen,
+         textureMatrix] = value;
   archive(image, target, unit, wrapS, wrapT, wrapR, seamless, magFilter, minFilter, mipFilter, lodRule,
-          lodBias, minLod, maxLod, maxAnisotropy, borderColor, env, combine, envColor, texGen, textureMatrix);
+          lodBias, minLod, maxLod, maxAnisotropy, byteFilter, borderColor, env, combine, envColor, texGen,
+          textureMatrix);
 }
 void fields(auto& archive, Like<scene::Shading> auto& value) {
   auto& [lighting, smooth, twoSided, localViewer, separateSpecular, colorSum, normalize, rescaleNormal,

@@ -75,6 +75,7 @@ scene::Shading shading() {
   s.fragment.paintsBack = true, s.fragment.backColor = {0.5f, 0.25f, 1};
   s.fragment.edgeColor = {1, 0, 0.5f};
   s.textures[0].maxAnisotropy = 4;
+  s.textures[0].byteFilter = true;
   scene::PbrSurface& pbr = s.fragment.pbr;
   pbr.textures = {s.textures[0]}, pbr.material = 0, pbr.occlusionStrength = 0.5f, pbr.normalScale = 2;
   pbr.environment.brdf = {s.textures[0]};

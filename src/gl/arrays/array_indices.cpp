@@ -141,13 +141,15 @@ std::vector<Triangle> sampleTriangles(const RealGl& real, const ArrayState& arra
   const size_t indexBytes = e.type == GL_UNSIGNED_INT ? 4 : e.type == GL_UNSIGNED_SHORT ? 2 : 1;
   const ArrayReader reader(real, arrays.vertex);
   std::vector<Triangle> triangles;
-  for (GLsizei at = 0; at + 2 < e.count; at += step) {
+  // In 64 bits: counts reach up to the largest GLsizei.
+  for (int64_t at = 0; at + 2 < e.count; at += step) {
+    if (!e.type && e.first + at > std::numeric_limits<GLint>::max()) break;
     Elements three = e;
     three.count = 3;
     if (e.type)
       three.indices = static_cast<const std::byte*>(e.indices) + static_cast<size_t>(at) * indexBytes;
     else
-      three.first = e.first + at;
+      three.first = static_cast<GLint>(e.first + at);
     Triangle triangle;
     bool exists = true;
     const std::vector<uint32_t> numbers = vertexNumbers(real, arrays, three);

@@ -25,6 +25,22 @@ int mesaVersionOf(const GLubyte* text) {
   return at == all.npos ? 0 : parseVersion(text + at + kName.size(), 100);
 }
 
+bool filtersBytes(const GLubyte* renderer, const GLubyte* version, const char* tuning) {
+#if defined(__x86_64__) || defined(__i386__)
+  const bool rounds = __builtin_cpu_supports("ssse3");  // it truncates without
+#else
+  const bool rounds = false;
+#endif
+  const std::string_view name = renderer ? reinterpret_cast<const char*>(renderer) : "";
+  const auto holds = [](std::string_view text, std::string_view part) {
+    return text.find(part) != text.npos;
+  };
+  const int mesa = mesaVersionOf(version);
+  return rounds && mesa >= 2200 && mesa < 2600 && holds(name, "llvmpipe") &&
+         (holds(name, "128 bits") || holds(name, "256 bits")) &&
+         !(tuning && holds(tuning, "no_aos_sampling"));
+}
+
 Extensions::Extensions(const RealGl& real, int version) {
   const auto add = [&](const GLubyte* name) {
     if (name) names_.emplace_back(reinterpret_cast<const char*>(name));
@@ -112,6 +128,8 @@ RareState readRareState(const RealGl& real) {
   rare.secondaryColor = has(14, "GL_EXT_secondary_color");
   rare.fogCoord = has(14, "GL_EXT_fog_coord");
   rare.fogsWholeSum = mesaVersionOf(real.GetString(GL_VERSION)) > 0;
+  rare.byteFilters =
+      filtersBytes(real.GetString(GL_RENDERER), real.GetString(GL_VERSION), std::getenv("GALLIVM_PERF"));
   return rare;
 }
 

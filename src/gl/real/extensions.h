@@ -47,7 +47,13 @@ struct RareState {
   bool debugOutput = false, pipelines = false;
   bool assemblyPrograms = false, secondaryColor = false, fogCoord = false;
   bool fogsWholeSum = false;  // quirk fog-sum
+  bool byteFilters = false;   // scene::Texture::byteFilter is known to be as the real OpenGL filters
 };
+
+/// Whether an OpenGL with these names (GL_RENDERER, GL_VERSION) filters textures with eight bits per
+/// component in eight bits, rounded to the nearest value: llvmpipe of Mesa 22 to 25 with vectors of 128 or
+/// 256 bits and SSSE3. `tuning`: GALLIVM_PERF of the environment, or null.
+bool filtersBytes(const GLubyte* renderer, const GLubyte* version, const char* tuning);
 
 /// Queries the current context. Raises no GL error.
 RareState readRareState(const RealGl& real);

@@ -22,6 +22,24 @@ TEST(Extensions, ParsesMesaVersions) {
   EXPECT_EQ(mesaVersionOf(nullptr), 0);
 }
 
+TEST(Extensions, OnlyKnownRenderersFilterInBytes) {
+  const char* const renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+  const char* const version = "4.5 (Compatibility Profile) Mesa 22.3.6";
+  const auto filters = [](const char* name, const char* mesa, const char* tuning) {
+    return filtersBytes(text(name), text(mesa), tuning);
+  };
+#ifdef __x86_64__
+  EXPECT_TRUE(filters(renderer, version, nullptr));
+  EXPECT_TRUE(filters("llvmpipe (LLVM 19.1.7, 128 bits)", "4.5 Mesa 25.0.7-2", "brilinear"));
+#endif
+  EXPECT_FALSE(filters(renderer, version, "rho_approx,no_aos_sampling"));
+  EXPECT_FALSE(filters("llvmpipe (LLVM 15.0.6, 512 bits)", version, nullptr));
+  EXPECT_FALSE(filters("softpipe", version, nullptr));
+  EXPECT_FALSE(filters(renderer, "4.5 Mesa 21.2.6", nullptr));
+  EXPECT_FALSE(filters(renderer, "4.5 Mesa 26.0.0", nullptr));
+  EXPECT_FALSE(filters(nullptr, nullptr, nullptr));
+}
+
 const char* const kNames[] = {"GL_EXT_abc", "GL_ARB_b", "GL_EXT_ab"};
 int g_asked = 0;
 void APIENTRY count(GLenum, GLint* value) { *value = 3; }

@@ -95,6 +95,12 @@ bool isSrgb(GLint format) {
          format == GL_COMPRESSED_SRGB8_ALPHA8_ETC2_EAC;
 }
 
+/// Whether llvmpipe keeps texels of the format compressed and filters them as floats, although each of their
+/// components has eight bits (scene::Texture::byteFilter).
+bool isFxt1(GLint format) {
+  return format == GL_COMPRESSED_RGB_FXT1_3DFX || format == GL_COMPRESSED_RGBA_FXT1_3DFX;
+}
+
 /// How the texels of a texture are read and interpreted.
 struct TexelForm {
   scene::BaseFormat base = scene::BaseFormat::rgba;
@@ -110,9 +116,10 @@ std::optional<TexelForm> formOf(const RealGl& real, const RareState& has, GLenum
               a = ask(GL_TEXTURE_ALPHA_SIZE), l = has.fixedFunction ? ask(GL_TEXTURE_LUMINANCE_SIZE) : 0,
               i = has.fixedFunction ? ask(GL_TEXTURE_INTENSITY_SIZE) : 0, d = ask(GL_TEXTURE_DEPTH_SIZE);
   TexelForm form;
-  form.srgb = range.decode && isSrgb(ask(GL_TEXTURE_INTERNAL_FORMAT));
+  const GLint format = ask(GL_TEXTURE_INTERNAL_FORMAT);
+  form.srgb = range.decode && isSrgb(format);
   form.depth = d > 0;
-  form.bytes = std::max({r, g, b, a, l, i}) <= 8 && !form.srgb && !form.depth;
+  form.bytes = std::max({r, g, b, a, l, i}) <= 8 && !form.srgb && !form.depth && !isFxt1(format);
   for (const GLenum type : {GL_TEXTURE_RED_TYPE, GL_TEXTURE_GREEN_TYPE, GL_TEXTURE_BLUE_TYPE,
                             GL_TEXTURE_ALPHA_TYPE, GL_TEXTURE_LUMINANCE_TYPE, GL_TEXTURE_INTENSITY_TYPE}) {
     if (!has.fixedFunction && (type == GL_TEXTURE_LUMINANCE_TYPE || type == GL_TEXTURE_INTENSITY_TYPE))

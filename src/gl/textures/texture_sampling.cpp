@@ -70,6 +70,16 @@ bool isKnownAnisotropy(const RealGl& real, GLenum target, const scene::Texture& 
          texture.magFilter == scene::Filter::linear;
 }
 
+/// Whether llvmpipe filters texels of eight bits in eight bits, with these wrap modes and filters.
+bool hasByteFilter(GLenum target, const scene::Texture& t) {
+  if (t.maxAnisotropy > 1) return false;
+  const auto simple = [](scene::Wrap w) { return w == scene::Wrap::repeat || w == scene::Wrap::clampToEdge; };
+  const bool linear = t.minFilter == scene::Filter::linear || t.magFilter == scene::Filter::linear;
+  if (target == GL_TEXTURE_CUBE_MAP) return !(t.seamless && linear);  // wrap modes do not matter
+  return simple(t.wrapS) && (target == GL_TEXTURE_1D || simple(t.wrapT)) &&
+         (target != GL_TEXTURE_3D || simple(t.wrapR));
+}
+
 }  // namespace
 
 bool isSwizzled(const RealGl& real, const RareState& has, GLenum target) {
@@ -104,6 +114,7 @@ Reason readSampling(const RealGl& real, const RareState& has, GLenum target, sce
     return Reason::textureAnisotropy;
   texture.seamless =
       target == GL_TEXTURE_CUBE_MAP && has.seamlessCubes && real.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  texture.byteFilter = has.byteFilters && hasByteFilter(target, texture);
   const bool plain = !isSwizzled(real, has, target) && parameter(GL_TEXTURE_COMPARE_MODE, GL_NONE) == GL_NONE;
   return plain ? Reason::traced : Reason::textureFormat;
 }

@@ -1,5 +1,4 @@
 // Ambient occlusion against scenes whose hidden share of the sky is known in closed form.
-#include "render/effects/ambient_occlusion.h"
 #include "render/testing/test_ball.h"
 #include "render/testing/test_targets.h"
 #include "render/testing/test_trace.h"
@@ -53,23 +52,6 @@ TEST(AmbientOcclusion, BesideAnEndlessWallHalfOfTheSkyIsHidden) {
   // With the radius of the scene's diagonal all of the wall counts.
   EXPECT_NEAR(meanOfHits(traced), 0.5f, 0.004f);
   EXPECT_NEAR(traced.color(kOcclusionSize / 2, kOcclusionSize / 2).g / 255, 0.5f, 0.03f);
-}
-
-TEST(AmbientOcclusion, IsLessDarkWhereSurroundingsReflect) {
-  // Jimenez and others 2016, table of section 5: the fit is exact without occlusion and with all of it.
-  for (const float reflectance : {0.0f, 0.3f, 0.9f}) {
-    EXPECT_NEAR(AmbientOcclusion::withReflections(1, reflectance), 1, 2e-3f);
-    EXPECT_EQ(AmbientOcclusion::withReflections(0, reflectance), 0);
-  }
-  EXPECT_EQ(AmbientOcclusion::withReflections(0.5f, 0), 0.5f);
-  EXPECT_NEAR(AmbientOcclusion::withReflections(0.5f, 0.8f), 0.812f, 2e-3f);
-  scene::Snapshot s =
-      occludedView({backWall(), test::parallelogram({3, 0, 5e4f}, {0, 5e5f, 0}, {0, 0, 5e4f})});
-  s.settings.ao.interreflection = true;
-  for (scene::Instance& instance : s.instances) instance.color = {0.8f, 0.8f, 0.1f, 1};
-  const glm::vec4 seen = test::trace(s).color(kOcclusionSize / 2, kOcclusionSize / 2) / 255.0f;
-  EXPECT_NEAR(seen.r, 0.8f * 0.812f, 0.03f);
-  EXPECT_NEAR(seen.b, 0.1f * 0.5f, 0.01f) << "black surfaces reflect nothing";
 }
 
 TEST(AmbientOcclusion, UnderASphereIsItsFormFactor) {

@@ -61,9 +61,7 @@ TEST(LightMeter, KeepsTheBrightnessOfTheProgramsImage) {
     const Exposed e = exposed(s);
     ASSERT_TRUE(e.factor);
     EXPECT_NEAR(meanLuminance(e.traced), wanted, 0.03 * wanted) << strength;
-    if (strength < 0.6f) {
-      EXPECT_LT(meanLuminance(test::trace(s)), 0.7 * wanted) << "it was dark without";
-    }
+    if (strength < 0.6f) { EXPECT_LT(meanLuminance(test::trace(s)), 0.7 * wanted) << "it was dark without"; }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "render/local/mipmap.h"
 
 #include "render/local/anisotropic.h"
+#include "render/local/byte_filter.h"
 #include "render/local/texture_lookup.h"
 
 #include <algorithm>
@@ -81,7 +82,8 @@ glm::vec4 sampleChosen(const Texture& t, const LevelChoice& choice, glm::vec3 st
   if (choice.magnified) return sampleLevel(t, *t.image, t.magFilter, str);
   const glm::vec4 color = sampleLevel(t, t.image->level(choice.level), t.minFilter, str);
   if (choice.blend <= 0) return color;
-  return glm::mix(color, sampleLevel(t, t.image->level(choice.level + 1), t.minFilter, str), choice.blend);
+  const glm::vec4 next = sampleLevel(t, t.image->level(choice.level + 1), t.minFilter, str);
+  return isFilteredInBytes(t) ? mixBytes(color, next, choice.blend) : glm::mix(color, next, choice.blend);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "render/local/texture_lookup.h"
 
+#include "render/local/byte_filter.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -190,6 +192,7 @@ glm::vec4 sampleLevel(const scene::Texture& t, const TexelGrid& grid, Filter fil
     const TexelReader read(t, grid);
     return read.finished(sampleSeamless(read, grid.width, str));
   }
+  if (filter == Filter::linear && isFilteredInBytes(t)) return sampleBytes(t, grid, str);
   Taps r{0, 0, 0};
   if (t.target == TextureTarget::cubeMap) r.lower = static_cast<int>(str.z);
   if (t.target == TextureTarget::texture3D) r = tapsOf(t.wrapR, filter, str.z, grid.depth);

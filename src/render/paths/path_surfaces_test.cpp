@@ -71,6 +71,44 @@ TEST(PathSurfaces, SticksShineInTheColorsOfBothEnds) {
   EXPECT_NEAR(brightness[0], brightness[1], 0.01f);
 }
 
+/// A bead or a tube along x, 24 of 32 pixels wide, under a light at the viewer.
+scene::Snapshot sizedInPixels(scene::Shape shape) {
+  auto mesh = std::make_shared<scene::Mesh>();
+  const bool tube = shape == scene::Shape::tubes;
+  mesh->shape = shape;
+  mesh->triangleCount = 1, mesh->vertexCount = tube ? 2 : 1;
+  std::vector<glm::vec3> points{{tube ? -1.0f : 0.0f, 0, 0}};
+  if (tube) points.emplace_back(1, 0, 0);
+  mesh->lower = points.front(), mesh->upper = points.back();
+  mesh->positions = test::makeAttribute(std::move(points), scene::Format::float3);
+  scene::Snapshot s = test::pathView({mesh});
+  s.instances[0].lightingFromObject = glm::mat4(s.instances[0].eyeFromObject);
+  s.instances[0].impostors.size = glm::vec2(1.5f);
+  // So narrow that lines of sight are parallel.
+  s.camera.clipFromEye = glm::perspective(glm::radians(0.5), 1.0, 0.1, 1000.0);
+  s.settings.environment.strength = 0;
+  s.settings.path.samples = 4;
+  scene::Light light;
+  light.position = {0, 0, 1, 0}, light.diffuse = glm::vec4(1);
+  s.shadings[0].lights = {light};
+  return s;
+}
+
+TEST(PathSurfaces, BeadsAndTubesAreRound) {
+  for (const scene::Shape shape : {scene::Shape::beads, scene::Shape::tubes}) {
+    const test::Radiances r = radiances(sizedInPixels(shape));
+    for (const int x : {12, 16, 19})
+      for (int y = 6; y < 26; ++y) {
+        const auto at = [](int pixel) { return (static_cast<float>(pixel) - 15.5f) / 12; };
+        const float across = at(y), along = shape == scene::Shape::beads ? at(x) : 0;
+        const float rest = 1 - across * across - along * along;
+        if (rest < 0.1f) continue;
+        ASSERT_TRUE(r.hit(x, y));
+        EXPECT_NEAR(r.at(x, y).g, std::sqrt(rest), 0.01f) << static_cast<int>(shape) << ": " << x << ' ' << y;
+      }
+  }
+}
+
 /// A wall under a black lid that hides all of its sky.
 scene::Snapshot underLid() {
   scene::Snapshot s =

@@ -82,13 +82,13 @@ class Framebuffers {
 
 constexpr std::array<GLint, 4> kAll{0, 0, kSide, kSide}, kMiddle{60, 50, 130, 170};
 
-struct Case {
+struct FramebufferCase {
   std::string name;
   /// All is clear; the scene's program is in use, the window is bound.
   std::function<void(Gl, const SmallScene&, const Framebuffers&)> draw;
 };
 
-gl::Statistics compareFramebuffers(const Case& of) {
+gl::Statistics compareFramebuffers(const FramebufferCase& of) {
   SmallScene scene;
   Framebuffers framebuffers;
   const Settings settings = smallDraws();
@@ -103,7 +103,7 @@ gl::Statistics compareFramebuffers(const Case& of) {
 }
 
 /// The wall hides the balls until depths of a clear are copied over its own.
-std::vector<Case> copiesOfDepths() {
+std::vector<FramebufferCase> copiesOfDepths() {
   using F = Framebuffers;
   const auto between = [](F::Which from, F::Which to, const std::array<GLint, 4>& box) {
     return [=](Gl gl, const SmallScene& s, const F& f) {
@@ -175,12 +175,12 @@ std::vector<Case> copiesOfDepths() {
 }
 
 TEST(SmallDrawsOfFramebuffers, SeeThatDepthsWereCopied) {
-  for (const Case& of : copiesOfDepths())
+  for (const FramebufferCase& of : copiesOfDepths())
     EXPECT_GE(compareFramebuffers(of).drawsCulled, 3u) << of.name << ": the ball before the copy";
 }
 
 /// Depths of one framebuffer say nothing of another one, and change in the meantime.
-std::vector<Case> switches() {
+std::vector<FramebufferCase> switches() {
   using F = Framebuffers;
   return {
       {"back_and_forth",
@@ -238,7 +238,7 @@ std::vector<Case> switches() {
 }
 
 TEST(SmallDrawsOfFramebuffers, FollowSwitches) {
-  for (const Case& of : switches()) EXPECT_GE(compareFramebuffers(of).drawsCulled, 3u) << of.name;
+  for (const FramebufferCase& of : switches()) EXPECT_GE(compareFramebuffers(of).drawsCulled, 3u) << of.name;
 }
 
 /// Without a switch, draws into framebuffer objects are left out as those into windows are.

@@ -55,10 +55,7 @@ void setMaterial(Gl gl, GLuint program, const Surface& surface, const PbrFilter&
     setFloat(gl, program, "aoStrengthUniform", 0.7f);
   }
   if (!surface.normalMap) return;
-  // llvmpipe filters texels of eight bits with weights of eight bits, except anisotropically. Such roundings
-  // of normals show in highlights.
-  const GLint format = filter.anisotropy > 1 ? GL_RGBA8 : GL_RGBA16;
-  material(gl, program, "normalTex", 8, format, filter, [](float s, float t) {
+  material(gl, program, "normalTex", 8, filter.normals, filter, [](float s, float t) {
     return glm::vec4(0.5f + 0.15f * std::sin(12.6f * s), 0.5f + 0.15f * std::cos(12.6f * t), 0.95f, 1);
   });
   setFloat(gl, program, "normalScaleUniform", 0.8f);

@@ -8,6 +8,7 @@ namespace gluray::test {
 struct PbrFilter {
   GLint smallest = GL_LINEAR;  // or a filter between levels
   float anisotropy = 1;
+  GLint normals = GL_RGBA8;  // format of the normal map
 };
 
 /// Makes the images that `surface` samples, binds them to units from 5 on, and sets the uniforms of the

@@ -43,6 +43,10 @@ const PbrCase kPbrCases[] = {
      {.lights = Lights::pbrHeadlight, .normalMap = true},
      true,
      {GL_LINEAR_MIPMAP_NEAREST}},
+    {"normal_map_of_sixteen_bits",
+     {.lights = Lights::pbr, .lightCount = 2, .normalMap = true},
+     false,
+     {GL_LINEAR, 1, GL_RGBA16}},
     {"textures_and_normal_map", {.lights = Lights::pbr, .pbrTextures = true, .normalMap = true}},
     {"harmonics", {.lights = Lights::pbr, .environment = Environment::harmonics}},
     {"irradiance", {.lights = Lights::pbrHeadlight, .environment = Environment::cube}},
@@ -139,12 +143,12 @@ TEST_P(PbrMutants, AreNotTakenForTheOriginal) {
       coreWish());
 }
 
-const PbrCase kMutantCases[] = {
+const PbrCase kPbrMutantCases[] = {
     {"pbr_textures",
      {.lights = Lights::pbr, .pbrTextures = true, .normalMap = true, .environment = Environment::harmonics}},
     {"pbr_irradiance", {.lights = Lights::pbrHeadlight, .environment = Environment::cube}},
 };
-INSTANTIATE_TEST_SUITE_P(MoreCases, PbrMutants, testing::ValuesIn(kMutantCases),
+INSTANTIATE_TEST_SUITE_P(MoreCases, PbrMutants, testing::ValuesIn(kPbrMutantCases),
                          [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
