@@ -98,9 +98,10 @@ std::string colorText(const Surface& s) {
   const std::string material =
       "  vec3 specularColor = specularIntensity * specularColorUniform;\n"
       "  float specularPower = specularPowerUniform;\n";
-  const std::string override =
-      "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
-      "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n";
+  const char* const override =
+      !s.overridable ? ""
+                     : "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
+                       "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n";
   std::string texel;
   if (s.color == Surface::Color::cell) texel = "texelFetch(textureC, gl_PrimitiveID + PrimitiveIDOffset)";
   if (s.color == Surface::Color::mapped)
