@@ -98,21 +98,28 @@ std::string colorText(const Surface& s) {
   const std::string material =
       "  vec3 specularColor = specularIntensity * specularColorUniform;\n"
       "  float specularPower = specularPowerUniform;\n";
-  const std::string override =
-      "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
-      "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n";
+  const char* const override =
+      !s.overridable ? ""
+                     : "  if (OverridesColor) {\n    ambientColor = ambientColorUniform * ambientIntensity;\n"
+                       "    diffuseColor = diffuseColorUniform * diffuseIntensity; }\n";
   std::string texel;
   if (s.color == Surface::Color::cell) texel = "texelFetch(textureC, gl_PrimitiveID + PrimitiveIDOffset)";
   if (s.color == Surface::Color::mapped)
     texel =
         std::string("texture(colortexture, ") + (s.colorTcoord ? "colorTCoord" : "tcoord") + "VCVSOutput.st)";
   if (s.color == Surface::Color::vertex) texel = "vertexColorVSOutput";
-  if (texel.empty())
-    return material +
-           "  vec3 ambientColor = ambientIntensity * ambientColorUniform;\n"
-           "  vec3 diffuseColor = diffuseIntensity * diffuseColorUniform;\n  float opacity = "
-           "opacityUniform;\n" +
-           override + (s.backMaterial ? kBackMaterial : "");
+  const std::string ofMaterial =
+      material +
+      "  vec3 ambientColor = ambientIntensity * ambientColorUniform;\n"
+      "  vec3 diffuseColor = diffuseIntensity * diffuseColorUniform;\n  float opacity = "
+      "opacityUniform;\n" +
+      override + (s.backMaterial ? kBackMaterial : "");
+  if (texel.empty()) return ofMaterial;
+  if (s.backMaterial)
+    return ofMaterial +
+           "  diffuseColor = diffuseIntensity * vertexColorVSOutput.rgb;\n"
+           "  ambientColor = ambientIntensity * vertexColorVSOutput.rgb;\n"
+           "  opacity = opacity * vertexColorVSOutput.a;\n";
   return material + "  vec4 texColor = " + texel +
          ";\n  vec3 ambientColor = ambientIntensity * texColor.rgb;\n"
          "  vec3 diffuseColor = diffuseIntensity * texColor.rgb;\n  float opacity = opacityUniform * "

@@ -13,6 +13,8 @@ struct Surface {
   Normals normals = Normals::vertex;
   Lights lights = Lights::directional;
   int lightCount = 1;
+  bool overridable = true;  // has OverridesColor, as the programs of composite data sets have
+  /// backMaterial with vertex colours: as in glyphs, which replace the colours of both sides.
   bool backMaterial = false, clipPlanes = false, depthOffset = false, actorTexture = false;
   /// Of physically based materials: textures of base colour, material and emission; a normal map; images of
   /// an environment with irradiance as spherical harmonics or as a cube map.

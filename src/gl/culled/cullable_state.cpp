@@ -1,6 +1,5 @@
 #include "gl/culled/cullable_state.h"
 
-#include "gl/real/buffer_bits.h"
 #include "gl/real/state_queries.h"
 #include "gl/state/output_state.h"
 
@@ -74,10 +73,7 @@ CullReason cullableState(ShadowState& shadow, GLenum mode) {
 
 bool hasByteColors(ShadowState& shadow) {
   const TargetState& target = shadow.target();
-  if (target.reason != Reason::traced || target.wideColors || target.encodes) return false;
-  if (shadow.rare().fixedFunction) return target.eightBits;
-  const glm::ivec4 bits = colorBits(shadow.real, target.drawBuffer);
-  return glm::ivec3(bits) == glm::ivec3(8) && (bits.a == 8 || bits.a == 0);
+  return target.reason == Reason::traced && !target.wideColors && !target.encodes && target.eightBits;
 }
 
 CullReason cullableBlending(ShadowState& shadow, bool opaque) {

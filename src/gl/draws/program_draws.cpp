@@ -217,6 +217,11 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
 
 namespace {
 
+scene::CullFace withBackCulled(scene::CullFace cull) {
+  using Cull = scene::CullFace;
+  return cull == Cull::front || cull == Cull::both ? Cull::both : Cull::back;
+}
+
 /// The instance of the mesh, with the state of the shader program in use.
 scene::Instance instanceOf(const scene::MeshPtr& mesh, const glm::dmat4& modelview, ShadowState& shadow) {
   const ProgramState& program = shadow.program();
@@ -239,7 +244,8 @@ scene::Instance instanceOf(const scene::MeshPtr& mesh, const glm::dmat4& modelvi
   instance.triangleOffset = program.triangleOffset;
   instance.materials.push_back(program.material);
   instance.impostors = program.impostors;
-  if (mesh->shape == scene::Shape::triangles) instance.cull = shadow.raster().cull;  // points have no faces
+  if (mesh->shape == scene::Shape::triangles)  // points have no faces
+    instance.cull = program.hidesBackFaces ? withBackCulled(shadow.raster().cull) : shadow.raster().cull;
   if (scene::isSolid(mesh->shape)) makeProgramSolid(shadow, instance);
   instance.frontFaceCcw = shadow.raster().frontFaceCcw;
   const glm::dmat4 objectFromEye = glm::inverse(modelview);

@@ -198,6 +198,7 @@ struct Family {
   Model model = Model::phong;
   Specular specular = Specular::reflect;
   FamilyMaterial material, backMaterial;
+  std::string discardsInvisibleInSource;  // text in the source of programs that discard an alpha of 0
   FamilyLights lights;
   FamilyPbr pbr;
   FamilyFog fog;

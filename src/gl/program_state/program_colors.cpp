@@ -44,11 +44,20 @@ Reason ProgramReader::readColor() {
       glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
   if (!family_.colorIsDiffuseOnly)
     material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
-  if (f.backMaterial && reason == Reason::traced)  // such programs mix the colours differently
-    reason = refuse("back faces have their own material, and front faces take their colours from elsewhere");
-  f.backMaterial = false;
-  out_.material.back = out_.material.front;
+  if (f.backMaterial) return reason == Reason::traced ? readBackColors() : reason;
+  out_.material.back = material;
   return reason;
+}
+
+Reason ProgramReader::readBackColors() {
+  const FamilyMaterial& m = family_.backMaterial;
+  if (isActive(m.diffuseIntensity, m.diffuseColor) || isActive(m.ambientIntensity, m.ambientColor))
+    return refuse("back faces have their own colours, and front faces take their colours from elsewhere");
+  const scene::Material& front = out_.material.front;
+  scene::Material& back = out_.material.back;
+  back.ambient = front.ambient;
+  back.diffuse = glm::vec4(glm::vec3(front.diffuse), back.diffuse.a);
+  return Reason::traced;
 }
 
 Reason ProgramReader::readHeightColors() {

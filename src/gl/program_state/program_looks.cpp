@@ -3,6 +3,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+
 namespace gluray::gl {
 
 void ProgramReader::readMaterial(const FamilyMaterial& m, scene::Material& material) {
@@ -22,6 +24,47 @@ void ProgramReader::readMaterial(const FamilyMaterial& m, scene::Material& mater
   material.emission = glm::vec4(0, 0, 0, 1);
   material.shininess = uniforms_.number(m.shininess, 0);
   material.diffuse.a = out_.known->ignoresOpacity ? 1 : uniforms_.number(m.opacity, 1);
+}
+
+bool ProgramReader::isActive(const FamilyValue& value, const FamilyValue& factor) const {
+  const auto counts = [&](const FamilyValue& v) { return !v.constant.empty() || uniforms_.has(v.uniform); };
+  return counts(value) || counts(factor);
+}
+
+/// VTK's programs assign all values of back faces, and then may replace some of them by values for both
+/// sides. The uniforms of replaced values are not active.
+void ProgramReader::readBackMaterial() {
+  const scene::Material& front = out_.material.front;
+  scene::Material& back = out_.material.back;
+  back = front;
+  const FamilyMaterial& m = family_.backMaterial;
+  const FamilyValue* const values[] = {&m.ambientIntensity, &m.ambientColor,  &m.diffuseIntensity,
+                                       &m.diffuseColor,     &m.specularColor, &m.specularIntensity,
+                                       &m.shininess,        &m.opacity};
+  const bool active = std::ranges::any_of(values, [&](auto* v) { return uniforms_.has(v->uniform); });
+  out_.shading.fragment.backMaterial = active;
+  if (!active) return;
+  readMaterial(m, back);
+  const auto replaced = [&](const FamilyValue& value, const FamilyValue& factor = {}) {
+    return (value.given() || factor.given()) && !isActive(value, factor);
+  };
+  if (replaced(m.ambientIntensity, m.ambientColor)) back.ambient = front.ambient;
+  if (replaced(m.diffuseIntensity, m.diffuseColor))
+    back.diffuse = glm::vec4(glm::vec3(front.diffuse), back.diffuse.a);
+  if (replaced(m.specularIntensity, m.specularColor)) back.specular = front.specular;
+  if (replaced(m.shininess)) back.shininess = front.shininess;
+  if (replaced(m.opacity)) back.diffuse.a = front.diffuse.a;
+}
+
+Reason ProgramReader::readBackVisibility() {
+  bool& backMaterial = out_.shading.fragment.backMaterial;
+  out_.hidesBackFaces = backMaterial && out_.known->discardsInvisible && out_.material.back.diffuse.a == 0;
+  if (!out_.hidesBackFaces) return Reason::traced;
+  // The program's peels find invisible layers, too, and then lose layers behind them.
+  if (family_.pass == Family::Pass::peel) return refuse("its back faces are invisible, and are peeled");
+  backMaterial = false;
+  out_.material.back = out_.material.front;
+  return Reason::traced;
 }
 
 void ProgramReader::readModel() {

@@ -36,6 +36,11 @@ class ProgramReader {
   Reason checkBuiltInState();
   void readTransform();
   void readMaterial(const FamilyMaterial& m, scene::Material& material);
+  void readBackMaterial();
+  /// Finds out whether back faces are invisible. Call it after the colours have been read.
+  Reason readBackVisibility();
+  /// One of the values is a number or an active uniform.
+  bool isActive(const FamilyValue& value, const FamilyValue& factor = {}) const;
   void readModel();
   void readFog();
   /// Reads the unlit colours if the program's lights are switched off (FamilyLights::enabled).
@@ -48,6 +53,8 @@ class ProgramReader {
   Reason readNormals();
   Reason readEdges();
   Reason readColor();
+  /// Gives back faces the front's factors of the colours, if the program uses these colours for both sides.
+  Reason readBackColors();
   Reason readHeightColors();
   /// If the material's colours replace all others, their opacity still counts: refuses translucent colours.
   /// The opacity of vertex colours is checked with the mesh.

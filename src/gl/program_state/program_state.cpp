@@ -19,9 +19,7 @@ Reason ProgramReader::read() {
   if (const Reason reason = checkBuiltInState(); reason != Reason::traced) return reason;
   readTransform();
   readMaterial(family_.material, out_.material.front);
-  out_.material.back = out_.material.front;
-  out_.shading.fragment.backMaterial = uniforms_.has(family_.backMaterial.diffuseColor.uniform);
-  if (out_.shading.fragment.backMaterial) readMaterial(family_.backMaterial, out_.material.back);
+  readBackMaterial();
   readModel();
   out_.shading.fragment.lights =
       readLights(family_.lights, uniforms_, glm::vec3(viewer_), out_.material.front.shininess, *out_.known);
@@ -33,6 +31,7 @@ Reason ProgramReader::read() {
   if (const Reason reason = readEdges(); reason != Reason::traced) return reason;
   if (const Reason reason = readTexcoordMatrix(); reason != Reason::traced) return reason;
   if (const Reason reason = readColor(); reason != Reason::traced) return reason;
+  if (const Reason reason = readBackVisibility(); reason != Reason::traced) return reason;
   if (const Reason reason = readEnabled(); reason != Reason::traced) return reason;
   if (const Reason reason = readTextures(); reason != Reason::traced) return reason;
   return readPbr();

@@ -37,6 +37,7 @@ struct ProgramState {
   scene::Attribute triangleColors, triangleNormals, triangleEdges;
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;
+  bool hidesBackFaces = false;  // back faces have an alpha of 0 and are discarded
   bool instanceColors = false;  // each instance has its own colour
   bool overridden = false;      // the material's colours replace all others (Family::uniformColors)
   glm::vec4 color{1};           // if the colour attribute is not an array

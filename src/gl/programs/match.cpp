@@ -195,8 +195,11 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
     known.highlightCount = known.lightCount - occurrences(lights.noHighlightInSource, source.text());
   if (const std::string& before = family->pbr.prefilteredMaxLevelInSource; !before.empty())
     known.prefilteredMaxLevel = numberAfter(before, source.text());
-  const std::string& unused = family->material.unusedOpacityInSource;
-  known.ignoresOpacity = !unused.empty() && occurrences(unused, source.text()) > 0;
+  const auto has = [&](const std::string& text) {
+    return !text.empty() && occurrences(text, source.text()) > 0;
+  };
+  known.ignoresOpacity = has(family->material.unusedOpacityInSource);
+  known.discardsInvisible = has(family->discardsInvisibleInSource);
   if (!family->code.empty())
     known.note = notesOn(statementsFor(*family, known.program, source), families.code, family->code);
 }

@@ -79,7 +79,7 @@ struct TargetState {
   glm::ivec2 size{0};  // pixels, for a framebuffer object; {0, 0}: unknown
   std::vector<glm::vec2> samplePositions;
   bool wideColors = false;  // colours are floats
-  bool eightBits = false;   // 8 of red, green, blue and, if `alpha`, alpha; read with fixed function
+  bool eightBits = false;   // 8 of red, green, blue and, if `alpha`, alpha
   bool alpha = true;
   bool blendable = false;  // eightBits, one draw buffer, one sample per pixel, not `encodes`
   double depthSteps = 0;   // from depth 0 to 1; 0: depth is floats

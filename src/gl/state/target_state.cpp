@@ -42,17 +42,22 @@ Colors colorsOf(const RealGl& real, const TargetState& target, bool fixedFunctio
   return type == GL_UNSIGNED_NORMALIZED && fits(bits) ? Colors::bytes : Colors::others;
 }
 
+/// Bits of red, green, blue and alpha.
+glm::ivec4 bitsOf(const RealGl& real, const TargetState& target, bool fixedFunction) {
+  if (!fixedFunction) return colorBits(real, target.drawBuffer);
+  return {integer(real, GL_RED_BITS), integer(real, GL_GREEN_BITS), integer(real, GL_BLUE_BITS),
+          integer(real, GL_ALPHA_BITS)};
+}
+
 /// Reads the colour buffer's bits, and whether traced surfaces can be blended with its contents.
 void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) {
   const GLenum buffer = target.drawBuffer;
   const bool single = target.framebuffer != 0 || (buffer != GL_FRONT_AND_BACK && buffer != GL_LEFT);
   target.eightBits = target.blendable = false;
-  if (!fixedFunction || target.wideColors) return;
-  const auto is8 = [&](GLenum name) { return integer(real, name) == 8; };
-  const GLint alpha = integer(real, GL_ALPHA_BITS);
-  target.alpha = alpha != 0;
-  target.eightBits =
-      is8(GL_RED_BITS) && is8(GL_GREEN_BITS) && is8(GL_BLUE_BITS) && (alpha == 0 || alpha == 8);
+  if (target.wideColors) return;
+  const glm::ivec4 bits = bitsOf(real, target, fixedFunction);
+  target.alpha = bits.a != 0;
+  target.eightBits = glm::ivec3(bits) == glm::ivec3(8) && (bits.a == 0 || bits.a == 8);
   target.blendable = target.eightBits && single && target.samples == 1 && !target.encodes;
 }
 

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace gluray::test {
 namespace {
@@ -82,23 +83,24 @@ void drawClear(Gl gl, GLuint program, const ProgramMesh& mesh, const glm::dvec3&
   gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 }
 
+void drawArrays(Gl gl, const BlendedCase& c) {
+  const ProgramMesh mesh = ball(20);
+  const GLuint program = makeProgram(gl, kClearVertex, kClearFragment);
+  upload(gl, mesh, program);
+  beginFrame(gl);
+  gl.UseProgram(program);
+  drawClear(gl, program, mesh, {-0.5, 0, -0.5}, {0.3f, 0.9f, 0.5f}, 1);
+  setBlendingOf(gl, c);
+  drawClear(gl, program, mesh, {0.4, 0.2, 0}, {0.9f, 0.3f, 0.2f}, 0.5f);
+  drawClear(gl, program, mesh, {0, -0.3, 0.3}, {0.2f, 0.4f, 1}, 0.3f);
+  drawClear(gl, program, mesh, {0.2, 0, -1}, {1, 1, 0.2f}, 0.7f);
+}
+
 TEST_P(BlendedPrograms, OfArraysAreTraced) {
-  const BlendedCase& c = GetParam();
-  expectBoth(
-      std::string("blended-arrays-") + c.name,
-      [&](Gl gl) {
-        const ProgramMesh mesh = ball(20);
-        const GLuint program = makeProgram(gl, kClearVertex, kClearFragment);
-        upload(gl, mesh, program);
-        beginFrame(gl);
-        gl.UseProgram(program);
-        drawClear(gl, program, mesh, {-0.5, 0, -0.5}, {0.3f, 0.9f, 0.5f}, 1);
-        setBlendingOf(gl, c);
-        drawClear(gl, program, mesh, {0.4, 0.2, 0}, {0.9f, 0.3f, 0.2f}, 0.5f);
-        drawClear(gl, program, mesh, {0, -0.3, 0.3}, {0.2f, 0.4f, 1}, 0.3f);
-        drawClear(gl, program, mesh, {0.2, 0, -1}, {1, 1, 0.2f}, 0.7f);
-      },
-      4, compatibleWish(), kProgramTolerance, kClearFamily);
+  for (const auto& [profile, wish] : {std::pair("", compatibleWish()), std::pair("core-", coreWish(4, 5))})
+    expectBoth(
+        std::string("blended-arrays-") + profile + GetParam().name, [](Gl gl) { drawArrays(gl, GetParam()); },
+        4, wish, kProgramTolerance, kClearFamily);
 }
 
 TEST_P(BlendedPrograms, OfSentSpheresAreTraced) {

@@ -32,6 +32,9 @@ void setPlanes(Gl gl, GLuint program, int count) {
 }
 void onePlane(Gl gl, GLuint program) { setPlanes(gl, program, 1); }
 void twoPlanes(Gl gl, GLuint program) { setPlanes(gl, program, 2); }
+void invisibleInside(Gl gl, GLuint program) {
+  onePlane(gl, program), setFloat(gl, program, "opacityUniformBF", 0);
+}
 void noPlanes(Gl gl, GLuint program) { setPlanes(gl, program, 0); }
 void twoPlanesAndCulled(Gl gl, GLuint program) { setPlanes(gl, program, 2), gl.Enable(GL_CULL_FACE); }
 void pushed(Gl gl, GLuint program) {
@@ -63,6 +66,9 @@ const SurfaceCase kSurfaceCases[] = {
     {"mapped_unlit", {.color = Color::mapped, .lights = Lights::none}, false},
     {"cell", {.color = Color::cell}},
     {"cell_unlit", {.color = Color::cell, .lights = Lights::none}},
+    {"vertex_unlit_alone", {.color = Color::vertex, .lights = Lights::none, .overridable = false}},
+    {"mapped_unlit_alone", {.color = Color::mapped, .lights = Lights::none, .overridable = false}, false},
+    {"cell_unlit_alone", {.color = Color::cell, .lights = Lights::none, .overridable = false}},
     {"vertex_overridden", {.color = Color::vertex}, true, false, overrideColors},
     {"mapped_overridden", {.color = Color::mapped}, false, false, overrideColors},
     {"cell_overridden", {.color = Color::cell}, true, false, overrideColors},
@@ -88,6 +94,19 @@ const SurfaceCase kSurfaceCases[] = {
     {"clockwise", {.lightCount = 2}, true, false, clockwise},
     {"clockwise_culled", {}, true, false, clockwiseCulled},
     {"back_material", {.backMaterial = true}, true, false, cullFront},
+    {"back_material_unlit", {.lights = Lights::none, .backMaterial = true}, true, false, cullFront},
+    {"back_material_pbr", {.lights = Lights::pbr, .backMaterial = true}, true, false, cullFront},
+    {"back_material_and_vertex_colors",
+     {.color = Color::vertex, .lightCount = 2, .backMaterial = true, .clipPlanes = true},
+     true,
+     false,
+     onePlane},
+    {"back_material_and_vertex_colors_unlit",
+     {.color = Color::vertex, .lights = Lights::none, .backMaterial = true, .clipPlanes = true},
+     true,
+     false,
+     onePlane},
+    {"back_material_invisible", {.backMaterial = true, .clipPlanes = true}, true, false, invisibleInside},
     {"back_material_open",
      {.lightCount = 2, .backMaterial = true, .clipPlanes = true},
      true,

@@ -120,6 +120,15 @@ TEST(FamilyFileLook, PbrMistakes) {
       "x.toml:1: family \"f\": unused_opacity_in_source and prefiltered_max_level_in_source need match.code");
 }
 
+TEST(FamilyFileLook, InvisibleBackFaces) {
+  EXPECT_EQ(parsed("match.code = \"c\"\nback_material.discards_invisible_in_source = \"discard\"")
+                .discardsInvisibleInSource,
+            "discard");
+  EXPECT_EQ(mistakeIn("back_material.discards_invisible_in_source = \"discard\""),
+            "x.toml:1: family \"f\": discards_invisible_in_source needs match.code, and is not for programs "
+            "with gl_Vertex");
+}
+
 TEST(FamilyFileLook, LightsWithoutHighlights) {
   const Family f = parsed(
       "match.code = \"c\"\nlights.count_in_source = \"lit(\"\nlights.no_highlight_in_source = \"* 0.0\"\n");

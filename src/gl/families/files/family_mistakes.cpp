@@ -68,6 +68,8 @@ std::string mistakeInLook(const Family& family) {
   if (!(family.material.unusedOpacityInSource.empty() && family.pbr.prefilteredMaxLevelInSource.empty()) &&
       family.code.empty())
     return "unused_opacity_in_source and prefiltered_max_level_in_source need match.code";
+  if (!family.discardsInvisibleInSource.empty() && (family.code.empty() || family.hasBuiltInVertices()))
+    return "discards_invisible_in_source needs match.code, and is not for programs with gl_Vertex";
   if (!family.pbr.normalTexture.empty() && family.tangent.empty())
     return "pbr.normal_texture needs vertex.tangent";
   if (family.pbr.prefiltered.empty() != family.pbr.brdfTable.empty())

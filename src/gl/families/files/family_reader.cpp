@@ -21,7 +21,10 @@ void FamilyReader::read(const std::vector<std::shared_ptr<const Family>>& known)
   section("normals", [&] { readNormals(); });
   section("color", [&] { readColor(); });
   section("material", [&] { readMaterial(family_.material); });
-  section("back_material", [&] { readMaterial(family_.backMaterial); });
+  section("back_material", [&] {
+    readMaterial(family_.backMaterial);
+    text("discards_invisible_in_source", family_.discardsInvisibleInSource);
+  });
   section("lights", [&] { readLights(); });
   section("pbr", [&] { readPbr(); });
   section("fog", [&] { readFog(); });
