@@ -32,9 +32,6 @@ CullReason CullPlanner::plan(GLenum mode, const Elements& e, CullPlan& found) {
   const DrawnRegion region = drawnRegionOf(shadow_);
   found.region = region.drawn, found.samples = region.samples, found.reversed = region.reversed;
   found.window = mappingTo(found.region, shadow_);
-  const ViewportState& viewport = shadow_.viewport();
-  if (found.reversed)
-    found.window.depthNear = 1 - viewport.depthNear, found.window.depthFar = 1 - viewport.depthFar;
   if (found.region.width <= 0 || found.region.height <= 0) return CullReason::smallDraw;
   if (!choosePlace(found)) return CullReason::samplesInUse;
   PositionSource from;

@@ -22,10 +22,16 @@ DrawnRegion drawnRegionOf(ShadowState& shadow) {
 WindowMapping mappingTo(const scene::Region& region, ShadowState& shadow) {
   const ViewportState& viewport = shadow.viewport();
   const glm::ivec4& box = viewport.box;
+  // Exact in double precision, unlike in single precision.
+  const auto turned = [&](double depth) { return shadow.raster().isReversed() ? 1 - depth : depth; };
   return {.viewport = glm::dvec4(box.x - region.x, box.y - region.y, box.z, box.w),
-          .depthNear = viewport.depthNear,
-          .depthFar = viewport.depthFar,
+          .depthNear = turned(viewport.depthNear),
+          .depthFar = turned(viewport.depthFar),
           .sampleReach = shadow.target().samples > 1 ? 0.5 : 0};  // anywhere in the pixel
+}
+
+void turnDepths(std::vector<float>& depths) {
+  for (float& depth : depths) depth = 1 - depth;
 }
 
 }  // namespace gluray::gl

@@ -4,6 +4,8 @@
 #include "gl/shadow/shadow_state.h"
 #include "scene/snapshot.h"
 
+#include <vector>
+
 namespace gluray::gl {
 
 struct DrawnRegion {
@@ -13,7 +15,11 @@ struct DrawnRegion {
 };
 DrawnRegion drawnRegionOf(ShadowState& shadow);
 
-/// Maps clip space to pixels relative to the lower corner of `region`, and to window depth.
+/// Maps clip space to pixels relative to the lower corner of `region`, and to window depth; where the depth
+/// function takes larger depths for nearer ones, to 1 - window depth.
 WindowMapping mappingTo(const scene::Region& region, ShadowState& shadow);
+/// Replaces window depths by 1 - depth, for such depth functions. Rounds to single precision, which the
+/// margin of BoxVisibility covers.
+void turnDepths(std::vector<float>& depths);
 
 }  // namespace gluray::gl

@@ -1,5 +1,6 @@
 #include "gl/culled/part_draws.h"
 
+#include "gl/culled/drawn_region.h"
 #include "gl/culled/instances/instance_draws.h"
 #include "gl/real/state_queries.h"
 
@@ -63,8 +64,7 @@ bool PartDraws::readFarthest(const CullPlan& plan) {
 
 bool PartDraws::findVisible(const CullPlan& plan, std::vector<uint64_t>& visible) {
   if (!readFarthest(plan)) return false;
-  if (plan.reversed)
-    for (float& depth : depths_) depth = 1 - depth;
+  if (plan.reversed) turnDepths(depths_);
   pyramid_.build(depths_.data(), plan.region.width, plan.region.height);
   plan.findVisible(pyramid_, visible);
   return true;

@@ -129,8 +129,7 @@ void SmallDraws::readCommon(GLenum mode) {
   common_.region = drawnRegionOf(shadow);
   if (common_.region.drawn.width <= 0 || common_.region.drawn.height <= 0)
     common_.reason = CullReason::smallDraw;
-  WindowMapping& window = common_.window = mappingTo(common_.region.inViewport, shadow);
-  if (common_.region.reversed) window.depthNear = 1 - window.depthNear, window.depthFar = 1 - window.depthFar;
+  common_.window = mappingTo(common_.region.inViewport, shadow);
 }
 
 bool SmallDraws::find(GLenum mode, const Elements& e, Candidate& candidate) {
@@ -223,8 +222,7 @@ void SmallDraws::readDepths() {
           : reader.readDepth(shadow.real, common_.region.inViewport, depths_);
   const double readAt = p_.shadow.info.clock();
   if (isRead) {
-    if (common_.region.reversed)
-      for (float& depth : depths_) depth = 1 - depth;
+    if (common_.region.reversed) turnDepths(depths_);
     seen_.pyramid.build(depths_.data(), common_.region.inViewport.width, common_.region.inViewport.height);
     seen_.region = common_.region.inViewport, seen_.reversed = common_.region.reversed, seen_.any = true;
     seen_.epoch = p_.cleared.depthEpoch(common_.region.reversed);

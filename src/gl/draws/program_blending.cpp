@@ -7,6 +7,17 @@
 
 namespace gluray::gl {
 
+namespace {
+
+/// Whether the program may discard fragments whose alpha is 0. Layers would write their depths.
+bool mayDiscard(const ProgramState& program) {
+  const bool oneAlpha = program.shading.fragment.color == scene::FragmentShading::Color::material &&
+                        program.shading.textures.empty();
+  return program.known->discardsInvisible && !oneAlpha;
+}
+
+}  // namespace
+
 Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   const ProgramState& program = p_.shadow.program();
   const RasterState& raster = p_.shadow.raster();
@@ -19,7 +30,8 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   // one is culled.
   const bool single = mesh.shape == scene::Shape::triangles || mesh.shape == scene::Shape::spheres ||
                       (mesh.shape == scene::Shape::sticks && raster.cull != scene::CullFace::none);
-  if (single && !program.shading.fragment.edges) return Reason::traced;
+  const bool whole = !raster.writesDepth || !mayDiscard(program);
+  if (single && whole && !program.shading.fragment.edges) return Reason::traced;
   return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
 }
 

@@ -168,6 +168,30 @@ def spheres_multisampled(stage):
     stage.orbit(2)
 
 
+@state("vtk")
+def round_shades_of_mapper(stage):
+    """vtkPointGaussianMapper with the shader of ParaView's preset "Sphere"; its own shader blends and is not traced."""
+    mapper = stage.vtk.vtkPointGaussianMapper()
+    mapper.SetInputData(shapes.cloud(stage.vtk))
+    mapper.SetScaleArray("radius")
+    mapper.SetScalarRange(-1, 1)
+    mapper.EmissiveOff()
+    mapper.SetSplatShaderCode("""//VTK::Color::Impl
+float dist = dot(offsetVCVSOutput.xy,offsetVCVSOutput.xy);
+if (dist > 1.0) {
+  discard;
+} else {
+  float scale = (1.0 - dist);
+  ambientColor *= scale;
+  diffuseColor *= scale;
+}
+""")
+    stage.show(mapper)
+    stage.show(shapes.sphere(stage.vtk, 32, 0.4), color=(0.3, 0.6, 0.9))
+    stage.look()
+    stage.orbit(3)
+
+
 def points_of(stage, preset, **properties):
     stage.show(stage.simple.Sphere(ThetaResolution=20, PhiResolution=20), Representation="Point Gaussian", GaussianRadius=0.05,
                ShaderPreset=preset, **properties)
