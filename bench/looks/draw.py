@@ -1,19 +1,32 @@
-"""The program whose pictures looks change: draws scenes into FOLDER/SCENE.png.
+"""The program whose pictures looks change: draws scenes of scenes.py into FOLDER/SCENE.png.
 
-usage: draw.py FOLDER SIZE [--values] SCENE...    SIZE: 800x600
 With --values also FOLDER/SCENE.values.png, surfaces without light in greys of their scalars (black: none), and SCENE.depth.npy.
-Run by Python with VTK (python3-vtk9 or python3-paraview).
+Run by a Python with VTK (python3-vtk9 or python3-paraview).
 """
 import pathlib
 import sys
 
-import numpy as np
-import vtk
-from PIL import Image
-from vtk.util.numpy_support import vtk_to_numpy
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+from support.options import Parser  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from scenes import SCENES
+
+def arguments():
+    parser = Parser(__doc__)
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("size", help="of the pictures, such as 800x600")
+    parser.add_argument("scenes", nargs="*", metavar="SCENE", help="names in scenes.py (all)")
+    parser.add_argument("--values", action="store_true", help="draws the scalars and the depths, too")
+    return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the imports of what a machine may lack
+import numpy as np  # noqa: E402
+import vtk  # noqa: E402
+from PIL import Image  # noqa: E402
+from scenes import SCENES  # noqa: E402
+from vtk.util.numpy_support import vtk_to_numpy  # noqa: E402
 
 
 def pixels(window, depth=False):
@@ -72,15 +85,11 @@ def draw(name, folder, size, values):
         Image.fromarray(np.ascontiguousarray(pixels(window))).save(folder / f"{name}.values.png")
 
 
-def main(arguments):
-    values = "--values" in arguments
-    folder, size, *names = [a for a in arguments if a != "--values"]
-    folder = pathlib.Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in names or SCENES:
-        draw(name, folder, [int(n) for n in size.split("x")], values)
+def main(options):
+    options.folder.mkdir(parents=True, exist_ok=True)
+    for name in options.scenes or SCENES:
+        draw(name, options.folder, [int(n) for n in options.size.split("x")], options.values)
         print(name, flush=True)
 
 
-if __name__ == "__main__":
-    main(sys.argv[1:])
+main(OPTIONS)

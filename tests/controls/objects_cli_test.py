@@ -131,7 +131,7 @@ class Lights(CliCase):
         self.output("light", "lights.elevation=10", "lights=sky", "strength=1.25")
         self.assertEqual(second.live, {"lights.elevation": 10, "lights": "sky", "lights.strength": 1.25})
         for words, line in ((["azimut=3"], "the group lights has no 'azimut'; did you mean 'azimuth'?"), (["lights.azimut=3"], "did you mean 'azimuth'?"),
-                            (["shadows=on"], "the group lights has no 'shadows'; it has rig, attached, up, azimuth"), (["azimuth"], "azimuth: use NAME=VALUE"),
+                            (["shadows=on"], "the group lights has no 'shadows'; it has rig, attached, up, insets, azimuth"), (["azimuth"], "azimuth: use NAME=VALUE"),
                             (["azimuth=400"], "lights.azimuth = 400: use a number"), (["rig=moon"], "lights = moon: use program"), (["=3"], "has no ''")):
             self.assertIn(line, self.failure("light", *words, code=2))
 

@@ -118,6 +118,7 @@ Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (!known.mesh->moderate) return Reason::notFinite;
   if (offsetsProgramDepth(p_.shadow, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.program();
+  if (showsOpacityBeneath(program, *known.mesh, program.color)) return Reason::programValue;
   if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise classifyInstances() checks each
     const glm::ivec4& viewport = p_.shadow.viewport().box;
     const glm::ivec2 size(viewport.z, viewport.w);

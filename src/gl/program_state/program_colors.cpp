@@ -151,12 +151,16 @@ Reason ProgramReader::readTexture(const ProgramUniform& sampler, scene::Texture&
   return Reason::traced;
 }
 
+bool showsOpacityBeneath(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color) {
+  return program.overridden && !(mesh.colors ? mesh.opaqueColors : color.a >= 1);
+}
+
 bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
   if (program.material.front.diffuse.a < 1) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
-  if (program.overridden && !(mesh.colors ? mesh.opaqueColors : color.a >= 1)) return false;
+  if (showsOpacityBeneath(program, mesh, color)) return false;
   if (f.color == Color::vertices && !f.ignoresAlpha && !program.instanceColors &&
       !(mesh.colors ? mesh.opaqueColors : color.a >= 1))
     return false;

@@ -58,6 +58,9 @@ inline Reason reasonWithoutFamily(const KnownProgram& known) {
   return known.unknownCode ? Reason::programCode : Reason::program;
 }
 
+/// Whether the material's colours replace those of the vertices, but not their opacity, which is below 1. No
+/// shading has both. `color`: colour of a mesh without colours.
+bool showsOpacityBeneath(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color);
 /// Whether all alphas of the program's surface of this mesh are at least 1. `color`: colour of a mesh without
 /// colours.
 bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color);

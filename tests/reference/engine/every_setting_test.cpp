@@ -98,6 +98,7 @@ std::vector<Change> changes() {
       {"ao.radius", "0.5", ao},
       {"ao.distance", "0.3", ao},
       {"ao.strength", "0.5", ao},
+      {"ao.interreflection", "on", ao},
       {"ao.on", "ambient", ao},
       {"shadows", "on", {}},
       {"shadows.samples", "4", shadows},
@@ -154,6 +155,7 @@ std::vector<Change> changes() {
       {"camera.film", "1", {{"camera.f-number", "1"}}},
       {"pixel-filter", "gauss", {{"spp", "4"}}},
       {"exposure", "-1", {}},
+      {"auto-exposure", "on", {{"lights", "sky"}}},
       {"tone", "filmic", {}},
       {"look", "honest", {}},
       {"transparency", "ordered", {}},
@@ -168,7 +170,7 @@ std::vector<Change> changes() {
 }
 
 /// Settings of how images are made, of passes, of which these images have one, of ranks, of which there
-/// is one, and of opaque surfaces that are rasterised, of which there are none.
+/// is one, and of rasterised surfaces and of insets, of which there are none.
 const std::set<std::string> kElsewhere = {
     "engine",
     "bvh",
@@ -187,6 +189,7 @@ const std::set<std::string> kElsewhere = {
     "cull.from",
     "cull.verify",
     "light.rasterised",
+    "lights.insets",
 };
 
 /// One read is one pass: samples, not the wish for little noise, make the image.

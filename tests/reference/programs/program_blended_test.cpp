@@ -157,8 +157,8 @@ void expectClearBall(const std::string& name, int draws, const ContextWish& wish
       draws, wish, kProgramTolerance, kClearFamily);
 }
 
-/// Where there is no fixed function the framebuffer's bits are not asked for.
-TEST(BlendedProgram, InACoreProfileIsLeft) { expectClearBall("blended-core", 0, {}); }
+/// Where there is no fixed function the framebuffer's attachments have its bits.
+TEST(BlendedProgram, InACoreProfileIsTraced) { expectClearBall("blended-core", 1, {}); }
 
 /// Instances, and a draw that is repeated, are left to the real OpenGL.
 TEST(BlendedProgram, RepeatedByInstancesIsLeft) {

@@ -183,27 +183,28 @@ INSTANTIATE_TEST_SUITE_P(Cases, ProgramSurface, testing::ValuesIn(kSurfaceCases)
 TEST(ProgramSurfaces, TranslucentColorsBeneathOthersShowThrough) {
   for (const Color color : {Color::vertex, Color::cell, Color::mapped}) {
     const Surface surface{.color = color};
-    expectSame(
-        "overridden_translucent",
-        [&](Gl gl) {
-          ProgramMesh mesh = sheet(10);
-          for (uint32_t& c : mesh.colors) c = (c & 0xffffffu) | 0x80000000u;
-          const GLuint program = makeProgram(gl, surface);
-          upload(gl, mesh, program);
-          beginFrame(gl);
-          gl.UseProgram(program);
-          if (color == Color::cell) cellColors(gl, mesh, 1), setInteger(gl, program, "textureC", 1);
-          if (color == Color::cell)
-            gl.BufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(4 * mesh.colors.size()),
-                             mesh.colors.data());
-          if (color == Color::mapped) colorMap(gl, 3), setInteger(gl, program, "colortexture", 3);
-          if (color == Color::mapped)
-            gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 10, 1, GL_RGBA, GL_UNSIGNED_BYTE, mesh.colors.data());
-          setAll(gl, program, perspectiveView(25), surface);
-          overrideColors(gl, program);
-          gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
-        },
-        0);
+    for (const ContextWish& wish : {ContextWish{}, ContextWish{kProgramWidth, kProgramHeight}})
+      expectSame(
+          "overridden_translucent",
+          [&](Gl gl) {
+            ProgramMesh mesh = sheet(10);
+            for (uint32_t& c : mesh.colors) c = (c & 0xffffffu) | 0x80000000u;
+            const GLuint program = makeProgram(gl, surface);
+            upload(gl, mesh, program);
+            beginFrame(gl);
+            gl.UseProgram(program);
+            if (color == Color::cell) cellColors(gl, mesh, 1), setInteger(gl, program, "textureC", 1);
+            if (color == Color::cell)
+              gl.BufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(4 * mesh.colors.size()),
+                               mesh.colors.data());
+            if (color == Color::mapped) colorMap(gl, 3), setInteger(gl, program, "colortexture", 3);
+            if (color == Color::mapped)
+              gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 10, 1, GL_RGBA, GL_UNSIGNED_BYTE, mesh.colors.data());
+            setAll(gl, program, perspectiveView(25), surface);
+            overrideColors(gl, program);
+            gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+          },
+          0, wish);
   }
 }
 

@@ -151,7 +151,7 @@ TEST_F(FilmDialogTest, SaysWhatIsWrongBeforeItBegins) {
   part<QLineEdit>("film-name").setText("b");
   part<QComboBox>("film-setting").setCurrentText("lights.azimuth");
   EXPECT_EQ(part<QDoubleSpinBox>("film-to").maximum(), 360);
-  EXPECT_EQ(part<QDoubleSpinBox>("film-from").value(), 45);
+  EXPECT_EQ(part<QDoubleSpinBox>("film-from").value(), 30);
   part<QSpinBox>("film-frames").setValue(0);
   start.click();
   EXPECT_EQ(message(), "A varying setting needs a number of images.");
