@@ -3,8 +3,27 @@
 All quantities are over the pixels of surfaces. Luminance is that of displayed values, 0.2126 R + 0.7152 G + 0.0722 B, from 0 to 1.
 """
 import dataclasses
+import json
+import pathlib
+import sys
 
-import numpy as np
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent)]
+from support.options import Parser  # noqa: E402
+
+
+def arguments():
+    parser = Parser("Prints the figures of each scene as a line of JSON.")
+    parser.add_argument("own", type=pathlib.Path, help="folder of the program's own pictures, made by draw.py --values")
+    parser.add_argument("look", type=pathlib.Path, help="folder of the pictures to measure")
+    parser.add_argument("scenes", nargs="+", metavar="SCENE")
+    return parser.parse_args()
+
+
+OPTIONS = arguments() if __name__ == "__main__" else None  # before the imports of what a machine may lack
+import numpy as np  # noqa: E402
+from PIL import Image  # noqa: E402
 
 LOST_FROM, LOST_TO = 0.15, 0.06  # luminance of the program's own picture, and of one in which it is lost
 COLORFUL = 0.1                   # chroma from which hues count
@@ -22,9 +41,9 @@ class Measures:
 
     LIMITS = {"brightness": (0.85, 1.15), "lost": (0, 0.01), "hue": (0, 6), "burnt": (0, 0.01), "order": (0.98, 1), "depth": (0.1, np.inf)}
 
-    def misses(self, but=()):
+    def misses(self):
         """Names of the figures that are out of their limits."""
-        return [name for name, (least, most) in self.LIMITS.items() if name not in but and not least <= getattr(self, name) <= most]
+        return [name for name, (least, most) in self.LIMITS.items() if not least <= getattr(self, name) <= most]
 
 
 def luminance(image):
@@ -79,3 +98,16 @@ def measure(own, look, surfaces, values):
     low, middle, high = np.percentile(gain, (10, 50, 90)) if seen.any() else (1, 1, 1)
     return Measures(brightness=b.mean() / a.mean(), lost=float(((a > LOST_FROM) & (b < LOST_TO)).mean()), hue=float(turned.mean()) if turned.size else 0.0,
                     burnt=float(((look == 255) & (own < 250)).any(-1).mean()), order=order_along_map(a, b, values), depth=float((high - low) / max(middle, 1e-6)))
+
+
+def figures_of(own, look, scene):
+    """Measures of a scene whose pictures lie in the folders `own`, with its depths and scalars, and `look`."""
+    read = lambda folder, end, mode: np.asarray(Image.open(folder / f"{scene}{end}").convert(mode))
+    surfaces = np.load(own / f"{scene}.depth.npy") < 1
+    return measure(read(own, ".png", "RGB"), read(look, ".png", "RGB"), surfaces, read(own, ".values.png", "L"))
+
+
+if __name__ == "__main__":
+    for name in OPTIONS.scenes:
+        found = figures_of(OPTIONS.own, OPTIONS.look, name)
+        print(json.dumps({"scene": name, **{k: round(float(v), 4) for k, v in vars(found).items()}, "misses": found.misses()}))

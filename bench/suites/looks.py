@@ -5,11 +5,11 @@ program's own; share of pixels that became nearly black; mean change of hue; sha
 along the colour map; and spread of light and shade over the program's own. A figure out of its limits (bench/looks/measure.py) is marked.
 Needs Debian's VTK (python3-vtk9 or python3-paraview). Pictures stay in FOLDER. Results go to bench/results/NAME.json.
 """
+import json
 import os
 import pathlib
 import shlex
 import subprocess
-import sys
 import time
 
 from support import machine, programs
@@ -49,16 +49,13 @@ def drawn(options, environment, look=None):
     return time.monotonic() - began, done.stdout.split()
 
 
-def measured(options, look, scene):
-    import numpy as np
-    from PIL import Image
-
-    sys.path.insert(0, str(ROOT / "bench" / "looks"))
-    from measure import measure
-
-    read = lambda folder, end, mode: np.asarray(Image.open(options.folder / folder / f"{scene}{end}").convert(mode))
-    surfaces = np.load(options.folder / "own" / f"{scene}.depth.npy") < 1
-    return measure(read("own", ".png", "RGB"), read(look, ".png", "RGB"), surfaces, read("own", ".values.png", "L"))
+def measured(options, look, scenes):
+    """A row for each scene."""
+    command = [PYTHON, "-B", ROOT / "bench" / "looks" / "measure.py", options.folder / "own", options.folder / look, *scenes]
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
+    if done.returncode:
+        raise programs.Failed(f"exit code {done.returncode}: {' '.join(map(str, command))}\n{done.stderr}")
+    return [json.loads(line) for line in done.stdout.splitlines()]
 
 
 def run(options, argv):
@@ -70,11 +67,10 @@ def run(options, argv):
         for look in options.looks:
             seconds, _ = drawn(options, environment, look)
             print(f"{look}: {seconds:.0f} s (the program's own pictures: {own_seconds:.0f} s)", flush=True)
-            for scene in scenes:
-                figures = measured(options, look, scene)
-                print(f"  {scene:12} brightness {figures.brightness:.2f}  lost {100 * figures.lost:4.1f} %  hue {figures.hue:4.1f}  burnt {100 * figures.burnt:4.1f} %  "
-                      f"order {figures.order:.3f}  depth {figures.depth:.2f}  {' '.join(figures.misses())}", flush=True)
-                result["rows"].append({"look": look, "scene": scene, **{k: round(v, 4) for k, v in vars(figures).items()}, "misses": figures.misses()})
+            for row in measured(options, look, scenes):
+                print(f"  {row['scene']:12} brightness {row['brightness']:.2f}  lost {100 * row['lost']:4.1f} %  hue {row['hue']:4.1f}  burnt {100 * row['burnt']:4.1f} %  "
+                      f"order {row['order']:.3f}  depth {row['depth']:.2f}  {' '.join(row['misses'])}", flush=True)
+                result["rows"].append({"look": look, **row})
     machine.write(ROOT, options.name, result)
 
 

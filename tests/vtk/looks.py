@@ -15,18 +15,14 @@ sys.dont_write_bytecode = True
 from command_line import Parser  # noqa: E402
 
 try:
-    import numpy as np
-    from PIL import Image
     import vtkmodules  # noqa: F401
-    from measure import measure
+    from measure import figures_of
     from scenes import SCENES
 except ImportError as missing:
     print(f"skipped: {missing} ({sys.executable})")
     sys.exit(77)
 
 SIZE = "320x240"
-# Flat surfaces without a crease or a shadow that falls on another one get no depth.
-FLAT = {}
 
 
 def draw(folder, *before, values=False):
@@ -38,9 +34,8 @@ def draw(folder, *before, values=False):
 
 def faults(out, look):
     for scene in SCENES:
-        read = lambda folder, end, mode: np.asarray(Image.open(out / folder / f"{scene}{end}").convert(mode))
-        figures = measure(read("own", ".png", "RGB"), read(look, ".png", "RGB"), np.load(out / "own" / f"{scene}.depth.npy") < 1, read("own", ".values.png", "L"))
-        for name in figures.misses(FLAT.get(scene, ())):
+        figures = figures_of(out / "own", out / look, scene)
+        for name in figures.misses():
             yield f"{look}, {scene}: {name} is {getattr(figures, name):.3f}, beyond {figures.LIMITS[name]}"
 
 
