@@ -21,7 +21,7 @@ OCCLUSION = ["ao=on"]
 
 def key(up, azimuth):
     """Soft shadows of a key light."""
-    return ["shadows=on", "shadows.size=4", "lights=headlight+key", f"lights.up={up}", f"lights.azimuth={azimuth}"]
+    return ["shadows=on", "shadows.size=4", "lights=headlight+key", "lights.attached=scene", f"lights.up={up}", f"lights.azimuth={azimuth}"]
 
 
 METAL = ["integrator=path", "path.depth=6", "environment=gradient", "environment.up=0,0,1", "environment.strength=0.6",

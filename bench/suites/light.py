@@ -31,7 +31,7 @@ def arguments(argv):
     return options
 
 
-SHADOW = ["shadows=on", "lights=headlight+key", "shadows.size=3"]
+SHADOW = ["shadows=on", "lights=headlight+key", "lights.attached=scene", "lights.azimuth=45", "shadows.size=3"]
 
 
 def figures_of(said):
