@@ -67,8 +67,8 @@ std::string stencilLines(const json& kinds) {
       "intersections of solids: " +
           grouped(draws) +
           " draws count surfaces in the stencil buffer without drawing colours. These counts decide what "
-          "later "
-          "draws show. A ray finds the nearest surface and does not count, so the real OpenGL makes all of "
+          "later draws show. A ray finds the nearest surface and does not count, so the real OpenGL makes "
+          "all of "
           "these draws.",
       100, "  ");
 }

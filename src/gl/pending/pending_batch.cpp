@@ -108,10 +108,9 @@ void PendingBatch::attachSecondaryScene() {
     batch.setLightMode(p_.clock.offscreenMode({region.width, region.height}, frame));
   }
   const bool isLast = p_.clock.shows && batch.key().framebuffer == 0 && p_.shadow.info.doubleBuffered;
-  if (isData || isInset)
-    batch.setSecondaryScene(nullptr);
-  else
-    batch.setSecondaryScene(p_.surfaces.views.secondaryScene(batch.key(), batch.waiting(), isLast));
+  const bool isAlone = isData || isInset;
+  batch.setSecondaryScene(isAlone ? nullptr
+                                  : p_.surfaces.views.secondaryScene(batch.key(), batch.waiting(), isLast));
   batch.setExtent(p_.surfaces.views.extentOf(batch.waiting()));
   batch.stand(p_.surfaces.views.groundOf(batch.key(), batch.waiting()), backdrop());
 }

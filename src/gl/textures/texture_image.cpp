@@ -1,11 +1,11 @@
 #include "gl/textures/texture_image.h"
 
 #include "gl/real/state_queries.h"
+#include "scene/srgb.h"
 
 #include <GL/glext.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -165,9 +165,6 @@ Texel expanded(const Texel& t, scene::BaseFormat format, decltype(t.x) one) {
   return t;
 }
 
-/// EXT_texture_sRGB: the linear value of a component.
-float decoded(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
-
 void readBytes(const RealGl& real, GLenum target, GLint level, const TexelForm& form, scene::TexelGrid& grid,
                size_t first) {
   real.GetTexImage(target, level, GL_RGBA, GL_UNSIGNED_BYTE, grid.texels.data() + first);
@@ -194,7 +191,8 @@ void readFloats(const RealGl& real, GLenum target, GLint level, const TexelForm&
   }
   for (size_t i = 0; i < count; ++i) {
     glm::vec4 t = texels[i];
-    if (form.srgb) t = {decoded(t.x), decoded(t.y), decoded(t.z), t.w};
+    if (form.srgb)  // EXT_texture_sRGB
+      t = {scene::decodedSrgb(t.x), scene::decodedSrgb(t.y), scene::decodedSrgb(t.z), t.w};
     texels[i] = expanded(t, form.base, 1.0f);
   }
 }

@@ -22,7 +22,7 @@ inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
 /// samples share them among these.
 inline int samplesOf(const FrameData& frame, int count) {
   if (frame.moving) return std::min(count, frame.moving->rays.perPixel);
-  return frame.averages ? frame.lightSamplesEach(count) : count;
+  return frame.lightSamplesEach(count);
 }
 
 /// Seeds of points: the seeds of their pixels, or in moving frames one sequence for all.

@@ -1,10 +1,10 @@
 #include "render/exposure/light_meter.h"
 
 #include "base/image.h"
-#include "render/resolve/srgb.h"
 #include "render/resolve/tone.h"
 #include "render/tile_tracer.h"
 #include "scene/effects.h"
+#include "scene/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@
 namespace gluray::render {
 namespace {
 
-// Pixels of the small images. Their mean is a few tenths of a percent away from that of the whole image.
+// Pixels of the small images.
 constexpr double kPixelsAtRest = 16384, kPixelsMoving = 6400;
 constexpr int kMaxSamples = 4;  // rays of a point
 
 /// The snapshot with fewer pixels: viewport and region by one factor.
 scene::Snapshot reduced(const scene::Snapshot& given) {
   scene::Snapshot s = given;
-  const double pixels = double{1} * s.region.width * s.region.height;
+  const double pixels = static_cast<double>(s.region.width) * s.region.height;
   const bool moves = s.lightSampling.mode == scene::LightSampling::Mode::moving;
   const double scale = std::min(1.0, std::sqrt((moves ? kPixelsMoving : kPixelsAtRest) / pixels));
   const auto begin = [&](int at) { return static_cast<int>(std::floor(at * scale)); };
@@ -32,7 +32,7 @@ scene::Snapshot reduced(const scene::Snapshot& given) {
   s.samples = 1, s.samplePositions.clear();
   s.lightSampling = {};
   s.backdrop = nullptr;
-  s.wideColors = true, s.encodes = given.encodes;
+  s.wideColors = true;
   s.settings.exposure = 0, s.settings.tone = Tone::none;
   s.settings.spp = 1, s.settings.camera.aperture = 0, s.settings.camera.fNumber = 0;
   s.settings.ao.samples = std::min(s.settings.ao.samples, kMaxSamples);
@@ -76,8 +76,6 @@ class Meter {
   Samples measure() {
     Image lit, own, surfaces;
     trace(lit);
-    scene::Snapshot plain = snapshot_;
-    std::swap(plain, snapshot_);
     scene::dropLight(snapshot_.settings);
     trace(own);
     snapshot_.lightSampling.mode = scene::LightSampling::Mode::surfaces;
@@ -108,7 +106,7 @@ class Meter {
     for (int c = 0; c < 3; ++c) {
       const float given = image.wideColor[4 * pixel + static_cast<size_t>(c)];
       const float v = given > 0 ? std::min(given, 1e6f) : 0.0f;  // NaN is black
-      color[c] = snapshot_.encodes ? encodedSrgb(v) : v;
+      color[c] = snapshot_.encodes ? scene::encodedSrgb(v) : v;
     }
     return color;
   }

@@ -1,7 +1,7 @@
 #include "render/frame_data/backdrop_look.h"
 
 #include "render/lights/make_environment.h"
-#include "render/resolve/srgb.h"
+#include "scene/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,9 @@ namespace {
 
 /// A colour as people choose it on screens, as the framebuffer takes it.
 glm::vec3 asWritten(const glm::vec3& color, bool encodes) {
-  return encodes ? glm::vec3(decodedSrgb(color.r), decodedSrgb(color.g), decodedSrgb(color.b)) : color;
+  return encodes ? glm::vec3(scene::decodedSrgb(color.r), scene::decodedSrgb(color.g),
+                             scene::decodedSrgb(color.b))
+                 : color;
 }
 
 }  // namespace

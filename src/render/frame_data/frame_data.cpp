@@ -229,8 +229,9 @@ const std::vector<scene::Shading>& FrameData::shadings() const {
 }
 
 int FrameData::lightSamplesEach(int count) const {
-  const int each = static_cast<int>(samplePositions.size()) - (lens ? 1 : 0);
-  return std::max(1, (count + each - 1) / std::max(each, 1));
+  if (!averages) return count;
+  const int samples = std::max(static_cast<int>(samplePositions.size()) - (lens ? 1 : 0), 1);
+  return std::max(1, (count + samples - 1) / samples);
 }
 
 uint32_t FrameData::shadingOf(size_t instance) const {

@@ -93,7 +93,8 @@ struct FrameData {
   /// Colours become auxiliary features, which no tone map changes.
   void dropTones() { tone.reset(), litTone.reset(); }
   const std::vector<scene::Shading>& shadings() const;
-  /// Of averages: how many of a pixel's `count` light samples each of its samples takes; at least 1.
+  /// How many of a pixel's `count` light samples each of its samples takes: a part of them, at least 1, where
+  /// pixels are averages; otherwise all.
   int lightSamplesEach(int count) const;
   /// Index into shadings() and lightings of one of the snapshot's instances.
   uint32_t shadingOf(size_t instance) const;

@@ -47,8 +47,7 @@ Path::Path(const FrameData& of)
       captured(CapturedColors::create(of)),
       environment(environmentOf(of)),
       lightScale(of.snapshot->settings.path.lights),
-      samples(of.averages ? of.lightSamplesEach(of.snapshot->settings.path.samples)
-                          : of.snapshot->settings.path.samples),
+      samples(of.lightSamplesEach(of.snapshot->settings.path.samples)),
       depth(of.snapshot->settings.path.depth),
       mostIndirect(of.snapshot->settings.path.clamp),
       bounces(of.snapshot->settings.integrator == LightIntegrator::path),

@@ -2,7 +2,7 @@
 #pragma once
 #include <cmath>
 
-namespace gluray::render {
+namespace gluray::scene {
 
 /// Linear light of a displayed value.
 inline float decodedSrgb(float c) {
@@ -13,4 +13,4 @@ inline float encodedSrgb(float c) {
   return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
 }
 
-}  // namespace gluray::render
+}  // namespace gluray::scene
