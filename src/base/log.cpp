@@ -10,6 +10,7 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace gluray::log {
 namespace {
@@ -20,6 +21,7 @@ struct State {
   Level level = Level::warning;
   std::set<std::string, std::less<>> said;
   std::deque<std::string> recent;
+  bool hasStatus = false;  // the last line of the terminal is a status
 };
 
 thread_local Run t_run = nullptr;
@@ -29,6 +31,29 @@ State& state() {
   return *state;
 }
 
+constexpr std::string_view kClearLine = "\r\x1b[K";
+
+/// Writes to standard error.
+void writeError(std::string_view text) {
+  int error = 0;
+  const GlurayOutput out = files::stream(STDERR_FILENO);
+  glurayWrite(&out, text.data(), text.size(), 0, &error);
+}
+
+/// Calls write() on the thread that writes for the calling one.
+template <class Write>
+void byWriter(const Write& write) {
+  if (t_run)
+    t_run(write);
+  else
+    write();
+}
+
+bool isTerminal() {
+  const GlurayOutput out = files::stream(STDERR_FILENO);
+  return out.descriptor >= 0 && glurayIsSame(&out) && isatty(out.descriptor) == 1;
+}
+
 /// Writes a line in one piece, so that lines of several processes do not mix.
 void writeLine(State& s, std::string_view message) {
   std::string line = "gluray: " + printable(message) + "\n";
@@ -36,9 +61,8 @@ void writeLine(State& s, std::string_view message) {
     files::write(s.file, line, 0);
     return;
   }
-  int error = 0;
-  const GlurayOutput out = files::stream(STDERR_FILENO);
-  glurayWrite(&out, line.data(), line.size(), 0, &error);
+  if (std::exchange(s.hasStatus, false)) line.insert(0, kClearLine);
+  writeError(line);
 }
 
 void keep(std::deque<std::string>& recent, std::string_view message) {
@@ -77,15 +101,23 @@ void write(Level level, std::string_view message) noexcept {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (level == Level::off) return;
-    if (level >= s.level) {
-      if (t_run)
-        t_run([&] { writeLine(s, message); });
-      else
-        writeLine(s, message);
-    }
+    if (level >= s.level) byWriter([&] { writeLine(s, message); });
     if (level >= Level::warning) keep(s.recent, message);
   } catch (...) {  // drop the line
   }
+}
+
+void status(std::string_view line) noexcept {
+  try {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    if (s.file.isOpen() || s.level > Level::warning || (line.empty() && !s.hasStatus)) return;
+    byWriter([&] {
+      if (!isTerminal()) return;
+      writeError(std::string(kClearLine) + printable(line));
+      s.hasStatus = !line.empty();
+    });
+  } catch (...) {}
 }
 
 void once(Level level, std::string_view key, std::string_view message) noexcept {

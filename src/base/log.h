@@ -23,6 +23,10 @@ void write(Level level, std::string_view message) noexcept;
 /// Writes `message` unless one with the same `key` was written before.
 void once(Level level, std::string_view key, std::string_view message) noexcept;
 
+/// Shows a line that the next status or message replaces; empty: removes it. Only where warnings go to
+/// standard error and that is a terminal. Never throws.
+void status(std::string_view line) noexcept;
+
 /// Makes `run` write the lines of the calling thread: it calls its argument on another thread and waits for
 /// it. For threads with a descriptor table of their own. Null: the calling thread writes.
 using Run = void (*)(const std::function<void()>& write);

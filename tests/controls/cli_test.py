@@ -171,9 +171,10 @@ class Cli(CliCase):
         self.until_observed(hub)
         self.assertEqual([(r["what"], r["every"]) for r in hub.requests if r["type"] == "observe"], [(["settings", "programs", "state"], 1)])
         hub.tell({"type": "event", "what": "state", "program": 1, "state": {
-            "frame": 1042, "fps": 23.96, "triangles": 1000000, "traced": 0.985, "memory": 512345678, "noise": 0.0123, "passes": 14, "building": True}})
+            "frame": 1042, "fps": 23.96, "triangles": 1000000, "traced": 0.985, "memory": 512345678, "noise": 0.0123, "passes": 14, "building": True,
+            "progress": {"share": 0.437, "noise": 0.0123, "secondsLeft": 12.4}}})
         self.assertEqual(watch.stdout.readline(), "paraview (4242): frame 1042, 24.0 fps, 1 000 000 triangles, 98.5 % traced, 512 MB, noise 0.0123, "
-                                                  "14 passes, building a better structure\n")
+                                                  "14 passes, 44 % refined, 12 s left, building a better structure\n")
         hub.tell({"type": "event", "what": "state", "program": 1, "state": {"frame": "x", "fps": 0, "traced": None, "triangles": -3, "memory": 1e300}})
         self.assertEqual(watch.stdout.readline(), "paraview (4242): 0.0 fps, 0 triangles\n")
         hub.end()

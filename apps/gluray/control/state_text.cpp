@@ -43,6 +43,11 @@ std::string stateText(const json& state) {
   if (const auto memory = numberOf(state, "memory")) add(countText(*memory / 1e6) + " MB");
   if (const auto noise = numberOf(state, "noise")) add("noise " + noiseText(*noise));
   if (const auto passes = numberOf(state, "passes")) add(fixed(*passes, 0) + " passes");
+  if (const auto progress = state.find("progress"); progress != state.end() && progress->is_object())
+    if (const auto share = numberOf(*progress, "share")) {
+      add(fixed(100 * *share, 0) + " % refined");
+      if (const auto left = numberOf(*progress, "secondsLeft")) add(fixed(*left, 0) + " s left");
+    }
   if (const auto building = state.find("building"); building != state.end() && *building == true)
     add("building a better structure");
   return text;

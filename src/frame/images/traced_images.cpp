@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/log.h"
 #include "frame/refinement/noise_image.h"
+#include "frame/refinement/refinement_progress.h"
 #include "scene/effects.h"
 
 #include <algorithm>
@@ -41,12 +42,15 @@ bool tracePasses(Refiner& refiner, const Trace& trace, uint32_t missColor, bool 
                  TracedImages::Result& result) {
   const double start = nowSeconds();
   double now = start, last = 0;
+  std::optional<ProgressTeller> progress;
+  if (finish) progress.emplace(refiner.settings());
   while (!refiner.elsewhere() &&
          (!refiner.hasPass() ||
           (!refiner.finished() && (finish || result.passes == 0 || now + last < start + mostSeconds)))) {
     if (!refiner.pass(trace, missColor, result.cost, result.why)) return false;
     ++result.passes;
     last = nowSeconds() - now, now += last;
+    if (progress) progress->passed(refiner.refinement());
   }
   return true;
 }

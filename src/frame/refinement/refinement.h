@@ -37,6 +37,10 @@ class Refinement {
   void leaveOut(double least);
   /// Tiles of the next pass; null: all.
   std::shared_ptr<const Tiles> tiles() const { return tiles_; }
+  /// Counts the time that a pass has taken, which is part of the mean or failed.
+  void addTime(double seconds) { seconds_ += seconds; }
+  /// Time of all passes.
+  double seconds() const { return seconds_; }
   /// Total number of tiles traced in all passes.
   uint64_t tracedTiles() const { return tracedTiles_; }
 
@@ -79,6 +83,7 @@ class Refinement {
   std::shared_ptr<const Tiles> tiles_;
   uint64_t tracedTiles_ = 0;
   uint32_t passes_ = 0, halfPasses_ = 0;
+  double seconds_ = 0;
   bool keepsNoise_ = false, judgesAlpha_ = false;
   double noise_ = std::numeric_limits<double>::infinity();
 };

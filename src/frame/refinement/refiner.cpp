@@ -1,11 +1,13 @@
 #include "frame/refinement/refiner.h"
 
+#include "base/clock.h"
 #include "frame/refinement/denoiser.h"
 #include "frame/refinement/noise_image.h"
 #include "scene/effects.h"
 
 #include <algorithm>
 #include <exception>
+#include <limits>
 
 namespace gluray::frame {
 namespace {
@@ -54,7 +56,21 @@ bool isRefinable(const scene::Snapshot& snapshot) {
 bool isFinished(const Refinement& refinement, const Settings& settings) {
   const uint32_t passes = refinement.passes();
   if (passes >= static_cast<uint32_t>(settings.refine.passes)) return true;
+  const double limit = settings.refine.seconds, mean = refinement.seconds() / std::max(passes, 1u);
+  if (limit > 0 && passes > 0 && refinement.seconds() + mean > limit) return true;
   return passes >= kMinPasses && refinement.noise() <= double{settings.noise};
+}
+
+void divideIntoPasses(Settings& settings) {
+  int most = 1;
+  if (scene::wantsOcclusion(settings)) most = std::max(most, settings.ao.samples);
+  if (scene::wantsShadows(settings)) most = std::max(most, settings.shadows.samples);
+  if (scene::wantsPaths(settings)) most = std::max(most, settings.path.samples);
+  const int parts = (most + kMaxPassSamples - 1) / kMaxPassSamples;
+  for (int* samples : {&settings.ao.samples, &settings.shadows.samples, &settings.path.samples})
+    *samples = (*samples + parts - 1) / parts;
+  const int64_t passes = int64_t{settings.refine.passes} * parts;
+  settings.refine.passes = static_cast<int>(std::min<int64_t>(passes, std::numeric_limits<int>::max()));
 }
 
 Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
@@ -63,6 +79,7 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
       refinement_(refinement),
       filters_(isFiltered(snapshot)) {
   snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
+  divideIntoPasses(snapshot_.settings);
   if (usesWideColors(snapshot)) snapshot_.wideColors = true;
   if (snapshot.catches) refinement.judgeAlpha();
   if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
@@ -99,7 +116,9 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     snapshot_.lightSampling.tiles = whole_ ? refinement_.tiles() : nullptr;
     image_.missColor = missColor;
     scene::TraceCost own;
+    const double start = nowSeconds();
     if (!trace(snapshot_, image_, own, error)) return cost.loss = own.loss, whole_ = false;
+    refinement_.addTime(nowSeconds() - start);
     addCost(own, cost);
     elsewhere_ = own.elsewhere, finishedElsewhere_ = own.refined;
     if (elsewhere_) return true;

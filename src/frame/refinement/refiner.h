@@ -10,11 +10,19 @@ namespace gluray::frame {
 /// Whether more passes improve the snapshot's image, and there is memory for their sums.
 bool isRefinable(const scene::Snapshot& snapshot);
 
-/// Whether an image is finished: its noise is within the setting `noise`, or it has `refine.passes` passes.
+/// Whether an image is finished: its noise is within the setting `noise`, it has `refine.passes` passes, or
+/// one more would end after `refine.seconds`.
 bool isFinished(const Refinement& refinement, const Settings& settings);
 
 /// Fewer passes give no reliable noise estimate, because well distributed rays may agree by chance.
 inline constexpr uint32_t kMinPasses = 4;
+
+/// A pass takes at most so many rays of a kind per pixel. Where the settings ask for more samples, they are
+/// divided among several passes, which together count as one of `refine.passes`: so the noise is known before
+/// all of four times the samples are taken.
+inline constexpr int kMaxPassSamples = 16;
+/// Divides the settings' samples, and multiplies `refine.passes`.
+void divideIntoPasses(Settings& settings);
 
 class Refiner {
  public:
@@ -33,6 +41,8 @@ class Refiner {
   /// Whether the image elsewhere() is finished.
   bool finishedElsewhere() const { return finishedElsewhere_; }
   const Refinement& refinement() const { return refinement_; }
+  /// The snapshot's, divided into passes.
+  const Settings& settings() const { return snapshot_.settings; }
 
  private:
   bool traceFeatures(const Trace& trace, scene::TraceCost& cost, std::string& error);

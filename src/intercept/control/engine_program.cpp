@@ -6,6 +6,7 @@
 #include "frame/refinement/idle_refiner.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/control/link.h"
+#include "intercept/reports/light_report.h"
 #include "intercept/windows/window_images.h"
 
 #include <nlohmann/json.hpp>
@@ -88,6 +89,7 @@ json EngineProgram::state() {
           {"building", s.blasRefining != 0},
           {"noise", noise > 0 ? json(noise) : json()},
           {"passes", std::move(done)},
+          {"progress", progressReport()},
           {"windows", windows()},
           {"pictures", keptImages()},
           {"opengl", {{"vendor", sum.vendor}, {"renderer", sum.renderer}, {"version", sum.version}}},

@@ -6,10 +6,12 @@
 #include "base/never_destroyed.h"
 #include "base/own_thread.h"
 #include "frame/refinement/idle_refiner.h"
+#include "frame/refinement/refinement_progress.h"
 #include "gl/buffers/buffer.h"
 #include "intercept/contexts/contexts.h"
 #include "intercept/contexts/frame_count.h"
 #include "intercept/reports/explanation.h"
+#include "intercept/reports/light_report.h"
 #include "intercept/session/guarded.h"
 #include "intercept/session/session.h"
 #include "intercept/window_systems/bypassed_doors.h"
@@ -26,6 +28,7 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -56,14 +59,6 @@ json lagReport() {
           {"atOnce", because}};
 }
 
-/// Refinement while the program was idle.
-json idleReport() {
-  const frame::IdleRefiner::Counts& counts = frame::IdleRefiner::counts();
-  return {{"frames", counts.frames.load()},     {"refused", counts.refused.load()},
-          {"finished", counts.finished.load()}, {"passes", counts.passes.load()},
-          {"noise", counts.noise.load()},       {"shown", counts.shown.load()}};
-}
-
 json makeReport(const Totals& totals) {
   const gl::Statistics& s = totals.statistics;
   const uint64_t frames = s.frames + s.framesInFront + s.framesInMemory;
@@ -89,7 +84,11 @@ json makeReport(const Totals& totals) {
       {"lit", {{"draws", s.drawsLit}, {"imagesAgain", s.imagesRelit}}},
       {"culled", {{"draws", s.drawsCulled}, {"trianglesLeftOut", s.trianglesLeftOut}}},
       {"bvh", {{"builds", s.blasBuilds}, {"refined", s.blasRefinements}, {"bytes", s.bvhBytes}}},
-      {"light", {{"passes", s.lightPasses}, {"noise", s.lightNoise}, {"idle", idleReport()}}},
+      {"light",
+       {{"passes", s.lightPasses},
+        {"noise", s.lightNoise},
+        {"idle", idleReport()},
+        {"progress", progressReport()}}},
       {"mesh", {{"built", s.meshesBuilt}, {"bytes", s.meshBytes}}},
       {"buffers", {{"bytesSent", gl::Buffer::bytesSent()}}},
       {"ms",
@@ -121,15 +120,20 @@ constexpr double kInterval = 0.1;  // seconds; a report costs about a tenth of a
 constexpr double kQuiet = 1;       // seconds without a frame after which draws alone cause a report
 constexpr int kAtOnce = 32;        // first frames that are written at once: a signal may end short programs
 
-using Progress = std::array<uint64_t, 6>;
+using Progress = std::array<uint64_t, 7>;
 
 /// The statistics whose change causes a new report.
 Progress progress(const Totals& sum) {
   const gl::Statistics& s = sum.statistics;
   const frame::IdleRefiner::Counts& idle = frame::IdleRefiner::counts();
-  return Progress{
-      static_cast<uint64_t>(sum.contexts),      s.frames, s.flushes, s.drawsTraced, s.drawsRasterised,
-      idle.passes.load() + idle.finished.load()};
+  const std::optional<frame::RefinementProgress> awaited = frame::awaitedProgress();
+  return Progress{static_cast<uint64_t>(sum.contexts),
+                  s.frames,
+                  s.flushes,
+                  s.drawsTraced,
+                  s.drawsRasterised,
+                  idle.passes.load() + idle.finished.load(),
+                  awaited ? 1 + static_cast<uint64_t>(1000 * awaited->share) : 0};
 }
 
 /// State shared by the program's threads, the watcher and the exit handler. Never destroyed: the watcher may

@@ -26,7 +26,10 @@ class Reader {
     for (const std::string& program : sources_.programs) takeShippedProfile(program);
     for (const std::string& program : sources_.programs)
       for (const ConfigFile& f : files_) takeFile(f, Layer::program, {Section::Kind::program, program});
-    takePreset();
+    takePreset(valueNamed(*findSetting("preset"), [&](const std::string& name) {
+      return name.empty() || whyNoPreset(name, presets()).empty();
+    }));
+    takePreset(qualityPreset());
     for (const Row& row : settingRows()) takeVariable(row);
     if (!sources_.passed)
       for (const auto& [name, value] : sources_.commandLine) takeOption(name, value);
@@ -52,9 +55,8 @@ class Reader {
            program + ", shipped: " + s.name + " = " + s.value);
   }
 
-  /// Adds the values of the preset that the highest layer names.
-  void takePreset() {
-    const std::string name = namedPreset();
+  /// Adds the values of the preset of that name, if there is one.
+  void takePreset(const std::string& name) {
     const Preset* preset = name.empty() ? nullptr : findPreset(name, presets());
     if (!preset) return;
     for (const PresetValue& v : preset->values)
@@ -65,21 +67,32 @@ class Reader {
         complain_(v.wrong);
   }
 
-  /// The name of the preset; empty if there is none. Skips wrong names, which their layers report.
-  std::string namedPreset() {
-    const Row& row = *findSetting("preset");
-    std::vector<std::string> names;  // highest layer first
-    const auto add = [&](const auto& values) {
-      for (auto value = values.rbegin(); value != values.rend(); ++value)
-        if (value->first == row.name) names.push_back(value->second);
+  /// The name of the preset that the setting `quality` takes; empty: none.
+  std::string qualityPreset() {
+    const Row& row = *findSetting("quality");
+    const std::string word = valueNamed(row, [&](const std::string& value) {
+      Session scratch;
+      return readValue(row, value, scratch).empty();
+    });
+    return word.empty() || word == "none" ? "" : "quality-" + word;
+  }
+
+  /// The text that the highest layer gives a setting which itself gives others values; empty: none does.
+  /// Skips texts that are not valid(), which their layers report.
+  template <class Valid>
+  std::string valueNamed(const Row& row, const Valid& valid) {
+    std::vector<std::string> values;  // highest layer first
+    const auto add = [&](const auto& given) {
+      for (auto one = given.rbegin(); one != given.rend(); ++one)
+        if (one->first == row.name) values.push_back(one->second);
     };
     add(sources_.live);
     if (!sources_.passed) add(sources_.commandLine);
-    if (std::string value = variable(variableOf(row)); !value.empty()) names.push_back(std::move(value));
-    names.push_back(layers_.session.settings.preset);
-    return *std::find_if(names.begin(), names.end(), [&](const std::string& name) {
-      return &name == &names.back() || name.empty() || whyNoPreset(name, presets()).empty();
-    });
+    if (std::string value = variable(variableOf(row)); !value.empty()) values.push_back(std::move(value));
+    for (auto one = layers_.given.rbegin(); one != layers_.given.rend(); ++one)
+      if (one->row == &row) values.push_back(one->value);
+    const auto found = std::find_if(values.begin(), values.end(), valid);
+    return found == values.end() ? "" : *found;
   }
 
   const std::vector<Preset>& presets() {

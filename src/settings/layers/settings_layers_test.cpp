@@ -121,6 +121,27 @@ TEST_F(LayersOf, TheHighestLayerNamesThePreset) {
   EXPECT_EQ(g_layerComplaints[0], "preset=bb: there is no such preset; did you mean 'b'?");
 }
 
+TEST_F(LayersOf, QualityIsAPresetAboveThePreset) {
+  sources_.userFile = file("user.toml",
+                           "[presets.mine]\nspp = 2\nao = true\n[presets.better]\nquality = 'good'\n"
+                           "[presets.quality-good]\nspp = 3\n");
+  sources_.commandLine = {{"preset", "mine"}, {"quality", "good"}};
+  EXPECT_EQ(read("spp"), "3 (preset quality-good, " + sources_.userFile + ":7)");
+  EXPECT_EQ(read("ao"), "true (preset mine, " + sources_.userFile + ":3)");
+  EXPECT_EQ(read("noise"), "0.01 (preset quality-good, shipped)");
+  sources_.live = {{"quality", "none"}};
+  EXPECT_EQ(read("spp"), "2 (preset mine, " + sources_.userFile + ":2)");
+  sources_.live = {{"quality", "fine"}};
+  EXPECT_EQ(read("spp"), "3 (preset quality-good, " + sources_.userFile + ":7)")
+      << "wrong values change nothing";
+  EXPECT_EQ(g_layerComplaints.size(), 1u);
+  sources_.live = {{"preset", "better"}};
+  sources_.commandLine.clear();
+  EXPECT_EQ(read("spp"), "3 (preset quality-good, " + sources_.userFile + ":7)") << "presets may name one";
+  sources_.live.push_back({"spp", "5"});
+  EXPECT_EQ(read("spp"), "5 (live )");
+}
+
 TEST_F(LayersOf, FilesAddToPresets) {
   sources_.commandLine = {{"preset", "draft"}};
   EXPECT_EQ(read("ao"), "false (preset draft, shipped)");
@@ -172,7 +193,8 @@ TEST(Presets, AreAllRight) {
     }
   }
   EXPECT_EQ(names, (std::vector<std::string>{"draft", "honest", "presentation", "figure", "poster",
-                                             "streamlines", "molecule", "metal", "outdoor", "ospray"}));
+                                             "streamlines", "molecule", "metal", "outdoor", "ospray",
+                                             "quality-draft", "quality-good", "quality-final"}));
 }
 
 TEST_F(LayersOf, WrongProfilesAreReported) {

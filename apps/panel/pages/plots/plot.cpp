@@ -1,9 +1,12 @@
 #include "pages/plots/plot.h"
 
+#include "control/messages/members.h"
+
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gluray::panel {
 namespace {
@@ -79,9 +82,22 @@ NoisePlot::NoisePlot(Controls& controls, QWidget* parent)
   stateCame();
 }
 
+/// "43 %, 12 s left", of the image that the program waits for; empty: it waits for none.
+QString NoisePlot::progress() const {
+  using control::numberIn;
+  const auto found = program()->state.find("progress");
+  if (found == program()->state.end() || !found->is_object()) return {};
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const double share = numberIn<double>(*found, "share", nothing),
+               left = numberIn<double>(*found, "secondsLeft", nothing);
+  if (!(share >= 0 && share <= 1) || !std::isfinite(left)) return {};
+  return tr("%1 %, %2 s left").arg(static_cast<int>(100 * share)).arg(left, 0, 'f', 0);
+}
+
 void NoisePlot::stateCame() {
-  setVisible(program() && std::any_of(program()->noise.begin(), program()->noise.end(),
-                                      [](double value) { return std::isfinite(value); }));
+  setVisible(program() &&
+             (!progress().isEmpty() || std::any_of(program()->noise.begin(), program()->noise.end(),
+                                                   [](double value) { return std::isfinite(value); })));
   QWidget::update();
 }
 
@@ -95,6 +111,7 @@ void NoisePlot::paintEvent(QPaintEvent*) {
   const double noise = newestOf(program()->noise), passes = newestOf(program()->passes);
   if (std::isfinite(noise) && std::isfinite(passes))
     paintText(Qt::AlignRight | Qt::AlignTop, tr("%1 after %2 passes").arg(noise, 0, 'g', 3).arg(passes));
+  paintText(Qt::AlignRight | Qt::AlignBottom, progress());
 }
 
 }  // namespace gluray::panel

@@ -45,6 +45,9 @@ class NoisePlot : public Plot {
   void paintEvent(QPaintEvent* event) override;
   void programChanged() override { stateCame(); }
   void stateCame() override;
+
+ private:
+  QString progress() const;
 };
 
 }  // namespace gluray::panel

@@ -1,0 +1,100 @@
+// What is told of an image that takes long, and limits of time.
+#include "frame/refinement/refinement_progress.h"
+
+#include "frame/testing/lit_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace gluray::frame {
+namespace {
+
+using test::litScene, test::Refined;
+
+Settings settingsFor(float noise, int passes, float seconds = 0) {
+  Settings settings;
+  settings.noise = noise, settings.refine.passes = passes, settings.refine.seconds = seconds;
+  return settings;
+}
+
+TEST(RefinementProgress, FollowsTheNoise) {
+  const Refined refined(litScene(), 8);
+  const double noise = refined.refinement.noise();
+  ASSERT_GT(noise, 0);
+  const auto half = static_cast<float>(noise / 2);  // takes four times the passes
+  const RefinementProgress progress = progressOf(refined.refinement, settingsFor(half, 1000), 3);
+  EXPECT_NEAR(progress.share, 0.25, 0.001);
+  EXPECT_NEAR(progress.secondsLeft, 9, 0.05);
+  EXPECT_EQ(progress.noise, noise);
+}
+
+TEST(RefinementProgress, EndsWithTheLastPassOrTheTime) {
+  const Refined refined(litScene(), 8);
+  EXPECT_NEAR(progressOf(refined.refinement, settingsFor(1e-6f, 16), 3).share, 0.5, 1e-6);
+  const auto twice = static_cast<float>(2 * refined.refinement.seconds());
+  EXPECT_NEAR(progressOf(refined.refinement, settingsFor(1e-6f, 100000, twice), 3).share, 0.5, 1e-3);
+  EXPECT_EQ(progressOf(refined.refinement, settingsFor(1, 16), 3).share, 1);
+}
+
+TEST(RefinementProgress, IsOneLineOfText) {
+  EXPECT_EQ(progressLine({0.437, 0.0214, 11.2}, settingsFor(0.01f, 1)),
+            "gluray: refining the image: 43 %, noise 0.0214 of 0.0100, 12 s left");
+  const double unknown = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(progressLine({0.01, unknown, 4000}, settingsFor(0.01f, 1)),
+            "gluray: refining the image: 1 %, 1 h 6 min left");
+  EXPECT_EQ(progressLine({0.01, unknown, 61}, settingsFor(0.01f, 1)),
+            "gluray: refining the image: 1 %, 1 min left");
+}
+
+TEST(RefinementProgress, ShortImagesTellNothing) {
+  const Settings settings = settingsFor(0.01f, 4);
+  ProgressTeller teller(settings);
+  teller.passed(Refined(litScene(), 2).refinement);
+  EXPECT_FALSE(awaitedProgress());
+}
+
+TEST(Refiner, DividesManySamplesIntoPasses) {
+  scene::Snapshot s = litScene(test::Hides::some, 32, 64);
+  s.settings.shadows.samples = 5, s.settings.shadows.enabled = true;
+  s.settings.refine.passes = 2;
+  divideIntoPasses(s.settings);
+  EXPECT_EQ(s.settings.ao.samples, 16);
+  EXPECT_EQ(s.settings.shadows.samples, 2);
+  EXPECT_EQ(s.settings.refine.passes, 8);
+  const Settings once = s.settings;
+  divideIntoPasses(s.settings);
+  EXPECT_EQ(s.settings.ao.samples, once.ao.samples);
+  EXPECT_EQ(s.settings.refine.passes, once.refine.passes);
+  s.settings.shadows.enabled = false, s.settings.shadows.samples = 4096;
+  divideIntoPasses(s.settings);
+  EXPECT_EQ(s.settings.refine.passes, once.refine.passes) << "what is off counts for nothing";
+}
+
+TEST(Refiner, PassesOfManySamplesEqualOneImage) {
+  scene::Snapshot s = litScene(test::Hides::some, 32, 64);
+  s.wideColors = true;
+  Refined refined(s, 4);
+  EXPECT_LT(test::difference(refined.image, test::CountingTrace().image(s)), 1e-6);
+}
+
+TEST(Refiner, EndsInTime) {
+  scene::Snapshot s = litScene();
+  s.settings.noise = 1e-6f, s.settings.refine.passes = 1 << 24;
+  Refinement refinement;
+  Refiner refiner(s, refinement);
+  test::CountingTrace tracer;
+  scene::TraceCost cost;
+  std::string error;
+  ASSERT_TRUE(refiner.pass(tracer.trace, 0, cost, error));
+  EXPECT_FALSE(refiner.finished());
+  s.settings.refine.seconds = 1e-9f;
+  EXPECT_TRUE(isFinished(refinement, s.settings)) << "one pass is all that it gets";
+  s.settings.refine.seconds = 1e6f;
+  EXPECT_FALSE(isFinished(refinement, s.settings));
+  refinement.addTime(1e6);
+  EXPECT_TRUE(isFinished(refinement, s.settings));
+}
+
+}  // namespace
+}  // namespace gluray::frame
