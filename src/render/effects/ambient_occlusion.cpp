@@ -36,12 +36,13 @@ HWY_ATTR inline void aimAbove(const AmbientOcclusion& ao, const SurfacePoints& p
 
 HWY_ATTR void occlude(const AmbientOcclusion& ao, const AskedPoints& asked, float* occlusion) {
   const PixelSeeds seeds = seedsOf(ao.frame, asked);
-  const uint32_t first = firstSample(ao.frame, asked.sample, ao.samples);
+  const int samples = partOf(ao.samples, asked.share);
+  const uint32_t first = firstSample(ao.frame, asked.sample, samples);
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) valid[i] = asked.lanes >> i & 1 ? -1 : 0;
   float hidden[kLanes] = {};
   accel::OcclusionRays rays;
-  for (int s = 0; s < ao.samples; ++s) {
+  for (int s = 0; s < samples; ++s) {
     aimAbove(ao, asked.points, seeds, first + static_cast<uint32_t>(s), rays);
     const Transmittance light(ao.occluders);
     const uint32_t blocked =
@@ -49,7 +50,7 @@ HWY_ATTR void occlude(const AmbientOcclusion& ao, const AskedPoints& asked, floa
                          ao.occluders.areSolid() ? nullptr : &light, {.grey = light.through});
     for (int i = 0; i < kLanes; ++i) hidden[i] += blocked >> i & 1 ? 1 : 1 - light.through[i];
   }
-  const float perRay = 1 / static_cast<float>(ao.samples);
+  const float perRay = 1 / static_cast<float>(samples);
   for (int i = 0; i < kLanes; ++i) occlusion[i] = 1 - perRay * hidden[i];
 }
 

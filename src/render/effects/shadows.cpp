@@ -130,7 +130,7 @@ HWY_ATTR void traceShadows(const Shadows& s, const AskedPoints& asked, Visibilit
     for (Row& channel : visibility.lights[row]) std::fill_n(channel, kLanes, 1.0f);  // nothing to hide
     const uint32_t lit = litLanes(s, asked, row);
     if (!lit) continue;
-    const int count = s.raysOf(row);
+    const int count = partOf(s.raysOf(row), asked.share);
     const uint32_t first = firstSample(s.frame, asked.sample, count);
     Row sums[3] = {}, all = {};
     for (int k = 0; k < count; ++k) {

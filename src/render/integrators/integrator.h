@@ -20,6 +20,8 @@ struct ColoredHits {
   const ColorRows* direct = nullptr;       // the hits without ambient light, if FrameData::direct is set
   const Visibility* visibility = nullptr;  // if already known
   WaitingPoints* waiting = nullptr;        // queue of points, if visibility is collected
+  // Largest share of a pixel's colour that any of the hits has: translucent layers share light samples.
+  float share = 1;
 };
 
 class Integrator {

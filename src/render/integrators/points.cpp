@@ -15,7 +15,7 @@ namespace HWY_NAMESPACE {
 HWY_ATTR void fillAskedPoints(const Metric& metric, const FrameData& frame, const ColoredHits& hits,
                               AskedPoints& out) {
   makePoints(metric, frame, hits, out.points);
-  out.lanes = hits.group.lanes, out.sample = hits.sample;
+  out.lanes = hits.group.lanes, out.sample = hits.sample, out.share = hits.share;
   std::copy_n(hits.x, kLanes, out.x), std::copy_n(hits.y, kLanes, out.y);
   std::fill_n(out.instance, kLanes, hits.instance);
 }

@@ -3,6 +3,8 @@
 #pragma once
 #include "render/local/group.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace gluray::render {
@@ -21,9 +23,16 @@ struct SurfacePoints {
 };
 
 /// Points to estimate light at, from one or several packets of pixels.
+/// The part of `samples` light samples that hits with such a share of a pixel take: at least one.
+inline int partOf(int samples, float share) {
+  constexpr float kRounding = 1e-3f;
+  return std::max(1, static_cast<int>(std::ceil(static_cast<float>(samples) * share - kRounding)));
+}
+
 struct AskedPoints {
   uint32_t lanes = 0;  // bit i: lane i counts
   int sample = 0;      // of those that the pixels take
+  float share = 1;     // as ColoredHits::share
   SurfacePoints points;
   alignas(64) Row x, y;                     // window positions
   alignas(64) uint32_t instance[kLanes];    // of the points

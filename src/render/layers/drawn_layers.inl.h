@@ -41,6 +41,7 @@ class DrawnDepthTest {
 /// Gathers all hits of the packet's rays that may pass the depth test.
 HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& layers, Work& work) {
   work.fragments.clear();
+  if (layers.blending.rgb.source == scene::BlendFactor::sourceAlpha) work.covered = kUncovered;
   const scene::Snapshot& s = *frame.snapshot;
   // Depth grows along a ray, except for polygon offsets of single triangles.
   const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
@@ -109,10 +110,11 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
 
 HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   switch (layers.of) {
-    case scene::Layers::Of::order: return compositeLayers(frame, layers, work);
-    case scene::Layers::Of::sums: return sumLayers(frame, layers, work);
-    case scene::Layers::Of::drawn: return blendLayers(frame, layers, work);
+    case scene::Layers::Of::order: compositeLayers(frame, layers, work); break;
+    case scene::Layers::Of::sums: sumLayers(frame, layers, work); break;
+    case scene::Layers::Of::drawn: blendLayers(frame, layers, work); break;
   }
+  work.covered = nullptr;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -133,18 +133,35 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
   computePixelImpostors(surface, frame.world->impostorsOf(instance), x, y, group, seen);
 }
 
+/// Where hits are known before they are lit.
+struct LightKnown {
+  const Visibility* visibility = nullptr;
+  WaitingPoints* waiting = nullptr;
+  const float* covered = nullptr;  // Work::covered
+};
+
+/// The largest share of a pixel's colour that one of the lanes has, behind layers of total opacity `covered`.
+HWY_ATTR inline float shareOf(uint32_t lanes, const float* covered, const float* opacity) {
+  float most = 0;
+  for (; lanes; lanes &= lanes - 1) {
+    const int i = std::countr_zero(lanes);
+    most = std::max(most, (1 - covered[i]) * opacity[i]);
+  }
+  return std::min(most, 1.0f);
+}
+
 /// Gives a group's hits to the integrator, which changes their colours, and to the tone map. Not inlined, so
 /// that frames without either keep their code. Bit i of `back`: lane i shows its back face.
 HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t instance, const Group& group,
                                             uint32_t back, int sample, const float* x, const float* y,
-                                            LitRows& rows, const Visibility* visibility = nullptr,
-                                            WaitingPoints* waiting = nullptr) {
+                                            LitRows& rows, const LightKnown& known = {}) {
   if (!group.lanes || (frame.lens && sample == 0)) return;
   if (frame.integrator) {
     ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
-    hits.visibility = visibility, hits.waiting = waiting;
+    hits.visibility = known.visibility, hits.waiting = known.waiting;
+    if (known.covered) hits.share = shareOf(group.lanes, known.covered, rows.value[3]);
     LitRows direct;
-    const bool collects = frame.collector && !visibility;
+    const bool collects = frame.collector && !known.visibility;
     if (frame.direct && !collects) {
       shade(frame, frame.direct->surfaces[instance], group, back, x, y, direct);
       hits.direct = &direct;
@@ -200,7 +217,8 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     rejected |= failing;
     group.lanes &= ~failing;
     if (frame.changesColors())
-      lightHits(frame, instance, group, back, work.sample, x, y, rows, work.visibility, work.waiting);
+      lightHits(frame, instance, group, back, work.sample, x, y, rows,
+                {work.visibility, work.waiting, work.covered});
     if (instance == frame.catcher) {
       if (!frame.averages || !frame.integrator) continue;
       for (float& depth : seen.depth) depth = caughtAt(depth);

@@ -38,7 +38,10 @@ struct Work {
   int sample = 0;
   const Visibility* visibility = nullptr;  // where it is known
   WaitingPoints* waiting = nullptr;        // where points wait for rays, if visibility is collected
-  const Lens* lens = nullptr;              // null: the rays leave the viewpoint
+  // Of layers: the total opacity in front of each lane's next hit; null: hits take all light samples,
+  // whatever their opacity.
+  const float* covered = nullptr;
+  const Lens* lens = nullptr;  // null: the rays leave the viewpoint
   LensPoints lensPoints;
   /// Rays of neighbouring pixels leave different points of a lens.
   accel::Coherence coherence() const {

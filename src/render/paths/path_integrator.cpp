@@ -24,14 +24,17 @@ HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, bool alone
   for (int i = 0; i < kLanes && path.filters; ++i)
     cones[i] = coneAt(path.frame.eyeRays, double{hits.x[i]}, double{hits.y[i]}, camera.lane[i].point);
   const PixelSeeds seeds(hits.x, hits.y);
-  const uint32_t first = path.firstSample(hits.sample);
+  const int samples = partOf(path.samples, hits.share);
+  const uint32_t first = path.firstSample(hits.sample, samples);
   glm::vec3 sum[kLanes] = {};
-  for (int s = 0; s < path.samples; ++s) {
+  for (int s = 0; s < samples; ++s) {
     Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from, cones, alone);
     wave.run();
     for (int i = 0; i < kLanes; ++i) sum[i] += wave.radiance(i);
   }
-  finishColors(path, hits, sum, rows);
+  const float perPath = 1 / static_cast<float>(samples);
+  for (glm::vec3& color : sum) color *= perPath;
+  finishColors(hits, sum, rows);
 }
 
 }  // namespace HWY_NAMESPACE

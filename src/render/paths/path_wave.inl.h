@@ -275,13 +275,13 @@ HWY_ATTR inline void Wave::roulette() {
 }
 
 /// Replaces the colours of the local look by the paths' mean.
-HWY_ATTR inline void finishColors(const Path& path, const ColoredHits& hits, const glm::vec3 (&sum)[kLanes],
+HWY_ATTR inline void finishColors(const ColoredHits& hits, const glm::vec3 (&means)[kLanes],
                                   ColorRows& rows) {
   const scene::Shading& shading = *hits.surface.lighting->shading;
   const bool encoded = shading.fragment.model == scene::FragmentShading::Model::pbr;
   LitRows colors;
   for (int i = 0; i < kLanes; ++i) {
-    glm::vec3 mean = sum[i] / static_cast<float>(path.samples);
+    glm::vec3 mean = means[i];
     // VTK's physically based shading ends with this encoding, as the local look does.
     if (encoded) mean = glm::pow(mean, glm::vec3(1 / 2.2f));
     for (int c = 0; c < 3; ++c) colors.value[c][i] = mean[c];
