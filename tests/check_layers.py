@@ -27,6 +27,7 @@ ALLOWED = {
     "control": {"base", "settings"},
     "cluster": {"base", "settings", "scene", "parallel", "accel", "render", "frame", "control"},
     "intercept": {"base", "settings", "scene", "parallel", "gl", "accel", "render", "frame", "control", "cluster"},
+    "osmesa": {"intercept"},  # its header of OSMesa's interface alone
 }
 # The folders of a room in a fixed order: each includes only itself and those before it, so that there is no circle among them.
 # A nested folder is a folder of its own ("outer/inner"); "" is the room itself. Folders named testing, whose headers tests alone
@@ -51,8 +52,8 @@ FOLDERS = {
 # Name of the monopoly, pattern of its headers, folders that may include them. Holds for tests beside the code, too.
 MONOPOLIES = [
     ("Embree", r"embree\d*/", ["src/accel"]),
-    ("X11, GLX and EGL", r"(X11|xcb|EGL|glvnd)/|GL/glx", ["src/intercept", "apps"]),
-    ("dlfcn", r"dlfcn\.h$", ["src/intercept", "apps", "src/parallel/visible_joins.cpp"]),
+    ("X11, GLX and EGL", r"(X11|xcb|EGL|glvnd)/|GL/glx", ["src/intercept", "src/osmesa", "apps"]),
+    ("dlfcn", r"dlfcn\.h$", ["src/intercept", "src/osmesa", "apps", "src/parallel/visible_joins.cpp"]),
     # guarded_write.h opens none, but standard error may be one.
     ("sockets", r"(sys/(socket|un)\.h|netinet/|arpa/|netdb\.h|asio)", ["src/control", "src/cluster", "apps", "src/base/guarded_write.h"]),
     ("MPI", r"mpi\.h$", ["src/cluster"]),

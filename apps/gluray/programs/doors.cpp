@@ -6,6 +6,7 @@
 #include "base/guarded_write.h"
 #include "intercept/probe/real_vendor.h"
 #include "programs/door_files.h"
+#include "programs/own_osmesa.h"
 #include "programs/streams.h"
 #include "settings/layers/settings_layers.h"
 
@@ -139,6 +140,7 @@ std::string openDoors(const CommandLine& line, const Program& program) {
   passSettings(line);
   const DoorFiles files = doorFiles(directory);
   if (files.directory.empty()) return files.why;
+  if (const std::string folder = ownOsMesa(directory); !folder.empty()) putFirst("LD_LIBRARY_PATH", folder);
   if (line.door == "preload") return openPreloadDoor(files);
   if (line.door == "vendor") return openVendorDoor(files);
   // The vendor door, and the preload door too if some calls do not come through libglvnd.

@@ -1,6 +1,7 @@
 #include "programs/program.h"
 
 #include "programs/doors.h"
+#include "programs/own_osmesa.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -102,9 +103,9 @@ void readLibraryList(const std::string& list, Program& program) {
   bool gl = false, glvnd = false;
   std::istringstream lines(list);
   for (std::string line; std::getline(lines, line);) {
-    std::string name;
-    std::istringstream(line) >> name;
-    if (name.starts_with("libOSMesa.so")) program.osMesa = true;
+    std::string name, arrow, path;
+    std::istringstream(line) >> name >> arrow >> path;
+    if (name.starts_with("libOSMesa.so") && !isOwnOsMesa(path)) program.osMesa = true;
     if (name.starts_with("libGL.so")) gl = true;
     if (name.starts_with("libGLdispatch.so")) glvnd = true;
     if (name.starts_with("libX11.so") || name.starts_with("libGL.so") || name.starts_with("libGLX.so"))

@@ -11,7 +11,7 @@ struct Program {
   int error = 0;            // then errno of the search; ENOENT: there is none. Else execvp may find one
   std::string privilege;    // "is set-uid" or the like: the loader ignores LD_LIBRARY_PATH and LD_PRELOAD;
                             // empty: it does not
-  bool osMesa = false;      // links libOSMesa
+  bool osMesa = false;      // links a libOSMesa that is not GLuRay's (own_osmesa.h)
   bool bundledGl = false;   // links a libGL that is not libglvnd's
   bool usesX = false;       // links libX11 or libGL
   ElfFile elf;              // its ELF headers

@@ -9,10 +9,16 @@ namespace {
 
 #define REAL(TYPE, NAME) static const auto real = realFunction<TYPE>(kPreload, Api::osmesa, NAME)
 
+/// Whether libOSMesa is GLuRay's own (src/osmesa), whose contexts are EGL's: the hooks of EGL see them.
+bool isOverEgl() {
+  static const bool is = realFunction<const int*>(kPreload, Api::osmesa, "glurayOsMesa") != nullptr;
+  return is;
+}
+
 OSMesaContext createContext(GLenum format, OSMesaContext share) {
   REAL(decltype(&OSMesaCreateContext), "OSMesaCreateContext");
   const OSMesaContext context = real(format, share);
-  contextCreated(Api::osmesa, context, share);
+  if (!isOverEgl()) contextCreated(Api::osmesa, context, share);
   return context;
 }
 
@@ -20,20 +26,21 @@ OSMesaContext createContextExt(GLenum format, GLint depthBits, GLint stencilBits
                                OSMesaContext share) {
   REAL(decltype(&OSMesaCreateContextExt), "OSMesaCreateContextExt");
   const OSMesaContext context = real(format, depthBits, stencilBits, accumBits, share);
-  contextCreated(Api::osmesa, context, share);
+  if (!isOverEgl()) contextCreated(Api::osmesa, context, share);
   return context;
 }
 
 OSMesaContext createContextAttribs(const int* attributes, OSMesaContext share) {
   REAL(decltype(&OSMesaCreateContextAttribs), "OSMesaCreateContextAttribs");
   const OSMesaContext context = real(attributes, share);
-  contextCreated(Api::osmesa, context, share);
+  if (!isOverEgl()) contextCreated(Api::osmesa, context, share);
   return context;
 }
 
 /// Destroying the current context leaves no context current.
 void destroyContext(OSMesaContext context) {
   REAL(decltype(&OSMesaDestroyContext), "OSMesaDestroyContext");
+  if (isOverEgl()) return real(context);
   static const auto currentContext =
       realFunction<decltype(&OSMesaGetCurrentContext)>(kPreload, Api::osmesa, "OSMesaGetCurrentContext");
   const bool current = context && currentContext && currentContext() == context;
@@ -46,6 +53,7 @@ void destroyContext(OSMesaContext context) {
 /// The buffer acts as the drawable: an image is complete when the program changes the buffer or the context.
 GLboolean makeCurrent(OSMesaContext context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
   REAL(decltype(&OSMesaMakeCurrent), "OSMesaMakeCurrent");
+  if (isOverEgl()) return real(context, buffer, type, width, height);
   leaveCurrent();
   const GLboolean done = real(context, buffer, type, width, height);
   if (done)

@@ -4,7 +4,25 @@
 #pragma once
 #include <GL/gl.h>
 
+/* Formats. */
+#define OSMESA_COLOR_INDEX GL_COLOR_INDEX
 #define OSMESA_RGBA GL_RGBA
+#define OSMESA_BGRA 0x1
+#define OSMESA_ARGB 0x2
+#define OSMESA_RGB GL_RGB
+#define OSMESA_BGR 0x4
+#define OSMESA_RGB_565 0x5
+
+/* Names of OSMesaPixelStore. */
+#define OSMESA_ROW_LENGTH 0x10
+#define OSMESA_Y_UP 0x11
+
+/* Further names of OSMesaGetIntegerv. */
+#define OSMESA_WIDTH 0x20
+#define OSMESA_HEIGHT 0x21
+#define OSMESA_TYPE 0x23
+#define OSMESA_MAX_WIDTH 0x24
+#define OSMESA_MAX_HEIGHT 0x25
 
 /* Attributes of OSMesaCreateContextAttribs. */
 #define OSMESA_FORMAT 0x22

@@ -1,0 +1,147 @@
+"""Pictures by PyVista, with its defaults where nothing else is said."""
+import sys
+
+import numpy as np
+import pyvista as pv
+
+import scene_list
+
+pv.OFF_SCREEN = True
+SIZE = (500, 400)
+
+
+def sphere(resolution=60):
+    mesh = pv.Sphere(theta_resolution=resolution, phi_resolution=resolution)
+    mesh["height"] = mesh.points[:, 2]
+    mesh["rgb"] = (255 * (mesh.points + 0.5)).astype(np.uint8)
+    return mesh
+
+
+def waves():
+    x, y = np.meshgrid(np.linspace(-3, 3, 80), np.linspace(-3, 3, 80))
+    grid = pv.StructuredGrid(x, y, 0.5 * np.sin(2 * x) * np.cos(y))
+    grid["height"] = grid.points[:, 2]
+    return grid
+
+
+def image():
+    rng = np.random.default_rng(1)
+    return pv.Texture((255 * rng.random((16, 16, 3))).astype(np.uint8).repeat(4, 0).repeat(4, 1))
+
+
+def shown(*meshes, before=None, **options):
+    """A scene of meshes. `before`: changes the plotter before the camera is placed."""
+    def draw(file):
+        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        for mesh in meshes:
+            plotter.add_mesh(mesh() if callable(mesh) else mesh, **options)
+        if before:
+            before(plotter)
+        plotter.screenshot(file)
+    return draw
+
+
+def by(function):
+    """A scene that fills a plotter itself."""
+    def draw(file):
+        plotter = pv.Plotter(off_screen=True, window_size=SIZE)
+        function(plotter)
+        plotter.screenshot(file)
+    return draw
+
+
+def cells(mesh):
+    return mesh.point_data_to_cell_data()
+
+
+def arrows():
+    mesh = pv.Sphere(theta_resolution=10, phi_resolution=10)
+    mesh["normals"] = mesh.points
+    return mesh.glyph(orient="normals", scale=False, factor=0.2)
+
+
+def lines():
+    t = np.linspace(0, 6 * np.pi, 200)
+    return pv.Spline(np.c_[np.cos(t), np.sin(t), 0.1 * t], 400)
+
+
+def peeled(plotter):
+    plotter.enable_depth_peeling(10)
+
+
+def two_views(file):
+    plotter = pv.Plotter(off_screen=True, window_size=SIZE, shape=(1, 2))
+    plotter.add_mesh(sphere(), color="tan")
+    plotter.subplot(0, 1)
+    plotter.add_mesh(waves(), scalars="height")
+    plotter.screenshot(file)
+
+
+def blocks():
+    return pv.MultiBlock([pv.Cube(center=(i, 0, 0), x_length=0.8) for i in range(3)] + [pv.Sphere(center=(1, 1.2, 0))])
+
+
+def volume(plotter):
+    grid = pv.ImageData(dimensions=(40, 40, 40))
+    x, y, z = (np.asarray(grid.points[:, i]) - 19.5 for i in range(3))
+    grid["values"] = np.exp(-(x ** 2 + y ** 2 + z ** 2) / 100)
+    plotter.add_volume(grid, cmap="viridis")
+
+
+def environment(plotter):
+    colors = np.linspace(0, 255, 32).astype(np.uint8)
+    plotter.set_environment_texture(pv.Texture(np.dstack([np.tile(colors, (16, 1))] * 3)), is_srgb=False)
+    plotter.add_mesh(sphere(), color="gold", pbr=True, metallic=0.8, roughness=0.3)
+
+
+SCENES = {
+    "smooth": shown(lambda: sphere().compute_normals(), color="tan", smooth_shading=True),
+    "flat": shown(sphere, color="tan"),
+    "scalars": shown(sphere, scalars="height"),
+    "scalars of cells": shown(lambda: cells(sphere()), scalars="height"),
+    "smooth scalars": shown(waves, scalars="height", smooth_shading=True),
+    "colours of points": shown(sphere, scalars="rgb", rgb=True),
+    "colours of cells": shown(lambda: cells(sphere()), scalars="rgb", rgb=True),
+    "unlit": shown(sphere, color="tan", lighting=False),
+    "unlit scalars": shown(sphere, scalars="height", lighting=False),
+    "unlit colours of cells": shown(lambda: cells(sphere()), scalars="height", lighting=False),
+    "edges": shown(lambda: sphere(20), color="tan", show_edges=True),
+    "edges and scalars": shown(lambda: sphere(20), scalars="height", show_edges=True, line_width=2),
+    "wireframe": shown(lambda: sphere(20), color="tan", style="wireframe"),
+    "points": shown(sphere, color="tan", style="points", point_size=4),
+    "points as spheres": shown(sphere, color="tan", style="points", point_size=8, render_points_as_spheres=True),
+    "point splats": shown(sphere, style="points_gaussian", point_size=8, scalars="height"),
+    "lines": shown(lines, color="red", line_width=3),
+    "lines as tubes": shown(lines, color="red", line_width=8, render_lines_as_tubes=True),
+    "tubes": shown(lambda: lines().tube(0.05), color="red"),
+    "arrows": shown(arrows, color="tan"),
+    "opacity": shown(sphere, color="tan", opacity=0.5),
+    "opacity, peeled": shown(sphere, color="tan", opacity=0.5, before=peeled),
+    "opacity with edges": shown(lambda: sphere(20), color="tan", opacity=0.5, show_edges=True),
+    "opacity by scalars": shown(sphere, scalars="height", opacity="linear"),
+    "texture": shown(lambda: sphere().texture_map_to_plane(), texture=image()),
+    "physically based": shown(sphere, color="gold", pbr=True, metallic=0.8, roughness=0.3),
+    "physically based scalars": shown(sphere, scalars="height", pbr=True, metallic=0.3, roughness=0.5),
+    "physically based, environment": by(environment),
+    "back faces": shown(lambda: sphere().clip("x"), color="tan", backface_params={"color": "blue"}),
+    "silhouette": shown(sphere, color="tan", silhouette=True),
+    "clip plane": by(lambda p: p.add_mesh_clip_plane(sphere(), color="tan")),
+    "contours": shown(lambda: waves().contour(12), line_width=3),
+    "blocks": by(lambda p: p.add_mesh(blocks(), color="tan")),
+    "coloured blocks": by(lambda p: p.add_composite(blocks(), color="tan")),
+    "glyphs by the mapper": by(lambda p: p.add_arrows(sphere(10).points, sphere(10).points, 0.2)),
+    "labels": by(lambda p: (p.add_mesh(sphere()), p.add_point_labels(sphere(5).points[:6], [f"point {i}" for i in range(6)]))),
+    "bounds and axes": by(lambda p: (p.add_mesh(waves()), p.show_bounds(), p.add_axes())),
+    "shadows": by(lambda p: (p.add_mesh(sphere()), p.enable_shadows())),
+    "ambient occlusion of VTK": by(lambda p: (p.add_mesh(waves()), p.enable_ssao())),
+    "eye-dome lighting": by(lambda p: (p.add_mesh(waves()), p.enable_eye_dome_lighting())),
+    "antialiased by FXAA": by(lambda p: (p.add_mesh(sphere()), p.enable_anti_aliasing("fxaa"))),
+    "antialiased by SSAA": by(lambda p: (p.add_mesh(sphere()), p.enable_anti_aliasing("ssaa"))),
+    "multisampled": by(lambda p: (p.add_mesh(sphere()), p.enable_anti_aliasing("msaa", multi_samples=4))),
+    "parallel projection": by(lambda p: (p.add_mesh(sphere()), p.enable_parallel_projection())),
+    "two views": two_views,
+    "volume": by(volume),
+}
+
+if __name__ == "__main__":
+    sys.exit(scene_list.main(SCENES, __doc__))

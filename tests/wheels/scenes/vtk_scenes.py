@@ -1,0 +1,108 @@
+"""Pictures by VTK itself: its vertex-pulling mapper, glyphs, impostors, composite mappers."""
+import sys
+
+import vtk
+
+import scene_list
+
+SIZE = 500, 400
+
+
+def sphere(resolution=40):
+    source = vtk.vtkSphereSource()
+    source.SetThetaResolution(resolution), source.SetPhiResolution(resolution)
+    elevation = vtk.vtkElevationFilter()
+    elevation.SetLowPoint(0, 0, -0.5), elevation.SetHighPoint(0, 0, 0.5)
+    elevation.SetInputConnection(source.GetOutputPort())
+    elevation.Update()
+    return elevation.GetOutput()
+
+
+def picture(file, *actors, change=None):
+    renderer = vtk.vtkRenderer()
+    renderer.SetBackground(0.2, 0.3, 0.4)
+    for actor in actors:
+        renderer.AddActor(actor)
+    window = vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)
+    window.SetSize(*SIZE)
+    window.AddRenderer(renderer)
+    if change:
+        change(renderer)
+    renderer.ResetCamera()
+    renderer.GetActiveCamera().Azimuth(20), renderer.GetActiveCamera().Elevation(25)
+    window.Render()
+    grab = vtk.vtkWindowToImageFilter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    writer = vtk.vtkPNGWriter()
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.SetFileName(file)
+    writer.Write()
+
+
+def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda actor: None):
+    """A scene of one actor. `mapper`: the name of its class."""
+    def draw(file):
+        made = getattr(vtk, mapper)()
+        mesh = data()
+        if cells:
+            convert = vtk.vtkPointDataToCellData()
+            convert.SetInputData(mesh)
+            convert.Update()
+            mesh = convert.GetOutput()
+            made.SetScalarModeToUseCellData()
+        made.SetInputDataObject(mesh)
+        made.SetScalarVisibility(scalars or cells)
+        actor = vtk.vtkActor()
+        actor.SetMapper(made)
+        actor.GetProperty().SetColor(0.9, 0.6, 0.3)
+        change(actor)
+        picture(file, actor)
+    return draw
+
+
+def prop(method, *values):
+    return lambda actor: getattr(actor.GetProperty(), method)(*values)
+
+
+def flat():
+    mesh = sphere(20)
+    plain = vtk.vtkPolyData()
+    plain.SetPoints(mesh.GetPoints()), plain.SetPolys(mesh.GetPolys())
+    return plain
+
+
+def glyphs(file):
+    mapper = vtk.vtkGlyph3DMapper()
+    cone = vtk.vtkConeSource()
+    mapper.SetInputData(sphere(10)), mapper.SetSourceConnection(cone.GetOutputPort())
+    mapper.SetScaleFactor(0.1), mapper.OrientOff()
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    picture(file, actor)
+
+
+PULLING = "vtkOpenGLLowMemoryPolyDataMapper"
+SCENES = {
+    "surface": shown("vtkPolyDataMapper"),
+    "surface, scalars": shown("vtkPolyDataMapper", scalars=True),
+    "pulled: smooth": shown(PULLING),
+    "pulled: flat": shown(PULLING, data=flat),
+    "pulled: flat shading": shown(PULLING, change=prop("SetInterpolationToFlat")),
+    "pulled: scalars": shown(PULLING, scalars=True),
+    "pulled: scalars of cells": shown(PULLING, cells=True),
+    "pulled: edges": shown(PULLING, data=flat, change=prop("EdgeVisibilityOn")),
+    "pulled: wireframe": shown(PULLING, data=flat, change=prop("SetRepresentationToWireframe")),
+    "pulled: points": shown(PULLING, data=flat, change=prop("SetRepresentationToPoints")),
+    "pulled: opacity": shown(PULLING, change=prop("SetOpacity", 0.5)),
+    "pulled: physically based": shown(PULLING, change=prop("SetInterpolationToPBR")),
+    "glyphs": glyphs,
+    "spheres of points": shown("vtkSphereMapper" if hasattr(vtk, "vtkSphereMapper") else "vtkOpenGLSphereMapper", change=lambda a: a.GetMapper().SetRadius(0.05)),
+    "flat shading": shown("vtkPolyDataMapper", change=prop("SetInterpolationToFlat")),
+    "edges": shown("vtkPolyDataMapper", data=flat, change=prop("EdgeVisibilityOn")),
+}
+
+if __name__ == "__main__":
+    sys.exit(scene_list.main(SCENES, __doc__))
