@@ -164,7 +164,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 64));
   app.add_option("--reference", options.reference, "samples of the image to compare with")
       ->check(CLI::Range(1, 65536));
-  app.add_option("--spp", options.spp, "samples of a pixel, which share its rays")->check(CLI::Range(1, 1024));
+  app.add_option("--spp", options.spp, "samples of a pixel, which share its rays")
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--layers", options.layers, "translucent surfaces in layers");
   app.add_flag("--paths", options.paths, "trace paths instead of ambient occlusion");
   CLI11_PARSE(app, argc, argv);

@@ -28,9 +28,10 @@ struct AuxiliaryFeatures {
   }
 };
 
-/// Adds a pass of the mode reflectance or geometry to the mean of `features.passes` earlier ones. `mixed`: the
-/// pass has the values of mixed pixels (render/resolve/mixed_features.h). Throws std::bad_alloc.
-void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, bool mixed, AuxiliaryFeatures& features);
+/// Adds a pass of the mode reflectance or geometry to the mean of `features.passes` earlier ones. `mixed`:
+/// the pass has the values of mixed pixels (render/resolve/mixed_features.h). Throws std::bad_alloc.
+void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, bool mixed,
+                  AuxiliaryFeatures& features);
 
 /// The reflectance of images whose alpha is a fraction of light (scene::Snapshot::catches). Throws
 /// std::bad_alloc.

@@ -40,8 +40,7 @@ render::NoisyImage planeOf(const Refinement& r, const Image& image, size_t first
 void writeChannel(float v, size_t at, size_t channel, Image& out) {
   if (out.has(Plane::wideColor)) return void(out.wideColor[4 * at + channel] = v);
   const size_t shift = 8 * channel;
-  out.color[at] =
-      (out.color[at] & ~(255u << shift)) | render::displayedByte(v, out.isAverages()) << shift;
+  out.color[at] = (out.color[at] & ~(255u << shift)) | render::displayedByte(v, out.isAverages()) << shift;
 }
 
 enum class Writes { all, alpha };
@@ -116,9 +115,7 @@ const char* reasonAgainst(const scene::Snapshot& s) {
 
 }  // namespace
 
-bool isDenoised(const scene::Snapshot& s) {
-  return s.settings.denoise != Denoise::off && !reasonAgainst(s);
-}
+bool isDenoised(const scene::Snapshot& s) { return s.settings.denoise != Denoise::off && !reasonAgainst(s); }
 
 void logUndenoised(const scene::Snapshot& s) noexcept {
   if (s.settings.denoise == Denoise::off) return;
@@ -138,7 +135,8 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
       for (size_t first = 0; first < out.depth.size(); first += pixels) {
         const bool done = library && smoothByLibrary(refinement, settings, first, out);
         if (done && !refinement.features.catcher) continue;
-        smooth(planeOf(refinement, out, first, settings.noise), first, done ? Writes::alpha : Writes::all, out);
+        smooth(planeOf(refinement, out, first, settings.noise), first, done ? Writes::alpha : Writes::all,
+               out);
       }
     });
     return true;

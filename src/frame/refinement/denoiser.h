@@ -14,8 +14,8 @@ bool isDenoised(const scene::Snapshot&);
 /// Logs once why `denoise` has no effect on the snapshot's images, if it is on and has none.
 void logUndenoised(const scene::Snapshot&) noexcept;
 
-/// Denoises the colours of `out`, the mean of the passes, and the alpha of shadow catchers. Returns false on failure; some pixels may then be
-/// denoised, others not.
+/// Denoises the colours of `out`, the mean of the passes, and the alpha of shadow catchers. Returns false on
+/// failure; some pixels may then be denoised, others not.
 bool denoise(const Refinement&, const Settings&, Image& out) noexcept;
 
 /// Logs once that images are not denoised.

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +16,7 @@ namespace gluray::frame {
 namespace {
 
 using test::averaged, test::balls, test::blurred, test::caught, test::Floor, test::layered, test::manyRays,
-    test::Refined, test::shadowed;
+    test::Refined;
 
 scene::Snapshot denoised(scene::Snapshot s) {
   s.settings.denoise = Denoise::filter;
@@ -47,6 +48,19 @@ scene::Snapshot filteredBy(PixelFilter filter, scene::Snapshot s) {
   return s;
 }
 
+/// Before a background that changes from below to above.
+scene::Snapshot behind(scene::Snapshot s) {
+  s.settings.background.kind = BackgroundKind::gradient;
+  s.backdrop = std::make_shared<scene::Backdrop>();
+  return s;
+}
+
+/// The shadow alone, over surfaces that the framebuffer has.
+scene::Snapshot catching(scene::Snapshot s) {
+  s.catches = true;
+  return s;
+}
+
 TEST(MixedPixels, AreNearerToTheConvergedImageInEachCombination) {
   GLURAY_RELEASE_ONLY();
   const scene::Snapshot onFloor = balls(96), free = balls(96, Floor::none);
@@ -55,11 +69,14 @@ TEST(MixedPixels, AreNearerToTheConvergedImageInEachCombination) {
       {"few samples", averaged(onFloor, 4)},
       {"gauss", filteredBy(PixelFilter::gauss, averaged(onFloor))},
       {"mitchell", filteredBy(PixelFilter::mitchell, averaged(onFloor))},
-      {"soft shadows", averaged(shadowed(onFloor))},
       {"layers", layered(free)},
       {"layers and samples", averaged(layered(free))},
       {"catcher", averaged(caught(free))},
       {"catcher alone", caught(free)},
+      {"background", behind(averaged(onFloor))},
+      {"catcher and background", behind(averaged(caught(free)))},
+      {"surfaces that catch", catching(onFloor)},
+      {"surfaces that catch, samples", catching(averaged(onFloor))},
   };
   for (const auto& [name, s] : scenes) {
     const Image truth = Refined(manyRays(s, 16), 8).image;
@@ -80,8 +97,8 @@ TEST(MixedPixels, ThroughALensAreNearerToTheConvergedImage) {
 }
 
 TEST(MixedPixels, OfAConvergedImageKeepTheirBits) {
-  for (scene::Snapshot s :
-       {averaged(balls(48), 4), layered(balls(48, Floor::none)), averaged(caught(balls(48, Floor::none)), 4)}) {
+  for (scene::Snapshot s : {averaged(balls(48), 4), layered(balls(48, Floor::none)),
+                            averaged(caught(balls(48, Floor::none)), 4)}) {
     s.settings.noise = 0.5f;  // more than any pixel has
     EXPECT_EQ(Refined(denoised(s), 4).image.color, Refined(s, 4).image.color);
   }
@@ -98,18 +115,18 @@ TEST(MixedPixels, KeepTheColoursThatNoEffectChanges) {
   }
 }
 
-/// A black wall that is lit, and before its right half a plate, both white; half of the plate's sky is hidden.
+/// A white wall, of whose sky a half or more is hidden, and a yellow plate before its right half.
 scene::Snapshot edgeScene() {
   const glm::vec3 tilt(0.17f, 0.985f, 0);  // the edge crosses pixels at all places
-  scene::Snapshot s = gluray::test::makeSnapshot(
-      {test::plane({0, 0, 0}, {500, 0, 0}, {0, 500, 0}),
-       test::plane(glm::vec3(2, 0, 0.6f), glm::vec3(2, 0, 0), 9.0f * tilt),
-       test::plane({-2.2f, 0, 10}, {0, 50, 0}, {0, 0, 10})},
-      64);
+  scene::Snapshot s =
+      gluray::test::makeSnapshot({test::plane({0, 0, 0}, {500, 0, 0}, {0, 500, 0}),
+                                  test::plane(glm::vec3(2, 0, 3), glm::vec3(2, 0, 0), 9.0f * tilt),
+                                  test::plane({-2.2f, 0, 10}, {0, 50, 0}, {0, 0, 10})},
+                                 64);
   s.camera.clipFromEye = glm::perspective(glm::radians(40.0), 1.0, 0.1, 1000.0);
   s.eyeFromWorld = glm::translate(glm::dmat4(1), {0, 0, -5});
   for (scene::Instance& instance : s.instances) instance.eyeFromObject = s.eyeFromWorld;
-  s.instances[1].color = {0.4f, 0.6f, 0.9f, 1};
+  s.instances[1].color = {1, 0.6f, 0.2f, 1};
   s.settings.ao.enabled = true;
   s.settings.ao.samples = 16;
   s.settings.ao.radius = 100;
@@ -135,7 +152,10 @@ TEST(MixedPixels, OfAnEdgeKeepTheirShape) {
   const auto onEdge = [&](size_t i) { return isEdge[i] != 0; };
   EXPECT_GT(psnrOf(filtered, truth, onEdge), psnrOf(plain, truth, onEdge) + 2);
   for (size_t i = 0; i < isEdge.size(); ++i)
-    if (isEdge[i]) { EXPECT_NEAR(onWhite(filtered, i, 0), onWhite(truth, i, 0), 0.05) << i % 64 << ' ' << i / 64; }
+    if (isEdge[i]) {
+      EXPECT_NEAR(onWhite(filtered, i, 0), onWhite(truth, i, 0), 0.05)
+          << i % 64 << ' ' << i / 64 << ", unfiltered " << onWhite(plain, i, 0);
+    }
 }
 
 TEST(MixedPixels, AreTheSameForAnyNumberOfThreads) {

@@ -77,7 +77,8 @@ void Refinement::addPixel(const Image& pass, size_t i, Tile& tile) {
   float judged[3];
   const float alpha = mean_[4 * i + 3];
   for (size_t c = 0; c < 3; ++c)
-    judged[c] = judged_ == Judged::alpha ? alpha : mean_[4 * i + c] + (judged_ == Judged::onWhite ? 1 - alpha : 0);
+    judged[c] =
+        judged_ == Judged::alpha ? alpha : mean_[4 * i + c] + (judged_ == Judged::onWhite ? 1 - alpha : 0);
   const double square =
       n > 1 ? squaredDifference(judged, &half_[3 * i]) * h / (static_cast<double>(n) - h) : 0;
   if (std::has_single_bit(n)) std::copy_n(judged, 3, &half_[3 * i]);

@@ -19,8 +19,8 @@ size_t valuesOf(const scene::Snapshot& s) {
          static_cast<size_t>(std::max(s.samples, 1));
 }
 
-/// Whether passes have wide colours where the image has bytes. Blending in the order of drawing is blending of
-/// bytes.
+/// Whether passes have wide colours where the image has bytes. Blending in the order of drawing is blending
+/// of bytes.
 bool usesWideColors(const scene::Snapshot& s) {
   return !s.wideColors && (!s.layers || s.layers->of == scene::Layers::Of::order);
 }

@@ -54,29 +54,6 @@ inline scene::Snapshot layered(scene::Snapshot s, float opacity = 0.5f) {
   return s;
 }
 
-/// Soft shadows of one light instead of occlusion.
-inline scene::Snapshot shadowed(scene::Snapshot s) {
-  s.settings.ao.enabled = false;
-  s.settings.shadows.enabled = true;
-  s.settings.shadows.size = 12;
-  s.settings.shadows.samples = 16;
-  scene::Shading& shading = s.shadings[0];
-  shading.lighting = true;
-  shading.globalAmbient = {0.1f, 0.1f, 0.1f, 1};
-  scene::Light light;
-  light.diffuse = glm::vec4(1);
-  light.position = {-1, 2, 1, 0};
-  shading.lights = {light};
-  for (scene::Instance& instance : s.instances) {
-    instance.lightingFromObject = glm::mat4(instance.eyeFromObject);
-    instance.normal = {0, 1, 0};
-    scene::MaterialPair& pair = instance.materials[0];
-    pair.front.diffuse = pair.front.ambient = instance.color;
-    pair.back = pair.front;
-  }
-  return s;
-}
-
 /// A shadow catcher in place of the floor.
 inline scene::Snapshot caught(scene::Snapshot s) {
   s.settings.ground.kind = GroundKind::catcher;

@@ -1,5 +1,5 @@
-// Averages auxiliary features over the samples of a pixel, and over the layers of a sample. Part of kernels.cpp
-// (compiled once for each instruction set).
+// Averages auxiliary features over the samples of a pixel, and over the layers of a sample. Part of
+// kernels.cpp (compiled once for each instruction set).
 #if defined(GLURAY_RENDER_FEATURE_AVERAGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_FEATURE_AVERAGES_INL_H_
 #undef GLURAY_RENDER_FEATURE_AVERAGES_INL_H_
@@ -79,8 +79,8 @@ class FeatureAverages {
     void add(const glm::vec4& v, float weight, float opacity) {
       sum += weight * opacity * v, cover += weight * opacity;
     }
-    /// The mean plane; c > 0: the samples show several surfaces. `spread`: standard error of the distance from
-    /// the plane that random samples of a lens leave, in widths of a pixel.
+    /// The mean plane; c > 0: the samples show several surfaces. `spread`: standard error of the distance
+    /// from the plane that random samples of a lens leave, in widths of a pixel.
     glm::vec4 plane(bool lens, float& spread) const {
       glm::vec4 mean = sum / cover;
       mean.z = std::min(mean.z, 0.0f);

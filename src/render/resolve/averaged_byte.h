@@ -14,8 +14,8 @@ inline uint32_t averagedByte(float average) {
   return static_cast<uint32_t>(std::clamp(average, 0.0f, 255.0f) + (0.5f + kRounding));
 }
 
-/// A displayed value, 0 .. 1, as the kernels round it; values that are no number are 0. `averages`: of several
-/// samples.
+/// A displayed value, 0 .. 1, as the kernels round it; values that are no number are 0. `averages`: of
+/// several samples.
 inline uint32_t displayedByte(float v, bool averages) {
   const float bounded = v > 0 ? std::min(v, 1.0f) * 255 : 0;
   return averages ? averagedByte(bounded) : static_cast<uint32_t>(std::nearbyint(bounded));

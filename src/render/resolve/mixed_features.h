@@ -1,8 +1,8 @@
 // Auxiliary features of pixels that mix several samples or layers. Any thread.
 //
-// Passes of the mode reflectance have sums over the samples of a pixel, as colours: red, green and blue, and in
-// alpha the coverage, by which they are divided; below 0: the pixel shows only a shadow catcher. Passes of the
-// mode geometry have mean planes of the samples that hit; c > 0 (markMixed()): of several surfaces.
+// Passes of the mode reflectance have sums over the samples of a pixel, as colours: red, green and blue, and
+// in alpha the coverage, by which they are divided; below 0: the pixel shows only a shadow catcher. Passes of
+// the mode geometry have mean planes of the samples that hit; c > 0 (markMixed()): of several surfaces.
 #pragma once
 #include <glm/glm.hpp>
 
@@ -11,8 +11,8 @@
 
 namespace gluray::render {
 
-/// Distance of a sample from the plane of another one, in widths of a pixel. `shift`: its position relative to
-/// that, in pixels. Planes are (a, b, c, d) of render/effects/feature_integrators.h.
+/// Distance of a sample from the plane of another one, in widths of a pixel. `shift`: its position relative
+/// to that, in pixels. Planes are (a, b, c, d) of render/effects/feature_integrators.h.
 inline float distanceFromPlane(const glm::vec4& plane, const glm::vec4& sample, const glm::vec2& shift) {
   return plane.x * shift.x + plane.y * shift.y + plane.z * (1 - plane.w / sample.w);
 }

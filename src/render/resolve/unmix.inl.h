@@ -17,16 +17,38 @@ namespace HWY_NAMESPACE {
 
 constexpr int kUnmixReach = 3;  // pixels; wavelet rounds compute light that far around a tile
 
+/// Features by which the parts of a pixel are told: two coordinates of the normal, the distance relative to
+/// that of the pixel, red, green and blue of the reflectance.
+struct PartFeatures {
+  static constexpr int kCount = 6;
+  float value[kCount] = {};
+};
+
+inline PartFeatures featuresAt(const WaveletPlanes& p, int j, float distance) {
+  constexpr float kDistance = 0.02f;  // difference that counts as much as normals at right angles
+  return {{p.a[j], p.b[j], distance / kDistance, p.red[0][j], p.red[1][j], p.red[2][j]}};
+}
+
 /// The part of a mixed pixel that shows one surface, as means over its neighbours.
 struct MixedPart {
-  glm::vec3 light{0}, reflectance{0};
-  glm::vec2 normal{0};
-  float distance = 0;  // of its plane at the mixed pixel
+  glm::vec3 light{0};
+  PartFeatures mean, variance;
   float weight = 0;
-  void finish() {
-    const float f = 1 / weight;
-    light *= f, reflectance *= f, normal *= f, distance *= f;
+  void add(const glm::vec3& pixelLight, const PartFeatures& features, float w) {
+    light += w * pixelLight, weight += w;
+    for (int k = 0; k < PartFeatures::kCount; ++k) {
+      const float v = features.value[k];
+      mean.value[k] += w * v, variance.value[k] += w * v * v;
+    }
   }
+  void finish() {
+    light /= weight;
+    for (int k = 0; k < PartFeatures::kCount; ++k) {
+      float &m = mean.value[k], &v = variance.value[k];
+      m /= weight, v = std::max(v / weight - m * m, 0.0f);
+    }
+  }
+  float reflectance(int channel) const { return mean.value[3 + channel]; }
 };
 
 /// Calls each(j, dx, dy) for the pixels around pixel i that show one surface alone.
@@ -39,6 +61,12 @@ inline void eachPure(const WaveletPlanes& p, int i, Each&& each) {
     }
 }
 
+/// Light is smooth already, so that the nearest pixels count most.
+inline float nearness(int dx, int dy) {
+  const auto square = static_cast<float>(dx * dx + dy * dy + 1);
+  return 1 / (square * square);
+}
+
 /// Whether pixels j and k, which is (dx, dy) pixels from j, show one surface; reflectance does not matter.
 inline bool showOneSurface(const WaveletPlanes& p, int j, int k, int dx, int dy) {
   constexpr float kOffPlane = 0.5f, kOffFar = 0.1f, kCosine = 0.9f;  // pixels, and more for each pixel away
@@ -49,8 +77,8 @@ inline bool showOneSurface(const WaveletPlanes& p, int j, int k, int dx, int dy)
          std::abs(off) <= kOffPlane + kOffFar * static_cast<float>(std::max(std::abs(dx), std::abs(dy)));
 }
 
-/// The surface of the pure pixel nearest to i that is not on the surface of pixel `other` (-1: of none), which
-/// is at (ox, oy). Returns that pixel, with its position in x, y; -1: there is none.
+/// The surface of the pure pixel nearest to i that is not on the surface of pixel `other` (-1: of none),
+/// which is at (ox, oy). Returns that pixel, with its position in x, y; -1: there is none.
 inline int nearestPart(const WaveletPlanes& p, int i, int other, int ox, int oy, int& x, int& y) {
   int found = -1, least = 1 << 20;
   eachPure(p, i, [&](int j, int dx, int dy) {
@@ -62,49 +90,50 @@ inline int nearestPart(const WaveletPlanes& p, int i, int other, int ox, int oy,
 }
 
 inline MixedPart partOf(const WaveletPlanes& p, int i, int set, int seed, int sx, int sy) {
+  constexpr float kSteepest = 0.05f;  // relative change; rims of round surfaces end before
   MixedPart part;
   eachPure(p, i, [&](int j, int dx, int dy) {
     if (!showOneSurface(p, seed, j, dx - sx, dy - sy)) return;
     const auto x = static_cast<float>(dx), y = static_cast<float>(dy);
-    const float w = p.cover[j] / (x * x + y * y + 1);
+    const float w = p.cover[j] * nearness(dx, dy);
     const float there = p.c[j] < 0 ? 1 + (p.a[j] * x + p.b[j] * y) / -p.c[j] : 1;
-    part.light += w * glm::vec3(p.light[set][0][j], p.light[set][1][j], p.light[set][2][j]);
-    part.reflectance += w * glm::vec3(p.red[0][j], p.red[1][j], p.red[2][j]);
-    part.normal += w * glm::vec2(p.a[j], p.b[j]);
-    part.distance += w * p.distance[j] * std::clamp(there, 0.5f, 2.0f);
-    part.weight += w;
+    const float distance = p.distance[j] / p.distance[i] / std::clamp(there, 1 - kSteepest, 1 + kSteepest);
+    part.add({p.light[set][0][j], p.light[set][1][j], p.light[set][2][j]}, featuresAt(p, j, distance), w);
   });
   part.finish();
   return part;
 }
 
 /// Which part of pixel i shows `one` and not `two`, by its mean features; below 0: they do not explain it.
+/// Features count in proportion to their precision: normals vary on round surfaces, reflectance under
+/// textures.
 inline float shareOf(const WaveletPlanes& p, int i, const MixedPart& one, const MixedPart& two) {
-  constexpr float kDistance = 0.02f;    // relative difference that counts as much as normals at right angles
   constexpr float kUnexplained = 0.3f;  // of the difference of both parts
-  const float unit = kDistance * std::max(one.distance, two.distance);
-  const auto features = [&](const glm::vec2& normal, float distance, const glm::vec3& reflectance, float* to) {
-    to[0] = normal.x, to[1] = normal.y, to[2] = distance / unit;
-    for (int c = 0; c < 3; ++c) to[3 + c] = reflectance[c];
+  constexpr float kVariance = 4e-4f;    // of features that do not vary
+  const PartFeatures mixed = featuresAt(p, i, 1);
+  const auto sum = [&](const auto& term) {
+    float total = 0;
+    for (int k = 0; k < PartFeatures::kCount; ++k) {
+      const float difference = one.mean.value[k] - two.mean.value[k],
+                  off = mixed.value[k] - two.mean.value[k];
+      total += term(difference, off) / (one.variance.value[k] + two.variance.value[k] + kVariance);
+    }
+    return total;
   };
-  float mixed[6], a[6], b[6];
-  features({p.a[i], p.b[i]}, p.distance[i], {p.red[0][i], p.red[1][i], p.red[2][i]}, mixed);
-  features(one.normal, one.distance, one.reflectance, a);
-  features(two.normal, two.distance, two.reflectance, b);
-  float along = 0, square = 0, rest = 0;
-  for (int k = 0; k < 6; ++k) along += (mixed[k] - b[k]) * (a[k] - b[k]), square += (a[k] - b[k]) * (a[k] - b[k]);
-  if (!(square > 1e-4f)) return -1;
+  const float square = sum([](float difference, float) { return difference * difference; });
+  if (!(square > 1)) return -1;
+  const float along = sum([](float difference, float off) { return difference * off; });
   const float share = std::clamp(along / square, 0.0f, 1.0f);
-  for (int k = 0; k < 6; ++k) {
-    const float off = mixed[k] - (b[k] + share * (a[k] - b[k]));
-    rest += off * off;
-  }
+  const float rest = sum([&](float difference, float off) {
+    const float left = off - share * difference;
+    return left * left;
+  });
   return rest <= kUnexplained * kUnexplained * square ? share : -1;
 }
 
-/// Replaces the light of pixel i, which mixes surfaces: by the light of its two nearest surfaces, in the parts
-/// that its features tell; as far as its own `noisy` light with this variance allows. Light of pure pixels is
-/// read from `set`.
+/// Replaces the light of pixel i, which mixes surfaces: by the light of its two nearest surfaces, in the
+/// parts that its features tell; as far as its own `noisy` light with this variance allows. Light of pure
+/// pixels is read from `set`.
 inline void unmix(const WaveletPlanes& p, int i, int set, const float* noisy, float variance, float* light) {
   constexpr float kDeviations = 25;  // squared: five
   int x = 0, y = 0, u = 0, v = 0;
@@ -116,7 +145,7 @@ inline void unmix(const WaveletPlanes& p, int i, int set, const float* noisy, fl
   if (share < 0) return;
   glm::vec3 mixed;
   for (int c = 0; c < 3; ++c) {
-    const float a = share * one.reflectance[c], b = (1 - share) * two.reflectance[c];
+    const float a = share * one.reflectance(c), b = (1 - share) * two.reflectance(c);
     mixed[c] = (a * one.light[c] + b * two.light[c]) / (a + b);
   }
   const glm::vec3 weights(0.2126f, 0.7152f, 0.0722f);
@@ -127,16 +156,15 @@ inline void unmix(const WaveletPlanes& p, int i, int set, const float* noisy, fl
 
 /// Mean light of the shadow catcher around pixel i. Returns whether there is any.
 inline bool catcherLight(const WaveletPlanes& p, int i, int set, float& light) {
-  float sum = 0;
-  int count = 0;
+  float sum = 0, weights = 0;
   for (int dy = -2; dy <= 2; ++dy)
     for (int dx = -2; dx <= 2; ++dx) {
       const int j = i + dy * kStride + dx;
       if (!(p.distance[j] > 0) || p.red[0][j] != WaveletPlanes::kOnCatcher) continue;
-      sum += p.light[set][0][j], ++count;
+      sum += nearness(dx, dy) * p.light[set][0][j], weights += nearness(dx, dy);
     }
-  light = count ? sum / static_cast<float>(count) : 0;
-  return count > 0;
+  light = weights > 0 ? sum / weights : 0;
+  return weights > 0;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -53,9 +53,9 @@ struct WaveletTile {
 /// others, "Spatiotemporal Variance-Guided Filtering", 2017). Differs: weights are Tukey's biweights, which
 /// end, so that nothing crosses an edge. A pixel gets the share 1 - (target / noise)^2 of its smoothed light:
 /// none where its noise is no more than the target. Where noise is not known it is the deviation among
-/// neighbours. Pixels that mix surfaces get the light of these from their neighbours (unmix.inl.h). Writes kSize
-/// x kSize RGBA to `out`, row by row, as far as they are inside. False: all pixels stay, and nothing was
-/// written. `memory`: waveletFloats() floats.
+/// neighbours. Pixels that mix surfaces get the light of these from their neighbours (unmix.inl.h). Writes
+/// kSize x kSize RGBA to `out`, row by row, as far as they are inside. False: all pixels stay, and nothing
+/// was written. `memory`: waveletFloats() floats.
 bool smoothTile(const NoisyImage&, const WaveletTile&, float* memory, float* out);
 size_t waveletFloats();
 

@@ -35,7 +35,8 @@ HWY_ATTR inline WaveletCenter waveletCenter(const WaveletPlanes& p, int i) {
           at(p.spread, i)};
 }
 
-/// How much of a neighbour (dx, dy) pixels away shows the same surface, 0 .. 1, in proportion to its coverage.
+/// How much of a neighbour (dx, dy) pixels away shows the same surface, 0 .. 1, in proportion to its
+/// coverage.
 HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, int j, int dx, int dy) {
   constexpr float kOffPlane = 0.5f, kOffFar = 0.06f;  // pixels, and more for each pixel away
   constexpr float kReflectance = 0.1f, kSpreads = 2;
@@ -45,7 +46,8 @@ HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, i
       hn::MulAdd(m.a, splat(static_cast<float>(dx)), hn::Mul(m.b, splat(static_cast<float>(dy))));
   const Float off = hn::MulAdd(m.c, hn::Sub(splat(1), hn::Div(m.distance, distance)), along);
   const float reach = kOffPlane + kOffFar * static_cast<float>(std::max(std::abs(dx), std::abs(dy)));
-  const auto near = hn::And(hn::Gt(distance, hn::Zero(d)), hn::Le(hn::Abs(off), hn::MulAdd(m.spread, splat(kSpreads), splat(reach))));
+  const auto near = hn::And(hn::Gt(distance, hn::Zero(d)),
+                            hn::Le(hn::Abs(off), hn::MulAdd(m.spread, splat(kSpreads), splat(reach))));
   // cos^32: half at twelve degrees
   Float cosine = hn::MulAdd(m.a, at(p.a, j), hn::MulAdd(m.b, at(p.b, j), hn::Mul(m.z, at(p.z, j))));
   cosine = hn::Min(hn::Max(cosine, hn::Zero(d)), splat(1));
@@ -128,8 +130,8 @@ HWY_ATTR inline void waveletRound(WaveletPlanes& p, int from, int step, int marg
   }
 }
 
-/// Writes a pixel with the share of its smoothed light. `set`: the last round's light; the other set has that of
-/// the round before it, also around the tile. `square`: its variance before.
+/// Writes a pixel with the share of its smoothed light. `set`: the last round's light; the other set has that
+/// of the round before it, also around the tile. `square`: its variance before.
 HWY_ATTR inline void blendPixel(const NoisyImage& in, int x, int y, const WaveletPlanes& p, int set, int i,
                                 float square, float* to) {
   const float* const from =

@@ -1,5 +1,5 @@
-// The pixels of a tile of the wavelet filter: light, and the features that it is compared by. Compiled once for
-// each instruction set.
+// The pixels of a tile of the wavelet filter: light, and the features that it is compared by. Compiled once
+// for each instruction set.
 #if defined(GLURAY_RENDER_RESOLVE_WAVELET_PLANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_RESOLVE_WAVELET_PLANES_INL_H_
 #undef GLURAY_RENDER_RESOLVE_WAVELET_PLANES_INL_H_

@@ -161,7 +161,9 @@ TEST(Wavelet, UnmixesPixelsOfTwoSurfaces) {
     const std::vector<float> out = wall.smooth();
     wall.each([&](int x, int y, size_t i) {
       const float left = x < 70 ? 1 : x > 70 ? 0 : share;
-      if (std::abs(x - 70) <= 2) { EXPECT_NEAR(out[i], 0.3f * left + 0.7f * (1 - left), 0.06f) << x << ' ' << y; }
+      if (std::abs(x - 70) <= 2) {
+        EXPECT_NEAR(out[i], 0.3f * left + 0.7f * (1 - left), 0.06f) << x << ' ' << y;
+      }
     });
   }
 }
