@@ -135,7 +135,7 @@ inline float shareOf(const WaveletPlanes& p, int i, const MixedPart& one, const 
 /// parts that its features tell; as far as its own `noisy` light with this variance allows. Light of pure
 /// pixels is read from `set`.
 inline void unmix(const WaveletPlanes& p, int i, int set, const float* noisy, float variance, float* light) {
-  constexpr float kDeviations = 25;  // squared: five
+  constexpr float kDeviations = 64;  // squared: eight; half counts at four
   int x = 0, y = 0, u = 0, v = 0;
   const int first = nearestPart(p, i, -1, 0, 0, x, y);
   const int second = first < 0 ? -1 : nearestPart(p, i, first, x, y, u, v);
