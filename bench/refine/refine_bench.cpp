@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,8 +27,8 @@ using namespace gluray;
 
 struct Options {
   double millionTriangles = 1;
-  int threads = 2, samples = 4, reference = 1024;
-  bool paths = false;
+  int threads = 2, samples = 4, reference = 1024, spp = 1;
+  bool paths = false, layers = false;
 };
 
 void figure(const std::string& name, double value, const char* unit) {
@@ -117,6 +118,16 @@ void compareAdaptive(Bench& bench, Settings settings, const Image& truth) {
   }
 }
 
+/// Makes all surfaces translucent, in layers over an empty background.
+void makeLayers(scene::Snapshot& snapshot) {
+  for (scene::Instance& instance : snapshot.instances)
+    for (scene::MaterialPair& pair : instance.materials) pair.front.diffuse.a = pair.back.diffuse.a = 0.4f;
+  auto layers = std::make_shared<scene::Layers>();
+  const size_t width = static_cast<size_t>(snapshot.region.width);
+  layers->opaqueDepth.assign(width * static_cast<size_t>(snapshot.region.height), -1.0f);
+  snapshot.layers = layers;
+}
+
 void run(const Options& options) {
   const bench::Volume volume = bench::wavelet();
   const auto [low, high] = volume.range();
@@ -129,6 +140,8 @@ void run(const Options& options) {
   settings.ao.enabled = !options.paths;
   if (options.paths) settings.integrator = LightIntegrator::path;
   settings.ao.samples = settings.path.samples = options.samples;
+  settings.spp = options.spp;
+  if (options.layers) makeLayers(snapshot);
   Bench bench(snapshot);
   figure("triangles", static_cast<double>(mesh.triangleCount()) * 1e-6, "million");
   Settings many = settings;
@@ -136,7 +149,7 @@ void run(const Options& options) {
   const Image truth =
       bench.refined(many, static_cast<uint32_t>(std::max(options.reference / options.samples, 1))).image;
   compareSmoothing(bench, many, truth);
-  compareAdaptive(bench, settings, truth);
+  if (options.spp <= 1 && !options.layers) compareAdaptive(bench, settings, truth);
 }
 
 }  // namespace
@@ -151,6 +164,9 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 64));
   app.add_option("--reference", options.reference, "samples of the image to compare with")
       ->check(CLI::Range(1, 65536));
+  app.add_option("--spp", options.spp, "samples of a pixel, which share its rays")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--layers", options.layers, "translucent surfaces in layers");
   app.add_flag("--paths", options.paths, "trace paths instead of ambient occlusion");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -1,6 +1,6 @@
 """images at rest: noise and time of passes, smoothed or not, adaptive or not
 
-The Wavelet's isosurfaces, 1024x1024, ambient occlusion and paths. PSNR is that of pixels that hit something, against an image of 1024 samples.
+The Wavelet's isosurfaces, 1024x1024, ambient occlusion and paths; occlusion with 16 samples per pixel, and of translucent layers. PSNR is that of pixels that hit something, against an image of 1024 samples.
 Times of auxiliary features and smoothing are shares of one pass. Needs no display. Results go to bench/results/NAME.json.
 """
 import pathlib
@@ -12,6 +12,13 @@ from support.options import Parser
 from support.telling import status_of
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+# Options of the program by the rows' names.
+LIGHTS = {
+    "occlusion": [],
+    "paths": ["--paths", "--samples", 1],
+    "occlusion, 16 samples a pixel": ["--spp", 16, "--samples", 16],
+    "occlusion, layers": ["--layers"],
+}
 
 
 def arguments(argv):
@@ -28,7 +35,7 @@ def measured(options, size, light):
     program = options.build / "bench" / "refine" / "gluray-bench-refine"
     programs.require(program)
     command = [program, "--triangles", size, "--threads", options.threads, "--reference", options.reference]
-    command += ["--paths", "--samples", 1] if light == "paths" else []
+    command += LIGHTS[light]
     code, out, err = programs.run([str(word) for word in command], {}, 1800)
     if code != 0:
         raise programs.Failed(f"exit code {code}: {' '.join(map(str, command))}\n{err}")
@@ -38,7 +45,7 @@ def measured(options, size, light):
 def run(options, argv):
     result = {"suite": "refine", "command": ("scripts/bench refine " + shlex.join(argv)).strip(), **machine.describe(ROOT), "rows": []}
     for size in options.sizes.split(","):
-        for light in ("occlusion", "paths"):
+        for light in LIGHTS:
             row = {"millions": float(size), "light": light, **measured(options, size, light)}
             for name, value in row.items():
                 if name not in ("millions", "light"):

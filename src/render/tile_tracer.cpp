@@ -159,9 +159,26 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
 
 }  // namespace
 
+namespace {
+
+/// Logs once that the setting `pixel-filter` has no effect.
+void logUnusedFilter(const scene::Snapshot& snapshot, bool averages) {
+  if (snapshot.settings.pixelFilter == PixelFilter::box) return;
+  if (samplesPerPixel(snapshot.settings) <= 1)
+    log::once(log::Level::warning, "pixel-filter",
+              "pixel-filter has no effect: pixels have one sample each (spp = 1)");
+  else if (!averages)
+    log::once(log::Level::warning, "pixel-filter of samples",
+              "pixel-filter has no effect on images whose samples are those of the framebuffer: multisampled "
+              "ones, and translucent surfaces that are blended in the order of drawing");
+}
+
+}  // namespace
+
 bool traceImage(const scene::Snapshot& snapshot, const accel::World& world, Arena& arena, Image& image,
                 const TraceOptions& options) {
   const bool averages = options.averages && wantsAverages(snapshot);
+  if (options.averages) logUnusedFilter(snapshot, averages);
   return arena.execute([&] {
     if (options.source) {
       shapeImage(snapshot, image, averages);

@@ -157,6 +157,9 @@ struct Snapshot {
   PolygonOffset polygonOffset;
   std::shared_ptr<const Layers> layers;  // null: only the nearest surface is visible. One sample per pixel
   bool wideColors = false;               // colours are returned as floats, not clamped to [0, 1]
+  // With wide colours: averages of several samples are those of samples rounded to bytes, as in a framebuffer
+  // of bytes, but are not rounded themselves.
+  bool byteSamples = false;
   bool encodes =
       false;  // GL_FRAMEBUFFER_SRGB was on; then colours are wide, and the real OpenGL encodes them
   ColorWrites colorWrites;  // of the destination framebuffer; tracing uses it only for Layers::Of::drawn

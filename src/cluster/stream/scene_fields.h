@@ -170,11 +170,11 @@ void fields(auto& archive, Like<scene::SecondaryScene> auto& value) {
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
-         samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-         instances, secondaryScene, extent, ground, catches, backdrop, settings] = value;
+         samplePositions, polygonOffset, layers, wideColors, byteSamples, encodes, colorWrites, laterWins,
+         shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings] = value;
   archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
-          samplePositions, polygonOffset, layers, wideColors, encodes, colorWrites, laterWins, shadings,
-          instances, secondaryScene, extent, ground, catches, backdrop, settings);
+          samplePositions, polygonOffset, layers, wideColors, byteSamples, encodes, colorWrites, laterWins,
+          shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings);
 }
 
 }  // namespace gluray::cluster

@@ -2,6 +2,7 @@
 
 #include "base/clock.h"
 #include "base/log.h"
+#include "frame/refinement/denoiser.h"
 #include "frame/refinement/noise_image.h"
 #include "frame/refinement/refinement_progress.h"
 #include "scene/effects.h"
@@ -172,6 +173,7 @@ TracedImages::Result TracedImages::imageOf(const scene::Snapshot& snapshot, cons
   frame_.nextFrame();
   const bool ahead = ahead_ && ahead_->has(snapshot);
   const bool refines = isRefinable(snapshot);
+  logUndenoised(snapshot);
   bool full = wish.finished || snapshot.lightSampling.mode == scene::LightSampling::Mode::full;
   if (!refines) last_.forgetPasses();
   if (auto* const cached = wish.mayRepeat && !ahead ? known(snapshot, wish, refines) : nullptr) {

@@ -4,9 +4,12 @@
 #include "base/timeline.h"
 #include "frame/refinement/oidn_filter.h"
 #include "frame/refinement/pixel_noise.h"
+#include "frame/refinement/refiner.h"
 #include "parallel/arena.h"
+#include "render/resolve/averaged_byte.h"
 #include "render/resolve/wavelet.h"
 #include "render/tiles/float_guard.h"
+#include "scene/effects.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -19,11 +22,6 @@ namespace {
 
 using render::WaveletTile;
 
-/// As the kernels round.
-uint32_t byteOf(float v) {
-  return static_cast<uint32_t>(std::nearbyint((v > 0 ? std::min(v, 1.0f) : 0) * 255));
-}
-
 /// The part of an image with the samples of one number.
 render::NoisyImage planeOf(const Refinement& r, const Image& image, size_t first, float target) {
   render::NoisyImage noisy;
@@ -33,33 +31,40 @@ render::NoisyImage planeOf(const Refinement& r, const Image& image, size_t first
   if (!r.pixelNoise().empty()) noisy.noise = r.pixelNoise().data() + first;
   noisy.features = {r.features.reflectance.data() + first, r.features.normal.data() + first,
                     r.features.facing.data() + first, r.features.distance.data() + first};
+  if (!r.features.coverage.empty()) noisy.features.coverage = r.features.coverage.data() + first;
+  if (!r.features.spread.empty()) noisy.features.spread = r.features.spread.data() + first;
+  noisy.backdrop = r.features.backdrop;
   return noisy;
 }
 
-void writePixel(const float* rgb, size_t at, Image& out) {
-  if (out.has(Plane::wideColor)) return void(std::copy_n(rgb, 3, &out.wideColor[4 * at]));
-  const uint32_t alpha = out.color[at] & 0xff000000u;
-  out.color[at] = alpha | byteOf(rgb[0]) | byteOf(rgb[1]) << 8 | byteOf(rgb[2]) << 16;
+void writeChannel(float v, size_t at, size_t channel, Image& out) {
+  if (out.has(Plane::wideColor)) return void(out.wideColor[4 * at + channel] = v);
+  const size_t shift = 8 * channel;
+  out.color[at] = (out.color[at] & ~(255u << shift)) | render::displayedByte(v, out.isAverages()) << shift;
 }
 
-void writeTile(const WaveletTile& tile, const float* smooth, size_t first, Image& out) {
+enum class Writes { all, alpha };
+
+void writeTile(const WaveletTile& tile, const float* smooth, size_t first, Writes writes, Image& out) {
   const int width = std::min(WaveletTile::kSize, out.width - tile.x),
             height = std::min(WaveletTile::kSize, out.height - tile.y);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const size_t i = first + static_cast<size_t>(tile.y + y) * static_cast<size_t>(out.width) +
                        static_cast<size_t>(tile.x + x);
-      if (out.depth[i] != Image::kMiss) writePixel(smooth + 3 * (y * WaveletTile::kSize + x), i, out);
+      if (out.depth[i] == Image::kMiss) continue;
+      const float* const pixel = smooth + 4 * (y * WaveletTile::kSize + x);
+      for (size_t c = writes == Writes::all ? 0 : 3; c < 4; ++c) writeChannel(pixel[c], i, c, out);
     }
   }
 }
 
 struct Memory {
   std::vector<float> planes = std::vector<float>(render::waveletFloats());
-  std::vector<float> out = std::vector<float>(size_t{3} * WaveletTile::kSize * WaveletTile::kSize);
+  std::vector<float> out = std::vector<float>(size_t{4} * WaveletTile::kSize * WaveletTile::kSize);
 };
 
-void smooth(const render::NoisyImage& noisy, size_t first, Image& out) {
+void smooth(const render::NoisyImage& noisy, size_t first, Writes writes, Image& out) {
   const int columns = (out.width + WaveletTile::kSize - 1) / WaveletTile::kSize,
             rows = (out.height + WaveletTile::kSize - 1) / WaveletTile::kSize;
   tbb::enumerable_thread_specific<Memory> memories;
@@ -68,7 +73,7 @@ void smooth(const render::NoisyImage& noisy, size_t first, Image& out) {
     Memory& memory = memories.local();
     const WaveletTile tile{index % columns * WaveletTile::kSize, index / columns * WaveletTile::kSize};
     if (render::smoothTile(noisy, tile, memory.planes.data(), memory.out.data()))
-      writeTile(tile, memory.out.data(), first, out);
+      writeTile(tile, memory.out.data(), first, writes, out);
   });
 }
 
@@ -89,25 +94,35 @@ bool smoothByLibrary(const Refinement& refinement, const Settings& settings, siz
     const float noise = known ? noiseAbout(refinement.pixelNoise(), out, first, x, y) : 1;
     const float share = noise > target ? 1 - target * target / (noise * noise) : 0;
     if (out.depth[first + i] == Image::kMiss || !(share > 0)) continue;
-    float rgb[3];
-    for (size_t c = 0; c < 3; ++c) rgb[c] = mean[c] + share * (colors[3 * i + c] - mean[c]);
-    writePixel(rgb, first + i, out);
+    for (size_t c = 0; c < 3; ++c)
+      writeChannel(mean[c] + share * (colors[3 * i + c] - mean[c]), first + i, c, out);
   }
   return true;
 }
 
+/// Why images of the snapshot are not denoised; null: nothing stands against it.
+const char* reasonAgainst(const scene::Snapshot& s) {
+  const Settings& settings = s.settings;
+  if (settings.look == Look::honest) return "look = honest shows surfaces without effects of light";
+  if (settings.look == Look::noise) return "look = noise shows the noise that images have before";
+  if (!scene::wantsLight(settings)) return "no effect of light is on, so images have no noise";
+  if (!(settings.noise > 0)) return "with noise = 0 an image is a single pass, which is not filtered";
+  if (s.layers && s.layers->of == scene::Layers::Of::drawn)
+    return "translucent surfaces that are blended in the order of drawing keep their noise";
+  if (!isFilterable(s)) return "an image is too large: its features would take more than 1 GiB";
+  return nullptr;
+}
+
 }  // namespace
 
-void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, AuxiliaryFeatures& features) {
-  const size_t pixels = pass.depth.size();
-  if (mode == scene::LightSampling::Mode::reflectance) {
-    features.reflectance.resize(pixels);
-    render::packReflectances(pass.wideColor.data(), pixels, features.reflectance.data());
-    return;
-  }
-  features.normal.resize(pixels), features.facing.resize(pixels), features.distance.resize(pixels);
-  render::packGeometry(pass.wideColor.data(), pass.depth.data(), pixels, features.normal.data(),
-                       features.facing.data(), features.distance.data());
+bool isDenoised(const scene::Snapshot& s) { return s.settings.denoise != Denoise::off && !reasonAgainst(s); }
+
+void logUndenoised(const scene::Snapshot& s) noexcept {
+  if (s.settings.denoise == Denoise::off) return;
+  try {
+    if (const char* const why = reasonAgainst(s))
+      log::once(log::Level::warning, why, std::string("denoise has no effect: ") + why);
+  } catch (const std::exception&) {}
 }
 
 bool denoise(const Refinement& refinement, const Settings& settings, Image& out) noexcept {
@@ -116,9 +131,13 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
     const timeline::Span span("denoise");
     const size_t pixels = static_cast<size_t>(out.width) * static_cast<size_t>(out.height);
     sharedArena()->execute([&] {
-      for (size_t first = 0; first < out.depth.size(); first += pixels)
-        if (settings.denoise != Denoise::oidn || !smoothByLibrary(refinement, settings, first, out))
-          smooth(planeOf(refinement, out, first, settings.noise), first, out);
+      const bool library = settings.denoise == Denoise::oidn;
+      for (size_t first = 0; first < out.depth.size(); first += pixels) {
+        const bool done = library && smoothByLibrary(refinement, settings, first, out);
+        if (done && !refinement.features.catcher) continue;
+        smooth(planeOf(refinement, out, first, settings.noise), first, done ? Writes::alpha : Writes::all,
+               out);
+      }
     });
     return true;
   } catch (const std::exception&) {

@@ -2,18 +2,20 @@
 #pragma once
 #include "base/image.h"
 #include "frame/refinement/refinement.h"
-#include "scene/light_sampling.h"
+#include "scene/snapshot.h"
 #include "settings/settings.h"
 
 #include <string>
 
 namespace gluray::frame {
 
-/// Stores the auxiliary features of a pass of the mode reflectance or geometry. Throws std::bad_alloc.
-void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, AuxiliaryFeatures& features);
+/// Whether the snapshot's images are denoised: `denoise` is on, and nothing below stands against it.
+bool isDenoised(const scene::Snapshot&);
+/// Logs once why `denoise` has no effect on the snapshot's images, if it is on and has none.
+void logUndenoised(const scene::Snapshot&) noexcept;
 
-/// Denoises the colours of `out`, the mean of the passes. Returns false on failure; some pixels may then be
-/// denoised, others not.
+/// Denoises the colours of `out`, the mean of the passes, and the alpha of shadow catchers. Returns false on
+/// failure; some pixels may then be denoised, others not.
 bool denoise(const Refinement&, const Settings&, Image& out) noexcept;
 
 /// Logs once that images are not denoised.

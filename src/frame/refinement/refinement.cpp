@@ -1,6 +1,7 @@
 #include "frame/refinement/refinement.h"
 
 #include "parallel/arena.h"
+#include "render/resolve/averaged_byte.h"
 #include "render/tiles/float_guard.h"
 #include "scene/light_sampling.h"
 
@@ -19,10 +20,9 @@ constexpr size_t kBlock = 4096;  // pixels that one thread takes at a time
 /// As the kernels clamp: what is no number is 0.
 float displayed(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
 
-uint32_t rounded(const float* color) {
+uint32_t rounded(const float* color, bool averages) {
   uint32_t bits = 0;
-  for (unsigned c = 0; c < 4; ++c)
-    bits |= static_cast<uint32_t>(std::nearbyint(displayed(color[c]) * 255)) << (8 * c);
+  for (unsigned c = 0; c < 4; ++c) bits |= render::displayedByte(color[c], averages) << (8 * c);
   return bits;
 }
 
@@ -75,10 +75,10 @@ void Refinement::addPixel(const Image& pass, size_t i, Tile& tile) {
   // / h.
   const double h = halfPasses_;
   float judged[3];
-  if (judgesAlpha_)
-    std::fill_n(judged, 3, mean_[4 * i + 3]);
-  else
-    std::copy_n(&mean_[4 * i], 3, judged);
+  const float alpha = mean_[4 * i + 3];
+  for (size_t c = 0; c < 3; ++c)
+    judged[c] =
+        judged_ == Judged::alpha ? alpha : mean_[4 * i + c] + (judged_ == Judged::onWhite ? 1 - alpha : 0);
   const double square =
       n > 1 ? squaredDifference(judged, &half_[3 * i]) * h / (static_cast<double>(n) - h) : 0;
   if (std::has_single_bit(n)) std::copy_n(judged, 3, &half_[3 * i]);
@@ -166,10 +166,11 @@ void Refinement::show(const Image& pass, bool wide, Image& out) const {
     out.wideColor = mean_;
     return;
   }
-  const bool bytes = pass.has(Plane::color);  // then misses are in the pass's colours already
+  // Misses are in the pass's colours already.
+  const bool averages = pass.isAverages(), bytes = pass.has(Plane::color) || averages;
   eachBlock(out.depth.size(), [&](size_t first, size_t end, size_t) {
     for (size_t i = first; i < end; ++i)
-      out.color[i] = bytes || out.depth[i] != Image::kMiss ? rounded(&mean_[4 * i]) : out.missColor;
+      out.color[i] = bytes || out.depth[i] != Image::kMiss ? rounded(&mean_[4 * i], averages) : out.missColor;
   });
 }
 

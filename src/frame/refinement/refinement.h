@@ -46,9 +46,14 @@ class Refinement {
 
   /// From the first pass on, add() keeps the noise of each pixel.
   void keepNoise() { keepsNoise_ = passes_ == 0 || keepsNoise_; }
-  /// Measures the noise of alpha, for images whose alpha is a fraction of light (scene::Snapshot::catches).
+  /// The values whose noise is measured.
+  enum class Judged : uint8_t {
+    colors,
+    alpha,    // where it is a fraction of light (scene::Snapshot::catches)
+    onWhite,  // colours over a white background, where the alpha of some pixels is a fraction of light
+  };
   /// Call before add().
-  void judgeAlpha() { judgesAlpha_ = true; }
+  void judge(Judged values) { judged_ = values; }
   /// Estimated standard error of each pixel, render::kNoiseOne being 1; empty before the second pass, and
   /// where it is not kept.
   const std::vector<uint16_t>& pixelNoise() const { return pixelNoise_; }
@@ -58,10 +63,10 @@ class Refinement {
   size_t bytes() const {
     return 4 * (mean_.capacity() + half_.capacity()) + 2 * pixelNoise_.capacity() + features.bytes();
   }
-  /// Memory for refining so many pixels, including an image with wide colours; `filtered`: with auxiliary
-  /// features and the noise of each pixel.
-  static size_t bytesFor(size_t pixels, bool filtered = false) {
-    return pixels * (4 * (4 + 3 + 4 + 1) + (filtered ? sizeof(uint16_t) + AuxiliaryFeatures::kBytes : 0));
+  /// Memory for refining so many pixels, including an image with wide colours. `featureBytes`: of a pixel's
+  /// auxiliary features, where the image is filtered: then with the noise of each pixel; 0: it is not.
+  static size_t bytesFor(size_t pixels, size_t featureBytes = 0) {
+    return pixels * (4 * (4 + 3 + 4 + 1) + (featureBytes ? sizeof(uint16_t) + featureBytes : 0));
   }
 
  private:
@@ -84,7 +89,8 @@ class Refinement {
   uint64_t tracedTiles_ = 0;
   uint32_t passes_ = 0, halfPasses_ = 0;
   double seconds_ = 0;
-  bool keepsNoise_ = false, judgesAlpha_ = false;
+  bool keepsNoise_ = false;
+  Judged judged_ = Judged::colors;
   double noise_ = std::numeric_limits<double>::infinity();
 };
 

@@ -4,6 +4,7 @@
 #include "frame/refinement/denoiser.h"
 #include "frame/refinement/noise_image.h"
 #include "scene/effects.h"
+#include "settings/samples.h"
 
 #include <algorithm>
 #include <exception>
@@ -20,10 +21,20 @@ size_t valuesOf(const scene::Snapshot& s) {
          static_cast<size_t>(std::max(s.samples, 1));
 }
 
-/// Whether passes have wide colours where the image has bytes. Layers and averages are made of bytes: wide
-/// colours would change the local look.
+/// Whether passes have wide colours where the image has bytes. Blending in the order of drawing is blending
+/// of bytes.
 bool usesWideColors(const scene::Snapshot& s) {
-  return !s.wideColors && !s.layers && (s.samples > 1 || s.settings.spp <= 1);
+  return !s.wideColors && (!s.layers || s.layers->of == scene::Layers::Of::order);
+}
+
+/// Whether pixels average several samples.
+bool mixesSamples(const scene::Snapshot& s) {
+  return samplesPerPixel(s.settings) > 1 && (s.samples <= 1 || hasOpenLens(s.settings));
+}
+
+/// Whether pixels mix several samples or surfaces, as far as is known before an image is traced.
+bool mayMix(const scene::Snapshot& s) {
+  return s.layers || s.catches || scene::showsScenery(s) || samplesPerPixel(s.settings) > 1;
 }
 
 void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
@@ -37,12 +48,31 @@ void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
 /// Whether each pixel is one sample of one surface. Averages and layers are traced as a whole: what the rest
 /// of the image has decides how.
 bool isSimple(const scene::Snapshot& s) {
-  return !s.layers && !(s.settings.camera.aperture > 0) && (s.samples > 1 || s.settings.spp <= 1);
+  return !s.layers && !hasOpenLens(s.settings) && (s.samples > 1 || s.settings.spp <= 1);
 }
 
-bool isFiltered(const scene::Snapshot& s) {
-  return !s.catches && s.settings.denoise != Denoise::off && s.settings.look != Look::noise && isSimple(s) &&
-         Refinement::bytesFor(valuesOf(s), true) <= kMaxBytes;
+/// Passes whose features are averaged: those of a lens vary with its random points.
+constexpr uint32_t kLensFeatures = 4;
+
+/// The snapshot for passes of features whose pixels have the samples of `pass`. Averages are given up where
+/// alpha is no opacity.
+scene::Snapshot featuresOf(const scene::Snapshot& s, const Image& pass) {
+  scene::Snapshot features = s;
+  features.wideColors = true, features.byteSamples = false;
+  if (pass.isAverages()) return features;
+  features.backdrop = nullptr;
+  if (features.ground == scene::GroundUse::drawn) features.ground = scene::GroundUse::around;
+  features.settings.spp = 1, features.settings.camera.aperture = features.settings.camera.fNumber = 0;
+  return features;
+}
+
+bool hasCatcher(const scene::Snapshot& s) {
+  return s.ground == scene::GroundUse::drawn && scene::wantsCatcher(s.settings);
+}
+
+Refinement::Judged judgedOf(const scene::Snapshot& s) {
+  if (s.catches) return Refinement::Judged::alpha;
+  return hasCatcher(s) && !s.backdrop ? Refinement::Judged::onWhite : Refinement::Judged::colors;
 }
 
 }  // namespace
@@ -51,6 +81,11 @@ bool isRefinable(const scene::Snapshot& snapshot) {
   return scene::wantsLight(snapshot.settings) && snapshot.settings.noise > 0 &&
          snapshot.settings.renderer == gluray::Renderer::embree &&
          Refinement::bytesFor(valuesOf(snapshot)) <= kMaxBytes;
+}
+
+bool isFilterable(const scene::Snapshot& snapshot) {
+  const size_t bytes = mayMix(snapshot) ? AuxiliaryFeatures::kMixedBytes : AuxiliaryFeatures::kBytes;
+  return Refinement::bytesFor(valuesOf(snapshot), bytes) <= kMaxBytes;
 }
 
 bool isFinished(const Refinement& refinement, const Settings& settings) {
@@ -77,33 +112,46 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
     : snapshot_(snapshot),
       wide_(snapshot.wideColors || (snapshot.layers && snapshot.layers->of == scene::Layers::Of::sums)),
       refinement_(refinement),
-      filters_(isFiltered(snapshot)) {
+      filters_(isDenoised(snapshot)) {
   snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
   divideIntoPasses(snapshot_.settings);
-  if (usesWideColors(snapshot)) snapshot_.wideColors = true;
-  if (snapshot.catches) refinement.judgeAlpha();
+  if (usesWideColors(snapshot)) snapshot_.wideColors = true, snapshot_.byteSamples = mixesSamples(snapshot);
+  refinement.judge(judgedOf(snapshot));
   if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
+}
+
+bool Refiner::wantsFeatures() const {
+  const bool varies = hasOpenLens(snapshot_.settings) && image_.isAverages();
+  const uint32_t wanted = varies ? std::min(refinement_.passes() + 1, kLensFeatures) : 1;
+  return filters_ && refinement_.features.passes < wanted;
 }
 
 /// False with a line in `error`: there are none; without one: tracing was interrupted.
 bool Refiner::traceFeatures(const Trace& trace, scene::TraceCost& cost, std::string& error) {
   using Mode = scene::LightSampling::Mode;
-  scene::Snapshot features = snapshot_;
-  features.wideColors = true;
-  AuxiliaryFeatures found;
+  scene::Snapshot features = featuresOf(snapshot_, image_);
+  AuxiliaryFeatures found = refinement_.features;
+  const bool mixed = image_.isAverages() || snapshot_.layers;
   Image image;
   for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
-    features.lightSampling = {mode};
-    scene::TraceCost own;
-    if (!trace(features, image, own, error)) return cost.loss = own.loss, false;
-    addCost(own, cost);
+    features.lightSampling = {.mode = mode, .pass = snapshot_.lightSampling.pass};
     try {
-      keepFeatures(mode, image, found);
+      if (snapshot_.catches && mode == Mode::reflectance) {
+        keepCatcher(image_.depth.size(), found);
+        continue;
+      }
+      scene::TraceCost own;
+      if (!trace(features, image, own, error)) return cost.loss = own.loss, false;
+      addCost(own, cost);
+      keepFeatures(mode, image, mixed, found);
     } catch (const std::bad_alloc&) {
       cost.loss = scene::Loss::frames;
       return error = "out of memory", false;
     }
   }
+  ++found.passes;
+  found.backdrop = image_.isAverages() && snapshot_.backdrop;
+  found.catcher = snapshot_.catches || (hasCatcher(snapshot_) && !snapshot_.backdrop);
   refinement_.features = std::move(found);
   return true;
 }
@@ -123,7 +171,7 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
     elsewhere_ = own.elsewhere, finishedElsewhere_ = own.refined;
     if (elsewhere_) return true;
     whole_ = true;
-    if (filters_ && !refinement_.features.known() && !traceFeatures(trace, cost, error)) {
+    if (wantsFeatures() && !traceFeatures(trace, cost, error)) {
       if (error.empty()) return whole_ = false;
       logNoFilter(error);
       filters_ = false, error.clear();
@@ -138,7 +186,10 @@ bool Refiner::pass(const Trace& trace, uint32_t missColor, scene::TraceCost& cos
 }
 
 void Refiner::show(Image& out) const {
+  const uint32_t missColor = out.missColor;
+  if (snapshot_.layers) out.missColor = 0;  // as layers without fragments
   refinement_.show(image_, wide_, out);
+  out.missColor = missColor;
   if (snapshot_.settings.look == Look::noise && !snapshot_.layers)
     return paintNoise(refinement_.pixelNoise(), snapshot_.settings.noise, out);
   if (filters_ && !denoise(refinement_, snapshot_.settings, out)) refinement_.show(image_, wide_, out);

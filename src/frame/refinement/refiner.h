@@ -10,6 +10,9 @@ namespace gluray::frame {
 /// Whether more passes improve the snapshot's image, and there is memory for their sums.
 bool isRefinable(const scene::Snapshot& snapshot);
 
+/// Whether there is memory for its auxiliary features as well.
+bool isFilterable(const scene::Snapshot& snapshot);
+
 /// Whether an image is finished: its noise is within the setting `noise`, it has `refine.passes` passes, or
 /// one more would end after `refine.seconds`.
 bool isFinished(const Refinement& refinement, const Settings& settings);
@@ -45,6 +48,7 @@ class Refiner {
   const Settings& settings() const { return snapshot_.settings; }
 
  private:
+  bool wantsFeatures() const;
   bool traceFeatures(const Trace& trace, scene::TraceCost& cost, std::string& error);
 
   scene::Snapshot snapshot_;  // with wide colours, even if the image has byte colours

@@ -4,6 +4,9 @@
 #include "scene/effects.h"
 #include "scene/failure.h"
 
+#include <algorithm>
+#include <cmath>
+
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "render/effects/feature_integrators.cpp"
@@ -46,6 +49,10 @@ HWY_ATTR void showGeometry(const GeometryFeatures& integrator, const ColoredHits
       distance = hn::MulAdd(hn::Sub(depth, splat(1)), splat(pixels), splat(GeometryFeatures::kFarAway));
     }
     store(dot(normal, splat(right)), rows.value[0] + i), store(dot(normal, splat(up)), rows.value[1] + i);
+    if (integrator.frame.snapshot->layers) {
+      store(distance, rows.value[2] + i);
+      continue;
+    }
     store(along, rows.value[2] + i), store(distance, rows.value[3] + i);
   }
 }
@@ -75,6 +82,19 @@ void ReflectanceFeature::light(const ColoredHits& hits, ColorRows& rows) const n
 
 GeometryFeatures::GeometryFeatures(const FrameData& of) : frame(of), metric(of), space(of) {
   if (!space.usable) throw scene::Untraceable("the projection has no linear rays");
+}
+
+float GeometryFeatures::facing(float a, float b, float x, float y) const noexcept {
+  const bool perspective = space.perDepth > 0;
+  const float width = perspective ? space.perDepth : space.pixel;
+  const glm::vec3 right = (perspective ? space.rayX : space.baseX) / width,
+                  up = (perspective ? space.rayY : space.baseY) / width;
+  const glm::vec3 ray = perspective ? (space.ray + x * space.rayX + y * space.rayY) / width
+                                    : glm::normalize(space.ray) * kFarAway;
+  glm::vec3 forward = glm::normalize(glm::cross(right, up));
+  if (glm::dot(forward, ray) < 0) forward = -forward;
+  const float z = std::sqrt(std::max(1 - a * a - b * b, 0.0f));
+  return std::min(glm::dot(a * right + b * up - z * forward, ray), 0.0f);
 }
 
 void GeometryFeatures::light(const ColoredHits& hits, ColorRows& rows) const noexcept {

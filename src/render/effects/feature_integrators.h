@@ -22,12 +22,15 @@ class ReflectanceFeature final : public Integrator {
 /// Replaces the four channels by the plane of the surface, in units of the pixel width at the surface: (a, b,
 /// c, d). A pixel x columns and y rows away, whose own fourth channel is e, lies
 ///   a x + b y + c (1 - d / e)
-/// away from it. a and b are the normal's components along rows and columns; c <= 0.
+/// away from it. a and b are the normal's components along rows and columns; c <= 0. Of layers, whose alpha
+/// stays: (a, b, d, alpha).
 class GeometryFeatures final : public Integrator {
  public:
   /// Throws std::runtime_error where rays of the viewer are not linear in the pixel's position.
   explicit GeometryFeatures(const FrameData&);
   void light(const ColoredHits&, ColorRows&) const noexcept override;
+  /// c of a surface with this a and b, seen at (x, y) in pixels from the centre of the region's first pixel.
+  float facing(float a, float b, float x, float y) const noexcept;
 
   /// Parallel projections count as perspectives from this distance, in pixel widths.
   static constexpr float kFarAway = 131072;

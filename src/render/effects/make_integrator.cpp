@@ -36,7 +36,7 @@ std::unique_ptr<const Integrator> makeLight(const FrameData& frame) {
 
 std::unique_ptr<const Integrator> makeIntegrator(const FrameData& frame) {
   std::unique_ptr<const Integrator> light = makeLight(frame);
-  if (!light || !frame.averages || frame.catcher == accel::kNoHit) return light;
+  if (!light || !frame.averages || frame.catcher == accel::kNoHit || frame.features) return light;
   return std::make_unique<CatcherLook>(std::move(light), frame.catcher);
 }
 

@@ -179,6 +179,9 @@ FrameData::FrameData(const scene::Snapshot& s, const accel::World& w, Image& tar
       image(&target) {
   perVertex = s.settings.shading == ShadingRate::vertex;
   averages = target.isAverages();
+  bytes = target.has(Plane::color) || (averages && s.byteSamples);
+  using Mode = scene::LightSampling::Mode;
+  features = s.lightSampling.mode == Mode::reflectance || s.lightSampling.mode == Mode::geometry;
   const int samples = averages ? 1 : s.samples;
   oncePerPixel = samples > 1 && s.settings.shading != ShadingRate::sample;
   tone = litTone = makeToneMap(s);

@@ -50,6 +50,8 @@ struct FrameData {
   bool oncePerPixel = false;  // multisampled: surfaces are shaded at pixels' centres
   bool ownPlanes = false;     // some surface has its own clip planes
   bool averages = false;      // a pixel averages all samples (Image::centerDepth)
+  bool bytes = false;         // the colours of samples are bytes
+  bool features = false;      // colours are auxiliary features for denoising
   // The instance that is a shadow catcher, which needs averages; kNoHit: none.
   uint32_t catcher = accel::kNoHit;
   // Null: rays start at the viewpoint. Otherwise sample 0, through the centre of the lens, gives only the

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/layers/drawn_layers.inl.h"
+#include "render/resolve/averaged_byte.h"
 #include "render/tiles/tile.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +19,7 @@ namespace HWY_NAMESPACE {
 class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
-    const bool bytes = frame.image->has(Plane::color);
+    const bool bytes = frame.bytes;
     const bool depthAlone = frame.lens && work.sample == 0;
     const float weight =
         frame.sampleWeights.empty() ? 1.0f : frame.sampleWeights[static_cast<size_t>(work.sample)];
@@ -53,6 +54,7 @@ class Averages {
     // Filters with negative weights overshoot.
     const bool signedWeights = !frame.sampleWeights.empty(), coverage = !image.has(Plane::transmittance);
     const float least = signedWeights ? 0 : std::numeric_limits<float>::lowest();
+    const float white = frame.bytes ? 255 : 1;  // in sums
     for (int y = tile.y0; y < tile.y1; ++y) {
       for (int x = tile.x0; x < tile.x1; ++x) {
         const Pixel& pixel = at(x - tile.x0, y - tile.y0);
@@ -63,12 +65,11 @@ class Averages {
         uint32_t color = 0;
         for (size_t c = 0; c < 4; ++c) {
           float average = std::max(pixel.sum[c] * share, least);
-          if (signedWeights && coverage && c == 3)
-            average = std::min(average, image.has(Plane::color) ? 255.0f : 1.0f);
+          if (signedWeights && coverage && c == 3) average = std::min(average, white);
           if (image.has(Plane::color))
-            color |= static_cast<uint32_t>(std::min(average, 255.0f) + 0.5f) << (8 * c);
+            color |= averagedByte(average) << (8 * c);
           else
-            image.wideColor[4 * i + c] = average;
+            image.wideColor[4 * i + c] = average / white;
         }
         if (image.has(Plane::color)) image.color[i] = color;
       }

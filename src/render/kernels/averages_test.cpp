@@ -1,9 +1,11 @@
 // Pixels that average several samples (setting spp).
+#include "base/log.h"
 #include "render/testing/test_trace.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace gluray {
 namespace {
@@ -72,6 +74,25 @@ TEST(Averages, AreNotTakenInMultisampledFramebuffers) {
   const Image image = test::trace(s).image;
   EXPECT_EQ(image.samples, 2);
   EXPECT_TRUE(image.centerDepth.empty());
+}
+
+TEST(Averages, ThatDoNotExistAreNotFilteredAndTheLogSaysSo) {
+  const auto count = [](const char* text) {
+    int lines = 0;
+    for (const std::string& line : log::recent()) lines += line.find(text) != std::string::npos;
+    return lines;
+  };
+  auto s = test::makeSnapshot({test::makeMesh(test::squareData())});
+  s.settings.pixelFilter = PixelFilter::gauss;
+  for (int i = 0; i < 2; ++i) test::trace(s);
+  EXPECT_EQ(count("pixels have one sample each"), 1);
+  s.settings.spp = 4;
+  test::trace(s);
+  EXPECT_EQ(count("pixel-filter has no effect"), 1);
+  s.samples = 2;
+  s.samplePositions = {{0.25f, 0.25f}, {0.75f, 0.75f}};
+  test::trace(s);
+  EXPECT_EQ(count("pixel-filter has no effect on images"), 1);
 }
 
 TEST(Averages, OneSampleIsTakenIfAlphaIsNoOpacity) {

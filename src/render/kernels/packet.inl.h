@@ -8,6 +8,7 @@
 #endif
 
 #include "render/kernels/averages.inl.h"
+#include "render/kernels/feature_averages.inl.h"
 #include "render/kernels/relight.inl.h"
 #include "render/tiles/tile.h"
 #include "render/visibility/multisample.inl.h"
@@ -16,9 +17,10 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-// Last stage: writes colour and depth into the image.
-HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, const GrownSamples& grown,
-                                Work& work, CollectedHits& behind, Averages* averages) {
+// Last stage: writes colour and depth into the image, or adds them to the averages.
+template <class Sums>
+HWY_ATTR void finishWork(const FrameData& frame, const Tile& tile, const GrownSamples& grown, Work& work,
+                         CollectedHits& behind, Sums* averages) {
   if (frame.hits) forgetHits(*frame.hits, work);
   clearPixels(averages ? 0 : frame.image->missColor, work);
   if (frame.grown && !work.lens) pickEdged(frame, grown, work);
@@ -27,7 +29,7 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, const 
     shadeLayers(frame, *frame.snapshot->layers, work);
   else if (work.hits)
     shadeNearest(frame, work);
-  if (frame.lamps && !frame.hits) showLamps(frame, work);
+  if (frame.lamps && !frame.hits && !frame.features) showLamps(frame, work);
   if (averages)
     averages->add(frame, tile, work);
   else if (!frame.hits)
@@ -36,8 +38,8 @@ HWY_ATTR inline void finishWork(const FrameData& frame, const Tile& tile, const 
 
 /// Pipelines three packets, each a stage apart, so that the prefetches of one stage complete while others
 /// compute.
-HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Averages* averages,
-                                  WaitingPoints* waiting) {
+template <class Sums>
+HWY_ATTR void traceSamples(const FrameData& frame, const Tile& tile, Sums* averages, WaitingPoints* waiting) {
   Work works[3];
   CollectedHits behind;  // scratch, for one packet at a time
   for (Work& work : works) initPacket(work.packet), work.waiting = waiting;
@@ -64,7 +66,12 @@ HWY_ATTR inline void traceSamples(const FrameData& frame, const Tile& tile, Aver
 
 HWY_ATTR void traceTile(const FrameData& frame, const Tile& tile, WaitingPoints* waiting) {
   if (frame.oncePerPixel) return traceMultisampled(frame, tile);
-  if (!frame.averages) return traceSamples(frame, tile, nullptr, waiting);
+  if (frame.features && (frame.averages || frame.snapshot->layers)) {
+    FeatureAverages features;
+    traceSamples(frame, tile, &features, waiting);
+    return features.store(frame, tile);
+  }
+  if (!frame.averages) return traceSamples<Averages>(frame, tile, nullptr, waiting);
   Averages averages;
   traceSamples(frame, tile, &averages, waiting);
   averages.store(frame, tile);

@@ -23,9 +23,10 @@ struct Gathered {
   uint8_t places[kLanes] = {};     // number of different depths so far
 };
 
-/// Composites the fragments of `lanes` behind the layers so far.
+/// Composites the fragments of `lanes` behind the layers so far. `colors`: otherwise rows are auxiliary
+/// features, which are not limited to 0 .. 1.
 HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float* depth, float tolerance,
-                               Gathered& g) {
+                               Gathered& g, bool colors = true) {
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     if (!(std::abs(depth[i] - g.place[i]) <= tolerance)) {
@@ -36,7 +37,8 @@ HWY_ATTR inline void putBehind(uint32_t lanes, const LitRows& rows, const float*
     const float weight = (1 - g.before[3][i]) * rows.value[3][i];
     for (int c = 0; c < 4; ++c) {
       const float added = g.before[c][i] + weight * (c < 3 ? rows.value[c][i] : 1);
-      g.now[c][i] = std::clamp(added, g.now[c][i], std::max(g.now[c][i], 1.0f));
+      const bool limited = colors || c == 3;
+      g.now[c][i] = limited ? std::clamp(added, g.now[c][i], std::max(g.now[c][i], 1.0f)) : added;
     }
   }
 }
@@ -192,14 +194,15 @@ HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
   walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     if (layers.peels) keepLayers(frame, lanes, rows, depth, layers.tolerance, g, work);
-    putBehind(lanes, rows, depth, layers.tolerance, g);
+    putBehind(lanes, rows, depth, layers.tolerance, g, !frame.features);
     return lanesFull(layers.peels ? lanes & ~lanesWithRest(lanes, layers.peels, work) : lanes, g);
   });
   countLayers(frame, layers, work, g);
   if (layers.peels) mixRest(frame, layers, work, g);
   LitRows rows;
   for (int c = 0; c < 4; ++c) std::copy_n(g.now[c], kLanes, rows.value[c]);
-  packColors(rows, work.color);
+  if (frame.bytes) return packColors(rows, work.color);
+  for (int c = 0; c < 4; ++c) std::copy_n(rows.value[c], kLanes, work.wide[c]);
 }
 
 /// Finds double hits of one ray on an edge that two triangles share; only one counts.
@@ -252,7 +255,7 @@ HWY_ATTR inline void sumOrdered(const FrameData& frame, const scene::Layers& lay
   EdgeHits edges;
   walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     lanes &= ~edges.again(lanes, work.packet);
-    putBehind(lanes, rows, depth, layers.tolerance, g);
+    putBehind(lanes, rows, depth, layers.tolerance, g, !frame.features);
     for (; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
       work.wide[3][i] += rows.value[3][i];

@@ -220,7 +220,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
       lightHits(frame, instance, group, back, work.sample, x, y, rows,
                 {work.visibility, work.waiting, work.covered});
     if (instance == frame.catcher) {
-      if (!frame.averages || !frame.integrator) continue;
+      if (!frame.averages || (!frame.integrator && !frame.features)) continue;
       for (float& depth : seen.depth) depth = caughtAt(depth);
     }
     take(group.lanes, rows, seen.depth);

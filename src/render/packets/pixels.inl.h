@@ -78,7 +78,7 @@ HWY_ATTR HWY_NOINLINE inline void showLamps(const FrameData& frame, Work& work) 
   const uint32_t lanes = frame.lamps->show(work.x, work.y, work.lens ? &work.packet : nullptr, depth, rows);
   if (!lanes) return;
   if (frame.tone) frame.tone->apply(rows);
-  merge(lanes, rows, depth, frame.image->has(Plane::wideColor), work);
+  merge(lanes, rows, depth, !frame.bytes, work);
 }
 
 /// Calls store(pixel index, lane) for the packet's pixels within the tile.

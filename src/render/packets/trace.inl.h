@@ -130,7 +130,7 @@ HWY_ATTR inline void traceOn(const FrameData& frame, uint32_t lanes, RejectingFi
 
 // Shades the nearest accepted hit of each lane, or keeps it, if visibility is collected first.
 HWY_ATTR inline void shadeNearest(const FrameData& frame, Work& work) {
-  const bool wide = frame.image->has(Plane::wideColor);
+  const bool wide = !frame.bytes;
   const auto take = [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     if (frame.hits) return keepHits(*frame.hits, lanes, work);
     mergeShown(lanes, rows, depth, wide, work);

@@ -46,4 +46,10 @@ inline glm::vec2 unpackNormal2(uint32_t bits) {
 inline uint16_t packFacing(float v) { return static_cast<uint16_t>(std::bit_cast<uint32_t>(v) >> 16); }
 inline float unpackFacing(uint16_t code) { return std::bit_cast<float>(uint32_t{code} << 16 | 0x8000u); }
 
+/// Rounds a float to its leading 16 bits.
+inline uint16_t packCoverage(float v) {
+  return static_cast<uint16_t>((std::bit_cast<uint32_t>(v) + 0x8000u) >> 16);
+}
+inline float unpackCoverage(uint16_t code) { return std::bit_cast<float>(uint32_t{code} << 16); }
+
 }  // namespace gluray::render

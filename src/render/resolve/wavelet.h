@@ -12,6 +12,11 @@ struct FeatureView {
   const uint32_t* normal = nullptr;       // two coordinates (GeometryFeatures: a, b), 16 bits each
   const uint16_t* facing = nullptr;       // c: the leading bits of a float
   const float* distance = nullptr;        // d; 0: no auxiliary features, so that the pixel does not change
+  // Of pixels that mix several samples or layers (render/resolve/mixed_features.h); null: of none. Packed by
+  // packCoverage(); below 0: the pixel shows only a shadow catcher, and its light is its alpha.
+  const uint16_t* coverage = nullptr;
+  // Standard error of the distance from the plane, in widths of a pixel; packed by packCoverage(). Null: 0.
+  const uint16_t* spread = nullptr;
 };
 
 /// A noisy image with an estimate of its noise.
@@ -24,6 +29,7 @@ struct NoisyImage {
   // The largest displayed value. Brighter values are clamped to it, because noise is measured on displayed
   // values.
   float most = std::numeric_limits<float>::max();
+  bool backdrop = false;  // what lies behind the surfaces has colours of its own; otherwise it is black
 };
 
 constexpr float kNoiseOne = 65535;
@@ -47,8 +53,9 @@ struct WaveletTile {
 /// others, "Spatiotemporal Variance-Guided Filtering", 2017). Differs: weights are Tukey's biweights, which
 /// end, so that nothing crosses an edge. A pixel gets the share 1 - (target / noise)^2 of its smoothed light:
 /// none where its noise is no more than the target. Where noise is not known it is the deviation among
-/// neighbours. Writes kSize x kSize RGB to `out`, row by row, as far as they are inside. False: all pixels
-/// stay, and nothing was written. `memory`: waveletFloats() floats.
+/// neighbours. Pixels that mix surfaces get the light of these from their neighbours (unmix.inl.h). Writes
+/// kSize x kSize RGBA to `out`, row by row, as far as they are inside. False: all pixels stay, and nothing
+/// was written. `memory`: waveletFloats() floats.
 bool smoothTile(const NoisyImage&, const WaveletTile&, float* memory, float* out);
 size_t waveletFloats();
 

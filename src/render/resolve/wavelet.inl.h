@@ -6,72 +6,13 @@
 #define GLURAY_RENDER_RESOLVE_WAVELET_INL_H_
 #endif
 
-#include "render/local/fragment.inl.h"
-#include "render/resolve/wavelet.h"
+#include "render/resolve/unmix.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
-constexpr int kSide = WaveletTile::kSize + 2 * WaveletTile::kReach;
-constexpr int kStride = (kSide + 15) / 16 * 16 + 16;  // whole vectors from any pixel on
-constexpr int kArea = kStride * kSide;
 constexpr float kKernel[] = {1.0f / 16, 1.0f / 4, 3.0f / 8, 1.0f / 4, 1.0f / 16};
-
-/// A tile with its surroundings: planes of kStride x kSide values.
-struct WaveletPlanes {
-  float *red[3], *a, *b, *c, *distance, *z;  // z: the normal's third component
-  float* light[2][4];                        // red, green, blue, variance; read and written in turn
-  explicit WaveletPlanes(float* memory) {
-    const auto next = [&]() HWY_ATTR {
-      float* const plane = memory;
-      memory += kArea;
-      return plane;
-    };
-    for (float*& plane : red) plane = next();
-    a = next(), b = next(), c = next(), distance = next(), z = next();
-    for (auto& set : light)
-      for (float*& plane : set) plane = next();
-  }
-  static constexpr int kCount = 16;
-};
-
-HWY_INLINE Float at(const float* plane, int i) { return hn::LoadU(FloatTag(), plane + i); }
-HWY_INLINE void put(Float v, float* plane, int i) { hn::StoreU(v, FloatTag(), plane + i); }
-
-/// Light of a pixel, which is left out where it is no number. Returns whether it counts.
-HWY_ATTR inline bool unpackPixel(const NoisyImage& in, size_t pixel, WaveletPlanes& p, int i) {
-  const FeatureView& g = in.features;
-  const float* const color = in.color + 4 * pixel;
-  const bool counts = g.distance[pixel] > 0 && std::isfinite(color[0] + color[1] + color[2]);
-  if (!counts) return false;
-  const glm::vec3 reflectance = unpackReflectance(g.reflectance[pixel]);
-  const glm::vec2 normal = unpackNormal2(g.normal[pixel]);
-  p.distance[i] = g.distance[pixel], p.a[i] = normal.x, p.b[i] = normal.y;
-  p.c[i] = unpackFacing(g.facing[pixel]);
-  p.z[i] = std::sqrt(std::max(1 - glm::dot(normal, normal), 0.0f));
-  for (int c = 0; c < 3; ++c)
-    p.red[c][i] = reflectance[c], p.light[0][c][i] = std::min(color[c], in.most) / reflectance[c];
-  const float error = in.noise ? static_cast<float>(in.noise[pixel]) / kNoiseOne : 0;
-  const float scaled = error / std::max({reflectance.x, reflectance.y, reflectance.z});
-  p.light[0][3][i] = scaled * scaled;
-  return true;
-}
-
-/// False: nothing can be smoothed.
-HWY_ATTR inline bool unpackPlanes(const NoisyImage& in, const WaveletTile& tile, WaveletPlanes& p) {
-  std::fill_n(p.red[0], WaveletPlanes::kCount * kArea, 0.0f);
-  bool any = false;
-  for (int row = 0; row < kSide; ++row) {
-    const int y = tile.y - WaveletTile::kReach + row, left = tile.x - WaveletTile::kReach;
-    if (y < 0 || y >= in.height) continue;
-    for (int x = std::max(left, 0); x < std::min(left + kSide, in.width); ++x) {
-      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(in.width) + static_cast<size_t>(x);
-      any |= unpackPixel(in, pixel, p, row * kStride + x - left);
-    }
-  }
-  return any;
-}
 
 /// (1 - x)^2 for x in 0 .. 1, and 0 beyond: Tukey's biweight, of a squared ratio.
 HWY_INLINE Float biweight(Float x) {
@@ -85,25 +26,28 @@ HWY_INLINE Float luminance(Float r, Float g, Float b) {
 
 /// What a pixel's neighbours are compared with.
 struct WaveletCenter {
-  Float a, b, c, distance, z, reflectance[3];
+  Float a, b, c, distance, z, reflectance[3], spread;
 };
 
 HWY_ATTR inline WaveletCenter waveletCenter(const WaveletPlanes& p, int i) {
   return {at(p.a, i),        at(p.b, i), at(p.c, i),
-          at(p.distance, i), at(p.z, i), {at(p.red[0], i), at(p.red[1], i), at(p.red[2], i)}};
+          at(p.distance, i), at(p.z, i), {at(p.red[0], i), at(p.red[1], i), at(p.red[2], i)},
+          at(p.spread, i)};
 }
 
-/// How much of a neighbour (dx, dy) pixels away shows the same surface, 0 .. 1.
+/// How much of a neighbour (dx, dy) pixels away shows the same surface, 0 .. 1, in proportion to its
+/// coverage.
 HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, int j, int dx, int dy) {
   constexpr float kOffPlane = 0.5f, kOffFar = 0.06f;  // pixels, and more for each pixel away
-  constexpr float kReflectance = 0.1f;
+  constexpr float kReflectance = 0.1f, kSpreads = 2;
   const FloatTag d;
   const Float distance = at(p.distance, j);
   const Float along =
       hn::MulAdd(m.a, splat(static_cast<float>(dx)), hn::Mul(m.b, splat(static_cast<float>(dy))));
   const Float off = hn::MulAdd(m.c, hn::Sub(splat(1), hn::Div(m.distance, distance)), along);
   const float reach = kOffPlane + kOffFar * static_cast<float>(std::max(std::abs(dx), std::abs(dy)));
-  const auto near = hn::And(hn::Gt(distance, hn::Zero(d)), hn::Le(hn::Abs(off), splat(reach)));
+  const auto near = hn::And(hn::Gt(distance, hn::Zero(d)),
+                            hn::Le(hn::Abs(off), hn::MulAdd(m.spread, splat(kSpreads), splat(reach))));
   // cos^32: half at twelve degrees
   Float cosine = hn::MulAdd(m.a, at(p.a, j), hn::MulAdd(m.b, at(p.b, j), hn::Mul(m.z, at(p.z, j))));
   cosine = hn::Min(hn::Max(cosine, hn::Zero(d)), splat(1));
@@ -114,7 +58,7 @@ HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, i
     differs = hn::Max(differs, hn::Mul(difference, difference));
   }
   const Float same = biweight(hn::Mul(differs, splat(1 / (kReflectance * kReflectance))));
-  return hn::IfThenElseZero(near, hn::Mul(cosine, same));
+  return hn::IfThenElseZero(near, hn::Mul(hn::Mul(cosine, same), hn::Abs(at(p.cover, j))));
 }
 
 /// Sums over neighbours of one pixel, or as many as a vector has lanes.
@@ -124,18 +68,20 @@ HWY_ATTR HWY_INLINE void eachNeighbour(int step, Each&& each) {
     for (int x = -2; x <= 2; ++x) each(x * step, y * step, kKernel[x + 2] * kKernel[y + 2]);
 }
 
-/// Variances of single pixels are known badly: means over neighbours. `known`: otherwise their light's
-/// variance. Source and destination are sets of `light`.
+/// Variances of single pixels are known badly: means over neighbours, of any surface where the pixel mixes
+/// surfaces. `known`: otherwise their light's variance. Source and destination are sets of `light`.
 HWY_ATTR inline void smoothVariance(WaveletPlanes& p, bool known) {
   const FloatTag d;
   for (int row = 2; row < kSide - 2; ++row) {
     for (int x = 2; x < kSide - 2; x += lanesOfVector()) {
       const int i = row * kStride + x;
       const WaveletCenter m = waveletCenter(p, i);
+      const auto mixes = hn::Lt(at(p.cover, i), hn::Zero(d));
       Float weights = hn::Zero(d), sum = hn::Zero(d), squares = hn::Zero(d), variance = hn::Zero(d);
       eachNeighbour(1, [&](int dx, int dy, float) HWY_ATTR {
         const int j = i + dy * kStride + dx;
-        const Float w = likeness(p, m, j, dx, dy);
+        const Float shows = hn::Abs(at(p.cover, j));
+        const Float w = hn::IfThenElse(mixes, shows, likeness(p, m, j, dx, dy));
         const Float l = luminance(at(p.light[0][0], j), at(p.light[0][1], j), at(p.light[0][2], j));
         weights = hn::Add(weights, w);
         variance = hn::MulAdd(w, at(p.light[0][3], j), variance);
@@ -184,37 +130,54 @@ HWY_ATTR inline void waveletRound(WaveletPlanes& p, int from, int step, int marg
   }
 }
 
-/// Blends pixels with their smoothed light. `noise`: their variances before.
-HWY_ATTR inline void blendPixels(const NoisyImage& in, const WaveletTile& tile, const WaveletPlanes& p,
-                                 int set, const float* variances, float* out) {
-  for (int y = 0; y < WaveletTile::kSize && tile.y + y < in.height; ++y) {
-    for (int x = 0; x < WaveletTile::kSize && tile.x + x < in.width; ++x) {
-      const int i = (WaveletTile::kReach + y) * kStride + WaveletTile::kReach + x;
-      const size_t pixel =
-          static_cast<size_t>(tile.y + y) * static_cast<size_t>(in.width) + static_cast<size_t>(tile.x + x);
-      float* const to = out + 3 * (y * WaveletTile::kSize + x);
-      const float* const from = in.color + 4 * pixel;
-      const float scale = std::max({p.red[0][i], p.red[1][i], p.red[2][i]});
-      const float square = variances[y * WaveletTile::kSize + x] * scale * scale;
-      const float share = square > 0 ? std::max(1 - in.target * in.target / square, 0.0f) : 0;
-      for (int c = 0; c < 3; ++c) {
-        const float smooth = p.light[set][c][i] * p.red[c][i];
-        const float own = std::min(from[c], in.most);
-        to[c] = share > 0 && p.distance[i] > 0 ? own + share * (smooth - own) : from[c];
-      }
-    }
+/// Writes a pixel with the share of its smoothed light. `set`: the last round's light; the other set has that
+/// of the round before it, also around the tile. `square`: its variance before.
+HWY_ATTR inline void blendPixel(const NoisyImage& in, int x, int y, const WaveletPlanes& p, int set, int i,
+                                float square, float* to) {
+  const float* const from =
+      in.color + 4 * (static_cast<size_t>(y) * static_cast<size_t>(in.width) + static_cast<size_t>(x));
+  std::copy_n(from, 4, to);
+  Demodulation d;
+  const float share = square > 0 ? std::max(1 - in.target * in.target / square, 0.0f) : 0;
+  if (!(share > 0 && p.distance[i] > 0) || !demodulate(in, x, y, d)) return;
+  float light[3] = {p.light[set][0][i], p.light[set][1][i], p.light[set][2][i]};
+  if (d.onCatcher) return void(to[3] = from[3] + share * (light[0] * d.factor[0] - from[3]));
+  float noisy[3];
+  for (int c = 0; c < 3; ++c) noisy[c] = (std::min(from[c], in.most) - d.behind[c]) / d.factor[c];
+  if (p.cover[i] < 0) unmix(p, i, 1 - set, noisy, square / (d.scale() * d.scale()), light);
+  for (int c = 0; c < 3; ++c) {
+    const float own = std::min(from[c], in.most);
+    to[c] = own + share * (light[c] * d.factor[c] + d.behind[c] - own);
   }
+  if (float caught; d.cover < 1 && !in.backdrop && catcherLight(p, i, 1 - set, caught))
+    to[3] = from[3] + share * (d.cover + (1 - d.cover) * caught - from[3]);
 }
 
-/// Whether any pixel has more noise than the target.
-HWY_ATTR inline bool keepVariances(const NoisyImage& in, const WaveletPlanes& p, float* variances) {
-  bool any = false;
-  for (int y = 0; y < WaveletTile::kSize; ++y)
-    for (int x = 0; x < WaveletTile::kSize; ++x) {
+/// `variances`: of the tile's pixels, before they were smoothed.
+HWY_ATTR inline void blendPixels(const NoisyImage& in, const WaveletTile& tile, const WaveletPlanes& p,
+                                 int set, const float* variances, float* out) {
+  for (int y = 0; y < WaveletTile::kSize && tile.y + y < in.height; ++y)
+    for (int x = 0; x < WaveletTile::kSize && tile.x + x < in.width; ++x) {
       const int i = (WaveletTile::kReach + y) * kStride + WaveletTile::kReach + x;
-      const float variance = p.light[0][3][i], scale = std::max({p.red[0][i], p.red[1][i], p.red[2][i]});
-      variances[y * WaveletTile::kSize + x] = variance;
-      any |= variance * scale * scale > in.target * in.target && p.distance[i] > 0;
+      const int at = y * WaveletTile::kSize + x;
+      blendPixel(in, tile.x + x, tile.y + y, p, set, i, variances[at], out + 4 * at);
+    }
+}
+
+/// Keeps the variances of the tile's displayed colours. Returns whether any pixel has more noise than the
+/// target.
+HWY_ATTR inline bool keepVariances(const NoisyImage& in, const WaveletTile& tile, const WaveletPlanes& p,
+                                   float* variances) {
+  bool any = false;
+  std::fill_n(variances, WaveletTile::kSize * WaveletTile::kSize, 0.0f);
+  for (int y = 0; y < WaveletTile::kSize && tile.y + y < in.height; ++y)
+    for (int x = 0; x < WaveletTile::kSize && tile.x + x < in.width; ++x) {
+      const int i = (WaveletTile::kReach + y) * kStride + WaveletTile::kReach + x;
+      Demodulation d;
+      if (!(p.distance[i] > 0) || !demodulate(in, tile.x + x, tile.y + y, d)) continue;
+      const float square = p.light[0][3][i] * d.scale() * d.scale();
+      variances[y * WaveletTile::kSize + x] = square;
+      any |= square > in.target * in.target;
     }
   return any;
 }
@@ -224,7 +187,7 @@ HWY_ATTR bool smoothTile(const NoisyImage& in, const WaveletTile& tile, float* m
   if (!unpackPlanes(in, tile, p)) return false;
   smoothVariance(p, in.noise != nullptr);
   float* const variances = memory + WaveletPlanes::kCount * kArea;
-  if (!keepVariances(in, p, variances)) return false;
+  if (!keepVariances(in, tile, p, variances)) return false;
   int set = 0, margin = WaveletTile::kReach - 2;  // variances take two
   for (int step = 1; step <= 8; step *= 2) {
     margin -= 2 * step;

@@ -141,6 +141,50 @@ TEST(Wavelet, BrightDotsAreNoise) {
   EXPECT_LT(*std::max_element(out.begin(), out.end()), 0.7f);
 }
 
+/// Two surfaces at different distances that meet in column 70, which shows `share` of the left one.
+Wall mixedWall(float share) {
+  Wall wall(140, 40);
+  wall.packedCoverage.assign(wall.depth.size(), packCoverage(1));
+  addNoise(wall);
+  wall.each([&](int x, int, size_t i) {
+    const float noise = wall.color[4 * i] - 0.5f, left = x < 70 ? 1 : x > 70 ? 0 : share;
+    wall.light(i, 0.3f * left + 0.7f * (1 - left) + noise);
+    wall.geometry[4 * i + 3] = left + 1.5f * (1 - left);
+    if (x == 70) wall.geometry[4 * i + 2] = 1000;
+  });
+  return wall;
+}
+
+TEST(Wavelet, UnmixesPixelsOfTwoSurfaces) {
+  for (const float share : {0.25f, 0.5f, 0.9f}) {
+    Wall wall = mixedWall(share);
+    const std::vector<float> out = wall.smooth();
+    wall.each([&](int x, int y, size_t i) {
+      const float left = x < 70 ? 1 : x > 70 ? 0 : share;
+      if (std::abs(x - 70) <= 2) {
+        EXPECT_NEAR(out[i], 0.3f * left + 0.7f * (1 - left), 0.06f) << x << ' ' << y;
+      }
+    });
+  }
+}
+
+TEST(Wavelet, PixelsOfAnyCoverageHaveTheLightOfTheirSurface) {
+  Wall wall;
+  wall.packedCoverage.resize(wall.depth.size());
+  addNoise(wall);
+  wall.each([&](int x, int, size_t i) {
+    const float cover = x == 40 ? 0.25f : x == 41 ? 0.75f : 1;
+    wall.packedCoverage[i] = packCoverage(cover);
+    for (size_t c = 0; c < 3; ++c) wall.color[4 * i + c] *= cover;
+    wall.noise[i] = static_cast<uint16_t>(0.1f * cover * kNoiseOne);
+  });
+  const std::vector<float> out = wall.smooth();
+  wall.each([&](int x, int, size_t i) {
+    const float cover = x == 40 ? 0.25f : x == 41 ? 0.75f : 1;
+    ASSERT_NEAR(out[i], 0.5f * cover, 0.06f * cover) << x;
+  });
+}
+
 TEST(Wavelet, TilesDoNotShow) {
   constexpr int kShift = 24;
   Wall wall(180, 70), part(180 - kShift, 70);

@@ -17,7 +17,7 @@ struct NoisyWall {
   std::vector<float> color, reflectance, geometry, depth;
   std::vector<uint16_t> noise;
   std::vector<uint32_t> packedReflectance, normal;
-  std::vector<uint16_t> facing;
+  std::vector<uint16_t> facing, packedCoverage;  // packedCoverage: empty: no pixel is mixed
   std::vector<float> distance;
   float target = 0, most = std::numeric_limits<float>::max();
 
@@ -46,7 +46,8 @@ struct NoisyWall {
             height,
             color.data(),
             knowsNoise ? noise.data() : nullptr,
-            {packedReflectance.data(), normal.data(), facing.data(), distance.data()},
+            {packedReflectance.data(), normal.data(), facing.data(), distance.data(),
+             packedCoverage.empty() ? nullptr : packedCoverage.data()},
             target,
             most};
   }
@@ -54,7 +55,7 @@ struct NoisyWall {
   std::vector<float> smooth(bool knowsNoise = true, bool* changed = nullptr) {
     const render::NoisyImage in = image(knowsNoise);
     std::vector<float> memory(render::waveletFloats()),
-        tile(3 * render::WaveletTile::kSize * render::WaveletTile::kSize), out;
+        tile(4 * render::WaveletTile::kSize * render::WaveletTile::kSize), out;
     for (size_t i = 0; i < depth.size(); ++i) out.push_back(color[4 * i]);
     for (int y = 0; y < height; y += render::WaveletTile::kSize)
       for (int x = 0; x < width; x += render::WaveletTile::kSize) {
@@ -62,7 +63,7 @@ struct NoisyWall {
         if (changed) *changed |= did;
         for (int j = 0; did && j < render::WaveletTile::kSize && y + j < height; ++j)
           for (int i = 0; i < render::WaveletTile::kSize && x + i < width; ++i)
-            out[at(x + i, y + j)] = tile[static_cast<size_t>(3 * (j * render::WaveletTile::kSize + i))];
+            out[at(x + i, y + j)] = tile[static_cast<size_t>(4 * (j * render::WaveletTile::kSize + i))];
       }
     return out;
   }
