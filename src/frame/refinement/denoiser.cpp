@@ -4,9 +4,11 @@
 #include "base/timeline.h"
 #include "frame/refinement/oidn_filter.h"
 #include "frame/refinement/pixel_noise.h"
+#include "frame/refinement/refiner.h"
 #include "parallel/arena.h"
 #include "render/resolve/wavelet.h"
 #include "render/tiles/float_guard.h"
+#include "scene/effects.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -72,13 +74,16 @@ void smooth(const render::NoisyImage& noisy, size_t first, Image& out) {
   });
 }
 
-/// The same by Open Image Denoise. Pixels get as much of it as of the filter's (render::smoothTile).
+/// The same by Open Image Denoise. Pixels get the same share of its light as of the filter's
+/// (render::smoothTile). False: the filter is to do it.
 bool smoothByLibrary(const Refinement& refinement, const Settings& settings, size_t first, Image& out) {
   std::vector<float> colors;
   std::string why;
-  if (!smoothByOidn(refinement, settings, out, first, colors, why)) {
-    log::once(log::Level::warning, "oidn",
-              "denoise=oidn: " + why + "; GLuRay's filter denoises images instead");
+  const OidnLibrary* const library = oidnLibrary(why);
+  if (!library || !smoothByOidn(*library, refinement, settings.threads, out, first, colors, why)) {
+    if (library || settings.denoise == Denoise::oidn)
+      log::once(log::Level::warning, "oidn",
+                "no Open Image Denoise (setting denoise): " + why + "; GLuRay's own filter denoises images");
     return false;
   }
   const float target = settings.noise;
@@ -110,6 +115,16 @@ void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, AuxiliaryF
                        features.facing.data(), features.distance.data());
 }
 
+bool wantsOidn(const Refinement& refinement, const Settings& settings) {
+  if (settings.denoise != Denoise::automatic) return settings.denoise == Denoise::oidn;
+  if (!isFinished(refinement, settings)) return false;
+  const uint32_t passes = refinement.passes();
+  if (scene::wantsPaths(settings)) return passes * static_cast<uint32_t>(settings.path.samples) <= kFewPaths;
+  const int rays = std::max(scene::wantsOcclusion(settings) ? settings.ao.samples : 1,
+                            scene::wantsShadows(settings) ? settings.shadows.samples : 1);
+  return passes >= kMinPasses && passes * static_cast<uint32_t>(rays) <= kFewRays;
+}
+
 bool denoise(const Refinement& refinement, const Settings& settings, Image& out) noexcept {
   if (refinement.features.distance.size() != out.depth.size()) return true;
   try {
@@ -117,7 +132,7 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
     const size_t pixels = static_cast<size_t>(out.width) * static_cast<size_t>(out.height);
     sharedArena()->execute([&] {
       for (size_t first = 0; first < out.depth.size(); first += pixels)
-        if (settings.denoise != Denoise::oidn || !smoothByLibrary(refinement, settings, first, out))
+        if (!wantsOidn(refinement, settings) || !smoothByLibrary(refinement, settings, first, out))
           smooth(planeOf(refinement, out, first, settings.noise), first, out);
     });
     return true;
