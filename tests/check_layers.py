@@ -53,7 +53,7 @@ FOLDERS = {
 MONOPOLIES = [
     ("Embree", r"embree\d*/", ["src/accel"]),
     ("X11, GLX and EGL", r"(X11|xcb|EGL|glvnd)/|GL/glx", ["src/intercept", "src/osmesa", "apps"]),
-    ("dlfcn", r"dlfcn\.h$", ["src/intercept", "src/osmesa", "apps", "src/parallel/visible_joins.cpp"]),
+    ("dlfcn", r"dlfcn\.h$", ["src/intercept", "src/osmesa", "apps", "src/frame/refinement/oidn_library.cpp", "src/parallel/visible_joins.cpp"]),
     # guarded_write.h opens none, but standard error may be one.
     ("sockets", r"(sys/(socket|un)\.h|netinet/|arpa/|netdb\.h|asio)", ["src/control", "src/cluster", "apps", "src/base/guarded_write.h"]),
     ("MPI", r"mpi\.h$", ["src/cluster"]),

@@ -11,7 +11,7 @@ TYPES = ("bool", "int", "float", "choice", "color", "vector", "string", "path", 
 APPLIES = ("frame", "context", "process")
 CHANGES = ("image", "way")
 # Environment variables that are not settings.
-RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
+RESERVED = {"GLURAY_COMMAND_LINE", "GLURAY_CONFIG", "GLURAY_ENGINE_LIBRARY", "GLURAY_OIDN", "GLURAY_PID", "GLURAY_PROGRAM", "GLURAY_PROJECT", "GLURAY_REAL_EGL",
             "GLURAY_REAL_GLX", "GLURAY_ROOTS", "GLURAY_RUNTIME"}
 # Names of tables in files, and words of the launcher.
 RESERVED_NAMES = {"program", "presets"}

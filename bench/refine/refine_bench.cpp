@@ -1,11 +1,11 @@
-// gluray-bench-refine: noise and time of images at rest, on the Wavelet's isosurfaces at 1024x1024. One
-// line a figure.
+// gluray-bench-refine: noise and time of images at rest, on the Wavelet's isosurfaces and other scenes.
+// One line a figure.
 #include "bench/data/image_error.h"
-#include "bench/data/isosurface.h"
 #include "bench/data/orbit.h"
 #include "bench/data/report.h"
-#include "bench/data/wavelet.h"
-#include "bench/render/wavelet_snapshot.h"
+#include "bench/refine/scenes.h"
+#include "bench/render/settings.h"
+#include "frame/refinement/oidn_library.h"
 #include "frame/refinement/refiner.h"
 #include "frame/tracing/renderer.h"
 
@@ -15,7 +15,9 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <exception>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -27,8 +29,9 @@ using namespace gluray;
 
 struct Options {
   double millionTriangles = 1;
-  int threads = 2, samples = 4, reference = 1024, spp = 1;
-  bool paths = false, layers = false;
+  int threads = 2, samples = 4, reference = 1024, spp = 1, size = bench::kImageSize;
+  std::string scene = "wavelet", light = "occlusion";
+  bool denoisers = false, layers = false;
 };
 
 void figure(const std::string& name, double value, const char* unit) {
@@ -36,9 +39,12 @@ void figure(const std::string& name, double value, const char* unit) {
   std::fflush(stdout);
 }
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+double wallSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+/// Seconds that all threads of the process have computed.
+double cpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// dB, of the pixels that hit something.
 double psnr(const Image& image, const Image& reference) {
@@ -50,7 +56,8 @@ double psnr(const Image& image, const Image& reference) {
 /// Refines images of one scene.
 class Bench {
  public:
-  explicit Bench(const scene::Snapshot& snapshot) : snapshot_(snapshot) {
+  /// `clock` gives the seconds of the results.
+  Bench(const scene::Snapshot& snapshot, double (*seconds)()) : clock_(seconds), snapshot_(snapshot) {
     Image image;
     scene::TraceCost cost;
     std::string error;
@@ -74,18 +81,19 @@ class Bench {
     };
     scene::TraceCost cost;
     std::string error;
-    const auto start = std::chrono::steady_clock::now();
+    const double start = clock_();
     while (passes ? refinement.passes() < passes : !refiner.finished())
       if (!refiner.pass(trace, 0, cost, error)) throw std::runtime_error(error);
-    result.seconds = secondsSince(start);
-    const auto shown = std::chrono::steady_clock::now();
+    result.seconds = clock_() - start;
+    const double shown = clock_();
     refiner.show(result.image);
-    result.showSeconds = secondsSince(shown);
+    result.showSeconds = clock_() - shown;
     result.passes = refinement.passes(), result.tiles = refinement.tracedTiles();
     return result;
   }
 
  private:
+  double (*clock_)();
   scene::Snapshot snapshot_;
   frame::Renderer renderer_;
 };
@@ -128,35 +136,63 @@ void makeLayers(scene::Snapshot& snapshot) {
   snapshot.layers = layers;
 }
 
+/// The mean of 1, 4, 16, 64 passes as each denoiser shows it, and what passes and denoisers take.
+void compareDenoisers(Bench& bench, const Settings& settings, const Image& truth) {
+  const std::map<std::string, Denoise> kinds{
+      {"plain", Denoise::off}, {"filter", Denoise::filter}, {"oidn", Denoise::oidn}};
+  std::string why;
+  const bool found = frame::oidnLibrary(why) != nullptr;
+  if (!found) std::fprintf(stderr, "without Open Image Denoise: %s\n", why.c_str());
+  for (const uint32_t passes : {1u, 4u, 16u, 64u})
+    for (const auto& [name, kind] : kinds) {
+      if (kind == Denoise::oidn && !found) continue;
+      Settings with = settings;
+      with.denoise = kind;
+      const Bench::Result result = bench.refined(with, passes);
+      figure("passes_" + std::to_string(passes) + "_" + name + "_psnr", psnr(result.image, truth), "dB");
+      if (passes != 16) continue;
+      figure(name + "_passes_s", result.seconds / passes, "CPU seconds a pass");
+      figure(name + "_show_s", result.showSeconds, "CPU seconds");
+    }
+}
+
+/// Settings of each light.
+const std::map<std::string, std::vector<std::string>> kLights{
+    {"occlusion", {"ao=on"}},
+    {"shadows", {"ao=on", "shadows=on", "shadows.size=6", "lights=program+key"}},
+    {"paths", {"integrator=path"}},
+    {"sky", {"integrator=path", "environment=gradient", "environment.strength=0.8", "shadows.size=6"}}};
+
 void run(const Options& options) {
-  const bench::Volume volume = bench::wavelet();
-  const auto [low, high] = volume.range();
-  const bench::TriangleMesh mesh = bench::isosurfaces(
-      volume, bench::evenIsovalues(low, high, bench::waveletSurfaces(options.millionTriangles)));
-  scene::Snapshot snapshot = bench::waveletSnapshot(mesh);
-  bench::lookFrom(snapshot, bench::orbitPose(0, 360));
-  Settings& settings = snapshot.settings;
+  bench::RefineScene scene = bench::refineScene(options.scene, options.millionTriangles, options.size);
+  Settings& settings = scene.snapshot.settings;
   settings.bvh = BvhQuality::full, settings.threads = options.threads;
-  settings.ao.enabled = !options.paths;
-  if (options.paths) settings.integrator = LightIntegrator::path;
-  settings.ao.samples = settings.path.samples = options.samples;
+  for (const std::string& assignment : kLights.at(options.light)) bench::set(settings, assignment);
+  settings.ao.samples = settings.shadows.samples = settings.path.samples = options.samples;
   settings.spp = options.spp;
-  if (options.layers) makeLayers(snapshot);
-  Bench bench(snapshot);
-  figure("triangles", static_cast<double>(mesh.triangleCount()) * 1e-6, "million");
+  if (options.layers) makeLayers(scene.snapshot);
+  Bench bench(scene.snapshot, options.denoisers ? cpuSeconds : wallSeconds);
+  figure("triangles", static_cast<double>(scene.mesh->triangleCount()) * 1e-6, "million");
   Settings many = settings;
   many.refine.adaptive = false;
   const Image truth =
       bench.refined(many, static_cast<uint32_t>(std::max(options.reference / options.samples, 1))).image;
+  if (options.denoisers) return compareDenoisers(bench, many, truth);
   compareSmoothing(bench, many, truth);
   if (options.spp <= 1 && !options.layers) compareAdaptive(bench, settings, truth);
+}
+
+std::vector<std::string> namesOf(const auto& map) {
+  std::vector<std::string> names;
+  for (const auto& entry : map) names.push_back(entry.first);
+  return names;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Noise and time of images at rest, on isosurfaces of the Wavelet.");
+  CLI::App app("Noise and time of images at rest.");
   app.add_option("--triangles", options.millionTriangles, "millions of triangles, about")
       ->check(CLI::Range(0.1, 256.0));
   app.add_option("--threads", options.threads, "0: one a core")->check(CLI::Range(0, 1024));
@@ -167,7 +203,11 @@ int main(int argc, char** argv) {
   app.add_option("--spp", options.spp, "samples of a pixel, which share its rays")
       ->check(CLI::Range(1, 1024));
   app.add_flag("--layers", options.layers, "translucent surfaces in layers");
-  app.add_flag("--paths", options.paths, "trace paths instead of ambient occlusion");
+  app.add_option("--size", options.size, "pixels in the middle of the image, both ways")
+      ->check(CLI::Range(16, bench::kImageSize));
+  app.add_option("--scene", options.scene)->check(CLI::IsMember(bench::refineSceneNames()));
+  app.add_option("--light", options.light)->check(CLI::IsMember(namesOf(kLights)));
+  app.add_flag("--denoisers", options.denoisers, "compare denoisers");
   CLI11_PARSE(app, argc, argv);
   try {
     run(options);

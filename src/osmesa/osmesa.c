@@ -2,8 +2,8 @@
    picture after glFinish, glFlush, OSMesaGetColorBuffer and when another context becomes current. Contexts
    belong to one thread at a time. */
 #include "intercept/window_systems/osmesa_api.h"
-#include "osmesa/opengl_calls.h"
 #include "osmesa/display.h"
+#include "osmesa/opengl_calls.h"
 #include "osmesa/pixels.h"
 
 #include <EGL/egl.h>

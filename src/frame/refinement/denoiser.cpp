@@ -77,13 +77,16 @@ void smooth(const render::NoisyImage& noisy, size_t first, Writes writes, Image&
   });
 }
 
-/// The same by Open Image Denoise. Pixels get as much of it as of the filter's (render::smoothTile).
+/// The same by Open Image Denoise. Pixels get the same share of its light as of the filter's
+/// (render::smoothTile). False: the filter is to do it.
 bool smoothByLibrary(const Refinement& refinement, const Settings& settings, size_t first, Image& out) {
   std::vector<float> colors;
   std::string why;
-  if (!smoothByOidn(refinement, settings, out, first, colors, why)) {
-    log::once(log::Level::warning, "oidn",
-              "denoise=oidn: " + why + "; GLuRay's filter denoises images instead");
+  const OidnLibrary* const library = oidnLibrary(why);
+  if (!library || !smoothByOidn(*library, refinement, settings.threads, out, first, colors, why)) {
+    if (library || settings.denoise == Denoise::oidn)
+      log::once(log::Level::warning, "oidn",
+                "no Open Image Denoise (setting denoise): " + why + "; GLuRay's own filter denoises images");
     return false;
   }
   const float target = settings.noise;
@@ -118,11 +121,23 @@ const char* reasonAgainst(const scene::Snapshot& s) {
 bool isDenoised(const scene::Snapshot& s) { return s.settings.denoise != Denoise::off && !reasonAgainst(s); }
 
 void logUndenoised(const scene::Snapshot& s) noexcept {
-  if (s.settings.denoise == Denoise::off) return;
+  // `auto` promises nothing.
+  if (s.settings.denoise == Denoise::off || s.settings.denoise == Denoise::automatic) return;
   try {
     if (const char* const why = reasonAgainst(s))
       log::once(log::Level::warning, why, std::string("denoise has no effect: ") + why);
   } catch (const std::exception&) {}
+}
+
+bool wantsOidn(const Refinement& refinement, const Settings& settings) {
+  if (settings.denoise != Denoise::automatic) return settings.denoise == Denoise::oidn;
+  // The filter knows which pixels mix surfaces and samples.
+  if (!isFinished(refinement, settings) || !refinement.features.coverage.empty()) return false;
+  const uint32_t passes = refinement.passes();
+  if (scene::wantsPaths(settings)) return passes * static_cast<uint32_t>(settings.path.samples) <= kFewPaths;
+  const int rays = std::max(scene::wantsOcclusion(settings) ? settings.ao.samples : 1,
+                            scene::wantsShadows(settings) ? settings.shadows.samples : 1);
+  return passes >= kMinPasses && passes * static_cast<uint32_t>(rays) <= kFewRays;
 }
 
 bool denoise(const Refinement& refinement, const Settings& settings, Image& out) noexcept {
@@ -131,7 +146,7 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
     const timeline::Span span("denoise");
     const size_t pixels = static_cast<size_t>(out.width) * static_cast<size_t>(out.height);
     sharedArena()->execute([&] {
-      const bool library = settings.denoise == Denoise::oidn;
+      const bool library = wantsOidn(refinement, settings);
       for (size_t first = 0; first < out.depth.size(); first += pixels) {
         const bool done = library && smoothByLibrary(refinement, settings, first, out);
         if (done && !refinement.features.catcher) continue;

@@ -1,85 +1,89 @@
 #include "frame/refinement/oidn_filter.h"
 
-#ifdef GLURAY_OIDN
-
 #include "render/resolve/feature_pixels.h"
-
-#include <OpenImageDenoise/oidn.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace gluray::frame {
 namespace {
 
-/// Three floats a pixel.
+/// What light is divided by: 0 where a pixel shows no surface.
+glm::vec3 divisorOf(const AuxiliaryFeatures& features, size_t at) {
+  return features.distance[at] > 0 ? render::unpackReflectance(features.reflectance[at]) : glm::vec3(0);
+}
+
+/// Input images, three floats a pixel.
 struct OidnImages {
-  std::vector<float> color, albedo, normal;
+  std::vector<float> light, albedo, normal;
   OidnImages(const Refinement& r, size_t first, size_t pixels)
-      : color(3 * pixels), albedo(3 * pixels), normal(3 * pixels) {
+      : light(3 * pixels, 1), albedo(3 * pixels, 1), normal(3 * pixels) {
     for (size_t i = 0; i < pixels; ++i) {
       const size_t at = first + i;
+      const glm::vec3 divisor = divisorOf(r.features, at);
+      if (!(divisor.x > 0)) continue;
       for (size_t c = 0; c < 3; ++c) {
         const float value = r.mean()[4 * at + c];
-        color[3 * i + c] = value > 0 ? std::min(value, 1.0f) : 0;
+        light[3 * i + c] = value > 0 ? value / divisor[static_cast<int>(c)] : 0;
       }
-      if (!(r.features.distance[at] > 0)) continue;
-      const glm::vec3 reflectance = glm::min(render::unpackReflectance(r.features.reflectance[at]), 1.0f);
       const glm::vec2 n = render::unpackNormal2(r.features.normal[at]);
-      const float z = std::sqrt(std::max(1 - glm::dot(n, n), 0.0f));
-      std::copy_n(&reflectance.x, 3, &albedo[3 * i]);
-      normal[3 * i] = n.x, normal[3 * i + 1] = n.y, normal[3 * i + 2] = z;
+      normal[3 * i] = n.x, normal[3 * i + 1] = n.y;
+      normal[3 * i + 2] = std::sqrt(std::max(1 - glm::dot(n, n), 0.0f));
     }
   }
 };
 
-/// False with a reason if the device has failed.
-bool isWell(oidn::DeviceRef& device, std::string& why) {
+struct Release {
+  const OidnLibrary& library;
+  void operator()(OidnLibrary::Device device) const { library.releaseDevice(device); }
+  void operator()(OidnLibrary::Filter filter) const { library.releaseFilter(filter); }
+};
+template <class Handle>
+using Held = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
+
+/// False with a reason if a call has failed.
+bool isWell(const OidnLibrary& library, OidnLibrary::Device device, std::string& why) {
   const char* message = nullptr;
-  if (device && device.getError(message) == oidn::Error::None) return true;
-  why = message ? std::string("Open Image Denoise: ") + message : "Open Image Denoise has no device";
+  if (library.deviceError(device, &message) == 0) return true;
+  why = std::string("Open Image Denoise fails: ") + (message ? message : "it does not say why");
   return false;
+}
+
+bool execute(const OidnLibrary& library, OidnLibrary::Device device, OidnImages& in, size_t width,
+             size_t height, float* out, std::string& why) {
+  const Held<OidnLibrary::Filter> filter(library.newFilter(device, "RT"), Release{library});
+  if (!filter) return isWell(library, device, why), false;
+  const auto give = [&](const char* name, float* pixels) {
+    library.setImage(filter.get(), name, pixels, OidnLibrary::kFloat3, width, height, 0, 0, 0);
+  };
+  give("color", in.light.data()), give("albedo", in.albedo.data()), give("normal", in.normal.data());
+  give("output", out);
+  library.setFilterBool(filter.get(), "hdr", true);
+  library.setFilterBool(filter.get(), "cleanAux", true);  // auxiliary features have no noise
+  library.commitFilter(filter.get());
+  library.executeFilter(filter.get());
+  return isWell(library, device, why);
 }
 
 }  // namespace
 
-bool smoothByOidn(const Refinement& refinement, const Settings& settings, const Image& image, size_t first,
-                  std::vector<float>& out, std::string& why) {
+bool smoothByOidn(const OidnLibrary& library, const Refinement& refinement, int threads, const Image& image,
+                  size_t first, std::vector<float>& out, std::string& why) {
   const auto width = static_cast<size_t>(image.width), height = static_cast<size_t>(image.height);
   OidnImages in(refinement, first, width * height);
   out.resize(3 * width * height);
-  oidn::DeviceRef device = oidn::newDevice(oidn::DeviceType::CPU);
-  if (!device) return isWell(device, why);
-  if (settings.threads > 0) device.set("numThreads", settings.threads);
-  device.set("setAffinity", false);  // the threads are the host's
-  device.commit();
-  if (!isWell(device, why)) return false;
-  oidn::FilterRef filter = device.newFilter("RT");
-  const auto give = [&](const char* name, std::vector<float>& pixels) {
-    filter.setImage(name, pixels.data(), oidn::Format::Float3, width, height);
-  };
-  if (!isWell(device, why)) return false;
-  give("color", in.color), give("albedo", in.albedo), give("normal", in.normal), give("output", out);
-  filter.set("hdr", false);
-  filter.set("srgb", true);      // colours are encoded as displays show them
-  filter.set("cleanAux", true);  // features have no noise
-  filter.commit();
-  filter.execute();
-  return isWell(device, why);
+  why = "Open Image Denoise has no device";
+  const Held<OidnLibrary::Device> device(library.newDevice(OidnLibrary::kCpu), Release{library});
+  if (!device) return isWell(library, nullptr, why), false;
+  if (threads > 0) library.setDeviceInt(device.get(), "numThreads", threads);
+  library.setDeviceBool(device.get(), "setAffinity", false);  // the threads are the host's
+  library.commitDevice(device.get());
+  if (!isWell(library, device.get(), why)) return false;
+  if (!execute(library, device.get(), in, width, height, out.data(), why)) return false;
+  for (size_t i = 0; i < out.size(); ++i)
+    out[i] *= divisorOf(refinement.features, first + i / 3)[static_cast<int>(i % 3)];
+  return true;
 }
 
 }  // namespace gluray::frame
-
-#else
-
-namespace gluray::frame {
-
-bool smoothByOidn(const Refinement&, const Settings&, const Image&, size_t, std::vector<float>&,
-                  std::string& why) {
-  why = "GLuRay is built without Open Image Denoise";
-  return false;
-}
-
-}  // namespace gluray::frame
-
-#endif

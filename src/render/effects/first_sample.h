@@ -25,9 +25,9 @@ inline int samplesOf(const FrameData& frame, int count) {
   return frame.lightSamplesEach(count);
 }
 
-/// Seeds of points: the seeds of their pixels, or in moving frames one sequence for all.
+/// Seeds of points: one sequence for each 4x4 block of pixels, or in moving frames one for all.
 inline PixelSeeds seedsOf(const FrameData& frame, const AskedPoints& asked) {
-  if (!frame.moving) return {asked.x, asked.y};
+  if (!frame.moving) return blockSeeds(asked.x, asked.y);
   const MovingFrame& moving = *frame.moving;
   // If the filter covers more than 4x4 pixels with few samples each, neighbouring blocks use different
   // points.

@@ -1,6 +1,6 @@
 // Points of Sobol's sequence in two dimensions, scrambled as Owen does it: every power of two of them from
-// the beginning is stratified, and pixels with different seeds get independent ones (B. Burley, "Practical
-// Hash-based Owen Scrambling", 2020). Compiled once for each instruction set.
+// the beginning is stratified, and blocks of pixels with different seeds get independent ones (B. Burley,
+// "Practical Hash-based Owen Scrambling", 2020). Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_SOBOL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SOBOL_INL_H_
 #undef GLURAY_RENDER_SOBOL_INL_H_
@@ -65,7 +65,8 @@ HWY_INLINE Sample2 sample2(const PixelSeeds& seeds, int i, uint32_t index, Dimen
   const Bits seed =
       hashed(hn::Xor(hn::Load(BitsTag(), seeds.seed + i), splatBits(number * 0x9e3779b9u + 1u)));
   if (seeds.sharing) {
-    const uint32_t block = shuffled(index * seeds.sharing, number) & ~(seeds.sharing - 1);
+    const uint32_t block = seeds.turns ? turnedBlock(index, number)
+                                       : shuffled(index * seeds.sharing, number) & ~(seeds.sharing - 1);
     const Bits at = hn::Xor(splatBits(block), hn::Load(BitsTag(), seeds.first + i)),
                across = hn::Xor(splatBits(reversedSobol(block)), hn::Load(BitsTag(), seeds.second + i));
     return {scrambled(at, seed), scrambled(across, hashed(seed))};
