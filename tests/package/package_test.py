@@ -109,6 +109,16 @@ def check_panel(packages: pathlib.Path, folder: pathlib.Path) -> None:
         check_page(folder / "usr/share/man/man1/gluray-panel.1.gz", options_of(folder / "usr/bin/gluray-panel"))
 
 
+def check_osmesa(packages: pathlib.Path, folder: pathlib.Path) -> None:
+    """The package of OSMesa, if there is one: the library where the launcher looks for it, and nothing of GLuRay that it needs."""
+    for package in packages.glob("gluray-osmesa_*.deb"):
+        run("dpkg-deb", "-x", package, folder)
+        if not (folder / "usr/lib/gluray/osmesa/libOSMesa.so.8").exists():
+            fail("gluray-osmesa lacks libOSMesa.so.8")
+        if "gluray" in run("dpkg-deb", "-f", package, "Depends").stdout:
+            fail("gluray-osmesa depends on GLuRay")
+
+
 def completions(file: pathlib.Path, *words: str) -> list[str]:
     """The completions of the last of `words`."""
     script = f"""source '{file}'; COMP_WORDS=({' '.join(f"'{w}'" for w in words)}); COMP_CWORD={len(words) - 1}
@@ -156,6 +166,7 @@ def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) ->
     check_licences(tree / "usr")
     check_man(tree / "usr")
     check_panel(package.parent, folder / "panel")
+    check_osmesa(package.parent, folder / "osmesa")
     check_completion(tree / "usr/share/bash-completion/completions/gluray", gluray)
 
 
