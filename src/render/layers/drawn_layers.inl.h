@@ -41,7 +41,7 @@ class DrawnDepthTest {
 /// Gathers all hits of the packet's rays that may pass the depth test.
 HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& layers, Work& work) {
   work.fragments.clear();
-  if (layers.blending.rgb.source == scene::BlendFactor::sourceAlpha) work.covered = kUncovered;
+  if (layers.blending.rgb.source == scene::BlendFactor::sourceAlpha) work.cover = {kUncovered};
   const scene::Snapshot& s = *frame.snapshot;
   // Depth grows along a ray, except for polygon offsets of single triangles.
   const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
@@ -114,7 +114,7 @@ HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& la
     case scene::Layers::Of::sums: sumLayers(frame, layers, work); break;
     case scene::Layers::Of::drawn: blendLayers(frame, layers, work); break;
   }
-  work.covered = nullptr;
+  work.cover = {};
 }
 
 }  // namespace HWY_NAMESPACE

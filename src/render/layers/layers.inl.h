@@ -188,7 +188,7 @@ HWY_ATTR inline void mixRest(const FrameData& frame, const scene::Layers& layers
 HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   Gathered g;
   for (float& place : g.place) place = -1;
-  work.covered = g.now[3];
+  work.cover = {g.now[3], g.before[3], g.place, layers.tolerance};
   if (layers.peels) work.peeled.clear();
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
@@ -249,7 +249,7 @@ inline bool areOrdered(const FrameData& frame) {
 HWY_ATTR inline void sumOrdered(const FrameData& frame, const scene::Layers& layers, Work& work) {
   Gathered g;
   for (float& place : g.place) place = -1;
-  work.covered = g.now[3];
+  work.cover = {g.now[3], g.before[3], g.place, layers.tolerance};
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
   EdgeHits edges;
@@ -269,14 +269,14 @@ HWY_ATTR inline void sumOrdered(const FrameData& frame, const scene::Layers& lay
   }
 }
 
-/// Work::covered of layers whose order is not known: their own opacity decides.
+/// Of layers whose order is not known: their own opacity decides.
 inline constexpr float kUncovered[kLanes] = {};
 
 /// Sums all hits of the packet's rays.
 HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   if (areOrdered(frame)) return sumOrdered(frame, layers, work);
   EdgeHits edges;
-  work.covered = kUncovered;
+  work.cover = {kUncovered};
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
   walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float*) HWY_ATTR {

@@ -37,7 +37,7 @@ scene::Snapshot hallOf(scene::Layers::Of of, int layers, int rays) {
   }
   auto all = std::make_shared<scene::Layers>();
   all->of = of;
-  all->opaqueDepth.assign(16 * 16, -1);
+  all->opaqueDepth.assign(16 * 16, of == scene::Layers::Of::drawn ? 1.0f : -1.0f);
   all->colors.assign(of == scene::Layers::Of::drawn ? 16 * 16 : 0, 0);
   all->blending.rgb = {scene::BlendEquation::add, scene::BlendFactor::sourceAlpha,
                        scene::BlendFactor::oneMinusSourceAlpha};

@@ -137,15 +137,16 @@ HWY_ATTR HWY_NOINLINE inline void locateThroughLens(const FrameData& frame, uint
 struct LightKnown {
   const Visibility* visibility = nullptr;
   WaitingPoints* waiting = nullptr;
-  const float* covered = nullptr;  // Work::covered
+  Cover cover;
+  const float* depth = nullptr;  // of the hits, if there is a cover
 };
 
-/// The largest share of a pixel's colour that one of the lanes has, behind layers of total opacity `covered`.
-HWY_ATTR inline float shareOf(uint32_t lanes, const float* covered, const float* opacity) {
+/// The largest share of a pixel's colour that one of the lanes has.
+HWY_ATTR inline float shareOf(uint32_t lanes, const LightKnown& known, const float* opacity) {
   float most = 0;
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
-    most = std::max(most, (1 - covered[i]) * opacity[i]);
+    most = std::max(most, (1 - known.cover.at(i, known.depth[i])) * opacity[i]);
   }
   return std::min(most, 1.0f);
 }
@@ -159,7 +160,7 @@ HWY_ATTR HWY_NOINLINE inline void lightHits(const FrameData& frame, uint32_t ins
   if (frame.integrator) {
     ColoredHits hits{frame.surfaces[instance], instance, group, back, sample, x, y};
     hits.visibility = known.visibility, hits.waiting = known.waiting;
-    if (known.covered) hits.share = shareOf(group.lanes, known.covered, rows.value[3]);
+    if (known.cover.opacity) hits.share = shareOf(group.lanes, known, rows.value[3]);
     LitRows direct;
     const bool collects = frame.collector && !known.visibility;
     if (frame.direct && !collects) {
@@ -218,7 +219,7 @@ HWY_ATTR uint32_t shadeHits(const FrameData& frame, uint32_t lanes, bool mayReje
     group.lanes &= ~failing;
     if (frame.changesColors())
       lightHits(frame, instance, group, back, work.sample, x, y, rows,
-                {work.visibility, work.waiting, work.covered});
+                {work.visibility, work.waiting, work.cover, seen.depth});
     if (instance == frame.catcher) {
       if (!frame.averages || (!frame.integrator && !frame.features)) continue;
       for (float& depth : seen.depth) depth = caughtAt(depth);

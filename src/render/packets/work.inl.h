@@ -17,6 +17,22 @@ HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
+/// How much of each lane's pixel layers cover so far.
+struct Cover {
+  const float* opacity =
+      nullptr;  // of all of them; null: hits take all light samples, whatever their opacity
+  // Of those in front of the depth `place`: hits at that depth are in front of none there, so that both hits
+  // on an edge that two triangles share have the same light. Null: depths do not matter.
+  const float* before = nullptr;
+  const float* place = nullptr;
+  float tolerance = 0;  // of equal depths
+
+  float at(int lane, float depth) const {
+    const bool same = before && std::abs(depth - place[lane]) <= tolerance;
+    return same ? before[lane] : opacity[lane];
+  }
+};
+
 /// State of a packet from ray generation to pixels.
 struct Work {
   accel::RayPacket packet;
@@ -38,10 +54,8 @@ struct Work {
   int sample = 0;
   const Visibility* visibility = nullptr;  // where it is known
   WaitingPoints* waiting = nullptr;        // where points wait for rays, if visibility is collected
-  // Of layers: the total opacity in front of each lane's next hit; null: hits take all light samples,
-  // whatever their opacity.
-  const float* covered = nullptr;
-  const Lens* lens = nullptr;  // null: the rays leave the viewpoint
+  Cover cover;                             // of layers
+  const Lens* lens = nullptr;              // null: the rays leave the viewpoint
   LensPoints lensPoints;
   /// Rays of neighbouring pixels leave different points of a lens.
   accel::Coherence coherence() const {
