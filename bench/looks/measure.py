@@ -28,7 +28,6 @@ from PIL import Image  # noqa: E402
 LOST_FROM, LOST_TO = 0.15, 0.06  # luminance of the program's own picture, and of one in which it is lost
 COLORFUL = 0.1                   # chroma from which hues count
 BINS = 32                        # of the colour map
-STEADY_REACH = 2                 # pixels: filters of smooth edges reach that far
 
 
 @dataclasses.dataclass
@@ -68,14 +67,6 @@ def inner(mask):
     return np.logical_and.reduce([padded[y:y + height, x:x + width] for y in range(3) for x in range(3)])
 
 
-def steady(values):
-    """The pixels around which the scalar changes little: at edges between surfaces of other values smoothing mixes their colours."""
-    around = np.pad(values.astype(int), STEADY_REACH, mode="edge")
-    height, width = values.shape
-    shifted = [around[y:y + height, x:x + width] for y in range(2 * STEADY_REACH + 1) for x in range(2 * STEADY_REACH + 1)]
-    return np.max(shifted, 0) - np.min(shifted, 0) <= 256 // BINS
-
-
 def ranks(values):
     order = np.empty(len(values))
     order[np.argsort(values)] = np.arange(len(values))
@@ -96,7 +87,7 @@ def order_along_map(own, look, values):
 
 def measure(own, look, surfaces, values):
     """`own`, `look`: bytes, height x width x 3; `surfaces`: of bools; `values`: bytes, height x width."""
-    surfaces, values = inner(surfaces), np.where(steady(values), values, 0)
+    surfaces = inner(surfaces)
     own, look, values = own[surfaces].astype(float), look[surfaces].astype(float), values[surfaces]
     a, b = luminance(own), luminance(look)
     (hue_a, chroma_a), (hue_b, chroma_b) = hue(own), hue(look)
