@@ -28,7 +28,7 @@ struct osmesa_context {
 
 /* Marks this library: behind a preloaded one, EGL's contexts are those that count (intercept/hooks/osmesa).
  */
-EXPORTED const int glurayOsMesa = 1;
+EXPORTED const int OSMesaIsOverEgl = 1;
 
 static __thread OSMesaContext t_current;
 

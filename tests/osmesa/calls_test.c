@@ -19,12 +19,15 @@ static void expect(int right, const char* what) {
 }
 #define EXPECT(CONDITION) expect((CONDITION) != 0, #CONDITION)
 
-#define CALLS(X)                                                                              \
-  X(OSMesaCreateContext)                                                                      \
-  X(OSMesaCreateContextExt)                                                                   \
-  X(OSMesaCreateContextAttribs)                                                               \
-  X(OSMesaDestroyContext) X(OSMesaMakeCurrent) X(OSMesaGetCurrentContext) X(OSMesaPixelStore) \
-      X(OSMesaGetIntegerv) X(OSMesaGetDepthBuffer) X(OSMesaGetColorBuffer) X(OSMesaGetProcAddress)
+#define CALLS(X)                                                                           \
+  X(OSMesaCreateContext)                                                                   \
+  X(OSMesaCreateContextExt)                                                                \
+  X(OSMesaCreateContextAttribs)                                                            \
+  X(OSMesaDestroyContext)                                                                  \
+  X(OSMesaMakeCurrent)                                                                     \
+  X(OSMesaGetCurrentContext)                                                               \
+  X(OSMesaPixelStore) X(OSMesaGetIntegerv) X(OSMesaGetDepthBuffer) X(OSMesaGetColorBuffer) \
+      X(OSMesaGetProcAddress)
 #define DECLARE(NAME) static __typeof__(&NAME) p##NAME;
 CALLS(DECLARE)
 
@@ -54,9 +57,12 @@ static void findAll(const char* library) {
   FIND_GL(Clear)
   FIND_GL(ClearColor)
   FIND_GL(ClearDepth)
-  FIND_GL(Enable) FIND_GL(Scissor) FIND_GL(Finish) FIND_GL(Flush) FIND_GL(PixelStorei) FIND_GL(GetIntegerv)
-      FIND_GL(GenTextures) FIND_GL(BindTexture) FIND_GL(GetError) FIND_GL(GetString) FIND_GL(IsTexture)
-          FIND_GL(Disable) FIND_GL(PixelTransferf) EXPECT(dlsym(g_library, "glFinish") != NULL);
+  FIND_GL(Enable)
+  FIND_GL(Scissor)
+  FIND_GL(Finish)
+  FIND_GL(Flush) FIND_GL(PixelStorei) FIND_GL(GetIntegerv) FIND_GL(GenTextures) FIND_GL(BindTexture)
+      FIND_GL(GetError) FIND_GL(GetString) FIND_GL(IsTexture) FIND_GL(Disable) FIND_GL(PixelTransferf)
+          EXPECT(dlsym(g_library, "glFinish") != NULL);
   EXPECT(dlsym(g_library, "glClear") != NULL);
   EXPECT(pOSMesaGetProcAddress("OSMesaMakeCurrent") != NULL);
 }

@@ -61,6 +61,13 @@ scene::Snapshot catching(scene::Snapshot s) {
   return s;
 }
 
+/// Some 2000 rays a pixel. Passes take at most 16; many of them would take too long where pixels average
+/// samples.
+Image converged(const scene::Snapshot& s) {
+  return s.settings.spp > 1 ? test::CountingTrace().image(manyRays(s, 128))
+                            : Refined(manyRays(s, 16), 128).image;
+}
+
 TEST(MixedPixels, AreNearerToTheConvergedImageInEachCombination) {
   GLURAY_RELEASE_ONLY();
   const scene::Snapshot onFloor = balls(96), free = balls(96, Floor::none);
@@ -79,7 +86,7 @@ TEST(MixedPixels, AreNearerToTheConvergedImageInEachCombination) {
       {"surfaces that catch, samples", catching(averaged(onFloor))},
   };
   for (const auto& [name, s] : scenes) {
-    const Image truth = Refined(manyRays(s, 16), 8).image;
+    const Image truth = converged(s);
     const double plain = psnrOf(Refined(s, 4).image, truth),
                  filtered = psnrOf(Refined(denoised(s), 4).image, truth);
     RecordProperty(name, std::to_string(plain) + " to " + std::to_string(filtered));
@@ -137,7 +144,7 @@ scene::Snapshot edgeScene() {
 TEST(MixedPixels, OfAnEdgeKeepTheirShape) {
   GLURAY_RELEASE_ONLY();
   const scene::Snapshot s = edgeScene();
-  const Image truth = Refined(manyRays(s, 32), 8).image, plain = Refined(s, 4).image,
+  const Image truth = test::CountingTrace().image(manyRays(s, 256)), plain = Refined(s, 4).image,
               filtered = Refined(denoised(s), 4).image;
   // Pixels of the edge have neither the left nor the right neighbour's colour.
   std::vector<char> isEdge(truth.color.size());

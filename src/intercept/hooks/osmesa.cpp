@@ -11,7 +11,7 @@ namespace {
 
 /// Whether libOSMesa is GLuRay's own (src/osmesa), whose contexts are EGL's: the hooks of EGL see them.
 bool isOverEgl() {
-  static const bool is = realFunction<const int*>(kPreload, Api::osmesa, "glurayOsMesa") != nullptr;
+  static const bool is = realFunction<const int*>(kPreload, Api::osmesa, "OSMesaIsOverEgl") != nullptr;
   return is;
 }
 

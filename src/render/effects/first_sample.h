@@ -25,8 +25,10 @@ inline int samplesOf(const FrameData& frame, int count) {
   return frame.lightSamplesEach(count);
 }
 
-/// Seeds of points: one sequence for each 4x4 block of pixels, or in moving frames one for all.
+/// Seeds of points: one sequence for each 4x4 block of pixels, or for each pixel that averages samples, or in
+/// moving frames one for all.
 inline PixelSeeds seedsOf(const FrameData& frame, const AskedPoints& asked) {
+  if (!frame.moving && frame.averages) return {asked.x, asked.y};
   if (!frame.moving) return blockSeeds(asked.x, asked.y);
   const MovingFrame& moving = *frame.moving;
   // If the filter covers more than 4x4 pixels with few samples each, neighbouring blocks use different
