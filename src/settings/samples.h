@@ -13,6 +13,12 @@ inline bool hasOpenLens(const Settings& settings) {
   return settings.camera.aperture > 0 || settings.camera.fNumber > 0;
 }
 
+/// Pixels get one sample each, through a closed lens.
+inline void takeOneSample(Settings& settings) {
+  settings.spp = 1, settings.pixelFilter = PixelFilter::box;
+  settings.camera.aperture = settings.camera.fNumber = 0;
+}
+
 /// The setting spp, but at least the number of rays that an open lens needs.
 inline int samplesPerPixel(const Settings& settings) {
   return hasOpenLens(settings) ? std::max(settings.spp, kMinLensSamples) : settings.spp;

@@ -19,15 +19,15 @@ static void expect(int right, const char* what) {
 }
 #define EXPECT(CONDITION) expect((CONDITION) != 0, #CONDITION)
 
-#define CALLS(X)                                                                           \
-  X(OSMesaCreateContext)                                                                   \
-  X(OSMesaCreateContextExt)                                                                \
-  X(OSMesaCreateContextAttribs)                                                            \
-  X(OSMesaDestroyContext)                                                                  \
-  X(OSMesaMakeCurrent)                                                                     \
-  X(OSMesaGetCurrentContext)                                                               \
-  X(OSMesaPixelStore) X(OSMesaGetIntegerv) X(OSMesaGetDepthBuffer) X(OSMesaGetColorBuffer) \
-      X(OSMesaGetProcAddress)
+#define CALLS(X)                \
+  X(OSMesaCreateContext)        \
+  X(OSMesaCreateContextExt)     \
+  X(OSMesaCreateContextAttribs) \
+  X(OSMesaDestroyContext)       \
+  X(OSMesaMakeCurrent)          \
+  X(OSMesaGetCurrentContext)    \
+  X(OSMesaPixelStore)           \
+  X(OSMesaGetIntegerv) X(OSMesaGetDepthBuffer) X(OSMesaGetColorBuffer) X(OSMesaGetProcAddress)
 #define DECLARE(NAME) static __typeof__(&NAME) p##NAME;
 CALLS(DECLARE)
 
@@ -60,8 +60,9 @@ static void findAll(const char* library) {
   FIND_GL(Enable)
   FIND_GL(Scissor)
   FIND_GL(Finish)
-  FIND_GL(Flush) FIND_GL(PixelStorei) FIND_GL(GetIntegerv) FIND_GL(GenTextures) FIND_GL(BindTexture)
-      FIND_GL(GetError) FIND_GL(GetString) FIND_GL(IsTexture) FIND_GL(Disable) FIND_GL(PixelTransferf)
+  FIND_GL(Flush)
+  FIND_GL(PixelStorei) FIND_GL(GetIntegerv) FIND_GL(GenTextures) FIND_GL(BindTexture) FIND_GL(GetError)
+      FIND_GL(GetString) FIND_GL(IsTexture) FIND_GL(Disable) FIND_GL(PixelTransferf)
           EXPECT(dlsym(g_library, "glFinish") != NULL);
   EXPECT(dlsym(g_library, "glClear") != NULL);
   EXPECT(pOSMesaGetProcAddress("OSMesaMakeCurrent") != NULL);

@@ -62,7 +62,7 @@ scene::Snapshot featuresOf(const scene::Snapshot& s, const Image& pass) {
   if (pass.isAverages()) return features;
   features.backdrop = nullptr;
   if (features.ground == scene::GroundUse::drawn) features.ground = scene::GroundUse::around;
-  features.settings.spp = 1, features.settings.camera.aperture = features.settings.camera.fNumber = 0;
+  takeOneSample(features.settings);
   return features;
 }
 

@@ -3,6 +3,7 @@
 #include "base/hash.h"
 #include "scene/catcher_offset.h"
 #include "scene/world_space.h"
+#include "settings/samples.h"
 
 #include <algorithm>
 #include <atomic>
@@ -115,9 +116,7 @@ void Batch::startVisibility(const TargetState& target) {
   const scene::PolygonOffset& own = key_.offset;
   snapshot_->polygonOffset = {own.factor + slope, own.units + scene::kCatcherUnits, target.offsetUnit, false,
                               target.depthFloats};
-  Settings& settings = snapshot_->settings;
-  settings.camera.aperture = settings.camera.fNumber = 0;  // the framebuffer's surfaces are sharp
-  settings.spp = 1;
+  takeOneSample(snapshot_->settings);  // the framebuffer's surfaces are sharp
 }
 
 void Batch::resume(const BatchKey& key, const scene::Snapshot& taken) {

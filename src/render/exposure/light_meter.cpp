@@ -5,6 +5,7 @@
 #include "render/tile_tracer.h"
 #include "scene/effects.h"
 #include "scene/srgb.h"
+#include "settings/samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ scene::Snapshot reduced(const scene::Snapshot& given) {
   s.backdrop = nullptr;
   s.wideColors = true;
   s.settings.exposure = 0, s.settings.tone = Tone::none;
-  s.settings.spp = 1, s.settings.camera.aperture = 0, s.settings.camera.fNumber = 0;
+  takeOneSample(s.settings);
   s.settings.ao.samples = std::min(s.settings.ao.samples, kMaxSamples);
   s.settings.shadows.samples = 1;
   s.settings.path.samples = std::min(s.settings.path.samples, kMaxSamples);
