@@ -1,6 +1,7 @@
 // Automatic exposure: lit surfaces stay as bright as in the program's own image.
 #include "render/exposure/light_meter.h"
 
+#include "base/log.h"
 #include "render/testing/lit_wall.h"
 #include "render/testing/test_ball.h"
 
@@ -50,6 +51,14 @@ double meanLuminance(const Traced& traced) {
         sum += glm::dot(glm::vec3(traced.color(x, y)), {0.2126f, 0.7152f, 0.0722f}), ++count;
   EXPECT_GT(count, 0);
   return sum / count;
+}
+
+TEST(LightMeter, SaysNothingOfPixelFilters) {
+  scene::Snapshot s = dimBall(1);
+  s.settings.spp = 4, s.settings.pixelFilter = PixelFilter::gauss;
+  const size_t before = log::recent().size();
+  exposed(s);
+  EXPECT_EQ(log::recent().size(), before) << "its own images have one sample a pixel";
 }
 
 TEST(LightMeter, KeepsTheBrightnessOfTheProgramsImage) {
