@@ -63,8 +63,10 @@ static void findAll(const char* library) {
   FIND_GL(Flush)
   FIND_GL(PixelStorei)
   FIND_GL(GetIntegerv)
-  FIND_GL(GenTextures) FIND_GL(BindTexture) FIND_GL(GetError) FIND_GL(GetString) FIND_GL(IsTexture)
-      FIND_GL(Disable) FIND_GL(PixelTransferf) EXPECT(dlsym(g_library, "glFinish") != NULL);
+  FIND_GL(GenTextures)
+  FIND_GL(BindTexture)
+  FIND_GL(GetError) FIND_GL(GetString) FIND_GL(IsTexture) FIND_GL(Disable) FIND_GL(PixelTransferf)
+      EXPECT(dlsym(g_library, "glFinish") != NULL);
   EXPECT(dlsym(g_library, "glClear") != NULL);
   EXPECT(pOSMesaGetProcAddress("OSMesaMakeCurrent") != NULL);
 }
