@@ -53,20 +53,24 @@ static void findAll(const char* library) {
   if (!g_library) printf("%s\n", dlerror()), exit(77);
 #define FIND(NAME) find(&p##NAME, #NAME, 0);
   CALLS(FIND)
-#define FIND_GL(NAME) find(&p##NAME, "gl" #NAME, 1);
-  FIND_GL(Clear)
-  FIND_GL(ClearColor)
-  FIND_GL(ClearDepth)
-  FIND_GL(Enable)
-  FIND_GL(Scissor)
-  FIND_GL(Finish)
-  FIND_GL(Flush)
-  FIND_GL(PixelStorei)
-  FIND_GL(GetIntegerv)
-  FIND_GL(GenTextures)
-  FIND_GL(BindTexture)
-  FIND_GL(GetError) FIND_GL(GetString) FIND_GL(IsTexture) FIND_GL(Disable) FIND_GL(PixelTransferf)
-      EXPECT(dlsym(g_library, "glFinish") != NULL);
+#define FIND_GL(NAME) find(&p##NAME, "gl" #NAME, 1)
+  FIND_GL(Clear);
+  FIND_GL(ClearColor);
+  FIND_GL(ClearDepth);
+  FIND_GL(Enable);
+  FIND_GL(Scissor);
+  FIND_GL(Finish);
+  FIND_GL(Flush);
+  FIND_GL(PixelStorei);
+  FIND_GL(GetIntegerv);
+  FIND_GL(GenTextures);
+  FIND_GL(BindTexture);
+  FIND_GL(GetError);
+  FIND_GL(GetString);
+  FIND_GL(IsTexture);
+  FIND_GL(Disable);
+  FIND_GL(PixelTransferf);
+  EXPECT(dlsym(g_library, "glFinish") != NULL);
   EXPECT(dlsym(g_library, "glClear") != NULL);
   EXPECT(pOSMesaGetProcAddress("OSMesaMakeCurrent") != NULL);
 }
