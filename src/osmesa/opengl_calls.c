@@ -15,9 +15,9 @@ static void find(void) {
     const char* name;
   } kCalls[] = {
 #define CALL(NAME) {offsetof(Calls, NAME), "gl" #NAME}
-      CALL(BindBuffer),     CALL(BindFramebuffer), CALL(ClampColor),  CALL(Finish),     CALL(Flush),
-      CALL(GetIntegerv),    CALL(GetString),       CALL(PixelStorei), CALL(PopAttrib),  CALL(PushAttrib),
-      CALL(PixelTransferf), CALL(PixelTransferi),  CALL(ReadBuffer),  CALL(ReadPixels),
+      CALL(BindBuffer),     CALL(BindFramebuffer), CALL(ClampColor), CALL(Finish),     CALL(Flush),
+      CALL(GetIntegerv),    CALL(PixelStorei),     CALL(PopAttrib),  CALL(PushAttrib), CALL(PixelTransferf),
+      CALL(PixelTransferi), CALL(ReadBuffer),      CALL(ReadPixels),
 #undef CALL
   };
   void* const library = dlopen("libOpenGL.so.0", RTLD_LAZY | RTLD_LOCAL);

@@ -11,7 +11,6 @@ typedef struct Calls {
   void (*Finish)(void);
   void (*Flush)(void);
   void (*GetIntegerv)(GLenum, GLint*);
-  const GLubyte* (*GetString)(GLenum);
   void (*PixelStorei)(GLenum, GLint);
   void (*PopAttrib)(void);
   void (*PushAttrib)(GLbitfield);

@@ -33,13 +33,12 @@ Planes planesOf(const scene::Snapshot& snapshot, bool averages) {
 
 bool areDrawn(const scene::Layers* layers) { return layers && layers->of == scene::Layers::Of::drawn; }
 
-/// Whether pixels average more samples than the framebuffer has; through an open lens all samples of a
-/// framebuffer's pixel get the same average. Layers blended with the framebuffer's
+/// Whether pixels average more samples than the framebuffer has. Layers blended with the framebuffer's
 /// colours in the order of drawing use the framebuffer's samples.
 bool wantsAverages(const scene::Snapshot& snapshot) {
   if (areDrawn(snapshot.layers.get())) return false;
   if (isComposed(snapshot)) return true;
-  return hasOpenLens(snapshot.settings) || (snapshot.samples <= 1 && snapshot.settings.spp > 1);
+  return averagesSamples(snapshot.settings, snapshot.samples);
 }
 
 /// Whether the layers' arrays have one element per pixel.

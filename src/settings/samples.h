@@ -24,4 +24,10 @@ inline int samplesPerPixel(const Settings& settings) {
   return hasOpenLens(settings) ? std::max(settings.spp, kMinLensSamples) : settings.spp;
 }
 
+/// Whether pixels of a framebuffer with so many samples average more: through an open lens all samples of a
+/// pixel get the same average.
+inline bool averagesSamples(const Settings& settings, int framebufferSamples) {
+  return hasOpenLens(settings) || (framebufferSamples <= 1 && settings.spp > 1);
+}
+
 }  // namespace gluray

@@ -30,9 +30,9 @@ class Library:
 
 
 LIBRARIES = (
-    Library("VTK", ("vtk",), "vtk_scenes.py"),
-    Library("PyVista", ("pyvista",), "pyvista_scenes.py"),
-    Library("vedo", ("vedo",), "vedo_scenes.py"),
+    Library("VTK", ("vtk", "pillow"), "vtk_scenes.py"),
+    Library("PyVista", ("pyvista", "pillow"), "pyvista_scenes.py"),
+    Library("vedo", ("vedo", "pillow"), "vedo_scenes.py"),
     Library("F3D", ("f3d", "pillow"), "f3d_scenes.py"),
     Library("moderngl", ("moderngl", "pillow", "numpy"), "moderngl_scenes.py"),
 )
@@ -83,7 +83,7 @@ def drawn(command, file, environment):
 
 
 def compared(python, off, on):
-    """Share of pixels that differ by more than BEYOND, or 1 if the sizes differ. By the environment's Pillow or numpy: this script needs neither."""
+    """Share of pixels that differ by more than BEYOND, or 1 if the sizes differ. By the environment's Pillow: this script needs none."""
     code = """
 import sys
 from PIL import Image, ImageChops

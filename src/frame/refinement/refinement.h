@@ -37,7 +37,7 @@ class Refinement {
   void leaveOut(double least);
   /// Tiles of the next pass; null: all.
   std::shared_ptr<const Tiles> tiles() const { return tiles_; }
-  /// Counts the time that a pass has taken, which is part of the mean or failed.
+  /// Adds the time that a pass has taken.
   void addTime(double seconds) { seconds_ += seconds; }
   /// Time of all passes.
   double seconds() const { return seconds_; }

@@ -27,11 +27,6 @@ bool usesWideColors(const scene::Snapshot& s) {
   return !s.wideColors && (!s.layers || s.layers->of == scene::Layers::Of::order);
 }
 
-/// Whether pixels average several samples.
-bool mixesSamples(const scene::Snapshot& s) {
-  return samplesPerPixel(s.settings) > 1 && (s.samples <= 1 || hasOpenLens(s.settings));
-}
-
 /// Whether pixels mix several samples or surfaces, as far as is known before an image is traced.
 bool mayMix(const scene::Snapshot& s) {
   return s.layers || s.catches || scene::showsScenery(s) || samplesPerPixel(s.settings) > 1;
@@ -47,9 +42,7 @@ void addCost(const scene::TraceCost& more, scene::TraceCost& cost) {
 
 /// Whether each pixel is one sample of one surface. Averages and layers are traced as a whole: what the rest
 /// of the image has decides how.
-bool isSimple(const scene::Snapshot& s) {
-  return !s.layers && !hasOpenLens(s.settings) && (s.samples > 1 || s.settings.spp <= 1);
-}
+bool isSimple(const scene::Snapshot& s) { return !s.layers && !averagesSamples(s.settings, s.samples); }
 
 /// Passes whose features are averaged: those of a lens vary with its random points.
 constexpr uint32_t kLensFeatures = 4;
@@ -115,7 +108,10 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
       filters_(isDenoised(snapshot)) {
   snapshot_.lightSampling.mode = scene::LightSampling::Mode::full;
   divideIntoPasses(snapshot_.settings);
-  if (usesWideColors(snapshot)) snapshot_.wideColors = true, snapshot_.byteSamples = mixesSamples(snapshot);
+  if (usesWideColors(snapshot)) {
+    snapshot_.wideColors = true;
+    snapshot_.byteSamples = averagesSamples(snapshot.settings, snapshot.samples);
+  }
   refinement.judge(judgedOf(snapshot));
   if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
 }

@@ -32,10 +32,8 @@ HWY_ATTR void showGeometry(const GeometryFeatures& integrator, const ColoredHits
   SurfacePoints points;
   makePoints(integrator.metric, integrator.frame, hits, points);
   const PixelSpace& space = integrator.space;
-  const bool perspective = space.perDepth > 0;
-  const float width = perspective ? space.perDepth : space.pixel;
-  const glm::vec3 right = (perspective ? space.rayX : space.baseX) / width,
-                  up = (perspective ? space.rayY : space.baseY) / width;
+  const bool perspective = integrator.perspective;
+  const float width = integrator.width;
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Float3 point = load3(points.eye, i), normal = load3(points.shading, i);
     const Float depth = hn::Add(dot(splat(glm::vec3(space.depth)), point), splat(space.depth.w));
@@ -48,7 +46,8 @@ HWY_ATTR void showGeometry(const GeometryFeatures& integrator, const ColoredHits
       const float pixels = glm::length(space.ray) / width;
       distance = hn::MulAdd(hn::Sub(depth, splat(1)), splat(pixels), splat(GeometryFeatures::kFarAway));
     }
-    store(dot(normal, splat(right)), rows.value[0] + i), store(dot(normal, splat(up)), rows.value[1] + i);
+    store(dot(normal, splat(integrator.right)), rows.value[0] + i),
+        store(dot(normal, splat(integrator.up)), rows.value[1] + i);
     if (integrator.frame.snapshot->layers) {
       store(distance, rows.value[2] + i);
       continue;
@@ -80,15 +79,18 @@ void ReflectanceFeature::light(const ColoredHits& hits, ColorRows& rows) const n
   HWY_DYNAMIC_DISPATCH(showReflectance)(*this, hits, rows);
 }
 
-GeometryFeatures::GeometryFeatures(const FrameData& of) : frame(of), metric(of), space(of) {
+GeometryFeatures::GeometryFeatures(const FrameData& of)
+    : frame(of),
+      metric(of),
+      space(of),
+      perspective(space.perDepth > 0),
+      width(perspective ? space.perDepth : space.pixel),
+      right((perspective ? space.rayX : space.baseX) / width),
+      up((perspective ? space.rayY : space.baseY) / width) {
   if (!space.usable) throw scene::Untraceable("the projection has no linear rays");
 }
 
 float GeometryFeatures::facing(float a, float b, float x, float y) const noexcept {
-  const bool perspective = space.perDepth > 0;
-  const float width = perspective ? space.perDepth : space.pixel;
-  const glm::vec3 right = (perspective ? space.rayX : space.baseX) / width,
-                  up = (perspective ? space.rayY : space.baseY) / width;
   const glm::vec3 ray = perspective ? (space.ray + x * space.rayX + y * space.rayY) / width
                                     : glm::normalize(space.ray) * kFarAway;
   glm::vec3 forward = glm::normalize(glm::cross(right, up));

@@ -38,6 +38,9 @@ class GeometryFeatures final : public Integrator {
   const FrameData& frame;
   Metric metric;
   PixelSpace space;
+  bool perspective;
+  float width;          // of a pixel: at depth 1 in perspectives
+  glm::vec3 right, up;  // along rows and columns of pixels, eye space
 };
 
 /// Replaces red, green and blue by the normal (unit length, on the viewer's side) or the point, in eye space,

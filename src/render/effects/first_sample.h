@@ -13,9 +13,7 @@ namespace gluray::render {
 /// light samples.
 inline uint32_t firstSample(const FrameData& frame, int sample, int count) {
   if (frame.moving) return frame.moving->index * static_cast<uint32_t>(count);
-  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
-  const uint32_t pass = frame.snapshot->lightSampling.pass;
-  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
+  return frame.firstLightSample(sample, count);
 }
 
 /// Number of light samples at a point; the settings request `count` for a pixel. Pixels that average several

@@ -237,6 +237,12 @@ int FrameData::lightSamplesEach(int count) const {
   return std::max(1, (count + samples - 1) / samples);
 }
 
+uint32_t FrameData::firstLightSample(int sample, int count) const {
+  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(samplePositions.size(), 1));
+  const uint32_t pass = snapshot->lightSampling.pass;
+  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
+}
+
 uint32_t FrameData::shadingOf(size_t instance) const {
   return relit ? relit->shadingOf[instance] : snapshot->instances[instance].shading;
 }

@@ -98,6 +98,8 @@ struct FrameData {
   /// How many of a pixel's `count` light samples each of its samples takes: a part of them, at least 1, where
   /// pixels are averages; otherwise all.
   int lightSamplesEach(int count) const;
+  /// Index of the first light sample of pixel sample `sample` in this pass, if each has `count` of them.
+  uint32_t firstLightSample(int sample, int count) const;
   /// Index into shadings() and lightings of one of the snapshot's instances.
   uint32_t shadingOf(size_t instance) const;
   /// Whether anything changes the colours of the local look.

@@ -60,12 +60,6 @@ Path::Path(const FrameData& of)
   bsdf::ggxMeanAlbedo(1);  // makes its table
 }
 
-uint32_t Path::firstSample(int sample, int count) const {
-  const auto perPixel = static_cast<uint32_t>(std::max<size_t>(frame.samplePositions.size(), 1));
-  const uint32_t pass = frame.snapshot->lightSampling.pass;
-  return (pass * perPixel + static_cast<uint32_t>(sample)) * static_cast<uint32_t>(count);
-}
-
 bsdf::Any Path::bsdfOf(const PathVertex& v, bool inside) const {
   const scene::FragmentShading& fragment = frame.surfaces[v.instance].lighting->shading->fragment;
   const MaterialModel& material = materials[v.instance];

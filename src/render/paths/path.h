@@ -20,8 +20,6 @@ struct PathVertex;
 struct Path {
   /// `frame` must outlive it. Throws std::runtime_error where the modelview matrix cannot be inverted.
   explicit Path(const FrameData& frame);
-  /// Index of the first path of pixel sample `sample` in this pass, if each pixel sample has `count` paths.
-  uint32_t firstSample(int sample, int count) const;
   /// Colours of surfaces at vertices after the first.
   const SurfaceColors& bounced() const { return unseen.albedo ? unseen : seen; }
   /// `inside`: the path arrives from inside the body.

@@ -25,7 +25,7 @@ HWY_ATTR void lightByPaths(const Path& path, const ColoredHits& hits, bool alone
     cones[i] = coneAt(path.frame.eyeRays, double{hits.x[i]}, double{hits.y[i]}, camera.lane[i].point);
   const PixelSeeds seeds(hits.x, hits.y);
   const int samples = partOf(path.samples, hits.share);
-  const uint32_t first = path.firstSample(hits.sample, samples);
+  const uint32_t first = path.frame.firstLightSample(hits.sample, samples);
   glm::vec3 sum[kLanes] = {};
   for (int s = 0; s < samples; ++s) {
     Wave wave(path, hits, seeds, first + static_cast<uint32_t>(s), camera, from, cones, alone);
