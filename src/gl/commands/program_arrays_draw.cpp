@@ -19,12 +19,17 @@ Reason classifyPass(Context& c, PrimitiveClass primitive) {
   return c.programs.classify(primitive);
 }
 
+std::optional<Elements> verticesOf(const std::optional<PulledVertices>& pulled, const Elements& drawn) {
+  return pulled ? elementsOf(*pulled, drawn) : drawn;
+}
+
 }  // namespace
 
 ProgramArraysDraw::ProgramArraysDraw(Context& context, GLenum mode, const Elements& elements)
     : c_(context),
       mode_(mode),
       elements_(elements),
+      vertices_(verticesOf(context.shadow.program().pulled, elements)),
       fixed_(context, mode, elements),
       takesFixed_(readsBuiltIns(context.shadow.program())),
       sentBillboards_(context.shadow.attributes().sentBillboards &&
@@ -37,6 +42,7 @@ Reason ProgramArraysDraw::classifyState() {
     return c_.shadow.attributes().generic.empty() ? fixed_.classifyState() : Reason::arrayState;
   }
   if (mode_ > GL_POLYGON) return Reason::program;
+  if (!vertices_) return Reason::arrayState;
   const bool impostors = sentBillboards_ || c_.shadow.currentProgram.drawsImpostors(mode_);
   Reason reason = classifyPass(c_, impostors ? PrimitiveClass::surfaces : classOf(mode_));
   if (reason == Reason::traced && impostors) reason = c_.programs.classifyImpostors();
@@ -47,7 +53,7 @@ Reason ProgramArraysDraw::classifyState() {
 }
 
 KnownMesh ProgramArraysDraw::mesh() {
-  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.attributes(), mode_, elements_);
+  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.vertices(), mode_, *vertices_);
 }
 
 uint64_t ProgramArraysDraw::shown(const KnownMesh& known) const {
@@ -60,6 +66,7 @@ uint64_t ProgramArraysDraw::sent(const KnownMesh& known) const {
 
 Reason ProgramArraysDraw::classifyMesh(const KnownMesh& known) {
   if (takesFixed_) return fixed_.classifyMesh(known);
+  if (known.mesh && !c_.shadow.takeValuesOfCells(known.mesh->triangleCount)) return Reason::arrayState;
   const Reason reason = c_.programs.classify(known, sent(known));
   return reason == Reason::traced ? c_.programs.classifyInstances(*known.mesh, elements_) : reason;
 }
@@ -82,7 +89,7 @@ void ProgramArraysDraw::meetPasses(PrimitiveClass primitive, Reason) {
     if (!c_.surfaces.passes.any() && c_.untraced.areAll())
       rememberUntraced(c_, mode_, elements_);
     else
-      c_.programs.meetPasses(primitive, mode_, elements_);
+      c_.programs.meetPasses(primitive, mode_, vertices_.value_or(elements_));
   });
   if (!c_.info().core && mode_ <= GL_POLYGON) fixed_.meetPasses(primitive, Reason::program);
 }

@@ -2,6 +2,8 @@
 #pragma once
 #include "gl/commands/fixed_arrays_draw.h"
 
+#include <optional>
+
 namespace gluray::gl {
 
 class ProgramArraysDraw final : public DrawRequest {
@@ -27,9 +29,10 @@ class ProgramArraysDraw final : public DrawRequest {
   Context& c_;
   const GLenum mode_;
   const Elements& elements_;
-  FixedArraysDraw fixed_;      // the same draw
-  const bool takesFixed_;      // the program reads fixed function's vertex arrays
-  const bool sentBillboards_;  // the program sends the billboards of its impostors
+  const std::optional<Elements> vertices_;  // the draw of shadow.vertices(); nullopt: it is none
+  FixedArraysDraw fixed_;                   // the same draw
+  const bool takesFixed_;                   // the program reads fixed function's vertex arrays
+  const bool sentBillboards_;               // the program sends the billboards of its impostors
 };
 
 }  // namespace gluray::gl

@@ -13,6 +13,15 @@
 
 namespace gluray::gl {
 
+namespace {
+
+/// Why points or lines are not traced.
+Reason reasonOf(PrimitiveClass kind) {
+  return kind == PrimitiveClass::points ? Reason::points : Reason::lines;
+}
+
+}  // namespace
+
 Reason ProgramDraws::classifyImpostors() {
   p_.shadow.shareImpostorValues();
   if (p_.shadow.attributes().shape == scene::Shape::triangles) return Reason::traced;
@@ -33,12 +42,14 @@ Reason ProgramDraws::classifyImpostors() {
 
 Reason ProgramDraws::classify(PrimitiveClass kind) {
   if (const Reason reason = p_.classifier.ofContext(); reason != Reason::traced) return reason;
-  // The program's reason is more useful to the user than the kind of primitive.
-  if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   const bool solid = drawsSolids(p_.shadow.settings, kind);
+  // The program's reason is more useful to the user than the kind of primitive, unless it follows from it.
+  const auto& known = p_.shadow.program().known;
+  const bool ofSurfaces = known && known->family && known->family->pulling.given();
+  if (kind != PrimitiveClass::surfaces && ofSurfaces && !solid) return reasonOf(kind);
+  if (p_.shadow.program().reason != Reason::traced) return p_.shadow.program().reason;
   if (!solid && p_.shadow.program().known->family->onlySolids) return Reason::program;
-  if (kind == PrimitiveClass::points && !solid) return Reason::points;
-  if (kind == PrimitiveClass::lines && !solid) return Reason::lines;
+  if (kind != PrimitiveClass::surfaces && !solid) return reasonOf(kind);
   if (solid) {
     if (layersOf(p_.shadow.program()) != BatchKey::Layers::none) return Reason::lines;
     if (const Reason reason = programSolidReason(p_.shadow, kind); reason != Reason::traced) return reason;
@@ -186,10 +197,10 @@ std::vector<std::vector<Triangle>> ProgramDraws::sampleArrays(GLenum mode, const
       return;
     ArrayState positions;
     positions.vertex = source;
-    positions.elements = p_.shadow.attributes().elements;
+    positions.elements = p_.shadow.vertices().elements;
     samples.push_back(sampleTriangles(p_.shadow.real, positions, mode, elements));
   };
-  sample(p_.shadow.attributes().vertex);
+  sample(p_.shadow.vertices().vertex);
   for (const ArraySource& source : p_.shadow.attributes().generic) sample(source);
   return samples;
 }

@@ -4,6 +4,7 @@
 // docs/program-families.md.
 #pragma once
 #include "gl/families/known_code.h"
+#include "gl/glsl/glsl_branches.h"
 #include "scene/fragment_shading.h"
 #include "scene/impostors.h"
 #include "scene/mesh.h"
@@ -49,6 +50,7 @@ struct FamilyLights {
   std::string countInSource;        // text that occurs in the source once for each light; empty: none
   std::string noHighlightInSource;  // text that occurs once for each light without highlight, the last ones
   std::string enabled;              // 0: the base colour is shown without lights
+  bool unlitIsMaterial = false;     // without lights: ambient plus diffuse colour, as Model::unlit
   std::string color;
   FamilyValue direction;      // eye space, from the light to the surface
   bool towardsLight = false;  // `direction` points from the surface to the light
@@ -138,6 +140,20 @@ struct FamilyHeight {
   bool given() const { return scale[0].given(); }
 };
 
+/// Vertices that the vertex shader fetches from buffer textures by gl_VertexID. The names of position,
+/// normal, color and texcoord are then buffer samplers with an element for each point. Elements of positions
+/// and normals are three components of one texel, or three texels of one component.
+struct FamilyPulling {
+  std::string pointIds;     // integer buffer sampler: the point of each vertex
+  std::string pointOffset;  // uniform, added to the number of a point
+  std::string firstVertex;  // uniform: gl_VertexID of the draw's first vertex
+  std::string indexedIf;    // uniform; not 0: gl_VertexID is the point, without `pointIds`
+  std::string cells;        // integer buffer sampler: the cell of each triangle, for colours and normals
+  std::string cellsIf;      // uniform; 0: a triangle's cell is its number
+  std::string cellsOffset;  // uniform, added to the number of a triangle before `cells` is read
+  bool given() const { return !pointIds.empty(); }
+};
+
 struct Family {
   enum class Model { unlit, phong, pbr };
   /// The cosine to which the highlight's exponent applies: between reflected ray and viewer, or between
@@ -153,6 +169,9 @@ struct Family {
   std::vector<std::string> absentOutputs;           // fragment shader outputs that must not exist
   std::vector<std::string> ignored;                 // may be active, but do not affect the image
   NeutralValues neutral;                            // do not affect the image at these values
+  /// Values of uniforms, which every traced draw has, and of local variables of main. Conditions that follow
+  /// from them are decided before statements are compared (gl/glsl/glsl_branches.h).
+  DecidedValues decided;
   std::vector<std::string> code;    // sections that contain all statements of the program; empty: any code
   bool resolvesConditions = false;  // statements are compared after #ifdef and the like
   std::string codeAt;               // file and line that name them
@@ -162,7 +181,8 @@ struct Family {
   std::string position, normal, color, texcoord, tangent;        // attributes
   std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes
   std::string instanceShift;                                     // per-instance: a position and a scale
-  std::vector<std::string> clipFromObject, eyeFromObject;        // uniforms, multiplied from left to right
+  FamilyPulling pulling;
+  std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
   std::string viewer;        // uniform: viewer position in the space after eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject
   NoNormals withoutNormals = NoNormals::refuse;
@@ -219,7 +239,10 @@ struct Family {
   FamilyValue relativeContrast, hardContrast, subpixelBlendLimit, subpixelContrast, endpointSearchIterations;
 
   // Edges of triangles that a geometry shader paints: flags per triangle, width in pixels, colour.
-  std::string edgeFlags;  // buffer sampler; bit k: the edge from corner k to the next
+  std::string edgesIf;          // uniform; 0: no edges
+  std::string edgeFlags;        // buffer sampler; bit k: the edge from corner k to the next
+  std::string edgeFlagsIf;      // uniform; 0: all edges are painted
+  std::string edgeFlagsOffset;  // uniform, added to the triangle's number
   FamilyValue edgeWidth, edgeColor, edgeOpacity;
   bool edgesGrow = true;        // the shader moves corners outwards
   std::string edgeViewport;     // uniform: x, y, width, height of the viewport that the shader assumes

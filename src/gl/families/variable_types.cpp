@@ -31,6 +31,10 @@ const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 |
 const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
 const Types kCube{"a samplerCube", [](GLenum t) { return t == GL_SAMPLER_CUBE; }};
 const Types kBuffer{"a samplerBuffer", [](GLenum t) { return t == GL_SAMPLER_BUFFER; }};
+const Types kIntegers{"an isamplerBuffer", [](GLenum t) {
+                        return t == GL_INT_SAMPLER_BUFFER || t == GL_UNSIGNED_INT_SAMPLER_BUFFER;
+                      }};
+const Types kBytes{"a usamplerBuffer", [](GLenum t) { return t == GL_UNSIGNED_INT_SAMPLER_BUFFER; }};
 
 /// Reports variables of wrong types.
 class TypeCheck {
@@ -72,6 +76,17 @@ class TypeCheck {
   std::vector<std::string>& out_;
 };
 
+void needPulledTypes(const TypeCheck& check, const Family& f) {
+  const FamilyPulling& pull = f.pulling;
+  for (const std::string* name : {&f.position, &f.normal, &f.texcoord, &f.mapTexcoord})
+    check.uniform(*name, kBuffer);
+  check.uniform(f.color, kBytes), check.uniform(f.edgeFlags, kBytes);
+  for (const std::string* name : {&pull.pointIds, &pull.cells}) check.uniform(*name, kIntegers);
+  for (const std::string* name : {&pull.pointOffset, &pull.firstVertex, &pull.indexedIf, &pull.cellsIf,
+                                  &pull.cellsOffset, &f.edgesIf, &f.edgeFlagsIf, &f.edgeFlagsOffset})
+    check.uniform(*name, kNumber);
+}
+
 }  // namespace
 
 std::string about(const char* before, const std::string& name, const std::string& after) {
@@ -85,8 +100,10 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   for (const std::string* name :
        {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.tangent, &f.impostors.axis})
     check.attribute(*name);
+  if (f.pulling.given()) needPulledTypes(check, f);
   check.attribute(f.instanceShift, kVec4);
   for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
+  for (const auto& [name, value] : f.decided) check.uniform(name, kNumber);
   check.values({&f.impostors.radius, &f.impostors.inside, &f.impostors.radiusDivisor, &f.impostors.size,
                 &f.impostors.bulge, &f.impostors.bulgeDepth, &f.impostors.depthBias, &f.impostors.scale,
                 &f.impostors.billboardScale});
@@ -109,7 +126,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniform(f.texturesIf, kNumber), check.uniform(f.fog.modeFrom, kNumber);
   for (int c = 0; c < 3; ++c) check.values({&f.height.scale[c], &f.height.offset[c], &f.height.exponent[c]});
   check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
-  check.uniform(f.triangleColors, kBuffer), check.uniform(f.triangleNormals, kBuffer);
+  check.uniform(f.triangleColors, f.pulling.given() ? kBytes : kBuffer);
+  check.uniform(f.triangleNormals, kBuffer);
   check.material(f.material), check.material(f.backMaterial);
   check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
                 &f.pbr.occlusionStrength, &f.pbr.normalScale, &f.depthOffset, &f.depthFactor});

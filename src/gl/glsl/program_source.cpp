@@ -85,17 +85,21 @@ const std::string& ProgramSource::text() {
   return text_;
 }
 
-const GlslStatements& ProgramSource::statements(const GlslStatements::Renamed& renamed, bool resolved) {
-  if (hasStatements_ && renamed_ == renamed && resolved_ == resolved) return statements_;
-  const bool clear = renamed.to.empty() || text().find(renamed.to) == std::string::npos;
+const GlslStatements& ProgramSource::statements(const Cut& how) {
+  if (hasStatements_ && cut_ == how) return statements_;
+  const std::string& to = how.renamed.to;
+  const bool clear = to.empty() || text().find(to) == std::string::npos;
   read();
   statements_ = {};
-  hasStatements_ = true, renamed_ = renamed, resolved_ = resolved;
+  hasStatements_ = true, cut_ = how;
   for (const Shader& s : shaders_) {
-    const std::string_view text = std::string_view(source_).substr(s.begin, s.end - s.begin);
-    const std::optional<std::string> rest = resolved ? resolveConditions(text) : std::nullopt;
-    if (resolved && !rest) return statements_ = {};
-    statements_.cut(rest ? *rest : text, clear ? renamed : GlslStatements::Renamed{});
+    std::string_view text = std::string_view(source_).substr(s.begin, s.end - s.begin);
+    const std::optional<std::string> rest = how.resolved ? resolveConditions(text) : std::nullopt;
+    if (how.resolved && !rest) return statements_ = {};
+    if (rest) text = *rest;
+    const std::string taken = how.decided.empty() ? "" : decideBranches(text, how.decided);
+    if (!how.decided.empty()) text = taken;
+    statements_.cut(text, clear ? how.renamed : GlslStatements::Renamed{});
   }
   return statements_;
 }

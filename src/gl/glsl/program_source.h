@@ -1,6 +1,7 @@
 // The source of a shader program's shaders. GL thread, context current.
 #pragma once
 #include "base/hash.h"
+#include "gl/glsl/glsl_branches.h"
 #include "gl/glsl/glsl_statements.h"
 #include "gl/glsl/program.h"
 #include "gl/glsl/shader_texts.h"
@@ -22,10 +23,16 @@ class ProgramSource {
 
   /// The concatenated texts of the shaders, without comments.
   const std::string& text();
-  /// The text as statements; empty if there is no text. `renamed` replaces one name, unless the text already
-  /// has the new name. `resolved`: without the lines that conditions exclude (glsl_conditions.h); empty if
-  /// these cannot be resolved. Valid until the next call with other arguments.
-  const GlslStatements& statements(const GlslStatements::Renamed& renamed = {}, bool resolved = false);
+  /// How the text is cut into statements.
+  struct Cut {
+    GlslStatements::Renamed renamed;  // replaces one name, unless the text already has the new name
+    bool resolved = false;            // without the lines that conditions exclude (glsl_conditions.h)
+    DecidedValues decided;            // with the branches that follow from these values (glsl_branches.h)
+    bool operator==(const Cut&) const = default;
+  };
+  /// The text as statements; empty if there is no text, or its lines cannot be resolved. Valid until the next
+  /// call with another `how`.
+  const GlslStatements& statements(const Cut& how);
   /// Type and digest (shader_digest.h) of each shader.
   std::vector<std::pair<GLenum, Hash128>> digests();
   /// The texts of all shaders of one type, concatenated.
@@ -46,11 +53,10 @@ class ProgramSource {
   GLuint program_;
   std::shared_ptr<const ShaderTexts> linked_;
   bool isRead_ = false, allRead_ = false, hasText_ = false, hasStatements_ = false;
-  bool resolved_ = false;      // of statements_
   std::string source_, text_;  // source_: the original texts, concatenated
   std::vector<Shader> shaders_;
   GlslStatements statements_;
-  GlslStatements::Renamed renamed_;
+  Cut cut_;  // of statements_
 };
 
 }  // namespace gluray::gl

@@ -1,5 +1,6 @@
 // Reads the vertex arrays of shader programs.
 #include "gl/program_state/program_state.h"
+#include "gl/programs/vertex_inputs.h"
 #include "gl/real/state_queries.h"
 #include "gl/sharing/share_group.h"
 
@@ -69,13 +70,16 @@ bool hasInstanceColors(const RealGl& real, ShareGroup& group, const Program& pro
 }  // namespace
 
 const std::string& mapTexcoord(const Program& program, const Family& family) {
-  return program.attribute(family.mapTexcoord) ? family.mapTexcoord : family.texcoord;
+  return hasVertexInput(program, family, family.mapTexcoord) ? family.mapTexcoord : family.texcoord;
 }
 
 bool hasTwoTexcoords(const Program& program, const Family& family) {
-  const ProgramAttribute* map = program.attribute(mapTexcoord(program, family));
-  const ProgramAttribute* textures = program.attribute(family.texcoord);
-  return map && textures && map->location != textures->location;
+  const std::string& map = mapTexcoord(program, family);
+  if (family.pulling.given())
+    return map != family.texcoord && hasVertexInput(program, family, family.texcoord);
+  const ProgramAttribute* ofMap = program.attribute(map);
+  const ProgramAttribute* ofTextures = program.attribute(family.texcoord);
+  return ofMap && ofTextures && ofMap->location != ofTextures->location;
 }
 
 namespace {
@@ -87,7 +91,7 @@ class AttributeReader {
       : real_(real), group_(group), program_(program), out_(out) {}
 
   void read() {
-    if (program_ && program_->family) readVertices(*program_->family);
+    if (program_ && program_->family && !program_->family->pulling.given()) readVertices(*program_->family);
     readOthers();
     if (program_ && program_->family) readInstances(*program_->family);
     // Client memory may change before the draw is replayed.
@@ -184,11 +188,12 @@ void AttributeReader::readInstances(const Family& family) {
 void readAttributes(const RealGl& real, ShareGroup& group, const KnownProgram* program, ArrayState& arrays) {
   arrays = {};
   arrays.elements = bufferNamed(group, static_cast<GLuint>(integer(real, GL_ELEMENT_ARRAY_BUFFER_BINDING)));
+  const bool pulls = program && program->family && program->family->pulling.given();
   AttributeReader reader(real, group, program, arrays);
   reader.read();
   if (const Reason foreign = foreignReason(arrays); foreign != Reason::traced)
     arrays.reason = foreign;
-  else if (!reader.isPlain() || !arrays.vertex.enabled || restartsPrimitives(real))
+  else if (!reader.isPlain() || !(arrays.vertex.enabled || pulls) || restartsPrimitives(real))
     arrays.reason = Reason::arrayState;
 }
 

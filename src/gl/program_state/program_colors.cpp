@@ -1,5 +1,6 @@
 // ProgramReader: the source of a shader program's colours, and whether they are opaque.
 #include "gl/program_state/program_reader.h"
+#include "gl/programs/vertex_inputs.h"
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +16,8 @@ Reason ProgramReader::readColor() {
   out_.triangleColors = {};
   out_.opaqueTriangleColors = true;
   out_.instanceColors = false;
-  out_.triangleOffset = static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
+  out_.triangleOffset =  // of pulled vertices: shiftTriangles()
+      out_.pulled ? 0 : static_cast<uint32_t>(uniforms_.integer(family_.triangleOffset));
   out_.overridden = uniforms_.integer(family_.uniformColors) != 0;
   if (out_.overridden) return readOpacityBeneath();
   if (family_.height.given()) return readHeightColors();
@@ -24,11 +26,13 @@ Reason ProgramReader::readColor() {
     f.color = Color::perTriangle;
     reason = readBuffer(*sampler, out_.triangleColors, out_.triangleColorCount);
     if (reason == Reason::traced)
+      reason = shiftTriangles(family_.triangleOffset, out_.triangleColors, out_.triangleColorCount);
+    if (reason == Reason::traced)
       out_.opaqueTriangleColors = textures_.isOpaque(out_.triangleColors, out_.triangleColorCount);
   } else if (const ProgramUniform* map = samplerNamed(family_.colorMap)) {
     f.color = Color::map;
     reason = readMap(*map);
-  } else if (!family_.color.empty() && program_.attribute(family_.color)) {
+  } else if (hasVertexInput(program_, family_, family_.color)) {
     f.color = Color::vertices;
     out_.color = current(family_.color);
   } else if (!family_.instanceColor.empty() && program_.attribute(family_.instanceColor)) {

@@ -124,8 +124,12 @@ Reason ProgramReader::readEnabled() {
   scene::FragmentShading& f = out_.shading.fragment;
   const bool ownColors = f.color != scene::FragmentShading::Color::material;
   if (f.clampsLight && !ownColors) return refuse("it has no vertex colours, but clamps their light");
-  if (!uniforms_.has(family_.lights.enabled) || uniforms_.integer(family_.lights.enabled) != 0)
+  const bool off = uniforms_.has(family_.lights.enabled) && uniforms_.integer(family_.lights.enabled) == 0;
+  if (family_.lights.unlitIsMaterial && (off || f.lights.empty())) {
+    f.model = scene::FragmentShading::Model::unlit;
     return Reason::traced;
+  }
+  if (!off) return Reason::traced;
   if (!ownColors) return refuse("it has no vertex colours to show without lights");
   f.model = scene::FragmentShading::Model::unlit;
   f.backMaterial = false;

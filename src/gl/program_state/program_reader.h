@@ -66,6 +66,15 @@ class ProgramReader {
   Reason readTexcoordMatrix();
   Reason readMap(const ProgramUniform& sampler);
   Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
+  /// Reads the vertices of a family that pulls them (pulled_vertices.h). Call it before colours, normals and
+  /// edges are read.
+  Reason readPulled();
+  Reason readPulledArrays(ArrayState& arrays);
+  Reason readPulledIntegers(const std::string& name, BufferTexture& integers);
+  Reason readPulledCells(PulledVertices& pulled);
+  /// Moves the start of values of triangles, or of cells, to those of the pulled draw. `offset`: the name of
+  /// their uniform.
+  Reason shiftTriangles(const std::string& offset, scene::Attribute& attribute, uint32_t& count);
   Reason readTextures();
   /// Reads the texture of a sampler into `texture`, with the family's texture coordinates.
   Reason readTexture(const ProgramUniform& sampler, scene::Texture& texture);

@@ -4,6 +4,7 @@
 #include "gl/glsl/built_in_variables.h"
 #include "gl/program_state/program_lights.h"
 #include "gl/program_state/program_reader.h"
+#include "gl/programs/vertex_inputs.h"
 #include "gl/real/state_queries.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -17,6 +18,7 @@ namespace gluray::gl {
 Reason ProgramReader::read() {
   if (const Reason reason = checkNeutral(); reason != Reason::traced) return reason;
   if (const Reason reason = checkBuiltInState(); reason != Reason::traced) return reason;
+  if (const Reason reason = readPulled(); reason != Reason::traced) return reason;
   readTransform();
   readMaterial(family_.material, out_.material.front);
   readBackMaterial();
@@ -38,6 +40,12 @@ Reason ProgramReader::read() {
 }
 
 Reason ProgramReader::checkNeutral() {
+  for (const auto& [name, value] : family_.decided) {
+    const std::string now = uniforms_.unlike(name, {value});
+    if (!now.empty())
+      return refuse("uniform \"" + name + "\" is " + now + ", but the family covers only " +
+                    inWords({value}));
+  }
   for (const auto& [name, value] : family_.neutral) {
     const std::string now = uniforms_.unlike(name, value);
     if (!now.empty())
@@ -153,9 +161,11 @@ Reason ProgramReader::readNormals() {
   out_.triangleNormals = {};
   if (const ProgramUniform* sampler = samplerNamed(family_.triangleNormals)) {
     f.normals = Normals::perTriangle;
-    return readBuffer(*sampler, out_.triangleNormals, out_.triangleNormalCount);
+    const Reason reason = readBuffer(*sampler, out_.triangleNormals, out_.triangleNormalCount);
+    if (reason != Reason::traced) return reason;
+    return shiftTriangles(family_.triangleOffset, out_.triangleNormals, out_.triangleNormalCount);
   }
-  if (!program_.attribute(family_.normal))
+  if (!hasVertexInput(program_, family_, family_.normal))
     f.normals = Normals::triangles;
   else
     out_.normal = glm::vec3(current(family_.normal));
@@ -164,7 +174,8 @@ Reason ProgramReader::readNormals() {
 
 Reason ProgramReader::readEdges() {
   scene::FragmentShading& f = out_.shading.fragment;
-  f.edges = !family_.edgeFlags.empty();
+  f.edges =
+      !family_.edgeFlags.empty() && (family_.edgesIf.empty() || uniforms_.integer(family_.edgesIf) != 0);
   out_.triangleEdges = {};
   if (!f.edges) return Reason::traced;
   GLint viewport[4] = {};
@@ -176,8 +187,15 @@ Reason ProgramReader::readEdges() {
   f.edgesGrow = family_.edgesGrow;
   f.edgeOpacity = uniforms_.number(family_.edgeOpacity, 1);
   f.edgeColor = glm::vec3(uniforms_.value(family_.edgeColor, glm::vec4(0)));
+  if (out_.pulled && out_.pulled->indexed) return refuse("its edges need vertices in order");
   const ProgramUniform* sampler = samplerNamed(family_.edgeFlags);
-  return sampler ? readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount) : Reason::traced;
+  const bool all = !family_.edgeFlagsIf.empty() && uniforms_.integer(family_.edgeFlagsIf) == 0;
+  if (!sampler || all) return Reason::traced;
+  const Reason reason = readBuffer(*sampler, out_.triangleEdges, out_.triangleEdgeCount);
+  if (reason != Reason::traced || !out_.pulled) return reason;
+  // Hidden edges have no weight at any width there.
+  if (f.edgeWidth < 1) return refuse("edges are thinner than a pixel");
+  return shiftTriangles(family_.edgeFlagsOffset, out_.triangleEdges, out_.triangleEdgeCount);
 }
 
 Reason ProgramReader::readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute,
@@ -205,6 +223,7 @@ bool isSane(const ProgramState& s) {
 void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, TextureCache& textures,
                  ProgramState& state, bool solids) {
   state.why.clear();
+  state.pulled.reset();
   if (const Reason reason = reasonWithoutFamily(*state.known); reason != Reason::traced) {
     state.reason = reason;
     return;

@@ -2,6 +2,7 @@
 #pragma once
 #include "gl/arrays/arrays.h"
 #include "gl/basics/reasons.h"
+#include "gl/program_state/pulled_vertices.h"
 #include "gl/programs/match.h"
 #include "gl/programs/uniforms.h"
 #include "scene/snapshot.h"
@@ -37,10 +38,11 @@ struct ProgramState {
   scene::Attribute triangleColors, triangleNormals, triangleEdges;
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;
   bool opaqueTriangleColors = true;
-  bool hidesBackFaces = false;  // back faces have an alpha of 0 and are discarded
-  bool instanceColors = false;  // each instance has its own colour
-  bool overridden = false;      // the material's colours replace all others (Family::uniformColors)
-  glm::vec4 color{1};           // if the colour attribute is not an array
+  std::optional<PulledVertices> pulled;  // if the family pulls its vertices
+  bool hidesBackFaces = false;           // back faces have an alpha of 0 and are discarded
+  bool instanceColors = false;           // each instance has its own colour
+  bool overridden = false;               // the material's colours replace all others (Family::uniformColors)
+  glm::vec4 color{1};                    // if the colour attribute is not an array
   glm::vec3 normal{0, 0, 1};
   glm::vec4 texcoord{0, 0, 0, 1}, texcoordAbove{0, 0, 0, 1};  // texcoordAbove: if hasTwoTexcoords()
   glm::vec3 tangent{0};                                       // if the tangent attribute is not an array

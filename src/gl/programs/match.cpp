@@ -5,6 +5,7 @@
 #include "gl/glsl/program_source.h"
 #include "gl/glsl/shader_digest.h"
 #include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/vertex_inputs.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -32,9 +33,9 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
 /// The program's statements, with its texture renamed to the name that the family uses.
 const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
   const auto other = p.renamed.find(f.anyTexture);
-  GlslStatements::Renamed renamed;
-  if (other != p.renamed.end()) renamed = {other->second, other->first};
-  return source.statements(renamed, f.resolvesConditions);
+  ProgramSource::Cut how{{}, f.resolvesConditions, f.decided};
+  if (other != p.renamed.end()) how.renamed = {other->second, other->first};
+  return source.statements(how);
 }
 
 /// Requires a vertex and a fragment shader whose digests are `known`, and no other shaders.
@@ -103,7 +104,8 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
   // Implementations list more of these than programs use. Statements show which are used.
   if (!f.hasBuiltInVertices())
     for (const auto& [name, type] : p.builtInUniforms) check("has uniform ", name, type);
-  for (const auto& [name, attribute] : p.attributes) check("has attribute ", name, attribute.type);
+  for (const auto& [name, attribute] : p.attributes)
+    if (!f.pulling.given() || name != "gl_VertexID") check("has attribute ", name, attribute.type);
 }
 
 /// Requires what tracing needs from any program.
@@ -113,14 +115,17 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
   if (!p.geometryShader && f.geometryShader) out.push_back("lacks a geometry shader");
   if (p.tessellation) out.push_back("has tessellation shaders");
   if (p.writes) out.push_back("writes into buffers or images");
-  if (!p.attribute(f.position)) out.push_back(about("lacks attribute ", f.position));
+  if (!hasVertexInput(p, f, f.position))
+    out.push_back(about(f.pulling.given() ? "lacks uniform " : "lacks attribute ", f.position));
+  if (f.pulling.given() && !p.uniform(f.pulling.pointIds))
+    out.push_back(about("lacks uniform ", f.pulling.pointIds));
   for (const std::string& name : f.clipFromObject)
     if (!p.uniform(name)) out.push_back(about("lacks uniform ", name));
   if (!f.impostors.projection.empty() && !p.uniform(f.impostors.projection))
     out.push_back(about("lacks uniform ", f.impostors.projection));
   for (const std::string* name : {&f.impostors.axis, &f.impostors.corners, &f.impostors.end})
     if (!name->empty() && !p.attribute(*name)) out.push_back(about("lacks attribute ", *name));
-  const bool normals = f.impostors.given() || p.attribute(f.normal) || p.uniform(f.triangleNormals);
+  const bool normals = f.impostors.given() || hasVertexInput(p, f, f.normal) || p.uniform(f.triangleNormals);
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
     out.push_back(about("lacks attribute ", f.normal));
 }

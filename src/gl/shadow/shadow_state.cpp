@@ -140,7 +140,7 @@ void ShadowState::readProgramInUse() {
   inUse.known = name ? currentProgram.known(name) : nullptr;
   if (inUse.known != before) touch(kAttributes);
   if (!inUse.known) {
-    inUse.reason = Reason::program;
+    inUse.reason = Reason::program, inUse.pulled.reset();
     return;
   }
   readProgram(real, group, rare_, textures, inUse, drawsAnySolids(settings));
@@ -149,6 +149,29 @@ void ShadowState::readProgramInUse() {
   GLint deleted = 0;
   real.GetProgramiv(name, GL_DELETE_STATUS, &deleted);
   if (deleted) inUse.reason = Reason::program;
+}
+
+const ArrayState& ShadowState::vertices() {
+  const ArrayState& own = attributes();
+  if (!program().pulled) return own;
+  if (program_.pulled->indexed) program_.pulled->arrays.elements = own.elements;
+  return program_.pulled->arrays;
+}
+
+bool ShadowState::takeValuesOfCells(uint32_t triangles) {
+  if (!program_.pulled || !program_.pulled->cells) return true;
+  const auto take = [&](scene::Attribute& values, uint32_t& count) {
+    if (!values) return true;
+    std::optional<scene::Attribute> taken = valuesOfCells_.take(*program_.pulled, values, count, triangles);
+    if (taken) values = std::move(*taken), count = triangles;
+    return taken.has_value();
+  };
+  const bool all = take(program_.triangleColors, program_.triangleColorCount) &&
+                   take(program_.triangleNormals, program_.triangleNormalCount);
+  program_.pulled->cells = {};
+  program_.opaqueTriangleColors = textures.isOpaque(program_.triangleColors, program_.triangleColorCount);
+  expire(kProgram);
+  return all;
 }
 
 void ShadowState::sendBuffers() {

@@ -85,6 +85,9 @@ class ShadowState {
   /// Vertex arrays of the shader program in use, assigned to their roles by its family.
   const ArrayState& attributes() { return fresh(kAttributes, attributes_); }
 
+  /// The vertices of the shader program in use: attributes(), or what it pulls from buffer textures.
+  const ArrayState& vertices();
+
   /// The shader program in use; `known` is null if there is none. Its textures may be those that program()
   /// read last.
   const ProgramState& programInUse() {
@@ -127,6 +130,10 @@ class ShadowState {
   void setProgramWhy(std::string why) { program_.why = std::move(why); }
   /// Sets scene::Impostors::size of the program's impostors.
   void setImpostorSize(const glm::vec2& size) { program_.impostors.size = size; }
+  /// Lets the first `triangles` triangles of a draw have the values of their cells. Does nothing if the
+  /// program does not pull its vertices, or cells are triangles. Returns false if there are too few values.
+  /// May throw std::bad_alloc.
+  bool takeValuesOfCells(uint32_t triangles);
   /// Sets radius and caps of attributes() to those that the program uses for all its impostors.
   void shareImpostorValues();
 
@@ -180,6 +187,7 @@ class ShadowState {
   std::vector<scene::Texture> fixedTextures_;
   std::vector<glm::dvec4> clipPlanes_;
   ProgramState program_;
+  ValuesOfCells valuesOfCells_;
   ArrayState arrays_, attributes_;
 };
 

@@ -215,9 +215,8 @@ Reason TextureCache::bound(const RealGl& real, const RareState& has, GLint unit,
   return reason;
 }
 
-Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
-                            uint32_t& count) {
-  elements = {};
+Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, BufferTexture& texture) {
+  texture = {};
   if (!isPresent(real.TexBuffer)) return Reason::textureFormat;
   ActiveUnit active(real);
   active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
@@ -226,10 +225,30 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
     real.GetTexLevelParameteriv(GL_TEXTURE_BUFFER, 0, name, &value);
     return value;
   };
+  texture.format = static_cast<GLenum>(ask(GL_TEXTURE_INTERNAL_FORMAT));
+  texture.buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_TEXTURE_BUFFER_DATA_STORE_BINDING)));
+  if (!texture.buffer) return Reason::textureFormat;
+  if (texture.buffer->foreign) return Reason::foreignBuffer;
+  texture.size = texture.buffer->size();
+  if (versionOf(real) < 43) return Reason::traced;
+  texture.offset = static_cast<size_t>(ask(GL_TEXTURE_BUFFER_OFFSET));
+  const GLint part = ask(GL_TEXTURE_BUFFER_SIZE);
+  if (texture.offset > texture.size) return Reason::textureFormat;
+  texture.size = std::min(texture.size - texture.offset, part > 0 ? static_cast<size_t>(part) : texture.size);
+  return Reason::traced;
+}
+
+Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
+                            uint32_t& count) {
+  elements = {};
+  BufferTexture texture;
+  if (const Reason reason = buffer(real, group, unit, texture); reason != Reason::traced) return reason;
   uint32_t stride = 0;
   scene::Format format = scene::Format::none;
-  switch (ask(GL_TEXTURE_INTERNAL_FORMAT)) {
+  switch (texture.format) {
+    case GL_RGBA8UI:
     case GL_RGBA8: format = scene::Format::unorm8x4, stride = 4; break;
+    case GL_R8UI:
     case GL_R8: format = scene::Format::bits8, stride = 1; break;
     case GL_R32F: format = scene::Format::float1, stride = 4; break;
     case GL_RG32F: format = scene::Format::float2, stride = 8; break;
@@ -237,19 +256,10 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
     case GL_RGBA32F: format = scene::Format::float4, stride = 16; break;
     default: return Reason::textureFormat;
   }
-  const auto buffer = bufferNamed(group, static_cast<GLuint>(ask(GL_TEXTURE_BUFFER_DATA_STORE_BINDING)));
-  const auto storage = buffer ? buffer->read(real) : nullptr;
-  if (buffer && buffer->foreign) return Reason::foreignBuffer;
+  const auto storage = texture.buffer->read(real);
   if (!storage) return Reason::textureFormat;
-  size_t offset = 0, size = storage->size;
-  if (versionOf(real) >= 43) {
-    offset = static_cast<size_t>(ask(GL_TEXTURE_BUFFER_OFFSET));
-    const GLint part = ask(GL_TEXTURE_BUFFER_SIZE);
-    if (offset > size) return Reason::textureFormat;
-    size = std::min(size - offset, part > 0 ? static_cast<size_t>(part) : size);
-  }
-  elements = {storage, storage->data + offset, stride, format};
-  count = static_cast<uint32_t>(size / stride);
+  elements = {storage, storage->data + texture.offset, stride, format};
+  count = static_cast<uint32_t>(texture.size / stride);
   return Reason::traced;
 }
 

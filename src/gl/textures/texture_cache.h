@@ -14,7 +14,15 @@
 
 namespace gluray::gl {
 
+class Buffer;
 class ShareGroup;
+
+/// The part of a buffer that a buffer texture shows.
+struct BufferTexture {
+  std::shared_ptr<Buffer> buffer;
+  GLenum format = 0;            // internal format
+  size_t offset = 0, size = 0;  // bytes
+};
 
 /// A context's cache of texture images that were read back. An image is read again after a call that may have
 /// changed it. All images are read again after such a call by another context of the share group.
@@ -42,7 +50,10 @@ class TextureCache {
   /// Reads the texture that a sampler of type `sampler` (GL_SAMPLER_2D ...) samples on `unit`. Returns
   /// Reason::traced, or why the texture cannot be traced.
   Reason bound(const RealGl& real, const RareState& has, GLint unit, GLenum sampler, scene::Texture& texture);
-  /// Reads the texels of the buffer texture on `unit`: bytes or floats, one to four per texel.
+  /// The buffer texture on `unit`, with its contents as they are when they are read.
+  Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, BufferTexture& texture);
+  /// Reads the texels of the buffer texture on `unit`: bytes or floats, one to four per texel. Bytes that are
+  /// integers in programs count as fractions of 255.
   Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
                 uint32_t& count);
   /// Whether every element has alpha 1. Caches the answer for one storage.

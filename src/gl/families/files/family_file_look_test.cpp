@@ -80,7 +80,8 @@ TEST(FamilyFileLook, LightMistakes) {
   EXPECT_EQ(mistakeIn(kPaint + "lights.clamped = true\ncolor.diffuse_only = true"),
             "x.toml:1: family \"f\": lights.clamped needs vertex.color, without color.diffuse_only");
   EXPECT_EQ(mistakeIn("lights.enabled = \"on\""),
-            "x.toml:1: family \"f\": lights.enabled needs vertex.color");
+            "x.toml:1: family \"f\": lights.enabled needs vertex.color, or lights.unlit_shows = "
+            "\"ambient_and_diffuse\"");
   EXPECT_EQ(mistakeIn("lights.count_in_source = \"x\""),
             "x.toml:1: family \"f\": lights.count_in_source needs match.code");
   EXPECT_EQ(mistakeIn("lights.model = \"pbr\"\nlights.viewer = \"infinite\""),

@@ -60,7 +60,8 @@ std::string mistakeInLook(const Family& family) {
     return "fog.distance is for programs with gl_Vertex";
   if (family.lights.clamped && (colors.empty() || family.colorIsDiffuseOnly))
     return "lights.clamped needs vertex.color, without color.diffuse_only";
-  if (!family.lights.enabled.empty() && colors.empty()) return "lights.enabled needs vertex.color";
+  if (!family.lights.enabled.empty() && colors.empty() && !family.lights.unlitIsMaterial)
+    return "lights.enabled needs vertex.color, or lights.unlit_shows = \"ambient_and_diffuse\"";
   if (!family.lights.countInSource.empty() && family.code.empty())
     return "lights.count_in_source needs match.code";
   if (!family.lights.noHighlightInSource.empty() && family.lights.countInSource.empty())
@@ -84,6 +85,19 @@ std::string mistakeInLook(const Family& family) {
                  !family.lights.halfVector.empty()))
     return "lights.clamped, lights.viewer, lights.half_vector and normals.dark_back_faces are for the model "
            "phong";
+  return "";
+}
+
+std::string mistakeInPulling(const Family& family) {
+  const FamilyPulling& pull = family.pulling;
+  if (!family.decided.empty() && family.code.empty()) return "match.decided needs match.code";
+  if (!pull.given()) return "";
+  if (family.code.empty() && family.rasteriseBecause.empty()) return "pulled vertices need match.code";
+  if (family.hasBuiltInVertices() || family.impostors.given() || family.geometryShader ||
+      !family.tangent.empty() || !family.instanceTransform.empty() || !family.instanceShift.empty() ||
+      !family.instanceColor.empty())
+    return "pulled vertices have neither gl_Vertex nor impostors, geometry shaders, tangents and instances";
+  if (pull.cellsIf.empty() != pull.cells.empty()) return "pull.cells and pull.cells_if need each other";
   return "";
 }
 
@@ -123,7 +137,8 @@ std::string missingKey(const Family& family) {
 
 std::string mistakeIn(const Family& family) {
   if (const std::string key = missingKey(family); !key.empty()) return " needs " + key;
-  for (const auto& look : {mistakeInBuiltIns, mistakeInVertexNormals, mistakeInLook, mistakeInImpostors})
+  for (const auto& look :
+       {mistakeInBuiltIns, mistakeInPulling, mistakeInVertexNormals, mistakeInLook, mistakeInImpostors})
     if (const std::string mistake = look(family); !mistake.empty()) return ": " + mistake;
   return "";
 }

@@ -16,6 +16,7 @@ void FamilyReader::read(const std::vector<std::shared_ptr<const Family>>& known)
   if (family_.active.empty() && family_.any.empty())
     fail(here(), "family \"" + family_.name + "\" needs match.active or match.any");
   section("vertex", [&] { readVertex(); });
+  section("pull", [&] { readPulling(); });
   section("instance", [&] { readInstance(); });
   section("transform", [&] { readTransform(); });
   section("normals", [&] { readNormals(); });
@@ -60,6 +61,7 @@ void FamilyReader::readMatch() {
   texts("absent_outputs", family_.absentOutputs);
   names("ignored", family_.ignored);
   neutralValues("neutral", family_.neutral);
+  decidedValues("decided", family_.decided);
   flag("strict", family_.strict);
   flag("only_lines_and_points", family_.onlySolids);
   flag("geometry_shader", family_.geometryShader);
@@ -79,6 +81,18 @@ void FamilyReader::readVertex() {
   name("color", family_.color);
   name("texcoord", family_.texcoord);
   name("tangent", family_.tangent);
+}
+
+void FamilyReader::readPulling() {
+  FamilyPulling& pull = family_.pulling;
+  name("point_ids", pull.pointIds);
+  name("point_offset", pull.pointOffset);
+  name("first_vertex", pull.firstVertex);
+  name("indexed_if", pull.indexedIf);
+  name("cells", pull.cells);
+  name("cells_if", pull.cellsIf);
+  name("cells_offset", pull.cellsOffset);
+  if (!pull.given()) fail(here(), "pull needs point_ids");
 }
 
 void FamilyReader::readInstance() {
@@ -151,7 +165,10 @@ void FamilyReader::readTextures() {
 }
 
 void FamilyReader::readEdges() {
+  name("if", family_.edgesIf);
   name("flags", family_.edgeFlags);
+  name("flags_if", family_.edgeFlagsIf);
+  name("flags_offset", family_.edgeFlagsOffset);
   value("width", family_.edgeWidth);
   value("color", family_.edgeColor);
   value("opacity", family_.edgeOpacity);

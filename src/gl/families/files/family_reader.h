@@ -25,6 +25,7 @@ class FamilyReader : FamilyTable {
   /// code = "any": shader programs of the family may have any statements.
   void readCode();
   void readVertex();
+  void readPulling();
   void readInstance();
   void readTransform();
   void readNormals();

@@ -26,6 +26,7 @@ void FamilyReader::readLights() {
   text("count_in_source", l.countInSource);
   text("no_highlight_in_source", l.noHighlightInSource);
   name("enabled", l.enabled);
+  choice("unlit_shows", {{"vertex_colors", false}, {"ambient_and_diffuse", true}}, l.unlitIsMaterial);
   name("color", l.color);
   value("direction", l.direction);
   flag("direction_towards_light", l.towardsLight);

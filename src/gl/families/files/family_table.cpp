@@ -181,6 +181,18 @@ void FamilyTable::neutralValues(const char* key, NeutralValues& out) {
   }
 }
 
+void FamilyTable::decidedValues(const char* key, DecidedValues& out) {
+  const toml::node* node = get(key);
+  if (!node) return;
+  if (!node->is_table()) fail(*node, std::string(key) + " must be a section");
+  for (const auto& [name, value] : *node->as_table()) {
+    const auto number = value.value<double>();
+    if (!number) fail(value, std::string(name.str()) + " must be a number");
+    mention(std::string(name.str()));
+    out[std::string(name.str())] = static_cast<float>(*number);
+  }
+}
+
 void FamilyTable::allKnown() const {
   for (const auto& [key, node] : *table_)
     if (!known_.contains(key.str())) fail(node, "unknown key \"" + std::string(key.str()) + "\"");

@@ -50,6 +50,8 @@ class FamilyTable {
   void flagOrName(const char* key, bool& flag, std::string& name);
   /// A section of uniforms with the values at which they have no effect.
   void neutralValues(const char* key, NeutralValues& out);
+  /// A section of variables with one number each.
+  void decidedValues(const char* key, DecidedValues& out);
   /// One of several words; each stands for a value.
   template <class Enum, size_t n>
   void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {

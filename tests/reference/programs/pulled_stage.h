@@ -1,0 +1,39 @@
+// A stage for programs that pull vertices from buffer textures (pulled_text.h). For program_pulled_test.cpp.
+#pragma once
+#include "tests/reference/programs/program_stage.h"
+#include "tests/support/pulled_text.h"
+
+namespace gluray::test {
+
+/// How a mesh lies in the buffers, and what the program's uniforms say.
+struct PulledWay {
+  GLint pointsBefore = 0, verticesBefore = 0;  // of other meshes in the same buffers
+  GLint cellsBefore = 0, trianglesBefore = 0, flagsBefore = 0;
+  bool quads = false;    // two triangles are a cell
+  bool indexed = false;  // by glDrawElementsInstanced
+  bool edges = false, flagged = false;
+  float edgeOpacity = 1;
+  float opacity = 1;
+  bool lit = true;
+};
+
+GLuint makeProgram(Gl gl, const PulledSurface& surface);
+
+/// The buffer textures of a mesh on texture units of their own.
+class PulledMesh {
+ public:
+  PulledMesh(Gl gl, const ProgramMesh& mesh, const PulledWay& way, bool scalars);
+  /// Uses the program, sets all its uniforms.
+  void set(Gl gl, GLuint program, const View& view, const PulledSurface& surface) const;
+  /// Draws by the program in use.
+  void draw(Gl gl) const;
+  /// Replaces the position of a point.
+  void move(Gl gl, size_t point, const glm::vec3& to) const;
+
+ private:
+  PulledWay way_;
+  GLsizei count_;
+  GLuint positions_ = 0, array_ = 0;
+};
+
+}  // namespace gluray::test

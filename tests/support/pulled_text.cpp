@@ -1,0 +1,467 @@
+// The pieces of the polygonal shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper. Branches for
+// points and lines are shortened.
+#include "tests/support/pulled_text.h"
+
+namespace gluray::test {
+namespace {
+
+using Color = PulledColor;
+using Normals = PulledNormals;
+using Lights = PulledLights;
+
+/// Replaces each `from` by `to`.
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// The text once for each light, with its number for @.
+std::string repeated(int count, const std::string& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += replaced(text, "@", std::to_string(i));
+  return all;
+}
+
+const char* const kVertexStart = R"(#version 150
+#define highp
+#define mediump
+#define lowp
+#define texelFetchBuffer texelFetch
+uniform highp samplerBuffer positions;
+uniform highp isamplerBuffer vertexIdBuffer;
+uniform highp isamplerBuffer primitiveToCellBuffer;
+uniform lowp usamplerBuffer edgeValueBuffer;
+uniform highp int cellIdOffset, vertexIdOffset, edgeValueBufferOffset, pointIdOffset, primitiveIdOffset;
+uniform highp int useIndexedPointId, primitiveSize, usesEdgeValues, usesCellMap, cellType;
+uniform mat4 MCDCMatrix;
+uniform mat4 MCVCMatrix;
+uniform mat3 normalMatrix;
+uniform highp int wireframe;
+uniform float edgeWidth;
+uniform highp int edgeVisibility;
+uniform float pointSize;
+uniform vec4 viewportDimensions;
+uniform float lineWidth;
+smooth out vec4 vertexVCVSOutput;
+flat out mat4 edgeEqn;
+)";
+
+const char* const kFetchTuple = R"(
+vec3 fetchTuple3(samplerBuffer s, int id)
+{
+  int base = id * 3;
+  return vec3(texelFetchBuffer(s, base).x, texelFetchBuffer(s, base + 1).x, texelFetchBuffer(s, base + 2).x);
+}
+)";
+
+const char* const kIds = R"(
+void main()
+{
+  int pointId = 0;
+  int primitiveId = 0;
+  int cellId = 0;
+  int vertexId = 0;
+  if (cellType == 1)
+  {
+    vertexId = gl_VertexID - vertexIdOffset;
+    primitiveId = vertexId;
+    POINT
+  }
+  else if (cellType == 3)
+  {
+    if (primitiveSize == 3)
+    {
+      primitiveId = (gl_VertexID - vertexIdOffset) / 6;
+      pointId = texelFetchBuffer(vertexIdBuffer, 2 * primitiveId + vertexIdOffset).x + pointIdOffset;
+    }
+    else
+    {
+      vertexId = gl_VertexID - vertexIdOffset;
+      POINT
+      primitiveId = vertexId >> 1;
+    }
+  }
+  else if (cellType == 5) // triangles
+  {
+    vertexId = gl_VertexID - vertexIdOffset;
+    POINT
+    primitiveId = vertexId / 3;
+  }
+  cellId = primitiveId + cellIdOffset;
+  if (usesCellMap == 1)
+  {
+    cellId = texelFetchBuffer(primitiveToCellBuffer, primitiveId + primitiveIdOffset).x + cellIdOffset;
+  }
+  vec4 vertexMC = vec4(FETCH(positions, pointId), 1.0);
+  gl_PointSize = pointSize;
+)";
+
+const char* const kPointOfIndices = R"(if (useIndexedPointId == 1)
+    {
+      pointId = gl_VertexID + pointIdOffset;
+    }
+    else
+    {
+      pointId = texelFetchBuffer(vertexIdBuffer, gl_VertexID).x + pointIdOffset;
+    })";
+
+const char* const kEdgeEquations = R"(
+  if (cellType == 3 && primitiveSize == 3)
+  {
+    gl_Position.x += lineWidth;
+  }
+  if ((((edgeVisibility == 1) || (wireframe == 1)) && (cellType == 5)) && (vertexId % 3 == 2))
+  {
+    int p0 = texelFetchBuffer(vertexIdBuffer, gl_VertexID - 2).x + pointIdOffset;
+    int p1 = texelFetchBuffer(vertexIdBuffer, gl_VertexID - 1).x + pointIdOffset;
+    vec4 p0MC = vec4(FETCH(positions, p0), 1.0);
+    vec4 p1MC = vec4(FETCH(positions, p1), 1.0);
+    vec4 p0DC = MCDCMatrix * p0MC;
+    vec4 p1DC = MCDCMatrix * p1MC;
+    vec2 pos[4];
+    pos[0] = p0DC.xy/p0DC.w;
+    pos[1] = p1DC.xy/p1DC.w;
+    pos[2] = gl_Position.xy/gl_Position.w;
+    for(int i = 0; i < 3; ++i)
+    {
+      pos[i] = viewportDimensions.xy + viewportDimensions.zw * (pos[i]*vec2(0.5) + vec2(0.5));
+    }
+    pos[3] = pos[0];
+    float ccw = sign(cross(vec3(pos[1] - pos[0], 0.0), vec3(pos[2] - pos[0], 0.0)).z);
+    for (int i = 0; i < 3; i++)
+    {
+      vec2 tmp = normalize(pos[i+1] - pos[i]);
+      tmp = ccw*vec2(-tmp.y, tmp.x);
+      float d = dot(pos[i], tmp);
+      edgeEqn[i] = vec4(tmp.x, tmp.y, 0.0, -d);
+    }
+    if (usesEdgeValues == 1)
+    {
+      float nudge = edgeWidth + 0.5;
+      int edgeValue = int(texelFetchBuffer(edgeValueBuffer, primitiveId + edgeValueBufferOffset).x);
+      if (edgeValue < 4) edgeEqn[2].z = nudge;
+      if ((edgeValue % 4) < 2) edgeEqn[1].z = nudge;
+      if ((edgeValue % 2) < 1) edgeEqn[0].z = nudge;
+    }
+  }
+}
+)";
+
+const char* const kFragmentStart = R"(#version 150
+#define highp
+#define texelFetchBuffer texelFetch
+uniform highp int primitiveSize, usesEdgeValues, cellType, renderPointsAsSpheres, renderLinesAsTubes, pointPicking;
+smooth in vec4 vertexVCVSOutput;
+uniform highp int cameraParallel;
+uniform float intensity_ambient, intensity_diffuse, intensity_opacity, intensity_specular, power_specular;
+uniform vec3 color_specular, color_ambient, color_diffuse, vertex_color;
+uniform float intensity_ambient_bf, intensity_diffuse_bf, intensity_opacity_bf, intensity_specular_bf;
+uniform float power_specular_bf;
+uniform vec3 color_specular_bf, color_ambient_bf, color_diffuse_bf;
+uniform int vertex_pass, enable_lights;
+uniform bool showTexturesOnBackface;
+uniform float cOffset, cFactor;
+vec3 computedNormalVCVS;
+out vec4 fragOutput0;
+flat in mat4 edgeEqn;
+uniform vec3 edgeColor;
+uniform float edgeOpacity;
+uniform highp int wireframe, edgeVisibility;
+uniform float edgeWidth;
+)";
+
+const char* const kSides = R"(
+  if (renderPointsAsSpheres == 1 && primitiveSize == 1)
+  {
+    if (pointPicking == 1)
+    {
+      NORMAL = vec3(0.0, 0.0, 1.0);
+    }
+    else
+    {
+      discard;
+    }
+  }
+  else
+  {
+    if (primitiveSize == 1)
+    {
+      NORMAL = vec3(0.0, 0.0, 1.0);
+    }
+    else if (cellType == 3 || primitiveSize == 2)
+    {
+      NORMAL = abs(NORMAL);
+    }
+    else if (gl_FrontFacing == false)
+    {
+      NORMAL = -NORMAL;
+    }
+  }
+)";
+
+const char* const kColors = R"(
+  vec3 ambientColor = intensity_ambient * COLOR.rgb;
+  vec3 diffuseColor = intensity_diffuse * COLOR.rgb;
+  vec3 specularColor = intensity_specular * color_specular;
+  float specularPower = power_specular;
+  float opacity = intensity_opacity * COLOR.a;
+)";
+const char* const kMaterialColors = R"(
+  vec3 specularColor = intensity_specular * color_specular;
+  float specularPower = power_specular;
+  vec3 ambientColor = intensity_ambient * color_ambient;
+  vec3 diffuseColor = intensity_diffuse * color_diffuse;
+  float opacity = intensity_opacity;
+)";
+const char* const kBackColors = R"(
+  if (vertex_pass != 1 && primitiveSize > 2)
+  {
+    if (gl_FrontFacing == false)
+    {
+      ambientColor = intensity_ambient_bf * color_ambient_bf;
+      diffuseColor = intensity_diffuse_bf * color_diffuse_bf;
+      specularColor = intensity_specular_bf * color_specular_bf;
+      specularPower = power_specular_bf;
+      opacity = intensity_opacity_bf;
+    }
+  }
+)";
+
+const char* const kPaintedEdges = R"(
+  if (vertex_pass == 1)
+  {
+    ambientColor = intensity_ambient * vertex_color;
+    diffuseColor = intensity_diffuse * vertex_color;
+  }
+  if (((edgeVisibility == 1) || (wireframe == 1)) && (cellType == 5))
+  {
+    float edist[3];
+    edist[0] = dot(edgeEqn[0].xy, gl_FragCoord.xy) + edgeEqn[0].w;
+    edist[1] = dot(edgeEqn[1].xy, gl_FragCoord.xy) + edgeEqn[1].w;
+    edist[2] = dot(edgeEqn[2].xy, gl_FragCoord.xy) + edgeEqn[2].w;
+    if (usesEdgeValues == 1)
+    {
+      if (edist[0] < -0.5 && edgeEqn[0].z > 0.0) discard;
+      if (edist[1] < -0.5 && edgeEqn[1].z > 0.0) discard;
+      if (edist[2] < -0.5 && edgeEqn[2].z > 0.0) discard;
+      edist[0] += edgeEqn[0].z;
+      edist[1] += edgeEqn[1].z;
+      edist[2] += edgeEqn[2].z;
+    }
+    float emix = clamp(0.5 + 0.5 * edgeWidth - min(min(edist[0], edist[1]), edist[2]), 0.0, 1.0);
+    if (wireframe == 1)
+    {
+      opacity = mix(0.0, opacity, emix);
+    }
+    else
+    {
+      diffuseColor = mix(diffuseColor, vec3(0.0), emix * edgeOpacity);
+      ambientColor = mix(ambientColor, edgeColor, emix * edgeOpacity);
+      if (enable_lights == 1 && renderLinesAsTubes == 1)
+      {
+        diffuseColor = mix(diffuseColor, edgeColor, emix);
+      }
+    }
+  }
+)";
+
+const char* const kVertexNormal = R"(
+  computedNormalVCVS = normalVCVSInput;
+  vec3 vertexNormalVCVS = computedNormalVCVS;
+SIDES
+  computedNormalVCVS = vertexNormalVCVS;
+  vec3 normalVCVSOutput = vertexNormalVCVS;
+  vec3 normalizedNormalVCVSOutput = normalize(vertexNormalVCVS);
+)";
+const char* const kTriangleNormal = R"(
+  if (renderPointsAsSpheres == 1 && primitiveSize == 1)
+  {
+    computedNormalVCVS = vec3(0.0, 0.0, 1.0);
+  }
+  else
+  {
+    computedNormalVCVS = normalize(cross(fdx,fdy));
+    if (cameraParallel == 1 && computedNormalVCVS.z < 0.0) { computedNormalVCVS = -1.0*computedNormalVCVS; }
+    if (cameraParallel == 0 && dot(computedNormalVCVS,vertexVC.xyz) > 0.0) { computedNormalVCVS = -1.0*computedNormalVCVS; }
+  }
+  vec3 vertexNormalVCVS = computedNormalVCVS;
+  vec3 normalVCVSOutput = computedNormalVCVS;
+  vec3 normalizedNormalVCVSOutput = normalize(vertexNormalVCVS);
+)";
+
+const char* const kHeadlight = R"(
+    float df = max(0.0, normalizedNormalVCVSOutput.z);
+    float sf = pow(df, power_specular);
+    vec3 diffuse = df * diffuseColor * lightColor0;
+    vec3 specular = sf * specularColor * lightColor0;
+    fragOutput0 = vec4(ambientColor + diffuse + specular, opacity);
+)";
+const char* const kPhongStart = R"(
+    vec3 diffuse = vec3(0,0,0);
+    vec3 specular = vec3(0,0,0);
+)";
+const char* const kPhongEnd = R"(
+    diffuse = diffuse * diffuseColor;
+    specular = specular * specularColor;
+    fragOutput0 = vec4(ambientColor + diffuse + specular, opacity);
+)";
+const char* const kDirectional = R"(
+    df = max(0.0, dot(normalizedNormalVCVSOutput, -lightDirectionVC@));
+    diffuse += (df * lightColor@);
+    sf = sign(df)*pow(max(1e-5, dot( reflect(lightDirectionVC@, normalizedNormalVCVSOutput), normalize(-vertexVC.xyz))), power_specular);
+    specular += (sf * lightColor@);
+)";
+const char* const kPositional = R"(
+    attenuation = 1.0;
+    if (lightPositional@ == 0) { vertLightDirectionVC = lightDirectionVC@; }
+    else
+    {
+      vertLightDirectionVC = vertexVC.xyz - lightPositionVC@;
+      float distanceVC = length(vertLightDirectionVC);
+      vertLightDirectionVC = normalize(vertLightDirectionVC);
+      attenuation = 1.0 / (lightAttenuation@.x + lightAttenuation@.y * distanceVC + lightAttenuation@.z * distanceVC * distanceVC);
+      if (lightConeAngle@ < 90.0)
+      {
+        float coneDot = dot(vertLightDirectionVC, lightDirectionVC@);
+        if (coneDot >= cos(radians(lightConeAngle@))) { attenuation = attenuation * pow(coneDot, lightExponent@); }
+        else { attenuation = 0.0; }
+      }
+    }
+    df = max(0.0, attenuation * dot(normalizedNormalVCVSOutput, -vertLightDirectionVC));
+    diffuse += (df * lightColor@);
+    sf = sign(df)*attenuation*pow(max(1e-5, dot(reflect(vertLightDirectionVC, normalizedNormalVCVSOutput), normalize(-vertexVC.xyz))), power_specular);
+    specular += (sf * lightColor@);
+)";
+
+std::string lightText(const PulledSurface& s) {
+  switch (s.lights) {
+    case Lights::none: return "    fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n";
+    case Lights::headlight: return kHeadlight;
+    case Lights::directional:
+      return std::string(kPhongStart) + "    float df;\n    float sf;\n" +
+             repeated(s.lightCount, kDirectional) + kPhongEnd;
+    case Lights::positional:
+      return std::string(kPhongStart) +
+             "    vec3 vertLightDirectionVC;\n    float attenuation;\n    float df;\n    float sf;\n" +
+             repeated(s.lightCount, kPositional) + kPhongEnd;
+  }
+  return "";
+}
+
+std::string lightUniforms(const PulledSurface& s) {
+  if (s.lights == Lights::none) return "";
+  return repeated(s.lightCount,
+                  "uniform vec3 lightColor@, lightDirectionVC@, lightPositionVC@, lightAttenuation@;\n"
+                  "uniform float lightConeAngle@, lightExponent@;\nuniform int lightPositional@;\n");
+}
+
+const char* fetchOf(const PulledSurface& s) { return s.scalars ? "fetchTuple3(" : "texelFetchBuffer("; }
+
+/// The text with its fetches of three floats.
+std::string withFetches(const PulledSurface& s, std::string text) {
+  if (!s.scalars) {
+    for (const char* const index : {"positions, pointId)", "positions, p0)", "positions, p1)",
+                                    "pointNormals, pointId)", "cellNormals, cellId)"})
+      text = replaced(text, std::string("FETCH(") + index, std::string("FETCH(") + index + ".xyz");
+  }
+  return replaced(text, "FETCH(", fetchOf(s));
+}
+
+std::string colorText(const PulledSurface& s) {
+  std::string text;
+  switch (s.color) {
+    case Color::material: text = kMaterialColors; break;
+    case Color::points:
+    case Color::cells: text = replaced(kColors, "COLOR", "vertexColorVS"); break;
+    case Color::mapped:
+      text = "  vec4 texColor = texture(colortexture, colorTCoordVCVSOutput.st);" +
+             replaced(kColors, "COLOR", "texColor");
+      break;
+  }
+  return text + (s.backMaterial ? kBackColors : "");
+}
+
+}  // namespace
+
+std::string pulledVertexText(const PulledSurface& s) {
+  std::string text = kVertexStart;
+  if (s.normals == Normals::points) text += "uniform highp samplerBuffer pointNormals;\n";
+  if (s.normals == Normals::cells) text += "uniform highp samplerBuffer cellNormals;\n";
+  if (s.normals != Normals::none) text += "out vec3 normalVCVSInput;\n";
+  if (s.color == Color::points || s.color == Color::cells)
+    text += "uniform lowp usamplerBuffer colors;\nout vec4 vertexColorVS;\n";
+  if (s.color == Color::mapped)
+    text += "uniform highp samplerBuffer colorTCoords;\nout vec2 colorTCoordVCVSOutput;\n";
+  if (s.textured) text += "uniform highp samplerBuffer tcoords;\nout vec2 tcoordVCVSOutput;\n";
+  if (s.clipPlanes)
+    text += "uniform vec4 clipPlanes[6];\nuniform int numClipPlanes;\nout float clipDistancesVSOutput[6];\n";
+  if (s.scalars) text += kFetchTuple;
+  const char* const walked = "pointId = texelFetchBuffer(vertexIdBuffer, gl_VertexID).x + pointIdOffset;";
+  text += replaced(kIds, "POINT", s.scalars ? kPointOfIndices : walked);
+  const std::string colored =
+      "  vertexColorVS = vec4(texelFetchBuffer(colors, colorID)) / vec4(255.0, 255.0, 255.0, 255.0);\n";
+  if (s.color == Color::points) text += "  int colorID = pointId;\n" + colored;
+  if (s.color == Color::cells) text += "  int colorID = cellId;\n" + colored;
+  if (s.normals == Normals::points) text += "  vec3 normalMC = FETCH(pointNormals, pointId);\n";
+  if (s.normals == Normals::cells) text += "  vec3 normalMC = FETCH(cellNormals, cellId);\n";
+  if (s.normals != Normals::none) text += "  normalVCVSInput = normalize(normalMatrix * normalMC);\n";
+  if (s.color == Color::mapped)
+    text +=
+        "  vec2 colorTCoord = texelFetchBuffer(colorTCoords, pointId).st;\n"
+        "  colorTCoordVCVSOutput = colorTCoord;\n";
+  if (s.textured)
+    text += "  vec2 tcoord = texelFetchBuffer(tcoords, pointId).st;\n  tcoordVCVSOutput = tcoord;\n";
+  if (s.clipPlanes)
+    text +=
+        "  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)\n  {\n"
+        "    clipDistancesVSOutput[planeNum] = dot(clipPlanes[planeNum], vertexMC);\n  }\n";
+  text += "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n  gl_Position = MCDCMatrix * vertexMC;\n";
+  return withFetches(s, text + kEdgeEquations);
+}
+
+std::string pulledFragmentText(const PulledSurface& s) {
+  const bool flat = s.normals == Normals::none;
+  std::string text = kFragmentStart + lightUniforms(s);
+  if (!flat) text += "in vec3 normalVCVSInput;\n";
+  if (s.color == Color::points || s.color == Color::cells) text += "in vec4 vertexColorVS;\n";
+  if (s.color == Color::mapped) text += "in vec2 colorTCoordVCVSOutput;\nuniform sampler2D colortexture;\n";
+  if (s.textured) text += "in vec2 tcoordVCVSOutput;\nuniform sampler2D actortexture;\n";
+  if (s.clipPlanes) text += "in float clipDistancesVSOutput[6];\nuniform int numClipPlanes;\n";
+  if (s.summed) text += "out vec4 fragOutput1;\n";
+  text += "void main()\n{\n  vec4 vertexVC = vertexVCVSOutput;\n";
+  if (flat)
+    text +=
+        "  float scale = 1.0/length(fwidth(vertexVC.xyz));\n  vec3 fdx = dFdx(vertexVC.xyz)*scale;\n"
+        "  vec3 fdy = dFdy(vertexVC.xyz)*scale;\n";
+  if (s.depthOffset) text += "  float cscale = length(vec2(dFdx(gl_FragCoord.z),dFdy(gl_FragCoord.z)));\n";
+  text +=
+      flat ? "  computedNormalVCVS = vec3(0.0, 0.0, 1.0);\n" : "  computedNormalVCVS = normalVCVSInput;\n";
+  text += "  gl_FragDepth = gl_FragCoord.z;\n";
+  if (!flat) text += replaced(kSides, "NORMAL", "computedNormalVCVS");
+  if (s.depthOffset) text += "  gl_FragDepth = gl_FragCoord.z + cFactor*cscale + 1.0*cOffset/65000.0f;\n";
+  if (s.clipPlanes)
+    text +=
+        "  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)\n  {\n"
+        "    if (clipDistancesVSOutput[planeNum] < 0.0) discard;\n  }\n";
+  text += colorText(s) + kPaintedEdges;
+  text += flat ? kTriangleNormal
+               : replaced(kVertexNormal, "SIDES", replaced(kSides, "NORMAL", "vertexNormalVCVS"));
+  text +=
+      "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n"
+      "  int vtkEnableLights = enable_lights;\n  if (vtkEnableLights == 1)\n  {\n" +
+      lightText(s) + "  }\n";
+  if (s.textured)
+    text +=
+        "  vec4 tcolor_0 = texture(actortexture, tcoordVCVSOutput);\n  vec4 tcolor = tcolor_0;\n"
+        "  if (primitiveSize > 2)\n  {\n    if (gl_FrontFacing == true || showTexturesOnBackface)\n    {\n"
+        "      fragOutput0 = fragOutput0 * tcolor;\n    }\n  }\n";
+  text += "  if (fragOutput0.a <= 0.0)\n  {\n    discard;\n  }\n";
+  if (s.summed)
+    text +=
+        "  fragOutput0 = vec4(fragOutput0.rgb*fragOutput0.a, fragOutput0.a);\n"
+        "  fragOutput1.r = fragOutput0.a;\n";
+  return text + "}\n";
+}
+
+}  // namespace gluray::test
