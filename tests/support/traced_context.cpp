@@ -45,6 +45,7 @@ TracedContext::TracedContext(const ContextWish& wish, Settings settings,
   gl::ContextInfo info;
   info.version = gl::versionOf(below_->real());
   info.packedFloats = gl::takesPackedFloats(below_->real(), info.version);
+  info.software = gl::rendersInSoftware(below_->real());
   info.core = wish.core;
   info.doubleBuffered = false;
   info.settings = settings;

@@ -148,6 +148,14 @@ void reportWay(const json& report, Diagnosis& diagnosis) {
                       "remove the driver from LD_PRELOAD, or try --door preload");
 }
 
+/// Says who draws by default (settings: engine).
+void reportRenderer(const std::string& topic, const json& report, Diagnosis& diagnosis) {
+  const bool software = report["gl"].value("software", true);
+  diagnosis.ok(topic, software ? "renders on the CPU: large scenes are ray traced"
+                               : "renders in hardware: it draws everything until an effect of light is on "
+                                 "(gluray --set ao=on), or frames prove that ray tracing is faster");
+}
+
 /// Reports what the probe printed and the engine's report of it; `api` is "glx" or "egl".
 void reportProbe(const std::string& api, const Said& said, const std::string& folder, Diagnosis& diagnosis) {
   const std::string topic = api == "glx" ? "OpenGL (GLX)" : "OpenGL (EGL)";
@@ -168,6 +176,7 @@ void reportProbe(const std::string& api, const Said& said, const std::string& fo
     if (!explained) diagnosis.broken("engine", "OpenGL works, but GLuRay saw no context of the test program");
     return;
   }
+  reportRenderer(topic, report, diagnosis);
   reportTracer(report, diagnosis);
   reportImage(report, diagnosis);
   reportWay(report, diagnosis);

@@ -18,6 +18,7 @@ class DrawKinds;
 struct ContextInfo {
   int version = 0;                   // of its OpenGL, 10 times major plus minor
   bool packedFloats = false;         // takesPackedFloats()
+  bool software = false;             // rendersInSoftware()
   bool core = false;                 // core profile: no fixed function
   bool doubleBuffered = true;        // of its drawable; otherwise glFlush and glFinish show the image
   bool off = false;                  // pass every call through

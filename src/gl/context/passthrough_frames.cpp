@@ -27,7 +27,8 @@ void PassthroughFrames::chooseNext() {
 }
 
 void PassthroughFrames::startAnew(Engine engine) {
-  p_.clock.choice = EngineChoice(engine, threadsOf(p_.shadow.settings), p_.shadow.info.clock);
+  p_.clock.choice =
+      EngineChoice({engine, threadsOf(p_.shadow.settings), p_.shadow.info.software}, p_.shadow.info.clock);
   set(p_.clock.choice.way() == EngineChoice::Way::passthrough && !p_.shadow.info.off);
 }
 

@@ -4,6 +4,7 @@
 #include <GL/glext.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace gluray::gl {
@@ -90,6 +91,16 @@ bool isPrimitive(const RealGl& real, GLenum mode) {
     return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY);
   const int version = versionOf(real);
   return version >= 40 || hasExtension(real, version, "GL_ARB_tessellation_shader");
+}
+
+bool isSoftwareRenderer(std::string_view renderer) {
+  return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast", "SWR", "Software"},
+                             [&](std::string_view part) { return renderer.find(part) != renderer.npos; });
+}
+
+bool rendersInSoftware(const RealGl& real) {
+  const auto* name = reinterpret_cast<const char*>(real.GetString(GL_RENDERER));
+  return name && isSoftwareRenderer(name);
 }
 
 bool takesPackedFloats(const RealGl& real, int version) {

@@ -35,6 +35,11 @@ bool isPrimitive(const RealGl& real, GLenum mode);
 /// ARB_vertex_type_10f_11f_11f_rev. `version`: of the current context.
 bool takesPackedFloats(const RealGl& real, int version);
 
+/// Whether an OpenGL with this GL_RENDERER renders on the CPU.
+bool isSoftwareRenderer(std::string_view renderer);
+/// Whether the current context's OpenGL does.
+bool rendersInSoftware(const RealGl& real);
+
 /// Which state of later versions and extensions a context has, beyond that of OpenGL 1.5.
 struct RareState {
   bool asked = false;

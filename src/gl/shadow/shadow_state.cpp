@@ -5,21 +5,9 @@
 #include "gl/capture/solid_settings.h"
 #include "gl/real/errors.h"
 
-#include <string_view>
 #include <utility>
 
 namespace gluray::gl {
-namespace {
-
-bool isSoftware(const RealGl& real) {
-  const auto* name = reinterpret_cast<const char*>(real.GetString(GL_RENDERER));
-  const std::string_view renderer = name ? name : "";
-  return renderer.find("llvmpipe") != renderer.npos || renderer.find("softpipe") != renderer.npos ||
-         renderer.find("Software") != renderer.npos;
-}
-
-}  // namespace
-
 ShadowState::ShadowState(const RealGl& realGl, const BeginEnd& beginEnd,
                          std::shared_ptr<ShareGroup> shareGroup, const ContextInfo& contextInfo,
                          const Settings& ofFrame, Errors& contextErrors, Failsafe& failsafe)
@@ -38,11 +26,6 @@ ShadowState::ShadowState(const RealGl& realGl, const BeginEnd& beginEnd,
       failsafe_(failsafe),
       readable_(info.core ? kAllGroups & ~kFixedFunction : uint32_t{kAllGroups}),
       dirty_(readable_) {}
-
-bool ShadowState::isSoftwareBelow() {
-  if (!softwareBelow_) softwareBelow_ = isSoftware(real);
-  return *softwareBelow_;
-}
 
 void ShadowState::madeCurrent(uintptr_t drawable) {
   target_.drawable = drawable;

@@ -151,7 +151,7 @@ class ShadowState {
     return static_cast<double>(box.z) * static_cast<double>(box.w);
   }
   /// Whether the real OpenGL renders on the CPU.
-  bool isSoftwareBelow();
+  bool isSoftwareBelow() const { return info.software; }
 
  private:
   template <class Value>
@@ -173,7 +173,6 @@ class ShadowState {
   uint32_t dirty_, expired_ = 0;
   uint32_t readBack_ = kAllGroups;  // since forgetReadBack()
   bool asksRare_ = false;
-  std::optional<bool> softwareBelow_;
 
   RareState rare_;
   glm::dmat4 modelview_{1}, projection_{1};

@@ -21,7 +21,8 @@ struct FakeProgram {
   double idle = 0;  // between frames
   int finishes = 0, traceFrames = 0, directFrames = 0, changes = 0;
 
-  explicit FakeProgram(Engine engine = Engine::automatic) : choice(engine, 2, fakeClock) {
+  explicit FakeProgram(Engine engine = Engine::automatic, bool software = true)
+      : choice({engine, 2, software}, fakeClock) {
     g_now = 0, g_clockCalls = 0;
   }
   void frame() {

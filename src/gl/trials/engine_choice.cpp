@@ -15,11 +15,13 @@ constexpr double kFaster = 0.87;             // change if the other way takes le
 constexpr double kOptimism = 0.6;            // lower limit of a cost now, as a share of its measurement
 constexpr double kSame = 1.5, kStays = 2.0;  // maximum ratio of loads of one kind, also until it is left
 constexpr double kShare = 0.01;              // of the real OpenGL's drawing time, spent on trials of tracing
-constexpr double kMaxSavedSeconds = 0.25;    // maximum budget
+constexpr double kMaxSavedSeconds = 0.25;    // maximum budget above an OpenGL on the CPU
+constexpr double kMaxSavedInHardware = 5;    // above one in hardware, where tracing is the slower guess
+constexpr double kBuildTriangle = 0.3e-6;    // seconds for a triangle of the first frame: capture, structures
 constexpr double kHopeless = 2;              // a second traced frame this many times as slow ends the trial
 constexpr double kLikely = 2;                // estimate of a traced frame, in units of leastTraceSeconds()
+constexpr double kLikelyDirect = 3;          // of a passthrough frame, in units of leastDirectSeconds()
 constexpr double kFirstTrace = 20e-3;        // seconds: the first one starts threads and builds shaders
-constexpr double kNever = 1e300;
 constexpr size_t kKinds = 32;
 
 double ratio(double a, double b) {
@@ -40,13 +42,14 @@ FrameLoad largest(const FrameLoad& a, const FrameLoad& b) {
 
 }  // namespace
 
-EngineChoice::EngineChoice(Engine setting, int threads, Clock clock)
-    : active_(setting == Engine::automatic),
-      threads_(std::max(threads, 1)),
+EngineChoice::EngineChoice(const Between& engines, Clock clock)
+    : active_(engines.setting == Engine::automatic),
+      threads_(std::max(engines.threads, 1)),
+      software_(engines.software),
       clock_(clock),
-      way_(setting == Engine::never    ? Way::passthrough
-           : setting == Engine::always ? Way::traced
-                                       : Way::mixed) {}
+      way_(engines.setting == Engine::never    ? Way::passthrough
+           : engines.setting == Engine::always ? Way::traced
+                                               : Way::mixed) {}
 
 double EngineChoice::mostTriangles(double pixels) {
   constexpr double kAlways = 20000;  // drawn in a millisecond or two
@@ -58,8 +61,10 @@ double EngineChoice::mostTriangles(double pixels) {
 
 bool EngineChoice::takesAlone(uint64_t triangles, double viewportPixels) const {
   if (!active_) return way_ == Way::passthrough;
+  if (!software_) return true;
   const double pixels = frame_.pixels + std::max(epochPixels_, viewportPixels);
-  return static_cast<double>(triangles) <= mostTriangles(pixels);
+  const double measured = way_ == Way::passthrough ? mostDirect_ : 0;
+  return static_cast<double>(triangles) <= std::max(mostTriangles(pixels), measured);
 }
 
 bool EngineChoice::takes(uint64_t triangles, double viewportPixels) const {
@@ -73,7 +78,8 @@ bool EngineChoice::takesLayers(uint64_t triangles, double viewportPixels) const 
   // Every further hit of a ray costs about as much as the first. Three closed surfaces of a million
   // triangles, on as many pixels, take tracing and a rasteriser on the same cores equally long.
   constexpr double kAlways = 200000, kPerPixel = 1;
-  return active_ && static_cast<double>(triangles) <= std::max(kAlways, kPerPixel * viewportPixels);
+  return active_ &&
+         (!software_ || static_cast<double>(triangles) <= std::max(kAlways, kPerPixel * viewportPixels));
 }
 
 void EngineChoice::overflow() {
@@ -93,7 +99,8 @@ EngineChoice::Way EngineChoice::frameEnded() {
 
   remember(load);
   const FrameLoad peak = largest(peaks_[0], peaks_[1]);
-  if (way_ == Way::mixed || (way_ == Way::passthrough && tooLarge(load, 1.5))) {
+  const bool known = load.triangles <= mostDirect_;
+  if (way_ == Way::mixed || (way_ == Way::passthrough && tooLarge(load, 1.5) && !known)) {
     kind_ = static_cast<size_t>(&kindOf(peak) - kinds_.data());
     settle(tooLarge(load, 1) ? Way::traced : Way::passthrough, false);
     overflowed_ = false;
@@ -109,8 +116,6 @@ EngineChoice::Way EngineChoice::frameEnded() {
       if (--settles_ > 0) break;
       if (isHopeless(kinds_[kind_], seconds))
         measured_ = Measurement(1), measured_.add(seconds), conclude();
-      else if (way_ == Way::traced && tooLarge(kinds_[kind_].load, 1))
-        hold(kNever);  // too large for the real OpenGL: no alternative to measure
       else
         measure(trial_ ? 1 : kTimes);
       break;
@@ -120,7 +125,7 @@ EngineChoice::Way EngineChoice::frameEnded() {
       break;
     }
     case Phase::holding:
-      if (nextLook_ < kNever && clock_() >= nextLook_) measure(kTimes);
+      if (clock_() >= nextLook_) measure(kTimes);
       break;
   }
   return way_;
@@ -132,7 +137,7 @@ void EngineChoice::account(const Kind& kind, double seconds) {
   everTraced_ |= way_ == Way::traced;
   if (direct < 0) return;
   if (way_ == Way::passthrough)
-    budget_.add(kShare * direct, kMaxSavedSeconds);
+    budget_.add(kShare * direct, software_ ? kMaxSavedSeconds : kMaxSavedInHardware);
   else if (trial_ && seconds >= 0)
     budget_.spend(seconds - direct);
 }
@@ -165,10 +170,9 @@ void EngineChoice::enter(Kind& kind) {
   // An interrupted trial has no result: its way does not count as used.
   const Way used = trial_ ? other(way_) : way_, unused = other(used);
   const double here = kind.seconds[indexOf(used)], there = kind.seconds[indexOf(unused)];
-  const bool known = here >= 0 && there >= 0 && there < kFaster * here;
-  const bool allowed = unused == Way::traced || !tooLarge(kind.load, 1);
-  const bool mustLeave = used == Way::passthrough && tooLarge(kind.load, 1);
-  settle((known && allowed) || mustLeave ? unused : used, false);
+  const bool faster = here >= 0 && there >= 0 && there < kFaster * here;
+  const bool mustLeave = used == Way::passthrough && tooLarge(kind.load, 1) && here < 0;
+  settle(faster || mustLeave ? unused : used, false);
 }
 
 void EngineChoice::settle(Way way, bool trial) {
@@ -177,6 +181,14 @@ void EngineChoice::settle(Way way, bool trial) {
   phase_ = Phase::settling;
   settles_ = trial ? kTrialSettle : kSettle;
   timing_ = trial && way == Way::traced ? Timing::wanted : Timing::off;
+  permitDirect();
+}
+
+/// Permits passthrough frames of this kind to have more triangles than an OpenGL on the CPU draws unmeasured.
+void EngineChoice::permitDirect() {
+  const Kind& kind = kinds_[kind_];
+  const bool any = trial_ || kind.seconds[indexOf(Way::passthrough)] >= 0;
+  mostDirect_ = any ? kStays * kind.load.triangles : 0;
 }
 
 void EngineChoice::measure(int frames) {
@@ -201,19 +213,27 @@ void EngineChoice::conclude() {
   if (trial_) {
     kind.nextTrial = clock_() + kind.trialInterval.take();
     if (!measured_.isKnown() || here > kFaster * there) way_ = unused;
+    permitDirect();
   } else {
-    const bool allowed = unused == Way::traced ? affordsTracing(kind) : !tooLarge(kind.load, 1);
-    if (measured_.isKnown() && allowed && leastSeconds(unused, kind) < kFaster * here &&
-        clock_() >= kind.nextTrial)
+    if (measured_.isKnown() && clock_() >= kind.nextTrial && mayTry(unused, kind, here))
       return settle(unused, true);
   }
   hold(clock_() + lookInterval_.take());
 }
 
+/// Whether the other way, `way`, is worth a trial where a frame takes `here` seconds now. Large scenes are
+/// tried above an OpenGL on the CPU only if that is likely to win, because no budget is saved for it.
+bool EngineChoice::mayTry(Way way, const Kind& kind, double here) const {
+  if (leastSeconds(way, kind) >= kFaster * here) return false;
+  if (way == Way::traced) return affordsTracing(kind);
+  return !tooLarge(kind.load, 1) || kLikelyDirect * leastDirectSeconds(kind.load) < here;
+}
+
 /// Lower bound of the seconds that a frame of this kind takes when drawn this way, measured or not: the
-/// largest of leastTraceSeconds() and kOptimism times the measurements of frames with no more load.
+/// largest of leastTraceSeconds() or leastDirectSeconds() and kOptimism times the measurements of frames with
+/// no more load.
 double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
-  double least = way == Way::traced ? leastTraceSeconds(kind.load) : 0;
+  double least = way == Way::traced ? leastTraceSeconds(kind.load) : leastDirectSeconds(kind.load);
   for (const Kind& known : kinds_) {
     const double seconds = known.seconds[indexOf(way)];
     const bool less =
@@ -225,13 +245,22 @@ double EngineChoice::leastSeconds(Way way, const Kind& kind) const {
 
 /// Whether the budget allows a trial of tracing, by its estimated loss: the seconds that it takes longer than
 /// the same number of frames of the real OpenGL, whose time was measured. A trial that likely wins needs no
-/// budget. The required budget never exceeds its maximum.
+/// budget. The budget that is required above an OpenGL on the CPU never exceeds its maximum; above one in
+/// hardware, the loss must have been saved.
 bool EngineChoice::affordsTracing(const Kind& kind) const {
   const double direct = kind.seconds[indexOf(Way::passthrough)], known = kind.seconds[indexOf(Way::traced)];
   const double likely =
       known >= 0 ? known : std::max(leastSeconds(Way::traced, kind), kLikely * leastTraceSeconds(kind.load));
-  const double loss = (everTraced_ ? 0 : kFirstTrace) + (kTrialSettle + 1) * (likely - direct);
-  return loss <= 0 || budget_.left() >= std::min(loss, kMaxSavedSeconds);
+  const double build = software_ || known >= 0 ? 0 : kBuildTriangle * kind.load.triangles;
+  const double loss = (everTraced_ ? 0 : kFirstTrace) + build + (kTrialSettle + 1) * (likely - direct);
+  return loss <= 0 || budget_.left() >= (software_ ? std::min(loss, kMaxSavedSeconds) : loss);
+}
+
+/// Seconds for triangles and pixels of an OpenGL on fast cores; nearly none in hardware. Small scenes take
+/// any time.
+double EngineChoice::leastDirectSeconds(const FrameLoad& load) const {
+  constexpr double kTriangle = 30e-9, kPixel = 0.5e-9;
+  return software_ && tooLarge(load, 1) ? kTriangle * load.triangles + kPixel * load.pixels : 0;
 }
 
 /// Seconds for the rays of an empty image and its write-back, on fast cores.

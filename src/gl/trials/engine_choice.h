@@ -33,8 +33,13 @@ class EngineChoice {
   };
   using Clock = double (*)();
 
-  /// `threads`: number of tracing threads. The clock is read only if `setting` is automatic.
-  EngineChoice(Engine setting, int threads, Clock clock = nowSeconds);
+  struct Between {
+    Engine setting = Engine::automatic;
+    int threads = 1;       // that trace
+    bool software = true;  // the real OpenGL renders on the CPU, too
+  };
+  /// The clock is read only if the setting is automatic.
+  explicit EngineChoice(const Between& engines, Clock clock = nowSeconds);
 
   bool active() const { return active_; }
   Way way() const { return way_; }
@@ -78,8 +83,9 @@ class EngineChoice {
   /// count.
   Way frameEnded();
 
-  /// Maximum number of triangles, at `pixels` pixels, for which the real OpenGL is tried. Fewer triangles
-  /// compile into a list quickly, and the real OpenGL may draw them as fast as they are traced.
+  /// Maximum number of triangles, at `pixels` pixels, that an OpenGL on the CPU draws before anything is
+  /// measured. Fewer triangles compile into a list quickly, and it may draw them as fast as they are traced.
+  /// An OpenGL in hardware draws any number.
   static double mostTriangles(double pixels);
 
  private:
@@ -100,23 +106,29 @@ class EngineChoice {
   Kind& kindOf(const FrameLoad& load);
   void enter(Kind& kind);
   void settle(Way way, bool trial);
+  void permitDirect();
   void measure(int frames);
   void hold(double nextLook);
   void conclude();
   double leastSeconds(Way way, const Kind& kind) const;
   double leastTraceSeconds(const FrameLoad& load) const;
+  double leastDirectSeconds(const FrameLoad& load) const;
   bool affordsTracing(const Kind& kind) const;
+  bool mayTry(Way way, const Kind& kind, double here) const;
   bool isHopeless(const Kind& kind, double seconds) const;
   void account(const Kind& kind, double seconds);
+  /// Whether frames are too large to be left to the real OpenGL before they were measured.
   bool tooLarge(const FrameLoad& load, double slack) const {
-    return load.triangles > slack * mostTriangles(load.pixels);
+    return software_ && load.triangles > slack * mostTriangles(load.pixels);
   }
 
   bool active_;
   bool overflowed_ = false;
   int threads_;
+  bool software_;
   Clock clock_;
   Way way_;
+  double mostDirect_ = 0;  // triangles of passthrough frames whose number was measured, or is being tried
 
   FrameLoad frame_;  // load of the frame being drawn
   double epochPixels_ = 0;

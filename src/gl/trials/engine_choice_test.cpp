@@ -35,8 +35,7 @@ TEST(EngineChoice, LargeSceneIsNeverRasterised) {
   p.directFrames = 0;  // the first frame is mixed: the test counts it as direct
   p.frames(100000);
   EXPECT_EQ(p.directFrames, 0);
-  EXPECT_EQ(p.finishes, 0);
-  EXPECT_LT(g_clockCalls, 5);
+  EXPECT_LT(p.finishes, 2 * 3 * 30);  // measured again rarely, in 1000 seconds
 }
 
 TEST(EngineChoice, SceneThatGrowsIsTraced) {
@@ -122,11 +121,11 @@ TEST(EngineChoice, TakesDrawsOfTheFirstFrameUntilTheirSumIsTooLarge) {
 
 TEST(EngineChoice, TakesFewLayersInFramesOfAnyKind) {
   constexpr double kPixels = 1000000;
-  const EngineChoice choice(Engine::automatic, 4);
+  const EngineChoice choice({Engine::automatic, 4});
   EXPECT_TRUE(choice.takesLayers(2, 100));
   EXPECT_TRUE(choice.takesLayers(900000, kPixels));
   EXPECT_FALSE(choice.takesLayers(1100000, kPixels));
-  EXPECT_FALSE(EngineChoice(Engine::always, 4).takesLayers(2, kPixels));
+  EXPECT_FALSE(EngineChoice({Engine::always, 4}).takesLayers(2, kPixels));
 }
 
 }  // namespace

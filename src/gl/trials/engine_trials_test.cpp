@@ -108,24 +108,71 @@ TEST(EngineChoice, NoiseDoesNotChangeTheWay) {
   EXPECT_EQ(p.choice.way(), Way::passthrough);
 }
 
-TEST(EngineChoice, LargeScenesWithoutAChoiceAreNotMeasured) {
+TEST(EngineChoice, LargeScenesStayTracedWhereThatTakesNoLongerThanUsual) {
   FakeProgram p;
-  p.triangles = 25000;
-  p.frames(100);
-  ASSERT_EQ(p.choice.way(), Way::traced);  // too large
-  p.triangles = 2000;
-  p.frames(300);
-  ASSERT_EQ(p.choice.way(), Way::passthrough);
-  // On more pixels these triangles are few enough, but the frames still belong to the kind of the first ones.
-  p.triangles = 26000, p.pixels = 134000;
-  p.direct = [] { return 0.030; };
-  p.choice.overflow();
-  p.frames(20);
-  ASSERT_EQ(p.choice.way(), Way::traced);
-  p.finishes = 0;
-  p.frames(1000);
+  p.triangles = 500000, p.pixels = 1 << 20;
+  p.direct = [] { return 0.090; }, p.traced = [] { return 0.039; };
+  while (g_now < 600) p.frame();
   EXPECT_EQ(p.choice.way(), Way::traced);
-  EXPECT_EQ(p.finishes, 0);
+  EXPECT_EQ(p.directFrames, 1);  // the first one, before anything was known
+}
+
+TEST(EngineChoice, LargeScenesAreTriedWhereTracingTakesLong) {
+  FakeProgram p;  // as if meshes changed in each frame
+  p.triangles = 500000, p.pixels = 1 << 20;
+  p.direct = [] { return 0.090; }, p.traced = [] { return 0.150; };
+  p.frames(30);
+  EXPECT_EQ(p.choice.way(), Way::passthrough);
+  EXPECT_TRUE(p.choice.takesAlone(500000, 1 << 20));
+  EXPECT_FALSE(p.choice.takesAlone(5000000, 1 << 20));
+  const int traced = p.traceFrames;
+  while (g_now < 60) p.frame();
+  EXPECT_LE(p.traceFrames, traced + 3 * 3);
+  EXPECT_EQ(p.choice.way(), Way::passthrough);
+  p.triangles = 3e6;  // too large for what is known
+  p.frames(3);
+  EXPECT_NE(p.choice.way(), Way::passthrough);
+}
+
+TEST(EngineChoice, LargeScenesThatLoseATrialGoBack) {
+  FakeProgram p;
+  p.triangles = 500000, p.pixels = 1 << 20;
+  p.direct = [] { return 0.140; }, p.traced = [] { return 0.150; };
+  p.frames(30);
+  EXPECT_EQ(p.choice.way(), Way::traced);
+  EXPECT_EQ(p.directFrames, 1 + 3);
+}
+
+TEST(EngineChoice, HardwareDrawsScenesOfAnySize) {
+  FakeProgram p(Engine::automatic, false);
+  p.triangles = 4e6, p.pixels = 1 << 20;
+  p.direct = [] { return 0.002; }, p.traced = [] { return 0.008; };
+  while (g_now < 600) p.frame();
+  EXPECT_EQ(p.traceFrames, 0);
+  EXPECT_TRUE(p.choice.takes(100000000, 100 * 100));
+  EXPECT_TRUE(p.choice.takesLayers(100000000, 100 * 100));
+}
+
+TEST(EngineChoice, TracingIsTriedAboveSlowHardwareOnceItsLossIsSaved) {
+  FakeProgram p(Engine::automatic, false);
+  p.triangles = 4e6, p.pixels = 1 << 20;
+  p.direct = [] { return 0.030; };
+  p.traced = [&] { return p.traceFrames == 0 ? 1.2 : 0.010; };
+  double firstTrial = 0;
+  while (g_now < 300) {
+    p.frame();
+    if (p.traceFrames == 1 && firstTrial == 0) firstTrial = g_now;
+  }
+  EXPECT_EQ(p.choice.way(), Way::traced);
+  EXPECT_GT(firstTrial, 1.2 / 0.05);  // the loss is at most 5 % of the time until then
+}
+
+TEST(EngineChoice, TracingThatCostsMoreThanCanBeSavedIsNotTriedAboveHardware) {
+  FakeProgram p(Engine::automatic, false);
+  p.triangles = 1e8, p.pixels = 1 << 20;
+  p.direct = [] { return 0.100; }, p.traced = [&] { return p.traceFrames == 0 ? 30 : 0.020; };
+  while (g_now < 3600) p.frame();
+  EXPECT_EQ(p.traceFrames, 0);
 }
 
 TEST(EngineChoice, NoticesWhenTheMachineBecomesFaster) {

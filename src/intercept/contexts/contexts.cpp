@@ -46,6 +46,7 @@ gl::ContextInfo askInfo(const gl::RealGl& real, const std::string& version) {
   if (std::sscanf(version.c_str(), "%d.%d", &major, &minor) != 2) info.core = info.off = true;  // OpenGL ES
   info.version = 10 * major + minor;
   info.packedFloats = !info.off && gl::takesPackedFloats(real, info.version);
+  info.software = !info.off && gl::rendersInSoftware(real);
   GLint flags = 0, profile = 0;
   if (!info.core && major >= 3) real.GetIntegerv(GL_CONTEXT_FLAGS, &flags);
   if (!info.core && (major > 3 || (major == 3 && minor >= 2)))
