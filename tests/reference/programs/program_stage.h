@@ -14,9 +14,12 @@ namespace gluray::test {
 
 using Gl = const gl::RealGl&;
 
-/// Compiles and links; if that fails, 0 and a test failure.
-GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment);
-inline GLuint makeProgram(Gl gl, const Surface& s) { return makeProgram(gl, vertexText(s), fragmentText(s)); }
+/// Compiles and links; if that fails, 0 and a test failure. `geometry`: may be empty.
+GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment,
+                   const std::string& geometry = "");
+inline GLuint makeProgram(Gl gl, const Surface& s) {
+  return makeProgram(gl, vertexText(s), fragmentText(s), geometryText(s));
+}
 
 struct ProgramMesh {
   std::vector<glm::vec3> positions, normals;

@@ -31,6 +31,7 @@ class FamilyReader : FamilyTable {
   void readColor();
   void readHeight();
   void readTextures();
+  void readTextureUse();
   void readMaterial(FamilyMaterial& m);
   void readLights();
   void readHighlights();
