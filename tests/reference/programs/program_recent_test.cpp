@@ -2,6 +2,7 @@
 // surfaces with base textures. Environments are in program_pbr_test.cpp.
 #include "tests/reference/programs/program_stage.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 namespace gluray::test {
@@ -74,6 +75,33 @@ TEST_P(ProgramRecent, LooksLikeTheRealOne) {
 
 INSTANTIATE_TEST_SUITE_P(Cases, ProgramRecent, testing::ValuesIn(kRecentCases),
                          [](const auto& info) { return std::string(info.param.name); });
+
+/// Where all normals face a far viewer, the floor alone decides how bright a smooth surface is.
+TEST(ProgramRecents, TheDistributionHasAFloor) {
+  const Surface surface{.lights = Lights::pbrHeadlight, .recent = true};
+  const Outcome o = expectSame(
+      "floor",
+      [&](Gl gl) {
+        const ProgramMesh mesh = sheet(24);
+        const GLuint program = makeProgram(gl, surface);
+        upload(gl, mesh, program);
+        beginFrame(gl);
+        gl.UseProgram(program);
+        View far;
+        far.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -400});
+        far.clipFromEye = glm::perspective(glm::radians(0.3), 4.0 / 3, 300.0, 500.0);
+        setAll(gl, program, far, surface);
+        setMat3(gl, program, "normalMatrix", glm::mat3(0.004f, 0, 0, 0, 0.004f, 0, 0, 0, 1));
+        setFloat(gl, program, "roughnessUniform", 0.02f), setFloat(gl, program, "metallicUniform", 1);
+        setVec3(gl, program, "lightColor0", glm::vec3(0.05f));
+        gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+      },
+      1);
+  const uint32_t center = o.expected.colors[size_t{kProgramWidth} * (kProgramHeight / 2) + kProgramWidth / 2];
+  const uint32_t blue = center >> 16 & 255;
+  EXPECT_GT(blue, 40u) << "lit";
+  EXPECT_LT(blue, 250u) << "not too bright to show the floor";
+}
 
 /// The texture does not change the ambient colours, which come from the vertices, too.
 TEST(ProgramRecents, TexturesOfDiffuseVertexColorsAloneAreLeftToTheRealOne) {
