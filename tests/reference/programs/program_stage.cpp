@@ -20,8 +20,7 @@ GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment
     gl.AttachShader(program, shader);
     gl.DeleteShader(shader);
   };
-  add(GL_VERTEX_SHADER, vertex);
-  add(GL_FRAGMENT_SHADER, fragment);
+  add(GL_VERTEX_SHADER, vertex), add(GL_FRAGMENT_SHADER, fragment);
   if (!geometry.empty()) add(GL_GEOMETRY_SHADER, geometry);
   for (GLuint i = 0; i < 3; ++i)
     gl.BindFragDataLocation(program, i, ("fragOutput" + std::to_string(i)).c_str());
@@ -195,10 +194,7 @@ void setAll(Gl gl, GLuint program, const View& view, const Surface& surface) {
   setFloat(gl, program, "metallicUniform", 0.4f), setFloat(gl, program, "roughnessUniform", 0.35f);
   setFloat(gl, program, "aoStrengthUniform", 1), setFloat(gl, program, "baseF0Uniform", 0.04f);
   setVec3(gl, program, "edgeTintUniform", {1, 0.9f, 0.8f});
-  if (!surface.edges) return;
-  setFloat(gl, program, "lineWidth", 2), setFloat(gl, program, "edgeOpacity", 0.7f);
-  setVec3(gl, program, "edgeColor", {0.8f, 0.1f, 0.1f});
-  gl.Uniform4f(gl.GetUniformLocation(program, "vpDims"), 0, 0, kProgramWidth, kProgramHeight);
+  if (surface.edges) setEdges(gl, program);
 }
 
 namespace {
