@@ -38,6 +38,11 @@ struct PbrEnvironment {
   std::vector<Texture> prefiltered;                 // one cube map; rougher surfaces use smaller levels
   std::vector<Texture> brdf;                        // one texture by cosine and roughness: factors of f0, f90
   float maxLevel = 0;                               // level of `prefiltered` for roughness 1
+  float intensity = 1;                              // factor of all this light
+  /// Not below 0: light that is scattered several times in the surface counts (Fdez-Aguera, "A
+  /// Multiple-Scattering Microfacet Model for Real-Time Image-based Lighting", 2019); diffuse light is
+  /// reduced by this reflectance.
+  float diffuseF0 = -1;
   bool on() const { return !prefiltered.empty(); }
   bool operator==(const PbrEnvironment&) const = default;
 };
@@ -51,6 +56,7 @@ struct PbrSurface {
   glm::vec3 edgeTint{1}, emissive{0};
   float occlusionStrength = 1;  // weight of the occlusion in `material`
   float normalScale = 1;        // of x and y in `normal`
+  float distributionFloor = 0;  // least divisor of the distribution of normals, pi times a square
   std::vector<Texture> textures;
   // Indices into `textures`; -1: none. material: occlusion in red, roughness in green, metallic in blue, each
   // a factor. emission: a factor. normal: normals in tangent space, 0 .. 1 for components -1 .. 1.
@@ -93,7 +99,9 @@ struct FragmentShading {
   Normals normals = Normals::vertices;
   Color color = Color::material;  // source of the factor of the material's ambient and diffuse colours
   bool colorIsDiffuseOnly = false;
-  HeightColors height;  // Color::height
+  HeightColors height;      // Color::height
+  float colorExponent = 1;  // of red, green and blue from this source, before textures
+  float encoding = 1;       // unlit: the result, before textures after light, is raised to 1 divided by this
   UnitNormals unitNormals = UnitNormals::pixels;
   bool normalColors = false;      // red, green and blue of `color` are half the vertex normal plus a half
   Rim rim;                        // of colours, by the vertex normal
@@ -109,8 +117,9 @@ struct FragmentShading {
   bool backMaterial = false;      // back faces use MaterialPair::back
   bool paintsBack = false;        // back faces show `backColor`, without lights, textures and fog
   glm::vec3 backColor{0};
-  bool texturesOnBack = true;  // back faces are textured
-  bool texturesFirst = false;  // textures multiply `color` before it is lit, not the lit colour
+  bool texturesOnBack = true;      // back faces are textured
+  bool texturesFirst = false;      // textures multiply `color` before it is lit, not the lit colour
+  bool texturesKeepAlpha = false;  // with texturesFirst: their alpha does not count
   std::vector<FragmentLight> lights;
   std::vector<Texture> map;  // Color::map: one texture, sampled at the coordinates of unit 0; its matrix
                              // applies to s and t only

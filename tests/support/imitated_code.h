@@ -27,7 +27,6 @@ if (gl_FrontFacing == false) { normalVCVSOutput = -normalVCVSOutput; }
 [[code]]
 name = "VTK physically based"
 statements = '''
-float NdL, NdH, HdL;
 vec3 ambient = vec3(0.0);
 '''
 blocks = '''

@@ -1,4 +1,4 @@
-// The pieces of VTK 9.1's shaders for physically based materials.
+// The pieces of VTK's shaders for physically based materials, of 9.1 and 9.7.
 #include "tests/support/pbr_text.h"
 
 namespace gluray::test {
@@ -41,12 +41,45 @@ const char* const kPbrHeadlight =
     "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n  radiance = lightColor0;\n"
     "  Lo += radiance * (diffuse + specular) * NdV;\n";
 
+const char* const kPbrPositional =
+    "  if (lightPositional@ == 0) {\n    attenuation = 1.0;\n    L = -lightDirectionVC@;\n  } else {\n"
+    "    L = lightPositionVC@ - vertexVC.xyz;\n    distanceVC = length(L);\n    L = normalize(L);\n"
+    "    attenuation = 1.0 / (lightAttenuation@.x\n      + lightAttenuation@.y * distanceVC\n"
+    "      + lightAttenuation@.z * distanceVC * distanceVC);\n    if (lightConeAngle@ < 90.0) {\n"
+    "      float coneDot = dot(-L, lightDirectionVC@);\n"
+    "      if (coneDot >= cos(radians(lightConeAngle@)))\n      {\n"
+    "        attenuation = attenuation * pow(coneDot, lightExponent@);\n      }\n      else\n      {\n"
+    "        attenuation = 0.0;\n      }\n    }\n  }\n"
+    "  H = normalize(V + L);\n  NdL = clamp(dot(N, L), 1e-5, 1.0);\n  NdH = clamp(dot(N, H), 1e-5, 1.0);\n"
+    "  HdL = clamp(dot(H, L), 1e-5, 1.0);\n  radiance = lightColor@;\n  radiance *= attenuation;\n"
+    "  specular = SpecularIsotropic(NdH, NdV, NdL, HdL, roughness, F0, F90, F);\n"
+    "  diffuse = (1.0 - metallic) * (1.0 - F) * DiffuseLambert(albedo);\n"
+    "  Lo += radiance * (diffuse + specular) * NdL;\n";
+
+const char* const kScatteredOften =
+    "  diffuse = (1.0 - metallic) * (1.0 - 0.04) * albedo;\n"
+    "  vec3 Fr = max(vec3(1.0 - roughness), F0) - F0;\n  vec3 k_S = F0 + Fr * pow(1.0 - NdV, 5.0);\n"
+    "  vec3 FssEss = k_S * brdf.r + F90 * brdf.g;\n  float Ems = 1.0 - (brdf.r + brdf.g);\n"
+    "  vec3 F_avg = F0 + (1.0 - F0) / 21.0;\n"
+    "  vec3 FmsEms = Ems * FssEss * F_avg / max(1.0 - F_avg * Ems, vec3(1e-5));\n"
+    "  vec3 k_D = diffuse * (1.0 - FssEss - FmsEms);\n  vec3 iblSpecular = FssEss * "
+    "prefilteredSpecularColor;\n  vec3 iblDiffuse = (FmsEms + k_D) * irradiance;\n";
+
 const char* const kHarmonics =
     "uniform float shRed[9];\nuniform float shGreen[9];\nuniform float shBlue[9];\n"
     "float ComputeSH(vec3 n, float sh[9])\n{\n  float v = 0.0;\n  v += sh[0];\n  v += sh[1] * n.y;\n"
     "  v += sh[2] * n.z;\n  v += sh[3] * n.x;\n  v += sh[4] * n.x * n.y;\n  v += sh[5] * n.y * n.z;\n"
     "  v += sh[6] * (3.0 * n.z * n.z - 1.0);\n  v += sh[7] * n.x * n.z;\n"
     "  v += sh[8] * (n.x * n.x - n.y * n.y);\n  return max(v, 0.0);\n}\n";
+
+std::string functionsText(const Surface& s) {
+  std::string text = kPbrFunctions;
+  const std::string plain = "  return a2 / (PI * d * d);\n";
+  if (s.recent)
+    text.replace(text.find(plain), plain.size(),
+                 "  float denom = max(PI * d * d, 1e-8);\n  return a2 / denom;\n");
+  return text;
+}
 
 std::string environmentDeclarations(const Surface& s) {
   if (s.environment == Surface::Environment::none) return "";
@@ -102,7 +135,8 @@ std::string pbrDeclarations(const Surface& s) {
     text += "uniform sampler2D albedoTex;\nuniform sampler2D emissiveTex;\nuniform sampler2D materialTex;\n";
   if (s.normalMap)
     text += "uniform sampler2D normalTex;\nuniform float normalScaleUniform;\nin vec3 tangentVCVSOutput;\n";
-  return text + environmentDeclarations(s) + kPbrFunctions;
+  if (s.recent) text += "uniform float IBLIntensity;\n";
+  return text + environmentDeclarations(s) + functionsText(s);
 }
 
 std::string normalMapText() {
@@ -121,8 +155,18 @@ std::string pbrText(const Surface& s) {
                      "  vec3 Lo = vec3(0.0);\n  vec3 F0 = mix(vec3(baseF0Uniform), albedo, metallic);\n"
                      "  float f90 = clamp(dot(F0, vec3(50.0 * 0.33)), 0.0, 1.0);\n"
                      "  vec3 F90 = mix(vec3(f90), edgeTintUniform, metallic);\n"
-                     "  vec3 L, H, radiance, F, specular, diffuse;\n  float NdL, NdH, HdL;\n";
-  text += s.lights == Surface::Lights::pbr ? repeated(s.lightCount, kPbrLight) : kPbrHeadlight;
+                     "  vec3 L, H, radiance, F, specular, diffuse;\n"
+                     "  float NdL, NdH, HdL, distanceVC, attenuation, D, Vis;\n";
+  text += s.lights == Surface::Lights::pbrHeadlight
+              ? kPbrHeadlight
+              : repeated(s.lightCount, s.lights == Surface::Lights::pbr ? kPbrLight : kPbrPositional);
+  if (s.recent)
+    return text +
+           (lit ? kScatteredOften : "  vec3 iblSpecular = vec3(0.0);\n  vec3 iblDiffuse = vec3(0.0);\n") +
+           "  vec3 color = (iblDiffuse + iblSpecular) * IBLIntensity;\n  color += Lo;\n"
+           "  color = mix(color, color * ao, aoStrengthUniform);\n  color += emissiveColor;\n"
+           "  fragOutput0 = vec4(color, opacity);\n"
+           "  fragOutput0.rgb = pow(fragOutput0.rgb, vec3(1.0/2.2));\n";
   text += lit ? "  vec3 specularBrdf = F0 * brdf.r + F90 * brdf.g;\n"
                 "  vec3 iblSpecular = prefilteredSpecularColor * specularBrdf;\n"
                 "  vec3 iblDiffuse = (1.0 - F0) * (1.0 - metallic) * irradiance * albedo;\n"

@@ -1,4 +1,5 @@
 // The pieces of VTK 9.1's polygonal shaders (vtkOpenGLPolyDataMapper's replacements in vtkPolyDataVS and FS).
+#include "tests/support/edges_text.h"
 #include "tests/support/pbr_text.h"
 
 namespace gluray::test {
@@ -41,7 +42,7 @@ const char* const kPositional =
 
 bool hasColorTcoord(const Surface& s) { return s.color == Surface::Color::mapped && s.colorTcoord; }
 bool hasTcoord(const Surface& s) {
-  return s.actorTexture || s.pbrTextures || s.normalMap ||
+  return s.actorTexture || s.pbrTextures || s.normalMap || s.baseTexture ||
          (s.color == Surface::Color::mapped && !s.colorTcoord);
 }
 
@@ -71,11 +72,13 @@ std::string uniformText(const Surface& s) {
   if (s.lights == Surface::Lights::headlight) text += "uniform vec3 lightColor0;\n";
   if (s.lights > Surface::Lights::headlight)
     text += repeated(s.lightCount, "uniform vec3 lightColor@;\nuniform vec3 lightDirectionVC@;\n");
-  if (s.lights == Surface::Lights::positional) text += repeated(s.lightCount, positional);
+  if (s.lights == Surface::Lights::positional || s.lights == Surface::Lights::pbrPositional)
+    text += repeated(s.lightCount, positional);
   if (s.lights >= Surface::Lights::pbr) text += pbrDeclarations(s);
   if (s.clipPlanes) text += "uniform int numClipPlanes;\nin float clipDistancesVSOutput[6];\n";
   if (s.depthOffset) text += "uniform float cOffset;\nuniform float cFactor;\n";
   if (s.actorTexture) text += "uniform sampler2D actortexture;\n";
+  if (s.baseTexture) text += "uniform sampler2D albedoTex;\n";
   if (s.color == Surface::Color::cell) text += "uniform samplerBuffer textureC;\n";
   if (s.color == Surface::Color::mapped) text += "uniform sampler2D colortexture;\n";
   if (s.color == Surface::Color::vertex) text += "in vec4 vertexColorVSOutput;\n";
@@ -124,6 +127,9 @@ std::string colorText(const Surface& s) {
          ";\n  vec3 ambientColor = ambientIntensity * texColor.rgb;\n"
          "  vec3 diffuseColor = diffuseIntensity * texColor.rgb;\n  float opacity = opacityUniform * "
          "texColor.a;\n" +
+         (s.recent ? "  ambientColor = pow(ambientColor, vec3(2.2));\n  diffuseColor = pow(diffuseColor, "
+                     "vec3(2.2));\n"
+                   : "") +
          override;
 }
 
@@ -145,7 +151,11 @@ std::string normalText(const Surface& s) {
 
 std::string lightText(const Surface& s) {
   switch (s.lights) {
-    case Surface::Lights::none: return "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n";
+    case Surface::Lights::none:
+      return std::string(s.baseTexture ? "  diffuseColor *= texture(albedoTex, tcoordVCVSOutput).rgb;\n"
+                                       : "") +
+             "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n" +
+             (s.recent ? "  fragOutput0.rgb = pow(fragOutput0.rgb, vec3(1.0/2.2));\n" : "");
     case Surface::Lights::headlight:
       return "  float df = max(0.000001, normalVCVSOutput.z);\n  float sf = pow(df, specularPower);\n"
              "  vec3 diffuse = df * diffuseColor * lightColor0;\n"
@@ -156,6 +166,7 @@ std::string lightText(const Surface& s) {
       return std::string("  vec3 vertLightDirectionVC;\n  float attenuation;\n") + kPhongStart +
              repeated(s.lightCount, kPositional) + kPhongEnd;
     case Surface::Lights::pbr:
+    case Surface::Lights::pbrPositional:
     case Surface::Lights::pbrHeadlight: return pbrText(s);
   }
   return "";
@@ -191,7 +202,8 @@ std::string vertexText(const Surface& s) {
 }
 
 std::string fragmentText(const Surface& s) {
-  std::string text = s.version + uniformText(s) + "void main()\n{\n  vec4 vertexVC = vertexVCVSOutput;\n";
+  std::string text = s.version + uniformText(s) + (s.edges ? edgeDeclarations() : "") +
+                     "void main()\n{\n  vec4 vertexVC = vertexVCVSOutput;\n";
   if (s.clipPlanes)
     text +=
         "  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)\n"
@@ -203,11 +215,13 @@ std::string fragmentText(const Surface& s) {
         "  float cscale = length(vec2(dFdx(gl_FragCoord.z),dFdy(gl_FragCoord.z)));\n"
         "  gl_FragDepth = gl_FragCoord.z + cFactor*cscale + 1.0*cOffset/65000;\n";
   text += colorText(s);
+  if (s.edges) text += edgePainting();
   if (s.lights != Surface::Lights::none) text += normalText(s);
   text += lightText(s);
   if (s.actorTexture)
     text += "  fragOutput0 = fragOutput0 * vec4(texture(actortexture, tcoordVCVSOutput).rgb, 1.0);\n";
-  return text + "  if (fragOutput0.a <= 0.0)\n    {\n    discard;\n    }\n}\n";
+  text += "  if (fragOutput0.a <= 0.0)\n    {\n    discard;\n    }\n}\n";
+  return s.edges ? afterGeometry(text) : text;
 }
 
 }  // namespace gluray::test

@@ -87,14 +87,16 @@ void fields(auto& archive, Like<scene::FragmentLight> auto& value) {
           shininess, half);
 }
 void fields(auto& archive, Like<scene::PbrEnvironment> auto& value) {
-  auto& [worldFromEye, byHarmonics, harmonics, irradiance, prefiltered, brdf, maxLevel] = value;
-  archive(worldFromEye, byHarmonics, harmonics, irradiance, prefiltered, brdf, maxLevel);
+  auto& [worldFromEye, byHarmonics, harmonics, irradiance, prefiltered, brdf, maxLevel, intensity,
+         diffuseF0] = value;
+  archive(worldFromEye, byHarmonics, harmonics, irradiance, prefiltered, brdf, maxLevel, intensity,
+          diffuseF0);
 }
 void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
-  auto& [metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, textures, material,
-         emission, normal, environment] = value;
-  archive(metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, textures, material,
-          emission, normal, environment);
+  auto& [metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, distributionFloor,
+         textures, material, emission, normal, environment] = value;
+  archive(metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, distributionFloor,
+          textures, material, emission, normal, environment);
 }
 void fields(auto& archive, Like<scene::HeightColors> auto& value) {
   auto& [axis, scale, offset, exponent] = value;
@@ -105,15 +107,16 @@ void fields(auto& archive, Like<scene::Rim> auto& value) {
   archive(on, mixes, color, exponent, opacity);
 }
 void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
-  auto& [model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
-         clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight,
-         darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor, texturesOnBack,
-         texturesFirst, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor] =
-      value;
-  archive(model, specular, normals, color, colorIsDiffuseOnly, height, unitNormals, normalColors, rim,
-          clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer, clampsLight,
-          darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor, texturesOnBack,
-          texturesFirst, lights, map, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
+  auto& [model, specular, normals, color, colorIsDiffuseOnly, height, colorExponent, encoding, unitNormals,
+         normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer,
+         clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor,
+         texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges, edgesGrow,
+         edgeWidth, edgeOpacity, edgeColor] = value;
+  archive(model, specular, normals, color, colorIsDiffuseOnly, height, colorExponent, encoding, unitNormals,
+          normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer,
+          clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor,
+          texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges, edgesGrow,
+          edgeWidth, edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;

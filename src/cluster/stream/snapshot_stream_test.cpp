@@ -71,7 +71,8 @@ scene::Shading shading() {
   s.fragment.lights[0].highlight = {1, 2, 3}, s.fragment.lights[0].shininess = 4;
   s.fragment.lights[0].half = {0.5f, 0.25f, 2};
   s.fragment.rim = {true, false, {1, 2, 3}, 4, 5};
-  s.fragment.texturesFirst = s.fragment.ignoresAlpha = true;
+  s.fragment.texturesFirst = s.fragment.ignoresAlpha = s.fragment.texturesKeepAlpha = true;
+  s.fragment.colorExponent = 2.2f, s.fragment.encoding = 1.8f;
   s.fragment.paintsBack = true, s.fragment.backColor = {0.5f, 0.25f, 1};
   s.fragment.edgeColor = {1, 0, 0.5f};
   s.textures[0].maxAnisotropy = 4;
@@ -81,6 +82,7 @@ scene::Shading shading() {
   pbr.environment.brdf = {s.textures[0]};
   pbr.environment.harmonics[2][8] = 3, pbr.environment.byHarmonics = true, pbr.environment.maxLevel = 4;
   pbr.environment.worldFromEye[1].z = 0.5f;
+  pbr.environment.intensity = 0.7f, pbr.environment.diffuseF0 = 0.04f, pbr.distributionFloor = 1e-8f;
   return s;
 }
 

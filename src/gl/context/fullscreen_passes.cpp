@@ -110,7 +110,7 @@ bool FullscreenPasses::antialiasInto(GLuint attachment, const scene::Region& reg
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
   if (!sampler || !program.uniforms) return false;
-  const UniformReader uniforms(known.program, *program.uniforms);
+  const UniformReader uniforms(known.program, *program.uniforms, known.placeholders);
   const GLint unit = uniforms.integer(family.passInput), active = integer(real, GL_ACTIVE_TEXTURE);
   p_.shadow.errors.keepPending();
   real.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));

@@ -31,7 +31,8 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   const bool single = mesh.shape == scene::Shape::triangles || mesh.shape == scene::Shape::spheres ||
                       (mesh.shape == scene::Shape::sticks && raster.cull != scene::CullFace::none);
   const bool whole = !raster.writesDepth || !mayDiscard(program);
-  if (single && whole && !program.shading.fragment.edges) return Reason::traced;
+  const bool grows = program.shading.fragment.edges && program.shading.fragment.edgesGrow;
+  if (single && whole && !grows) return Reason::traced;
   return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;
 }
 

@@ -21,8 +21,8 @@
 
 namespace gluray::gl {
 
-/// A number, vector or matrix: the value of a uniform, or a constant. If both are empty, the family does not
-/// specify it.
+/// A number, vector or matrix: the value of a uniform, a constant, or, if the name is that of a placeholder,
+/// a number in the program's statements. If both are empty, the family does not specify it.
 struct FamilyValue {
   std::string uniform;
   std::vector<float> constant;
@@ -84,6 +84,9 @@ struct FamilyPbr {
   std::string prefiltered;                  // cube sampler; its levels are for increasing roughness
   std::string prefilteredMaxLevelInSource;  // text before the level for roughness 1 in the source
   std::string brdfTable;                    // sampler, looked up at cosine and roughness
+  FamilyValue environmentIntensity;         // factor of the environment's light
+  FamilyValue multipleScattering;           // scene::PbrEnvironment::diffuseF0; not given: single scattering
+  FamilyValue distributionFloor;            // scene::PbrSurface::distributionFloor
   bool given() const { return roughness.given(); }
 };
 
@@ -202,6 +205,8 @@ struct Family {
   bool colorIsDiffuseOnly = false;  // false: the colour replaces the ambient colour, too
   FamilyHeight height;
   FamilyValue rimColor, rimExponent, rimOpacity;  // scene::Rim; none without a colour or opacity
+  FamilyValue colorExponent;                      // of colours that are not the material's
+  FamilyValue encoding;                           // unlit: the result is raised to 1 divided by this
   bool normalColors = false;                      // red, green and blue are half the normal plus a half
   bool clampedColors = false;                     // vertex colours are clamped to [0, 1]
   bool colorAlpha = true;                         // the alpha of vertex colours counts
@@ -211,6 +216,7 @@ struct Family {
   std::string backColorIf;            // uniform; 0: they have none
   std::vector<std::string> textures;  // samplers; multiply the lit colour, or
   bool texturesFirst = false;         // the base colour, before it is lit
+  bool texturesDiffuseOnly = false;   // with texturesFirst: only its diffuse use, and not its alpha
   bool texturesReplaceAlpha = false;  // where there is one, the colour's alpha does not count
   std::string texturesIf;             // uniform; 0: no textures
   std::string anyTexture;  // one of `textures`; the program may have a sampler2D of any name for it

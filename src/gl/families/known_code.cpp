@@ -22,13 +22,50 @@ bool isBefore(const Hash128& a, const Hash128& b) {
   return a.high != b.high ? a.high < b.high : a.low < b.low;
 }
 
+bool anyHas(const std::vector<const KnownCode*>& known, const Hash128& statement) {
+  return std::any_of(known.begin(), known.end(), [&](const auto* code) { return code->has(statement); });
+}
+
+/// The pattern that the statement fits, and its numbers; null if there is none.
+const StatementPattern* patternOf(std::string_view statement, const std::vector<const KnownCode*>& known,
+                                  std::vector<float>& numbers) {
+  for (const KnownCode* code : known)
+    for (const StatementPattern& pattern : code->patterns()) {
+      numbers.clear();
+      if (pattern.fits(statement, numbers)) return &pattern;
+    }
+  return nullptr;
+}
+
+/// The statement's hash; if only a pattern makes it known, that of the pattern.
+Hash128 knownHash(std::string_view statement, const std::vector<const KnownCode*>& known) {
+  const Hash128 own = hashOf(statement);
+  if (anyHas(known, own)) return own;
+  std::vector<float> numbers;
+  const StatementPattern* pattern = patternOf(statement, known, numbers);
+  return pattern ? pattern->hash() : own;
+}
+
+std::vector<Hash128> knownHashes(const GlslStatements& statements,
+                                 const std::vector<const KnownCode*>& known) {
+  std::vector<Hash128> hashes;
+  hashes.reserve(statements.size());
+  for (size_t i = 0; i < statements.size(); ++i) hashes.push_back(knownHash(statements[i], known));
+  return hashes;
+}
+
 }  // namespace
+
+Hash128 KnownCode::hashOfKnown(std::string_view statement) {
+  if (statement.find('$') != std::string_view::npos) patterns_.emplace_back(statement);
+  return hashOf(statement);
+}
 
 void KnownCode::add(std::string_view text) {
   GlslStatements statements;
   statements.cut(text);
   statements_.reserve(statements_.size() + statements.size());
-  for (size_t i = 0; i < statements.size(); ++i) statements_.push_back(hashOf(statements[i]));
+  for (size_t i = 0; i < statements.size(); ++i) statements_.push_back(hashOfKnown(statements[i]));
   sort();
 }
 
@@ -38,7 +75,7 @@ void KnownCode::addBlocks(std::string_view text) {
     GlslStatements statements;
     statements.cut(text.substr(0, end));
     std::vector<Hash128> block;
-    for (size_t i = 0; i < statements.size(); ++i) block.push_back(hashOf(statements[i]));
+    for (size_t i = 0; i < statements.size(); ++i) block.push_back(hashOfKnown(statements[i]));
     statements_.insert(statements_.end(), block.begin(), block.end());
     if (!block.empty()) blocks_.push_back(std::move(block));
     text.remove_prefix(std::min(end + 2, text.size()));
@@ -53,6 +90,7 @@ void KnownCode::add(const KnownCode& more) {
   shaders_.insert(shaders_.end(), more.shaders_.begin(), more.shaders_.end());
   written_.insert(more.written_.begin(), more.written_.end());
   statements_.insert(statements_.end(), more.statements_.begin(), more.statements_.end());
+  patterns_.insert(patterns_.end(), more.patterns_.begin(), more.patterns_.end());
   sort();
 }
 
@@ -79,9 +117,7 @@ std::vector<std::string_view> unknownStatements(const GlslStatements& statements
   std::vector<std::string_view> unknown;
   for (size_t i = 0; i < statements.size(); ++i) {
     const std::string_view statement = statements[i];
-    const Hash128 hash = hashOf(statement);
-    const auto has = [&](const KnownCode* code) { return code->has(hash); };
-    if (std::any_of(known.begin(), known.end(), has)) continue;
+    if (anyHas(known, knownHash(statement, known))) continue;
     if (std::find(unknown.begin(), unknown.end(), statement) == unknown.end()) unknown.push_back(statement);
   }
   return unknown;
@@ -156,8 +192,7 @@ std::vector<std::string_view> strayStatements(const GlslStatements& statements, 
                                               const std::vector<std::string>& names) {
   const std::vector<const KnownCode*> known = named(sections, names);
   const Blocks blocks(known);
-  std::vector<Hash128> hashes;
-  for (size_t i = 0; i < statements.size(); ++i) hashes.push_back(hashOf(statements[i]));
+  const std::vector<Hash128> hashes = knownHashes(statements, known);
   std::vector<std::string_view> stray;
   for (size_t i = 0; i < hashes.size(); ++i) {
     const bool inBlock = blocks.has(hashes[i]);
@@ -166,9 +201,8 @@ std::vector<std::string_view> strayStatements(const GlslStatements& statements, 
       i += length - 1;
       continue;
     }
-    const auto has = [&](const KnownCode* code) { return code->has(hashes[i]); };
-    const bool again = !inBlock && statements.isRepeated(i) && computes(statements[i]) &&
-                       std::any_of(known.begin(), known.end(), has);
+    const bool again =
+        !inBlock && statements.isRepeated(i) && computes(statements[i]) && anyHas(known, hashes[i]);
     if ((inBlock || again) && std::find(stray.begin(), stray.end(), statements[i]) == stray.end())
       stray.push_back(statements[i]);
   }
@@ -189,10 +223,24 @@ std::vector<std::string> unwrittenNames(const GlslStatements& statements, const 
   return unwritten;
 }
 
+std::string readPlaceholders(const GlslStatements& statements, const CodeSections& sections,
+                             const std::vector<std::string>& names, PlaceholderValues& values) {
+  const std::vector<const KnownCode*> known = named(sections, names);
+  std::vector<float> numbers;
+  for (size_t i = 0; i < statements.size(); ++i) {
+    if (anyHas(known, hashOf(statements[i]))) continue;
+    const StatementPattern* pattern = patternOf(statements[i], known, numbers);
+    for (size_t k = 0; pattern && k < numbers.size(); ++k) {
+      const auto [it, added] = values.emplace(pattern->names()[k], numbers[k]);
+      if (!added && it->second != numbers[k]) return it->first;
+    }
+  }
+  return "";
+}
+
 std::vector<std::string> incompleteSections(const GlslStatements& statements, const CodeSections& sections,
                                             const std::vector<std::string>& names) {
-  std::vector<Hash128> hashes;
-  for (size_t i = 0; i < statements.size(); ++i) hashes.push_back(hashOf(statements[i]));
+  const std::vector<Hash128> hashes = knownHashes(statements, named(sections, names));
   const auto stands = [&](const std::vector<Hash128>& block) {
     return std::search(hashes.begin(), hashes.end(), block.begin(), block.end()) != hashes.end();
   };
@@ -213,7 +261,8 @@ std::string notesOn(const GlslStatements& statements, const CodeSections& sectio
     const auto it = sections.find(name);
     if (it == sections.end() || it->second.note.empty()) continue;
     bool found = false;
-    for (size_t i = 0; i < statements.size() && !found; ++i) found = it->second.has(hashOf(statements[i]));
+    for (size_t i = 0; i < statements.size() && !found; ++i)
+      found = it->second.has(knownHash(statements[i], {&it->second}));
     if (found) notes.append(notes.empty() ? "" : "; ").append(it->second.note);
   }
   return notes;

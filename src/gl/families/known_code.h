@@ -2,6 +2,7 @@
 // may compute something else. Format: docs/program-families.md. Any thread.
 #pragma once
 #include "base/hash.h"
+#include "gl/families/statement_pattern.h"
 #include "gl/glsl/glsl_statements.h"
 
 #include <map>
@@ -15,7 +16,7 @@ namespace gluray::gl {
 /// Statements in the normal form of glsl_statements.h.
 class KnownCode {
  public:
-  /// Adds all statements of `text`.
+  /// Adds all statements of `text`. In place of numbers they may have placeholders (statement_pattern.h).
   void add(std::string_view text);
   /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
   void addBlocks(std::string_view text);
@@ -25,6 +26,7 @@ class KnownCode {
   void addShader(const Hash128& digest) { shaders_.push_back(digest); }
   void add(const KnownCode& more);
   bool has(Hash128 statement) const;
+  const std::vector<StatementPattern>& patterns() const { return patterns_; }
   size_t size() const { return statements_.size(); }
   const std::vector<std::vector<Hash128>>& blocks() const { return blocks_; }
   const std::vector<Hash128>& shaders() const { return shaders_; }
@@ -36,7 +38,10 @@ class KnownCode {
 
  private:
   void sort();
+  /// Hash of a statement, which is kept as a pattern if it has placeholders.
+  Hash128 hashOfKnown(std::string_view statement);
   std::vector<Hash128> statements_;  // sorted
+  std::vector<StatementPattern> patterns_;
   std::vector<std::vector<Hash128>> blocks_;
   std::vector<Hash128> shaders_;
   std::set<std::string> written_;
@@ -65,6 +70,11 @@ std::vector<Hash128> knownShaders(const CodeSections& sections, const std::vecto
 /// Names of addWritten() that one of `statements` reads and none writes.
 std::vector<std::string> unwrittenNames(const GlslStatements& statements, const CodeSections& sections,
                                         const std::vector<std::string>& names);
+
+/// Adds the numbers that stand in `statements` for placeholders of the sections `names` to `values`. Returns
+/// the name of a placeholder for which there are different numbers; empty if there is none.
+std::string readPlaceholders(const GlslStatements& statements, const CodeSections& sections,
+                             const std::vector<std::string>& names, PlaceholderValues& values);
 
 /// The complete sections among `names` that have a block missing from `statements`.
 std::vector<std::string> incompleteSections(const GlslStatements& statements, const CodeSections& sections,

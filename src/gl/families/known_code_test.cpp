@@ -60,6 +60,60 @@ TEST_F(KnownCodeTest, RepeatedComputationsAreStray) {
 
 TEST_F(KnownCodeTest, UnknownStatementsAreNotStrayAsWell) { EXPECT_EQ(stray("z = 1.; z = 1.;"), Texts{}); }
 
+class PlaceholdersTest : public testing::Test {
+ protected:
+  PlaceholdersTest() {
+    sections_["one"].add("float f(float x) { return max(x, $floor); } y = $a * x + $b;");
+    sections_["one"].addBlocks("p = pow(p, vec3(1.0 / $e));\nq = pow(q, vec3(1.0 / $e));\n");
+  }
+  static GlslStatements cut(const std::string& text) {
+    GlslStatements statements;
+    statements.cut(text);
+    return statements;
+  }
+  Texts unknown(const std::string& text) {
+    const GlslStatements statements = cut(text);
+    const auto found = unknownStatements(statements, sections_, {"one"});
+    return Texts(found.begin(), found.end());
+  }
+  CodeSections sections_;
+};
+
+TEST_F(PlaceholdersTest, StandForAnyNumber) {
+  for (const char* number : {"1e-8", "0.25f", ".5", "3.", "7", "2.5E+3", "0.0"})
+    EXPECT_EQ(unknown(std::string("float f(float x) { return max(x, ") + number + "); }"), Texts{}) << number;
+  for (const char* other : {"-1.0", "y", "1.0 + 2.0", "0x10", "1u", "vec3(1.0)", "", "1.0.0"})
+    EXPECT_EQ(unknown(std::string("float f(float x) { return max(x, ") + other + "); }").size(), 1u) << other;
+  EXPECT_EQ(unknown("void main() { y = 2.0 * x + 1.0; }"), Texts{});
+  EXPECT_EQ(unknown("void main() { y = 2.0 * x - 1.0; }"), Texts{"y=2.*x-1.;"});
+}
+
+TEST_F(PlaceholdersTest, AreReadFromStatements) {
+  PlaceholderValues values;
+  const GlslStatements both =
+      cut("float f(float x) { return max(x, 1e-8); } void main() { y = 2.0 * x + 1.0; }");
+  EXPECT_EQ(readPlaceholders(both, sections_, {"one"}, values), "");
+  EXPECT_EQ(values, (PlaceholderValues{{"$floor", 1e-8f}, {"$a", 2.0f}, {"$b", 1.0f}}));
+  PlaceholderValues none;
+  EXPECT_EQ(readPlaceholders(cut("void main() { z = 1.0; }"), sections_, {"one"}, none), "");
+  EXPECT_TRUE(none.empty());
+}
+
+TEST_F(PlaceholdersTest, OfOneNameHaveOneNumber) {
+  const auto blocks = [&](const char* a, const char* b) {
+    return cut(std::string("void main() { p = pow(p, vec3(1.0/") + a + ")); q = pow(q, vec3(1.0/" + b +
+               ")); }");
+  };
+  PlaceholderValues values;
+  EXPECT_EQ(readPlaceholders(blocks("2.2", "2.2"), sections_, {"one"}, values), "");
+  EXPECT_EQ(strayStatements(blocks("2.2", "2.2"), sections_, {"one"}).size(), 0u);
+  EXPECT_EQ(values, (PlaceholderValues{{"$e", 2.2f}}));
+  PlaceholderValues different;
+  EXPECT_EQ(readPlaceholders(blocks("2.2", "1.8"), sections_, {"one"}, different), "$e");
+  const GlslStatements half = cut("void main() { p = pow(p, vec3(1.0/2.2)); }");
+  EXPECT_EQ(strayStatements(half, sections_, {"one"}).size(), 1u) << "a part of a block";
+}
+
 TEST_F(KnownCodeTest, NamesThatAreReadMustBeWritten) {
   EXPECT_EQ(unwritten("vOut = x;", "vec3 n = vOut;"), Texts{});
   EXPECT_EQ(unwritten("vOut[i].xy = x;", "vec3 n = vOut;"), Texts{});

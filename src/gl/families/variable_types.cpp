@@ -131,6 +131,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.material(f.material), check.material(f.backMaterial);
   check.values({&f.pbr.metallic, &f.pbr.roughness, &f.pbr.baseF0, &f.pbr.edgeTint, &f.pbr.emissive,
                 &f.pbr.occlusionStrength, &f.pbr.normalScale, &f.depthOffset, &f.depthFactor});
+  check.values({&f.pbr.environmentIntensity, &f.pbr.multipleScattering, &f.pbr.distributionFloor,
+                &f.colorExponent, &f.encoding});
   for (const std::string* name :
        {&f.pbr.materialTexture, &f.pbr.emissiveTexture, &f.pbr.normalTexture, &f.pbr.brdfTable})
     check.uniform(*name, kImage);

@@ -182,7 +182,7 @@ bool ResolveDraws::byProgram(GLuint texture, const scene::Region& region) {
   const Family& family = *known.family;
   const ProgramUniform* sampler = known.program.uniform(family.passInput);
   if (!sampler || sampler->type != GL_SAMPLER_2D_MULTISAMPLE || !p_.shadow.program().uniforms) return false;
-  const UniformReader uniforms(known.program, *p_.shadow.program().uniforms);
+  const UniformReader uniforms(known.program, *p_.shadow.program().uniforms, known.placeholders);
   const int samples = static_cast<int>(uniforms.number(family.passSamples, 0));
   if (samples != waiting.batch.key.samples || !waiting.cleared.covers({0, 0, size.x, size.y})) return false;
   const GLint active = integer(p_.shadow.real, GL_ACTIVE_TEXTURE);

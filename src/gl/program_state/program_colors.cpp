@@ -13,6 +13,7 @@ Reason ProgramReader::readColor() {
   f.color = Color::material;
   f.colorIsDiffuseOnly = family_.colorIsDiffuseOnly;
   f.map.clear();
+  f.colorExponent = 1;
   out_.triangleColors = {};
   out_.opaqueTriangleColors = true;
   out_.instanceColors = false;
@@ -48,9 +49,21 @@ Reason ProgramReader::readColor() {
       glm::vec4(glm::vec3(uniforms_.value(m.diffuseIntensity, glm::vec4(1))), material.diffuse.a);
   if (!family_.colorIsDiffuseOnly)
     material.ambient = uniforms_.value(m.ambientIntensity, glm::vec4(m.ambientColor.given() ? 1.0f : 0.0f));
-  if (f.backMaterial) return reason == Reason::traced ? readBackColors() : reason;
-  out_.material.back = material;
-  return reason;
+  if (reason == Reason::traced && f.backMaterial) reason = readBackColors();
+  if (!f.backMaterial) out_.material.back = material;
+  return reason == Reason::traced ? readColorExponent() : reason;
+}
+
+Reason ProgramReader::readColorExponent() {
+  const float exponent = uniforms_.number(family_.colorExponent, 1);
+  if (exponent == 1) return Reason::traced;
+  if (!(exponent > 0)) return refuse("the exponent of its colours is not above 0");
+  out_.shading.fragment.colorExponent = exponent;
+  const glm::vec3 power(exponent);
+  for (scene::Material* m : {&out_.material.front, &out_.material.back})
+    for (glm::vec4* color : {&m->ambient, &m->diffuse})
+      *color = glm::vec4(glm::pow(glm::max(glm::vec3(*color), 0.0f), power), color->a);
+  return Reason::traced;
 }
 
 Reason ProgramReader::readBackColors() {
@@ -129,18 +142,24 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
 
 Reason ProgramReader::readTextures() {
   out_.shading.textures.clear();
-  out_.shading.fragment.texturesFirst = family_.texturesFirst;
+  scene::FragmentShading& f = out_.shading.fragment;
+  f.texturesFirst = family_.texturesFirst, f.texturesKeepAlpha = family_.texturesDiffuseOnly;
   if (uniforms_.has(family_.texturesIf) && uniforms_.integer(family_.texturesIf) == 0) return Reason::traced;
-  out_.shading.fragment.texturesOnBack =
-      !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
+  f.texturesOnBack = !uniforms_.has(family_.texturesOnBack) || uniforms_.integer(family_.texturesOnBack) != 0;
   for (const std::string& name : family_.textures) {
     const ProgramUniform* sampler = samplerNamed(name);
     if (!sampler) continue;
     scene::Texture texture;
     if (const Reason reason = readTexture(*sampler, texture); reason != Reason::traced) return reason;
     out_.shading.textures.push_back(std::move(texture));
-    if (family_.texturesReplaceAlpha) out_.shading.fragment.ignoresAlpha = true;
+    if (family_.texturesReplaceAlpha) f.ignoresAlpha = true;
   }
+  if (!family_.texturesDiffuseOnly || out_.shading.textures.empty()) return Reason::traced;
+  const auto isDark = [](const scene::Material& m) { return glm::vec3(m.ambient) == glm::vec3(0); };
+  if (f.color == scene::FragmentShading::Color::material)
+    f.colorIsDiffuseOnly = true;  // all that the textures change is diffuse
+  else if (!f.colorIsDiffuseOnly && !(isDark(out_.material.front) && isDark(out_.material.back)))
+    return refuse("it has textures of its diffuse colours alone, and ambient ones from elsewhere");
   return Reason::traced;
 }
 
@@ -170,6 +189,7 @@ bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm
     return false;
   if (f.color == Color::map && !f.map.front().image->opaque) return false;
   if (f.color == Color::perTriangle && !program.opaqueTriangleColors) return false;
+  if (f.texturesKeepAlpha) return true;
   return std::all_of(program.shading.textures.begin(), program.shading.textures.end(),
                      [](const scene::Texture& t) { return t.image->opaque; });
 }

@@ -85,6 +85,7 @@ void ProgramReader::readModel() {
   f.infiniteViewer = family_.lights.infiniteViewer;
   f.clampsLight = family_.lights.clamped;
   f.normalColors = family_.normalColors;
+  f.encoding = uniforms_.number(family_.encoding, 1);
   f.rim.on = family_.hasRim();
   f.rim.mixes = family_.rimColor.given();
   f.rim.opacity = uniforms_.number(family_.rimOpacity, 0);

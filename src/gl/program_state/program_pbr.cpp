@@ -18,6 +18,7 @@ Reason ProgramReader::readPbr() {
   pbr.emissive = glm::vec3(uniforms_.value(names.emissive, glm::vec4(0)));
   pbr.occlusionStrength = uniforms_.number(names.occlusionStrength, 1);
   pbr.normalScale = uniforms_.number(names.normalScale, 1);
+  pbr.distributionFloor = uniforms_.number(names.distributionFloor, 0);
   const std::vector<scene::Texture>& colors = out_.shading.textures;
   if (!std::all_of(colors.begin(), colors.end(), [](const auto& t) { return t.image->normalised; }))
     return refuse("a texture has values outside 0 to 1");
@@ -59,6 +60,8 @@ Reason ProgramReader::readEnvironment() {
   };
   environment.worldFromEye = uniforms_.matrix3(names.environmentMatrix);
   environment.maxLevel = out_.known->prefilteredMaxLevel;
+  environment.intensity = uniforms_.number(names.environmentIntensity, 1);
+  environment.diffuseF0 = uniforms_.number(names.multipleScattering, -1);
   if (const Reason reason = read(*brdf, environment.brdf); reason != Reason::traced) return reason;
   if (environment.brdf.front().mipFilter != scene::MipFilter::none)
     return refuse("the environment's table has several levels");

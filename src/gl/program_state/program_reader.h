@@ -23,7 +23,7 @@ class ProgramReader {
         out_(out),
         program_(out.known->program),
         family_(*out.known->family),
-        uniforms_(program_, *out.uniforms) {}
+        uniforms_(program_, *out.uniforms, out.known->placeholders) {}
 
   Reason read();
 
@@ -56,6 +56,8 @@ class ProgramReader {
   /// Gives back faces the front's factors of the colours, if the program uses these colours for both sides.
   Reason readBackColors();
   Reason readHeightColors();
+  /// Reads the exponent of colours that are not the material's, and applies it to the material's factors.
+  Reason readColorExponent();
   /// If the material's colours replace all others, their opacity still counts: refuses translucent colours.
   /// The opacity of vertex colours is checked with the mesh.
   Reason readOpacityBeneath();

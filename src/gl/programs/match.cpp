@@ -67,6 +67,11 @@ void needCode(const Program& program, ProgramSource& source, const Family& f, co
     out.push_back(about("reads ", name, ", which it does not write"));
   for (const std::string& section : incompleteSections(statements, code, f.code))
     out.push_back(about("lacks statements of the code section ", section));
+  PlaceholderValues values;
+  if (const std::string name = readPlaceholders(statements, code, f.code, values); !name.empty())
+    return out.push_back(about("has different numbers for ", name));
+  for (const auto& [name, value] : values)
+    if (!f.mentions(name)) out.push_back(about("has a number for ", name, ", which the family does not use"));
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
@@ -205,8 +210,10 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
   };
   known.ignoresOpacity = has(family->material.unusedOpacityInSource);
   known.discardsInvisible = has(family->discardsInvisibleInSource);
-  if (!family->code.empty())
-    known.note = notesOn(statementsFor(*family, known.program, source), families.code, family->code);
+  if (family->code.empty()) return;
+  const GlslStatements& statements = statementsFor(*family, known.program, source);
+  known.note = notesOn(statements, families.code, family->code);
+  readPlaceholders(statements, families.code, family->code, known.placeholders);
 }
 
 /// Says why the program fits no family. `found`: its obstacles for the `nearest` family, which may be null.

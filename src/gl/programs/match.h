@@ -19,6 +19,7 @@ struct KnownProgram {
   int lightCount = -1;                   // by FamilyLights::countInSource; -1: not counted
   int highlightCount = -1;               // by FamilyLights::noHighlightInSource; -1: not counted
   float prefilteredMaxLevel = 0;         // by FamilyPbr::prefilteredMaxLevelInSource
+  PlaceholderValues placeholders;        // numbers in its statements
   bool ignoresOpacity = false;           // by FamilyMaterial::unusedOpacityInSource
   bool discardsInvisible = false;        // by Family::discardsInvisibleInSource
   bool unknownCode = false;              // the nearest family fits except for unknown statements

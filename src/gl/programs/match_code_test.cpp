@@ -59,6 +59,25 @@ TEST_F(Match, StatementsMustBeKnown) {
                             "has the unknown statement \"color.g=2.;\""}));
 }
 
+TEST_F(Match, NumbersInStatementsMustBeUsed) {
+  const std::string code =
+      "match.code = \"one\"\n[[code]]\nname = \"one\"\nstatements = \"color = pow(c, $e); other = $e; "
+      "gl_Position = m "
+      "* p;\"\n";
+  const std::string key = "color.exponent = \"$e\"\n";
+  const FamilyList unused = parseFamilies(kFamily + code, "f.toml"),
+                   used = parseFamilies(kFamily + key + code, "f.toml");
+  std::string& fragment = attachBoth();
+  const auto found = [&](const FamilyList& list) {
+    return obstacles(real_, fitting(), *list.front(), list.code);
+  };
+  fragment = "void main() { color = pow(c, 2.2); }";
+  EXPECT_EQ(found(used), Lines{});
+  EXPECT_EQ(found(unused), Lines{"has a number for \"$e\", which the family does not use"});
+  fragment = "void main() { color = pow(c, 2.2); other = 2.4; }";
+  EXPECT_EQ(found(used), Lines{"has different numbers for \"$e\""});
+}
+
 TEST_F(Match, ShadersMustBeKnownByTheirDigests) {
   std::string& fragment = attachBoth();
   const std::string known = fragment;

@@ -45,7 +45,9 @@ UniformValuesPtr readUniforms(const RealGl& real, const Program& program);
 /// Finds values of uniforms by name.
 class UniformReader {
  public:
-  UniformReader(const Program& program, const UniformValues& values) : program_(program), values_(values) {}
+  /// `placeholders`: numbers in the program's statements. Everything must outlive the reader.
+  UniformReader(const Program& program, const UniformValues& values, const PlaceholderValues& placeholders)
+      : program_(program), values_(values), placeholders_(placeholders) {}
 
   /// Whether the uniform is active. Here and below, a name may end with an array index, "lightColor[2]", or
   /// with a component of a vector, "ambient.r", which is a number.
@@ -60,8 +62,8 @@ class UniformReader {
   glm::mat3 matrix3(const std::string& name) const;
   /// Product of matrices from left to right; nullopt if there are no names or one is not active.
   std::optional<glm::dmat4> product(const std::vector<std::string>& names) const;
-  /// The value of a constant or a uniform; `otherwise` if the family specifies neither or the uniform is not
-  /// active. A single number fills all components.
+  /// The value of a constant, a uniform or a placeholder; `otherwise` if the family specifies none of them,
+  /// or the uniform is not active, or no statement has the placeholder. A single number fills all components.
   glm::vec4 value(const FamilyValue& value, const glm::vec4& otherwise) const;
   /// The value of `name` in the form of inWords(). Empty if it is `neutral` (Family::neutral) or not active.
   std::string unlike(const std::string& name, const std::vector<float>& neutral) const;
@@ -76,6 +78,7 @@ class UniformReader {
   const UniformValue* findWhole(std::string_view name, int element) const;
   const Program& program_;
   const UniformValues& values_;
+  const PlaceholderValues& placeholders_;
 };
 
 }  // namespace gluray::gl

@@ -23,9 +23,10 @@ class Uniforms : public testing::Test {
       values_.push_back(value);
     }
   }
-  UniformReader reader() const { return {program_, values_}; }
+  UniformReader reader() const { return {program_, values_, placeholders_}; }
   Program program_;
   UniformValues values_;
+  PlaceholderValues placeholders_;
 };
 
 TEST(UniformShapes, OfEveryType) {
@@ -133,6 +134,13 @@ TEST_F(Uniforms, ConstantsAndUniformsAreValues) {
   EXPECT_EQ(value({"", {5, 6, 7, 8}}), glm::vec4(5, 6, 7, 8));
   EXPECT_EQ(reader().number(FamilyValue{"f", {}}, 3.0f), 1);
   EXPECT_EQ(reader().number(FamilyValue{}, 3.0f), 3);
+}
+
+TEST_F(Uniforms, ValuesOfPlaceholders) {
+  placeholders_["$e"] = 2.2f;
+  EXPECT_EQ(reader().value({"$e", {}}, glm::vec4(1)), glm::vec4(2.2f));
+  EXPECT_EQ(reader().number(FamilyValue{"$other", {}}, 7.0f), 7);
+  EXPECT_FALSE(reader().has("$e"));
 }
 
 }  // namespace

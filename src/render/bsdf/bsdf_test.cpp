@@ -245,5 +245,19 @@ TEST(Fresnel, APaneReflectsWithBothOfItsSides) {
   EXPECT_EQ(pane.sample(directionAt(0.5f), {}, 0.99f).wi, -directionAt(0.5f));
 }
 
+/// Where light, viewer and normal are one, Fresnel's term is the albedo of metal, and visibility is a
+/// quarter.
+TEST(VtkBsdf, OfSmoothMetalIsBoundByTheFloor) {
+  const glm::vec3 up(0, 0, 1), albedo(0.5f);
+  VtkPbr metal{albedo, 1, 0.02f};
+  const float a4 = std::pow(0.02f, 4.0f);
+  metal.distributionFloor = 1e-8f;
+  EXPECT_NEAR(metal.evaluate(up, up).r, 0.5f * 0.25f * a4 / 1e-8f, 0.01f);
+  metal.roughness = 0.5f;
+  const float above = metal.evaluate(up, up).r;
+  metal.distributionFloor = 0;
+  EXPECT_EQ(metal.evaluate(up, up).r, above) << "no effect on rough surfaces";
+}
+
 }  // namespace
 }  // namespace gluray::render::bsdf

@@ -52,7 +52,7 @@ bsdf::Any MaterialModel::bsdf(const glm::vec3& color, bool inside) const {
 }
 
 bsdf::VtkPbr vtkBsdf(const scene::PbrSurface& pbr, const glm::vec3& color, float metallic, float roughness) {
-  return {color, metallic, roughness, pbr.baseF0, pbr.edgeTint};
+  return {color, metallic, roughness, pbr.baseF0, pbr.edgeTint, pbr.distributionFloor};
 }
 
 }  // namespace gluray::render

@@ -11,12 +11,14 @@ struct VtkPbr {
   glm::vec3 albedo{1};
   float metallic = 0, roughness = 0.5f, baseF0 = 0.04f;
   glm::vec3 edgeTint{1};
+  float distributionFloor = 0;  // scene::PbrSurface
 
   glm::vec3 evaluate(const glm::vec3& wo, const glm::vec3& wi) const {
     if (!(wo.z > 0 && wi.z > 0)) return glm::vec3(0);
     const glm::vec3 h = glm::normalize(wo + wi);
     const float a2 = roughness * roughness, a4 = a2 * a2;
-    const float d = h.z * h.z * (a4 - 1) + 1, distribution = a4 * kInversePi / (d * d);
+    const float d = h.z * h.z * (a4 - 1) + 1, divisor = std::max(d * d, distributionFloor * kInversePi),
+                distribution = a4 * kInversePi / divisor;
     const auto smith = [&](float x, float y) { return y * std::sqrt(x * x * (1 - a2) + a2); };
     const float visibility = 0.5f / (smith(wo.z, wi.z) + smith(wi.z, wo.z));
     const glm::vec3 f = reflectance(std::clamp(glm::dot(wi, h), 1e-5f, 1.0f));

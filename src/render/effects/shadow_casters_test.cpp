@@ -49,6 +49,22 @@ TEST(Shadows, OfTranslucentPanesAreAsDarkAsTheirAlphaAndHaveTheirColour) {
   }
 }
 
+TEST(Shadows, OfPanesWithVertexColorsHaveThemRaisedToTheirExponent) {
+  for (const float exponent : {1.0f, 2.0f}) {
+    scene::Snapshot s = screened(Shader::phong);
+    auto layers = std::make_shared<scene::Layers>();
+    layers->opaqueDepth.assign(kLitSize * kLitSize, -1.0f);
+    s.layers = layers;
+    s.shadings.push_back(s.shadings[0]);
+    s.shadings[1].fragment.color = scene::FragmentShading::Color::vertices;
+    s.shadings[1].fragment.colorExponent = exponent;
+    s.instances[1].shading = 1;
+    s.instances[1].color = {1, 0.5f, 0.5f, 0.5f};
+    EXPECT_NEAR(sharesOf(s, 0)[60], 0.5f, 0.006f);
+    EXPECT_NEAR(sharesOf(s, 1)[60], 0.5f * (0.5f + 0.5f * std::pow(0.5f, exponent)), 0.006f) << exponent;
+  }
+}
+
 TEST(Shadows, WhatClipPlanesCutAwayCastsNone) {
   scene::Snapshot s = screened(Shader::fixedFunction);
   s.instances[1].clipPlanes = {{0, 0, -1, -4.5}};  // eye space: keeps z <= -4.5, and the screen is at -4

@@ -19,11 +19,15 @@ glm::vec4 colorOfProgram(const Surface& s, const accel::Occluder& o) {
   using Color = scene::FragmentShading::Color;
   const scene::Instance& instance = *s.instance;
   const glm::vec4 material = s.materials[0].front.diffuse;
-  const Color color = s.lighting->shading->fragment.color;
-  if (color == Color::perTriangle)
-    return material * scene::fetch(instance.triangleColors, instance.triangleOffset + o.primitive);
-  if (color != Color::vertices) return material;
-  return material * (s.colorsVary ? vertexColor(*s.mesh, o) : instance.color);
+  const scene::FragmentShading& f = s.lighting->shading->fragment;
+  glm::vec4 color(1);
+  if (f.color == Color::perTriangle)
+    color = scene::fetch(instance.triangleColors, instance.triangleOffset + o.primitive);
+  else if (f.color == Color::vertices)
+    color = s.colorsVary ? vertexColor(*s.mesh, o) : instance.color;
+  if (f.colorExponent != 1)
+    color = {glm::pow(glm::max(glm::vec3(color), 0.0f), glm::vec3(f.colorExponent)), color.a};
+  return material * color;
 }
 
 glm::vec4 colorOfFixedFunction(const Surface& s, const accel::Occluder& o) {

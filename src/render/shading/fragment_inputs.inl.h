@@ -66,6 +66,20 @@ HWY_ATTR inline void loadHeightColors(const scene::HeightColors& of, const Group
   }
 }
 
+/// Each component to a power; what is below 0 becomes 0.
+HWY_INLINE Float3 raised(const Float3& v, float exponent) {
+  const Float zero = splat(0), to = splat(exponent);
+  return {power(hn::Max(v.x, zero), to), power(hn::Max(v.y, zero), to), power(hn::Max(v.z, zero), to)};
+}
+
+/// Red, green and blue to a power.
+HWY_ATTR inline void raise(float exponent, Row (&color)[4]) {
+  for (int i = 0; i < kLanes; i += lanesOfVector()) {
+    const Float3 v = raised(load3(color, i), exponent);
+    store(v.x, color[0] + i), store(v.y, color[1] + i), store(v.z, color[2] + i);
+  }
+}
+
 /// Colour and alpha of the lanes from a texture, the vertices or an array per triangle; ones if only the
 /// material has a colour.
 HWY_ATTR inline void loadBaseColor(const Surface& s, const Group& group, Row (&out)[4]) {
@@ -236,16 +250,18 @@ HWY_INLINE Float3 triangleNormal(const Surface& s, const Group& group, int i, co
   return signedBy(hn::Le(dot(n, p), splat(0)), n);
 }
 
-/// Multiplies colour and alpha of a fragment program, the first four of `rows`, by its textures. They are
-/// evaluated as factors, so that colours above 1 are not clamped before the product.
+/// Multiplies colour and alpha of a fragment program, the first four of `rows`, or without alpha the first
+/// three, by its textures. They are evaluated as factors, so that colours above 1 are not clamped before the
+/// product.
 HWY_ATTR inline void multiplyByTextures(const FrameData& frame, const Surface& s, const Group& group,
-                                        uint32_t lanes, const float* x, const float* y, Row* rows) {
+                                        uint32_t lanes, const float* x, const float* y, Row* rows,
+                                        int channels = 4) {
   TexturedTriangle triangle(s, frame.snapshot->camera);
   for (; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const glm::vec4 factor = triangle.color(group.primitive[i], group.u[i], group.v[i], {x[i], y[i]},
                                             glm::vec4(1), group.steps ? group.steps + i : nullptr);
-    for (int c = 0; c < 4; ++c) rows[c][i] *= factor[c];
+    for (int c = 0; c < channels; ++c) rows[c][i] *= factor[c];
   }
 }
 

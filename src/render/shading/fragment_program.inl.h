@@ -123,8 +123,10 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
   else
     loadBaseColor(s, group, base);
   if (f.ignoresAlpha) std::fill_n(base[3], kLanes, 1.0f);
+  if (f.colorExponent != 1) raise(f.colorExponent, base);
   if (f.texturesFirst && !s.lighting->shading->textures.empty())
-    multiplyByTextures(frame, s, group, f.texturesOnBack ? group.lanes : group.lanes & ~back, x, y, base);
+    multiplyByTextures(frame, s, group, f.texturesOnBack ? group.lanes : group.lanes & ~back, x, y, base,
+                       f.texturesKeepAlpha ? 3 : 4);
   alignas(64) Row edges;
   if (f.edges) edgeShares(frame, s, group, x, y, edges);
   const bool lit = f.model != Shading::Model::unlit, impostors = s.mesh->shape != scene::Shape::triangles;
@@ -166,6 +168,7 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
         color = phong(s, m, at, seen.at(i));
     } else {
       color = unlit(f, m, at);
+      if (f.encoding != 1) color = raised(color, 1 / f.encoding);
     }
     rows.set(i, {color, hn::Mul(splat(m.diffuse.a), load(base[3] + i)), {splat(0), splat(0), splat(0)}});
   }

@@ -81,6 +81,36 @@ HWY_INLINE PbrValues texelsAt(const Surface& s, const PbrRows& rows, int i, Frag
           times(splat(pbr.emissive), load3(rows.emission, i))};
 }
 
+/// Factors of the environment's mirrored light and of its irradiance.
+struct Shares {
+  Float3 glossy, matte;
+};
+
+/// These factors with multiple scattering (scene::PbrEnvironment::diffuseF0). `straight`, `grazing`: shares
+/// of the reflectances at normal and at grazing incidence.
+HWY_INLINE Shares scatteredOften(float diffuseF0, const PbrValues& values, const Float3& albedo,
+                                 const Float3& f0, const Float3& f90, Float nv, Float straight,
+                                 Float grazing) {
+  const Float one = splat(1), smooth = hn::Sub(one, values.roughness), away = hn::Sub(one, nv),
+              away2 = hn::Mul(away, away), away5 = hn::Mul(hn::Mul(away2, away2), away);
+  const Float lost = hn::Sub(one, hn::Add(straight, grazing));
+  const Float matte = hn::Mul(hn::Sub(one, values.metallic), splat(1 - diffuseF0));
+  Shares out;
+  const auto channel = [&](Float r0, Float r90, Float color, Float& glossy, Float& rest) HWY_ATTR {
+    const Float reflectance = hn::MulAdd(hn::Sub(hn::Max(smooth, r0), r0), away5, r0);
+    glossy = hn::MulAdd(reflectance, straight, hn::Mul(r90, grazing));
+    const Float mean = hn::MulAdd(hn::Sub(one, r0), splat(1 / 21.0f), r0);
+    const Float again =
+        hn::Div(hn::Mul(hn::Mul(lost, glossy), mean), hn::Max(hn::NegMulAdd(mean, lost, one), splat(1e-5f)));
+    const Float through = hn::Sub(hn::Sub(one, glossy), again);
+    rest = hn::MulAdd(hn::Mul(matte, color), through, again);
+  };
+  channel(f0.x, f90.x, albedo.x, out.glossy.x, out.matte.x);
+  channel(f0.y, f90.y, albedo.y, out.glossy.y, out.matte.y);
+  channel(f0.z, f90.z, albedo.z, out.glossy.z, out.matte.z);
+  return out;
+}
+
 /// Diffuse and specular light from the environment.
 HWY_ATTR inline Float3 environmentLight(const scene::PbrEnvironment& environment, const Fragment& at,
                                         const PbrValues& values, const Float3& albedo, const Float3& f0,
@@ -98,9 +128,14 @@ HWY_ATTR inline Float3 environmentLight(const scene::PbrEnvironment& environment
     shares[0][i] = share.x, shares[1][i] = share.y;
   }
   const Float one = splat(1);
-  const Float3 brdf = add(scaled(f0, load(shares[0])), scaled(f90, load(shares[1])));
-  const Float3 matte = scaled(times(sub({one, one, one}, f0), albedo), hn::Sub(one, values.metallic));
-  return add(times(matte, load3(irradiance, 0)), times(load3(light, 0), brdf));
+  Shares reflected{add(scaled(f0, load(shares[0])), scaled(f90, load(shares[1]))),
+                   scaled(times(sub({one, one, one}, f0), albedo), hn::Sub(one, values.metallic))};
+  if (environment.diffuseF0 >= 0)
+    reflected =
+        scatteredOften(environment.diffuseF0, values, albedo, f0, f90, nv, load(shares[0]), load(shares[1]));
+  const Float3 sum =
+      add(times(reflected.matte, load3(irradiance, 0)), times(load3(light, 0), reflected.glossy));
+  return scaled(sum, splat(environment.intensity));
 }
 
 /// Physically based shading of VTK 9: GGX distribution, height-correlated Smith visibility, Schlick's Fresnel
@@ -131,7 +166,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
     const Float hl = clamped(dot(half, towards)), nl = clamped(dot(at.normal, towards)),
                 nh = clamped(dot(at.normal, half));
     const Float d = hn::MulAdd(hn::MulSub(nh, a4, nh), nh, one);
-    const Float distribution = hn::Div(hn::Mul(a4, splat(kInversePi)), hn::Mul(d, d));
+    const Float divisor = hn::Max(splat(pbr.distributionFloor * kInversePi), hn::Mul(d, d));
+    const Float distribution = hn::Div(hn::Mul(a4, splat(kInversePi)), divisor);
     const auto smith = [&](Float x, Float y) HWY_ATTR {
       return hn::Mul(y, hn::Sqrt(hn::MulAdd(x, hn::NegMulAdd(a2, x, x), a2)));
     };

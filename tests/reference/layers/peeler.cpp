@@ -46,10 +46,15 @@ std::string inserted(std::string text, const std::string& before, const std::str
   return text.insert(at, what);
 }
 
+/// The statement before which, or after which, passes have theirs.
+std::string startOf(const Surface& surface) {
+  return std::string("  vec4 vertexVC = vertexVC") + (surface.edges ? "G" : "V") + "SOutput;\n";
+}
+
 std::string depthsText(const Surface& surface) {
   std::string text = fragmentText(surface);
   text = inserted(std::move(text), "void main()", "uniform sampler2D opaqueDepth;\nout vec4 fragOutput1;\n");
-  const std::string start = "  vec4 vertexVC = vertexVCVSOutput;\n";
+  const std::string start = startOf(surface);
   return inserted(std::move(text), start, kDepthsEarly);
 }
 
@@ -58,7 +63,7 @@ std::string peelText(const Surface& surface) {
   text = inserted(std::move(text), "void main()",
                   "uniform sampler2D lastFrontPeel;\nuniform sampler2D lastDepthPeel;\n"
                   "out vec4 fragOutput1;\nout vec4 fragOutput2;\n");
-  const std::string start = "  vec4 vertexVC = vertexVCVSOutput;\n";
+  const std::string start = startOf(surface);
   text.insert(text.find(start) + start.size(), kPeelEarly);
   return text.insert(text.rfind('}'), kPeelLate);
 }
@@ -66,7 +71,7 @@ std::string peelText(const Surface& surface) {
 std::string restText(const Surface& surface) {
   std::string text = fragmentText(surface);
   text = inserted(std::move(text), "void main()", "uniform sampler2D lastDepthPeel;\n");
-  const std::string start = "  vec4 vertexVC = vertexVCVSOutput;\n";
+  const std::string start = startOf(surface);
   text.insert(text.find(start) + start.size(), kRestEarly);
   return text.insert(text.rfind('}'), "  fragOutput0.rgb *= fragOutput0.a;\n");
 }
@@ -166,8 +171,9 @@ void Peeler::draw(Stage stage, const Layer& one, size_t number) {
   Ready& ready = ready_[{stage, number}];
   if (!ready.program) {
     const std::string vertex = vertexText(one.surface);
-    ready.program = stage == kOpaque ? makeProgram(gl_, one.surface)
-                                     : makeProgram(gl_, vertex, textOf(stage, one.surface));
+    ready.program = stage == kOpaque
+                        ? makeProgram(gl_, one.surface)
+                        : makeProgram(gl_, vertex, textOf(stage, one.surface), geometryText(one.surface));
     ready.upload = upload(gl_, one.mesh, ready.program);
   }
   drawLayer(gl_, ready.program, ready.upload, one, [&] {

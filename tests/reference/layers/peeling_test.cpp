@@ -134,6 +134,14 @@ TEST(Peeling, WithoutLightsAndByMicrofacets) {
   expectPeeled("lights", all, 2 * 4);
 }
 
+TEST(Peeling, SurfacesWithEdges) {
+  auto all = balls();
+  for (Layer& layer : all) layer.surface.edges = true;
+  all[1].surface.lights = Lights::pbr;
+  all[3].surface.lights = Lights::none;
+  expectPeeled("peeled_edges", all, 2 * 4);
+}
+
 TEST(Peeling, SheetsWithinAnother) {
   std::vector<Layer> all;
   for (int i = 0; i < 5; ++i) {

@@ -45,6 +45,14 @@ TEST(Sums, WithoutLightsAndByMicrofacets) {
   expectSummed("sum_lights", all, 2 * 4);
 }
 
+TEST(Sums, OfSurfacesWithEdges) {
+  auto all = balls();
+  for (Layer& layer : all) layer.surface.edges = true;
+  all[1].surface.lights = Lights::none;
+  all[3].surface.lights = Lights::pbr;
+  expectSummed("sum_edges", all, 2 * 4);
+}
+
 TEST(Sums, TwoAtOnePlace) {
   auto all = balls();
   all[1].view = all[0].view;

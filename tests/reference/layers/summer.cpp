@@ -43,7 +43,8 @@ void Summer::frame(const std::vector<Layer>& all) {
   std::vector<std::function<void()>> draws;  // ready, so that nothing but drawing comes between them
   for (const Layer& one : all) {
     if (one.opacity == 1) continue;
-    const GLuint program = makeProgram(gl_, vertexText(one.surface), summedText(one.surface));
+    const GLuint program =
+        makeProgram(gl_, vertexText(one.surface), summedText(one.surface), geometryText(one.surface));
     draws.push_back([this, program, &one, uploaded = upload(gl_, one.mesh, program)] {
       drawLayer(gl_, program, uploaded, one);
     });

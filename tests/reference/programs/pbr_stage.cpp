@@ -132,6 +132,7 @@ void setEnvironment(Gl gl, GLuint program, const Surface& surface) {
   for (int c = 0; c < 3; ++c) gl.Uniform1fv(gl.GetUniformLocation(program, names[c]), 9, coefficients[c]);
   const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.7f, glm::normalize(glm::vec3(0.2f, 1, -0.3f)));
   setMat3(gl, program, "envMatrix", glm::mat3(turned));
+  setFloat(gl, program, "IBLIntensity", 0.6f);
 }
 
 }  // namespace

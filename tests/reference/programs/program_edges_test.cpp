@@ -176,6 +176,30 @@ TEST(ProgramEdges, BetweenCornersThatStay) {
           "edges_staying", [&](Gl gl) { drawEdged(gl, ball(8), width, view, EdgeWay::corners, 0.7f); }, 1);
 }
 
+/// Programs of support/edges_text.h.
+void drawOther(Gl gl, const Surface& surface, float opacity) {
+  const ProgramMesh mesh = ball(8);
+  const GLuint program = makeProgram(gl, surface);
+  const Upload up = upload(gl, mesh, program);
+  beginFrame(gl);
+  gl.UseProgram(program);
+  setAll(gl, program, perspectiveView(30), surface);
+  setFloat(gl, program, "opacityUniform", opacity);
+  gl.BindVertexArray(up.array);
+  gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
+}
+
+TEST(ProgramEdges, BetweenCornersOfOtherSurfaces) {
+  using Lights = Surface::Lights;
+  for (const Lights lights : {Lights::none, Lights::directional, Lights::pbr})
+    for (const bool recent : {false, true})
+      for (const float opacity : {1.0f, 0.5f}) {
+        const Surface surface{.lights = lights, .recent = recent, .edges = true};
+        expectBoth(
+            "edges_of_others", [&](Gl gl) { drawOther(gl, surface, opacity); }, 1, coreWish());
+      }
+}
+
 TEST(ProgramEdges, AllOfThem) {
   expectBoth(
       "edges_all", [](Gl gl) { drawEdged(gl, ball(8), 3, perspectiveView(30), EdgeWay::all); }, 1, {},

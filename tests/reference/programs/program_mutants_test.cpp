@@ -27,6 +27,8 @@ const MutantCase kMutantCases[] = {
 /// Label `program`: scripts/test --all.
 const MutantCase kMoreCases[] = {
     {"unlit", {.lights = Lights::none}},
+    {"recent_unlit", {.color = Color::mapped, .lights = Lights::none, .recent = true}},
+    {"recent_unlit_base_texture", {.lights = Lights::none, .recent = true, .baseTexture = true}},
     {"directional", {.color = Color::vertex, .lightCount = 2}},
     {"cells", {.color = Color::cell, .normals = Normals::cell}},
     {"triangle_normals", {.normals = Normals::triangle}},
@@ -47,6 +49,7 @@ void setSurface(Gl gl, GLuint program, const ProgramMesh& mesh, const Surface& s
   if (surface.normals == Normals::cell) cellNormals(gl, mesh, 2), setInteger(gl, program, "textureN", 2);
   if (surface.color == Color::mapped) colorMap(gl, 3), setInteger(gl, program, "colortexture", 3);
   if (surface.actorTexture) chequers(gl, 4), setInteger(gl, program, "actortexture", 4);
+  if (surface.baseTexture) chequers(gl, 4), setInteger(gl, program, "albedoTex", 4);
   setAll(gl, program, perspectiveView(25), surface);
   setMat4(gl, program, "tcMatrix",
           glm::mat4(0.9f, 0.8f, 0, 0, -1.1f, 1.3f, 0, 0, 0, 0, 1, 0, 0.6f, -0.2f, 0, 2));

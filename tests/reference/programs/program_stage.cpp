@@ -9,7 +9,8 @@
 
 namespace gluray::test {
 
-GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment) {
+GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment,
+                   const std::string& geometry) {
   const GLuint program = gl.CreateProgram();
   const auto add = [&](GLenum kind, const std::string& text) {
     const GLuint shader = gl.CreateShader(kind);
@@ -19,8 +20,8 @@ GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment
     gl.AttachShader(program, shader);
     gl.DeleteShader(shader);
   };
-  add(GL_VERTEX_SHADER, vertex);
-  add(GL_FRAGMENT_SHADER, fragment);
+  add(GL_VERTEX_SHADER, vertex), add(GL_FRAGMENT_SHADER, fragment);
+  if (!geometry.empty()) add(GL_GEOMETRY_SHADER, geometry);
   for (GLuint i = 0; i < 3; ++i)
     gl.BindFragDataLocation(program, i, ("fragOutput" + std::to_string(i)).c_str());
   gl.LinkProgram(program);
@@ -193,6 +194,7 @@ void setAll(Gl gl, GLuint program, const View& view, const Surface& surface) {
   setFloat(gl, program, "metallicUniform", 0.4f), setFloat(gl, program, "roughnessUniform", 0.35f);
   setFloat(gl, program, "aoStrengthUniform", 1), setFloat(gl, program, "baseF0Uniform", 0.04f);
   setVec3(gl, program, "edgeTintUniform", {1, 0.9f, 0.8f});
+  if (surface.edges) setEdges(gl, program);
 }
 
 namespace {

@@ -14,9 +14,12 @@ namespace gluray::test {
 
 using Gl = const gl::RealGl&;
 
-/// Compiles and links; if that fails, 0 and a test failure.
-GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment);
-inline GLuint makeProgram(Gl gl, const Surface& s) { return makeProgram(gl, vertexText(s), fragmentText(s)); }
+/// Compiles and links; if that fails, 0 and a test failure. `geometry`: may be empty.
+GLuint makeProgram(Gl gl, const std::string& vertex, const std::string& fragment,
+                   const std::string& geometry = "");
+inline GLuint makeProgram(Gl gl, const Surface& s) {
+  return makeProgram(gl, vertexText(s), fragmentText(s), geometryText(s));
+}
 
 struct ProgramMesh {
   std::vector<glm::vec3> positions, normals;
@@ -54,6 +57,8 @@ void setMat4(Gl gl, GLuint program, const char* name, const glm::mat4& value);
 void setMat3(Gl gl, GLuint program, const char* name, const glm::mat3& value);
 /// Material, lights and the view, as VTK sets them all before a draw.
 void setAll(Gl gl, GLuint program, const View& view, const Surface& surface);
+/// Width, colour and opacity of edges, and the viewport (tests/support/edges_text.h).
+void setEdges(Gl gl, GLuint program);
 
 /// A buffer texture with one texel for each triangle on `unit`: RGBA8 colours, or RGBA32F normals of the
 /// triangles.

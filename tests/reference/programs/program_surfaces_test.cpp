@@ -89,6 +89,7 @@ const SurfaceCase kSurfaceCases[] = {
     {"pbr_headlight", {.lights = Lights::pbrHeadlight}},
     {"pbr_headlight_parallel", {.lights = Lights::pbrHeadlight}, true, true},
     {"pbr_headlight_triangle_normals", {.normals = Normals::triangle, .lights = Lights::pbrHeadlight}},
+    {"pbr_positional", {.lights = Lights::pbrPositional, .lightCount = 3}},
     {"back_faces", {.lightCount = 2}, true, false, cullFront},
     {"back_culled", {}, true, false, cullBack},
     {"clockwise", {.lightCount = 2}, true, false, clockwise},

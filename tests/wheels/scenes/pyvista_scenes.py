@@ -88,6 +88,25 @@ def volume(plotter):
     plotter.add_volume(grid, cmap="viridis")
 
 
+def physical(mesh=sphere, **options):
+    """A scene of a physically based surface."""
+    return shown(mesh, **{"pbr": True, "metallic": 0.5, "roughness": 0.4, "color": None if "scalars" in options else "tan"} | options)
+
+
+def physical_blocks(plotter):
+    both = pv.MultiBlock([sphere(20), sphere(20).translate((1, 0, 0))])
+    plotter.add_composite(both, scalars="height", pbr=True, metallic=0.5, roughness=0.4)
+
+
+def lit_by(*lights):
+    def draw(plotter):
+        plotter.add_mesh(sphere(), color="tan", pbr=True, metallic=0.5, roughness=0.4)
+        plotter.remove_all_lights()
+        for light in lights:
+            plotter.add_light(pv.Light(**light))
+    return by(draw)
+
+
 def environment(plotter):
     colors = np.linspace(0, 255, 32).astype(np.uint8)
     plotter.set_environment_texture(pv.Texture(np.dstack([np.tile(colors, (16, 1))] * 3)), is_srgb=False)
@@ -107,6 +126,7 @@ SCENES = {
     "unlit colours of cells": shown(lambda: cells(sphere()), scalars="height", lighting=False),
     "edges": shown(lambda: sphere(20), color="tan", show_edges=True),
     "edges and scalars": shown(lambda: sphere(20), scalars="height", show_edges=True, line_width=2),
+    "edges, unlit": shown(lambda: sphere(20), color="tan", show_edges=True, lighting=False),
     "wireframe": shown(lambda: sphere(20), color="tan", style="wireframe"),
     "points": shown(sphere, color="tan", style="points", point_size=4),
     "points as spheres": shown(sphere, color="tan", style="points", point_size=8, render_points_as_spheres=True),
@@ -118,11 +138,26 @@ SCENES = {
     "opacity": shown(sphere, color="tan", opacity=0.5),
     "opacity, peeled": shown(sphere, color="tan", opacity=0.5, before=peeled),
     "opacity with edges": shown(lambda: sphere(20), color="tan", opacity=0.5, show_edges=True),
+    "opacity with edges, peeled": shown(lambda: sphere(20), color="tan", opacity=0.5, show_edges=True, before=peeled),
+    "opacity with edges and scalars": shown(lambda: sphere(20), scalars="height", opacity=0.5, show_edges=True),
     "opacity by scalars": shown(sphere, scalars="height", opacity="linear"),
     "texture": shown(lambda: sphere().texture_map_to_plane(), texture=image()),
     "physically based": shown(sphere, color="gold", pbr=True, metallic=0.8, roughness=0.3),
     "physically based scalars": shown(sphere, scalars="height", pbr=True, metallic=0.3, roughness=0.5),
     "physically based, environment": by(environment),
+    "physically based, smooth metal": physical(metallic=1.0, roughness=0.03),
+    "physically based, back faces": physical(lambda: sphere().clip("x"), backface_params={"color": "blue"}),
+    "physically based, opacity": physical(opacity=0.5),
+    "physically based, opacity, peeled": physical(opacity=0.5, before=peeled),
+    "physically based, edges": physical(lambda: sphere(20), show_edges=True),
+    "physically based, edges and scalars": physical(lambda: sphere(20), scalars="height", show_edges=True),
+    "physically based, scalars of cells": physical(lambda: cells(sphere()), scalars="height"),
+    "physically based, translucent scalars": physical(scalars="height", opacity=0.5),
+    "physically based, colours of points": physical(scalars="rgb", rgb=True),
+    "physically based, texture": physical(lambda: sphere().texture_map_to_plane(), texture=image()),
+    "physically based, blocks": by(physical_blocks),
+    "physically based, head light": lit_by({"light_type": "headlight"}),
+    "physically based, lamps": lit_by({"position": (2, 2, 2), "positional": True, "cone_angle": 30}, {"light_type": "headlight", "intensity": 0.3}),
     "back faces": shown(lambda: sphere().clip("x"), color="tan", backface_params={"color": "blue"}),
     "silhouette": shown(sphere, color="tan", silhouette=True),
     "clip plane": by(lambda p: p.add_mesh_clip_plane(sphere(), color="tan")),

@@ -74,14 +74,17 @@ def flat():
     return plain
 
 
-def glyphs(file):
-    mapper = vtk.vtkGlyph3DMapper()
-    cone = vtk.vtkConeSource()
-    mapper.SetInputData(sphere(10)), mapper.SetSourceConnection(cone.GetOutputPort())
-    mapper.SetScaleFactor(0.1), mapper.OrientOff()
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    picture(file, actor)
+def glyphs(change=lambda actor: None):
+    def draw(file):
+        mapper = vtk.vtkGlyph3DMapper()
+        cone = vtk.vtkConeSource()
+        mapper.SetInputData(sphere(10)), mapper.SetSourceConnection(cone.GetOutputPort())
+        mapper.SetScaleFactor(0.1), mapper.OrientOff()
+        actor = vtk.vtkActor()
+        actor.SetMapper(mapper)
+        change(actor)
+        picture(file, actor)
+    return draw
 
 
 PULLING = "vtkOpenGLLowMemoryPolyDataMapper"
@@ -98,7 +101,13 @@ SCENES = {
     "pulled: points": shown(PULLING, data=flat, change=prop("SetRepresentationToPoints")),
     "pulled: opacity": shown(PULLING, change=prop("SetOpacity", 0.5)),
     "pulled: physically based": shown(PULLING, change=prop("SetInterpolationToPBR")),
-    "glyphs": glyphs,
+    "glyphs": glyphs(),
+    "glyphs, physically based": glyphs(prop("SetInterpolationToPBR")),
+    "glyphs with edges": glyphs(prop("EdgeVisibilityOn")),
+    "glyphs with edges, unlit": glyphs(lambda a: (a.GetProperty().EdgeVisibilityOn(), a.GetProperty().LightingOff())),
+    "glyphs with edges, physically based": glyphs(lambda a: (a.GetProperty().EdgeVisibilityOn(), a.GetProperty().SetInterpolationToPBR())),
+    "physically based": shown("vtkPolyDataMapper", change=prop("SetInterpolationToPBR")),
+    "physically based, scalars": shown("vtkPolyDataMapper", scalars=True, change=prop("SetInterpolationToPBR")),
     "spheres of points": shown("vtkSphereMapper" if hasattr(vtk, "vtkSphereMapper") else "vtkOpenGLSphereMapper", change=lambda a: a.GetMapper().SetRadius(0.05)),
     "flat shading": shown("vtkPolyDataMapper", change=prop("SetInterpolationToFlat")),
     "edges": shown("vtkPolyDataMapper", data=flat, change=prop("EdgeVisibilityOn")),

@@ -190,6 +190,29 @@ TEST(FamilyFileLook, TexturesBeforeLight) {
             "x.toml:1: family \"f\": color.textures_if and color.textures_apply need color.textures");
 }
 
+TEST(FamilyFileLook, TexturesOfDiffuseColorsAlone) {
+  const Family f = parsed("color.textures = \"t\"\ncolor.textures_apply = \"diffuse\"\n");
+  EXPECT_TRUE(f.texturesFirst && f.texturesDiffuseOnly);
+}
+
+TEST(FamilyFileLook, PowersOfColors) {
+  const Family f = parsed("color.exponent = \"$e\"\ncolor.encoding = 2.2\nlights.model = \"unlit\"\n");
+  EXPECT_EQ(f.colorExponent.uniform, "$e");
+  EXPECT_TRUE(f.mentions("$e"));
+  EXPECT_EQ(f.encoding.constant, Numbers{2.2f});
+  EXPECT_EQ(mistakeIn("color.encoding = 2.2"),
+            "x.toml:1: family \"f\": color.encoding is for the model unlit");
+}
+
+TEST(FamilyFileLook, PbrScatteringAndFloor) {
+  const Family f = parsed(
+      "pbr.roughness = \"r\"\npbr.environment_intensity = \"i\"\npbr.multiple_scattering = \"$f\"\n"
+      "pbr.distribution_floor = 1e-8\n");
+  EXPECT_EQ(f.pbr.environmentIntensity.uniform, "i");
+  EXPECT_EQ(f.pbr.multipleScattering.uniform, "$f");
+  EXPECT_EQ(f.pbr.distributionFloor.constant, Numbers{1e-8f});
+}
+
 TEST(FamilyFileLook, RimsOfOpacity) {
   const Family f = parsed("vertex.normal = \"n\"\ncolor.rim.opacity = 2\ncolor.rim.exponent = 5\n");
   EXPECT_TRUE(f.hasRim());

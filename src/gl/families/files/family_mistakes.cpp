@@ -80,6 +80,8 @@ std::string mistakeInLook(const Family& family) {
   if (family.backColor.given() && family.impostors.given()) return "impostors have no color.back_faces";
   if (family.textures.empty() && (family.texturesFirst || !family.texturesIf.empty()))
     return "color.textures_if and color.textures_apply need color.textures";
+  if (family.encoding.given() && family.model != Family::Model::unlit)
+    return "color.encoding is for the model unlit";
   const bool phong = family.model == Family::Model::phong;
   if (!phong && (family.lights.clamped || family.lights.infiniteViewer || family.darkBackFaces ||
                  !family.lights.halfVector.empty()))

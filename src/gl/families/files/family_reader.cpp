@@ -130,6 +130,7 @@ void FamilyReader::readColor() {
   name("triangle_offset", family_.triangleOffset);
   name("uniform_instead", family_.uniformColors);
   flag("diffuse_only", family_.colorIsDiffuseOnly);
+  value("exponent", family_.colorExponent), value("encoding", family_.encoding);
   flag("from_normals", family_.normalColors);
   section("rim", [&] {
     value("color", family_.rimColor), value("exponent", family_.rimExponent);
@@ -159,9 +160,21 @@ void FamilyReader::readTextures() {
   if (!family_.anyTexture.empty() && std::ranges::count(family_.textures, family_.anyTexture) == 0)
     fail(at("any_texture"), "any_texture is none of the textures");
   name("textures_if", family_.texturesIf);
-  choice("textures_apply", {{"after_light", false}, {"before_light", true}}, family_.texturesFirst);
+  readTextureUse();
   flag("textures_replace_alpha", family_.texturesReplaceAlpha);
   name("textures_on_back_faces", family_.texturesOnBack);
+}
+
+void FamilyReader::readTextureUse() {
+  enum class Use { afterLight, beforeLight, diffuse };
+  Use use = family_.texturesDiffuseOnly ? Use::diffuse
+            : family_.texturesFirst     ? Use::beforeLight
+                                        : Use::afterLight;
+  choice("textures_apply",
+         {{"after_light", Use::afterLight}, {"before_light", Use::beforeLight}, {"diffuse", Use::diffuse}},
+         use);
+  family_.texturesFirst = use != Use::afterLight;
+  family_.texturesDiffuseOnly = use == Use::diffuse;
 }
 
 void FamilyReader::readEdges() {

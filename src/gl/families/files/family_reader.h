@@ -32,6 +32,7 @@ class FamilyReader : FamilyTable {
   void readColor();
   void readHeight();
   void readTextures();
+  void readTextureUse();
   void readMaterial(FamilyMaterial& m);
   void readLights();
   void readHighlights();

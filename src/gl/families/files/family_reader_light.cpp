@@ -83,6 +83,9 @@ void FamilyReader::readPbr() {
   name("prefiltered", p.prefiltered);
   text("prefiltered_max_level_in_source", p.prefilteredMaxLevelInSource);
   name("brdf_table", p.brdfTable);
+  value("environment_intensity", p.environmentIntensity);
+  value("multiple_scattering", p.multipleScattering);
+  value("distribution_floor", p.distributionFloor);
 }
 
 void FamilyReader::readFog() {
