@@ -19,7 +19,7 @@ struct RecentCase {
 };
 void PrintTo(const RecentCase& c, std::ostream* out) { *out << c.name; }
 
-void overrideColors(Gl gl, GLuint program) { setInteger(gl, program, "OverridesColor", 1); }
+void overrideRecentColors(Gl gl, GLuint program) { setInteger(gl, program, "OverridesColor", 1); }
 void smoothMetal(Gl gl, GLuint program) {
   setFloat(gl, program, "roughnessUniform", 0.05f), setFloat(gl, program, "metallicUniform", 1);
 }
@@ -35,7 +35,7 @@ const RecentCase kRecentCases[] = {
     {"pbr_vertex_colors_overridden",
      {.color = Color::vertex, .lights = Lights::pbr, .recent = true},
      true,
-     overrideColors},
+     overrideRecentColors},
     {"pbr_mapped", {.color = Color::mapped, .lights = Lights::pbr, .recent = true}, false},
     {"pbr_cell", {.color = Color::cell, .lights = Lights::pbr, .overridable = false, .recent = true}, false},
     {"vertex", {.color = Color::vertex, .recent = true}},
