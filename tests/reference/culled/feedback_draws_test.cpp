@@ -134,38 +134,6 @@ TEST(FeedbackDraws, OfHeightsFromTextures) {
   EXPECT_GT(compare("heights", scene).drawsCulled, 0u);
 }
 
-/// Without any attribute: the shader fetches its vertices by gl_VertexID.
-TEST(FeedbackDraws, OfVerticesFromBufferTextures) {
-  const std::string vertex = replacedIn(
-      replacedIn(kCulledVertex, "in vec3 position;\nin vec3 normal;",
-                 "uniform samplerBuffer positions, normals;\nuniform isamplerBuffer points;"),
-      "void main() {",
-      "void main() {\n  int point = texelFetch(points, gl_VertexID).x;\n"
-      "  vec3 position = texelFetch(positions, point).xyz, normal = texelFetch(normals, point).xyz;");
-  const ProgramMesh mesh = shells(5, 100);
-  FedScene scene{vertex};
-  scene.prepare = [&](Gl gl, GLuint program) {
-    GLuint empty = 0;
-    gl.GenVertexArrays(1, &empty), gl.BindVertexArray(empty);
-    const auto texture = [&](const char* name, GLint unit, GLenum format, const auto& values) {
-      GLuint names[2] = {};
-      gl.GenBuffers(1, &names[0]), gl.GenTextures(1, &names[1]);
-      gl.BindBuffer(GL_TEXTURE_BUFFER, names[0]);
-      gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(values[0])),
-                    values.data(), GL_STATIC_DRAW);
-      gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-      gl.BindTexture(GL_TEXTURE_BUFFER, names[1]), gl.TexBuffer(GL_TEXTURE_BUFFER, format, names[0]);
-      gl.Uniform1i(gl.GetUniformLocation(program, name), unit);
-    };
-    texture("positions", 0, GL_RGB32F, mesh.positions), texture("normals", 1, GL_RGB32F, mesh.normals);
-    texture("points", 2, GL_R32I, mesh.indices);
-  };
-  scene.draw = [](Gl gl, const ProgramMesh& m) { gl.DrawArraysInstanced(GL_TRIANGLES, 0, m.count(), 1); };
-  const gl::Statistics counts = compare("buffer_textures", scene);
-  EXPECT_EQ(counts.drawsCulled, 4u);
-  EXPECT_GT(counts.trianglesLeftOut, 4 * mesh.triangles() / 3);
-}
-
 TEST(FeedbackDraws, OfAllForms) {
   const auto drawn = [](const char* name, const std::function<void(Gl, const ProgramMesh&)>& draw) {
     FedScene scene{kWaves};

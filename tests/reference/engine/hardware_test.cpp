@@ -47,7 +47,8 @@ class StandIn {
     constexpr GLsizei kTriangles = 400000;
     for (GLsizei i = 0; i < kTriangles; ++i) {
       const float x = static_cast<float>(i % 1000) / 500 - 1, y = static_cast<float>(i / 1000) / 200 - 1;
-      positions.insert(positions.end(), {x, y, 0, x + 0.002f, y, 0, x, y + 0.005f, 0});
+      // Not in one plane of the view: drawing order decides there.
+      positions.insert(positions.end(), {x, y, 0.3f * x, x + 0.002f, y, 0, x, y + 0.005f, 0.1f});
     }
     GLuint buffer = 0;
     gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
@@ -86,6 +87,8 @@ TEST(Hardware, LeavesFramesWithLightToTheRayTracer) {
   settings.ao.enabled = true;
   const gl::Statistics s = StandIn(settings).draw(3);
   EXPECT_EQ(s.drawsTraced, 3u);
+  for (int i = 0; i < gl::kReasonCount; ++i)
+    EXPECT_EQ(s.rasterisedBecause[static_cast<size_t>(i)], 0u) << describe(static_cast<gl::Reason>(i));
 }
 
 TEST(Hardware, IsWhatHasNoNameOfASoftwareRenderer) {
