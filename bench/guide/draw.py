@@ -1,10 +1,10 @@
 """Run by Debian's Python with VTK: draws one of scenes.py off screen into a PNG."""
-import os
+import pathlib
 import sys
 
 sys.dont_write_bytecode = True
-HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path[:0] = [HERE, os.path.join(HERE, "..")]
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 from support.options import Parser  # noqa: E402
 
 
@@ -12,7 +12,8 @@ def arguments():
     parser = Parser(__doc__)
     parser.add_argument("scene", help="name in scenes.py")
     parser.add_argument("out", metavar="OUT.png")
-    parser.add_argument("pixels", nargs="?", type=int, default=512, help="width and height (512)")
+    parser.add_argument("size", nargs="?", default="640x540", help="of the picture (640x540)")
+    parser.add_argument("--samples", type=int, default=8, help="multisampling of the framebuffer (8, VTK's default); 0: none")
     return parser.parse_args()
 
 
@@ -21,29 +22,27 @@ import vtk  # noqa: E402
 from scenes import SCENES  # noqa: E402
 
 
-def main(scene, out, size):
-    actors, (position, up, zoom) = SCENES[scene]()
+def main(scene, out, size, samples):
     renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
-    for actor in actors:
-        renderer.AddActor(actor)
     renderer.SetBackground(1, 1, 1)
     window.SetOffScreenRendering(True)
-    window.SetMultiSamples(0)
-    window.SetSize(size, size)
+    window.SetMultiSamples(samples), window.SetSize(*size)
     window.AddRenderer(renderer)
+    towards, up, zoom = SCENES[scene](renderer)
     camera = renderer.GetActiveCamera()
-    camera.SetPosition(position)
+    camera.SetPosition(towards)
     camera.SetFocalPoint(0, 0, 0)
     camera.SetViewUp(up)
     renderer.ResetCamera()
     camera.Zoom(zoom)
+    renderer.ResetCameraClippingRange()
     window.Render()
     image, writer = vtk.vtkWindowToImageFilter(), vtk.vtkPNGWriter()
     image.SetInput(window)
-    image.ReadFrontBufferOff()
+    image.ReadFrontBufferOff(), image.SetShouldRerender(False)
     writer.SetInputConnection(image.GetOutputPort())
     writer.SetFileName(out)
     writer.Write()
 
 
-main(OPTIONS.scene, OPTIONS.out, OPTIONS.pixels)
+main(OPTIONS.scene, OPTIONS.out, [int(n) for n in OPTIONS.size.split("x")], OPTIONS.samples)

@@ -1,170 +1,205 @@
-"""Scenes of the guide to light, as VTK actors: a head scan, nested isosurfaces, magnetic field lines of a star, an impact.
+"""Scenes of the guide to light, made by VTK: a head scan, molecules, field lines, terrain, parts of machines, an impact.
 
-Each function returns (actors, camera), where camera is (position relative to the centre, up, zoom).
+Each function fills a vtkRenderer and returns the place of its camera: (direction towards the viewer, up, zoom), as those of bench/looks/scenes.py do.
 """
+import math
+
 import numpy as np
 import vtk
-from vtk.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from looks.scenes import add, bright, mapped, streamlines, wavelet
+from shapes import ATOMS, field_lines, height_field, pair_atoms, polylines, turned
+from vtk.util.numpy_support import numpy_to_vtk
 
 HEAD = "/usr/share/mricron/templates/ch2better.nii.gz"
 
 
-def actor(source, color=(0.85, 0.8, 0.72)):
-    mapper, result = vtk.vtkPolyDataMapper(), vtk.vtkActor()
-    if isinstance(source, vtk.vtkPolyData):
-        mapper.SetInputData(source)
-    else:
-        mapper.SetInputConnection(source.GetOutputPort())
-    mapper.SetScalarVisibility(color is None)
-    result.SetMapper(mapper)
-    if color is not None:
-        result.GetProperty().SetColor(color)
-    return result
-
-
-def head():
+def head(renderer):
     """The brain of a head scan."""
     reader, smooth, surface = vtk.vtkNIFTIImageReader(), vtk.vtkImageGaussianSmooth(), vtk.vtkFlyingEdges3D()
     reader.SetFileName(HEAD)
     smooth.SetInputConnection(reader.GetOutputPort())
-    smooth.SetStandardDeviation(0.8)
+    smooth.SetStandardDeviation(1.2)
     surface.SetInputConnection(smooth.GetOutputPort())
     surface.SetValue(0, 60)
-    return [actor(surface)], ((-0.7, 1.0, 0.35), (0, 0, 1), 1.45)
+    whole = vtk.vtkPolyDataConnectivityFilter()
+    whole.SetInputConnection(surface.GetOutputPort())
+    whole.SetExtractionModeToLargestRegion()
+    add(renderer, mapped(whole), (0.87, 0.80, 0.74))
+    return (-0.75, 1.0, 0.4), (0, 0, 1), 1.65
 
 
-def wavelet():
-    """Nested isosurfaces of VTK's Wavelet source, coloured by their value."""
-    source, surfaces = vtk.vtkRTAnalyticSource(), vtk.vtkContourFilter()
-    source.SetWholeExtent(-100, 100, -100, 100, -100, 100)
-    surfaces.SetInputConnection(source.GetOutputPort())
-    surfaces.GenerateValues(8, 90, 230)
-    shown = actor(surfaces, None)
+def head_from_afar(renderer):
+    """The brain with room for its shadow."""
+    towards, up, zoom = head(renderer)
+    return towards, up, 0.75 * zoom
+
+
+def cut(renderer):
+    """A volume with a corner cut out, in the colours of its values, with a colour bar."""
+    box, source, clipped, surface = vtk.vtkBox(), wavelet(60), vtk.vtkClipDataSet(), vtk.vtkDataSetSurfaceFilter()
+    source.SetStandardDeviation(0.8)
+    box.SetBounds(0, 90, 0, 90, 0, 90)
+    clipped.SetInputConnection(source.GetOutputPort()), clipped.SetClipFunction(box)
+    surface.SetInputConnection(clipped.GetOutputPort())
+    mapper = mapped(surface, (40, 280), bright(), "RTData")
+    add(renderer, mapper)
+    bar = vtk.vtkScalarBarActor()
+    bar.SetLookupTable(mapper.GetLookupTable()), bar.SetTitle("value"), bar.SetNumberOfLabels(4)
+    bar.SetPosition(0.86, 0.12), bar.SetWidth(0.12), bar.SetHeight(0.76), bar.SetLabelFormat("%.0f")
+    for text in (bar.GetLabelTextProperty(), bar.GetTitleTextProperty()):
+        text.SetColor(0, 0, 0), text.ItalicOff(), text.ShadowOff(), text.BoldOff()
+    renderer.AddActor2D(bar)
+    return (1, 0.6, 0.9), (0, 1, 0), 0.93
+
+
+def bars(renderer):
+    """A histogram of two quantities: a bar for each pair of ranges, in the colour of its height."""
+    count = 18
+    x, y = np.meshgrid(np.linspace(-3, 3, count), np.linspace(-3, 3, count))
+    height = 3.2 * np.exp(-((x - 0.8) ** 2 + (y - 0.7) ** 2) / 1.6) + 1.8 * np.exp(-((x + 1.4) ** 2 / 1.0 + (y + 1.2) ** 2 / 1.6))
+    height = 0.15 + height * np.random.default_rng(5).uniform(0.75, 1.25, height.shape)
+    low, high = np.array((0.93, 0.90, 0.82)), np.array((0.80, 0.28, 0.20))
+    for at_x, at_y, h in zip(x.ravel(), y.ravel(), height.ravel()):
+        bar, share = vtk.vtkCubeSource(), min(h / 3.2, 1)
+        bar.SetBounds(at_x - 0.15, at_x + 0.15, at_y - 0.15, at_y + 0.15, 0, h)
+        add(renderer, mapped(bar), tuple(low + share * (high - low)))
+    floor = vtk.vtkCubeSource()
+    floor.SetBounds(-3.3, 3.3, -3.3, 3.3, -0.12, 0)
+    add(renderer, mapped(floor), (0.9, 0.9, 0.9))
+    return (-0.5, -1.0, 0.95), (0, 0, 1), 1.04
+
+
+def bars_detail(renderer):
+    """A part of the histogram, as in a large print."""
+    bars(renderer)
+    return (-0.5, -1.0, 0.95), (0, 0, 1), 3.2
+
+
+def star(renderer):
+    """Magnetic field lines of a star, drawn as plain lines 5 pixels wide, in the colours of their distance."""
+    lines = field_lines(1200)
+    data = polylines(lines)
+    data.GetPointData().SetScalars(numpy_to_vtk(np.linalg.norm(lines, axis=2).ravel().astype(np.float32), deep=True))
     table = vtk.vtkLookupTable()
-    table.SetHueRange(0.62, 0.06)
-    table.SetSaturationRange(0.55, 0.55)
-    shown.GetMapper().SetLookupTable(table)
-    shown.GetMapper().SetScalarRange(90, 230)
-    return [shown], ((0.8, 0.75, 1.0), (0, 1, 0), 1.05)
+    table.SetHueRange(0.6, 0.08), table.SetSaturationRange(0.65, 0.75), table.SetValueRange(0.8, 1)
+    add(renderer, mapped(data, (70, 150), table), LineWidth=5)
+    return (0.3, 0.35, 1.0), (0, 1, 0), 1.6
 
 
-def magnetic_field(charges, points):
-    """The field of magnetic charges, rows of (x, y, z, strength), at rows of points."""
-    field = np.zeros_like(points)
-    for x, y, z, strength in charges:
-        away = points - (x, y, z)
-        field += strength * away / np.sum(away * away, axis=1, keepdims=True) ** 1.5
-    return field
+def helix(renderer):
+    """A double helix of 15 pairs of bases, its atoms as balls of their van der Waals radii."""
+    atoms = [atom for number in range(15) for atom in pair_atoms(number)]
+    for element, (radius, color) in ATOMS.items():
+        points, data, ball, glyph = vtk.vtkPoints(), vtk.vtkPolyData(), vtk.vtkSphereSource(), vtk.vtkGlyph3D()
+        for place in (place for kind, place in atoms if kind == element):
+            points.InsertNextPoint(place)
+        data.SetPoints(points)
+        ball.SetRadius(radius), ball.SetThetaResolution(48), ball.SetPhiResolution(32)
+        glyph.SetInputData(data), glyph.SetSourceConnection(ball.GetOutputPort()), glyph.ScalingOff()
+        add(renderer, mapped(glyph), color)
+    return (1, -0.25, 0.1), (0.2, 1, 0.9), 1.27
 
 
-def star_charges():
-    generator = np.random.default_rng(7)
-    charges = [(8, 30, 0, 1), (-8, -30, 0, -1)]
-    for _ in range(14):
-        place, way = (v / np.linalg.norm(v) for v in generator.normal(size=(2, 3)))
-        charges += [(*(60 * place + 9 * way), 0.3), (*(60 * place - 9 * way), -0.3)]
-    return charges
+def helix_detail(renderer):
+    """A part of the double helix."""
+    towards, up, _ = helix(renderer)
+    return towards, up, 3.66
 
 
-def field_lines(count, steps=60, radius=70.0, farthest=172.0):
-    """Points of `count` lines, shape (count, steps, 3); lines that have ended repeat their last point."""
-    charges, number = star_charges(), np.arange(count)
-    height = 1 - (2 * number + 1) / count
-    flat, angle = np.sqrt(1 - height**2), np.pi * (3 - np.sqrt(5)) * number
-    at = 1.001 * radius * np.stack([flat * np.cos(angle), height, flat * np.sin(angle)], axis=1)
-    outward = np.where(np.sum(magnetic_field(charges, at) * at, axis=1) < 0, -1.0, 1.0)[:, None]
-
-    def way(points):
-        field = outward * magnetic_field(charges, points)
-        return field / np.maximum(np.linalg.norm(field, axis=1, keepdims=True), 1e-30)
-
-    lines, alive = [at], np.ones(count, bool)
-    for _ in range(steps - 1):
-        middle = at + 1.5 * way(at)
-        step = at + 3.0 * way(middle)
-        r = np.linalg.norm(step, axis=1)
-        alive &= (r >= radius) & (r <= farthest)
-        at = np.where(alive[:, None], step, at)
-        lines.append(at)
-    return np.stack(lines, axis=1)
+def mountains(renderer):
+    """A landscape with z upwards, in the colours of its heights."""
+    count, generator = 360, np.random.default_rng(11)
+    frequency = np.hypot(*np.meshgrid(np.fft.fftfreq(count), np.fft.fftfreq(count)))
+    frequency[0, 0] = 1
+    noise = np.fft.ifft2(np.fft.fft2(generator.normal(size=(count, count))) * frequency**-2.1).real
+    noise = (noise - noise.min()) / np.ptp(noise)
+    x, y = np.meshgrid(np.linspace(-5, 5, count), np.linspace(-5, 5, count))
+    height = np.maximum(2.6 * noise**1.3, 0.72)
+    data = height_field(x, y, height)
+    data.GetPointData().SetScalars(numpy_to_vtk(height.ravel().astype(np.float32), deep=True))
+    function, table = vtk.vtkColorTransferFunction(), vtk.vtkLookupTable()
+    for at, color in ((0, (0.42, 0.60, 0.75)), (0.01, (0.45, 0.60, 0.38)), (0.3, (0.62, 0.68, 0.45)), (0.6, (0.70, 0.60, 0.45)), (0.85, (0.75, 0.72, 0.70)), (1, (0.97, 0.97, 0.97))):
+        function.AddRGBPoint(at, *color)
+    table.SetNumberOfTableValues(256)
+    for i in range(256):
+        table.SetTableValue(i, *function.GetColor(i / 255))
+    add(renderer, mapped(data, (0.72, 2.4), table))
+    return (0.35, -1, 0.6), (0, 0, 1), 1.42
 
 
-def star():
-    """48,000 magnetic field lines of a star, drawn as lines 2 pixels wide."""
-    lines = field_lines(48000)
-    count, steps, _ = lines.shape
-    points, cells, data = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkPolyData()
-    points.SetData(numpy_to_vtk(lines.reshape(-1, 3).astype(np.float32), deep=True))
-    rows = np.hstack([np.full((count, 1), steps), np.arange(count * steps).reshape(count, steps)])
-    cells.SetCells(count, numpy_to_vtkIdTypeArray(rows.ravel(), deep=True))
-    data.SetPoints(points), data.SetLines(cells)
-    distance = numpy_to_vtk(np.linalg.norm(lines, axis=2).ravel().astype(np.float32), deep=True)
-    data.GetPointData().SetScalars(distance)
-    shown = actor(data, None)
-    table = vtk.vtkLookupTable()
-    table.SetHueRange(0.02, 0.14)
-    table.SetValueRange(0.9, 1)
-    shown.GetMapper().SetLookupTable(table)
-    shown.GetMapper().SetScalarRange(70, 150)
-    shown.GetProperty().SetLineWidth(2)
-    shown.GetProperty().SetRenderLinesAsTubes(True)
-    sphere = vtk.vtkSphereSource()
-    sphere.SetRadius(69.5), sphere.SetThetaResolution(120), sphere.SetPhiResolution(120)
-    return [shown, actor(sphere, (0.95, 0.6, 0.25))], ((0.3, 0.35, 1.0), (0, 1, 0), 1.35)
+def bearing(renderer):
+    """A ball bearing: two rings with grooves, a brass cage and twelve balls."""
+    groove = [(math.sin(a) / 2, math.cos(a) / 2) for a in np.linspace(0, math.pi, 41)]  # of the balls' path, from above
+    steel, middle = (0.78, 0.80, 0.83), 2.62
+    outer = [(2.98, -0.6), (3.62, -0.6), (3.7, -0.52), (3.7, 0.52), (3.62, 0.6), (2.98, 0.6), (2.9, 0.52)]
+    inner = [(2.26, -0.6), (1.62, -0.6), (1.54, -0.52), (1.54, 0.52), (1.62, 0.6), (2.26, 0.6), (2.34, 0.52)]
+    outer += [(middle + r, z) for r, z in groove if middle + r > 2.9] + [(2.9, -0.52)]
+    inner += [(middle - r, z) for r, z in groove if middle - r < 2.34] + [(2.34, -0.52)]
+    cage = [(2.53, -0.2), (2.71, -0.2), (2.74, -0.17), (2.74, 0.17), (2.71, 0.2), (2.53, 0.2), (2.5, 0.17), (2.5, -0.17)]
+    for outline, color in ((outer, steel), (inner, steel), (cage, (0.88, 0.68, 0.28))):
+        add(renderer, mapped(turned([*outline, outline[0]])), color, Specular=0.3, SpecularPower=40)
+    for i in range(12):
+        ball = vtk.vtkSphereSource()
+        ball.SetCenter(middle * math.cos(math.pi * i / 6), middle * math.sin(math.pi * i / 6), 0), ball.SetRadius(0.48)
+        ball.SetThetaResolution(120), ball.SetPhiResolution(80)
+        add(renderer, mapped(ball), steel, Specular=0.5, SpecularPower=60)
+    return (0.3, -0.9, 0.85), (0, 0, 1), 1.3
 
 
-def plate(radius=4.0, count=260):
-    """A plate with a crater: a height field with a raised, jagged rim and ripples that fade outwards."""
-    x, y = np.meshgrid(np.linspace(-radius, radius, count), np.linspace(-radius, radius, count))
+def plate(radius=3.4, count=420):
+    """A plate with a crater, and its sides: a height field with a raised, jagged rim and ripples that fade outwards."""
+    line = np.linspace(-radius, radius, count)
+    line = np.concatenate([[-radius - 0.02], line, [radius + 0.02]])
+    x, y = np.meshgrid(line, line)
     r, angle = np.hypot(x, y), np.arctan2(y, x)
     rim = 1.15 + 0.08 * np.sin(7 * angle) + 0.05 * np.sin(17 * angle + 1)
     z = 0.55 * np.exp(-((r - rim) / 0.22) ** 2) - 0.85 * np.exp(-((r / rim) ** 4)) + 0.05 * np.sin(9 * r) * np.exp(-r)
-    points, cells = np.stack([x, y, z], axis=2).reshape(-1, 3), []
-    corner = np.arange(count * count).reshape(count, count)
-    a, b, c, d = corner[:-1, :-1].ravel(), corner[:-1, 1:].ravel(), corner[1:, 1:].ravel(), corner[1:, :-1].ravel()
-    triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-    rows = np.hstack([np.full((len(triangles), 1), 3), triangles])
-    data, vertices, array = vtk.vtkPolyData(), vtk.vtkPoints(), vtk.vtkCellArray()
-    vertices.SetData(numpy_to_vtk(points.astype(np.float32), deep=True))
-    array.SetCells(len(triangles), numpy_to_vtkIdTypeArray(rows.ravel(), deep=True))
-    data.SetPoints(vertices), data.SetPolys(array)
-    normals = vtk.vtkPolyDataNormals()
-    normals.SetInputData(data)
-    normals.SetFeatureAngle(60)
-    return actor(normals, (0.62, 0.64, 0.68))
+    z[[0, -1], :] = z[:, [0, -1]] = -1.0
+    return height_field(x, y, z)
 
 
-def impact():
+def impact(renderer):
     """A ball that has hit a plate, and the fragments that fly off: in the manner of the paper's Figure 5."""
     generator = np.random.default_rng(3)
     ball = vtk.vtkSphereSource()
-    ball.SetRadius(0.62), ball.SetCenter(0, 0, 0.5), ball.SetThetaResolution(90), ball.SetPhiResolution(90)
-    actors = [plate(), actor(ball, (0.75, 0.76, 0.8))]
+    ball.SetRadius(0.62), ball.SetCenter(0, 0, 0.3), ball.SetThetaResolution(180), ball.SetPhiResolution(120)
+    add(renderer, mapped(plate()), (0.66, 0.68, 0.72))
+    add(renderer, mapped(ball), (0.78, 0.79, 0.82))
     fragments = vtk.vtkAppendPolyData()
-    for _ in range(420):
-        angle, speed, lift = generator.uniform(0, 2 * np.pi), generator.uniform(0.9, 2.9), generator.uniform(0.3, 1.15)
+    for _ in range(220):
+        angle, speed, lift = generator.uniform(0, 2 * np.pi), generator.uniform(0.9, 2.9), generator.uniform(0.15, 0.75)
         rock = vtk.vtkSphereSource()
-        rock.SetRadius(generator.uniform(0.02, 0.085))
+        rock.SetRadius(generator.uniform(0.02, 0.09))
         rock.SetCenter(speed * np.cos(angle), speed * np.sin(angle), 0.25 + lift * speed * 0.75)
-        rock.SetThetaResolution(12), rock.SetPhiResolution(8)
+        rock.SetThetaResolution(36), rock.SetPhiResolution(24)
         fragments.AddInputConnection(rock.GetOutputPort())
-    actors.append(actor(fragments, (0.8, 0.55, 0.35)))
-    return actors, ((0.25, -1.0, 0.62), (0, 0, 1), 1.6)
+    add(renderer, mapped(fragments), (0.85, 0.52, 0.28))
+    return (0.35, -1.0, 0.75), (0, 0, 1), 1.2
 
 
-def balls():
+def impact_side_lit(renderer):
+    """The impact under a light of the program that stands at the side, with some ambient light."""
+    place = impact(renderer)
+    light = vtk.vtkLight()
+    light.SetLightTypeToSceneLight(), light.SetPosition(-6, -3, 5), light.SetFocalPoint(0, 0, 0)
+    renderer.AddLight(light)
+    for actor in renderer.GetActors():
+        actor.GetProperty().SetAmbient(0.35), actor.GetProperty().SetAmbientColor(actor.GetProperty().GetColor()), actor.GetProperty().SetDiffuse(0.75)
+    return place
+
+
+def balls(renderer):
     """Nine balls, numbered by row from the back left, and a small one over them; materials.toml says what they are of."""
-    actors = []
     colors = [(0.8, 0.35, 0.25), (0.2, 0.4, 0.8), (0.9, 0.9, 0.9), (0.95, 0.95, 0.95), (0.95, 0.95, 0.95), (0.95, 0.95, 0.95),
               (0.85, 0.95, 0.9), (0.9, 0.95, 1.0), (0.3, 0.7, 0.3)]
     for index, color in enumerate(colors):
         ball = vtk.vtkSphereSource()
-        ball.SetRadius(0.46), ball.SetCenter(index % 3 - 1, 1 - index // 3, 0.46), ball.SetThetaResolution(120), ball.SetPhiResolution(120)
-        actors.append(actor(ball, color))
+        ball.SetRadius(0.46), ball.SetCenter(index % 3 - 1, 1 - index // 3, 0.46), ball.SetThetaResolution(240), ball.SetPhiResolution(160)
+        add(renderer, mapped(ball), color)
     lamp = vtk.vtkSphereSource()
     lamp.SetRadius(0.15), lamp.SetCenter(0.5, -0.5, 1.0), lamp.SetThetaResolution(60), lamp.SetPhiResolution(60)
-    actors.append(actor(lamp, (1.0, 0.7, 0.35)))
-    return actors, ((0.2, -1.0, 0.9), (0, 0, 1), 1.2)
+    add(renderer, mapped(lamp), (1.0, 0.7, 0.35))
+    return (0.2, -1.0, 0.9), (0, 0, 1), 1.35
 
 
-SCENES = {"balls": balls, "head": head, "wavelet": wavelet, "star": star, "impact": impact}
+SCENES = {f.__name__: f for f in (head, head_from_afar, bars, bars_detail, cut, star, helix, helix_detail, streamlines, mountains, bearing, impact, impact_side_lit, balls)}

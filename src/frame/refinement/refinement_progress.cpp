@@ -34,7 +34,7 @@ std::string timeText(double seconds) {
 
 }  // namespace
 
-RefinementProgress progressOf(const Refinement& refinement, const Settings& settings, double seconds) {
+RefinementProgress progressOf(const Refinement& refinement, const Settings& settings) {
   RefinementProgress progress;
   progress.noise = refinement.noise();
   const double done = refinement.passes();
@@ -47,7 +47,7 @@ RefinementProgress progressOf(const Refinement& refinement, const Settings& sett
   if (settings.refine.seconds > 0)
     progress.share = std::max(progress.share, refinement.seconds() / double{settings.refine.seconds});
   progress.share = std::clamp(progress.share, 1e-9, 1.0);
-  progress.secondsLeft = seconds * (1 / progress.share - 1);
+  progress.secondsLeft = refinement.seconds() * (1 / progress.share - 1);
   return progress;
 }
 
@@ -69,8 +69,7 @@ std::optional<RefinementProgress> awaitedProgress() noexcept {
   return now.progress;
 }
 
-ProgressTeller::ProgressTeller(const Settings& settings)
-    : settings_(settings), began_(nowSeconds()), next_(began_ + kLong) {}
+ProgressTeller::ProgressTeller(const Settings& settings) : settings_(settings), next_(nowSeconds() + kLong) {}
 
 ProgressTeller::~ProgressTeller() {
   if (!tells_) return;
@@ -85,7 +84,7 @@ void ProgressTeller::passed(const Refinement& refinement) noexcept {
     const double now = nowSeconds();
     if (now < next_) return;
     next_ = now + kEvery;
-    const RefinementProgress progress = progressOf(refinement, settings_, now - began_);
+    const RefinementProgress progress = progressOf(refinement, settings_);
     {
       Awaited& shared = awaited();
       const std::lock_guard lock(shared.mutex);

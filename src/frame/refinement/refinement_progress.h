@@ -10,13 +10,14 @@
 namespace gluray::frame {
 
 struct RefinementProgress {
-  double share = 0;        // of the time, from 0 to 1, as far as the noise so far foretells it
+  double share = 0;        // of the time of all passes, from 0 to 1, as far as the noise so far foretells it
   double noise = 0;        // estimated; infinite: not known yet
-  double secondsLeft = 0;  // until the image is finished
+  double secondsLeft = 0;  // the rest of that time
 };
 
-/// Noise falls with the square root of the number of passes. `seconds`: since refinement began.
-RefinementProgress progressOf(const Refinement& refinement, const Settings& settings, double seconds);
+/// Noise falls with the square root of the number of passes. Passes of earlier waits for the image count, and
+/// so does their time.
+RefinementProgress progressOf(const Refinement& refinement, const Settings& settings);
 
 /// "gluray: refining the image: 43 %, noise 0.021 of 0.010, 12 s left".
 std::string progressLine(const RefinementProgress& progress, const Settings& settings);
@@ -39,7 +40,7 @@ class ProgressTeller {
 
  private:
   const Settings& settings_;
-  double began_, next_;
+  double next_;
   bool tells_ = false;
 };
 

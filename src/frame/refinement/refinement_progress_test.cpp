@@ -10,7 +10,7 @@
 namespace gluray::frame {
 namespace {
 
-using test::litScene, test::Refined;
+using test::CountingTrace, test::litScene, test::Refined;
 
 Settings settingsFor(float noise, int passes, float seconds = 0) {
   Settings settings;
@@ -18,23 +18,50 @@ Settings settingsFor(float noise, int passes, float seconds = 0) {
   return settings;
 }
 
+/// Eight passes that have taken three seconds.
+struct ThreeSeconds : Refined {
+  ThreeSeconds() : Refined(litScene(), 8) { refinement.addTime(3 - refinement.seconds()); }
+};
+
 TEST(RefinementProgress, FollowsTheNoise) {
-  const Refined refined(litScene(), 8);
+  const ThreeSeconds refined;
   const double noise = refined.refinement.noise();
   ASSERT_GT(noise, 0);
   const auto half = static_cast<float>(noise / 2);  // takes four times the passes
-  const RefinementProgress progress = progressOf(refined.refinement, settingsFor(half, 1000), 3);
+  const RefinementProgress progress = progressOf(refined.refinement, settingsFor(half, 1000));
   EXPECT_NEAR(progress.share, 0.25, 0.001);
   EXPECT_NEAR(progress.secondsLeft, 9, 0.05);
   EXPECT_EQ(progress.noise, noise);
 }
 
 TEST(RefinementProgress, EndsWithTheLastPassOrTheTime) {
-  const Refined refined(litScene(), 8);
-  EXPECT_NEAR(progressOf(refined.refinement, settingsFor(1e-6f, 16), 3).share, 0.5, 1e-6);
-  const auto twice = static_cast<float>(2 * refined.refinement.seconds());
-  EXPECT_NEAR(progressOf(refined.refinement, settingsFor(1e-6f, 100000, twice), 3).share, 0.5, 1e-3);
-  EXPECT_EQ(progressOf(refined.refinement, settingsFor(1, 16), 3).share, 1);
+  const ThreeSeconds refined;
+  const RefinementProgress passes = progressOf(refined.refinement, settingsFor(1e-6f, 16));
+  EXPECT_NEAR(passes.share, 0.5, 1e-6);
+  EXPECT_NEAR(passes.secondsLeft, 3, 1e-6);
+  const RefinementProgress time = progressOf(refined.refinement, settingsFor(1e-6f, 100000, 12));
+  EXPECT_NEAR(time.share, 0.25, 1e-6);
+  EXPECT_NEAR(time.secondsLeft, 9, 1e-5);
+  EXPECT_EQ(progressOf(refined.refinement, settingsFor(1, 16)).share, 1);
+  EXPECT_EQ(progressOf(refined.refinement, settingsFor(1, 16)).secondsLeft, 0);
+}
+
+/// A program may wait again for an image that has passes already: the rest takes as long as these did for
+/// each.
+TEST(RefinementProgress, CountsTheTimeOfEarlierWaits) {
+  ThreeSeconds refined;
+  const Settings settings = settingsFor(1e-6f, 16);
+  CountingTrace tracer;
+  scene::Snapshot s = litScene();
+  s.settings.noise = settings.noise, s.settings.refine.passes = settings.refine.passes;
+  Refiner again(s, refined.refinement);
+  scene::TraceCost cost;
+  std::string error;
+  ASSERT_TRUE(again.pass(tracer.trace, 0, cost, error)) << error;
+  const RefinementProgress progress = progressOf(refined.refinement, settings);
+  EXPECT_NEAR(progress.share, 9.0 / 16, 1e-6);
+  EXPECT_NEAR(progress.secondsLeft, refined.refinement.seconds() * 7 / 9, 1e-6);
+  EXPECT_GT(progress.secondsLeft, 2.3) << "not the time of the last pass alone";
 }
 
 TEST(RefinementProgress, IsOneLineOfText) {
