@@ -10,21 +10,82 @@
 
 namespace gluray::gl {
 
-void CurrentValues::send(const RealGl& real) {
-  const SlotMask slots = std::exchange(unsent_, 0);
-  for (int s = kNormal; s < kSlotCount; ++s)
-    if (slots & bit(static_cast<Slot>(s)))
-      sendAttribute(real, static_cast<Slot>(s), (*this)[static_cast<Slot>(s)]);
-  waiting_ = waiting_ || slots != 0;
-  if (!std::exchange(drawn_, false)) return;
-  float asked[4];
-  real.GetFloatv(GL_CURRENT_COLOR, asked);
-  waiting_ = false;
+namespace {
+
+/// In Mesa FLUSH_VERTICES and FLUSH_CURRENT, which together do what FLUSH_FOR_DRAW does.
+void askMaterial(const RealGl& real) {
+  GLfloat shininess = 0;
+  real.GetMaterialfv(GL_FRONT, GL_SHININESS, &shininess);
+}
+
+void askColor(const RealGl& real) {
+  GLfloat color[4];
+  real.GetFloatv(GL_CURRENT_COLOR, color);
+}
+
+}  // namespace
+
+void CurrentValues::set(const RealGl& real, Slot slot, const float* value) {
+  keep(slot, value);
+  sendAttribute(real, slot, value);
+  held_ |= bit(slot), pending_ = true;
+}
+
+void CurrentValues::changeState(const RealGl& real) {
+  if (!due_) return;
+  askMaterial(real);
+  letGo();
+}
+
+void CurrentValues::store(const RealGl& real) {
+  if (!pending_) return;
+  askColor(real);
+  stored();
+}
+
+void CurrentValues::drawn(const RealGl& real) {
+  if (!pending_ && !due_) return;
+  askMaterial(real);
+  drawnByReal();
+}
+
+void CurrentValues::begun(const RealGl* real) {
+  if (real && (pending_ || due_)) askMaterial(*real), askMaterial(*real);
+  letGo();
+}
+
+// Materials alone are held back by the same flags: a value that changes nothing sets them.
+void CurrentValues::hold(const RealGl& real) const {
+  if (held_ == bit(kMaterialNumber)) return sendAttribute(real, kNormal, values_[kNormal].data());
+  forEachSlot(held_, [&](Slot slot) { sendAttribute(real, slot, values_[slot].data()); });
+}
+
+void CurrentValues::restore(const RealGl& real) const {
+  if (!held_) return;
+  hold(real);
+  if (!due_) return;
+  askMaterial(real);
+  if (pending_) hold(real);
+}
+
+void CurrentValues::storeAside(const RealGl& real, SlotMask slots) {
+  if (!slots) return;
+  forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values_[slot].data()); });
+  askMaterial(real), askMaterial(real);
+  restore(real);
+}
+
+void CurrentValues::sendRun(const RealGl& real, SlotMask slots) {
+  if (!slots) return;
+  forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values_[slot].data()); });
+  askMaterial(real);
+  held_ |= slots, pending_ = false, due_ = true;
 }
 
 void CurrentValues::read(const RealGl& real) {
+  const SlotMask unread = pending_ ? held_ : 0;
   for (int s = kNormal; s < kSlotCount; ++s)
-    if (!(unsent_ & bit(static_cast<Slot>(s)))) read(real, static_cast<Slot>(s));
+    if (!(unread & bit(static_cast<Slot>(s)))) read(real, static_cast<Slot>(s));
 }
 
 void CurrentValues::read(const RealGl& real, Slot slot) {

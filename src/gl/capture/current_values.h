@@ -7,11 +7,13 @@
 
 namespace gluray::gl {
 
-/// Keeps the values that the program sets, and sends them when the real OpenGL may depend on them.
-/// Mesa stores a value only at the next vertex or query. Until then neither GL_COLOR_MATERIAL nor glPopAttrib
-/// sees it (seen in 22.3: in src/mesa/vbo, FLUSH_VERTICES skips attributes that no vertex followed). A draw
-/// by the real OpenGL would have made Mesa store its values, so values that a traced draw used are sent with
-/// a query after them. Other values stay unstored in Mesa, as they would without GLuRay.
+/// Keeps the values that the program sets, and sends them at once. Mesa holds them back: it stores a value,
+/// and lets GL_COLOR_MATERIAL see it, when a draw, a query or certain state changes follow (seen in 22.3, in
+/// src/mesa/vbo and the macros FLUSH_VERTICES and FLUSH_CURRENT). Programs see when: glColorMaterial and
+/// glPopAttrib act on what is stored. This class follows which values Mesa holds back, so that draws of ours
+/// in place of the program's have the same effect on them, and queries of ours have none. A flush stores the
+/// held-back values; while `due_` is set, the next state change or draw stores them again and lets go of
+/// them.
 class CurrentValues {
  public:
   const SlotValues& all() const { return values_; }
@@ -21,38 +23,61 @@ class CurrentValues {
   void keep(Slot slot, const float* value) {
     std::memcpy(values_[slot].data(), value, sizeOf(slot) * sizeof(float));
   }
-  /// Records a value that the real OpenGL does not have yet.
-  void set(Slot slot, const float* value) {
+  /// Takes a value, and sends it.
+  void set(const RealGl& real, Slot slot, const float* value);
+  /// Takes a value that the program has set between glBegin and glEnd of the real OpenGL.
+  void setInside(Slot slot, const float* value) {
     keep(slot, value);
-    unsent_ |= bit(slot);
+    held_ |= bit(slot), pending_ = true;
   }
-  /// Reports a draw that the real OpenGL did not see and that used the current values: the next send() makes
-  /// the real OpenGL store them.
-  void drawn() { drawn_ = drawn_ || unsent_ != 0 || waiting_; }
-  /// Whether the next send() must make the real OpenGL store values.
-  bool anyDrawn() const { return drawn_; }
-  /// Sends all values and makes the real OpenGL store them, as glCallList does. Only outside the real
-  /// glBegin/glEnd.
-  void store(const RealGl& real) {
-    drawn();
-    if (drawn_) send(real);
+  /// glEnd of such a primitive.
+  void ended() { due_ = due_ || pending_; }
+
+  // What Mesa does to held-back values.
+  /// The program changes state.
+  void stateChanges() {
+    if (due_) letGo();
   }
-  /// Reports that the real OpenGL's values of these slots have changed: ours will be sent again.
-  void lost(SlotMask slots) { unsent_ |= slots; }
-  /// Whether the real OpenGL lacks values, or must still store some.
-  bool anyUnsent() const { return unsent_ != 0 || drawn_; }
-  /// Sends these values. Between the real glBegin and glEnd only if !anyDrawn().
-  void send(const RealGl& real);
-  /// Reads back all values except unsent ones.
+  /// The same for a change that the real OpenGL does not get.
+  void changeState(const RealGl& real);
+  /// The program makes a call that stores held-back values: a query of them, glCallList, glNewList,
+  /// glPushAttrib, glColorMaterial.
+  void stored() {
+    if (pending_) due_ = true, pending_ = false;
+  }
+  /// The same for a call that the real OpenGL does not get.
+  void store(const RealGl& real);
+  /// The real OpenGL makes a draw from arrays.
+  void drawnByReal() { due_ ? letGo() : stored(); }
+  /// A draw that it does not get uses the current values.
+  void drawn(const RealGl& real);
+  /// The program's glBegin stores all values; `real` if the real OpenGL does not get it.
+  void begun(const RealGl* real);
+  /// Forgets what is held back.
+  void letGo() { held_ = 0, pending_ = due_ = false; }
+  /// After queries or draws of ours, which stored all values: they are held back again as before.
+  void restore(const RealGl& real) const;
+  /// Whether Mesa may hold back values.
+  bool holdsAny() const { return pending_ || due_; }
+  /// Slots that are held back.
+  SlotMask held() const { return held_; }
+  /// Stores values without holding them back, as lists do after their vertices.
+  void storeAside(const RealGl& real, SlotMask slots);
+  /// The real OpenGL lacks values that a traced run has set: sends them, as if its vertices followed.
+  void sendRun(const RealGl& real, SlotMask slots);
+
+  /// Reads back all values except those that are held back and not yet stored, or one slot.
   void read(const RealGl& real);
   /// Reads back one slot.
   void read(const RealGl& real, Slot slot);
 
  private:
+  void hold(const RealGl& real) const;
+
   SlotValues values_ = initialSlotValues();
-  SlotMask unsent_ = 0;
-  bool waiting_ = false;  // values were sent that the real OpenGL may not have stored yet
-  bool drawn_ = false;    // a draw that the real OpenGL did not see used the current values, sent or not
+  SlotMask held_ = 0;     // held-back values, Mesa's vertex template
+  bool pending_ = false;  // some of them are not yet stored (FLUSH_UPDATE_CURRENT)
+  bool due_ = false;      // the next state change or draw stores them and lets go (FLUSH_STORED_VERTICES)
 };
 
 }  // namespace gluray::gl

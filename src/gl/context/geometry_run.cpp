@@ -36,7 +36,8 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       kind_(kind),
       group_(std::move(group)),
       triangles_(countTriangles(captured_)) {
-  leftByList_ = slotsOfLastVertex();
+  lastSlots_ = leftByList_ = slotsOfLastVertex();
+  leadingMaterial_ = findLeadingMaterial();
 }
 
 GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
@@ -140,22 +141,84 @@ void GeometryRun::rasterise(Context& context) {
   context.real.CallList(realList_);
 }
 
+const MaterialChange* GeometryRun::leadingMaterial() const {
+  if (leadingMaterial_ == 0) return nullptr;
+  return &captured_.materials[leadingMaterial_ - 1];
+}
+
+// The last change up to the first vertex that was made outside glBegin and glEnd.
+uint32_t GeometryRun::findLeadingMaterial() const {
+  if (!layout_.has(kMaterialNumber) || captured_.vertexCount == 0) return 0;
+  auto number = static_cast<uint32_t>(captured_.vertex(0)[layout_.offset[kMaterialNumber]]);
+  while (number > 0 && !captured_.materials[number - 1].outside) --number;
+  return number;
+}
+
 void GeometryRun::execute(Context& context) {
   if (context.immediate.insideBegin() && !captured_.primitives.empty())
     return context.errors.set(GL_INVALID_OPERATION);
-  SlotMask finals = finalSlots_;
-  if (!captured_.primitives.empty()) {
-    context.immediate.closeRunIfOpen();
-    if (context.clock.passesThrough() && drawDirectly(context))
-      finals &= ~leftByList_;
-    else
-      draw(context);
+  const auto setFinals = [&](SlotMask slots) {
+    forEachSlot(slots, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  };
+  if (captured_.primitives.empty()) {
+    setFinals(finalSlots_);
+    if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
+    return;
   }
-  forEachSlot(finals, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
-  if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
-  if (captured_.primitives.empty()) return;
-  context.shadow.current.drawn();
-  if (!captured_.materials.empty()) context.shadow.latch.letGo(context.real);
+  context.immediate.closeRunIfOpen();
+  if (continues_ && !context.clock.passesThrough() && !context.lists.executesNow())
+    return drawContinued(context);
+  const MaterialChange* leading = context.lists.executesNow() ? nullptr : leadingMaterial();
+  bool again = false;
+  if (context.clock.passesThrough() && drawDirectly(context)) {
+    setFinals(finalSlots_ & ~leftByList_);
+  } else {
+    if (!context.lists.executesNow())
+      forEachSlot(leading_,
+                  [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
+    if (leading) applyMaterials(context, *leading);
+    draw(context);
+    again = leading && (context.shadow.current.held() & bit(kMaterialNumber));
+    leave(context);
+  }
+  if (captured_.materials.empty()) return;
+  applyMaterials(context, captured_.materials.back());
+  // Materials that Mesa still holds back it stores again later, over those of the vertices.
+  if (again) applyMaterials(context, *leading);
+  context.shadow.latch.letGo(context.real);
+  context.shadow.current.restore(context.real);
+}
+
+void GeometryRun::drawContinued(Context& context) {
+  CurrentValues& current = context.shadow.current;
+  const CurrentValues after = current;
+  current.letGo();
+  draw(context);
+  current = after;
+  if (rasterised_) current.storeAside(context.real, layout_.mask & kVertexAttributes);
+}
+
+// Mesa stores these attributes without holding them back. Those that were set before the vertices, and are
+// held back still, it stores again later, over them.
+void GeometryRun::leave(Context& context) {
+  CurrentValues& current = context.shadow.current;
+  if (context.lists.executesNow()) {  // Mesa makes the calls while it compiles them, draws from arrays, too
+    current.begun(&context.real);
+    forEachSlot(finalSlots_, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
+    current.sendRun(context.real, finalSlots_ ? finalSlots_ : bit(kNormal));
+    if (finalSlots_ & bit(kColor)) context.shadow.colorSet();
+    return;
+  }
+  const SlotMask finals = finalSlots_ & lastSlots_ & ~current.held();
+  forEachSlot(finals, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
+  // A real list also leaves attributes of array draws, which do not change them.
+  const SlotMask drawn = layout_.mask & kVertexAttributes;
+  current.storeAside(context.real, rasterised_ ? drawn : finals);
+  if (rasterised_ && !drawn) current.restore(context.real);
+  // Those that were set after the last vertex are held back.
+  forEachSlot(finalSlots_ & ~lastSlots_,
+              [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  if (finals & bit(kColor)) context.shadow.colorSet();
 }
 
 /// The run, as its list is called.
@@ -185,9 +248,8 @@ class GeometryRun::RunDraw final : public DrawRequest {
   Load load() override { return {DrawPath::list, run_.kind_, run_.triangles_}; }
   Fate make() override {
     run_.rasterise(c_);
-    // The run's last attributes are now current in the real OpenGL: ours are sent again.
-    c_.shadow.current.lost(run_.layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
-    c_.touch(kMaterial);
+    run_.rasterised_ = true;
+    c_.shadow.touch(kMaterial);
     return Fate::rasterised;
   }
 
@@ -202,6 +264,7 @@ void GeometryRun::draw(Context& context) {
   context.passthrough.works();
   inherit(context);
   context.shadow.refresh(kDrawGroups);
+  rasterised_ = false;
   RunDraw request(*this, context);
   context.draws.submit(request);
 }

@@ -22,14 +22,25 @@ class GeometryRun final : public ListOp {
   /// An array draw: leaves the current attributes unchanged.
   GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   ~GeometryRun() override;
+  /// Attributes that are set before its first glBegin.
+  void setLeading(SlotMask slots, const SlotValues& values) { leading_ = slots, leadingValues_ = values; }
+  /// Marks the run as a later draw of a multi-draw, whose first draw alone stores current values.
+  void setContinues() { continues_ = true; }
   /// Draws the run, traced or rasterised, and makes its last attributes current.
   void execute(Context& context) override;
 
  private:
   class RunDraw;
+  /// Makes the attributes after its last vertex current.
+  void leave(Context& context);
   void draw(Context& context);
+  /// Draws it as a later draw of a multi-draw.
+  void drawContinued(Context& context);
   /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);
+  /// The materials that are set before its first glBegin, if any.
+  const MaterialChange* leadingMaterial() const;
+  uint32_t findLeadingMaterial() const;
   /// Those of finalSlots_ that have the value of the last vertex, which the real list leaves current.
   SlotMask slotsOfLastVertex() const;
   /// Fills inherited slots with the caller's current values.
@@ -48,8 +59,14 @@ class GeometryRun final : public ListOp {
   CapturedVertices captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
+  SlotMask lastSlots_ = 0;   // those of them that have the value of the last vertex
   SlotMask leftByList_ = 0;  // those of them that the real list has left current
   SlotValues finals_;
+  SlotMask leading_ = 0;
+  SlotValues leadingValues_{};
+  uint32_t leadingMaterial_ = 0;  // its number; 0: none
+  bool rasterised_ = false;       // in its last call
+  bool continues_ = false;        // a later draw of a multi-draw
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;
   std::weak_ptr<ShareGroup> group_;

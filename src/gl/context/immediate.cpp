@@ -58,24 +58,19 @@ void Immediate::attribute(Slot slot, const float* values) {
   if (p_.beginEnd.inside == Inside::rasterised) {
     sendAttribute(p_.shadow.real, slot, values);
     if (p_.beginEnd.fragment) return;
-    p_.shadow.current.keep(slot, values);
+    p_.shadow.current.setInside(slot, values);
     if (slot == kColor) p_.shadow.colorSet();
     return;
   }
   if (takesSlot(slot)) {
+    // Set after draws from arrays, in a list: Mesa holds it back while the next primitive is drawn.
+    if (p_.lists.compiling() && ofArrays_ && p_.beginEnd.inside != Inside::captured) closeRun();
     if (!stream_.has(slot)) addSlotToRun(slot);
+    if (open_ && ofArrays_ && p_.beginEnd.inside != Inside::captured)
+      p_.shadow.current.set(p_.shadow.real, slot, values);
     return stream_.set(slot, values);
   }
-  p_.shadow.refresh(kCurrent);
-  // An equal colour counts too: the material may have changed in between.
-  if (slot != kColor && std::memcmp(p_.shadow.current[slot], values, sizeOf(slot) * sizeof(float)) == 0)
-    return;
-  setCurrent(slot, values);
-}
-
-void Immediate::setCurrent(Slot slot, const float* values) {
-  if (p_.shadow.current.anyDrawn()) p_.shadow.current.send(p_.shadow.real);
-  p_.shadow.current.set(slot, values);
+  p_.shadow.current.set(p_.shadow.real, slot, values);
   if (slot == kColor) p_.shadow.colorSet();
 }
 
@@ -113,7 +108,7 @@ void Immediate::vertex(float x, float y, float z, float w) {
   p_.lists.record([=](Context&) { vertexcall::vertex(x, y, z, w); }, true);
 }
 
-void Immediate::begin(GLenum mode) {
+void Immediate::begin(GLenum mode, bool arrays) {
   if (insideBegin()) return p_.lists.misuse();
   if (!isPrimitive(p_.shadow.real, mode)) {
     if (!p_.lists.compiling()) return p_.shadow.errors.set(GL_INVALID_ENUM);
@@ -123,6 +118,8 @@ void Immediate::begin(GLenum mode) {
   if (p_.lists.compiling()) {
     if (kind != class_ && !stream_.empty()) closeRun();
     class_ = kind;
+    if (stream_.empty()) keepLeading();
+    ofArrays_ = false;
   } else if (p_.clock.passesThrough()) {
     forgetAnswer();
     if (p_.counts.kinds()) p_.counts.kinds()->start();
@@ -132,7 +129,7 @@ void Immediate::begin(GLenum mode) {
     p_.beginEnd.inside = Inside::rasterised;
     p_.shadow.real.Begin(mode);
     return p_.attention.passed(true);
-  } else if (!open_ || kind != class_) {
+  } else if (!open_ || kind != class_ || ofArrays_ != arrays) {
     closeRunIfOpen();
     p_.passthrough.works();
     p_.shadow.refresh(kDrawGroups);
@@ -144,15 +141,25 @@ void Immediate::begin(GLenum mode) {
       p_.draws.beginRasterised(DrawPath::immediate, kind, reason);  // end() counts its triangles
       openPrimitive_ = {mode, 0, 0};
       p_.beginEnd.inside = Inside::rasterised;
+      p_.shadow.current.begun(nullptr);
       p_.shadow.real.Begin(mode);
       return p_.attention.update();
     }
+    if (!arrays) p_.shadow.current.begun(&p_.shadow.real);
     startRun();
+    ofArrays_ = arrays;
     reason_ = reason;
   }
   stream_.begin(mode);
   p_.beginEnd.inside = Inside::captured;
   p_.attention.update();
+}
+
+void Immediate::keepLeading() {
+  leading_ = stream_.layout().mask & kVertexAttributes;
+  forEachSlot(leading_, [&](Slot slot) {
+    std::memcpy(leadingValues_[slot].data(), stream_.get(slot), sizeOf(slot) * sizeof(float));
+  });
 }
 
 void Immediate::countOpenPrimitive() {
@@ -199,7 +206,7 @@ void Immediate::end() {
   if (!insideBegin()) return p_.shadow.errors.set(GL_INVALID_OPERATION);
   if (p_.beginEnd.inside == Inside::rasterised) {
     p_.shadow.real.End();
-    if (!p_.beginEnd.fragment) countOpenPrimitive();
+    if (!p_.beginEnd.fragment) countOpenPrimitive(), p_.shadow.current.ended();
     if (const GLuint id = std::exchange(p_.beginEnd.fragment, 0)) {
       p_.shadow.real.EndList();
       p_.lists.appendFragment(id);
@@ -227,7 +234,6 @@ void Immediate::recordMisuse() {
 void Immediate::material(GLenum face, GLenum pname, const float* params) {
   const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
   if (p_.clock.passesThrough() && !p_.lists.compiling() && !open_) {
-    if (!insideBegin()) p_.shadow.syncCurrent();
     p_.shadow.touch(kMaterial);
     if (!insideBegin() && !p_.lists.calling() && !refused) p_.shadow.latch.sent(face, pname, params);
     return p_.shadow.real.Materialfv(face, pname, params);  // raises the errors
@@ -245,11 +251,12 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   }
   if (refused) return p_.lists.misuse(GL_INVALID_VALUE);
   // Programs have materials as uniforms, one for all vertices of a run.
-  if (open_ && !insideBegin() && p_.shadow.raster().program != 0) closeRun();
+  if (open_ && !insideBegin() && (ofArrays_ || p_.shadow.raster().program != 0)) closeRun();
   if (!takesSlot(kMaterialNumber)) {
-    p_.shadow.syncCurrent();
     p_.shadow.touch(kMaterial);
     if (!p_.lists.calling()) p_.shadow.latch.sent(face, pname, params);
+    // The real OpenGL holds materials back as it does attributes.
+    p_.shadow.current.setInside(kMaterialNumber, p_.shadow.current[kMaterialNumber]);
     return p_.shadow.real.Materialfv(face, pname, params);
   }
   if (const MaterialChange* last = stream_.lastMaterial()) change = *last;

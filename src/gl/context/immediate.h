@@ -47,7 +47,8 @@ class Immediate {
   bool realInsideBegin() const { return p_.beginEnd.realIsInside(); }
   bool executedInside() const { return p_.beginEnd.executedInside(); }
 
-  void begin(GLenum mode);
+  /// `arrays`: for a small draw from arrays.
+  void begin(GLenum mode, bool arrays = false);
   void end();
   /// Whether begin() relies on an earlier answer of the real OpenGL, which the next command may change.
   bool reliesOnAnswer() const { return canBegin_ != kNoMode; }
@@ -64,6 +65,8 @@ class Immediate {
 
   // Runs. Outside lists a run is open from its first glBegin on; a list being compiled always has one.
   bool runOpen() const { return open_; }
+  /// Whether attributes go into the run and nowhere else.
+  bool takesAttributes() const { return open_ && (!ofArrays_ || insideBegin()); }
   /// Ends the run and draws it, or records it in the list being compiled.
   void closeRun();
   void closeRunOutsideBegin() {
@@ -93,8 +96,8 @@ class Immediate {
  private:
   class RunDraw;
 
-  /// Sets a current value that the real OpenGL does not have yet.
-  void setCurrent(Slot slot, const float* values);
+  /// A list's run has got no vertices yet: keeps the attributes that it sets before them.
+  void keepLeading();
   bool canBegin(GLenum mode);
   bool askCanBegin(GLenum mode);
   void recordMisuse();
@@ -112,7 +115,12 @@ class Immediate {
   VertexStream::Welding welding_;
   WhenToWeld weld_;
   VertexStream stream_;
-  bool open_ = false;                                // stream_ holds a run outside lists
+  bool open_ = false;  // stream_ holds a run outside lists
+  // The run consists of draws from arrays: current values are also sent when they are set.
+  bool ofArrays_ = false;
+  // Attributes that a list's run sets before its first glBegin, and their values.
+  SlotMask leading_ = 0;
+  SlotValues leadingValues_{};
   PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
   Reason reason_ = Reason::traced;                   // why the captured run will be rasterised
   DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs

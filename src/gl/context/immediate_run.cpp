@@ -18,6 +18,7 @@ void Immediate::startRun() {
   stream_.start(bit(kPosition), p_.shadow.current.all(),
                 p_.lists.compiling() ? weld_.inList() : weld_.inFrame(), welding_);
   inherited_.clear();
+  ofArrays_ = false, leading_ = 0;
   path_ = DrawPath::immediate;
   reason_ = Reason::traced;
   open_ = !p_.lists.compiling();
@@ -33,7 +34,6 @@ void Immediate::closeRun() {
   open_ = false;
   drawRun();
   keepRunValues();
-  p_.shadow.current.drawn();
   p_.attention.update();
 }
 
@@ -54,6 +54,7 @@ void Immediate::recordRun() {
   GeometryRun* recorded = nullptr;
   try {
     recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
+    recorded->setLeading(leading_, leadingValues_);
   } catch (...) {
     stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
     throw;
@@ -89,14 +90,19 @@ void Immediate::leaveExecuted() {
 }
 
 void Immediate::keepRunValues() {
-  for (int s = kNormal; s < kSlotCount; ++s) {
-    const auto slot = static_cast<Slot>(s);
-    if (stream_.has(slot) && slot != kMaterialNumber) setCurrent(slot, stream_.get(slot));
-  }
+  const SlotMask slots = stream_.layout().mask & kVertexAttributes;
+  CurrentValues& current = p_.shadow.current;
+  if (insideBegin())  // of the real OpenGL, which takes over
+    forEachSlot(slots, [&](Slot slot) {
+      current.setInside(slot, stream_.get(slot)), sendAttribute(p_.shadow.real, slot, stream_.get(slot));
+    });
+  else if (!ofArrays_)
+    forEachSlot(slots, [&](Slot slot) { current.keep(slot, stream_.get(slot)); }),
+        current.sendRun(p_.shadow.real, slots);
+  if (slots & bit(kColor)) p_.shadow.colorSet();
   if (const MaterialChange* last = stream_.lastMaterial()) {
-    p_.shadow.current.send(p_.shadow.real);
     sendMaterial(p_.shadow.real, *last);
-    if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real);
+    if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real), current.restore(p_.shadow.real);
     p_.shadow.touch(kMaterial);
   }
 }
@@ -127,7 +133,12 @@ class Immediate::RunDraw final : public DrawRequest {
   }
   Reason trace(const KnownMesh& mesh) override {
     i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
+    // Draws from arrays have stored the current values already; those since then are still held back.
+    CurrentValues& current = i_.p_.shadow.current;
+    const CurrentValues before = current;
+    if (i_.ofArrays_) current.letGo();
     i_.p_.counts.traced(i_.path_, countTriangles(run_));
+    if (i_.ofArrays_) current = before;
     return Reason::traced;
   }
   void meetPasses(PrimitiveClass primitive, Reason reason) override {
@@ -151,7 +162,11 @@ void Immediate::drawRun() {
   weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
   const DrawTimer timer(p_.counts.kinds());
   RunDraw request(*this);
-  p_.draws.submit(request);
+  const CurrentValues before = p_.shadow.current;
+  if (p_.draws.submit(request) == Fate::traced || !ofArrays_) return;
+  // The replay has set attributes that draws from arrays leave as they are.
+  p_.shadow.current = before;
+  p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
 }
 
 /// Sends what has been set since the last vertex into the open fragment.
@@ -172,8 +187,7 @@ void Immediate::surrender() {
     p_.raster.before(class_);
     if (open ? p_.beginEnd.inside != Inside::captured : !open_) return;  // a failure there has surrendered it
   }
-  p_.shadow.sendBuffers();                 // glArrayElement may follow
-  p_.shadow.current.send(p_.shadow.real);  // before NewList: not part of the fragment
+  p_.shadow.sendBuffers();  // glArrayElement may follow
   if (p_.lists.compiling()) {
     fragment = p_.shadow.real.GenLists(1);
     p_.shadow.real.NewList(fragment, GL_COMPILE);
@@ -188,7 +202,7 @@ void Immediate::surrender() {
   if (!p_.lists.compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
-    p_.shadow.current.send(p_.shadow.real);  // what was set since the last vertex; legal inside glBegin too
+    if (ofArrays_ && !open) p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
   } else {
     sendRunValues();
     if (!open) p_.shadow.real.EndList();

@@ -25,7 +25,9 @@ Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
   p_.counts.rasterised(reason, load.path, load.primitive, load.triangles);
   p_.raster.before(load.primitive);
   p_.shadow.sendBuffers();
-  return draw.make();
+  const Fate fate = draw.make();
+  p_.shadow.current.drawnByReal();
+  return fate;
 }
 
 void Draws::beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reason) {

@@ -9,13 +9,14 @@
 // GL thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/current_values.h"
 #include "gl/real/real.h"
 
 namespace gluray::gl {
 
 class MaterialLatch {
  public:
-  explicit MaterialLatch(bool on) : on_(on) {}
+  MaterialLatch(bool on, const CurrentValues& current) : on_(on), current_(current) {}
   /// Whether the current context's OpenGL draws with materials that were stored again: a Mesa before 23.
   static bool isIn(const RealGl& real);
   bool isOn() const { return on_; }
@@ -36,12 +37,16 @@ class MaterialLatch {
   void drawn() {
     if (waiting_.front | waiting_.back) waiting_ = {};
   }
-  /// Call after a query or draw by GLuRay: sends the materials again, so that the real OpenGL holds them back
+  /// Call after a query or draw by GLuRay: sends the materials and current values again, so that the real
+  /// OpenGL holds them back
   /// again.
   void restore(const RealGl& real) const;
 
  private:
-  bool on_;                 // the quirk is switched on, and the real OpenGL needs it
+  void restoreMaterials(const RealGl& real) const;
+
+  bool on_;  // the quirk is switched on, and the real OpenGL needs it
+  const CurrentValues& current_;
   MaterialChange waiting_;  // materials sent since the last draw
 };
 

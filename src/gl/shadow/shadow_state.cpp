@@ -31,7 +31,7 @@ ShadowState::ShadowState(const RealGl& realGl, const BeginEnd& beginEnd,
       errors(contextErrors),
       attachments(group.deletedBuffers),
       images(group.deletedImages),
-      latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
+      latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl), current),
       textures(group),
       currentProgram(real, group, info),
       beginEnd_(beginEnd),
@@ -93,7 +93,6 @@ void ShadowState::read(uint32_t stale) {
   errors.keepPending();
   if (!rare_.asked) readRare();
   if (stale & kCurrent) current.read(real);
-  syncCurrent();
   if (stale & kModelview) {
     modelview_ = readMatrix(real, GL_MODELVIEW_MATRIX);
     modelviewInvertible_ = isInvertible(modelview_);
@@ -110,6 +109,7 @@ void ShadowState::read(uint32_t stale) {
   if ((stale & kMaterial) || recolored) {
     readMaterial(real, material_);
     latch.drawn();
+    current.restore(real);
   } else if (stale & kCurrent) {
     latch.restore(real);
   }

@@ -133,10 +133,6 @@ class ShadowState {
   /// The shader program `name` and its family. Hides GL errors of this from the host program. May throw
   /// std::bad_alloc.
   std::shared_ptr<const KnownProgram> recognise(GLuint name);
-  void syncCurrent() {
-    if (current.anyUnsent()) [[unlikely]]
-      current.send(real);
-  }
   /// Sends held-back contents of those buffers that the real OpenGL's next draw may read.
   void sendBuffers();
   double viewportPixels() {
