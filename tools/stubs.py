@@ -77,9 +77,9 @@ def _before(policy: Policy) -> str:
     return f"beforeForward(Context::Flush::{how});"
 
 
-def _stores(c: glxml.Command, policy: Policy, context: str) -> str:
+def _stores(policy: Policy, context: str) -> str:
     """The call that notes that the command makes the real OpenGL store current values."""
-    return f" {context}storesCurrent({c.arguments});" if policy.sync else ""
+    return f" {context}storesCurrent();" if policy.sync else ""
 
 
 def _track(c: glxml.Command, policy: Policy) -> str:
@@ -93,9 +93,9 @@ def _track(c: glxml.Command, policy: Policy) -> str:
         fragment = (f"if ({policy.fragment}) return ctx->lists.recordFragment([&] {{ {real}; }});\n        "
                     if policy.fragment else "")
         compile_case = (f"case Gate::compile: {fragment}ctx->lists.record([{', '.join(captures)}](Context& later) "
-                        f"{{ {late_before}{_effect(policy, late_handler, 'later')}{_stores(c, policy, 'later.')} {late_real}; }}); return;\n      case Gate::run: break;")
+                        f"{{ {late_before}{_effect(policy, late_handler, 'later')}{_stores(policy, 'later.')} {late_real}; }}); return;\n      case Gate::run: break;")
     before = f"ctx->{_before(policy)} " if policy.flush else ""
-    effect = _effect(policy, handler, '*ctx') + _stores(c, policy, 'ctx->')
+    effect = _effect(policy, handler, '*ctx') + _stores(policy, 'ctx->')
     return (_gate(c, policy, compile_case) + f"  {before}{effect}\n"
             f"  {'return ' if c.ret != 'void' else ''}{real};\n")
 

@@ -26,64 +26,99 @@ void askColor(const RealGl& real) {
 }  // namespace
 
 void CurrentValues::set(const RealGl& real, Slot slot, const float* value) {
-  keep(slot, value);
+  setInside(slot, value);
   sendAttribute(real, slot, value);
-  held_ |= bit(slot), pending_ = true;
+}
+
+void CurrentValues::setLater(Slot slot, const float* value) {
+  setInside(slot, value);
+  setLater_ |= bit(slot);
+}
+
+// Materials are never set later.
+void CurrentValues::drawnLater(const RealGl& real) {
+  if (!holdsAny()) return;
+  if (held_.slots & bit(kMaterialNumber)) return sendLater(real), drawn(real);
+  ++drawsLater_;
+  storedLater_ |= held_.slots;
+  forEachSlot(held_.slots, [&](Slot slot) { valuesLater_[slot] = values_[slot]; });
+  drawnByReal();
+}
+
+void CurrentValues::sendLater(const RealGl& real) {
+  const SlotMask set = std::exchange(setLater_, 0), stored = std::exchange(storedLater_, 0);
+  const int draws = std::exchange(drawsLater_, 0);
+  if (draws == 0) return send(real, set, values_);
+  if (draws == 1 && !held_.pending) return send(real, set, values_), askMaterial(real);  // no value after it
+  send(real, stored, valuesLater_);
+  askMaterial(real), askMaterial(real);
+  restore(real);
+}
+
+void CurrentValues::readInside(const RealGl& real, SlotMask slots) {
+  forEachSlot(slots, [&](Slot slot) { read(real, slot); });
+  held_ = {held_.slots | slots, true, true};
+  restore(real);
 }
 
 void CurrentValues::changeState(const RealGl& real) {
-  if (!due_) return;
+  if (!held_.due) return;
   askMaterial(real);
   letGo();
 }
 
 void CurrentValues::store(const RealGl& real) {
-  if (!pending_) return;
+  if (!held_.pending) return;
   askColor(real);
   stored();
 }
 
 void CurrentValues::drawn(const RealGl& real) {
-  if (!pending_ && !due_) return;
+  if (!holdsAny()) return;
   askMaterial(real);
   drawnByReal();
 }
 
 void CurrentValues::begun(const RealGl* real) {
-  if (real && (pending_ || due_)) askMaterial(*real), askMaterial(*real);
+  if (real && holdsAny()) askMaterial(*real), askMaterial(*real);
   letGo();
+}
+
+void CurrentValues::send(const RealGl& real, SlotMask slots, const SlotValues& values) {
+  forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values[slot].data()); });
 }
 
 // Materials alone are held back by the same flags: a value that changes nothing sets them.
 void CurrentValues::hold(const RealGl& real) const {
-  if (held_ == bit(kMaterialNumber)) return sendAttribute(real, kNormal, values_[kNormal].data());
-  forEachSlot(held_, [&](Slot slot) { sendAttribute(real, slot, values_[slot].data()); });
+  const SlotMask slots = held_.slots & ~bit(kMaterialNumber);
+  send(real, slots ? slots : bit(kNormal), values_);
 }
 
 void CurrentValues::restore(const RealGl& real) const {
-  if (!held_) return;
+  if (!held_.slots) return;
   hold(real);
-  if (!due_) return;
+  if (!held_.due) return;
   askMaterial(real);
-  if (pending_) hold(real);
+  if (held_.pending) hold(real);
 }
 
 void CurrentValues::storeAside(const RealGl& real, SlotMask slots) {
   if (!slots) return;
-  forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values_[slot].data()); });
+  send(real, slots, values_);
   askMaterial(real), askMaterial(real);
   restore(real);
 }
 
 void CurrentValues::sendRun(const RealGl& real, SlotMask slots) {
   if (!slots) return;
-  forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values_[slot].data()); });
+  send(real, slots, values_);
   askMaterial(real);
-  held_ |= slots, pending_ = false, due_ = true;
+  held_ = {held_.slots | slots, false, true};
 }
 
 void CurrentValues::read(const RealGl& real) {
-  const SlotMask unread = pending_ ? held_ : 0;
+  sendLater(real);
+  const SlotMask unread = held_.pending ? held_.slots : 0;
   for (int s = kNormal; s < kSlotCount; ++s)
     if (!(unread & bit(static_cast<Slot>(s)))) read(real, static_cast<Slot>(s));
 }

@@ -14,8 +14,16 @@ namespace gluray::gl {
 /// in place of the program's have the same effect on them, and queries of ours have none. A flush stores the
 /// held-back values; while `due_` is set, the next state change or draw stores them again and lets go of
 /// them.
+/// While a run of small draws from arrays is open, values are sent when it ends: setLater(), drawnLater(),
+/// sendLater().
 class CurrentValues {
  public:
+  /// What Mesa holds back.
+  struct Held {
+    SlotMask slots = 0;    // Mesa's vertex template
+    bool pending = false;  // some of them are not yet stored (FLUSH_UPDATE_CURRENT)
+    bool due = false;      // the next state change or draw stores them and lets go (FLUSH_STORED_VERTICES)
+  };
   const SlotValues& all() const { return values_; }
   const float* operator[](Slot slot) const { return values_[slot].data(); }
 
@@ -28,39 +36,48 @@ class CurrentValues {
   /// Takes a value that the program has set between glBegin and glEnd of the real OpenGL.
   void setInside(Slot slot, const float* value) {
     keep(slot, value);
-    held_ |= bit(slot), pending_ = true;
+    held_.slots |= bit(slot), held_.pending = true;
   }
   /// glEnd of such a primitive.
-  void ended() { due_ = due_ || pending_; }
+  void ended() { held_.due = held_.due || held_.pending; }
+  /// Reads values that glArrayElement has set in such a primitive. Call after ended().
+  void readInside(const RealGl& real, SlotMask slots);
+
+  // The same as set() and drawn(), but without calls of the real OpenGL. Before any other command reaches it,
+  // sendLater() makes up for them.
+  void setLater(Slot slot, const float* value);
+  void drawnLater(const RealGl& real);
+  void sendLater(const RealGl& real);
 
   // What Mesa does to held-back values.
   /// The program changes state.
   void stateChanges() {
-    if (due_) letGo();
+    if (held_.due) letGo();
   }
   /// The same for a change that the real OpenGL does not get.
   void changeState(const RealGl& real);
   /// The program makes a call that stores held-back values: a query of them, glCallList, glNewList,
   /// glPushAttrib, glColorMaterial.
   void stored() {
-    if (pending_) due_ = true, pending_ = false;
+    if (held_.pending) held_.due = true, held_.pending = false;
   }
   /// The same for a call that the real OpenGL does not get.
   void store(const RealGl& real);
   /// The real OpenGL makes a draw from arrays.
-  void drawnByReal() { due_ ? letGo() : stored(); }
+  void drawnByReal() { held_.due ? letGo() : stored(); }
   /// A draw that it does not get uses the current values.
   void drawn(const RealGl& real);
   /// The program's glBegin stores all values; `real` if the real OpenGL does not get it.
   void begun(const RealGl* real);
   /// Forgets what is held back.
-  void letGo() { held_ = 0, pending_ = due_ = false; }
+  void letGo() { held_ = {}; }
   /// After queries or draws of ours, which stored all values: they are held back again as before.
   void restore(const RealGl& real) const;
   /// Whether Mesa may hold back values.
-  bool holdsAny() const { return pending_ || due_; }
-  /// Slots that are held back.
-  SlotMask held() const { return held_; }
+  bool holdsAny() const { return held_.pending || held_.due; }
+  const Held& held() const { return held_; }
+  /// After commands that Mesa does not get as the program makes them: the same is held back as before.
+  void holdAgain(const Held& held) { held_ = held; }
   /// Stores values without holding them back, as lists do after their vertices.
   void storeAside(const RealGl& real, SlotMask slots);
   /// The real OpenGL lacks values that a traced run has set: sends them, as if its vertices followed.
@@ -72,12 +89,16 @@ class CurrentValues {
   void read(const RealGl& real, Slot slot);
 
  private:
+  static void send(const RealGl& real, SlotMask slots, const SlotValues& values);
   void hold(const RealGl& real) const;
 
   SlotValues values_ = initialSlotValues();
-  SlotMask held_ = 0;     // held-back values, Mesa's vertex template
-  bool pending_ = false;  // some of them are not yet stored (FLUSH_UPDATE_CURRENT)
-  bool due_ = false;      // the next state change or draw stores them and lets go (FLUSH_STORED_VERTICES)
+  Held held_;
+  // Since the last sendLater(): slots that have been set, and those that a draw has stored, with their
+  // values.
+  SlotMask setLater_ = 0, storedLater_ = 0;
+  SlotValues valuesLater_{};
+  int drawsLater_ = 0;  // that have stored values
 };
 
 }  // namespace gluray::gl

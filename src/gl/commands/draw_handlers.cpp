@@ -149,7 +149,8 @@ void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, Dr
                   sizeOf(static_cast<Slot>(s)) * 4);
   const bool recorded = p_.lists.compiling();
   begin(mode, !recorded);
-  if (!recorded) p_.shadow.current.drawn(p_.shadow.real);
+  if (!recorded)
+    open_ ? p_.shadow.current.drawnLater(p_.shadow.real) : p_.shadow.current.drawn(p_.shadow.real);
   if (stream_.empty()) path_ = path;
   const ElementSender send(p_.shadow.real, p_.shadow.arrays(),
                            recorded ? Fractions::ofCommands : Fractions::ofArrays);

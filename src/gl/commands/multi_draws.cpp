@@ -68,11 +68,11 @@ void drawEach(Context& c, GLsizei draws, const Draw& draw) {
     for (GLsizei i = 1; i < draws; ++i) draw(i);
     return;
   }
-  const CurrentValues after = c.shadow.current;
+  const CurrentValues::Held after = c.shadow.current.held();
   c.shadow.current.letGo();
   const uint64_t rasterised = c.counts.statistics.drawsRasterised;
   for (GLsizei i = 1; i < draws; ++i) draw(i);
-  c.shadow.current = after;
+  c.shadow.current.holdAgain(after);
   if (c.counts.statistics.drawsRasterised != rasterised) c.shadow.current.restore(c.real);
 }
 

@@ -101,11 +101,8 @@ class Context {
     if ((groups & ~uint32_t{kArrays}) && !(groups & kHeldNoted)) shadow.current.stateChanges();
     shadow.touch(groups);
   }
-  /// A command with these arguments makes the real OpenGL store the current values that it holds back.
-  template <class... Arguments>
-  void storesCurrent(Arguments...) {
-    shadow.current.stored();
-  }
+  /// A command makes the real OpenGL store the current values that it holds back.
+  void storesCurrent() { shadow.current.stored(); }
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body()) {
     return failsafe.protect(std::forward<F>(body));

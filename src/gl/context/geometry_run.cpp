@@ -13,18 +13,6 @@
 
 namespace gluray::gl {
 
-void applyMaterials(Context& context, const MaterialChange& change) {
-  const auto each = [&](GLenum face, const scene::Material& m, uint16_t set) {
-    if (set & MaterialChange::ambient) context.immediate.material(face, GL_AMBIENT, &m.ambient.x);
-    if (set & MaterialChange::diffuse) context.immediate.material(face, GL_DIFFUSE, &m.diffuse.x);
-    if (set & MaterialChange::specular) context.immediate.material(face, GL_SPECULAR, &m.specular.x);
-    if (set & MaterialChange::emission) context.immediate.material(face, GL_EMISSION, &m.emission.x);
-    if (set & MaterialChange::shininess) context.immediate.material(face, GL_SHININESS, &m.shininess);
-  };
-  each(GL_FRONT, change.values.front, change.front);
-  each(GL_BACK, change.values.back, change.back);
-}
-
 GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
                          std::vector<InheritedSlot> inherited, PrimitiveClass kind,
                          std::weak_ptr<ShareGroup> group)
@@ -38,6 +26,7 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       triangles_(countTriangles(captured_)) {
   lastSlots_ = leftByList_ = slotsOfLastVertex();
   leadingMaterial_ = findLeadingMaterial();
+  lastMaterial_ = materialOfLastVertex();
 }
 
 GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
@@ -54,20 +43,6 @@ void GeometryRun::dropRealList() {
   if (!realList_) return;
   if (const auto group = group_.lock()) group->discardRealList(realList_);
   realList_ = 0;
-}
-
-SlotMask GeometryRun::slotsOfLastVertex() const {
-  if (captured_.primitives.empty() || captured_.vertexCount == 0) return 0;
-  const auto& indices = captured_.indices;
-  const uint32_t last = indices.empty() ? captured_.vertexCount - 1 : indices.data()[indices.size() - 1];
-  SlotMask slots = finalSlots_;
-  for (const InheritedSlot& inherited : inherited_)
-    if (last < inherited.vertices) slots &= ~bit(inherited.slot);
-  forEachSlot(slots, [&](Slot slot) {
-    const float* value = captured_.vertex(last) + layout_.offset[slot];
-    if (std::memcmp(value, finals_[slot].data(), sizeOf(slot) * sizeof(float)) != 0) slots &= ~bit(slot);
-  });
-  return slots;
 }
 
 void GeometryRun::inherit(Context& context) {
@@ -141,19 +116,6 @@ void GeometryRun::rasterise(Context& context) {
   context.real.CallList(realList_);
 }
 
-const MaterialChange* GeometryRun::leadingMaterial() const {
-  if (leadingMaterial_ == 0) return nullptr;
-  return &captured_.materials[leadingMaterial_ - 1];
-}
-
-// The last change up to the first vertex that was made outside glBegin and glEnd.
-uint32_t GeometryRun::findLeadingMaterial() const {
-  if (!layout_.has(kMaterialNumber) || captured_.vertexCount == 0) return 0;
-  auto number = static_cast<uint32_t>(captured_.vertex(0)[layout_.offset[kMaterialNumber]]);
-  while (number > 0 && !captured_.materials[number - 1].outside) --number;
-  return number;
-}
-
 void GeometryRun::execute(Context& context) {
   if (context.immediate.insideBegin() && !captured_.primitives.empty())
     return context.errors.set(GL_INVALID_OPERATION);
@@ -178,47 +140,16 @@ void GeometryRun::execute(Context& context) {
                   [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
     if (leading) applyMaterials(context, *leading);
     draw(context);
-    again = leading && (context.shadow.current.held() & bit(kMaterialNumber));
+    if (drawsTwice_) {
+      if (rasterised_)
+        context.shadow.current.drawnByReal();
+      else
+        context.shadow.current.drawn(context.real);
+    }
+    again = leading && (context.shadow.current.held().slots & bit(kMaterialNumber));
     leave(context);
   }
-  if (captured_.materials.empty()) return;
-  applyMaterials(context, captured_.materials.back());
-  // Materials that Mesa still holds back it stores again later, over those of the vertices.
-  if (again) applyMaterials(context, *leading);
-  context.shadow.latch.letGo(context.real);
-  context.shadow.current.restore(context.real);
-}
-
-void GeometryRun::drawContinued(Context& context) {
-  CurrentValues& current = context.shadow.current;
-  const CurrentValues after = current;
-  current.letGo();
-  draw(context);
-  current = after;
-  if (rasterised_) current.storeAside(context.real, layout_.mask & kVertexAttributes);
-}
-
-// Mesa stores these attributes without holding them back. Those that were set before the vertices, and are
-// held back still, it stores again later, over them.
-void GeometryRun::leave(Context& context) {
-  CurrentValues& current = context.shadow.current;
-  if (context.lists.executesNow()) {  // Mesa makes the calls while it compiles them, draws from arrays, too
-    current.begun(&context.real);
-    forEachSlot(finalSlots_, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
-    current.sendRun(context.real, finalSlots_ ? finalSlots_ : bit(kNormal));
-    if (finalSlots_ & bit(kColor)) context.shadow.colorSet();
-    return;
-  }
-  const SlotMask finals = finalSlots_ & lastSlots_ & ~current.held();
-  forEachSlot(finals, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
-  // A real list also leaves attributes of array draws, which do not change them.
-  const SlotMask drawn = layout_.mask & kVertexAttributes;
-  current.storeAside(context.real, rasterised_ ? drawn : finals);
-  if (rasterised_ && !drawn) current.restore(context.real);
-  // Those that were set after the last vertex are held back.
-  forEachSlot(finalSlots_ & ~lastSlots_,
-              [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
-  if (finals & bit(kColor)) context.shadow.colorSet();
+  leaveMaterials(context, again ? leading : nullptr);
 }
 
 /// The run, as its list is called.

@@ -24,6 +24,8 @@ class GeometryRun final : public ListOp {
   ~GeometryRun() override;
   /// Attributes that are set before its first glBegin.
   void setLeading(SlotMask slots, const SlotValues& values) { leading_ = slots, leadingValues_ = values; }
+  /// Says whether Mesa makes two draws of it: the second one lets go of values that the first one stores.
+  void setDrawsTwice(bool on) { drawsTwice_ = on; }
   /// Marks the run as a later draw of a multi-draw, whose first draw alone stores current values.
   void setContinues() { continues_ = true; }
   /// Draws the run, traced or rasterised, and makes its last attributes current.
@@ -33,6 +35,8 @@ class GeometryRun final : public ListOp {
   class RunDraw;
   /// Makes the attributes after its last vertex current.
   void leave(Context& context);
+  /// The same for materials. `again`: those before the first vertex, if Mesa stores them again.
+  void leaveMaterials(Context& context, const MaterialChange* again);
   void draw(Context& context);
   /// Draws it as a later draw of a multi-draw.
   void drawContinued(Context& context);
@@ -41,6 +45,9 @@ class GeometryRun final : public ListOp {
   /// The materials that are set before its first glBegin, if any.
   const MaterialChange* leadingMaterial() const;
   uint32_t findLeadingMaterial() const;
+  uint32_t lastVertex() const;
+  /// The number of the last vertex's materials; 0: none are set.
+  uint32_t materialOfLastVertex() const;
   /// Those of finalSlots_ that have the value of the last vertex, which the real list leaves current.
   SlotMask slotsOfLastVertex() const;
   /// Fills inherited slots with the caller's current values.
@@ -65,8 +72,10 @@ class GeometryRun final : public ListOp {
   SlotMask leading_ = 0;
   SlotValues leadingValues_{};
   uint32_t leadingMaterial_ = 0;  // its number; 0: none
+  uint32_t lastMaterial_ = 0;     // that of the last vertex
   bool rasterised_ = false;       // in its last call
   bool continues_ = false;        // a later draw of a multi-draw
+  bool drawsTwice_ = false;
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;
   std::weak_ptr<ShareGroup> group_;

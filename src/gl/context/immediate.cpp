@@ -11,6 +11,7 @@
 #include <GL/glext.h>
 
 #include <cstring>
+#include <utility>
 
 namespace gluray::gl {
 namespace vertexcall {
@@ -67,7 +68,7 @@ void Immediate::attribute(Slot slot, const float* values) {
     if (p_.lists.compiling() && ofArrays_ && p_.beginEnd.inside != Inside::captured) closeRun();
     if (!stream_.has(slot)) addSlotToRun(slot);
     if (open_ && ofArrays_ && p_.beginEnd.inside != Inside::captured)
-      p_.shadow.current.set(p_.shadow.real, slot, values);
+      p_.shadow.current.setLater(slot, values);
     return stream_.set(slot, values);
   }
   p_.shadow.current.set(p_.shadow.real, slot, values);
@@ -92,6 +93,7 @@ void Immediate::addSlotToRun(Slot slot) {
   // The value that the list's caller will have set is unknown: vertices captured so far inherit it when the
   // list is called.
   if (p_.beginEnd.inside != Inside::captured && !stream_.empty()) closeRun();
+  if (!stream_.empty() && stream_.layout().mask == bit(kPosition)) drawsTwice_ = true;
   if (!stream_.empty() && slot != kMaterialNumber)
     inherited_.push_back({slot, stream_.captured().vertexCount});
   stream_.addSlot(slot, initialSlotValues()[slot].data());
@@ -207,6 +209,8 @@ void Immediate::end() {
   if (p_.beginEnd.inside == Inside::rasterised) {
     p_.shadow.real.End();
     if (!p_.beginEnd.fragment) countOpenPrimitive(), p_.shadow.current.ended();
+    if (std::exchange(hasElements_, false) && !p_.beginEnd.fragment && !p_.clock.passesThrough())
+      p_.shadow.current.readInside(p_.shadow.real, slotsOf(p_.shadow.arrays()) & kVertexAttributes);
     if (const GLuint id = std::exchange(p_.beginEnd.fragment, 0)) {
       p_.shadow.real.EndList();
       p_.lists.appendFragment(id);
@@ -271,6 +275,7 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
 
 void Immediate::rasterElement(GLint i) {
   ++openPrimitive_.count;
+  hasElements_ = true;
   p_.shadow.real.ArrayElement(i);
 }
 

@@ -115,12 +115,15 @@ class Immediate {
   VertexStream::Welding welding_;
   WhenToWeld weld_;
   VertexStream stream_;
-  bool open_ = false;  // stream_ holds a run outside lists
+  bool open_ = false;         // stream_ holds a run outside lists
+  bool hasElements_ = false;  // of the primitive that the real OpenGL draws: vertices of glArrayElement
   // The run consists of draws from arrays: current values are also sent when they are set.
   bool ofArrays_ = false;
   // Attributes that a list's run sets before its first glBegin, and their values.
   SlotMask leading_ = 0;
   SlotValues leadingValues_{};
+  // A list's run: its first vertices have positions alone, later ones have attributes. Mesa makes two draws.
+  bool drawsTwice_ = false;
   PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
   Reason reason_ = Reason::traced;                   // why the captured run will be rasterised
   DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs

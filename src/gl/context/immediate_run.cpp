@@ -18,7 +18,7 @@ void Immediate::startRun() {
   stream_.start(bit(kPosition), p_.shadow.current.all(),
                 p_.lists.compiling() ? weld_.inList() : weld_.inFrame(), welding_);
   inherited_.clear();
-  ofArrays_ = false, leading_ = 0;
+  ofArrays_ = false, leading_ = 0, drawsTwice_ = false;
   path_ = DrawPath::immediate;
   reason_ = Reason::traced;
   open_ = !p_.lists.compiling();
@@ -32,6 +32,7 @@ void Immediate::closeRun() {
   }
   stream_.captured();  // may throw: the run is still open then, and the real OpenGL takes it over
   open_ = false;
+  p_.shadow.current.sendLater(p_.shadow.real);
   drawRun();
   keepRunValues();
   p_.attention.update();
@@ -55,6 +56,7 @@ void Immediate::recordRun() {
   try {
     recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
     recorded->setLeading(leading_, leadingValues_);
+    recorded->setDrawsTwice(drawsTwice_);
   } catch (...) {
     stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
     throw;
@@ -135,10 +137,10 @@ class Immediate::RunDraw final : public DrawRequest {
     i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
     // Draws from arrays have stored the current values already; those since then are still held back.
     CurrentValues& current = i_.p_.shadow.current;
-    const CurrentValues before = current;
+    const CurrentValues::Held before = current.held();
     if (i_.ofArrays_) current.letGo();
     i_.p_.counts.traced(i_.path_, countTriangles(run_));
-    if (i_.ofArrays_) current = before;
+    if (i_.ofArrays_) current.holdAgain(before);
     return Reason::traced;
   }
   void meetPasses(PrimitiveClass primitive, Reason reason) override {
@@ -162,10 +164,10 @@ void Immediate::drawRun() {
   weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
   const DrawTimer timer(p_.counts.kinds());
   RunDraw request(*this);
-  const CurrentValues before = p_.shadow.current;
+  const CurrentValues::Held before = p_.shadow.current.held();
   if (p_.draws.submit(request) == Fate::traced || !ofArrays_) return;
   // The replay has set attributes that draws from arrays leave as they are.
-  p_.shadow.current = before;
+  p_.shadow.current.holdAgain(before);
   p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
 }
 
@@ -183,6 +185,7 @@ void Immediate::surrender() {
   const bool open = p_.beginEnd.inside == Inside::captured;
   GLuint fragment = 0;
   if (!p_.lists.compiling()) {
+    p_.shadow.current.sendLater(p_.shadow.real);
     p_.raster.noteUnsampledDraw(class_, Reason::evaluators);
     p_.raster.before(class_);
     if (open ? p_.beginEnd.inside != Inside::captured : !open_) return;  // a failure there has surrendered it

@@ -32,14 +32,14 @@ class MaterialLatch {
     if (!waiting_.front && !waiting_.back) return;
     letGo(real);
     drawn();
+    current_.restore(real);
   }
   /// Reports a draw: the real OpenGL has stored the held-back materials.
   void drawn() {
     if (waiting_.front | waiting_.back) waiting_ = {};
   }
   /// Call after a query or draw by GLuRay: sends the materials and current values again, so that the real
-  /// OpenGL holds them back
-  /// again.
+  /// OpenGL holds them back again.
   void restore(const RealGl& real) const;
 
  private:

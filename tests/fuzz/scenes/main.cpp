@@ -1,6 +1,7 @@
 // Random scenes, each drawn by the real OpenGL and through GLuRay: compares query results, colours and
 // depths. Prints the seeds of scenes that differ, and keeps their images.
 //   gluray_fuzz_scenes [--seed N] [--scenes N] [--lists 1] [--out FOLDER]
+//   gluray_fuzz_scenes [--lists 1] --print N   prints the calls of scene N
 //   gluray_fuzz_scenes --shrink N [--lists 1] [--out FOLDER]   prints the calls of scene N that suffice to
 //   make it differ
 #include "tests/fuzz/scenes/outcome.h"
@@ -28,7 +29,12 @@ std::string differenceOf(const std::vector<Call>& scene, uint64_t seed, const st
 }
 
 int shrinkScene(uint64_t seed, bool lists, const std::string& folder) {
-  const auto kindOf = [](const std::string& why) { return why.substr(0, why.find_first_of(":;")); };
+  // Colours, depths, or the same wrong answer to a query.
+  const auto kindOf = [](const std::string& why) {
+    const size_t values = why.find(" is ");
+    return why.starts_with("answers") && values != std::string::npos ? why.substr(values)
+                                                                     : why.substr(0, why.find_first_of(":;"));
+  };
   const std::string why = differenceOf(makeScene(seed, lists), seed, "");
   if (why.empty()) return std::printf("scene %llu is fine\n", static_cast<unsigned long long>(seed)), 0;
   const std::vector<Call> scene = shrink(makeScene(seed, lists), [&](const std::vector<Call>& less) {
@@ -65,6 +71,11 @@ int main(int argc, char** argv) {
     if (option == "--seed") seed = std::strtoull(argv[i + 1], nullptr, 10);
     if (option == "--scenes") scenes = std::strtoull(argv[i + 1], nullptr, 10);
     if (option == "--shrink") shrunk = std::strtoull(argv[i + 1], nullptr, 10);
+    if (option == "--print") {
+      for (const auto& call : gluray::fuzz::makeScene(std::strtoull(argv[i + 1], nullptr, 10), lists != 0))
+        std::printf("%s\n", call.text().c_str());
+      return 0;
+    }
     if (option == "--lists") lists = std::strtoull(argv[i + 1], nullptr, 10);
     if (option == "--out") folder = argv[i + 1];
   }

@@ -126,7 +126,7 @@ void Scene::listStep(const Shape& shape) {
     case 0: return current();
     case 1: {
       const size_t before = calls_.size();
-      if (executes_) WRITE(w_, Translatef, 0.1f, 0.0f, 0.0f);  // avoided.md
+      if (executes_) WRITE(w_, Translatef, 0.1f, 0.0f, 0.1f);  // avoided.md
       writeMaterial(w_);
       return w_.join(calls_.size() - before);
     }
@@ -155,11 +155,12 @@ void Scene::list(const Shape& shape) {
   if (saves) WRITE_AS(w_, pop, PopAttrib);
   WRITE_AS(w_, endList, EndList);
   for (uint32_t calls = 1 + dice_.below(2); calls > 0; --calls) {
-    if (dice_.chance(60)) WRITE(w_, Translatef, dice_.real(-1, 1), -0.3f, 0.0f);
+    // Flat shapes leave their plane: avoided.md.
+    if (dice_.chance(60)) WRITE(w_, Translatef, dice_.real(-1, 1), -0.3f, 0.15f);
     if (dice_.chance(40)) current();
     if (dice_.chance(20)) change();
     WRITE(w_, CallList, lists_);
-    WRITE(w_, Translatef, 0.1f, 0.0f, 0.0f);  // a change of state: avoided.md
+    WRITE(w_, Translatef, 0.1f, 0.0f, 0.1f);  // a change of state: avoided.md
     w_.join(2);
   }
 }

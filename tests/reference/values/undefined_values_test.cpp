@@ -204,6 +204,22 @@ const HeldCase kHeldCases[] = {
        gl.MultiDrawArrays(GL_TRIANGLES, firsts, counts, 2), gl.DisableClientState(GL_VERTEX_ARRAY);
        gl.Color4fv(kGreen), gl.EndList(), gl.CallList(1), gl.PopAttrib();
      }},
+    {"glPopAttrib in a list that is called after a material",
+     [](Gl gl) {
+       gl.NewList(1, GL_COMPILE), gl.PushAttrib(GL_CURRENT_BIT), gl.Color4fv(kRed), gl.PopAttrib();
+       gl.EndList(), drawArrays(gl), gl.Materialfv(GL_FRONT_AND_BACK, GL_EMISSION, kGreen);
+       gl.CallList(1), gl.Translatef(0, 0.1f, 0);
+     }},
+    {"colours of glArrayElement in a primitive that is rasterised",
+     [](Gl gl) {
+       const std::vector<GLfloat> colors(12, 0.5f);
+       drawBegun(gl, kRed), gl.Disable(GL_DEPTH_TEST);
+       gl.EnableClientState(GL_COLOR_ARRAY), gl.ColorPointer(4, GL_FLOAT, 0, colors.data());
+       gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(3, GL_FLOAT, 0, kCorners.data());
+       gl.Begin(GL_TRIANGLES), gl.ArrayElement(0), gl.ArrayElement(1), gl.ArrayElement(2), gl.End();
+       gl.DisableClientState(GL_COLOR_ARRAY);
+       gl.Materialfv(GL_FRONT, GL_EMISSION, kGreen), drawBegun(gl), gl.Translatef(0, 0.1f, 0);
+     }},
     {"glPopAttrib after a colour that follows draws",
      [](Gl gl) {
        gl.PushAttrib(GL_LIGHTING_BIT), gl.Color4fv(kRed), drawArrays(gl, false), drawArrays(gl, false);

@@ -1,0 +1,110 @@
+// The current values and materials that lists' runs leave, as Mesa's lists leave them.
+#include "gl/context/context.h"
+#include "gl/context/geometry_run.h"
+
+#include <GL/gl.h>
+
+#include <cstring>
+#include <vector>
+
+namespace gluray::gl {
+
+void applyMaterials(Context& context, const MaterialChange& change) {
+  const auto each = [&](GLenum face, const scene::Material& m, uint16_t set) {
+    if (set & MaterialChange::ambient) context.immediate.material(face, GL_AMBIENT, &m.ambient.x);
+    if (set & MaterialChange::diffuse) context.immediate.material(face, GL_DIFFUSE, &m.diffuse.x);
+    if (set & MaterialChange::specular) context.immediate.material(face, GL_SPECULAR, &m.specular.x);
+    if (set & MaterialChange::emission) context.immediate.material(face, GL_EMISSION, &m.emission.x);
+    if (set & MaterialChange::shininess) context.immediate.material(face, GL_SHININESS, &m.shininess);
+  };
+  each(GL_FRONT, change.values.front, change.front);
+  each(GL_BACK, change.values.back, change.back);
+}
+
+uint32_t GeometryRun::lastVertex() const {
+  const auto& indices = captured_.indices;
+  return indices.empty() ? captured_.vertexCount - 1 : indices.data()[indices.size() - 1];
+}
+
+uint32_t GeometryRun::materialOfLastVertex() const {
+  if (!layout_.has(kMaterialNumber) || captured_.vertexCount == 0) return 0;
+  return static_cast<uint32_t>(captured_.vertex(lastVertex())[layout_.offset[kMaterialNumber]]);
+}
+
+SlotMask GeometryRun::slotsOfLastVertex() const {
+  if (captured_.primitives.empty() || captured_.vertexCount == 0) return 0;
+  const uint32_t last = lastVertex();
+  SlotMask slots = finalSlots_;
+  for (const InheritedSlot& inherited : inherited_)
+    if (last < inherited.vertices) slots &= ~bit(inherited.slot);
+  forEachSlot(slots, [&](Slot slot) {
+    const float* value = captured_.vertex(last) + layout_.offset[slot];
+    if (std::memcmp(value, finals_[slot].data(), sizeOf(slot) * sizeof(float)) != 0) slots &= ~bit(slot);
+  });
+  return slots;
+}
+
+const MaterialChange* GeometryRun::leadingMaterial() const {
+  if (leadingMaterial_ == 0) return nullptr;
+  return &captured_.materials[leadingMaterial_ - 1];
+}
+
+// The last change up to the first vertex that was made outside glBegin and glEnd.
+uint32_t GeometryRun::findLeadingMaterial() const {
+  if (!layout_.has(kMaterialNumber) || captured_.vertexCount == 0) return 0;
+  auto number = static_cast<uint32_t>(captured_.vertex(0)[layout_.offset[kMaterialNumber]]);
+  while (number > 0 && !captured_.materials[number - 1].outside) --number;
+  return number;
+}
+
+void GeometryRun::leaveMaterials(Context& context, const MaterialChange* again) {
+  const std::vector<MaterialChange>& changes = captured_.materials;
+  if (lastMaterial_ > 0) {
+    applyMaterials(context, changes[lastMaterial_ - 1]);
+    // Materials that Mesa still holds back it stores again later, over those of the vertices.
+    if (again) applyMaterials(context, *again);
+    context.shadow.latch.letGo(context.real);
+    context.shadow.current.restore(context.real);
+  }
+  // Those that were set after the last vertex are held back.
+  if (changes.size() > lastMaterial_) applyMaterials(context, changes.back());
+}
+
+void GeometryRun::drawContinued(Context& context) {
+  CurrentValues& current = context.shadow.current;
+  const CurrentValues::Held after = current.held();
+  current.letGo();
+  draw(context);
+  current.holdAgain(after);
+  if (rasterised_) current.storeAside(context.real, layout_.mask & kVertexAttributes);
+}
+
+// Mesa stores these attributes without holding them back. Those that were set before the vertices, and are
+// held back still, it stores again later, over them.
+void GeometryRun::leave(Context& context) {
+  CurrentValues& current = context.shadow.current;
+  if (context.lists.executesNow()) {  // Mesa makes the calls while it compiles them, draws from arrays, too
+    current.begun(&context.real);
+    forEachSlot(finalSlots_, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
+    current.sendRun(context.real, finalSlots_ ? finalSlots_ : bit(kNormal));
+    if (finalSlots_ & bit(kColor)) context.shadow.colorSet();
+    return;
+  }
+  const SlotMask finals = finalSlots_ & lastSlots_ & ~current.held().slots;
+  SlotMask changed = 0;  // what equals the stored value is not stored again
+  forEachSlot(finals, [&](Slot slot) {
+    if (std::memcmp(current[slot], finals_[slot].data(), sizeOf(slot) * sizeof(float)) == 0) return;
+    current.keep(slot, finals_[slot].data());
+    changed |= bit(slot);
+  });
+  // A real list also leaves attributes of array draws, which do not change them.
+  const SlotMask drawn = layout_.mask & kVertexAttributes;
+  current.storeAside(context.real, rasterised_ ? drawn : changed);
+  if (rasterised_ && !drawn) current.restore(context.real);
+  // Those that were set after the last vertex are held back.
+  forEachSlot(finalSlots_ & ~lastSlots_,
+              [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  if (finals & bit(kColor)) context.shadow.colorSet();
+}
+
+}  // namespace gluray::gl
