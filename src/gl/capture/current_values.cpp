@@ -1,5 +1,6 @@
 #include "gl/capture/current_values.h"
 
+#include "gl/capture/list_values.h"
 #include "gl/capture/replay.h"
 
 #include <GL/gl.h>
@@ -57,6 +58,7 @@ void CurrentValues::sendLater(const RealGl& real) {
 
 void CurrentValues::readInside(const RealGl& real, SlotMask slots) {
   forEachSlot(slots, [&](Slot slot) { read(real, slot); });
+  if (!holdsBack_) return;
   held_ = {held_.slots | slots, true, true};
   restore(real);
 }
@@ -88,10 +90,10 @@ void CurrentValues::send(const RealGl& real, SlotMask slots, const SlotValues& v
   forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values[slot].data()); });
 }
 
-// Materials alone are held back by the same flags: a value that changes nothing sets them.
+// Materials alone are held back by the same flags: a value that nobody uses sets them.
 void CurrentValues::hold(const RealGl& real) const {
   const SlotMask slots = held_.slots & ~bit(kMaterialNumber);
-  send(real, slots ? slots : bit(kNormal), values_);
+  send(real, slots ? slots : bit(kIndex), values_);
 }
 
 void CurrentValues::restore(const RealGl& real) const {
@@ -109,11 +111,41 @@ void CurrentValues::storeAside(const RealGl& real, SlotMask slots) {
   restore(real);
 }
 
+bool CurrentValues::applyList(const RealGl& real, const ListEffect& effect, SlotMask drawn) {
+  const Held before = held_;
+  const ListEffect::Left& left = effect.after(before.pending, before.due);
+  held_ = {left.set | (left.keepsOlder ? before.slots : 0), left.pending, left.due};
+  SlotMask changed = 0;
+  const auto* value = left.values.data();
+  forEachSlot((left.set | left.stored) & ~bit(kMaterialNumber), [&](Slot slot) {
+    const bool heldStill = (left.stored & held_.slots) & bit(slot);  // it will be stored again, over this
+    if (!heldStill && keepChanged(slot, value->data())) changed |= bit(slot);
+    ++value;
+  });
+  const SlotMask aside = (changed & ~held_.slots) | drawn;
+  if (!aside && left.keepsOlder && !(left.set & ~bit(kMaterialNumber))) {
+    if (held_.due && !before.due) askMaterial(real);
+  } else {
+    send(real, aside, values_);
+    const bool any = aside || before.pending || drawn;
+    if (any || before.due) askMaterial(real);
+    if (any && (drawn || !before.due)) askMaterial(real);
+    restore(real);
+  }
+  return changed & bit(kColor);
+}
+
+// A value that equals the stored one is not sent: storing it again would change nothing.
 void CurrentValues::sendRun(const RealGl& real, SlotMask slots) {
-  if (!slots) return;
-  send(real, slots, values_);
+  if (!holdsBack_) return send(real, slots, values_);
+  if (!slots && !holdsAny()) return;
+  held_.slots |= slots;
+  if (held_.due)
+    askMaterial(real), hold(real);
+  else
+    send(real, slots, values_);
   askMaterial(real);
-  held_ = {held_.slots | slots, false, true};
+  held_.pending = false, held_.due = true;
 }
 
 void CurrentValues::read(const RealGl& real) {

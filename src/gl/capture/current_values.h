@@ -7,6 +7,8 @@
 
 namespace gluray::gl {
 
+class ListEffect;
+
 /// Keeps the values that the program sets, and sends them at once. Mesa holds them back: it stores a value,
 /// and lets GL_COLOR_MATERIAL see it, when a draw, a query or certain state changes follow (seen in 22.3, in
 /// src/mesa/vbo and the macros FLUSH_VERTICES and FLUSH_CURRENT). Programs see when: glColorMaterial and
@@ -31,15 +33,21 @@ class CurrentValues {
   void keep(Slot slot, const float* value) {
     std::memcpy(values_[slot].data(), value, sizeOf(slot) * sizeof(float));
   }
+  /// The same. Returns whether it is another value.
+  bool keepChanged(Slot slot, const float* value) {
+    if (std::memcmp(values_[slot].data(), value, sizeOf(slot) * sizeof(float)) == 0) return false;
+    keep(slot, value);
+    return true;
+  }
   /// Takes a value, and sends it.
   void set(const RealGl& real, Slot slot, const float* value);
   /// Takes a value that the program has set between glBegin and glEnd of the real OpenGL.
   void setInside(Slot slot, const float* value) {
     keep(slot, value);
-    held_.slots |= bit(slot), held_.pending = true;
+    if (holdsBack_) held_.slots |= bit(slot), held_.pending = true;
   }
-  /// glEnd of such a primitive.
-  void ended() { held_.due = held_.due || held_.pending; }
+  /// glEnd of such a primitive. `any`: it has vertices.
+  void ended(bool any) { held_.due = held_.due || (any && holdsBack_); }
   /// Reads values that glArrayElement has set in such a primitive. Call after ended().
   void readInside(const RealGl& real, SlotMask slots);
 
@@ -48,6 +56,10 @@ class CurrentValues {
   void setLater(Slot slot, const float* value);
   void drawnLater(const RealGl& real);
   void sendLater(const RealGl& real);
+
+  /// Says that the real OpenGL is not Mesa: it stores values when they are set.
+  void holdNothingBack() { holdsBack_ = false; }
+  bool holdsBack() const { return holdsBack_; }
 
   // What Mesa does to held-back values.
   /// The program changes state.
@@ -76,11 +88,17 @@ class CurrentValues {
   /// Whether Mesa may hold back values.
   bool holdsAny() const { return held_.pending || held_.due; }
   const Held& held() const { return held_; }
+  /// Whether Mesa may hold back materials.
+  bool holdsMaterials() const { return held_.slots & bit(kMaterialNumber); }
   /// After commands that Mesa does not get as the program makes them: the same is held back as before.
   void holdAgain(const Held& held) { held_ = held; }
-  /// Stores values without holding them back, as lists do after their vertices.
+  /// Stores values without holding them back.
   void storeAside(const RealGl& real, SlotMask slots);
-  /// The real OpenGL lacks values that a traced run has set: sends them, as if its vertices followed.
+  /// A list has drawn vertices, since these values were held back. `drawn`: slots of the vertices if the real
+  /// OpenGL has drawn them. Returns whether the current colour has changed.
+  bool applyList(const RealGl& real, const ListEffect& effect, SlotMask drawn);
+  /// The real OpenGL lacks values that a traced run of glBegin and glEnd has set to others: sends them, as if
+  /// its vertices had.
   void sendRun(const RealGl& real, SlotMask slots);
 
   /// Reads back all values except those that are held back and not yet stored, or one slot.
@@ -93,6 +111,7 @@ class CurrentValues {
   void hold(const RealGl& real) const;
 
   SlotValues values_ = initialSlotValues();
+  bool holdsBack_ = true;  // the real OpenGL is Mesa
   Held held_;
   // Since the last sendLater(): slots that have been set, and those that a draw has stored, with their
   // values.

@@ -159,13 +159,13 @@ void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, Dr
   for (int s = kNormal; s < kSlotCount; ++s) {
     const auto slot = static_cast<Slot>(s);
     if (!(slots & bit(slot))) continue;
-    if (!recorded && open_ && stream_.has(slot))
+    if ((recorded || open_) && stream_.has(slot))
       stream_.set(slot, before[slot].data());
     else
       attribute(slot, before[slot].data());
   }
   // The next attribute must not bypass attribute().
-  if (recorded) ofArrays_ = true, t_thread.stream = nullptr;
+  if (recorded) listValues_.fromArrays(stream_), ofArrays_ = true, t_thread.stream = nullptr;
 }
 
 }  // namespace gluray::gl

@@ -41,7 +41,6 @@ void AttribStack::push(GLbitfield mask) {
 }
 
 void AttribStack::pop() {
-  p_.shadow.current.stateChanges();
   bool redirects = false;
   if (!saved_.empty()) {
     const Saved saved = saved_.back();
@@ -51,6 +50,7 @@ void AttribStack::pop() {
     // A change of the draw buffer would redirect the pending batch.
     redirects = saved.mask & GL_COLOR_BUFFER_BIT;
     if (redirects) p_.flusher.flush();
+    p_.shadow.current.stateChanges();
     p_.shadow.touch(groupsOfAttrib(saved.mask));
     if (saved.mask & GL_CURRENT_BIT) p_.shadow.current.stored();
   }

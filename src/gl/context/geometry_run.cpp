@@ -24,7 +24,7 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       kind_(kind),
       group_(std::move(group)),
       triangles_(countTriangles(captured_)) {
-  lastSlots_ = leftByList_ = slotsOfLastVertex();
+  leftByList_ = slotsOfLastVertex();
   leadingMaterial_ = findLeadingMaterial();
   lastMaterial_ = materialOfLastVertex();
 }
@@ -130,26 +130,26 @@ void GeometryRun::execute(Context& context) {
   context.immediate.closeRunIfOpen();
   if (continues_ && !context.clock.passesThrough() && !context.lists.executesNow())
     return drawContinued(context);
-  const MaterialChange* leading = context.lists.executesNow() ? nullptr : leadingMaterial();
-  bool again = false;
+  CurrentValues& current = context.shadow.current;
   if (context.clock.passesThrough() && drawDirectly(context)) {
     setFinals(finalSlots_ & ~leftByList_);
-  } else {
-    if (!context.lists.executesNow())
-      forEachSlot(leading_,
-                  [&](Slot slot) { context.immediate.attribute(slot, leadingValues_[slot].data()); });
-    if (leading) applyMaterials(context, *leading);
-    draw(context);
-    if (drawsTwice_) {
-      if (rasterised_)
-        context.shadow.current.drawnByReal();
-      else
-        context.shadow.current.drawn(context.real);
-    }
-    again = leading && (context.shadow.current.held().slots & bit(kMaterialNumber));
-    leave(context);
+    return leaveMaterials(context, nullptr);
   }
-  leaveMaterials(context, again ? leading : nullptr);
+  if (context.lists.executesNow()) {
+    draw(context);
+    leaveExecuted(context);
+    return leaveMaterials(context, nullptr);
+  }
+  const MaterialChange* leading = leadingMaterial();
+  if (leading) applyMaterials(context, *leading);
+  const CurrentValues::Held before = current.held();
+  draw(context);
+  current.holdAgain(before);
+  if (!current.holdsBack())
+    setFinals(finalSlots_);
+  else if (current.applyList(context.real, effect_, rasterised_ ? layout_.mask & kVertexAttributes : 0))
+    context.shadow.colorSet();
+  leaveMaterials(context, leading && current.holdsMaterials() ? leading : nullptr);
 }
 
 /// The run, as its list is called.
@@ -169,6 +169,7 @@ class GeometryRun::RunDraw final : public DrawRequest {
   Reason trace(const KnownMesh& mesh) override {
     c_.filler.add(mesh.mesh, run_.layout_.mask, run_.captured_.materials);
     c_.counts.traced(DrawPath::list, run_.triangles_);
+    c_.shadow.latch.drawn();
     return Reason::traced;
   }
   void meetPasses(PrimitiveClass primitive, Reason reason) override {

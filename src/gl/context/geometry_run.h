@@ -1,6 +1,7 @@
 // Captured vertices in a display list. GL threads: several may call a list of their share group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/list_values.h"
 #include "gl/context/list.h"
 #include "gl/history/sampled_surfaces.h"
 #include "gl/sharing/share_group.h"
@@ -22,10 +23,8 @@ class GeometryRun final : public ListOp {
   /// An array draw: leaves the current attributes unchanged.
   GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   ~GeometryRun() override;
-  /// Attributes that are set before its first glBegin.
-  void setLeading(SlotMask slots, const SlotValues& values) { leading_ = slots, leadingValues_ = values; }
-  /// Says whether Mesa makes two draws of it: the second one lets go of values that the first one stores.
-  void setDrawsTwice(bool on) { drawsTwice_ = on; }
+  /// What it does to current values. Initially they stay as they are.
+  void setEffect(ListEffect effect) { effect_ = std::move(effect); }
   /// Marks the run as a later draw of a multi-draw, whose first draw alone stores current values.
   void setContinues() { continues_ = true; }
   /// Draws the run, traced or rasterised, and makes its last attributes current.
@@ -33,8 +32,9 @@ class GeometryRun final : public ListOp {
 
  private:
   class RunDraw;
-  /// Makes the attributes after its last vertex current.
-  void leave(Context& context);
+  /// Makes the attributes after its last vertex current, as Mesa does when it executes a list's commands
+  /// while it compiles them.
+  void leaveExecuted(Context& context);
   /// The same for materials. `again`: those before the first vertex, if Mesa stores them again.
   void leaveMaterials(Context& context, const MaterialChange* again);
   void draw(Context& context);
@@ -66,16 +66,13 @@ class GeometryRun final : public ListOp {
   CapturedVertices captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
-  SlotMask lastSlots_ = 0;   // those of them that have the value of the last vertex
   SlotMask leftByList_ = 0;  // those of them that the real list has left current
   SlotValues finals_;
-  SlotMask leading_ = 0;
-  SlotValues leadingValues_{};
+  ListEffect effect_;
   uint32_t leadingMaterial_ = 0;  // its number; 0: none
   uint32_t lastMaterial_ = 0;     // that of the last vertex
   bool rasterised_ = false;       // in its last call
   bool continues_ = false;        // a later draw of a multi-draw
-  bool drawsTwice_ = false;
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;
   std::weak_ptr<ShareGroup> group_;

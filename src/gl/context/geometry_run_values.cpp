@@ -59,12 +59,14 @@ uint32_t GeometryRun::findLeadingMaterial() const {
 
 void GeometryRun::leaveMaterials(Context& context, const MaterialChange* again) {
   const std::vector<MaterialChange>& changes = captured_.materials;
-  if (lastMaterial_ > 0) {
+  CurrentValues& current = context.shadow.current;
+  if (lastMaterial_ > 0 && (lastMaterial_ != leadingMaterial_ || context.lists.executesNow())) {
+    const CurrentValues::Held before = current.held();
     applyMaterials(context, changes[lastMaterial_ - 1]);
     // Materials that Mesa still holds back it stores again later, over those of the vertices.
     if (again) applyMaterials(context, *again);
-    context.shadow.latch.letGo(context.real);
-    context.shadow.current.restore(context.real);
+    context.shadow.latch.letGo(context.real), context.shadow.latch.drawn();
+    current.holdAgain(before), current.restore(context.real);
   }
   // Those that were set after the last vertex are held back.
   if (changes.size() > lastMaterial_) applyMaterials(context, changes.back());
@@ -79,32 +81,12 @@ void GeometryRun::drawContinued(Context& context) {
   if (rasterised_) current.storeAside(context.real, layout_.mask & kVertexAttributes);
 }
 
-// Mesa stores these attributes without holding them back. Those that were set before the vertices, and are
-// held back still, it stores again later, over them.
-void GeometryRun::leave(Context& context) {
+void GeometryRun::leaveExecuted(Context& context) {
   CurrentValues& current = context.shadow.current;
-  if (context.lists.executesNow()) {  // Mesa makes the calls while it compiles them, draws from arrays, too
-    current.begun(&context.real);
-    forEachSlot(finalSlots_, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
-    current.sendRun(context.real, finalSlots_ ? finalSlots_ : bit(kNormal));
-    if (finalSlots_ & bit(kColor)) context.shadow.colorSet();
-    return;
-  }
-  const SlotMask finals = finalSlots_ & lastSlots_ & ~current.held().slots;
-  SlotMask changed = 0;  // what equals the stored value is not stored again
-  forEachSlot(finals, [&](Slot slot) {
-    if (std::memcmp(current[slot], finals_[slot].data(), sizeOf(slot) * sizeof(float)) == 0) return;
-    current.keep(slot, finals_[slot].data());
-    changed |= bit(slot);
-  });
-  // A real list also leaves attributes of array draws, which do not change them.
-  const SlotMask drawn = layout_.mask & kVertexAttributes;
-  current.storeAside(context.real, rasterised_ ? drawn : changed);
-  if (rasterised_ && !drawn) current.restore(context.real);
-  // Those that were set after the last vertex are held back.
-  forEachSlot(finalSlots_ & ~lastSlots_,
-              [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
-  if (finals & bit(kColor)) context.shadow.colorSet();
+  current.drawn(context.real), current.begun(&context.real);
+  forEachSlot(finalSlots_, [&](Slot slot) { current.keep(slot, finals_[slot].data()); });
+  current.sendRun(context.real, finalSlots_ ? finalSlots_ : bit(kIndex));
+  if (finalSlots_ & bit(kColor)) context.shadow.colorSet();
 }
 
 }  // namespace gluray::gl

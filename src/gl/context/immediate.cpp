@@ -65,10 +65,11 @@ void Immediate::attribute(Slot slot, const float* values) {
   }
   if (takesSlot(slot)) {
     // Set after draws from arrays, in a list: Mesa holds it back while the next primitive is drawn.
-    if (p_.lists.compiling() && ofArrays_ && p_.beginEnd.inside != Inside::captured) closeRun();
+    const bool outside = p_.beginEnd.inside != Inside::captured;
+    if (p_.lists.compiling() && ofArrays_ && outside) closeRun();
     if (!stream_.has(slot)) addSlotToRun(slot);
-    if (open_ && ofArrays_ && p_.beginEnd.inside != Inside::captured)
-      p_.shadow.current.setLater(slot, values);
+    if (p_.lists.compiling() && outside) listValues_.set(stream_, slot, values);
+    if (open_ && ofArrays_ && outside) p_.shadow.current.setLater(slot, values);
     return stream_.set(slot, values);
   }
   p_.shadow.current.set(p_.shadow.real, slot, values);
@@ -93,7 +94,7 @@ void Immediate::addSlotToRun(Slot slot) {
   // The value that the list's caller will have set is unknown: vertices captured so far inherit it when the
   // list is called.
   if (p_.beginEnd.inside != Inside::captured && !stream_.empty()) closeRun();
-  if (!stream_.empty() && stream_.layout().mask == bit(kPosition)) drawsTwice_ = true;
+  if (p_.beginEnd.inside == Inside::captured) listValues_.addSlot(stream_);
   if (!stream_.empty() && slot != kMaterialNumber)
     inherited_.push_back({slot, stream_.captured().vertexCount});
   stream_.addSlot(slot, initialSlotValues()[slot].data());
@@ -118,9 +119,10 @@ void Immediate::begin(GLenum mode, bool arrays) {
   }
   const PrimitiveClass kind = mode > GL_POLYGON ? PrimitiveClass::lines : classOf(mode);
   if (p_.lists.compiling()) {
+    const bool continues = kind != class_ && !stream_.empty() && listValues_.isDrawing();
     if (kind != class_ && !stream_.empty()) closeRun();
     class_ = kind;
-    if (stream_.empty()) keepLeading();
+    listValues_.begin(stream_, continues);
     ofArrays_ = false;
   } else if (p_.clock.passesThrough()) {
     forgetAnswer();
@@ -147,7 +149,6 @@ void Immediate::begin(GLenum mode, bool arrays) {
       p_.shadow.real.Begin(mode);
       return p_.attention.update();
     }
-    if (!arrays) p_.shadow.current.begun(&p_.shadow.real);
     startRun();
     ofArrays_ = arrays;
     reason_ = reason;
@@ -155,13 +156,6 @@ void Immediate::begin(GLenum mode, bool arrays) {
   stream_.begin(mode);
   p_.beginEnd.inside = Inside::captured;
   p_.attention.update();
-}
-
-void Immediate::keepLeading() {
-  leading_ = stream_.layout().mask & kVertexAttributes;
-  forEachSlot(leading_, [&](Slot slot) {
-    std::memcpy(leadingValues_[slot].data(), stream_.get(slot), sizeOf(slot) * sizeof(float));
-  });
 }
 
 void Immediate::countOpenPrimitive() {
@@ -182,6 +176,7 @@ bool Immediate::askCanBegin(GLenum mode) {
   const RealGl& real = p_.shadow.real;
   p_.shadow.errors.keepPending();
   real.DrawArrays(mode, 0, 0);
+  p_.shadow.current.restore(real);
   if (p_.shadow.errors.takeReal() == GL_NO_ERROR) return true;
   real.Begin(mode), real.End();
   const GLenum error = p_.shadow.errors.takeReal();
@@ -208,7 +203,7 @@ void Immediate::end() {
   if (!insideBegin()) return p_.shadow.errors.set(GL_INVALID_OPERATION);
   if (p_.beginEnd.inside == Inside::rasterised) {
     p_.shadow.real.End();
-    if (!p_.beginEnd.fragment) countOpenPrimitive(), p_.shadow.current.ended();
+    if (!p_.beginEnd.fragment) countOpenPrimitive(), p_.shadow.current.ended(openPrimitive_.count > 0);
     if (std::exchange(hasElements_, false) && !p_.beginEnd.fragment && !p_.clock.passesThrough())
       p_.shadow.current.readInside(p_.shadow.real, slotsOf(p_.shadow.arrays()) & kVertexAttributes);
     if (const GLuint id = std::exchange(p_.beginEnd.fragment, 0)) {
@@ -257,8 +252,8 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   // Programs have materials as uniforms, one for all vertices of a run.
   if (open_ && !insideBegin() && (ofArrays_ || p_.shadow.raster().program != 0)) closeRun();
   if (!takesSlot(kMaterialNumber)) {
-    p_.shadow.touch(kMaterial);
-    if (!p_.lists.calling()) p_.shadow.latch.sent(face, pname, params);
+    p_.shadow.materialSet(change);
+    p_.shadow.latch.sent(face, pname, params);
     // The real OpenGL holds materials back as it does attributes.
     p_.shadow.current.setInside(kMaterialNumber, p_.shadow.current[kMaterialNumber]);
     return p_.shadow.real.Materialfv(face, pname, params);
@@ -269,6 +264,7 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   if (!stream_.has(kMaterialNumber)) addSlotToRun(kMaterialNumber);
   // addSlotToRun may have ended a list's run: this is then the new run's first change, applied to what the
   // ended run leaves.
+  if (change.outside) listValues_.set(stream_, kMaterialNumber, nullptr);
   const float number = stream_.addMaterial(change);
   stream_.set(kMaterialNumber, &number);
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/list_values.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/capture/vertex_stream.h"
 #include "gl/context/passthrough_frames.h"
@@ -65,8 +66,9 @@ class Immediate {
 
   // Runs. Outside lists a run is open from its first glBegin on; a list being compiled always has one.
   bool runOpen() const { return open_; }
-  /// Whether attributes go into the run and nowhere else.
-  bool takesAttributes() const { return open_ && (!ofArrays_ || insideBegin()); }
+  /// Whether attributes go into the run and nowhere else. In a list, ListValues also gets those that come
+  /// outside glBegin and glEnd.
+  bool takesAttributes() const { return p_.beginEnd.inside == Inside::captured || (open_ && !ofArrays_); }
   /// Ends the run and draws it, or records it in the list being compiled.
   void closeRun();
   void closeRunOutsideBegin() {
@@ -96,8 +98,6 @@ class Immediate {
  private:
   class RunDraw;
 
-  /// A list's run has got no vertices yet: keeps the attributes that it sets before them.
-  void keepLeading();
   bool canBegin(GLenum mode);
   bool askCanBegin(GLenum mode);
   void recordMisuse();
@@ -119,11 +119,7 @@ class Immediate {
   bool hasElements_ = false;  // of the primitive that the real OpenGL draws: vertices of glArrayElement
   // The run consists of draws from arrays: current values are also sent when they are set.
   bool ofArrays_ = false;
-  // Attributes that a list's run sets before its first glBegin, and their values.
-  SlotMask leading_ = 0;
-  SlotValues leadingValues_{};
-  // A list's run: its first vertices have positions alone, later ones have attributes. Mesa makes two draws.
-  bool drawsTwice_ = false;
+  ListValues listValues_;                            // of a list's run
   PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
   Reason reason_ = Reason::traced;                   // why the captured run will be rasterised
   DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs

@@ -18,7 +18,8 @@ void Immediate::startRun() {
   stream_.start(bit(kPosition), p_.shadow.current.all(),
                 p_.lists.compiling() ? weld_.inList() : weld_.inFrame(), welding_);
   inherited_.clear();
-  ofArrays_ = false, leading_ = 0, drawsTwice_ = false;
+  ofArrays_ = false;
+  if (p_.lists.compiling()) listValues_.start();
   path_ = DrawPath::immediate;
   reason_ = Reason::traced;
   open_ = !p_.lists.compiling();
@@ -45,6 +46,7 @@ void Immediate::idle() {
 }
 
 void Immediate::recordRun() {
+  listValues_.finish(stream_);
   CapturedVertices run = stream_.takeRun();
   if (run.empty() && run.layout.mask == bit(kPosition)) return;
   SlotValues finals = p_.shadow.current.all();
@@ -53,10 +55,10 @@ void Immediate::recordRun() {
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   GeometryRun* recorded = nullptr;
+  const ListEffect effect = listValues_.effect(run);
   try {
     recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
-    recorded->setLeading(leading_, leadingValues_);
-    recorded->setDrawsTwice(drawsTwice_);
+    recorded->setEffect(effect);
   } catch (...) {
     stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
     throw;
@@ -94,13 +96,17 @@ void Immediate::leaveExecuted() {
 void Immediate::keepRunValues() {
   const SlotMask slots = stream_.layout().mask & kVertexAttributes;
   CurrentValues& current = p_.shadow.current;
-  if (insideBegin())  // of the real OpenGL, which takes over
+  if (insideBegin()) {  // of the real OpenGL, which takes over
     forEachSlot(slots, [&](Slot slot) {
       current.setInside(slot, stream_.get(slot)), sendAttribute(p_.shadow.real, slot, stream_.get(slot));
     });
-  else if (!ofArrays_)
-    forEachSlot(slots, [&](Slot slot) { current.keep(slot, stream_.get(slot)); }),
-        current.sendRun(p_.shadow.real, slots);
+  } else if (!ofArrays_) {
+    SlotMask changed = 0;
+    forEachSlot(slots, [&](Slot slot) {
+      if (current.keepChanged(slot, stream_.get(slot))) changed |= bit(slot);
+    });
+    current.sendRun(p_.shadow.real, changed);
+  }
   if (slots & bit(kColor)) p_.shadow.colorSet();
   if (const MaterialChange* last = stream_.lastMaterial()) {
     sendMaterial(p_.shadow.real, *last);
@@ -135,12 +141,9 @@ class Immediate::RunDraw final : public DrawRequest {
   }
   Reason trace(const KnownMesh& mesh) override {
     i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
-    // Draws from arrays have stored the current values already; those since then are still held back.
-    CurrentValues& current = i_.p_.shadow.current;
-    const CurrentValues::Held before = current.held();
-    if (i_.ofArrays_) current.letGo();
     i_.p_.counts.traced(i_.path_, countTriangles(run_));
-    if (i_.ofArrays_) current.holdAgain(before);
+    // Draws from arrays have stored the current values already; vertices of glBegin and glEnd have not yet.
+    i_.p_.shadow.latch.drawn();
     return Reason::traced;
   }
   void meetPasses(PrimitiveClass primitive, Reason reason) override {

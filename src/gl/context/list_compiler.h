@@ -43,8 +43,8 @@ class ListCompiler {
   bool executing() const { return !list_ || mode_ == GL_COMPILE_AND_EXECUTE; }
   /// Whether a list is being called.
   bool calling() const { return depth_ > 0; }
-  /// Whether a step of the list that is compiled is being executed.
-  bool executesNow() const { return detached_; }
+  /// Whether a step of the list that is compiled is being executed, and not one of a list that it calls.
+  bool executesNow() const { return detached_ && depth_ == 0; }
   /// Whether draws that are compiled are later ones of a multi-draw.
   bool continuesMultiDraw() const { return continues_; }
   void continueMultiDraw(bool on) { continues_ = on; }

@@ -27,6 +27,7 @@ Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
   p_.shadow.sendBuffers();
   const Fate fate = draw.make();
   p_.shadow.current.drawnByReal();
+  p_.shadow.latch.drawn();
   return fate;
 }
 
@@ -34,6 +35,7 @@ void Draws::beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reas
   p_.raster.noteUnsampledDraw(primitive, reason);
   p_.raster.before(primitive);
   p_.shadow.sendBuffers();  // glArrayElement may follow
+  p_.shadow.latch.drawn();
   if (p_.counts.kinds()) p_.counts.kinds()->start();
   p_.counts.rasterised(reason, path, primitive, 0);
 }

@@ -24,6 +24,8 @@ class MaterialLatch {
   void sent(GLenum face, GLenum pname, const float* params) {
     if (on_) waiting_.set(face, pname, params);
   }
+  /// Whether materials were sent since the last draw.
+  bool waits() const { return waiting_.front | waiting_.back; }
   /// Call after materials of earlier vertices were sent: makes the real OpenGL store and forget them.
   void letGo(const RealGl& real) const;
   /// Reports glCallList: the real OpenGL stores held-back materials, and forgets them at its next state

@@ -4,6 +4,7 @@
 #include "gl/basics/failsafe.h"
 #include "gl/capture/solid_settings.h"
 #include "gl/real/errors.h"
+#include "gl/real/extensions.h"
 
 #include <string_view>
 #include <utility>
@@ -37,7 +38,9 @@ ShadowState::ShadowState(const RealGl& realGl, const BeginEnd& beginEnd,
       beginEnd_(beginEnd),
       failsafe_(failsafe),
       readable_(info.core ? kAllGroups & ~kFixedFunction : uint32_t{kAllGroups}),
-      dirty_(readable_) {}
+      dirty_(readable_) {
+  if (mesaVersionOf(real.GetString(GL_VERSION)) == 0) current.holdNothingBack();
+}
 
 bool ShadowState::isSoftwareBelow() {
   if (!softwareBelow_) softwareBelow_ = isSoftware(real);
@@ -110,6 +113,9 @@ void ShadowState::read(uint32_t stale) {
     readMaterial(real, material_);
     latch.drawn();
     current.restore(real);
+    // What is stale has been read by now.
+    follows_ = !isDirty(kCurrent & ~stale) &&
+               materialOfColor(material_, shading_.colorMaterial, current[kColor]) == material_;
   } else if (stale & kCurrent) {
     latch.restore(real);
   }
