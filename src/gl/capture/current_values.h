@@ -94,8 +94,8 @@ class CurrentValues {
   void holdAgain(const Held& held) { held_ = held; }
   /// Stores values without holding them back.
   void storeAside(const RealGl& real, SlotMask slots);
-  /// A list has drawn vertices, since these values were held back. `drawn`: slots of the vertices if the real
-  /// OpenGL has drawn them. Returns whether the current colour has changed.
+  /// A list has drawn vertices, since these values were held back. `drawn`: slots to which the real OpenGL
+  /// has given other values. Returns whether the current colour has changed.
   bool applyList(const RealGl& real, const ListEffect& effect, SlotMask drawn);
   /// The real OpenGL lacks values that a traced run of glBegin and glEnd has set to others: sends them, as if
   /// its vertices had.

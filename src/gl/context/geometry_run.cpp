@@ -145,9 +145,11 @@ void GeometryRun::execute(Context& context) {
   const CurrentValues::Held before = current.held();
   draw(context);
   current.holdAgain(before);
+  const ListEffect::Left& left = effect_.after(before.pending, before.due);
+  const SlotMask again = rasterised_ ? slotsToRestore(left, before.pending) : 0;
   if (!current.holdsBack())
     setFinals(finalSlots_);
-  else if (current.applyList(context.real, effect_, rasterised_ ? layout_.mask & kVertexAttributes : 0))
+  else if (current.applyList(context.real, effect_, again))
     context.shadow.colorSet();
   leaveMaterials(context, leading && current.holdsMaterials() ? leading : nullptr);
 }

@@ -37,6 +37,9 @@ class GeometryRun final : public ListOp {
   void leaveExecuted(Context& context);
   /// The same for materials. `again`: those before the first vertex, if Mesa stores them again.
   void leaveMaterials(Context& context, const MaterialChange* again);
+  /// Slots that must be stored again after the real list has drawn the run: not those with the values that it
+  /// leaves. `pending`: values were held back before it, and not yet stored.
+  SlotMask slotsToRestore(const ListEffect::Left& left, bool pending) const;
   void draw(Context& context);
   /// Draws it as a later draw of a multi-draw.
   void drawContinued(Context& context);

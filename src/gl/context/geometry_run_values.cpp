@@ -81,6 +81,18 @@ void GeometryRun::drawContinued(Context& context) {
   if (rasterised_) current.storeAside(context.real, layout_.mask & kVertexAttributes);
 }
 
+SlotMask GeometryRun::slotsToRestore(const ListEffect::Left& left, bool pending) const {
+  SlotMask slots = layout_.mask & kVertexAttributes;
+  if (pending) return slots;  // with them, what the real list has stored is held back again
+  const auto* value = left.values.data();
+  forEachSlot((left.set | left.stored) & ~bit(kMaterialNumber), [&](Slot slot) {
+    const bool leftSo = std::memcmp(value->data(), finals_[slot].data(), sizeOf(slot) * sizeof(float)) == 0;
+    if ((leftByList_ & left.stored & bit(slot)) && leftSo) slots &= ~bit(slot);
+    ++value;
+  });
+  return slots;
+}
+
 void GeometryRun::leaveExecuted(Context& context) {
   CurrentValues& current = context.shadow.current;
   current.drawn(context.real), current.begun(&context.real);

@@ -14,7 +14,7 @@ namespace {
 /// Writes one scene.
 class Scene {
  public:
-  Scene(uint64_t seed, bool lists) : dice_(seed), callsLists_(lists) { w_.offsets = seed % 2 == 0; }
+  Scene(uint64_t seed, bool lists) : dice_(seed), callsLists_(lists) {}
   std::vector<Call> write();
 
  private:

@@ -75,9 +75,6 @@ struct Writer {
   // Whether light may be two-sided. Then no materials of back faces alone change: avoided.md.
   bool twoSided = false;
 
-  // Whether polygons may be offset. Then polygon modes never differ between front and back: avoided.md.
-  bool offsets = false;
-
   uint32_t face() {
     constexpr uint32_t kFront = 0x404, kBack = 0x405, kBoth = 0x408;  // GL_FRONT, GL_BACK, GL_FRONT_AND_BACK
     return dice.pick({kFront, twoSided ? kBoth : kBack, kBoth});

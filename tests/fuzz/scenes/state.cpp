@@ -105,15 +105,14 @@ void writeSurface(Writer& w) {
           static_cast<GLint>(dice.pick({GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD})));
   }
   if (dice.chance(50)) {
-    for (const GLenum offset : {GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
-      writeToggle(w, offset, w.offsets ? 25 : 0);
+    writeToggle(w, GL_POLYGON_OFFSET_FILL, 25), writeToggle(w, GL_POLYGON_OFFSET_LINE, 25);
+    writeToggle(w, GL_POLYGON_OFFSET_POINT, 25);
     const float factor = dice.real(-2, 2), units = dice.real(-50, 50);
     WRITE(w, PolygonOffset, factor, units);
   }
   if (dice.chance(20)) {
     const GLenum face = dice.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK});
-    WRITE(w, PolygonMode, w.offsets ? GLenum{GL_FRONT_AND_BACK} : face,
-          dice.pick({GL_FILL, GL_LINE, GL_POINT, GL_FILL}));
+    WRITE(w, PolygonMode, face, dice.pick({GL_FILL, GL_LINE, GL_POINT, GL_FILL}));
   } else if (dice.chance(50)) {
     WRITE(w, PolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
   }
