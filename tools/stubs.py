@@ -77,6 +77,11 @@ def _before(policy: Policy) -> str:
     return f"beforeForward(Context::Flush::{how});"
 
 
+def _stores(policy: Policy, context: str) -> str:
+    """The call that notes that the command makes the real OpenGL store current values."""
+    return f" {context}storesCurrent();" if policy.sync else ""
+
+
 def _track(c: glxml.Command, policy: Policy) -> str:
     handler, real = _call(c, "*ctx")
     if policy.immediate:
@@ -84,13 +89,14 @@ def _track(c: glxml.Command, policy: Policy) -> str:
     else:
         captures, replace = _copies(c, policy)
         late_handler, late_real = _call(c, "later", replace)
-        late_before = f"later.{_before(policy)} " if policy.flush else "later.syncCurrent(); " if policy.sync else ""
+        late_before = f"later.{_before(policy)} " if policy.flush else ""
         fragment = (f"if ({policy.fragment}) return ctx->lists.recordFragment([&] {{ {real}; }});\n        "
                     if policy.fragment else "")
         compile_case = (f"case Gate::compile: {fragment}ctx->lists.record([{', '.join(captures)}](Context& later) "
-                        f"{{ {late_before}{_effect(policy, late_handler, 'later')} {late_real}; }}); return;\n      case Gate::run: break;")
-    before = f"ctx->{_before(policy)} " if policy.flush else "ctx->syncCurrent(); " if policy.sync else ""
-    return (_gate(c, policy, compile_case) + f"  {before}{_effect(policy, handler, '*ctx')}\n"
+                        f"{{ {late_before}{_effect(policy, late_handler, 'later')}{_stores(policy, 'later.')} {late_real}; }}); return;\n      case Gate::run: break;")
+    before = f"ctx->{_before(policy)} " if policy.flush else ""
+    effect = _effect(policy, handler, '*ctx') + _stores(policy, 'ctx->')
+    return (_gate(c, policy, compile_case) + f"  {before}{effect}\n"
             f"  {'return ' if c.ret != 'void' else ''}{real};\n")
 
 

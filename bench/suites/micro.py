@@ -1,4 +1,4 @@
-"""single steps: a vertex call, capture, the unchanged check, builds, tracing, the write-back
+"""single steps: a vertex call, small draws, capture, the unchanged check, builds, tracing, the write-back
 
 Google Benchmark programs: gluray-bench-micro (the library's parts) and gluray-bench-door (a program, with and without gluray),
 0.87 million triangles and 1024x1024 pixels. Medians of five repetitions, with their lowest and highest. Results go to

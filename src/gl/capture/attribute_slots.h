@@ -50,6 +50,9 @@ constexpr uint32_t sizeOf(Slot slot) {
 inline constexpr SlotMask kTexCoordSlots = SlotMask{0xFF} << kTexCoord0;
 constexpr Slot texCoordSlot(uint32_t unit) { return static_cast<Slot>(kTexCoord0 + unit); }
 
+/// All slots but those of positions and materials.
+inline constexpr SlotMask kVertexAttributes = ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber));
+
 /// Slots that a traced image can depend on; the others only affect rasterised draws.
 inline constexpr SlotMask kTracedSlots = bit(kPosition) | bit(kPositionW) | bit(kNormal) | bit(kColor) |
                                          bit(kSecondaryColor) | bit(kFogCoord) | bit(kMaterialNumber) |

@@ -3,6 +3,7 @@
 #include "parallel/loops.h"
 
 #include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <bit>
 
@@ -92,6 +93,16 @@ scene::MaterialPair MaterialChange::appliedTo(const scene::MaterialPair& base) c
   scene::MaterialPair result = base;
   apply(result.front, values.front, front);
   apply(result.back, values.back, back);
+  return result;
+}
+
+scene::MaterialPair materialOfColor(const scene::MaterialPair& base, const scene::ColorMaterial& following,
+                                    const float* color) {
+  scene::Material values;
+  values.ambient = values.diffuse = values.specular = values.emission = glm::make_vec4(color);
+  scene::MaterialPair result = base;
+  apply(result.front, values, parametersOf(following.front));
+  apply(result.back, values, parametersOf(following.back));
   return result;
 }
 

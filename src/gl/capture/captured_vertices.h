@@ -61,6 +61,10 @@ uint16_t sameParameters(const scene::Material& a, const scene::Material& b);
 /// Bits of MaterialChange::Parameter that follow the colour in this mode.
 uint16_t parametersOf(scene::ColorMaterial::Mode mode);
 
+/// `base` with the parameters that follow the colour replaced by `color`, four components.
+scene::MaterialPair materialOfColor(const scene::MaterialPair& base, const scene::ColorMaterial& following,
+                                    const float* color);
+
 struct CapturedVertices {
   VertexLayout layout;
   GrowingArray<float> vertices;  // `vertexCount` of `layout.stride`; the array's own size is not used

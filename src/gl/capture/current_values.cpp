@@ -1,5 +1,6 @@
 #include "gl/capture/current_values.h"
 
+#include "gl/capture/list_values.h"
 #include "gl/capture/replay.h"
 
 #include <GL/gl.h>
@@ -10,21 +11,148 @@
 
 namespace gluray::gl {
 
-void CurrentValues::send(const RealGl& real) {
-  const SlotMask slots = std::exchange(unsent_, 0);
-  for (int s = kNormal; s < kSlotCount; ++s)
-    if (slots & bit(static_cast<Slot>(s)))
-      sendAttribute(real, static_cast<Slot>(s), (*this)[static_cast<Slot>(s)]);
-  waiting_ = waiting_ || slots != 0;
-  if (!std::exchange(drawn_, false)) return;
-  float asked[4];
-  real.GetFloatv(GL_CURRENT_COLOR, asked);
-  waiting_ = false;
+namespace {
+
+/// In Mesa FLUSH_VERTICES and FLUSH_CURRENT, which together do what FLUSH_FOR_DRAW does.
+void askMaterial(const RealGl& real) {
+  GLfloat shininess = 0;
+  real.GetMaterialfv(GL_FRONT, GL_SHININESS, &shininess);
+}
+
+void askColor(const RealGl& real) {
+  GLfloat color[4];
+  real.GetFloatv(GL_CURRENT_COLOR, color);
+}
+
+}  // namespace
+
+void CurrentValues::set(const RealGl& real, Slot slot, const float* value) {
+  setInside(slot, value);
+  sendAttribute(real, slot, value);
+}
+
+void CurrentValues::setLater(Slot slot, const float* value) {
+  setInside(slot, value);
+  setLater_ |= bit(slot);
+}
+
+// Materials are never set later.
+void CurrentValues::drawnLater(const RealGl& real) {
+  if (!holdsAny()) return;
+  if (held_.slots & bit(kMaterialNumber)) return sendLater(real), drawn(real);
+  ++drawsLater_;
+  storedLater_ |= held_.slots;
+  forEachSlot(held_.slots, [&](Slot slot) { valuesLater_[slot] = values_[slot]; });
+  drawnByReal();
+}
+
+void CurrentValues::sendLater(const RealGl& real) {
+  const SlotMask set = std::exchange(setLater_, 0), stored = std::exchange(storedLater_, 0);
+  const int draws = std::exchange(drawsLater_, 0);
+  if (draws == 0) return send(real, set, values_);
+  if (draws == 1 && !held_.pending) return send(real, set, values_), askMaterial(real);  // no value after it
+  send(real, stored, valuesLater_);
+  askMaterial(real), askMaterial(real);
+  restore(real);
+}
+
+void CurrentValues::readInside(const RealGl& real, SlotMask slots) {
+  forEachSlot(slots, [&](Slot slot) { read(real, slot); });
+  if (!holdsBack_) return;
+  held_ = {held_.slots | slots, true, true};
+  restore(real);
+}
+
+void CurrentValues::changeState(const RealGl& real) {
+  if (!held_.due) return;
+  askMaterial(real);
+  letGo();
+}
+
+void CurrentValues::store(const RealGl& real) {
+  if (!held_.pending) return;
+  askColor(real);
+  stored();
+}
+
+void CurrentValues::drawn(const RealGl& real) {
+  if (!holdsAny()) return;
+  askMaterial(real);
+  drawnByReal();
+}
+
+void CurrentValues::begun(const RealGl* real) {
+  if (real && holdsAny()) askMaterial(*real), askMaterial(*real);
+  letGo();
+}
+
+void CurrentValues::send(const RealGl& real, SlotMask slots, const SlotValues& values) {
+  forEachSlot(slots, [&](Slot slot) { sendAttribute(real, slot, values[slot].data()); });
+}
+
+// Materials alone are held back by the same flags: a value that nobody uses sets them.
+void CurrentValues::hold(const RealGl& real) const {
+  const SlotMask slots = held_.slots & ~bit(kMaterialNumber);
+  send(real, slots ? slots : bit(kIndex), values_);
+}
+
+void CurrentValues::restore(const RealGl& real) const {
+  if (!held_.slots) return;
+  hold(real);
+  if (!held_.due) return;
+  askMaterial(real);
+  if (held_.pending) hold(real);
+}
+
+void CurrentValues::storeAside(const RealGl& real, SlotMask slots) {
+  if (!slots) return;
+  send(real, slots, values_);
+  askMaterial(real), askMaterial(real);
+  restore(real);
+}
+
+bool CurrentValues::applyList(const RealGl& real, const ListEffect& effect, SlotMask drawn) {
+  const Held before = held_;
+  const ListEffect::Left& left = effect.after(before.pending, before.due);
+  held_ = {left.set | (left.keepsOlder ? before.slots : 0), left.pending, left.due};
+  SlotMask changed = 0;
+  const auto* value = left.values.data();
+  forEachSlot((left.set | left.stored) & ~bit(kMaterialNumber), [&](Slot slot) {
+    const bool heldStill = (left.stored & held_.slots) & bit(slot);  // it will be stored again, over this
+    if (!heldStill && keepChanged(slot, value->data())) changed |= bit(slot);
+    ++value;
+  });
+  const SlotMask aside = (changed & ~held_.slots) | drawn;
+  if (!aside && left.keepsOlder && !(left.set & ~bit(kMaterialNumber))) {
+    if (held_.due && !before.due) askMaterial(real);
+  } else {
+    send(real, aside, values_);
+    const bool any = aside || before.pending || drawn;
+    if (any || before.due) askMaterial(real);
+    if (any && (drawn || !before.due)) askMaterial(real);
+    restore(real);
+  }
+  return changed & bit(kColor);
+}
+
+// A value that equals the stored one is not sent: storing it again would change nothing.
+void CurrentValues::sendRun(const RealGl& real, SlotMask slots) {
+  if (!holdsBack_) return send(real, slots, values_);
+  if (!slots && !holdsAny()) return;
+  held_.slots |= slots;
+  if (held_.due)
+    askMaterial(real), hold(real);
+  else
+    send(real, slots, values_);
+  askMaterial(real);
+  held_.pending = false, held_.due = true;
 }
 
 void CurrentValues::read(const RealGl& real) {
+  sendLater(real);
+  const SlotMask unread = held_.pending ? held_.slots : 0;
   for (int s = kNormal; s < kSlotCount; ++s)
-    if (!(unsent_ & bit(static_cast<Slot>(s)))) read(real, static_cast<Slot>(s));
+    if (!(unread & bit(static_cast<Slot>(s)))) read(real, static_cast<Slot>(s));
 }
 
 void CurrentValues::read(const RealGl& real, Slot slot) {

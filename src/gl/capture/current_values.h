@@ -7,13 +7,25 @@
 
 namespace gluray::gl {
 
-/// Keeps the values that the program sets, and sends them when the real OpenGL may depend on them.
-/// Mesa stores a value only at the next vertex or query. Until then neither GL_COLOR_MATERIAL nor glPopAttrib
-/// sees it (seen in 22.3: in src/mesa/vbo, FLUSH_VERTICES skips attributes that no vertex followed). A draw
-/// by the real OpenGL would have made Mesa store its values, so values that a traced draw used are sent with
-/// a query after them. Other values stay unstored in Mesa, as they would without GLuRay.
+class ListEffect;
+
+/// Keeps the values that the program sets, and sends them at once. Mesa holds them back: it stores a value,
+/// and lets GL_COLOR_MATERIAL see it, when a draw, a query or certain state changes follow (seen in 22.3, in
+/// src/mesa/vbo and the macros FLUSH_VERTICES and FLUSH_CURRENT). Programs see when: glColorMaterial and
+/// glPopAttrib act on what is stored. This class follows which values Mesa holds back, so that draws of ours
+/// in place of the program's have the same effect on them, and queries of ours have none. A flush stores the
+/// held-back values; while `due_` is set, the next state change or draw stores them again and lets go of
+/// them.
+/// While a run of small draws from arrays is open, values are sent when it ends: setLater(), drawnLater(),
+/// sendLater().
 class CurrentValues {
  public:
+  /// What Mesa holds back.
+  struct Held {
+    SlotMask slots = 0;    // Mesa's vertex template
+    bool pending = false;  // some of them are not yet stored (FLUSH_UPDATE_CURRENT)
+    bool due = false;      // the next state change or draw stores them and lets go (FLUSH_STORED_VERTICES)
+  };
   const SlotValues& all() const { return values_; }
   const float* operator[](Slot slot) const { return values_[slot].data(); }
 
@@ -21,38 +33,91 @@ class CurrentValues {
   void keep(Slot slot, const float* value) {
     std::memcpy(values_[slot].data(), value, sizeOf(slot) * sizeof(float));
   }
-  /// Records a value that the real OpenGL does not have yet.
-  void set(Slot slot, const float* value) {
+  /// The same. Returns whether it is another value.
+  bool keepChanged(Slot slot, const float* value) {
+    if (std::memcmp(values_[slot].data(), value, sizeOf(slot) * sizeof(float)) == 0) return false;
     keep(slot, value);
-    unsent_ |= bit(slot);
+    return true;
   }
-  /// Reports a draw that the real OpenGL did not see and that used the current values: the next send() makes
-  /// the real OpenGL store them.
-  void drawn() { drawn_ = drawn_ || unsent_ != 0 || waiting_; }
-  /// Whether the next send() must make the real OpenGL store values.
-  bool anyDrawn() const { return drawn_; }
-  /// Sends all values and makes the real OpenGL store them, as glCallList does. Only outside the real
-  /// glBegin/glEnd.
-  void store(const RealGl& real) {
-    drawn();
-    if (drawn_) send(real);
+  /// Takes a value, and sends it.
+  void set(const RealGl& real, Slot slot, const float* value);
+  /// Takes a value that the program has set between glBegin and glEnd of the real OpenGL.
+  void setInside(Slot slot, const float* value) {
+    keep(slot, value);
+    if (holdsBack_) held_.slots |= bit(slot), held_.pending = true;
   }
-  /// Reports that the real OpenGL's values of these slots have changed: ours will be sent again.
-  void lost(SlotMask slots) { unsent_ |= slots; }
-  /// Whether the real OpenGL lacks values, or must still store some.
-  bool anyUnsent() const { return unsent_ != 0 || drawn_; }
-  /// Sends these values. Between the real glBegin and glEnd only if !anyDrawn().
-  void send(const RealGl& real);
-  /// Reads back all values except unsent ones.
+  /// glEnd of such a primitive. `any`: it has vertices.
+  void ended(bool any) { held_.due = held_.due || (any && holdsBack_); }
+  /// Reads values that glArrayElement has set in such a primitive. Call after ended().
+  void readInside(const RealGl& real, SlotMask slots);
+
+  // The same as set() and drawn(), but without calls of the real OpenGL. Before any other command reaches it,
+  // sendLater() makes up for them.
+  void setLater(Slot slot, const float* value);
+  void drawnLater(const RealGl& real);
+  void sendLater(const RealGl& real);
+
+  /// Says that the real OpenGL is not Mesa: it stores values when they are set.
+  void holdNothingBack() { holdsBack_ = false; }
+  bool holdsBack() const { return holdsBack_; }
+
+  // What Mesa does to held-back values.
+  /// The program changes state.
+  void stateChanges() {
+    if (held_.due) letGo();
+  }
+  /// The same for a change that the real OpenGL does not get.
+  void changeState(const RealGl& real);
+  /// The program makes a call that stores held-back values: a query of them, glCallList, glNewList,
+  /// glPushAttrib, glColorMaterial.
+  void stored() {
+    if (held_.pending) held_.due = true, held_.pending = false;
+  }
+  /// The same for a call that the real OpenGL does not get.
+  void store(const RealGl& real);
+  /// The real OpenGL makes a draw from arrays.
+  void drawnByReal() { held_.due ? letGo() : stored(); }
+  /// A draw that it does not get uses the current values.
+  void drawn(const RealGl& real);
+  /// The program's glBegin stores all values; `real` if the real OpenGL does not get it.
+  void begun(const RealGl* real);
+  /// Forgets what is held back.
+  void letGo() { held_ = {}; }
+  /// After queries or draws of ours, which stored all values: they are held back again as before.
+  void restore(const RealGl& real) const;
+  /// Whether Mesa may hold back values.
+  bool holdsAny() const { return held_.pending || held_.due; }
+  const Held& held() const { return held_; }
+  /// Whether Mesa may hold back materials.
+  bool holdsMaterials() const { return held_.slots & bit(kMaterialNumber); }
+  /// After commands that Mesa does not get as the program makes them: the same is held back as before.
+  void holdAgain(const Held& held) { held_ = held; }
+  /// Stores values without holding them back.
+  void storeAside(const RealGl& real, SlotMask slots);
+  /// A list has drawn vertices, since these values were held back. `drawn`: slots to which the real OpenGL
+  /// has given other values. Returns whether the current colour has changed.
+  bool applyList(const RealGl& real, const ListEffect& effect, SlotMask drawn);
+  /// The real OpenGL lacks values that a traced run of glBegin and glEnd has set to others: sends them, as if
+  /// its vertices had.
+  void sendRun(const RealGl& real, SlotMask slots);
+
+  /// Reads back all values except those that are held back and not yet stored, or one slot.
   void read(const RealGl& real);
   /// Reads back one slot.
   void read(const RealGl& real, Slot slot);
 
  private:
+  static void send(const RealGl& real, SlotMask slots, const SlotValues& values);
+  void hold(const RealGl& real) const;
+
   SlotValues values_ = initialSlotValues();
-  SlotMask unsent_ = 0;
-  bool waiting_ = false;  // values were sent that the real OpenGL may not have stored yet
-  bool drawn_ = false;    // a draw that the real OpenGL did not see used the current values, sent or not
+  bool holdsBack_ = true;  // the real OpenGL is Mesa
+  Held held_;
+  // Since the last sendLater(): slots that have been set, and those that a draw has stored, with their
+  // values.
+  SlotMask setLater_ = 0, storedLater_ = 0;
+  SlotValues valuesLater_{};
+  int drawsLater_ = 0;  // that have stored values
 };
 
 }  // namespace gluray::gl

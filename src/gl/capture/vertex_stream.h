@@ -22,6 +22,8 @@ class VertexStream {
 
   bool has(Slot slot) const { return captured_.layout.has(slot); }
   bool insidePrimitive() const { return insidePrimitive_; }
+  /// Vertices sent since start(), duplicates included. Primitives count these.
+  uint32_t sent() const { return captured_.vertexCount - kept_ + numbered_; }
   bool empty() const { return sent() == 0; }
   const VertexLayout& layout() const { return captured_.layout; }
 
@@ -82,8 +84,6 @@ class VertexStream {
   CapturedVertices takeRun();
 
  private:
-  /// Vertices sent since start(), duplicates included. Primitives count these.
-  uint32_t sent() const { return captured_.vertexCount - kept_ + numbered_; }
   void grow();
   void updateLimit();
   void relayout(SlotMask mask);

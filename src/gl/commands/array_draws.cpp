@@ -43,13 +43,15 @@ Fate recordDraw(Context& c, GLenum mode, const Elements& e) {
   if (e.count <= kSmall)
     return c.immediate.drawSmall(mode, vertexNumbers(c.real, c.shadow.arrays(), e), pathOf(e)),
            Fate::joinedRun;
-  std::unique_ptr<ListOp> op;
+  std::unique_ptr<GeometryRun> op;
   const Reason captured = c.failsafe.attempt([&] {
     CapturedVertices run = capture(c.real, c.shadow.arrays(), mode, e, Fractions::ofCommands);
     if (!run.empty()) op = std::make_unique<GeometryRun>(std::move(run), classOf(mode), c.shadow.sharedGroup);
+    if (op && c.lists.continuesMultiDraw()) op->setContinues();
     return Reason::traced;
   });
-  if (captured == Reason::traced) return c.failsafe.insist([&] { c.lists.append(op); }), Fate::recorded;
+  std::unique_ptr<ListOp> recorded = std::move(op);
+  if (captured == Reason::traced) return c.failsafe.insist([&] { c.lists.append(recorded); }), Fate::recorded;
   c.shadow.sendBuffers();
   c.lists.recordFragment([&] { drawReal(c.real, mode, e); });
   return Fate::recordedBelow;

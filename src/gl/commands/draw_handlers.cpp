@@ -132,7 +132,7 @@ void arrayElement(Context& c, GLint i) {
     c.beforeForward(Context::Flush::none);
     if (c.immediate.insideBegin()) return c.immediate.rasterElement(i);
     c.shadow.sendBuffers();
-    c.touch(kCurrent);
+    c.shadow.touch(kCurrent);
     return c.real.ArrayElement(i);
   }
   const ElementSender send(c.real, c.shadow.arrays(), Fractions::ofCommands);
@@ -147,16 +147,25 @@ void Immediate::drawSmall(GLenum mode, const std::vector<uint32_t>& vertices, Dr
     if (slots & bit(static_cast<Slot>(s)))
       std::memcpy(before[static_cast<size_t>(s)].data(), current(static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
-  begin(mode);
-  if (stream_.empty()) path_ = path;
   const bool recorded = p_.lists.compiling();
+  begin(mode, !recorded);
+  if (!recorded)
+    open_ ? p_.shadow.current.drawnLater(p_.shadow.real) : p_.shadow.current.drawn(p_.shadow.real);
+  if (stream_.empty()) path_ = path;
   const ElementSender send(p_.shadow.real, p_.shadow.arrays(),
                            recorded ? Fractions::ofCommands : Fractions::ofArrays);
   for (const uint32_t i : vertices) send(i);
   end();
-  for (int s = kNormal; s < kSlotCount; ++s)
-    if (slots & bit(static_cast<Slot>(s)))
-      attribute(static_cast<Slot>(s), before[static_cast<size_t>(s)].data());
+  for (int s = kNormal; s < kSlotCount; ++s) {
+    const auto slot = static_cast<Slot>(s);
+    if (!(slots & bit(slot))) continue;
+    if ((recorded || open_) && stream_.has(slot))
+      stream_.set(slot, before[slot].data());
+    else
+      attribute(slot, before[slot].data());
+  }
+  // The next attribute must not bypass attribute().
+  if (recorded) listValues_.fromArrays(stream_), ofArrays_ = true, t_thread.stream = nullptr;
 }
 
 }  // namespace gluray::gl

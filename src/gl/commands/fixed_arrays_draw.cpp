@@ -24,6 +24,7 @@ Reason FixedArraysDraw::classifyMesh(const KnownMesh& mesh) { return c_.classifi
 Reason FixedArraysDraw::trace(const KnownMesh& mesh) {
   c_.filler.add(mesh.mesh, slotsOf(c_.shadow.arrays()), {});
   c_.counts.traced(pathOf(elements_), mesh.mesh->triangleCount);
+  c_.shadow.drawnTraced();
   return Reason::traced;
 }
 

@@ -46,13 +46,43 @@ bool takesTogether(Context& c, GLenum mode, GLsizei draws, const ElementsOf& ele
   return true;
 }
 
+/// While it lives, draws that are compiled into a list are later ones of a multi-draw.
+class Continuing {
+ public:
+  explicit Continuing(ListCompiler& lists) : lists_(lists) { lists_.continueMultiDraw(true); }
+  ~Continuing() { lists_.continueMultiDraw(false); }
+  Continuing(const Continuing&) = delete;
+  Continuing& operator=(const Continuing&) = delete;
+
+ private:
+  ListCompiler& lists_;
+};
+
+/// Calls draw(i) for each draw. Together they store the current values once.
+template <class Draw>
+void drawEach(Context& c, GLsizei draws, const Draw& draw) {
+  if (draws < 1) return;
+  draw(0);
+  if (c.lists.compiling()) {
+    const Continuing continuing(c.lists);
+    for (GLsizei i = 1; i < draws; ++i) draw(i);
+    return;
+  }
+  const CurrentValues::Held after = c.shadow.current.held();
+  c.shadow.current.letGo();
+  const uint64_t rasterised = c.counts.statistics.drawsRasterised;
+  for (GLsizei i = 1; i < draws; ++i) draw(i);
+  c.shadow.current.holdAgain(after);
+  if (c.counts.statistics.drawsRasterised != rasterised) c.shadow.current.restore(c.real);
+}
+
 }  // namespace
 
 void multiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei* count, GLsizei draws) {
   if (!isValid(c, mode, count, draws)) return;
   const auto elementsOf = [&](GLsizei i) { return Elements{first[i], count[i], 0, nullptr, 0}; };
   if (takesTogether(c, mode, draws, elementsOf)) return c.real.MultiDrawArrays(mode, first, count, draws);
-  for (GLsizei i = 0; i < draws; ++i) drawArrays(c, mode, first[i], count[i]);
+  drawEach(c, draws, [&](GLsizei i) { drawArrays(c, mode, first[i], count[i]); });
 }
 
 void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
@@ -62,7 +92,7 @@ void multiDrawElements(Context& c, GLenum mode, const GLsizei* count, GLenum typ
   const auto elementsOf = [&](GLsizei i) { return Elements{0, count[i], type, indices[i], 0}; };
   if (takesTogether(c, mode, draws, elementsOf))
     return c.real.MultiDrawElements(mode, count, type, indices, draws);
-  for (GLsizei i = 0; i < draws; ++i) drawElements(c, mode, count[i], type, indices[i]);
+  drawEach(c, draws, [&](GLsizei i) { drawElements(c, mode, count[i], type, indices[i]); });
 }
 
 void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, GLenum type,
@@ -72,7 +102,8 @@ void multiDrawElementsBaseVertex(Context& c, GLenum mode, const GLsizei* count, 
   const auto elementsOf = [&](GLsizei i) { return Elements{0, count[i], type, indices[i], base[i]}; };
   if (takesTogether(c, mode, draws, elementsOf))
     return c.real.MultiDrawElementsBaseVertex(mode, count, type, indices, draws, base);
-  for (GLsizei i = 0; i < draws; ++i) drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]);
+  drawEach(c, draws,
+           [&](GLsizei i) { drawElementsBaseVertex(c, mode, count[i], type, indices[i], base[i]); });
 }
 
 }  // namespace gluray::gl

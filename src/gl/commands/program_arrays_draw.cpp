@@ -74,7 +74,10 @@ Reason ProgramArraysDraw::classifyMesh(const KnownMesh& known) {
 Reason ProgramArraysDraw::trace(const KnownMesh& known) {
   if (takesFixed_) return fixed_.trace(known);
   const Reason reason = c_.programs.add(known.mesh, mode_, elements_);
-  if (reason == Reason::traced) c_.counts.traced(pathOf(elements_), shown(known), sent(known));
+  if (reason == Reason::traced) {
+    c_.counts.traced(pathOf(elements_), shown(known), sent(known));
+    c_.shadow.drawnTraced();
+  }
   return reason;
 }
 

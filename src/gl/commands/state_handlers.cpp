@@ -21,7 +21,7 @@ bool isRefused(const Context& c, GLbitfield mask) {
 void clearNow(Context& c, GLbitfield mask) {
   if (isRefused(c, mask)) return c.beforeForward(Context::Flush::all), c.real.Clear(mask);
   c.frames.beforeClear(mask);
-  c.syncCurrent();
+  c.shadow.current.changeState(c.real);
   c.layers.peels.clearing();
   if (c.layers.later.clearsLater(mask)) return;
   bool later = false;
@@ -127,32 +127,32 @@ const GLubyte* getStringi(Context& c, GLenum name, GLuint index) {
 
 void getIntegerv(Context& c, GLenum pname, GLint* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetIntegerv(pname, data);
+  noteCurrentValueQuery(c, pname);
 }
 
 void getFloatv(Context& c, GLenum pname, GLfloat* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetFloatv(pname, data);
+  noteCurrentValueQuery(c, pname);
 }
 
 void getDoublev(Context& c, GLenum pname, GLdouble* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetDoublev(pname, data);
+  noteCurrentValueQuery(c, pname);
 }
 
 void getBooleanv(Context& c, GLenum pname, GLboolean* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetBooleanv(pname, data);
+  noteCurrentValueQuery(c, pname);
 }
 
 void getInteger64v(Context& c, GLenum pname, GLint64* data) {
   if (answer(c, pname, data)) return;
-  c.syncCurrent();
   c.real.GetInteger64v(pname, data);
+  noteCurrentValueQuery(c, pname);
 }
 
 namespace {
@@ -177,7 +177,10 @@ void endQueryIndexed(Context& c, GLenum target, GLuint) { endQuery(c, target); }
 void beginConditionalRender(Context& c, GLuint, GLenum) { ++c.shadow.activeQueries; }
 void endConditionalRender(Context& c) { endGuard(c); }
 
-void matrixMode(Context& c, GLenum mode) { c.shadow.matrixMode = mode; }
+void matrixMode(Context& c, GLenum mode) {
+  c.shadow.current.stateChanges();
+  c.shadow.matrixMode = mode;
+}
 
 uint32_t matrixGroups(Context& c) {
   if (c.shadow.matrixMode == 0) {
@@ -256,11 +259,6 @@ uint32_t stencilSet(Context& c) {
 uint32_t stencilSent(Context& c, GLenum format, const void* pixels) {
   if (format != GL_DEPTH_STENCIL && format != GL_STENCIL_INDEX) return 0;
   return pixels || integer(c.real, GL_PIXEL_UNPACK_BUFFER_BINDING) != 0 ? stencilSet(c) : 0;
-}
-
-uint32_t capabilityEnabled(Context& c, GLenum capability) {
-  if (capability == GL_STENCIL_TEST) stencilSet(c);
-  return groupsOfCapability(capability);
 }
 
 uint32_t imagesChanged(Context& c) {

@@ -11,7 +11,7 @@ void Attention::update() {
   set(off_ || immediate_.insideBegin() || immediate_.runOpen() || immediate_.reliesOnAnswer() ||
       lists_.compiling());
   const bool captured = !off_ && (immediate_.runOpen() || lists_.compiling());
-  t_thread.stream = captured ? &immediate_.stream() : nullptr;
+  t_thread.stream = !off_ && immediate_.takesAttributes() ? &immediate_.stream() : nullptr;
   t_thread.passthrough = !captured && (off_ || clock_.passesThrough()) ? &real_ : nullptr;
 }
 

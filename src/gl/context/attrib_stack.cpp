@@ -33,15 +33,14 @@ uint32_t groupsOfAttrib(GLbitfield mask) {
 }  // namespace
 
 void AttribStack::push(GLbitfield mask) {
-  p_.shadow.syncCurrent();
   p_.shadow.real.PushAttrib(mask);
+  if (mask & (GL_CURRENT_BIT | GL_LIGHTING_BIT)) p_.shadow.current.stored();
   if (deepest_ == 0) p_.shadow.real.GetIntegerv(GL_MAX_ATTRIB_STACK_DEPTH, &deepest_);
   if (saved_.size() >= static_cast<size_t>(deepest_)) return;  // the real OpenGL refused, too
   saved_.push_back({mask, p_.lists.base});
 }
 
 void AttribStack::pop() {
-  p_.shadow.syncCurrent();
   bool redirects = false;
   if (!saved_.empty()) {
     const Saved saved = saved_.back();
@@ -51,7 +50,9 @@ void AttribStack::pop() {
     // A change of the draw buffer would redirect the pending batch.
     redirects = saved.mask & GL_COLOR_BUFFER_BIT;
     if (redirects) p_.flusher.flush();
+    p_.shadow.current.stateChanges();
     p_.shadow.touch(groupsOfAttrib(saved.mask));
+    if (saved.mask & GL_CURRENT_BIT) p_.shadow.current.stored();
   }
   const GLint before = redirects ? integer(p_.shadow.real, GL_DRAW_BUFFER) : 0;
   p_.shadow.real.PopAttrib();

@@ -137,7 +137,6 @@ void Context::prepareToForward(Flush how) noexcept {
   if (immediate.inside() == Immediate::Inside::captured) protect([&] { immediate.surrender(); });
   if (immediate.inside() == Immediate::Inside::captured) return;
   attention.update();
-  syncCurrent();
   if (how == Flush::none) return;
   protect([&] {
     if (how == Flush::look) return flusher.flush(), shadow.sendBuffers();
@@ -168,7 +167,6 @@ void Context::makeCurrent(uintptr_t drawable) {
 void Context::loseCurrent() {
   protect([&] {
     immediate.closeRunIfOpen();
-    syncCurrent();
     // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their static
     // objects.
     if (!isExiting()) flusher.flush(), relighting.finish(Relighting::Place::leaving);

@@ -92,12 +92,17 @@ class Context {
   /// later draws elsewhere, or changes what pending draws need, and reads nothing; all: may do anything.
   enum class Flush { none, look, read, leave, redirect, all };
   void beforeForward(Flush flush) noexcept {
-    if (flush != Flush::none || attention.isNeeded() || shadow.current.anyUnsent()) [[unlikely]]
+    if (flush != Flush::none || attention.isNeeded()) [[unlikely]]
       prepareToForward(flush);
   }
   void count(int command) noexcept { ++unknownCalls_[static_cast<size_t>(command)]; }
-  void touch(uint32_t groups) { shadow.touch(groups); }
-  void syncCurrent() { shadow.syncCurrent(); }
+  /// A command is about to change state of these groups.
+  void touch(uint32_t groups) {
+    if ((groups & ~uint32_t{kArrays}) && !(groups & kHeldNoted)) shadow.current.stateChanges();
+    shadow.touch(groups);
+  }
+  /// A command makes the real OpenGL store the current values that it holds back.
+  void storesCurrent() { shadow.current.stored(); }
   template <class F>
   auto protect(F&& body) noexcept -> decltype(body()) {
     return failsafe.protect(std::forward<F>(body));

@@ -271,7 +271,6 @@ void FrameEnds::finish() {
 }
 
 void FrameEnds::show(bool objects, bool windows) {
-  p_.shadow.syncCurrent();
   const bool doubleBuffered = p_.shadow.info.doubleBuffered;
   const int sharing = p_.shadow.group.contexts;
   if (p_.resolves.waits() && sharing > 1) p_.failsafe.protect([&] { p_.flusher.settle(); });

@@ -13,18 +13,6 @@
 
 namespace gluray::gl {
 
-void applyMaterials(Context& context, const MaterialChange& change) {
-  const auto each = [&](GLenum face, const scene::Material& m, uint16_t set) {
-    if (set & MaterialChange::ambient) context.immediate.material(face, GL_AMBIENT, &m.ambient.x);
-    if (set & MaterialChange::diffuse) context.immediate.material(face, GL_DIFFUSE, &m.diffuse.x);
-    if (set & MaterialChange::specular) context.immediate.material(face, GL_SPECULAR, &m.specular.x);
-    if (set & MaterialChange::emission) context.immediate.material(face, GL_EMISSION, &m.emission.x);
-    if (set & MaterialChange::shininess) context.immediate.material(face, GL_SHININESS, &m.shininess);
-  };
-  each(GL_FRONT, change.values.front, change.front);
-  each(GL_BACK, change.values.back, change.back);
-}
-
 GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
                          std::vector<InheritedSlot> inherited, PrimitiveClass kind,
                          std::weak_ptr<ShareGroup> group)
@@ -37,6 +25,8 @@ GeometryRun::GeometryRun(CapturedVertices captured, const SlotValues& finals,
       group_(std::move(group)),
       triangles_(countTriangles(captured_)) {
   leftByList_ = slotsOfLastVertex();
+  leadingMaterial_ = findLeadingMaterial();
+  lastMaterial_ = materialOfLastVertex();
 }
 
 GeometryRun::GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group)
@@ -53,20 +43,6 @@ void GeometryRun::dropRealList() {
   if (!realList_) return;
   if (const auto group = group_.lock()) group->discardRealList(realList_);
   realList_ = 0;
-}
-
-SlotMask GeometryRun::slotsOfLastVertex() const {
-  if (captured_.primitives.empty() || captured_.vertexCount == 0) return 0;
-  const auto& indices = captured_.indices;
-  const uint32_t last = indices.empty() ? captured_.vertexCount - 1 : indices.data()[indices.size() - 1];
-  SlotMask slots = finalSlots_;
-  for (const InheritedSlot& inherited : inherited_)
-    if (last < inherited.vertices) slots &= ~bit(inherited.slot);
-  forEachSlot(slots, [&](Slot slot) {
-    const float* value = captured_.vertex(last) + layout_.offset[slot];
-    if (std::memcmp(value, finals_[slot].data(), sizeOf(slot) * sizeof(float)) != 0) slots &= ~bit(slot);
-  });
-  return slots;
 }
 
 void GeometryRun::inherit(Context& context) {
@@ -143,19 +119,39 @@ void GeometryRun::rasterise(Context& context) {
 void GeometryRun::execute(Context& context) {
   if (context.immediate.insideBegin() && !captured_.primitives.empty())
     return context.errors.set(GL_INVALID_OPERATION);
-  SlotMask finals = finalSlots_;
-  if (!captured_.primitives.empty()) {
-    context.immediate.closeRunIfOpen();
-    if (context.clock.passesThrough() && drawDirectly(context))
-      finals &= ~leftByList_;
-    else
-      draw(context);
+  const auto setFinals = [&](SlotMask slots) {
+    forEachSlot(slots, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
+  };
+  if (captured_.primitives.empty()) {
+    setFinals(finalSlots_);
+    if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
+    return;
   }
-  forEachSlot(finals, [&](Slot slot) { context.immediate.attribute(slot, finals_[slot].data()); });
-  if (!captured_.materials.empty()) applyMaterials(context, captured_.materials.back());
-  if (captured_.primitives.empty()) return;
-  context.shadow.current.drawn();
-  if (!captured_.materials.empty()) context.shadow.latch.letGo(context.real);
+  context.immediate.closeRunIfOpen();
+  if (continues_ && !context.clock.passesThrough() && !context.lists.executesNow())
+    return drawContinued(context);
+  CurrentValues& current = context.shadow.current;
+  if (context.clock.passesThrough() && drawDirectly(context)) {
+    setFinals(finalSlots_ & ~leftByList_);
+    return leaveMaterials(context, nullptr);
+  }
+  if (context.lists.executesNow()) {
+    draw(context);
+    leaveExecuted(context);
+    return leaveMaterials(context, nullptr);
+  }
+  const MaterialChange* leading = leadingMaterial();
+  if (leading) applyMaterials(context, *leading);
+  const CurrentValues::Held before = current.held();
+  draw(context);
+  current.holdAgain(before);
+  const ListEffect::Left& left = effect_.after(before.pending, before.due);
+  const SlotMask again = rasterised_ ? slotsToRestore(left, before.pending) : 0;
+  if (!current.holdsBack())
+    setFinals(finalSlots_);
+  else if (current.applyList(context.real, effect_, again))
+    context.shadow.colorSet();
+  leaveMaterials(context, leading && current.holdsMaterials() ? leading : nullptr);
 }
 
 /// The run, as its list is called.
@@ -175,6 +171,7 @@ class GeometryRun::RunDraw final : public DrawRequest {
   Reason trace(const KnownMesh& mesh) override {
     c_.filler.add(mesh.mesh, run_.layout_.mask, run_.captured_.materials);
     c_.counts.traced(DrawPath::list, run_.triangles_);
+    c_.shadow.latch.drawn();
     return Reason::traced;
   }
   void meetPasses(PrimitiveClass primitive, Reason reason) override {
@@ -185,9 +182,8 @@ class GeometryRun::RunDraw final : public DrawRequest {
   Load load() override { return {DrawPath::list, run_.kind_, run_.triangles_}; }
   Fate make() override {
     run_.rasterise(c_);
-    // The run's last attributes are now current in the real OpenGL: ours are sent again.
-    c_.shadow.current.lost(run_.layout_.mask & ~(bit(kPosition) | bit(kPositionW) | bit(kMaterialNumber)));
-    c_.touch(kMaterial);
+    run_.rasterised_ = true;
+    c_.shadow.touch(kMaterial);
     return Fate::rasterised;
   }
 
@@ -202,6 +198,7 @@ void GeometryRun::draw(Context& context) {
   context.passthrough.works();
   inherit(context);
   context.shadow.refresh(kDrawGroups);
+  rasterised_ = false;
   RunDraw request(*this, context);
   context.draws.submit(request);
 }

@@ -1,6 +1,7 @@
 // Captured vertices in a display list. GL threads: several may call a list of their share group.
 #pragma once
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/list_values.h"
 #include "gl/context/list.h"
 #include "gl/history/sampled_surfaces.h"
 #include "gl/sharing/share_group.h"
@@ -22,14 +23,34 @@ class GeometryRun final : public ListOp {
   /// An array draw: leaves the current attributes unchanged.
   GeometryRun(CapturedVertices captured, PrimitiveClass kind, std::weak_ptr<ShareGroup> group);
   ~GeometryRun() override;
+  /// What it does to current values. Initially they stay as they are.
+  void setEffect(ListEffect effect) { effect_ = std::move(effect); }
+  /// Marks the run as a later draw of a multi-draw, whose first draw alone stores current values.
+  void setContinues() { continues_ = true; }
   /// Draws the run, traced or rasterised, and makes its last attributes current.
   void execute(Context& context) override;
 
  private:
   class RunDraw;
+  /// Makes the attributes after its last vertex current, as Mesa does when it executes a list's commands
+  /// while it compiles them.
+  void leaveExecuted(Context& context);
+  /// The same for materials. `again`: those before the first vertex, if Mesa stores them again.
+  void leaveMaterials(Context& context, const MaterialChange* again);
+  /// Slots that must be stored again after the real list has drawn the run: not those with the values that it
+  /// leaves. `pending`: values were held back before it, and not yet stored.
+  SlotMask slotsToRestore(const ListEffect::Left& left, bool pending) const;
   void draw(Context& context);
+  /// Draws it as a later draw of a multi-draw.
+  void drawContinued(Context& context);
   /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
   bool drawDirectly(Context& context);
+  /// The materials that are set before its first glBegin, if any.
+  const MaterialChange* leadingMaterial() const;
+  uint32_t findLeadingMaterial() const;
+  uint32_t lastVertex() const;
+  /// The number of the last vertex's materials; 0: none are set.
+  uint32_t materialOfLastVertex() const;
   /// Those of finalSlots_ that have the value of the last vertex, which the real list leaves current.
   SlotMask slotsOfLastVertex() const;
   /// Fills inherited slots with the caller's current values.
@@ -50,6 +71,11 @@ class GeometryRun final : public ListOp {
   SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
   SlotMask leftByList_ = 0;  // those of them that the real list has left current
   SlotValues finals_;
+  ListEffect effect_;
+  uint32_t leadingMaterial_ = 0;  // its number; 0: none
+  uint32_t lastMaterial_ = 0;     // that of the last vertex
+  bool rasterised_ = false;       // in its last call
+  bool continues_ = false;        // a later draw of a multi-draw
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;
   std::weak_ptr<ShareGroup> group_;

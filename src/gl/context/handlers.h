@@ -193,6 +193,12 @@ uint32_t imagesChanged(Context& c);
 // Commands that set stencil values, or let later draws set them.
 uint32_t capabilityEnabled(Context& c, GLenum capability);
 uint32_t stencilSent(Context& c, GLenum format, const void* pixels);  // only if `format` has stencil values
+uint32_t capabilityDisabled(Context& c, GLenum capability);
+// Commands that make the real OpenGL store held-back current values (CurrentValues), or may do so.
+uint32_t colorMaterialSet(Context& c, GLenum face, GLenum mode);
+uint32_t materialAsked(Context& c);
+/// Reports that the real OpenGL has answered glGet of `pname`. It stores all values for a query of one.
+void noteCurrentValueQuery(Context& c, GLenum pname);
 uint32_t stencilSet(Context& c);
 /// As imagesChanged(), for the texture bound to `target` alone, and for deleted textures.
 uint32_t imageChanged(Context& c, GLenum target);

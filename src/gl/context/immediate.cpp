@@ -11,6 +11,7 @@
 #include <GL/glext.h>
 
 #include <cstring>
+#include <utility>
 
 namespace gluray::gl {
 namespace vertexcall {
@@ -58,24 +59,20 @@ void Immediate::attribute(Slot slot, const float* values) {
   if (p_.beginEnd.inside == Inside::rasterised) {
     sendAttribute(p_.shadow.real, slot, values);
     if (p_.beginEnd.fragment) return;
-    p_.shadow.current.keep(slot, values);
+    p_.shadow.current.setInside(slot, values);
     if (slot == kColor) p_.shadow.colorSet();
     return;
   }
   if (takesSlot(slot)) {
+    // Set after draws from arrays, in a list: Mesa holds it back while the next primitive is drawn.
+    const bool outside = p_.beginEnd.inside != Inside::captured;
+    if (p_.lists.compiling() && ofArrays_ && outside) closeRun();
     if (!stream_.has(slot)) addSlotToRun(slot);
+    if (p_.lists.compiling() && outside) listValues_.set(stream_, slot, values);
+    if (open_ && ofArrays_ && outside) p_.shadow.current.setLater(slot, values);
     return stream_.set(slot, values);
   }
-  p_.shadow.refresh(kCurrent);
-  // An equal colour counts too: the material may have changed in between.
-  if (slot != kColor && std::memcmp(p_.shadow.current[slot], values, sizeOf(slot) * sizeof(float)) == 0)
-    return;
-  setCurrent(slot, values);
-}
-
-void Immediate::setCurrent(Slot slot, const float* values) {
-  if (p_.shadow.current.anyDrawn()) p_.shadow.current.send(p_.shadow.real);
-  p_.shadow.current.set(slot, values);
+  p_.shadow.current.set(p_.shadow.real, slot, values);
   if (slot == kColor) p_.shadow.colorSet();
 }
 
@@ -97,6 +94,7 @@ void Immediate::addSlotToRun(Slot slot) {
   // The value that the list's caller will have set is unknown: vertices captured so far inherit it when the
   // list is called.
   if (p_.beginEnd.inside != Inside::captured && !stream_.empty()) closeRun();
+  if (p_.beginEnd.inside == Inside::captured) listValues_.addSlot(stream_);
   if (!stream_.empty() && slot != kMaterialNumber)
     inherited_.push_back({slot, stream_.captured().vertexCount});
   stream_.addSlot(slot, initialSlotValues()[slot].data());
@@ -113,7 +111,7 @@ void Immediate::vertex(float x, float y, float z, float w) {
   p_.lists.record([=](Context&) { vertexcall::vertex(x, y, z, w); }, true);
 }
 
-void Immediate::begin(GLenum mode) {
+void Immediate::begin(GLenum mode, bool arrays) {
   if (insideBegin()) return p_.lists.misuse();
   if (!isPrimitive(p_.shadow.real, mode)) {
     if (!p_.lists.compiling()) return p_.shadow.errors.set(GL_INVALID_ENUM);
@@ -121,8 +119,11 @@ void Immediate::begin(GLenum mode) {
   }
   const PrimitiveClass kind = mode > GL_POLYGON ? PrimitiveClass::lines : classOf(mode);
   if (p_.lists.compiling()) {
+    const bool continues = kind != class_ && !stream_.empty() && listValues_.isDrawing();
     if (kind != class_ && !stream_.empty()) closeRun();
     class_ = kind;
+    listValues_.begin(stream_, continues);
+    ofArrays_ = false;
   } else if (p_.clock.passesThrough()) {
     forgetAnswer();
     if (p_.counts.kinds()) p_.counts.kinds()->start();
@@ -132,7 +133,7 @@ void Immediate::begin(GLenum mode) {
     p_.beginEnd.inside = Inside::rasterised;
     p_.shadow.real.Begin(mode);
     return p_.attention.passed(true);
-  } else if (!open_ || kind != class_) {
+  } else if (!open_ || kind != class_ || ofArrays_ != arrays) {
     closeRunIfOpen();
     p_.passthrough.works();
     p_.shadow.refresh(kDrawGroups);
@@ -144,10 +145,12 @@ void Immediate::begin(GLenum mode) {
       p_.draws.beginRasterised(DrawPath::immediate, kind, reason);  // end() counts its triangles
       openPrimitive_ = {mode, 0, 0};
       p_.beginEnd.inside = Inside::rasterised;
+      p_.shadow.current.begun(nullptr);
       p_.shadow.real.Begin(mode);
       return p_.attention.update();
     }
     startRun();
+    ofArrays_ = arrays;
     reason_ = reason;
   }
   stream_.begin(mode);
@@ -173,6 +176,7 @@ bool Immediate::askCanBegin(GLenum mode) {
   const RealGl& real = p_.shadow.real;
   p_.shadow.errors.keepPending();
   real.DrawArrays(mode, 0, 0);
+  p_.shadow.current.restore(real);
   if (p_.shadow.errors.takeReal() == GL_NO_ERROR) return true;
   real.Begin(mode), real.End();
   const GLenum error = p_.shadow.errors.takeReal();
@@ -199,7 +203,9 @@ void Immediate::end() {
   if (!insideBegin()) return p_.shadow.errors.set(GL_INVALID_OPERATION);
   if (p_.beginEnd.inside == Inside::rasterised) {
     p_.shadow.real.End();
-    if (!p_.beginEnd.fragment) countOpenPrimitive();
+    if (!p_.beginEnd.fragment) countOpenPrimitive(), p_.shadow.current.ended(openPrimitive_.count > 0);
+    if (std::exchange(hasElements_, false) && !p_.beginEnd.fragment && !p_.clock.passesThrough())
+      p_.shadow.current.readInside(p_.shadow.real, slotsOf(p_.shadow.arrays()) & kVertexAttributes);
     if (const GLuint id = std::exchange(p_.beginEnd.fragment, 0)) {
       p_.shadow.real.EndList();
       p_.lists.appendFragment(id);
@@ -227,7 +233,6 @@ void Immediate::recordMisuse() {
 void Immediate::material(GLenum face, GLenum pname, const float* params) {
   const bool refused = pname == GL_SHININESS && (params[0] < 0 || params[0] > 128);
   if (p_.clock.passesThrough() && !p_.lists.compiling() && !open_) {
-    if (!insideBegin()) p_.shadow.syncCurrent();
     p_.shadow.touch(kMaterial);
     if (!insideBegin() && !p_.lists.calling() && !refused) p_.shadow.latch.sent(face, pname, params);
     return p_.shadow.real.Materialfv(face, pname, params);  // raises the errors
@@ -245,11 +250,12 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   }
   if (refused) return p_.lists.misuse(GL_INVALID_VALUE);
   // Programs have materials as uniforms, one for all vertices of a run.
-  if (open_ && !insideBegin() && p_.shadow.raster().program != 0) closeRun();
+  if (open_ && !insideBegin() && (ofArrays_ || p_.shadow.raster().program != 0)) closeRun();
   if (!takesSlot(kMaterialNumber)) {
-    p_.shadow.syncCurrent();
-    p_.shadow.touch(kMaterial);
-    if (!p_.lists.calling()) p_.shadow.latch.sent(face, pname, params);
+    p_.shadow.materialSet(change);
+    p_.shadow.latch.sent(face, pname, params);
+    // The real OpenGL holds materials back as it does attributes.
+    p_.shadow.current.setInside(kMaterialNumber, p_.shadow.current[kMaterialNumber]);
     return p_.shadow.real.Materialfv(face, pname, params);
   }
   if (const MaterialChange* last = stream_.lastMaterial()) change = *last;
@@ -258,12 +264,14 @@ void Immediate::material(GLenum face, GLenum pname, const float* params) {
   if (!stream_.has(kMaterialNumber)) addSlotToRun(kMaterialNumber);
   // addSlotToRun may have ended a list's run: this is then the new run's first change, applied to what the
   // ended run leaves.
+  if (change.outside) listValues_.set(stream_, kMaterialNumber, nullptr);
   const float number = stream_.addMaterial(change);
   stream_.set(kMaterialNumber, &number);
 }
 
 void Immediate::rasterElement(GLint i) {
   ++openPrimitive_.count;
+  hasElements_ = true;
   p_.shadow.real.ArrayElement(i);
 }
 

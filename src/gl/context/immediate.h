@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/basics/reasons.h"
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/list_values.h"
 #include "gl/capture/mesh_cache.h"
 #include "gl/capture/vertex_stream.h"
 #include "gl/context/passthrough_frames.h"
@@ -47,7 +48,8 @@ class Immediate {
   bool realInsideBegin() const { return p_.beginEnd.realIsInside(); }
   bool executedInside() const { return p_.beginEnd.executedInside(); }
 
-  void begin(GLenum mode);
+  /// `arrays`: for a small draw from arrays.
+  void begin(GLenum mode, bool arrays = false);
   void end();
   /// Whether begin() relies on an earlier answer of the real OpenGL, which the next command may change.
   bool reliesOnAnswer() const { return canBegin_ != kNoMode; }
@@ -64,6 +66,9 @@ class Immediate {
 
   // Runs. Outside lists a run is open from its first glBegin on; a list being compiled always has one.
   bool runOpen() const { return open_; }
+  /// Whether attributes go into the run and nowhere else. In a list, ListValues also gets those that come
+  /// outside glBegin and glEnd.
+  bool takesAttributes() const { return p_.beginEnd.inside == Inside::captured || (open_ && !ofArrays_); }
   /// Ends the run and draws it, or records it in the list being compiled.
   void closeRun();
   void closeRunOutsideBegin() {
@@ -93,8 +98,6 @@ class Immediate {
  private:
   class RunDraw;
 
-  /// Sets a current value that the real OpenGL does not have yet.
-  void setCurrent(Slot slot, const float* values);
   bool canBegin(GLenum mode);
   bool askCanBegin(GLenum mode);
   void recordMisuse();
@@ -112,7 +115,11 @@ class Immediate {
   VertexStream::Welding welding_;
   WhenToWeld weld_;
   VertexStream stream_;
-  bool open_ = false;                                // stream_ holds a run outside lists
+  bool open_ = false;         // stream_ holds a run outside lists
+  bool hasElements_ = false;  // of the primitive that the real OpenGL draws: vertices of glArrayElement
+  // The run consists of draws from arrays: current values are also sent when they are set.
+  bool ofArrays_ = false;
+  ListValues listValues_;                            // of a list's run
   PrimitiveClass class_ = PrimitiveClass::surfaces;  // of the run
   Reason reason_ = Reason::traced;                   // why the captured run will be rasterised
   DrawPath path_ = DrawPath::immediate;              // of the run's first draw: small array draws join runs

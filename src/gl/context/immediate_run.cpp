@@ -18,6 +18,8 @@ void Immediate::startRun() {
   stream_.start(bit(kPosition), p_.shadow.current.all(),
                 p_.lists.compiling() ? weld_.inList() : weld_.inFrame(), welding_);
   inherited_.clear();
+  ofArrays_ = false;
+  if (p_.lists.compiling()) listValues_.start();
   path_ = DrawPath::immediate;
   reason_ = Reason::traced;
   open_ = !p_.lists.compiling();
@@ -31,9 +33,9 @@ void Immediate::closeRun() {
   }
   stream_.captured();  // may throw: the run is still open then, and the real OpenGL takes it over
   open_ = false;
+  p_.shadow.current.sendLater(p_.shadow.real);
   drawRun();
   keepRunValues();
-  p_.shadow.current.drawn();
   p_.attention.update();
 }
 
@@ -44,6 +46,7 @@ void Immediate::idle() {
 }
 
 void Immediate::recordRun() {
+  listValues_.finish(stream_);
   CapturedVertices run = stream_.takeRun();
   if (run.empty() && run.layout.mask == bit(kPosition)) return;
   SlotValues finals = p_.shadow.current.all();
@@ -52,8 +55,10 @@ void Immediate::recordRun() {
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   GeometryRun* recorded = nullptr;
+  const ListEffect effect = listValues_.effect(run);
   try {
     recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
+    recorded->setEffect(effect);
   } catch (...) {
     stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
     throw;
@@ -89,14 +94,23 @@ void Immediate::leaveExecuted() {
 }
 
 void Immediate::keepRunValues() {
-  for (int s = kNormal; s < kSlotCount; ++s) {
-    const auto slot = static_cast<Slot>(s);
-    if (stream_.has(slot) && slot != kMaterialNumber) setCurrent(slot, stream_.get(slot));
+  const SlotMask slots = stream_.layout().mask & kVertexAttributes;
+  CurrentValues& current = p_.shadow.current;
+  if (insideBegin()) {  // of the real OpenGL, which takes over
+    forEachSlot(slots, [&](Slot slot) {
+      current.setInside(slot, stream_.get(slot)), sendAttribute(p_.shadow.real, slot, stream_.get(slot));
+    });
+  } else if (!ofArrays_) {
+    SlotMask changed = 0;
+    forEachSlot(slots, [&](Slot slot) {
+      if (current.keepChanged(slot, stream_.get(slot))) changed |= bit(slot);
+    });
+    current.sendRun(p_.shadow.real, changed);
   }
+  if (slots & bit(kColor)) p_.shadow.colorSet();
   if (const MaterialChange* last = stream_.lastMaterial()) {
-    p_.shadow.current.send(p_.shadow.real);
     sendMaterial(p_.shadow.real, *last);
-    if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real);
+    if (!insideBegin()) p_.shadow.latch.letGo(p_.shadow.real), current.restore(p_.shadow.real);
     p_.shadow.touch(kMaterial);
   }
 }
@@ -128,6 +142,8 @@ class Immediate::RunDraw final : public DrawRequest {
   Reason trace(const KnownMesh& mesh) override {
     i_.p_.filler.add(mesh.mesh, run_.layout.mask, run_.materials);
     i_.p_.counts.traced(i_.path_, countTriangles(run_));
+    // Draws from arrays have stored the current values already; vertices of glBegin and glEnd have not yet.
+    i_.p_.shadow.latch.drawn();
     return Reason::traced;
   }
   void meetPasses(PrimitiveClass primitive, Reason reason) override {
@@ -151,7 +167,11 @@ void Immediate::drawRun() {
   weld_.sawRun(run.indices.empty() ? run.vertexCount : run.indices.size());
   const DrawTimer timer(p_.counts.kinds());
   RunDraw request(*this);
-  p_.draws.submit(request);
+  const CurrentValues::Held before = p_.shadow.current.held();
+  if (p_.draws.submit(request) == Fate::traced || !ofArrays_) return;
+  // The replay has set attributes that draws from arrays leave as they are.
+  p_.shadow.current.holdAgain(before);
+  p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
 }
 
 /// Sends what has been set since the last vertex into the open fragment.
@@ -168,12 +188,12 @@ void Immediate::surrender() {
   const bool open = p_.beginEnd.inside == Inside::captured;
   GLuint fragment = 0;
   if (!p_.lists.compiling()) {
+    p_.shadow.current.sendLater(p_.shadow.real);
     p_.raster.noteUnsampledDraw(class_, Reason::evaluators);
     p_.raster.before(class_);
     if (open ? p_.beginEnd.inside != Inside::captured : !open_) return;  // a failure there has surrendered it
   }
-  p_.shadow.sendBuffers();                 // glArrayElement may follow
-  p_.shadow.current.send(p_.shadow.real);  // before NewList: not part of the fragment
+  p_.shadow.sendBuffers();  // glArrayElement may follow
   if (p_.lists.compiling()) {
     fragment = p_.shadow.real.GenLists(1);
     p_.shadow.real.NewList(fragment, GL_COMPILE);
@@ -188,7 +208,7 @@ void Immediate::surrender() {
   if (!p_.lists.compiling()) {
     if (open) openPrimitive_ = stream_.openPrimitive();
     keepRunValues();
-    p_.shadow.current.send(p_.shadow.real);  // what was set since the last vertex; legal inside glBegin too
+    if (ofArrays_ && !open) p_.shadow.current.storeAside(p_.shadow.real, run.layout.mask & kVertexAttributes);
   } else {
     sendRunValues();
     if (!open) p_.shadow.real.EndList();

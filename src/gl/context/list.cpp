@@ -13,7 +13,8 @@ void FragmentOp::execute(Context& context) {
   // Between glBegin and glEnd the fragment may be legal: the real OpenGL takes over and decides.
   context.beforeForward(context.immediate.insideBegin() ? Context::Flush::none : Context::Flush::all);
   context.real.CallList(realList_);
-  context.touch(kAllGroups);
+  context.shadow.current.letGo();
+  context.shadow.touch(kAllGroups);
   context.shadow.matrixMode = 0;
 }
 

@@ -15,10 +15,12 @@ namespace gluray::gl {
 template <class F>
 void ListCompiler::runDetached(F&& body) {
   auto compiled = std::exchange(list_, nullptr);
+  detached_ = true;
   p_.immediate.resumeExecuted();
   p_.attention.update();
   const auto restore = [&] {
     list_ = std::move(compiled);
+    detached_ = false;
     p_.immediate.leaveExecuted();
     p_.immediate.startRun();
   };
@@ -87,6 +89,7 @@ void ListCompiler::newList(GLuint name, GLenum mode) {
   if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return p_.shadow.errors.set(GL_INVALID_ENUM);
   if (compiling() || p_.immediate.insideBegin()) return p_.shadow.errors.set(GL_INVALID_OPERATION);
   p_.immediate.closeRunIfOpen();
+  p_.shadow.current.store(p_.shadow.real);
   list_ = std::make_shared<DisplayList>();
   name_ = name;
   mode_ = mode;
@@ -100,6 +103,7 @@ void ListCompiler::endList() {
   if (p_.immediate.inside() == Immediate::Inside::captured) p_.immediate.loosen();
   if (p_.immediate.insideBegin()) p_.immediate.end();  // a fragment cannot stay open
   p_.immediate.recordRun();
+  p_.shadow.current.changeState(p_.shadow.real);
   p_.shadow.group.lists.put(name_, list_);
   p_.shadow.group.listLabels.erase(name_);  // a new object
   list_.reset();
@@ -110,14 +114,14 @@ void ListCompiler::endList() {
 
 void ListCompiler::callList(GLuint name) {
   constexpr int kDeepest = 64;  // GL_MAX_LIST_NESTING; also ends the recursion of lists that call themselves
-  const auto list = p_.shadow.group.lists.find(name);
-  if (!list || depth_ >= kDeepest) return;
   p_.immediate.closeRunOutsideBegin();
   if (!p_.immediate.insideBegin()) p_.immediate.forgetAnswer();
   if (depth_ == 0 && !p_.immediate.insideBegin() && !p_.clock.passesThrough()) {
     p_.shadow.current.store(p_.shadow.real);
     p_.shadow.latch.called(p_.shadow.real);
   }
+  const auto list = p_.shadow.group.lists.find(name);
+  if (!list || depth_ >= kDeepest) return;
   ++depth_;
   try {
     list->execute(p_.context);

@@ -43,6 +43,11 @@ class ListCompiler {
   bool executing() const { return !list_ || mode_ == GL_COMPILE_AND_EXECUTE; }
   /// Whether a list is being called.
   bool calling() const { return depth_ > 0; }
+  /// Whether a step of the list that is compiled is being executed, and not one of a list that it calls.
+  bool executesNow() const { return detached_ && depth_ == 0; }
+  /// Whether draws that are compiled are later ones of a multi-draw.
+  bool continuesMultiDraw() const { return continues_; }
+  void continueMultiDraw(bool on) { continues_ = on; }
   GLuint name() const { return name_; }
   GLenum mode() const { return mode_; }
 
@@ -81,7 +86,9 @@ class ListCompiler {
   GLuint name_ = 0;
   GLenum mode_ = 0;
   GLenum misused_ = GL_NO_ERROR;  // error of the first illegal command in the glBegin being compiled
-  int depth_ = 0;                 // nesting of the lists being called
+  bool detached_ = false;
+  bool continues_ = false;  // draws are later ones of a multi-draw
+  int depth_ = 0;           // nesting of the lists being called
   Parts p_;
 };
 

@@ -37,10 +37,10 @@ void PassthroughFrames::set(bool passthrough) {
   p_.window.showLagged();
   p_.flusher.settle();
   if (passthrough) {
-    p_.shadow.syncCurrent();
     for (const auto& buffer : p_.shadow.group.buffers.all())
       if (buffer) buffer->sendTo(p_.shadow.real);
   } else {
+    p_.shadow.current.letGo();
     p_.shadow.touch(kAllGroups);
     p_.shadow.matrixMode = 0;
   }
@@ -61,7 +61,6 @@ bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t trian
     return false;
   }
   works();
-  p_.shadow.syncCurrent();
   if (p_.shadow.group.anyBuffersHeldBack()) p_.shadow.sendBuffers();
   const Reason why = choice.active() ? Reason::smallScene : Reason::off;
   p_.counts.rasterised(kind == PrimitiveClass::lines    ? Reason::lines

@@ -43,7 +43,6 @@ void DrawCounts::traced(DrawPath path, uint64_t triangles, uint64_t sent) {
   ++statistics.drawsTraced;
   statistics.trianglesTraced += triangles;
   load(sent);
-  shadow_.current.drawn();
 }
 
 void DrawCounts::asRasterised(const scene::Snapshot& snapshot, Reason reason) {

@@ -25,13 +25,17 @@ Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
   p_.counts.rasterised(reason, load.path, load.primitive, load.triangles);
   p_.raster.before(load.primitive);
   p_.shadow.sendBuffers();
-  return draw.make();
+  const Fate fate = draw.make();
+  p_.shadow.current.drawnByReal();
+  p_.shadow.latch.drawn();
+  return fate;
 }
 
 void Draws::beginRasterised(DrawPath path, PrimitiveClass primitive, Reason reason) {
   p_.raster.noteUnsampledDraw(primitive, reason);
   p_.raster.before(primitive);
   p_.shadow.sendBuffers();  // glArrayElement may follow
+  p_.shadow.latch.drawn();
   if (p_.counts.kinds()) p_.counts.kinds()->start();
   p_.counts.rasterised(reason, path, primitive, 0);
 }

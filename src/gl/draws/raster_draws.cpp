@@ -89,7 +89,6 @@ void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
   for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
     const WithoutOtherOffsets guard(p_.shadow.real);
     p_.cleared.forget();
-    p_.shadow.syncCurrent();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};
     if (redraw.clipFromObject) target.byMatrix = {redraw.mesh, *redraw.clipFromObject};
     const PresentResult result = p_.pending.presenter.present(p_.shadow.real, redraw.snapshot, target);
@@ -131,7 +130,6 @@ void RasterDraws::before(PrimitiveClass kind) {
   if (p_.composed.waits() && kind == PrimitiveClass::surfaces) [[unlikely]]
     p_.failsafe.protect([&] { p_.composed.drawing(); });
   noteDepths();
-  p_.shadow.syncCurrent();
 }
 
 void RasterDraws::noteDepths() {

@@ -49,7 +49,6 @@ void Flusher::presentBatch(Reason reason) {
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
   if (p_.counts.decisions()) [[unlikely]]
     p_.counts.decisions()->batch(key, snapshot->instances.size(), describe(reason));
-  p_.shadow.syncCurrent();
   p_.surfaces.passes.flushed(rasterise || isVisibility ? nullptr : snapshot);
   if (rasterise) p_.counts.asRasterised(*snapshot, reason);
   const std::optional<ClearedTarget> under = rasterise ? std::nullopt : p_.cleared.under(*snapshot, key);
@@ -113,7 +112,6 @@ UnresolvedImage::Cleared Flusher::beforeClear(GLbitfield mask) {
 
 void Flusher::beforeBlit() noexcept {
   p_.failsafe.protect([&] {
-    p_.shadow.syncCurrent();
     flushBatch();
     p_.resolves.meetBlit();
     p_.composed.settle();

@@ -98,7 +98,6 @@ std::optional<Relighting::Replaced> Relighting::relight(ViewScenes::Outdated one
   if (p_.counts.decisions()) [[unlikely]]
     p_.counts.decisions()->relit(one.now->instances.size());
   ++p_.counts.statistics.imagesRelit;
-  p_.shadow.syncCurrent();
   ImageWish wish = p_.clock.wish();
   wish.anew = true;
   const PresentResult result = p_.pending.presenter.relight(p_.shadow.real, one.before, one.now,

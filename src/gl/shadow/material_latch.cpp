@@ -19,6 +19,11 @@ void MaterialLatch::letGo(const RealGl& real) const {
 }
 
 void MaterialLatch::restore(const RealGl& real) const {
+  restoreMaterials(real);
+  current_.restore(real);
+}
+
+void MaterialLatch::restoreMaterials(const RealGl& real) const {
   if (!on_ || (!waiting_.front && !waiting_.back)) return;
   letGo(real);
   scene::MaterialPair now;

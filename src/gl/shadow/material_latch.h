@@ -9,13 +9,14 @@
 // GL thread.
 #pragma once
 #include "gl/capture/captured_vertices.h"
+#include "gl/capture/current_values.h"
 #include "gl/real/real.h"
 
 namespace gluray::gl {
 
 class MaterialLatch {
  public:
-  explicit MaterialLatch(bool on) : on_(on) {}
+  MaterialLatch(bool on, const CurrentValues& current) : on_(on), current_(current) {}
   /// Whether the current context's OpenGL draws with materials that were stored again: a Mesa before 23.
   static bool isIn(const RealGl& real);
   bool isOn() const { return on_; }
@@ -23,6 +24,8 @@ class MaterialLatch {
   void sent(GLenum face, GLenum pname, const float* params) {
     if (on_) waiting_.set(face, pname, params);
   }
+  /// Whether materials were sent since the last draw.
+  bool waits() const { return waiting_.front | waiting_.back; }
   /// Call after materials of earlier vertices were sent: makes the real OpenGL store and forget them.
   void letGo(const RealGl& real) const;
   /// Reports glCallList: the real OpenGL stores held-back materials, and forgets them at its next state
@@ -31,17 +34,21 @@ class MaterialLatch {
     if (!waiting_.front && !waiting_.back) return;
     letGo(real);
     drawn();
+    current_.restore(real);
   }
   /// Reports a draw: the real OpenGL has stored the held-back materials.
   void drawn() {
     if (waiting_.front | waiting_.back) waiting_ = {};
   }
-  /// Call after a query or draw by GLuRay: sends the materials again, so that the real OpenGL holds them back
-  /// again.
+  /// Call after a query or draw by GLuRay: sends the materials and current values again, so that the real
+  /// OpenGL holds them back again.
   void restore(const RealGl& real) const;
 
  private:
-  bool on_;                 // the quirk is switched on, and the real OpenGL needs it
+  void restoreMaterials(const RealGl& real) const;
+
+  bool on_;  // the quirk is switched on, and the real OpenGL needs it
+  const CurrentValues& current_;
   MaterialChange waiting_;  // materials sent since the last draw
 };
 

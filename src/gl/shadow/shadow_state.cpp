@@ -4,6 +4,7 @@
 #include "gl/basics/failsafe.h"
 #include "gl/capture/solid_settings.h"
 #include "gl/real/errors.h"
+#include "gl/real/extensions.h"
 
 #include <utility>
 
@@ -19,13 +20,15 @@ ShadowState::ShadowState(const RealGl& realGl, const BeginEnd& beginEnd,
       errors(contextErrors),
       attachments(group.deletedBuffers),
       images(group.deletedImages),
-      latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl)),
+      latch(settings.quirks.has(Quirk::materialLatch) && MaterialLatch::isIn(realGl), current),
       textures(group),
       currentProgram(real, group, info),
       beginEnd_(beginEnd),
       failsafe_(failsafe),
       readable_(info.core ? kAllGroups & ~kFixedFunction : uint32_t{kAllGroups}),
-      dirty_(readable_) {}
+      dirty_(readable_) {
+  if (mesaVersionOf(real.GetString(GL_VERSION)) == 0) current.holdNothingBack();
+}
 
 void ShadowState::madeCurrent(uintptr_t drawable) {
   target_.drawable = drawable;
@@ -76,7 +79,6 @@ void ShadowState::read(uint32_t stale) {
   errors.keepPending();
   if (!rare_.asked) readRare();
   if (stale & kCurrent) current.read(real);
-  syncCurrent();
   if (stale & kModelview) {
     modelview_ = readMatrix(real, GL_MODELVIEW_MATRIX);
     modelviewInvertible_ = isInvertible(modelview_);
@@ -93,6 +95,10 @@ void ShadowState::read(uint32_t stale) {
   if ((stale & kMaterial) || recolored) {
     readMaterial(real, material_);
     latch.drawn();
+    current.restore(real);
+    // What is stale has been read by now.
+    follows_ = !isDirty(kCurrent & ~stale) &&
+               materialOfColor(material_, shading_.colorMaterial, current[kColor]) == material_;
   } else if (stale & kCurrent) {
     latch.restore(real);
   }

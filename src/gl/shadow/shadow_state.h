@@ -117,7 +117,14 @@ class ShadowState {
   /// Reports that the current colour was set: with GL_COLOR_MATERIAL the material follows it.
   void colorSet() {
     // If kLighting is dirty, material() reads the material back with it.
-    if (shading_.colorMaterial != scene::ColorMaterial{}) touch(kMaterial);
+    if (shading_.colorMaterial != scene::ColorMaterial{}) followColor();
+  }
+  /// Reports glMaterial with valid arguments, outside glBegin and glEnd.
+  void materialSet(const MaterialChange& change);
+  /// Reports a traced draw that uses the current values.
+  void drawnTraced() {
+    current.drawn(real);
+    latch.drawn();
   }
   /// Number of the context in this process.
   void setContextNumber(uint64_t number) { target_.context = number; }
@@ -140,10 +147,6 @@ class ShadowState {
   /// The shader program `name` and its family. Hides GL errors of this from the host program. May throw
   /// std::bad_alloc.
   std::shared_ptr<const KnownProgram> recognise(GLuint name);
-  void syncCurrent() {
-    if (current.anyUnsent()) [[unlikely]]
-      current.send(real);
-  }
   /// Sends held-back contents of those buffers that the real OpenGL's next draw may read.
   void sendBuffers();
   double viewportPixels() {
@@ -160,6 +163,7 @@ class ShadowState {
       readBack(groups);
     return value;
   }
+  void followColor();
   void readBack(uint32_t groups) noexcept;
   void read(uint32_t stale);
   void readProgramInUse();
@@ -182,6 +186,7 @@ class ShadowState {
   TargetState target_;
   scene::Shading shading_;
   scene::MaterialPair material_;
+  bool follows_ = false;  // what of material_ follows the colour has the current colour
   Reason textureReason_ = Reason::traced;
   std::vector<scene::Texture> fixedTextures_;
   std::vector<glm::dvec4> clipPlanes_;

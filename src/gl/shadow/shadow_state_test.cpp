@@ -20,9 +20,11 @@ struct CountingGl {
   std::map<GLenum, int> asked;  // times, by name
   int queries = 0;              // of state
   int errorQueries = 0;
-  GLint width = 300;  // of the viewport
-  bool colorMaterial = false;
+  GLint width = 300;           // of the viewport
+  bool colorMaterial = false;  // and lighting
+  bool lighting = false;
   bool fails = false;
+  std::array<GLfloat, 4> material{};  // each colour
 };
 CountingGl g_counting;
 
@@ -42,9 +44,13 @@ void APIENTRY countBooleanv(GLenum name, GLboolean*) { countQuery(name); }
 GLboolean APIENTRY countEnabled(GLenum name) {
   countQuery(name);
   const bool lights = name == GL_LIGHTING || name == GL_COLOR_MATERIAL;
-  return g_counting.colorMaterial && lights ? GL_TRUE : GL_FALSE;
+  const bool on = (g_counting.colorMaterial && lights) || (g_counting.lighting && name == GL_LIGHTING);
+  return on ? GL_TRUE : GL_FALSE;
 }
-void APIENTRY countMaterialfv(GLenum, GLenum name, GLfloat*) { countQuery(name); }
+void APIENTRY countMaterialfv(GLenum, GLenum name, GLfloat* values) {
+  countQuery(name);
+  if (name != GL_SHININESS) std::copy_n(g_counting.material.data(), 4, values);
+}
 const GLubyte* APIENTRY countString(GLenum name) {
   countQuery(name);
   return reinterpret_cast<const GLubyte*>(name == GL_VERSION ? "2.1 Fake" : "");
@@ -195,6 +201,37 @@ TEST_F(ShadowStateTest, ColoursChangeTheMaterialWithColorMaterial) {
   shadow_->material();
   EXPECT_EQ(g_counting.asked[GL_AMBIENT], 2) << "front and back, because lighting was dirty";
   shadow_->colorSet();
+  EXPECT_TRUE(shadow_->isDirty(kMaterial)) << "the material did not have the colour";
+}
+
+TEST_F(ShadowStateTest, MaterialsThatHaveTheColourAreNotReadAgain) {
+  g_counting = {.colorMaterial = true, .material = {1, 1, 1, 1}};  // the initial colour
+  shadow_->refresh(kAllGroups);
+  g_counting.queries = 0;
+  const float red[4] = {1, 0, 0, 1};
+  shadow_->current.keep(kColor, red), shadow_->colorSet();
+  EXPECT_EQ(shadow_->material().front.diffuse, glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(shadow_->material().back.diffuse, glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(shadow_->material().front.ambient, glm::vec4(1));
+  EXPECT_EQ(g_counting.queries, 0);
+}
+
+TEST_F(ShadowStateTest, MaterialsAreKnownWhileNoColourChangesThem) {
+  MaterialChange change;
+  const float red[4] = {1, 0, 0, 1};
+  change.set(GL_FRONT, GL_EMISSION, red);
+  shadow_->refresh(kAllGroups);
+  shadow_->materialSet(change);
+  EXPECT_TRUE(shadow_->isDirty(kMaterial)) << "without lighting it is unknown whether it follows the colour";
+  g_counting = {.lighting = true};
+  shadow_->touch(kLighting), shadow_->refresh(kAllGroups);
+  g_counting.queries = 0;
+  shadow_->materialSet(change);
+  EXPECT_EQ(shadow_->material().front.emission, glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(g_counting.queries, 0);
+  g_counting.colorMaterial = true;
+  shadow_->touch(kLighting), shadow_->refresh(kAllGroups);
+  shadow_->materialSet(change);
   EXPECT_TRUE(shadow_->isDirty(kMaterial));
 }
 

@@ -34,7 +34,9 @@ enum StateGroup : uint32_t {
   kArrays = kFixedArrays | kAttributes,
   kProgramTextures = 1 << 13,  // textures that shader programs sample
   kTexture = kFixedTextures | kProgramTextures,
-  kAllGroups = (1 << 14) - 1
+  kAllGroups = (1 << 14) - 1,
+  // No group: what the command does to held-back current values (CurrentValues) has been noted.
+  kHeldNoted = 1 << 30
 };
 /// Groups that core profiles lack.
 constexpr uint32_t kFixedFunction =

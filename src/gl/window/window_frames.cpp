@@ -47,7 +47,6 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     const float depthResolution = p_.shadow.target().depthResolution;
     timeline::writeIfDue();
     const timeline::Span span("batch", p_.pending.batch.waiting().instances.size());
-    p_.shadow.syncCurrent();
     {
       const FlushPurpose showing(p_.clock, &FrameClock::shows);
       p_.pending.attachSecondaryScene();
@@ -231,7 +230,6 @@ void WindowFrames::showLagged() {
   LaggedFrame frame = std::move(*lagged_);
   lagged_.reset();
   const double start = p_.counts.kinds() ? nowSeconds() : 0;
-  p_.shadow.syncCurrent();
   PresentResult result;
   if (!frame.window.stands()) {
     p_.pending.presenter.window().dropAhead();

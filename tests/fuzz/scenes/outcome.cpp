@@ -1,7 +1,5 @@
 #include "tests/fuzz/scenes/outcome.h"
 
-#include "tests/fuzz/scenes/scene.h"
-
 #include <GL/gl.h>
 
 #include <cmath>
@@ -14,10 +12,14 @@ namespace {
 constexpr scenes::Tolerance kTolerance = {6, 0.03, 3e-5f, "edges of many small triangles"};
 constexpr size_t kPixels = size_t{kSceneSize} * kSceneSize;
 
-bool same(const std::vector<float>& a, const std::vector<float>& b) {
-  bool equal = a.size() == b.size();
-  for (size_t i = 0; equal && i < a.size(); ++i) equal = std::abs(a[i] - b[i]) <= 1e-5f;
-  return equal;
+/// Empty if both have answered alike.
+std::string answersDiffer(const Answers& expected, const Answers& got) {
+  if (expected.size() != got.size()) return "answers differ: not as many";
+  for (size_t i = 0; i < got.size(); ++i)
+    if (!(std::abs(expected[i] - got[i]) <= 1e-5f))
+      return "answers differ: value " + std::to_string(i) + " is " + std::to_string(got[i]) + ", not " +
+             std::to_string(expected[i]);
+  return "";
 }
 
 test::DrawnImage emptyImage() {
@@ -30,9 +32,9 @@ std::string fileOf(const std::string& folder, uint64_t seed) {
 
 }  // namespace
 
-Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed) {
+Outcome outcomeOf(Gl gl, const std::vector<Call>& scene) {
   Outcome outcome{{}, emptyImage()};
-  drawScene(gl, seed, outcome.answers);
+  playScene(gl, scene, outcome.answers);
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_RGBA, GL_UNSIGNED_BYTE, outcome.image.colors.data());
   gl.ReadPixels(0, 0, kSceneSize, kSceneSize, GL_DEPTH_COMPONENT, GL_FLOAT, outcome.image.depths.data());
@@ -41,7 +43,7 @@ Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed) {
 
 std::string difference(uint64_t seed, const Outcome& expected, const Outcome& got,
                        const std::string& folder) {
-  if (!same(expected.answers, got.answers)) return "answers differ";
+  if (std::string why = answersDiffer(expected.answers, got.answers); !why.empty()) return why;
   const test::Comparison c = test::compare(expected.image, got.image, kTolerance);
   if (c.accepted) return "";
   if (!folder.empty()) test::writeFailure(folder, std::to_string(seed), expected.image, got.image);

@@ -1,6 +1,6 @@
 // The outcome of a random scene: query results, colours and depths; compared, and kept in files.
 #pragma once
-#include "gl/real/real.h"
+#include "tests/fuzz/scenes/scene.h"
 #include "tests/support/drawn_image.h"
 
 #include <cstdint>
@@ -14,8 +14,8 @@ struct Outcome {
   test::DrawnImage image;
 };
 
-/// Draws the scene of `seed` into the current framebuffer and reads it back.
-Outcome outcomeOf(const gl::RealGl& gl, uint64_t seed);
+/// Draws the scene into the current framebuffer and reads it back.
+Outcome outcomeOf(Gl gl, const std::vector<Call>& scene);
 
 /// Empty if both agree, else the difference; their images then go to `folder` unless that is empty.
 std::string difference(uint64_t seed, const Outcome& expected, const Outcome& got, const std::string& folder);

@@ -23,7 +23,7 @@ int play(const std::string& folder, const Seeds& seeds) {
   player::Window window(kSceneSize, kSceneSize);
   for (uint64_t seed = seeds.first; seed < seeds.end; ++seed) {
     window.freshContext();
-    const Outcome outcome = outcomeOf(window.gl(), seed);
+    const Outcome outcome = outcomeOf(window.gl(), makeScene(seed));
     window.swap();
     if (save(folder, seed, outcome)) continue;
     std::fprintf(stderr, "cannot write into %s\n", folder.c_str());

@@ -1,204 +1,215 @@
 #include "tests/fuzz/scenes/scene.h"
 
-#include "tests/fuzz/scenes/dice.h"
+#include "tests/fuzz/scenes/arrays.h"
 #include "tests/fuzz/scenes/shape.h"
+#include "tests/fuzz/scenes/state.h"
+#include "tests/fuzz/scenes/vertices.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include <array>
-
 namespace gluray::fuzz {
 namespace {
 
+/// Writes one scene.
 class Scene {
  public:
-  Scene(const gl::RealGl& gl, uint64_t seed, std::vector<float>& answers)
-      : gl_(gl), dice_(seed), answers_(answers) {}
-  void draw();
+  Scene(uint64_t seed, bool lists) : dice_(seed), callsLists_(lists) {}
+  std::vector<Call> write();
 
  private:
-  void camera();
-  void texture(GLuint name);
-  void lights();
-  void material(GLenum face);
-  void surfaceState();
-  void fragmentState();
+  void clear();
+  void change();
   void object();
-  void mark();
+  void place();
+  void send(const Shape& shape, bool list, bool again);
+  void list(const Shape& shape);
+  void listStep(const Shape& shape);
+  void current();
   void ask();
-  void toggle(GLenum capability, uint32_t percent) {
-    dice_.chance(percent) ? gl_.Enable(capability) : gl_.Disable(capability);
-  }
 
-  const gl::RealGl& gl_;
   Dice dice_;
-  std::vector<float>& answers_;
+  std::vector<Call> calls_;
+  Writer w_{dice_, calls_};
   GLuint lists_ = 0;
+  bool executes_ = false;  // the list that is being compiled is executed, too
+  bool callsLists_;
+  // How often some calls appear in this scene.
+  uint32_t materials_ = 0, colorMaterials_ = 0, listShare_ = 0, arrayShare_ = 0;
 };
 
-void Scene::draw() {
-  gl_.Enable(GL_DEPTH_TEST);
-  const auto background = dice_.color();
-  gl_.ClearColor(background[0], background[1], background[2], 1);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  gl_.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 8);  // 0: avoided.md
-  for (GLuint name = 1; name < 3; ++name) texture(name);
-  camera(), lights();
+std::vector<Call> Scene::write() {
+  materials_ = dice_.below(60), colorMaterials_ = dice_.below(60);
+  listShare_ = callsLists_ ? dice_.below(60) : 0, arrayShare_ = 20 + dice_.below(60);
+  w_.twoSided = dice_.chance(60);
+  WRITE(w_, Enable, GLenum{GL_DEPTH_TEST});
+  clear();
+  WRITE(w_, Materialf, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_SHININESS}, 8.0f);  // 0: avoided.md
+  for (uint32_t name = 1; name < 3; ++name) writeTexture(w_, name);
+  writeCamera(w_, kSceneSize), writeLights(w_), writeClipPlanes(w_);
   const uint32_t objects = 2 + dice_.below(6);
   for (uint32_t i = 0; i < objects; ++i) {
-    if (dice_.chance(60)) surfaceState();
-    if (dice_.chance(40)) fragmentState();
-    if (dice_.chance(20)) lights();
+    if (dice_.chance(60)) change();
     const bool saves = dice_.chance(20);
     if (saves)
-      gl_.PushAttrib(dice_.pick({GL_ALL_ATTRIB_BITS, GL_CURRENT_BIT, GL_LIGHTING_BIT, GL_ENABLE_BIT}));
+      WRITE_AS(w_, push, PushAttrib,
+               dice_.pick({GL_ALL_ATTRIB_BITS, GL_CURRENT_BIT, GL_LIGHTING_BIT, GL_ENABLE_BIT,
+                           GL_CURRENT_BIT | GL_LIGHTING_BIT}));
+    if (saves && dice_.chance(50)) change();
     object();
-    if (dice_.chance(20)) mark();
+    if (dice_.chance(20)) writeMarks(w_);
     if (dice_.chance(30)) ask();
-    // Mesa leaves attributes current that were set right before, unless they are queried (avoided.md).
-    GLfloat asked[4];
-    if (saves) gl_.GetFloatv(GL_CURRENT_COLOR, asked), gl_.PopAttrib();
-    if (dice_.chance(10)) camera();
+    if (saves) WRITE_AS(w_, pop, PopAttrib);
+    if (dice_.chance(10)) writeCamera(w_, kSceneSize);
+    if (dice_.chance(6)) clear();
   }
   ask();
+  return std::move(calls_);
 }
 
-void Scene::camera() {
-  gl_.Viewport(0, 0, kSceneSize, kSceneSize);
-  gl_.MatrixMode(GL_PROJECTION), gl_.LoadIdentity();
-  if (dice_.chance(30))
-    gl_.Ortho(-3, 3, -3, 3, 1, 12);
-  else
-    gl_.Frustum(-0.5, 0.5, -0.5, 0.5, 1, 2 + dice_.real(6, 60));
-  gl_.MatrixMode(GL_MODELVIEW), gl_.LoadIdentity();
-  gl_.Translatef(0, 0, -6), gl_.Rotatef(dice_.real(-60, 60), dice_.real(-1, 1), 1, 0.1f);
+void Scene::clear() {
+  const auto background = dice_.color();
+  WRITE(w_, ClearColor, background[0], background[1], background[2], 1.0f);
+  WRITE(w_, Clear, GLbitfield{GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT});
 }
 
-void Scene::texture(GLuint name) {
-  constexpr uint32_t kTexels = 8;
-  std::array<GLubyte, 4 * kTexels * kTexels> texels;
-  for (GLubyte& t : texels) t = static_cast<GLubyte>(dice_.below(256));
-  gl_.BindTexture(GL_TEXTURE_2D, name);
-  const GLenum format = dice_.pick({GL_RGBA, GL_RGBA, GL_LUMINANCE_ALPHA});
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(dice_.pick({GL_RGBA, GL_RGB, GL_LUMINANCE})), kTexels,
-                 kTexels, 0, format, GL_UNSIGNED_BYTE, texels.data());
-  const auto filter = static_cast<GLint>(dice_.pick({GL_NEAREST, GL_LINEAR}));
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
-  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S,
-                    static_cast<GLint>(dice_.pick({GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT})));
-}
-
-void Scene::lights() {
-  toggle(GL_LIGHTING, 75);
-  for (GLenum light = GL_LIGHT0; light < GL_LIGHT0 + 3; ++light) {
-    toggle(light, light == GL_LIGHT0 ? 90 : 30);
-    const std::array<GLfloat, 4> position = {dice_.real(-4, 4), dice_.real(-4, 4), dice_.real(0, 4),
-                                             dice_.chance(50) ? 1.0f : 0.0f};
-    gl_.Lightfv(light, GL_POSITION, position.data());
-    gl_.Lightfv(light, GL_DIFFUSE, dice_.color().data());
-    gl_.Lightfv(light, GL_SPECULAR, dice_.color().data());
-    gl_.Lightf(light, GL_SPOT_CUTOFF, dice_.chance(20) ? dice_.real(20, 60) : 180);
-    const std::array<GLfloat, 3> direction = {dice_.real(-1, 1), dice_.real(-1, 1), -1};
-    gl_.Lightfv(light, GL_SPOT_DIRECTION, direction.data());
-    gl_.Lightf(light, GL_LINEAR_ATTENUATION, dice_.chance(20) ? dice_.real(0, 0.3f) : 0);
+/// Changes of state in any order.
+void Scene::change() {
+  for (uint32_t i = 1 + dice_.below(4); i > 0; --i) {
+    if (dice_.chance(40)) writeSurface(w_);
+    if (dice_.chance(30)) writeFragments(w_);
+    if (dice_.chance(15)) writeLights(w_);
+    if (dice_.chance(materials_)) writeMaterial(w_);
+    if (dice_.chance(colorMaterials_)) writeColorMaterial(w_);
+    if (dice_.chance(30)) current();
   }
-  gl_.LightModeli(GL_LIGHT_MODEL_TWO_SIDE, dice_.chance(40));
-  gl_.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, dice_.chance(30));
-  gl_.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL,
-                  static_cast<GLint>(dice_.pick({GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR})));
 }
 
-void Scene::material(GLenum face) {
-  gl_.Materialfv(face, dice_.pick({GL_DIFFUSE, GL_AMBIENT, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION}),
-                 dice_.color().data());
-  if (dice_.chance(50)) gl_.Materialf(face, GL_SHININESS, dice_.real(1, 60));
+void Scene::place() {
+  const float x = dice_.real(-1.5f, 1.5f), y = dice_.real(-1.5f, 1.5f), z = dice_.real(-1.5f, 1.5f);
+  WRITE(w_, Translatef, x, y, z);
+  const float angle = dice_.real(0, 360), u = dice_.real(-1, 1), v = dice_.real(-1, 1);
+  WRITE(w_, Rotatef, angle, u, v, 1.0f);
+  const float size = dice_.real(0.4f, 1.6f), aspect = dice_.real(0.6f, 1.2f);
+  WRITE(w_, Scalef, size, size * aspect, size);
 }
 
-void Scene::surfaceState() {
-  if (dice_.chance(60)) material(dice_.pick({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}));
-  if (dice_.chance(40)) {
-    gl_.ColorMaterial(dice_.pick({GL_FRONT, GL_FRONT_AND_BACK}),
-                      dice_.pick({GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT}));
-    toggle(GL_COLOR_MATERIAL, 60);
-  }
-  gl_.ShadeModel(dice_.chance(80) ? GL_SMOOTH : GL_FLAT);
-  toggle(GL_NORMALIZE, 80), toggle(GL_CULL_FACE, 25);
-  gl_.CullFace(dice_.pick({GL_FRONT, GL_BACK, GL_BACK})), gl_.FrontFace(dice_.chance(80) ? GL_CCW : GL_CW);
-  toggle(GL_TEXTURE_2D, 30), gl_.BindTexture(GL_TEXTURE_2D, 1 + dice_.below(2));
-  gl_.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
-              static_cast<GLint>(dice_.pick({GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD})));
-  toggle(GL_POLYGON_OFFSET_FILL, 20), gl_.PolygonOffset(dice_.real(-2, 2), dice_.real(-50, 50));
-  if (dice_.chance(10)) gl_.PolygonMode(GL_FRONT_AND_BACK, dice_.pick({GL_FILL, GL_LINE, GL_FILL}));
-  toggle(GL_CLIP_PLANE0, 15);
-  const std::array<GLdouble, 4> plane = {dice_.real(-1, 1), 1, dice_.real(-1, 1), dice_.real(0, 1)};
-  gl_.ClipPlane(GL_CLIP_PLANE0, plane.data());
+/// Current attributes.
+void Scene::current() {
+  if (dice_.chance(60)) WRITE(w_, Color4fv, dice_.color());
+  if (dice_.chance(20)) WRITE(w_, Normal3f, dice_.real(-1, 1), 0.5f, 1.0f);
+  if (dice_.chance(20)) WRITE(w_, TexCoord2f, dice_.real(0, 2), 0.3f);
 }
 
-void Scene::fragmentState() {
-  toggle(GL_FOG, 20), gl_.Fogi(GL_FOG_MODE, static_cast<GLint>(dice_.pick({GL_LINEAR, GL_EXP, GL_EXP2})));
-  gl_.Fogf(GL_FOG_DENSITY, dice_.real(0, 0.3f)), gl_.Fogf(GL_FOG_START, 3),
-      gl_.Fogf(GL_FOG_END, dice_.real(6, 12));
-  gl_.Fogfv(GL_FOG_COLOR, dice_.color().data());
-  toggle(GL_ALPHA_TEST, 15), gl_.AlphaFunc(dice_.pick({GL_GREATER, GL_LESS, GL_GEQUAL}), 0.4f);
-  toggle(GL_BLEND, 20),
-      gl_.BlendFunc(dice_.pick({GL_SRC_ALPHA, GL_ONE}), dice_.pick({GL_ONE_MINUS_SRC_ALPHA, GL_ONE}));
-  gl_.DepthFunc(dice_.pick({GL_LESS, GL_LEQUAL, GL_LESS, GL_GREATER})), gl_.DepthMask(dice_.chance(90));
-  toggle(GL_STENCIL_TEST, 15), gl_.StencilFunc(dice_.pick({GL_ALWAYS, GL_EQUAL, GL_NOTEQUAL}), 1, 0xff);
-  gl_.StencilOp(GL_KEEP, GL_KEEP, dice_.pick({GL_REPLACE, GL_INCR, GL_KEEP}));
-  toggle(GL_SCISSOR_TEST, 10), gl_.Scissor(10, 20, 70, 60);
-  gl_.ColorMask(GL_TRUE, dice_.chance(95), GL_TRUE, GL_TRUE);
-}
-
-void Scene::object() {
-  gl_.PushMatrix();
-  gl_.Translatef(dice_.real(-1.5f, 1.5f), dice_.real(-1.5f, 1.5f), dice_.real(-1.5f, 1.5f));
-  gl_.Rotatef(dice_.real(0, 360), dice_.real(-1, 1), dice_.real(-1, 1), 1);
-  const float size = dice_.real(0.4f, 1.6f);
-  gl_.Scalef(size, size * dice_.real(0.6f, 1.2f), size);
-  gl_.Color4fv(dice_.color().data());
-  const Shape shape = makeShape(dice_);
-  const uint32_t how = dice_.below(5);
-  if (how == 4) {
-    gl_.NewList(++lists_, dice_.pick({GL_COMPILE, GL_COMPILE_AND_EXECUTE}));
-    if (dice_.chance(30)) material(GL_FRONT_AND_BACK);
-    sendShape(gl_, shape, Sending::begin, dice_);
-    gl_.EndList();
-    gl_.Translatef(dice_.real(-1, 1), 0, 0), gl_.CallList(lists_);
-    // Its last colour: see sendShape().
-    GLfloat asked[4];
-    gl_.GetFloatv(GL_CURRENT_COLOR, asked);
+/// `again`: the shape may be drawn again at the same place. Then it always consists of the same triangles,
+/// whose depths are equal: avoided.md.
+void Scene::send(const Shape& shape, bool list, bool again) {
+  const Attributes attributes = makeAttributes(dice_);
+  if (dice_.chance(arrayShare_)) {
+    // So that Mesa keeps the attributes of a primitive before it: avoided.md.
+    const size_t before = calls_.size();
+    if (list) WRITE(w_, Normal3f, dice_.real(-1, 1), 0.5f, 1.0f);
+    writeArrays(w_, shape, attributes, list);
+    w_.join(calls_.size() - before);
+  } else if (dice_.chance(15)) {
+    writeArrayElements(w_, shape, attributes);
   } else {
-    sendShape(gl_, shape, static_cast<Sending>(how), dice_);
+    writePrimitives(w_, shape, attributes, again,
+                    !dice_.chance(materials_ / 3) ? Materials::none
+                    : list                        ? Materials::inLists
+                                                  : Materials::anywhere);
   }
-  gl_.PopMatrix();
 }
 
-/// Lines or points with colours and materials of their own.
-void Scene::mark() {
-  gl_.Begin(dice_.pick({GL_LINES, GL_POINTS, GL_LINE_STRIP}));
-  for (int i = 0; i < 4; ++i) {
-    if (dice_.chance(50)) gl_.Color4fv(dice_.color().data());
-    if (dice_.chance(30)) gl_.Materialfv(GL_FRONT, GL_DIFFUSE, dice_.color().data());
-    gl_.Vertex3f(dice_.real(-2, 2), dice_.real(-2, 2), dice_.real(-2, 2));
+void Scene::listStep(const Shape& shape) {
+  switch (dice_.below(10)) {
+    case 0: return current();
+    case 1: {
+      const size_t before = calls_.size();
+      if (executes_) WRITE(w_, Translatef, 0.1f, 0.0f, 0.1f);  // avoided.md
+      writeMaterial(w_);
+      return w_.join(calls_.size() - before);
+    }
+    case 2:
+      if (dice_.chance(colorMaterials_)) writeColorMaterial(w_);
+      return;
+    case 3: return writeToggle(w_, dice_.pick({GL_LIGHTING, GL_NORMALIZE, GL_CULL_FACE, GL_TEXTURE_2D}), 60);
+    case 4: return WRITE(w_, Translatef, dice_.real(-1, 1), 0.3f, 0.2f);
+    case 5:
+      if (lists_ > 1) WRITE(w_, CallList, GLuint{1 + dice_.below(lists_ - 1)});
+      return;
+    default: {
+      const bool again = dice_.chance(50);
+      return send(again ? shape : makeShape(dice_), true, again || executes_);
+    }
   }
-  gl_.End();
+}
+
+void Scene::list(const Shape& shape) {
+  executes_ = dice_.chance(33);
+  WRITE_AS(w_, newList, NewList, ++lists_, executes_ ? GLenum{GL_COMPILE_AND_EXECUTE} : GLenum{GL_COMPILE});
+  const bool saves = dice_.chance(20);
+  if (saves)
+    WRITE_AS(w_, push, PushAttrib, dice_.pick({GL_CURRENT_BIT, GL_LIGHTING_BIT, GL_ALL_ATTRIB_BITS}));
+  for (uint32_t i = 1 + dice_.below(5); i > 0; --i) listStep(shape);
+  if (saves) WRITE_AS(w_, pop, PopAttrib);
+  WRITE_AS(w_, endList, EndList);
+  for (uint32_t calls = 1 + dice_.below(2); calls > 0; --calls) {
+    // Flat shapes leave their plane: avoided.md.
+    if (dice_.chance(60)) WRITE(w_, Translatef, dice_.real(-1, 1), -0.3f, 0.15f);
+    if (dice_.chance(40)) current();
+    if (dice_.chance(20)) change();
+    WRITE(w_, CallList, lists_);
+    WRITE(w_, Translatef, 0.1f, 0.0f, 0.1f);  // a change of state: avoided.md
+    w_.join(2);
+  }
+}
+
+/// A shape, drawn once, or several times at one place in several ways.
+void Scene::object() {
+  WRITE_AS(w_, push, PushMatrix);
+  place();
+  if (dice_.chance(60)) current();
+  const Shape shape = makeShape(dice_);
+  const uint32_t all = dice_.chance(70) ? 1 : 2 + dice_.below(2);
+  for (uint32_t layers = all; layers > 0; --layers) {
+    if (dice_.chance(listShare_))
+      list(shape);
+    else
+      send(shape, false, all > 1);
+    if (layers > 1 && dice_.chance(70)) change();
+  }
+  WRITE_AS(w_, pop, PopMatrix);
 }
 
 void Scene::ask() {
-  std::array<GLfloat, 4> v{};
-  const auto keep = [&] { answers_.insert(answers_.end(), v.begin(), v.end()); };
-  if (dice_.chance(50)) gl_.GetFloatv(GL_CURRENT_COLOR, v.data()), keep();
-  if (dice_.chance(50)) gl_.GetMaterialfv(GL_FRONT, GL_DIFFUSE, v.data()), keep();
-  if (dice_.chance(50)) gl_.GetMaterialfv(GL_BACK, GL_AMBIENT, v.data()), keep();
-  answers_.push_back(static_cast<float>(gl_.GetError()));
+  const auto keep = [](const GLfloat* v, int n, Answers& answers) {
+    answers.insert(answers.end(), v, v + n);
+  };
+  for (const GLenum name : {GL_CURRENT_COLOR, GL_CURRENT_NORMAL, GL_CURRENT_TEXTURE_COORDS})
+    if (dice_.chance(40))
+      w_.call("glGetFloatv(" + printed(name) + ")", [=](Gl gl, Answers& answers) {
+        GLfloat v[4] = {};
+        gl.GetFloatv(name, v), keep(v, name == GL_CURRENT_NORMAL ? 3 : 4, answers);
+      });
+  for (const GLenum face : {GL_FRONT, GL_BACK})
+    for (const GLenum name : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION})
+      if (dice_.chance(25))
+        w_.call("glGetMaterialfv(" + printed(face) + ", " + printed(name) + ")",
+                [=](Gl gl, Answers& answers) {
+                  GLfloat v[4] = {};
+                  gl.GetMaterialfv(face, name, v), keep(v, 4, answers);
+                });
+  w_.call("glGetError()",
+          [](Gl gl, Answers& answers) { answers.push_back(static_cast<float>(gl.GetError())); });
 }
 
 }  // namespace
 
-void drawScene(const gl::RealGl& gl, uint64_t seed, std::vector<float>& answers) {
-  Scene(gl, seed, answers).draw();
+std::vector<Call> makeScene(uint64_t seed, bool lists) { return Scene(seed, lists).write(); }
+
+void playScene(Gl gl, const std::vector<Call>& calls, Answers& answers) {
+  for (const Call& call : calls) call.play(gl, answers);
 }
 
 }  // namespace gluray::fuzz

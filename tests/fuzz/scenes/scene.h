@@ -1,6 +1,6 @@
 // Random fixed-function scenes of valid calls, as programs draw them. Each seed gives one scene.
 #pragma once
-#include "gl/real/real.h"
+#include "tests/fuzz/scenes/script.h"
 
 #include <cstdint>
 #include <vector>
@@ -9,7 +9,11 @@ namespace gluray::fuzz {
 
 inline constexpr int kSceneSize = 96;  // width and height of the framebuffer, pixels
 
-/// Draws the scene of `seed`; `answers` receives queried current values, materials and errors.
-void drawScene(const gl::RealGl& gl, uint64_t seed, std::vector<float>& answers);
+/// The scene of `seed`: calls for a fresh context. `lists`: with display lists, after which current values
+/// sometimes differ from the real OpenGL's (avoided.md).
+std::vector<Call> makeScene(uint64_t seed, bool lists = false);
+
+/// Makes the calls; `answers` receives queried current values, materials and errors.
+void playScene(Gl gl, const std::vector<Call>& calls, Answers& answers);
 
 }  // namespace gluray::fuzz

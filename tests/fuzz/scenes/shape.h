@@ -1,29 +1,34 @@
-// The shapes of random scenes: wavy patches, balls and rings, and the ways of sending them.
+// The shapes of random scenes: wavy patches, balls and rings.
 #pragma once
-#include "gl/real/real.h"
 #include "tests/fuzz/scenes/dice.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace gluray::fuzz {
 
 struct Corner {
-  float position[3], normal[3], color[4], texcoord[2];
+  std::array<float, 3> position, normal;
+  std::array<float, 4> color;
+  std::array<float, 2> texcoord;
 };
 
 /// A grid of `columns` times `rows` corners.
 struct Shape {
   uint32_t columns = 0, rows = 0;
   std::vector<Corner> corners;
-  bool colors = false;  // whether colours are sent
+};
+
+/// Which attributes the vertices of a shape get.
+struct Attributes {
+  bool normals = true, colors = false, texcoords = true;
 };
 
 Shape makeShape(Dice& dice);
+Attributes makeAttributes(Dice& dice);
 
-enum class Sending { begin, strips, arrays, elements };
-
-/// Sends triangles, not quads, which each OpenGL may split differently.
-void sendShape(const gl::RealGl& gl, const Shape& shape, Sending how, Dice& dice);
+/// Corner numbers of its triangles: quads, which each OpenGL may split differently, are avoided.
+std::vector<uint32_t> trianglesOf(const Shape& shape);
 
 }  // namespace gluray::fuzz

@@ -1,0 +1,21 @@
+// State of random scenes: cameras, lights, surfaces, fragments.
+#pragma once
+#include "tests/fuzz/scenes/script.h"
+
+namespace gluray::fuzz {
+
+void writeCamera(Writer& w, int size);
+void writeTexture(Writer& w, uint32_t name);
+void writeLights(Writer& w);
+/// Equations of three clip planes, set once in a scene: avoided.md.
+void writeClipPlanes(Writer& w);
+/// Polygon state, textures, clip planes, normals.
+void writeSurface(Writer& w);
+/// glColorMaterial and GL_COLOR_MATERIAL.
+void writeColorMaterial(Writer& w);
+/// Per-fragment operations.
+void writeFragments(Writer& w);
+/// glEnable or glDisable.
+void writeToggle(Writer& w, uint32_t capability, uint32_t percent);
+
+}  // namespace gluray::fuzz
