@@ -49,9 +49,17 @@ std::optional<scene::Attribute> ValuesOfCells::take(const PulledVertices& pulled
       return k.values;
   std::optional<scene::Attribute> values = gather(pulled, elements, count, triangles);
   if (!values) return values;
-  if (known_.size() == kMost) known_.pop_front();
-  known_.push_back({elements, pulled.cells, count, triangles, *values});
+  add({elements, pulled.cells, count, triangles, *values});
   return values;
+}
+
+void ValuesOfCells::add(Known known) {
+  bytes_ += known.bytes();
+  known_.push_back(std::move(known));
+  while (known_.size() > kMost || (known_.size() > 1 && bytes_ > kMostBytes)) {
+    bytes_ -= known_.front().bytes();
+    known_.pop_front();
+  }
 }
 
 namespace {

@@ -38,13 +38,17 @@ class ValuesOfCells {
                                        uint32_t count, uint32_t triangles);
 
  private:
-  static constexpr size_t kMost = 64;
+  static constexpr size_t kMost = 64, kMostBytes = size_t{1} << 28;
   struct Known {
     scene::Attribute elements, cells;
     uint32_t count = 0, triangles = 0;
     scene::Attribute values;
+    size_t bytes() const { return size_t{values.stride} * triangles + size_t{elements.stride} * count; }
   };
+  void add(Known known);
+
   std::deque<Known> known_;
+  size_t bytes_ = 0;  // of values, and of elements that are kept for them
 };
 
 }  // namespace gluray::gl

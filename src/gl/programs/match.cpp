@@ -6,6 +6,7 @@
 #include "gl/glsl/shader_digest.h"
 #include "gl/programs/built_in_uniforms.h"
 #include "gl/programs/vertex_inputs.h"
+#include "gl/real/extensions.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -232,6 +233,40 @@ std::string whyNoneFits(const KnownProgram& known, const Family* nearest,
   return why;
 }
 
+/// What users should know of the program in use with this OpenGL; empty if nothing.
+std::string noteOnOpenGl(const RealGl& real, const Program& program, ProgramSource& source) {
+  if (program.geometryShader || !program.linked ||
+      !misnumbersPrimitives(real.GetString(GL_RENDERER), real.GetString(GL_VERSION)) ||
+      source.text().find("gl_PrimitiveID") == std::string::npos)
+    return "";
+  return "this version of Mesa numbers triangles wrongly where a shader program reads gl_PrimitiveID and has "
+         "no "
+         "geometry shader: the real OpenGL's picture may be wrong, and the traced one differs from it";
+}
+
+/// Finds the family of `known`, whose source is `source`.
+void findFamily(const RealGl& real, KnownProgram& known, const FamilyList& families, ProgramSource& source) {
+  std::vector<std::string> fewest;
+  const Family* nearest = nullptr;
+  for (const auto& family : families) {
+    bool unknown = false;
+    known.program.renamed = renamedBy(known.program, *family);
+    nameBuiltIns(known.program, *family);
+    std::vector<std::string> found = obstacles(real, known.program, *family, families.code, source, unknown);
+    if (found.empty()) return setFamily(known, family, families, source);
+    // Name the nearest family: one that can be traced and has the same kind of vertices, preferably one that
+    // fits except for statements.
+    if (!family->rasteriseBecause.empty()) continue;
+    if (family->hasBuiltInVertices() != readsFixedVertices(known.program)) continue;
+    if (!nearest || unknown > known.unknownCode ||
+        (unknown == known.unknownCode && found.size() < fewest.size()))
+      nearest = family.get(), fewest = std::move(found), known.unknownCode = unknown;
+  }
+  known.program.renamed.clear();
+  dropBuiltIns(known.program);
+  known.why = whyNoneFits(known, nearest, fewest);
+}
+
 }  // namespace
 
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
@@ -240,28 +275,9 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
   known->program = reflect(real, name);
   known->program.texts = std::move(texts);
   ProgramSource source(real, known->program);
-  std::vector<std::string> fewest;
-  const Family* nearest = nullptr;
-  for (const auto& family : families) {
-    bool unknown = false;
-    known->program.renamed = renamedBy(known->program, *family);
-    nameBuiltIns(known->program, *family);
-    std::vector<std::string> found = obstacles(real, known->program, *family, families.code, source, unknown);
-    if (found.empty()) {
-      setFamily(*known, family, families, source);
-      return known;
-    }
-    // Name the nearest family: one that can be traced and has the same kind of vertices, preferably one that
-    // fits except for statements.
-    if (!family->rasteriseBecause.empty()) continue;
-    if (family->hasBuiltInVertices() != readsFixedVertices(known->program)) continue;
-    if (!nearest || unknown > known->unknownCode ||
-        (unknown == known->unknownCode && found.size() < fewest.size()))
-      nearest = family.get(), fewest = std::move(found), known->unknownCode = unknown;
-  }
-  known->program.renamed.clear();
-  dropBuiltIns(known->program);
-  known->why = whyNoneFits(*known, nearest, fewest);
+  findFamily(real, *known, families, source);
+  if (const std::string note = noteOnOpenGl(real, known->program, source); !note.empty())
+    known->note.append(known->note.empty() ? "" : "; ").append(note);
   return known;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 
 namespace gluray::gl {
@@ -40,6 +41,18 @@ bool filtersBytes(const GLubyte* renderer, const GLubyte* version, const char* t
   return rounds && mesa >= 2200 && mesa < 2600 && holds(name, "llvmpipe") &&
          (holds(name, "128 bits") || holds(name, "256 bits")) &&
          !(tuning && holds(tuning, "no_aos_sampling"));
+}
+
+bool misnumbersPrimitives(const GLubyte* renderer, const GLubyte* version) {
+  const std::string_view name = renderer ? reinterpret_cast<const char*>(renderer) : "";
+  const std::string_view text = version ? reinterpret_cast<const char*>(version) : "";
+  const size_t at = text.find("Mesa ");
+  int major = 0, minor = 0, patch = 0;
+  if (name.find("llvmpipe") == name.npos || at == text.npos ||
+      std::sscanf(text.data() + at, "Mesa %d.%d.%d", &major, &minor, &patch) < 2)
+    return false;
+  const int number = (major * 100 + minor) * 100 + patch;
+  return number >= 250306 && number < 260200;
 }
 
 Extensions::Extensions(const RealGl& real, int version) {

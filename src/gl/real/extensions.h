@@ -60,6 +60,10 @@ struct RareState {
 /// 256 bits and SSSE3. `tuning`: GALLIVM_PERF of the environment, or null.
 bool filtersBytes(const GLubyte* renderer, const GLubyte* version, const char* tuning);
 
+/// Whether an OpenGL with these names (GL_RENDERER, GL_VERSION) numbers primitives wrongly (gl_PrimitiveID)
+/// in shader programs without a geometry shader: llvmpipe of Mesa 25.3.6 to 26.1.
+bool misnumbersPrimitives(const GLubyte* renderer, const GLubyte* version);
+
 /// Queries the current context. Raises no GL error.
 RareState readRareState(const RealGl& real);
 

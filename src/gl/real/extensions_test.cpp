@@ -40,6 +40,22 @@ TEST(Extensions, OnlyKnownRenderersFilterInBytes) {
   EXPECT_FALSE(filters(nullptr, nullptr, nullptr));
 }
 
+TEST(Extensions, SomeMesasMisnumberPrimitives) {
+  const char* const renderer = "llvmpipe (LLVM 21.1.0, 256 bits)";
+  const auto misnumbers = [](const char* name, const char* version) {
+    return misnumbersPrimitives(text(name), text(version));
+  };
+  EXPECT_TRUE(misnumbers(renderer, "4.5 (Core Profile) Mesa 25.3.6-1"));
+  EXPECT_TRUE(misnumbers(renderer, "4.5 (Core Profile) Mesa 26.0.0-devel (git-1234)"));
+  EXPECT_TRUE(misnumbers(renderer, "4.5 (Core Profile) Mesa 26.1.2"));
+  EXPECT_FALSE(misnumbers(renderer, "4.5 (Core Profile) Mesa 25.3.5"));
+  EXPECT_FALSE(misnumbers(renderer, "4.5 (Core Profile) Mesa 26.2.0"));
+  EXPECT_FALSE(misnumbers(renderer, "4.5 (Core Profile) Mesa 22.3.6"));
+  EXPECT_FALSE(misnumbers("AMD Radeon RX 7900 XTX (radeonsi)", "4.6 (Core Profile) Mesa 26.0.0"));
+  EXPECT_FALSE(misnumbers(renderer, "4.5 Mesa"));
+  EXPECT_FALSE(misnumbers(nullptr, nullptr));
+}
+
 const char* const kNames[] = {"GL_EXT_abc", "GL_ARB_b", "GL_EXT_ab"};
 int g_asked = 0;
 void APIENTRY count(GLenum, GLint* value) { *value = 3; }

@@ -265,12 +265,10 @@ Reason TextureCache::buffer(const RealGl& real, ShareGroup& group, GLint unit, s
 
 bool TextureCache::isOpaque(const scene::Attribute& elements, uint32_t count) {
   if (elements.format != scene::Format::float4 && elements.format != scene::Format::unorm8x4) return true;
-  if (!checkedStorage_.expired() && !checkedStorage_.owner_before(elements.owner) &&
-      !elements.owner.owner_before(checkedStorage_))
-    return checkedOpaque_;
+  if (checked_ == elements && checkedCount_ == count) return checkedOpaque_;
   checkedOpaque_ = true;
   for (uint32_t i = 0; i < count && checkedOpaque_; ++i) checkedOpaque_ = scene::fetch(elements, i).a >= 1.0f;
-  checkedStorage_ = elements.owner;
+  checked_ = elements, checkedCount_ = count;
   return checkedOpaque_;
 }
 

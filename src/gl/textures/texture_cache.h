@@ -56,7 +56,7 @@ class TextureCache {
   /// integers in programs count as fractions of 255.
   Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, scene::Attribute& elements,
                 uint32_t& count);
-  /// Whether every element has alpha 1. Caches the answer for one storage.
+  /// Whether every element has alpha 1. Caches the answer for the last elements.
   bool isOpaque(const scene::Attribute& elements, uint32_t count);
 
   /// Reads the textures of the enabled units. Returns Reason::traced, or why they cannot be traced.
@@ -89,7 +89,9 @@ class TextureCache {
   // kept.
   std::vector<GLuint> drawnTo_;
   bool drawnToKnown_ = false;
-  std::weak_ptr<const void> checkedStorage_;  // the last storage that isOpaque() was called for
+  // The elements that isOpaque() was called for last. While they are kept, nobody changes them.
+  scene::Attribute checked_;
+  uint32_t checkedCount_ = 0;
   bool checkedOpaque_ = false;
 };
 

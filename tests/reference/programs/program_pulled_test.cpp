@@ -131,9 +131,13 @@ TEST(PulledProgram, ShowsChangesOfItsBuffers) {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     mesh.draw(gl);
     mesh.move(gl, 31, {0.1f, 1.5f, 0.4f});
+    mesh.recolor(gl, 20);
+    mesh.draw(gl);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    mesh.regroup(gl, 60), mesh.recolor(gl, 0);
     mesh.draw(gl);
   };
-  expectBoth("pulled_changes", draw, 3);
+  expectBoth("pulled_changes", draw, 4);
 }
 
 TEST(PulledProgram, OfPointsAndLinesIsRasterised) {

@@ -85,11 +85,12 @@ PulledMesh::PulledMesh(Gl gl, const ProgramMesh& mesh, const PulledWay& way, boo
     const float t = static_cast<float>(cell % 13) / 12.0f;
     colors.push_back(packedColor({t, 1 - t, 0.3f + 0.4f * t}));
   }
-  pulledTexture(gl, kPulledCells, GL_R32I, valuesAfter(way.trianglesBefore, 0, cells));
+  cells_ = pulledTexture(gl, kPulledCells, GL_R32I, valuesAfter(way.trianglesBefore, 0, cells));
   pulledTexture(gl, kPulledCellNormals, vectors, valuesAfter(way.cellsBefore, glm::vec3(0, 1, 0), normals));
   pulledTexture(gl, kPulledFlags, GL_R8UI, valuesAfter(way.flagsBefore, uint8_t{7}, flags));
   pulledTexture(gl, kPulledPointColors, GL_RGBA8UI, valuesAfter(way.pointsBefore, 0xff0000ffu, mesh.colors));
-  pulledTexture(gl, kPulledCellColors, GL_RGBA8UI, valuesAfter(way.cellsBefore, 0xff0000ffu, colors));
+  cellColors_ =
+      pulledTexture(gl, kPulledCellColors, GL_RGBA8UI, valuesAfter(way.cellsBefore, 0xff0000ffu, colors));
   pulledTexture(gl, kPulledCoords, GL_RG32F, valuesAfter(way.pointsBefore, glm::vec2(0), mesh.texcoords));
   std::vector<glm::vec2> turned;
   for (const glm::vec2& at : mesh.texcoords) turned.emplace_back(at.y, 0.3f * at.x);
@@ -103,6 +104,26 @@ void PulledMesh::move(Gl gl, size_t point, const glm::vec3& to) const {
   gl.BufferSubData(GL_TEXTURE_BUFFER,
                    static_cast<GLintptr>((point + static_cast<size_t>(way_.pointsBefore)) * sizeof to),
                    sizeof to, &to);
+}
+
+namespace {
+
+template <class T>
+void replaceInPulled(Gl gl, GLuint buffer, size_t first, const std::vector<T>& values) {
+  gl.BindBuffer(GL_TEXTURE_BUFFER, buffer);
+  gl.BufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * sizeof(T)),
+                   static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data());
+}
+
+}  // namespace
+
+void PulledMesh::recolor(Gl gl, size_t cell) const {
+  replaceInPulled(gl, cellColors_, cell + static_cast<size_t>(way_.cellsBefore),
+                  std::vector<uint32_t>(9, 0xff20c0f0u));
+}
+
+void PulledMesh::regroup(Gl gl, size_t cell) const {
+  replaceInPulled(gl, cells_, cell + static_cast<size_t>(way_.trianglesBefore), std::vector<GLint>(9, 0));
 }
 
 void PulledMesh::set(Gl gl, GLuint program, const View& view, const PulledSurface& surface) const {

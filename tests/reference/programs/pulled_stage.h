@@ -29,11 +29,14 @@ class PulledMesh {
   void draw(Gl gl) const;
   /// Replaces the position of a point.
   void move(Gl gl, size_t point, const glm::vec3& to) const;
+  /// Replaces the colours of some cells from `cell` on, or lets triangles from `cell` on be of the first one.
+  void recolor(Gl gl, size_t cell) const;
+  void regroup(Gl gl, size_t cell) const;
 
  private:
   PulledWay way_;
   GLsizei count_;
-  GLuint positions_ = 0, array_ = 0;
+  GLuint positions_ = 0, array_ = 0, cells_ = 0, cellColors_ = 0;
 };
 
 }  // namespace gluray::test
