@@ -55,10 +55,10 @@ void Immediate::recordRun() {
       std::memcpy(finals[static_cast<size_t>(s)].data(), stream_.get(run.layout, static_cast<Slot>(s)),
                   sizeOf(static_cast<Slot>(s)) * 4);
   GeometryRun* recorded = nullptr;
-  const ListEffect effect = listValues_.effect(run);
   try {
+    ListEffect effect = listValues_.effect(run);
     recorded = &p_.lists.add(std::move(run), finals, std::move(inherited_), class_);
-    recorded->setEffect(effect);
+    recorded->setEffect(std::move(effect));
   } catch (...) {
     stream_.captured() = std::move(run);  // not yet moved from: Failsafe::fail() gives it to the real OpenGL
     throw;
