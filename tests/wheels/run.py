@@ -35,6 +35,12 @@ LIBRARIES = (
     Library("vedo", ("vedo", "pillow"), "vedo_scenes.py"),
     Library("F3D", ("f3d", "pillow"), "f3d_scenes.py"),
     Library("moderngl", ("moderngl", "pillow", "numpy"), "moderngl_scenes.py"),
+    Library("Open3D", ("open3d", "numpy"), "open3d_scenes.py"),
+    Library("vispy", ("vispy", "pyqt6", "pillow", "numpy"), "vispy_scenes.py"),
+    Library("pyqtgraph", ("pyqtgraph", "pyqt6", "pyopengl", "numpy"), "pyqtgraph_scenes.py"),
+    Library("polyscope", ("polyscope", "numpy"), "polyscope_scenes.py"),
+    Library("gmsh", ("gmsh",), "gmsh_scenes.py"),
+    Library("pyrender", ("pyrender", "trimesh", "pillow", "numpy"), "pyrender_scenes.py"),
 )
 
 

@@ -131,10 +131,11 @@ void GeometryRun::execute(Context& context) {
   if (continues_ && !context.clock.passesThrough() && !context.lists.executesNow())
     return drawContinued(context);
   CurrentValues& current = context.shadow.current;
-  if (context.clock.passesThrough() && drawDirectly(context)) {
-    setFinals(finalSlots_ & ~leftByList_);
-    return leaveMaterials(context, nullptr);
-  }
+  if (context.clock.passesThrough())
+    if (const LeftByList leftByList = drawDirectly(context)) {
+      setFinals(finalSlots_ & ~*leftByList);
+      return leaveMaterials(context, nullptr);
+    }
   if (context.lists.executesNow()) {
     draw(context);
     leaveExecuted(context);
@@ -143,10 +144,10 @@ void GeometryRun::execute(Context& context) {
   const MaterialChange* leading = leadingMaterial();
   if (leading) applyMaterials(context, *leading);
   const CurrentValues::Held before = current.held();
-  draw(context);
+  const LeftByList leftByList = draw(context);
   current.holdAgain(before);
   const ListEffect::Left& left = effect_.after(before.pending, before.due);
-  const SlotMask again = rasterised_ ? slotsToRestore(left, before.pending) : 0;
+  const SlotMask again = leftByList ? slotsToRestore(left, before.pending, *leftByList) : 0;
   if (!current.holdsBack())
     setFinals(finalSlots_);
   else if (current.applyList(context.real, effect_, again))
@@ -182,31 +183,33 @@ class GeometryRun::RunDraw final : public DrawRequest {
   Load load() override { return {DrawPath::list, run_.kind_, run_.triangles_}; }
   Fate make() override {
     run_.rasterise(c_);
-    run_.rasterised_ = true;
+    rasterised = true;
     c_.shadow.touch(kMaterial);
     return Fate::rasterised;
   }
+
+  bool rasterised = false;
 
  private:
   GeometryRun& run_;
   Context& c_;
 };
 
-void GeometryRun::draw(Context& context) {
+GeometryRun::LeftByList GeometryRun::draw(Context& context) {
   const std::lock_guard lock(mutex_);
   const DrawTimer timer(context.counts.kinds());
   context.passthrough.works();
   inherit(context);
   context.shadow.refresh(kDrawGroups);
-  rasterised_ = false;
   RunDraw request(*this, context);
   context.draws.submit(request);
+  return request.rasterised ? LeftByList(leftByList_) : std::nullopt;
 }
 
-bool GeometryRun::drawDirectly(Context& context) {
+GeometryRun::LeftByList GeometryRun::drawDirectly(Context& context) {
   const std::lock_guard lock(mutex_);
   const DrawTimer timer(context.counts.kinds());
-  if (!context.passthrough.takes(DrawPath::list, kind_, triangles_)) return false;
+  if (!context.passthrough.takes(DrawPath::list, kind_, triangles_)) return std::nullopt;
   inherit(context);
   // Array draws leave the current attributes unchanged; the real list, which uses glBegin, does not.
   const SlotMask lost =
@@ -215,7 +218,7 @@ bool GeometryRun::drawDirectly(Context& context) {
   if (lost) context.shadow.latch.restore(context.real);
   rasterise(context);
   forEachSlot(lost, [&](Slot slot) { sendAttribute(context.real, slot, context.shadow.current[slot]); });
-  return true;
+  return leftByList_;
 }
 
 }  // namespace gluray::gl

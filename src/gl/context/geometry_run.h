@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -39,12 +40,14 @@ class GeometryRun final : public ListOp {
   void leaveMaterials(Context& context, const MaterialChange* again);
   /// Slots that must be stored again after the real list has drawn the run: not those with the values that it
   /// leaves. `pending`: values were held back before it, and not yet stored.
-  SlotMask slotsToRestore(const ListEffect::Left& left, bool pending) const;
-  void draw(Context& context);
+  SlotMask slotsToRestore(const ListEffect::Left& left, bool pending, SlotMask leftByList) const;
+  /// leftByList_ of a run that the real list has drawn; nullopt: it has not.
+  using LeftByList = std::optional<SlotMask>;
+  LeftByList draw(Context& context);
   /// Draws it as a later draw of a multi-draw.
   void drawContinued(Context& context);
-  /// Rasterises the run in a passthrough frame. False if it is too large for that: call draw().
-  bool drawDirectly(Context& context);
+  /// Rasterises the run in a passthrough frame. Nullopt if it is too large for that: call draw().
+  LeftByList drawDirectly(Context& context);
   /// The materials that are set before its first glBegin, if any.
   const MaterialChange* leadingMaterial() const;
   uint32_t findLeadingMaterial() const;
@@ -69,12 +72,11 @@ class GeometryRun final : public ListOp {
   CapturedVertices captured_;
   VertexLayout layout_;
   SlotMask finalSlots_ = 0;  // attributes that the run leaves current, with values finals_
-  SlotMask leftByList_ = 0;  // those of them that the real list has left current
+  SlotMask leftByList_ = 0;  // those of them that the real list has left current; read it under the mutex
   SlotValues finals_;
   ListEffect effect_;
   uint32_t leadingMaterial_ = 0;  // its number; 0: none
   uint32_t lastMaterial_ = 0;     // that of the last vertex
-  bool rasterised_ = false;       // in its last call
   bool continues_ = false;        // a later draw of a multi-draw
   std::vector<InheritedSlot> inherited_;
   PrimitiveClass kind_;

@@ -76,18 +76,18 @@ void GeometryRun::drawContinued(Context& context) {
   CurrentValues& current = context.shadow.current;
   const CurrentValues::Held after = current.held();
   current.letGo();
-  draw(context);
+  const bool rasterised = draw(context).has_value();
   current.holdAgain(after);
-  if (rasterised_) current.storeAside(context.real, layout_.mask & kVertexAttributes);
+  if (rasterised) current.storeAside(context.real, layout_.mask & kVertexAttributes);
 }
 
-SlotMask GeometryRun::slotsToRestore(const ListEffect::Left& left, bool pending) const {
+SlotMask GeometryRun::slotsToRestore(const ListEffect::Left& left, bool pending, SlotMask leftByList) const {
   SlotMask slots = layout_.mask & kVertexAttributes;
   if (pending) return slots;  // with them, what the real list has stored is held back again
   const auto* value = left.values.data();
   forEachSlot((left.set | left.stored) & ~bit(kMaterialNumber), [&](Slot slot) {
     const bool leftSo = std::memcmp(value->data(), finals_[slot].data(), sizeOf(slot) * sizeof(float)) == 0;
-    if ((leftByList_ & left.stored & bit(slot)) && leftSo) slots &= ~bit(slot);
+    if ((leftByList & left.stored & bit(slot)) && leftSo) slots &= ~bit(slot);
     ++value;
   });
   return slots;

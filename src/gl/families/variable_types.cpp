@@ -112,7 +112,7 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   for (const std::string* name : {&f.impostors.corners, &f.impostors.caps}) check.attribute(*name, kFloat);
   check.uniform(f.impostors.roundCaps, kNumber);
   for (const FamilyValue& factor : f.impostors.halvesBlend) check.values({&factor});
-  check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kMatrix);
+  check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kLinear);
   check.uniform(f.normalMatrix, kLinear), check.uniform(f.viewer, kVector);
   check.uniform(f.parallelView, kNumber), check.uniform(f.triangleOffset, kNumber);
   check.uniform(f.flipsBackFaces, kNumber), check.uniform(f.lights.enabled, kNumber);
