@@ -58,7 +58,7 @@ TEST_F(Match, TypesMustFitTheirRole) {
   };
   EXPECT_EQ(with("m", GL_FLOAT_MAT3), Lines{"has \"m\", which is not a mat4"});
   EXPECT_EQ(with("m", GL_FLOAT_VEC4), Lines{"has \"m\", which is not a mat4"});
-  EXPECT_EQ(with("v", GL_FLOAT_MAT4x3), Lines{"has \"v\", which is not a mat4"});
+  EXPECT_EQ(with("v", GL_FLOAT_MAT4x3), Lines{"has \"v\", which is not a mat3 or mat4"});
   EXPECT_EQ(with("nm", GL_FLOAT_VEC3), Lines{"has \"nm\", which is not a mat3 or mat4"});
   EXPECT_EQ(with("dc", GL_FLOAT_MAT3), Lines{"has \"dc\", which is not a number or vector"});
   EXPECT_EQ(with("dc", GL_FLOAT), Lines{});
