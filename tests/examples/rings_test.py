@@ -103,7 +103,7 @@ class Rings(unittest.TestCase):
         program = self.explained()
         self.assertIsNone(program["family"])
         self.assertEqual((program["traced"], program["rasterised"], program["triangles"]), (0, 15, TRIANGLES))
-        self.assertRegex(program["why"], r'^no family fits; nearest: VTK.*, but it lacks ".*" and \d+ more$')
+        self.assertRegex(program["why"], r'^no family fits; nearest: .*, but it lacks ".*" and \d+ more$')
         near = self.folder / "near.toml"
         near.write_text(FAMILY.read_text().replace('material.shininess = "shininess"', "material.shininess = 3"))
         program = self.explained("--program-families", near)
@@ -117,7 +117,7 @@ class Rings(unittest.TestCase):
         self.assertRegex(text("--program-families", FAMILY),
                          r"\nshader programs\n  program \d+, rings: 5 draws traced, 0 rasterised, 128 000 triangles\n")
         self.assertRegex(text(), r"program \d+, no family fits: 0 draws traced, 5 rasterised, 128 000 triangles\n"
-                                 r"    no family fits; nearest: VTK")
+                                 r"    no family fits; nearest: ")
 
     def test_a_file_with_a_mistake_is_one_line(self):
         bad = self.folder / "bad.toml"
