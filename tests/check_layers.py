@@ -38,7 +38,7 @@ FOLDERS = {
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", ""],
     "render": ["tiles", "camera", "local", "edges", "bsdf", "sampling", "resolve", "lights", "frame_data", "shading", "hit_points", "remote",
                "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", "", "exposure"],
-    "gl": ["basics", "real", "welding", "capture", "glsl", "families", "families/built_in", "families/files", "programs", "trials",
+    "gl": ["basics", "real", "welding", "capture", "glsl", "glsl/parser", "families", "families/built_in", "families/files", "programs", "trials",
            "clock", "buffers", "sharing", "arrays", "textures", "program_state", "state", "shadow", "impostors", "batch", "objects",
            "views", "history", "counts", "framebuffers", "pending", "layers", "window", "flush", "classify", "draws",
            "culled/trials", "culled/shader_slice", "culled/clusters", "culled/small", "culled/feedback", "culled/instances", "culled", "context",

@@ -2,7 +2,7 @@
 
 #include "base/ample_stack.h"
 #include "gl/culled/shader_slice/slice_run.h"
-#include "gl/glsl/glsl_preprocessor.h"
+#include "gl/glsl/parser/glsl_preprocessor.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 #include "gl/culled/shader_slice/linear_value.h"
 #include "gl/culled/shader_slice/position_slice.h"
-#include "gl/glsl/glsl_tree.h"
+#include "gl/glsl/parser/glsl_tree.h"
 
 #include <functional>
 #include <map>

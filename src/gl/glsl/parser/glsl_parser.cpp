@@ -1,5 +1,5 @@
 // Words, tokens and declarations.
-#include "gl/glsl/glsl_parser.h"
+#include "gl/glsl/parser/glsl_parser.h"
 
 #include "gl/glsl/glsl_tokens.h"
 

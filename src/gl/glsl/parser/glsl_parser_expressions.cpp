@@ -1,5 +1,5 @@
-#include "gl/glsl/glsl_parser.h"
 #include "gl/glsl/glsl_tokens.h"
+#include "gl/glsl/parser/glsl_parser.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "gl/glsl/glsl_parser.h"
+#include "gl/glsl/parser/glsl_parser.h"
 
 #include <map>
 #include <utility>

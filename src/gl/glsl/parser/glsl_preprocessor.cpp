@@ -1,4 +1,4 @@
-#include "gl/glsl/glsl_preprocessor.h"
+#include "gl/glsl/parser/glsl_preprocessor.h"
 
 #include "gl/glsl/glsl_tokens.h"
 

@@ -1,7 +1,7 @@
 // The parser of GLSL's declarations, statements and expressions (glsl_tree.h), by recursive descent. Private
 // to glsl_parser*.cpp. Any thread.
 #pragma once
-#include "gl/glsl/glsl_tree.h"
+#include "gl/glsl/parser/glsl_tree.h"
 
 #include <cstddef>
 #include <set>
