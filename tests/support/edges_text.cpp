@@ -1,5 +1,9 @@
 #include "tests/support/edges_text.h"
 
+#include "tests/support/replaced_text.h"
+
+#include <utility>
+
 namespace gluray::test {
 
 std::string edgeDeclarations() {
@@ -22,9 +26,7 @@ std::string edgePainting() {
 }
 
 std::string afterGeometry(std::string text) {
-  for (size_t at = 0; (at = text.find("VCVSOutput", at)) != std::string::npos; at += 10)
-    text.replace(at, 10, "VCGSOutput");
-  return text;
+  return replacedInAll(std::move(text), "VCVSOutput", "VCGSOutput");
 }
 
 std::string geometryText(const Surface& s) {

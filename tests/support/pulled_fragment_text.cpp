@@ -1,7 +1,8 @@
 // The pieces of the fragment shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper. Branches for
 // points and lines are shortened.
-#include "tests/support/pulled_pieces.h"
+#include "tests/support/pbr_text.h"
 #include "tests/support/pulled_text.h"
+#include "tests/support/replaced_text.h"
 
 namespace gluray::test {
 namespace {
@@ -198,20 +199,20 @@ std::string lightText(const PulledSurface& s) {
     case PulledLights::headlight: return kHeadlight;
     case PulledLights::directional:
       return std::string(kPhongStart) + "    float df;\n    float sf;\n" +
-             forEachLight(s.lightCount, kDirectional) + kPhongEnd;
+             repeated(s.lightCount, kDirectional) + kPhongEnd;
     case PulledLights::positional:
       return std::string(kPhongStart) +
              "    vec3 vertLightDirectionVC;\n    float attenuation;\n    float df;\n    float sf;\n" +
-             forEachLight(s.lightCount, kPositional) + kPhongEnd;
+             repeated(s.lightCount, kPositional) + kPhongEnd;
   }
   return "";
 }
 
 std::string lightUniforms(const PulledSurface& s) {
   if (s.lights == PulledLights::none) return "";
-  return forEachLight(s.lightCount,
-                      "uniform vec3 lightColor@, lightDirectionVC@, lightPositionVC@, lightAttenuation@;\n"
-                      "uniform float lightConeAngle@, lightExponent@;\nuniform int lightPositional@;\n");
+  return repeated(s.lightCount,
+                  "uniform vec3 lightColor@, lightDirectionVC@, lightPositionVC@, lightAttenuation@;\n"
+                  "uniform float lightConeAngle@, lightExponent@;\nuniform int lightPositional@;\n");
 }
 
 std::string colorText(const PulledSurface& s) {

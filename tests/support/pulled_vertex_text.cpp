@@ -1,7 +1,7 @@
 // The pieces of the vertex shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper. Branches for
 // points and lines are shortened.
-#include "tests/support/pulled_pieces.h"
 #include "tests/support/pulled_text.h"
+#include "tests/support/replaced_text.h"
 
 namespace gluray::test {
 namespace {

@@ -1,5 +1,7 @@
 // Surfaces with edges, painted by VTK's geometry shader.
 #include "tests/reference/programs/program_stage.h"
+#include "tests/support/edges_text.h"
+#include "tests/support/replaced_text.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -36,19 +38,6 @@ const char* const kEdgesGeometry =
     "    gl_Position.xy = gl_Position.xy + offsets[i]*gl_Position.w;\n    EmitVertex();\n    }\n"
     "  EndPrimitive();\n}\n";
 
-const char* const kPainting =
-    "  float edist[3];\n"
-    "  edist[0] = dot(edgeEqn[0].xy, gl_FragCoord.xy) + edgeEqn[0].w;\n"
-    "  edist[1] = dot(edgeEqn[1].xy, gl_FragCoord.xy) + edgeEqn[1].w;\n"
-    "  edist[2] = dot(edgeEqn[2].xy, gl_FragCoord.xy) + edgeEqn[2].w;\n"
-    "  if (edist[0] < -0.5 && edgeEqn[0].z > 0.0) discard;\n"
-    "  if (edist[1] < -0.5 && edgeEqn[1].z > 0.0) discard;\n"
-    "  if (edist[2] < -0.5 && edgeEqn[2].z > 0.0) discard;\n"
-    "  edist[0] += edgeEqn[0].z;\n  edist[1] += edgeEqn[1].z;\n  edist[2] += edgeEqn[2].z;\n"
-    "  float emix = clamp(0.5 + 0.5*lineWidth - min( min( edist[0], edist[1]), edist[2]), 0.0, 1.0);\n"
-    "  diffuseColor = mix(diffuseColor, vec3(0.0), emix);\n"
-    "  ambientColor = mix( ambientColor, edgeColor, emix);\n";
-
 /// VTK's variants: 9.1's, 9.1's of strips, whose edges are all painted, 9.3's with an opacity, and since 9.4
 /// corners that stay.
 enum class EdgeWay { opaque, all, faint, corners };
@@ -70,19 +59,14 @@ std::string geometryText(EdgeWay way) {
 }
 
 std::string edgedFragmentText(EdgeWay way) {
-  std::string text = fragmentText(Surface{.lightCount = 2});
-  for (size_t at = 0; (at = text.find("VCVSOutput", at)) != std::string::npos; at += 10)
-    text.replace(at, 10, "VCGSOutput");
+  std::string text = afterGeometry(fragmentText(Surface{.lightCount = 2}));
   text.insert(text.find("void main()"),
               "in vec4 edgeEqn[3];\nuniform float lineWidth;\nuniform vec3 edgeColor;\n");
   if (way == EdgeWay::faint || way == EdgeWay::corners)
     text.insert(text.find("void main()"), "uniform float edgeOpacity;\n");
   if (way == EdgeWay::corners) text.replace(text.find("in vec4 edgeEqn"), 2, "noperspective in");
-  std::string painting = kPainting;
-  for (size_t at = 0; text.find("edgeOpacity") != std::string::npos &&
-                      (at = painting.find(", emix)", at)) != std::string::npos;
-       at += 10)
-    painting.replace(at, 7, ", emix * edgeOpacity)");
+  std::string painting = edgePainting();
+  if (way == EdgeWay::opaque || way == EdgeWay::all) painting = replacedInAll(painting, " * edgeOpacity", "");
   return text.insert(text.find("  vec3 normalVCGSOutput = normalize"), painting);
 }
 

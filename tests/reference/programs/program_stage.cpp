@@ -83,19 +83,6 @@ ProgramMesh ball(int n) {
   return mesh;
 }
 
-namespace {
-
-template <class T>
-GLuint buffer(Gl gl, GLenum target, const std::vector<T>& values) {
-  GLuint name = 0;
-  gl.GenBuffers(1, &name);
-  gl.BindBuffer(target, name);
-  gl.BufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
-  return name;
-}
-
-}  // namespace
-
 Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program) {
   Upload up;
   gl.GenVertexArrays(1, &up.array);
@@ -103,7 +90,7 @@ Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program) {
   const auto add = [&](const char* name, const auto& values, GLint size, GLenum type) {
     const GLint place = gl.GetAttribLocation(program, name);
     if (place < 0) return GLuint{0};
-    const GLuint made = buffer(gl, GL_ARRAY_BUFFER, values);
+    const GLuint made = makeBuffer(gl, GL_ARRAY_BUFFER, values);
     gl.EnableVertexAttribArray(static_cast<GLuint>(place));
     gl.VertexAttribPointer(static_cast<GLuint>(place), size, type, type == GL_UNSIGNED_BYTE, 0, nullptr);
     return made;
@@ -119,7 +106,7 @@ Upload upload(Gl gl, const ProgramMesh& mesh, GLuint program) {
   for (const glm::vec3& n : mesh.normals)
     tangents.push_back(1.5f * glm::cross(glm::vec3(0.1f, 0.9f, 0.3f), n) + 0.2f * n);
   add("tangentMC", tangents, 3, GL_FLOAT);
-  up.indices = buffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
+  up.indices = makeBuffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
   return up;
 }
 

@@ -21,6 +21,16 @@ inline GLuint makeProgram(Gl gl, const Surface& s) {
   return makeProgram(gl, vertexText(s), fragmentText(s), geometryText(s));
 }
 
+/// A new buffer with these values, bound to `target`.
+template <class T>
+GLuint makeBuffer(Gl gl, GLenum target, const std::vector<T>& values) {
+  GLuint name = 0;
+  gl.GenBuffers(1, &name);
+  gl.BindBuffer(target, name);
+  gl.BufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
+  return name;
+}
+
 struct ProgramMesh {
   std::vector<glm::vec3> positions, normals;
   std::vector<uint32_t> colors;  // RGBA8

@@ -72,20 +72,14 @@ TEST_P(PyqtgraphPrograms, AreTraced) {
     gl.Uniform1fv(gl.GetUniformLocation(program, "colorMap"), 9, colorMap);
     const auto array = [&](const char* name, GLint size, GLenum type, const auto& values) {
       const GLint place = gl.GetAttribLocation(program, name);
-      GLuint buffer = 0;
-      gl.GenBuffers(1, &buffer), gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-      gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(values[0])),
-                    values.data(), GL_STATIC_DRAW);
+      makeBuffer(gl, GL_ARRAY_BUFFER, values);
       if (place < 0) return;
       gl.EnableVertexAttribArray(static_cast<GLuint>(place));
       gl.VertexAttribPointer(static_cast<GLuint>(place), size, type, type == GL_UNSIGNED_BYTE, 0, nullptr);
     };
     array("a_position", 3, GL_FLOAT, mesh.positions), array("a_normal", 3, GL_FLOAT, mesh.normals);
     array("a_color", 4, GL_UNSIGNED_BYTE, mesh.colors);
-    GLuint indices = 0;
-    gl.GenBuffers(1, &indices), gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-    gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(GLuint)),
-                  mesh.indices.data(), GL_STATIC_DRAW);
+    makeBuffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
     gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
   };
   expectBoth(std::string("pyqtgraph_") + c.name, draw, 1, {kProgramWidth, kProgramHeight});

@@ -22,13 +22,11 @@ TEST(PulledDraws, AreCulled) {
   const ProgramMesh mesh = shells(5, 100);
   GLuint program = 0;
   const auto texture = [&](Gl gl, const char* name, GLint unit, GLenum format, const auto& values) {
-    GLuint names[2] = {};
-    gl.GenBuffers(1, &names[0]), gl.GenTextures(1, &names[1]);
-    gl.BindBuffer(GL_TEXTURE_BUFFER, names[0]);
-    gl.BufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(values.size() * sizeof(values[0])),
-                  values.data(), GL_STATIC_DRAW);
+    const GLuint filled = makeBuffer(gl, GL_TEXTURE_BUFFER, values);
+    GLuint made = 0;
+    gl.GenTextures(1, &made);
     gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    gl.BindTexture(GL_TEXTURE_BUFFER, names[1]), gl.TexBuffer(GL_TEXTURE_BUFFER, format, names[0]);
+    gl.BindTexture(GL_TEXTURE_BUFFER, made), gl.TexBuffer(GL_TEXTURE_BUFFER, format, filled);
     gl.Uniform1i(gl.GetUniformLocation(program, name), unit);
   };
   const gl::Statistics counts = compareFrames(

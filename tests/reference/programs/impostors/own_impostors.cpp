@@ -1,4 +1,4 @@
-#include "tests/reference/programs/own_impostors.h"
+#include "tests/reference/programs/impostors/own_impostors.h"
 
 #include <gtest/gtest.h>
 

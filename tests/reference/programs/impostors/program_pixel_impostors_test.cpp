@@ -1,6 +1,6 @@
 // Beads and tubes other than VTK's: the keys of the section [impostors] of family files about points and
 // lines sized in pixels, each tested by a program that computes exactly that.
-#include "tests/reference/programs/own_impostors.h"
+#include "tests/reference/programs/impostors/own_impostors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Point Gaussian as in VTK since 9.4: a billboard from a ball's covariance in normalised device coordinates.
-#include "tests/reference/programs/own_impostors.h"
+#include "tests/reference/programs/impostors/own_impostors.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

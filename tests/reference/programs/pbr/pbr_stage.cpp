@@ -1,4 +1,4 @@
-#include "tests/reference/programs/pbr_stage.h"
+#include "tests/reference/programs/pbr/pbr_stage.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,6 +1,6 @@
 // VTK's physically based materials with textures, normal maps and environments, drawn by the real OpenGL and
 // traced: the same colours and depths, also while tracing fails.
-#include "tests/reference/programs/pbr_stage.h"
+#include "tests/reference/programs/pbr/pbr_stage.h"
 #include "tests/reference/programs/program_mutants.h"
 
 #include <gtest/gtest.h>

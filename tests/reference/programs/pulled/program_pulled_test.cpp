@@ -1,6 +1,6 @@
 // Programs that pull vertices from buffer textures, against the real OpenGL.
 #include "tests/reference/programs/program_mutants.h"
-#include "tests/reference/programs/pulled_stage.h"
+#include "tests/reference/programs/pulled/pulled_stage.h"
 
 #include <gtest/gtest.h>
 
@@ -17,13 +17,12 @@ struct PulledCase {
 };
 void PrintTo(const PulledCase& c, std::ostream* out) { *out << c.name; }
 
-constexpr PulledWay kSharedBuffers{
-    .pointsBefore = 5, .verticesBefore = 6, .cellsBefore = 3, .trianglesBefore = 2, .flagsBefore = 4};
 PulledWay inSharedBuffers(PulledWay way) {
   way.pointsBefore = 5, way.verticesBefore = 6, way.cellsBefore = 3, way.trianglesBefore = 2,
   way.flagsBefore = 4;
   return way;
 }
+const PulledWay kSharedBuffers = inSharedBuffers({});
 
 const PulledCase kPulledCases[] = {
     {"material", {.lightCount = 2}, {}},

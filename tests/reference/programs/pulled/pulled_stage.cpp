@@ -1,4 +1,4 @@
-#include "tests/reference/programs/pulled_stage.h"
+#include "tests/reference/programs/pulled/pulled_stage.h"
 
 namespace gluray::test {
 namespace {
@@ -18,19 +18,10 @@ enum PulledUnit : GLint {
   kPulledImage
 };
 
-template <class T>
-GLuint pulledBuffer(Gl gl, GLenum target, const std::vector<T>& values) {
-  GLuint name = 0;
-  gl.GenBuffers(1, &name);
-  gl.BindBuffer(target, name);
-  gl.BufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
-  return name;
-}
-
 /// A buffer texture on `unit`. Returns its buffer.
 template <class T>
 GLuint pulledTexture(Gl gl, GLint unit, GLenum format, const std::vector<T>& values) {
-  const GLuint filled = pulledBuffer(gl, GL_TEXTURE_BUFFER, values);
+  const GLuint filled = makeBuffer(gl, GL_TEXTURE_BUFFER, values);
   GLuint name = 0;
   gl.GenTextures(1, &name);
   gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
@@ -96,7 +87,7 @@ PulledMesh::PulledMesh(Gl gl, const ProgramMesh& mesh, const PulledWay& way, boo
   for (const glm::vec2& at : mesh.texcoords) turned.emplace_back(at.y, 0.3f * at.x);
   pulledTexture(gl, kPulledMapCoords, GL_RG32F, valuesAfter(way.pointsBefore, glm::vec2(0), turned));
   colorMap(gl, kPulledMap), chequers(gl, kPulledImage);
-  if (way.indexed) pulledBuffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
+  if (way.indexed) makeBuffer(gl, GL_ELEMENT_ARRAY_BUFFER, mesh.indices);
 }
 
 void PulledMesh::move(Gl gl, size_t point, const glm::vec3& to) const {

@@ -2,7 +2,7 @@
 // their arrays, and their family files. For program_sent_impostors_test.cpp and
 // program_sent_refused_test.cpp.
 #pragma once
-#include "tests/reference/programs/own_impostors.h"
+#include "tests/reference/programs/impostors/own_impostors.h"
 
 #include <glm/glm.hpp>
 

@@ -1,4 +1,4 @@
-// Composes shader texts of pieces. For pulled_vertex_text.cpp and pulled_fragment_text.cpp.
+// Replaces parts of shader texts.
 #pragma once
 #include <string>
 
@@ -9,13 +9,6 @@ inline std::string replacedInAll(std::string text, const std::string& from, cons
   for (size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
     text.replace(at, from.size(), to);
   return text;
-}
-
-/// The text once for each light, with its number for @.
-inline std::string forEachLight(int count, const std::string& text) {
-  std::string all;
-  for (int i = 0; i < count; ++i) all += replacedInAll(text, "@", std::to_string(i));
-  return all;
 }
 
 }  // namespace gluray::test
