@@ -1,4 +1,6 @@
 // Bugs that the fuzzer found, reduced: the real OpenGL and GLuRay must give the same results.
+#include "tests/fuzz/found.h"
+
 #include "gl/arrays/arrays.h"
 #include "gl/capture/mesh_builder.h"
 #include "tests/support/traced_context.h"
@@ -10,24 +12,6 @@
 
 namespace gluray::test {
 namespace {
-
-using Gl = const gl::RealGl&;
-
-/// Errors and current values that a program can query.
-using Answers = std::vector<float>;
-
-struct Found {
-  const char* name;
-  void (*calls)(Gl gl, Answers& answers);
-};
-
-void error(Gl gl, Answers& answers) { answers.push_back(static_cast<float>(gl.GetError())); }
-void four(Gl gl, GLenum name, Answers& answers) {
-  std::array<float, 4> v{};
-  gl.GetFloatv(name, v.data());
-  answers.insert(answers.end(), v.begin(), v.end());
-}
-constexpr GLfloat kValues[64] = {0.5f, 0.25f, -0.5f, 1, 0.75f, 0.1f, 0.2f, 0.3f, -0.7f, 0.6f, 0.4f, 0.9f};
 
 const Found kFound[] = {
     {"the first error stays, whoever finds it",
@@ -260,6 +244,8 @@ TEST_P(FoundTest, AnswersAreThoseOfTheRealOne) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzzer, FoundTest, testing::ValuesIn(kFound));
+INSTANTIATE_TEST_SUITE_P(Materials, FoundTest,
+                         testing::ValuesIn(foundMaterials().begin(), foundMaterials().end()));
 
 /// An enabled array without memory has no elements. Not drawn: the real OpenGL may read at null.
 TEST(Found, ArraysAtNull) {

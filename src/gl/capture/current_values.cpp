@@ -91,15 +91,20 @@ void CurrentValues::send(const RealGl& real, SlotMask slots, const SlotValues& v
 }
 
 // Materials alone are held back by the same flags: a value that nobody uses sets them.
-void CurrentValues::hold(const RealGl& real) const {
+void CurrentValues::hold(const RealGl& real, Colors colors) const {
   const SlotMask slots = held_.slots & ~bit(kMaterialNumber);
   send(real, slots ? slots : bit(kIndex), values_);
+  if (colors == Colors::stored) shelve(real);
+}
+
+void CurrentValues::shelve(const RealGl& real) const {
+  if (held_.color) sendAttribute(real, kColor, storedColor_.data());
 }
 
 void CurrentValues::restore(const RealGl& real) const {
   if (!held_.slots) return;
-  hold(real);
-  if (!held_.due) return;
+  if (!held_.due) return hold(real);
+  hold(real, Colors::stored);
   askMaterial(real);
   if (held_.pending) hold(real);
 }
@@ -145,7 +150,7 @@ void CurrentValues::sendRun(const RealGl& real, SlotMask slots) {
   else
     send(real, slots, values_);
   askMaterial(real);
-  held_.pending = false, held_.due = true;
+  held_.pending = held_.color = false, held_.due = true;
 }
 
 void CurrentValues::read(const RealGl& real) {

@@ -25,6 +25,7 @@ class CurrentValues {
     SlotMask slots = 0;    // Mesa's vertex template
     bool pending = false;  // some of them are not yet stored (FLUSH_UPDATE_CURRENT)
     bool due = false;      // the next state change or draw stores them and lets go (FLUSH_STORED_VERTICES)
+    bool color = false;    // the current colour is one of those that are not yet stored
   };
   const SlotValues& all() const { return values_; }
   const float* operator[](Slot slot) const { return values_[slot].data(); }
@@ -43,8 +44,11 @@ class CurrentValues {
   void set(const RealGl& real, Slot slot, const float* value);
   /// Takes a value that the program has set between glBegin and glEnd of the real OpenGL.
   void setInside(Slot slot, const float* value) {
+    if (holdsBack_) {
+      if (slot == kColor && !held_.color) storedColor_ = values_[kColor], held_.color = true;
+      held_.slots |= bit(slot), held_.pending = true;
+    }
     keep(slot, value);
-    if (holdsBack_) held_.slots |= bit(slot), held_.pending = true;
   }
   /// glEnd of such a primitive. `any`: it has vertices.
   void ended(bool any) { held_.due = held_.due || (any && holdsBack_); }
@@ -71,7 +75,7 @@ class CurrentValues {
   /// The program makes a call that stores held-back values: a query of them, glCallList, glNewList,
   /// glPushAttrib, glColorMaterial.
   void stored() {
-    if (held_.pending) held_.due = true, held_.pending = false;
+    if (held_.pending) held_.due = true, held_.pending = held_.color = false;
   }
   /// The same for a call that the real OpenGL does not get.
   void store(const RealGl& real);
@@ -83,6 +87,9 @@ class CurrentValues {
   void begun(const RealGl* real);
   /// Forgets what is held back.
   void letGo() { held_ = {}; }
+  /// Call before draws of ours, which store all values: Mesa gets the colour that it has stored, so that
+  /// GL_COLOR_MATERIAL does not see the one that it holds back. Call restore() afterwards.
+  void shelve(const RealGl& real) const;
   /// After queries or draws of ours, which stored all values: they are held back again as before.
   void restore(const RealGl& real) const;
   /// Whether Mesa may hold back values.
@@ -108,11 +115,13 @@ class CurrentValues {
 
  private:
   static void send(const RealGl& real, SlotMask slots, const SlotValues& values);
-  void hold(const RealGl& real) const;
+  enum class Colors : uint8_t { stored, newest };
+  void hold(const RealGl& real, Colors colors = Colors::newest) const;
 
   SlotValues values_ = initialSlotValues();
   bool holdsBack_ = true;  // the real OpenGL is Mesa
   Held held_;
+  SlotValues::value_type storedColor_{};  // with Held::color: the colour that Mesa has stored
   // Since the last sendLater(): slots that have been set, and those that a draw has stored, with their
   // values.
   SlotMask setLater_ = 0, storedLater_ = 0;

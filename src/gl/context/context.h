@@ -66,8 +66,8 @@ class Context {
   Relighting relighting;
   Flusher flusher;
   Classifier classifier;
-  BatchFiller filler;
   RasterDraws raster;
+  BatchFiller filler;
   Draws draws;
   LayerDraws layers;
   ResolveDraws resolves;

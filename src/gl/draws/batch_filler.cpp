@@ -2,6 +2,7 @@
 
 #include "gl/basics/affine.h"
 #include "gl/classify/solid_draws.h"
+#include "gl/draws/raster_draws.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/real/state_queries.h"
 
@@ -77,22 +78,31 @@ scene::Instance BatchFiller::instanceOf(const scene::MeshPtr& mesh, SlotMask slo
   instance.materials.reserve(materials.size() + 1);
   const scene::MaterialPair& material = shadow.material();
   instance.materials.push_back(material);
-  for (const MaterialChange& change : materials) instance.materials.push_back(change.appliedTo(material));
+  for (MaterialChange change : materials) {
+    if (ignoresColor(slots)) {
+      change.front &= static_cast<uint16_t>(~parametersOf(shadow.shading().colorMaterial.front));
+      change.back &= static_cast<uint16_t>(~parametersOf(shadow.shading().colorMaterial.back));
+    }
+    instance.materials.push_back(change.appliedTo(material));
+  }
   instance.cull = shadow.raster().cull;
   instance.frontFaceCcw = shadow.raster().frontFaceCcw;
   instance.clipPlanes = shadow.clipPlanes();
   return instance;
 }
 
-scene::Shading BatchFiller::shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const {
+/// If its vertices have no colours, a surface has the current material, however that was set.
+bool BatchFiller::ignoresColor(SlotMask slots) const {
+  return p_.shadow.latch.isOn() && !(slots & bit(kColor));
+}
+
+scene::Shading BatchFiller::shadingOf(SlotMask slots) const {
   scene::Shading shading = p_.shadow.shading();
   shading.textures = p_.shadow.fixedTextures();
   shading.alphaTest = p_.shadow.raster().alphaTest;
   shading.alphaTest.asBytes =
       shading.alphaTest.function != scene::AlphaTest::always && p_.shadow.target().eightBits;
-  // If its vertices have neither colours nor materials, the surface has the current material, however that
-  // was set.
-  if (p_.shadow.latch.isOn() && !(slots & bit(kColor)) && materials.empty()) shading.colorMaterial = {};
+  if (ignoresColor(slots)) shading.colorMaterial = {};
   return shading;
 }
 
@@ -108,10 +118,8 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   if (program) return addByProgram(key, mesh, slots);
   if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
   if (!open(key, p_.shadow.modelview())) return;
-  p_.pending.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots, materials));
-  if (!layer || key.blending.writesDepth)
-    p_.surfaces.passes.drawn(mesh, p_.shadow.modelview(), MultipassSurfaces::How::pending,
-                             depthPlaceOf(p_.shadow), p_.classifier.isPushedBack());
+  p_.pending.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots));
+  if (!layer || key.blending.writesDepth) reportDrawn(mesh, p_.shadow.modelview());
   settleFailure();
 }
 
@@ -126,9 +134,26 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
   p_.pending.batch.add(std::move(instance), program.shading);
   p_.pending.batch.keep(std::move(kept));
   if (key.layers == BatchKey::Layers::none || key.blending.writesDepth)
-    p_.surfaces.passes.drawn(mesh, p_.shadow.modelview(), MultipassSurfaces::How::pending,
-                             depthPlaceOf(p_.shadow), p_.classifier.isPushedBack());
+    reportDrawn(mesh, p_.shadow.modelview());
   settleFailure();
+}
+
+void BatchFiller::reportDrawn(const scene::MeshPtr& mesh, const glm::dmat4& modelview) {
+  MultipassSurfaces& passes = p_.surfaces.passes;
+  const DepthPlace place = depthPlaceOf(p_.shadow);
+  passes.drawn(mesh, modelview, MultipassSurfaces::How::pending, place, p_.classifier.isPushedBack());
+  if (passes.anyTraced() && passes.meetsTraced(mesh, modelview, p_.pending.batch.waiting(), place))
+    p_.raster.rasteriseMet(MultipassSurfaces::Meeting::pending);
+}
+
+void BatchFiller::reportDrawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& modelview,
+                                       const glm::dmat4& clipFromObject) {
+  MultipassSurfaces& passes = p_.surfaces.passes;
+  const DepthPlace place = depthPlaceOf(p_.shadow);
+  const Batch& batch = p_.pending.batch;
+  passes.drawnByProgram(mesh, modelview, clipFromObject, place, batch.key().offset.pushesBack());
+  if (passes.anyTraced() && passes.meetsTracedByProgram(mesh, clipFromObject, batch.waiting(), place))
+    p_.raster.rasteriseMet(MultipassSurfaces::Meeting::pending);
 }
 
 void BatchFiller::addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask slots,
@@ -136,7 +161,7 @@ void BatchFiller::addSolids(BatchKey key, const scene::MeshPtr& mesh, SlotMask s
   key.offset = {};  // polygon offset does not apply
   if (!open(key, p_.shadow.modelview())) return;
   scene::Instance instance = instanceOf(mesh, slots, materials);
-  scene::Shading shading = shadingOf(slots, materials);
+  scene::Shading shading = shadingOf(slots);
   makeSolid(p_.shadow, instance, shading);
   p_.pending.batch.add(std::move(instance), std::move(shading));
   settleFailure();

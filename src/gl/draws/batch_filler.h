@@ -11,6 +11,8 @@
 
 namespace gluray::gl {
 
+class RasterDraws;
+
 class BatchFiller {
  public:
   struct Parts {
@@ -22,6 +24,7 @@ class BatchFiller {
     Flusher& flusher;
     Classifier& classifier;
     LayerDraws& layers;
+    RasterDraws& raster;
   };
   explicit BatchFiller(const Parts& parts) : p_(parts) {}
 
@@ -44,6 +47,12 @@ class BatchFiller {
   void clampToTarget(scene::Region& region);
   /// Reports that the context may have another drawable now.
   void forgetDrawable() { drawableSize_ = {0, 0}; }
+  /// Call after a surface that writes depth was added: reports it to MultipassSurfaces. If it coincides with
+  /// traced surfaces of earlier batches, the real OpenGL draws it, the pending batch, and their depth.
+  void reportDrawn(const scene::MeshPtr& mesh, const glm::dmat4& modelview);
+  /// The same for a surface that a shader program places by `clipFromObject`.
+  void reportDrawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& modelview,
+                            const glm::dmat4& clipFromObject);
   /// Call after a draw was added: if a flush failed meanwhile, flushes the draw before later, rasterised
   /// ones.
   void settleFailure() {
@@ -53,7 +62,9 @@ class BatchFiller {
  private:
   scene::Instance instanceOf(const scene::MeshPtr& mesh, SlotMask slots,
                              const std::vector<MaterialChange>& materials) const;
-  scene::Shading shadingOf(SlotMask slots, const std::vector<MaterialChange>& materials) const;
+  scene::Shading shadingOf(SlotMask slots) const;
+  /// Whether the material of a surface whose vertices have these attributes does not follow the colour.
+  bool ignoresColor(SlotMask slots) const;
 
   /// Adds a surface of the shader program in use, which reads fixed function's vertices.
   void addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, SlotMask slots);

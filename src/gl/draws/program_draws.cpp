@@ -284,14 +284,13 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
     addInstancesOf(instance, program.shading, elements);
   } else {
     p_.pending.batch.add(std::move(instance), program.shading);
-    const BatchKey& key = p_.pending.batch.key();
-    const bool seenAgain = key.layers == BatchKey::Layers::none ||
-                           (key.layers == BatchKey::Layers::drawn && key.blending.writesDepth);
-    if (seenAgain && mesh->shape == scene::Shape::triangles)
-      p_.surfaces.passes.drawnByProgram(mesh, modelview, program.clipFromObject, depthPlaceOf(p_.shadow),
-                                        p_.pending.batch.key().offset.pushesBack());
   }
   p_.pending.batch.keep(std::move(kept));
+  const BatchKey& key = p_.pending.batch.key();
+  const bool seenAgain = key.layers == BatchKey::Layers::none ||
+                         (key.layers == BatchKey::Layers::drawn && key.blending.writesDepth);
+  if (!many && seenAgain && mesh->shape == scene::Shape::triangles)
+    p_.filler.reportDrawnByProgram(mesh, modelview, program.clipFromObject);
   p_.filler.settleFailure();
   return Reason::traced;
 }

@@ -82,18 +82,19 @@ void RasterDraws::meet(std::span<const Triangle> triangles) {
 }
 
 void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
-  if (meeting == MultipassSurfaces::Meeting::pending) {
-    const WithoutOtherOffsets guard(p_.shadow.real);
-    p_.flusher.present(Reason::passes);
-  }
   for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
     const WithoutOtherOffsets guard(p_.shadow.real);
     p_.cleared.forget();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};
     if (redraw.clipFromObject) target.byMatrix = {redraw.mesh, *redraw.clipFromObject};
+    p_.shadow.current.shelve(p_.shadow.real);
     const PresentResult result = p_.pending.presenter.present(p_.shadow.real, redraw.snapshot, target);
     p_.shadow.latch.restore(p_.shadow.real);
     if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
+  }
+  if (meeting == MultipassSurfaces::Meeting::pending) {
+    const WithoutOtherOffsets guard(p_.shadow.real);
+    p_.flusher.present(Reason::passes);
   }
 }
 

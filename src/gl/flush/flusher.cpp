@@ -55,6 +55,7 @@ void Flusher::presentBatch(Reason reason) {
   const AntialiasedImage antialiased = p_.cleared.antialiased();
   p_.cleared.forget();
   if (!rasterise) p_.composed.presenting(key, *snapshot);
+  p_.shadow.current.shelve(p_.shadow.real);
   const PresentResult result =
       peeled ? p_.layers.peels.present(snapshot, key)
              : p_.pending.presenter.present(p_.shadow.real, snapshot,

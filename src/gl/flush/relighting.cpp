@@ -100,6 +100,7 @@ std::optional<Relighting::Replaced> Relighting::relight(ViewScenes::Outdated one
   ++p_.counts.statistics.imagesRelit;
   ImageWish wish = p_.clock.wish();
   wish.anew = true;
+  p_.shadow.current.shelve(p_.shadow.real);
   const PresentResult result = p_.pending.presenter.relight(p_.shadow.real, one.before, one.now,
                                                             {*one.written, p_.shadow.info.core, wish});
   p_.pending.takeResult(result);

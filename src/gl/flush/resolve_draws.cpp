@@ -165,6 +165,7 @@ bool ResolveDraws::into(ResolveTarget& target) {
   target.wish = p_.clock.wish(waiting.traced);
   p_.shadow.errors.keepPending();
   p_.cleared.forget();
+  p_.shadow.current.shelve(p_.shadow.real);
   const PresentResult result = p_.pending.presenter.resolve(p_.shadow.real, waiting.batch.snapshot, target);
   if (result.outcome != PresentResult::traced) return p_.shadow.latch.restore(p_.shadow.real), false;
   p_.pending.takeResult(result, waiting.traced);

@@ -113,7 +113,8 @@ void ComposedViews::finishDraw() noexcept {
 void ComposedViews::show() {
   CompletePresenter& complete = presenter_.complete();
   const RealGl& real = p_.shadow.real;
-  if (!complete.keep(real, region_, Copy::afterDraw)) return;
+  p_.shadow.current.shelve(real);
+  if (!complete.keep(real, region_, Copy::afterDraw)) return p_.shadow.latch.restore(real);
   complete.putBack(real, Copy::beforeDraw);
   const bool written = std::ranges::all_of(images_, [&](const Complete& one) {
     return complete.write(real, *one.image, *one.snapshot, one.key.depthFunc);

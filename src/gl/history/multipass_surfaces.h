@@ -2,10 +2,11 @@
 // colours with GL_EQUAL. Later passes compare with the exact depth of the first one, and traced depth differs
 // from rasterised depth in the last bits. So such surfaces are rasterised in every pass. If the first pass
 // was traced before a second one was known, the real OpenGL draws its depth again. If the first pass was
-// rasterised for another reason, the second one is rasterised, too.
-// Surfaces of the fixed-function pipeline are recognised by their modelview matrix. Surfaces of shader
-// programs are recognised by their framebuffer and number of triangles, because the matrices of an unknown
-// program are unknown. Owned by Context, GL thread.
+// rasterised for another reason, the second one is rasterised, too. So are passes that could be traced, but
+// in different batches: depths of two tracings also differ in the last bits. Surfaces of the fixed-function
+// pipeline are recognised by their modelview matrix. Surfaces of shader programs are recognised by their
+// framebuffer and number of triangles, because the matrices of an unknown program are unknown. Owned by
+// Context, GL thread.
 #pragma once
 #include "base/hash.h"
 #include "gl/history/depth_history.h"
@@ -101,6 +102,17 @@ class MultipassSurfaces {
   bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, uint32_t framebuffer,
                        bool pushedBack);
 
+  /// Whether surfaces of an earlier batch were traced in this depth epoch.
+  bool anyTraced() const { return traced_; }
+  /// Whether `mesh`, in the pending batch, coincides with surfaces of earlier batches that were traced with
+  /// the same camera and offset. If so, all are remembered as multipass, and takeTraced() returns the earlier
+  /// ones. `batch`: the pending batch's draws so far.
+  bool meetsTraced(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, const scene::Snapshot& batch,
+                   const DepthPlace& place);
+  /// The same for a surface that a shader program draws.
+  bool meetsTracedByProgram(const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject,
+                            const scene::Snapshot& batch, const DepthPlace& place);
+
   enum class Meeting { none, drawn, pending };
   /// Whether one of the triangles about to be drawn coincides with one of an earlier surface of the depth
   /// epoch. Surfaces that were pushed back do not count unless the new ones are, too. The earlier surface is
@@ -148,6 +160,10 @@ class MultipassSurfaces {
   };
   static constexpr size_t kMaxRasterised = 1024;  // per depth epoch
   static constexpr uint64_t kRemembered = 100;    // depth epochs: seconds, or a few frames of many
+  /// Key in surfaces_ of surfaces that shader programs draw into a framebuffer.
+  static Hash128 placeIn(uint32_t framebuffer);
+  /// Key in unseen_.
+  static Hash128 unseenKey(const DepthPlace& place);
   /// Ends the depth epoch if it had surfaces.
   void endEpoch();
   /// Forgets all entries for which `gone(DepthStamp)` is true.
@@ -158,12 +174,19 @@ class MultipassSurfaces {
   bool liesUpon(const Surface& surface, const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles);
   bool holdsSome(const scene::Mesh& mesh, std::span<const Triangle> triangles);
   static Meeting meet(Surface& surface, Meeting before);
+  /// meetsTraced() for the surfaces that surfaces_ has under `key` and for which sameMatrix(surface) is true.
+  template <class SameMatrix>
+  bool meetsTracedUnder(const Hash128& key, const scene::MeshPtr& mesh, const scene::Snapshot& batch,
+                        const DepthPlace& place, const SameMatrix& sameMatrix);
+  /// Whether sampled triangles of one mesh have their corners among the vertices of the other.
+  bool coincide(const scene::Mesh& a, const scene::Mesh& b);
   void remember(const Hash128& geometry);
   const VertexSet& verticesOf(const scene::Mesh& mesh);
 
   std::pmr::unsynchronized_pool_resource blocks_;  // reused: thousands of small allocations a frame
   std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by modelview; programs': framebuffer
   bool rasterised_ = false;                                            // some surfaces were rasterised
+  bool traced_ = false;                                                // some surfaces were traced
   bool used_ = false;                                                  // a surface was drawn since endEpoch()
   DepthHistory depths_;
   std::vector<Rasterised> rasterisedByProgram_;

@@ -47,6 +47,7 @@ HeldBatch PendingBatch::hold(std::string_view where) {
 void PendingBatch::presentLate(HeldBatch held, bool known) {
   const RealGl& real = p_.shadow.real;
   const bool isShort = addressSpaceIsShort();
+  p_.shadow.current.shelve(real);
   const PresentResult result = [&] {
     const DrawBinding binding(real, held.key.framebuffer);
     return presenter.present(real, held.snapshot,

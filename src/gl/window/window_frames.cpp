@@ -54,6 +54,7 @@ bool WindowFrames::showWithoutSwap(ShownWindow& window, glm::ivec2 size, const S
     const ShowTarget target{*p_.cleared.target(),
                             farthestHit(p_.pending.batch.key().depthFunc, depthResolution),
                             p_.shadow.info.core, p_.clock.wish(), show};
+    p_.shadow.current.shelve(p_.shadow.real);
     const PresentResult result =
         p_.pending.presenter.window().show(p_.shadow.real, p_.pending.batch.pending(), target);
     if (result.outcome != PresentResult::traced) {  // the batch stays pending, and its traced image is known
@@ -204,6 +205,7 @@ LagRefusal WindowFrames::lag(const LagWindow& window) noexcept {
 bool WindowFrames::showsDirectly(const LaggedFrame& frame) {
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
   if (!frame.cleared || frame.clears.empty() || (frame.clears.front().mask & kBoth) != kBoth) return false;
+  p_.shadow.current.shelve(p_.shadow.real);
   const PresentResult result = p_.pending.presenter.window().show(
       p_.shadow.real, frame.batch.snapshot,
       {*frame.cleared, frame.farthest, p_.shadow.info.core, {}, frame.window.show});

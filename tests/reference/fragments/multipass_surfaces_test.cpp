@@ -188,6 +188,63 @@ TEST(Passes, AreFoundAfterAFrameWithoutASwap) {
   expectBothPasses("finished", [](Gl gl) { gl.Finish(), sendWidget(gl), gl.Finish(); });
 }
 
+void sendArrays(Gl gl, const Model& model) {
+  gl.EnableClientState(GL_VERTEX_ARRAY), gl.VertexPointer(3, GL_FLOAT, 0, model.positions.data());
+  gl.EnableClientState(GL_NORMAL_ARRAY), gl.NormalPointer(GL_FLOAT, 0, model.normals.data());
+  gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(model.indices.size()), GL_UNSIGNED_INT,
+                  model.indices.data());
+  gl.DisableClientState(GL_VERTEX_ARRAY), gl.DisableClientState(GL_NORMAL_ARRAY);
+  gl.VertexPointer(3, GL_FLOAT, 0, nullptr), gl.NormalPointer(GL_FLOAT, 0, nullptr);
+}
+
+/// A ball and a part of it, at one place but in separate batches, which could be traced. `less` changes the
+/// depth function in between; otherwise the framebuffer is read.
+void drawTwice(Gl gl, bool partFirst, bool less, bool arrays) {
+  begin(gl, kPassesWidth, kPassesHeight), camera(gl, kPassesWidth, kPassesHeight), keyLight(gl);
+  gl.DepthFunc(less ? GL_LESS : GL_LEQUAL);
+  const Model ball = scenes::sphere(24, 36);
+  Model part = ball;
+  part.indices.resize(part.indices.size() / 12 * 3);
+  paint(gl, 0.3f, 0.5f, 0.7f);
+  send(gl, partFirst ? part : ball);
+  GLubyte pixel[4];
+  gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  gl.DepthFunc(GL_LEQUAL);
+  paint(gl, 0.9f, 0.5f, 0.7f);
+  const Model& again = partFirst ? ball : part;
+  arrays ? sendArrays(gl, again) : send(gl, again);
+}
+
+TEST(Passes, ThatCouldBothBeTracedAreRasterised) {
+  for (const bool partFirst : {false, true})
+    for (const bool less : {false, true})
+      for (const bool arrays : {false, true}) {
+        const std::string name = std::string("twice") + (partFirst ? "_part" : "") + (less ? "_less" : "") +
+                                 (arrays ? "_arrays" : "");
+        const BothStage stage{kPassesWidth, kPassesHeight, "passes", [](Gl) {}};
+        const gl::Statistics counts =
+            compareBoth(stage, name, [&](Gl gl) { drawTwice(gl, partFirst, less, arrays); });
+        EXPECT_GE(counts.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 1u) << name;
+      }
+}
+
+/// The same surface in two viewports, or under two cameras: neither has the other's depth.
+TEST(Passes, AreNoneInOtherViewsOfTheFramebuffer) {
+  for (const bool camera : {false, true}) {
+    const BothStage stage{kPassesWidth, kPassesHeight, "passes", [](Gl) {}};
+    const gl::Statistics counts = compareBoth(stage, camera ? "cameras" : "viewports", [&](Gl gl) {
+      begin(gl, kPassesWidth, kPassesHeight), scenes::camera(gl, kPassesWidth, kPassesHeight), keyLight(gl);
+      for (int view = 0; view < 2; ++view) {
+        if (!camera) gl.Viewport(view * kPassesWidth / 2, 0, kPassesWidth / 2, kPassesHeight);
+        if (camera && view) gl.MatrixMode(GL_PROJECTION), gl.Scaled(0.5, 0.5, 1), gl.MatrixMode(GL_MODELVIEW);
+        paint(gl, 0.3f + 0.5f * static_cast<float>(view), 0.5f, 0.7f);
+        send(gl, scenes::sphere(24, 36));
+      }
+    });
+    EXPECT_EQ(counts.drawsTraced, 2u);
+  }
+}
+
 /// Boxes as in occlusion culling: they write nothing.
 TEST(Passes, AreNoneThatWriteNeitherColorNorDepth) {
   const TracedContext ours({kPassesWidth, kPassesHeight});

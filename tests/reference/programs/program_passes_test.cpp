@@ -36,6 +36,32 @@ TEST(ProgramPasses, FindTheDepthOfTheFirst) {
             [&](Gl gl) { drawFrames(gl, frames, looked, func); }, -1);
 }
 
+/// Both passes could be traced, in separate batches.
+TEST(ProgramPasses, OfOneProgramInTwoBatches) {
+  for (const GLenum func : {GL_LEQUAL, GL_LESS})
+    for (const int frames : {1, 3}) {
+      const Outcome o = expectSame(
+          "passes_batches" + std::to_string(func) + std::to_string(frames),
+          [&](Gl gl) {
+            const ProgramMesh round = ball(24);
+            const GLuint program = makeProgram(gl, Surface{});
+            const Upload up = upload(gl, round, program);
+            for (int i = 0; i < frames; ++i) {
+              beginFrame(gl);
+              gl.DepthFunc(GL_LEQUAL);
+              drawSurface(gl, program, up, round, perspectiveView(20), Surface{});
+              GLubyte pixel[4];
+              gl.ReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+              gl.DepthFunc(func);
+              setVec3(gl, program, "diffuseColorUniform", {0.1f, 0.9f, 0.2f});
+              gl.DrawElements(GL_TRIANGLES, round.count(), GL_UNSIGNED_INT, nullptr);
+            }
+          },
+          -1);
+      EXPECT_GT(o.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 0u);
+    }
+}
+
 /// The numbers of the later pass, or of the first one, are in a buffer object.
 TEST(ProgramPasses, OfIndirectDraws) {
   for (const bool first : {false, true})
