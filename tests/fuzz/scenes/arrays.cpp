@@ -51,7 +51,6 @@ void encode(std::byte* to, GLenum type, double value) {
     default: return put<float>(to, value);
   }
 }
-
 /// How a draw is made.
 struct Plan {
   ArrayLayout vertex, normal, color, texcoord;
@@ -145,7 +144,8 @@ void fillNumbers(const std::vector<uint32_t>& triangles, Plan& plan) {
   plan.numbers = numbers;
 }
 
-Plan makePlan(Dice& dice, const Shape& shape, Attributes& attributes) {
+Plan makePlan(Writer& w, const Shape& shape, Attributes& attributes) {
+  Dice& dice = w.dice;
   Plan plan;
   std::vector<uint32_t> triangles = trianglesOf(shape);
   chooseTypes(dice, attributes, plan);
@@ -170,7 +170,7 @@ Plan makePlan(Dice& dice, const Shape& shape, Attributes& attributes) {
   }
   plan.inBuffers = dice.chance(50);
   plan.numbersInBuffer = plan.numberType && dice.chance(50);
-  plan.multi = dice.chance(15), plan.range = dice.chance(30);
+  plan.multi = dice.chance(15) && !w.offsetsLines, plan.range = dice.chance(30);
   // None without vertices: avoided.md.
   plan.pieces = plan.multi ? 1 + dice.below(std::min<uint32_t>(4, triangles.size() / 3)) : 1;
   fill(shape, order, plan, bytes);
@@ -274,7 +274,7 @@ void writeDefined(Writer& w, const Attributes& attributes, bool asks) {
 
 void writeArrays(Writer& w, const Shape& shape, const Attributes& wished, bool list) {
   Attributes attributes = wished;
-  const Plan plan = makePlan(w.dice, shape, attributes);
+  const Plan plan = makePlan(w, shape, attributes);
   w.call(describe(plan, "arrays"), [=](Gl gl, Answers&) {
     withArrays(gl, plan, [&](const std::byte* numbers) { drawPieces(gl, plan, numbers); });
   });
@@ -284,7 +284,7 @@ void writeArrays(Writer& w, const Shape& shape, const Attributes& wished, bool l
 
 void writeArrayElements(Writer& w, const Shape& shape, const Attributes& wished) {
   Attributes attributes = wished;
-  Plan plan = makePlan(w.dice, shape, attributes);
+  Plan plan = makePlan(w, shape, attributes);
   const std::vector<uint32_t> triangles = trianglesOf(shape);
   const bool numbered = plan.numberType != 0;
   w.call(describe(plan, "glArrayElement"), [=](Gl gl, Answers&) {

@@ -28,6 +28,20 @@ std::string differenceOf(const std::vector<Call>& scene, uint64_t seed, const st
   return difference(seed, expected, outcomeOf(ours.gl(), scene), folder);
 }
 
+/// Prints how many draws of the scene are traced, and why others are not.
+void printDecisions(const std::vector<Call>& scene) {
+  const TracedContext ours({kSceneSize, kSceneSize});
+  Answers answers;
+  playScene(ours.gl(), scene, answers);
+  ours.gl().Finish();
+  const gl::Statistics& counted = ours.context().counts.statistics;
+  std::printf("%llu draws traced\n", static_cast<unsigned long long>(counted.drawsTraced));
+  for (size_t i = 0; i < counted.rasterisedBecause.size(); ++i)
+    if (const uint64_t draws = counted.rasterisedBecause[i])
+      std::printf("%llu rasterised: %s\n", static_cast<unsigned long long>(draws),
+                  std::string(describe(static_cast<gl::Reason>(i))).c_str());
+}
+
 int shrinkScene(uint64_t seed, bool lists, const std::string& folder) {
   // Colours, depths, or the same wrong answer to a query.
   const auto kindOf = [](const std::string& why) {
@@ -43,6 +57,7 @@ int shrinkScene(uint64_t seed, bool lists, const std::string& folder) {
   for (const Call& call : scene) std::printf("%s\n", call.text().c_str());
   std::printf("scene %llu: %s\n", static_cast<unsigned long long>(seed),
               differenceOf(scene, seed, folder).c_str());
+  printDecisions(scene);
   return 1;
 }
 

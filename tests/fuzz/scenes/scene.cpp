@@ -18,6 +18,7 @@ class Scene {
   std::vector<Call> write();
 
  private:
+  void pop();
   void clear();
   void change();
   void object();
@@ -59,12 +60,19 @@ std::vector<Call> Scene::write() {
     object();
     if (dice_.chance(20)) writeMarks(w_);
     if (dice_.chance(30)) ask();
-    if (saves) WRITE_AS(w_, pop, PopAttrib);
+    if (saves) pop();
     if (dice_.chance(10)) writeCamera(w_, kSceneSize);
     if (dice_.chance(6)) clear();
   }
   ask();
   return std::move(calls_);
+}
+
+/// glPopAttrib, after a query of the colour: avoided.md.
+void Scene::pop() {
+  askColor(w_);
+  WRITE_AS(w_, pop, PopAttrib);
+  w_.join(2);
 }
 
 void Scene::clear() {
@@ -131,9 +139,9 @@ void Scene::listStep(const Shape& shape) {
       return w_.join(calls_.size() - before);
     }
     case 2:
-      if (dice_.chance(colorMaterials_)) writeColorMaterial(w_);
+      if (dice_.chance(colorMaterials_)) writeColorMaterial(w_, Asks::nothing);
       return;
-    case 3: return writeToggle(w_, dice_.pick({GL_LIGHTING, GL_NORMALIZE, GL_CULL_FACE, GL_TEXTURE_2D}), 60);
+    case 3: writeToggle(w_, dice_.pick({GL_LIGHTING, GL_NORMALIZE, GL_CULL_FACE, GL_TEXTURE_2D}), 60); return;
     case 4: return WRITE(w_, Translatef, dice_.real(-1, 1), 0.3f, 0.2f);
     case 5:
       if (lists_ > 1) WRITE(w_, CallList, GLuint{1 + dice_.below(lists_ - 1)});
@@ -177,7 +185,9 @@ void Scene::object() {
       list(shape);
     else
       send(shape, false, all > 1);
+    w_.samePlace = true;
     if (layers > 1 && dice_.chance(70)) change();
+    w_.samePlace = false;
   }
   WRITE_AS(w_, pop, PopMatrix);
 }

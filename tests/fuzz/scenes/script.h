@@ -72,12 +72,17 @@ Call callOf(const char* name, Role role, Arguments... arguments) {
 struct Writer {
   Dice& dice;
   std::vector<Call>& calls;
-  // Whether light may be two-sided. Then no materials of back faces alone change: avoided.md.
+  // Whether light may be two-sided. Then no materials of back faces alone change, and none of one face alone
+  // between glBegin and glEnd: avoided.md.
   bool twoSided = false;
+  bool offsetsLines = false;  // the scene has enabled polygon offset of lines or points
+  bool samePlace = false;     // a shape is drawn again at its place: clip planes stay (avoided.md)
 
-  uint32_t face() {
+  enum class At : uint8_t { outside, inside };  // glBegin and glEnd
+  uint32_t face(At at = At::outside) {
     constexpr uint32_t kFront = 0x404, kBack = 0x405, kBoth = 0x408;  // GL_FRONT, GL_BACK, GL_FRONT_AND_BACK
-    return dice.pick({kFront, twoSided ? kBoth : kBack, kBoth});
+    const bool both = twoSided && at == At::inside;
+    return dice.pick({both ? kBoth : kFront, twoSided ? kBoth : kBack, kBoth});
   }
   template <auto function, class... Arguments>
   void call(const char* name, Role role, Arguments... arguments) {

@@ -5,11 +5,13 @@
 
 namespace gluray::fuzz {
 
-void writeToggle(Writer& w, uint32_t capability, uint32_t percent) {
-  if (w.dice.chance(percent))
+bool writeToggle(Writer& w, uint32_t capability, uint32_t percent) {
+  const bool on = w.dice.chance(percent);
+  if (on)
     WRITE(w, Enable, GLenum{capability});
   else
     WRITE(w, Disable, GLenum{capability});
+  return on;
 }
 
 void writeCamera(Writer& w, int size) {
@@ -74,9 +76,19 @@ void writeLights(Writer& w) {
   if (dice.chance(20)) WRITE(w, LightModelfv, GLenum{GL_LIGHT_MODEL_AMBIENT}, dice.color());
 }
 
-void writeColorMaterial(Writer& w) {
-  WRITE(w, ColorMaterial, GLenum{w.face()},
+void askColor(Writer& w) {
+  w.call("glGetFloatv(GL_CURRENT_COLOR)", [](Gl gl, Answers&) {
+    GLfloat asked[4];
+    gl.GetFloatv(GL_CURRENT_COLOR, asked);
+  });
+}
+
+void writeColorMaterial(Writer& w, Asks asks) {
+  const GLenum face = w.face();
+  if (asks == Asks::color) askColor(w);
+  WRITE(w, ColorMaterial, GLenum{face},
         w.dice.pick({GL_DIFFUSE, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT}));
+  if (asks == Asks::color) w.join(2);
   if (w.dice.chance(70)) writeToggle(w, GL_COLOR_MATERIAL, 65);
 }
 
@@ -105,8 +117,9 @@ void writeSurface(Writer& w) {
           static_cast<GLint>(dice.pick({GL_MODULATE, GL_REPLACE, GL_DECAL, GL_BLEND, GL_ADD})));
   }
   if (dice.chance(50)) {
-    writeToggle(w, GL_POLYGON_OFFSET_FILL, 25), writeToggle(w, GL_POLYGON_OFFSET_LINE, 25);
-    writeToggle(w, GL_POLYGON_OFFSET_POINT, 25);
+    writeToggle(w, GL_POLYGON_OFFSET_FILL, 25);
+    for (const GLenum offset : {GL_POLYGON_OFFSET_LINE, GL_POLYGON_OFFSET_POINT})
+      if (writeToggle(w, offset, 25)) w.offsetsLines = true;
     const float factor = dice.real(-2, 2), units = dice.real(-50, 50);
     WRITE(w, PolygonOffset, factor, units);
   }
@@ -116,7 +129,11 @@ void writeSurface(Writer& w) {
   } else if (dice.chance(50)) {
     WRITE(w, PolygonMode, GLenum{GL_FRONT_AND_BACK}, GLenum{GL_FILL});
   }
-  if (dice.chance(30)) writeToggle(w, GL_CLIP_PLANE0 + dice.below(3), 40);
+  if (dice.chance(30)) {
+    const size_t before = w.calls.size();
+    writeToggle(w, GL_CLIP_PLANE0 + dice.below(3), 40);
+    if (w.samePlace) w.calls.erase(w.calls.begin() + static_cast<ptrdiff_t>(before), w.calls.end());
+  }
   if (dice.chance(15)) WRITE(w, LineWidth, dice.chance(50) ? 1.0f : dice.real(1, 4));
   if (dice.chance(15)) WRITE(w, PointSize, dice.chance(30) ? 1.0f : dice.real(1, 6));
 }

@@ -25,8 +25,8 @@ void writeCorner(Writer& w, const Corner& corner, const Attributes& attributes) 
 
 }  // namespace
 
-void writeMaterial(Writer& w) {
-  const GLenum face = w.face();
+void writeMaterial(Writer& w, Writer::At at) {
+  const GLenum face = w.face(at);
   if (w.dice.chance(15)) {
     WRITE(w, Materialf, face, GLenum{GL_SHININESS}, w.dice.real(1, 60));  // 0: avoided.md
     return;
@@ -37,7 +37,7 @@ void writeMaterial(Writer& w) {
 
 void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes, bool asTriangles,
                      Materials materials) {
-  const GLenum face = w.face();
+  const GLenum face = w.face(Writer::At::inside);
   const GLenum name = w.dice.pick({GL_DIFFUSE, GL_AMBIENT, GL_AMBIENT_AND_DIFFUSE, GL_SPECULAR, GL_EMISSION});
   const auto corner = [&](uint32_t number, bool first = false) {
     const bool changes = materials != Materials::none && w.dice.chance(5);
@@ -45,7 +45,7 @@ void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes
     if (materials == Materials::inLists && (first || changes))
       WRITE(w, Materialfv, face, name, w.dice.color());
     else if (changes)
-      writeMaterial(w);
+      writeMaterial(w, Writer::At::inside);
     writeCorner(w, shape.corners[number], attributes);
     // Together: the shrinker leaves no material after the last vertex (avoided.md).
     w.join(w.calls.size() - before);
@@ -56,6 +56,7 @@ void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes
     for (size_t i = 0; i < numbers.size(); ++i) {
       if (mode == GL_POLYGON ? i % 3 == 0 : i == 0) WRITE_AS(w, begin, Begin, mode);
       corner(numbers[i], mode == GL_POLYGON ? i % 3 == 0 : i == 0);
+      if (i % 3 == 2) w.join(3);  // the shrinker makes no triangles of other corners
       if (mode == GL_POLYGON ? i % 3 == 2 : i + 1 == numbers.size()) WRITE_AS(w, end, End);
     }
   };

@@ -19,6 +19,6 @@ void writePrimitives(Writer& w, const Shape& shape, const Attributes& attributes
 void writeMarks(Writer& w);
 
 /// Appends glMaterial with random arguments.
-void writeMaterial(Writer& w);
+void writeMaterial(Writer& w, Writer::At at = Writer::At::outside);
 
 }  // namespace gluray::fuzz
