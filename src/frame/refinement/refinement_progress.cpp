@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <limits>
 #include <mutex>
 
 namespace gluray::frame {
@@ -46,8 +47,9 @@ RefinementProgress progressOf(const Refinement& refinement, const Settings& sett
   progress.share = done / std::max(needed, done);
   if (settings.refine.seconds > 0)
     progress.share = std::max(progress.share, refinement.seconds() / double{settings.refine.seconds});
-  progress.share = std::clamp(progress.share, 1e-9, 1.0);
-  progress.secondsLeft = refinement.seconds() * (1 / progress.share - 1);
+  progress.share = std::clamp(progress.share, 0.0, 1.0);
+  progress.secondsLeft = progress.share > 0 ? refinement.seconds() * (1 / progress.share - 1)
+                                            : std::numeric_limits<double>::infinity();
   return progress;
 }
 
@@ -59,7 +61,8 @@ std::string progressLine(const RefinementProgress& progress, const Settings& set
                   progress.noise, double{settings.noise});
   else
     std::snprintf(text, sizeof text, "gluray: refining the image: %d %%, ", percent);
-  return text + timeText(progress.secondsLeft) + " left";
+  const bool known = std::isfinite(progress.secondsLeft);
+  return text + (known ? timeText(progress.secondsLeft) + " left" : "first pass");
 }
 
 std::optional<RefinementProgress> awaitedProgress() noexcept {

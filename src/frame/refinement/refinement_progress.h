@@ -12,7 +12,7 @@ namespace gluray::frame {
 struct RefinementProgress {
   double share = 0;        // of the time of all passes, from 0 to 1, as far as the noise so far foretells it
   double noise = 0;        // estimated; infinite: not known yet
-  double secondsLeft = 0;  // the rest of that time
+  double secondsLeft = 0;  // the rest of that time; infinite: not known before the first pass is complete
 };
 
 /// Noise falls with the square root of the number of passes. Passes of earlier waits for the image count, and

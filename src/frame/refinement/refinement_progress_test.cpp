@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace gluray::frame {
@@ -44,6 +45,17 @@ TEST(RefinementProgress, EndsWithTheLastPassOrTheTime) {
   EXPECT_NEAR(time.secondsLeft, 9, 1e-5);
   EXPECT_EQ(progressOf(refined.refinement, settingsFor(1, 16)).share, 1);
   EXPECT_EQ(progressOf(refined.refinement, settingsFor(1, 16)).secondsLeft, 0);
+}
+
+/// A pass that fills the whole wait in parts: nothing is known of the others.
+TEST(RefinementProgress, TellsNoTimeBeforeTheFirstPass) {
+  Refined refined(litScene(), 0);
+  refined.refinement.addTime(3);
+  const RefinementProgress progress = progressOf(refined.refinement, settingsFor(0.01f, 16));
+  EXPECT_EQ(progress.share, 0);
+  EXPECT_TRUE(std::isinf(progress.secondsLeft));
+  EXPECT_EQ(progressLine(progress, settingsFor(0.01f, 16)), "gluray: refining the image: 0 %, first pass");
+  EXPECT_NEAR(progressOf(refined.refinement, settingsFor(0.01f, 16, 12)).secondsLeft, 9, 1e-5);
 }
 
 /// A program may wait again for an image that has passes already: the rest takes as long as these did for
