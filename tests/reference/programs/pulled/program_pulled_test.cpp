@@ -131,6 +131,7 @@ TEST(PulledProgram, ShowsChangesOfItsBuffers) {
     mesh.draw(gl);
     mesh.move(gl, 31, {0.1f, 1.5f, 0.4f});
     mesh.recolor(gl, 20);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     mesh.draw(gl);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     mesh.regroup(gl, 60), mesh.recolor(gl, 0);
