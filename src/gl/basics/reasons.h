@@ -14,7 +14,8 @@ namespace gluray::gl {
   X(polygonMode, "polygon mode is not fill")                                                 \
   X(renderMode, "selection or feedback")                                                     \
   X(noDepthTest, "depth test off")                                                           \
-  X(depthFunc, "depth function is not LESS or LEQUAL")                                       \
+  X(depthFunc, "depth function is not LESS, LEQUAL, GREATER or GEQUAL")                      \
+  X(reversedDepth, "depth function GREATER or GEQUAL where only LESS or LEQUAL is traced")   \
   X(depthMask, "depth writes off")                                                           \
   X(noDepthBuffer, "framebuffer has no depth buffer")                                        \
   X(framebuffer, "framebuffer format not traced")                                            \
@@ -41,7 +42,7 @@ namespace gluray::gl {
   X(texGen, "texture coordinate generation")                                                 \
   X(transformFeedback, "transform feedback")                                                 \
   X(depthClamp, "depth clamp or depth bounds")                                               \
-  X(clipControl, "clip control")                                                             \
+  X(clipControl, "clip control: upper left origin, or other than opaque surfaces")           \
   X(provokingVertex, "flat shading by the first vertex")                                     \
   X(query, "query active")                                                                   \
   X(multisampleState, "multisample coverage state")                                          \

@@ -119,6 +119,24 @@ TEST(ProgramPixelImpostor, TheirSizeIsThatOfTheirDraw) {
       2, coreWish(), kProgramTolerance, familyOf(beads));
 }
 
+uint64_t rasterisedFor(gl::Reason reason, const Outcome& outcome) {
+  return outcome.statistics.rasterisedBecause[static_cast<size_t>(reason)];
+}
+
+TEST(ProgramPixelImpostor, UnderAReversedDepthTestAreLeftToTheRealOpenGl) {
+  for (const PixelImpostorCase& c : {kPixelImpostorCases[0], kPixelImpostorCases[3]}) {
+    const auto draw = [&](Gl gl) {
+      const GLuint program = drawPixelImpostorCase(gl, c);
+      gl.DepthFunc(GL_GREATER);
+      gl.UseProgram(program);
+      gl.DrawArrays(c.tubes ? GL_LINES : GL_POINTS, 4, kImpostors - 4);
+    };
+    const Outcome outcome = expectSame(std::string("pixels_reversed_") + c.name, draw, 1, coreWish(),
+                                       kProgramTolerance, familyOf(c));
+    EXPECT_EQ(rasterisedFor(gl::Reason::reversedDepth, outcome), 1u) << c.name;
+  }
+}
+
 TEST(ProgramPixelImpostor, PointsHaveNoFacesToBeCulled) {
   const PixelImpostorCase beads = kPixelImpostorCases[3];
   for (const GLenum face : {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}) {
