@@ -9,6 +9,7 @@ namespace gluray::gl {
 /// Reasons why the real OpenGL makes a draw.
 #define GLURAY_REASONS(X)                                                                    \
   X(points, "points")                                                                        \
+  X(multisampledPoints, "points as spheres with multisampling: traced without it")           \
   X(lines, "lines")                                                                          \
   X(lineStyle, "lines or points with a style that tubes and spheres lack")                   \
   X(polygonMode, "polygon mode is not fill")                                                 \
