@@ -39,6 +39,12 @@ struct Camera {
   // Height of a framebuffer whose rows the real OpenGL counts from the top, 0 if it counts from the bottom:
   // determines the 2x2 pixel quads over which texture coordinates are differentiated.
   int rowsFromTop = 0;
+  // GL_GREATER, GL_GEQUAL: of two surfaces the one with the larger window depth is visible.
+  bool largestWins = false;
+  bool depthsFromZero =
+      false;  // draws had clip depths from 0 to 1 (glClipControl); clipFromEye has the usual
+  /// NDC depth of the plane before all others in the order of the depth test: rays start there.
+  double firstNdcDepth() const { return (depthNear <= depthFar) != largestWins ? -1.0 : 1.0; }
   bool operator==(const Camera&) const = default;
 };
 

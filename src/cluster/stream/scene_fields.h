@@ -16,8 +16,8 @@ template <class V, class T>
 concept Like = std::same_as<std::remove_const_t<V>, T>;
 
 void fields(auto& archive, Like<scene::Camera> auto& value) {
-  auto& [clipFromEye, viewport, depthNear, depthFar, rowsFromTop] = value;
-  archive(clipFromEye, viewport, depthNear, depthFar, rowsFromTop);
+  auto& [clipFromEye, viewport, depthNear, depthFar, rowsFromTop, largestWins, depthsFromZero] = value;
+  archive(clipFromEye, viewport, depthNear, depthFar, rowsFromTop, largestWins, depthsFromZero);
 }
 void fields(auto& archive, Like<scene::Region> auto& value) {
   auto& [x, y, width, height] = value;

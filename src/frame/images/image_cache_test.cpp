@@ -45,6 +45,7 @@ TEST_F(ImageCacheTest, ChangedSnapshotsAreNotFound) {
       [](S& s) { s.camera.viewport.z = 17; },
       [](S& s) { s.camera.depthFar = 0.5f; },
       [](S& s) { s.camera.rowsFromTop = 3; },
+      [](S& s) { s.camera.largestWins = true; },
       [](S& s) { s.eyeFromWorld[3][0] = 1e-9; },
       [](S& s) { s.region.width = 8; },
       [](S& s) { s.samples = 2; },

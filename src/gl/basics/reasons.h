@@ -9,12 +9,14 @@ namespace gluray::gl {
 /// Reasons why the real OpenGL makes a draw.
 #define GLURAY_REASONS(X)                                                                    \
   X(points, "points")                                                                        \
+  X(multisampledPoints, "points as spheres with multisampling: traced without it")           \
   X(lines, "lines")                                                                          \
   X(lineStyle, "lines or points with a style that tubes and spheres lack")                   \
   X(polygonMode, "polygon mode is not fill")                                                 \
   X(renderMode, "selection or feedback")                                                     \
   X(noDepthTest, "depth test off")                                                           \
-  X(depthFunc, "depth function is not LESS or LEQUAL")                                       \
+  X(depthFunc, "depth function is not LESS, LEQUAL, GREATER or GEQUAL")                      \
+  X(reversedDepth, "depth function GREATER or GEQUAL where only LESS or LEQUAL is traced")   \
   X(depthMask, "depth writes off")                                                           \
   X(noDepthBuffer, "framebuffer has no depth buffer")                                        \
   X(framebuffer, "framebuffer format not traced")                                            \
@@ -41,7 +43,7 @@ namespace gluray::gl {
   X(texGen, "texture coordinate generation")                                                 \
   X(transformFeedback, "transform feedback")                                                 \
   X(depthClamp, "depth clamp or depth bounds")                                               \
-  X(clipControl, "clip control")                                                             \
+  X(clipControl, "clip control: upper left origin, or other than opaque surfaces")           \
   X(provokingVertex, "flat shading by the first vertex")                                     \
   X(query, "query active")                                                                   \
   X(multisampleState, "multisample coverage state")                                          \

@@ -49,6 +49,7 @@ BatchKey Batch::keyOf(const PixelState& state, const glm::dmat4& projection) {
   key.framebuffer = state.target.framebuffer;
   key.drawBuffer = state.target.drawBuffer;
   key.depthFunc = state.raster.depthFunc;
+  key.depthsFromZero = state.raster.depthsFromZero;
   key.samples = state.target.samples;
   key.multisample = state.raster.multisample;
   key.colorWrites = state.raster.colorWrites;
@@ -80,6 +81,8 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
   snapshot_->camera = {key.projection, key.viewport, key.depthNear, key.depthFar};
   // Window rows are counted from the top. This assumes that the viewport reaches it; errors hardly matter.
   if (key.framebuffer == 0) snapshot_->camera.rowsFromTop = key.viewport.y + key.viewport.w;
+  snapshot_->camera.largestWins = key.keepsLargest();
+  snapshot_->camera.depthsFromZero = key.depthsFromZero;
   snapshot_->eyeFromWorld = modelview;
   worldFromEye_ = glm::inverse(modelview);
   snapshot_->region = key.region;
@@ -87,7 +90,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
   snapshot_->encodes = key.encodes;
   snapshot_->wideColors = target.wideColors || key.encodes;
   snapshot_->colorWrites = key.colorWrites;
-  snapshot_->laterWins = key.depthFunc == GL_LEQUAL;
+  snapshot_->laterWins = key.depthFunc == GL_LEQUAL || key.depthFunc == GL_GEQUAL;
   if (key.layers == BatchKey::Layers::drawn) {
     auto layers = std::make_shared<scene::Layers>();
     layers->of = scene::Layers::Of::drawn;
@@ -159,7 +162,7 @@ void Batch::add(scene::Instance instance, scene::Shading shading) {
   for (auto it = first; it != last; ++it) {
     scene::Instance& earlier = s.instances[it->second];
     if (key_.layers != BatchKey::Layers::none || !coincide(earlier, instance)) continue;
-    const bool firstWins = key_.depthFunc == GL_LESS;
+    const bool firstWins = key_.depthFunc == GL_LESS || key_.depthFunc == GL_GREATER;
     // The alpha test may cut holes into the surface that passes, and the other one is seen through them.
     if ((firstWins ? s.shadings[earlier.shading] : shading).alphaTest != scene::AlphaTest{}) continue;
     if (firstWins) return;

@@ -19,6 +19,7 @@ namespace gluray::gl {
 struct BatchKey {
   GLuint framebuffer = 0;
   GLenum drawBuffer = 0, depthFunc = GL_LESS;
+  bool depthsFromZero = false;  // scene::Camera::depthsFromZero
   int samples = 1;
   bool multisample = true;
   glm::dmat4 projection{1};
@@ -35,6 +36,8 @@ struct BatchKey {
   double depthSteps = 0;     // likewise: scene::Layers::depthSteps
   /// Likewise: what draws the layers. Draws of one kind can be repeated in their order if tracing fails.
   enum class DrawnBy : uint8_t { fixedFunction, builtIns, arrays } drawnBy = DrawnBy::fixedFunction;
+  /// Whether the largest depth is visible.
+  bool keepsLargest() const { return depthFunc == GL_GREATER || depthFunc == GL_GEQUAL; }
   bool operator==(const BatchKey&) const = default;
 };
 

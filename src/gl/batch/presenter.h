@@ -26,9 +26,9 @@ namespace gluray::gl {
 
 /// Inputs of the write-back in addition to the snapshot. The framebuffer is bound when present() is called.
 struct PresentTarget {
-  GLenum depthFunc = GL_LESS;  // LESS or LEQUAL: test of the batch's depth against the framebuffer's
-  bool core = false;           // core profile: no fixed function
-  bool rasterise = false;      // the real OpenGL draws the instances; nothing is traced
+  GLenum depthFunc = GL_LESS;                  // test of the batch's depth against the framebuffer's
+  bool core = false;                           // core profile: no fixed function
+  bool rasterise = false;                      // the real OpenGL draws the instances; nothing is traced
   std::vector<ProgramDraw> programDraws = {};  // draws of the instances that shader programs draw
   // The instances were traced before. Replaces the depth of their visible parts by exactly the depth that the
   // real OpenGL computes, and changes nothing else. For fixed function alone, or for `byMatrix`.

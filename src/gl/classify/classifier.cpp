@@ -96,6 +96,20 @@ Reason Classifier::ofImages(bool large) const {
   return later || p_.pending.canTrace() ? Reason::traced : Reason::noGlsl;
 }
 
+Reason Classifier::ofDepths() const {
+  const RasterState& raster = p_.shadow.raster();
+  if (!raster.isReversed() && !raster.depthsFromZero) return Reason::traced;
+  const bool impostors = raster.program != 0 && p_.shadow.attributes().shape != scene::Shape::triangles;
+  if (impostors && raster.depthsFromZero) return Reason::clipControl;
+  if (!raster.isReversed()) return Reason::traced;
+  const ViewportState& viewport = p_.shadow.viewport();
+  if (impostors || viewport.depthNear == viewport.depthFar) return Reason::reversedDepth;
+  if (raster.program == 0) return Reason::traced;
+  const ProgramState& program = p_.shadow.program();
+  const bool own = program.shading.fragment.writesDepth || program.depthOffset != scene::PolygonOffset{};
+  return own ? Reason::reversedDepth : Reason::traced;
+}
+
 Reason Classifier::classify(PrimitiveClass kind) const {
   if (const Reason reason = ofContext(); reason != Reason::traced) return reason;
   const RasterState& raster = p_.shadow.raster();
@@ -110,6 +124,7 @@ Reason Classifier::classify(PrimitiveClass kind) const {
     return raster.reason;
   }
   if (raster.program != 0) return solid ? Reason::program : ofProgram();
+  if (const Reason reason = ofDepths(); reason != Reason::traced) return reason;
   if (raster.firstVertexProvokes && !p_.shadow.shading().smooth) return Reason::provokingVertex;
   if (const Reason reason = p_.shadow.textureReason(); reason != Reason::traced) return reason;
   if (!p_.shadow.modelviewIsInvertible() || !p_.shadow.projectionIsInvertible())
@@ -131,6 +146,7 @@ Reason Classifier::ofProgram() const {
   }
   if (program.reason != Reason::traced) return program.reason;
   if (raster.reason != Reason::traced && !p_.layers.drawn.mayBeDrawn()) return raster.reason;
+  if (const Reason reason = ofDepths(); reason != Reason::traced) return reason;
   if (raster.alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   // The alpha that is written equals the colour's only if it is clamped to 1.
   if (shadow.target().wideColors && program.known->family->opaqueColors) return Reason::framebuffer;
@@ -268,7 +284,8 @@ bool Classifier::leavesDepth(PrimitiveClass kind) const {
 bool Classifier::isPushedBack() const {
   const RasterState& raster = p_.shadow.raster();
   const scene::PolygonOffset offset{.factor = raster.offsetFactor, .units = raster.offsetUnits};
-  return raster.offsetFill && raster.reason != Reason::polygonMode && offset.pushesBack();
+  return raster.offsetFill && raster.reason != Reason::polygonMode && !raster.isReversed() &&
+         offset.pushesBack();
 }
 
 }  // namespace gluray::gl

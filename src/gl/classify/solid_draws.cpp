@@ -80,6 +80,8 @@ bool isParallel(const glm::dmat4& clipFromEye) {
 Reason solidReason(ShadowState& shadow, PrimitiveClass kind) {
   const RasterState& raster = shadow.raster();
   if (raster.reason != Reason::traced && !isOfPolygons(raster.reason)) return raster.reason;
+  if (raster.isReversed()) return Reason::reversedDepth;
+  if (raster.depthsFromZero) return Reason::clipControl;
   const RealGl& real = shadow.real;
   const bool points = kind == PrimitiveClass::points;
   const bool blends = raster.unlessOpaque != Reason::traced;
@@ -108,6 +110,8 @@ void makeSolid(ShadowState& shadow, scene::Instance& instance, scene::Shading& s
 Reason programSolidReason(ShadowState& shadow, PrimitiveClass kind) {
   const RasterState& raster = shadow.raster();
   if (raster.reason != Reason::traced && !isOfPolygons(raster.reason)) return raster.reason;
+  if (raster.isReversed()) return Reason::reversedDepth;
+  if (raster.depthsFromZero) return Reason::clipControl;
   const RealGl& real = shadow.real;
   const bool points = kind == PrimitiveClass::points;
   const bool blends = raster.unlessOpaque != Reason::traced;

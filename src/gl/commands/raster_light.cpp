@@ -38,7 +38,7 @@ LightReason litState(Context& c, GLenum mode, const Elements& e) {
   if (const CullReason reason = c.culled.reasonOfState(mode); reason != CullReason::culled)
     return lightReason(reason);
   const RasterState& raster = shadow.raster();
-  if (raster.isReversed()) return LightReason::depthFunc;
+  if (raster.isReversed()) return LightReason::reversedDepth;
   if (!raster.colorWrites.all()) return LightReason::colorMask;
   const bool stippled = raster.butDepthFunc == Reason::polygonStipple;
   if (shadow.target().samples > 1 && (stippled || raster.alphaTest != scene::AlphaTest{}))

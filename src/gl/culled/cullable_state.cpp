@@ -45,6 +45,7 @@ CullReason hideableState(ShadowState& shadow, GLenum mode, bool& isTested) {
   if (isOn(real, GL_STENCIL_TEST)) return CullReason::stencil;
   if (raster.program == 0 && hasOtherPrograms(shadow)) return CullReason::program;
   if (const Reason rare = rareReason(real, shadow.rare()); rare != Reason::traced) return cullReason(rare);
+  if (raster.depthsFromZero) return CullReason::clipControl;
   std::array<GLint, 2> polygons{GL_FILL, GL_FILL};
   real.GetIntegerv(GL_POLYGON_MODE, polygons.data());
   if (polygons[0] != GL_FILL || polygons[1] != GL_FILL) return CullReason::polygonMode;
@@ -62,6 +63,7 @@ CullReason cullableState(ShadowState& shadow, GLenum mode) {
   // A stipple discards pixels.
   const Reason reason = raster.butDepthFunc;
   if (reason != Reason::traced && reason != Reason::polygonStipple) return cullReason(reason);
+  if (raster.depthsFromZero) return CullReason::clipControl;
   // Without multisampling, all samples of a pixel may get a depth from any place in it, even outside the
   // triangle.
   if (target.samples > 1 && !raster.multisample) return CullReason::multisampleState;

@@ -56,6 +56,7 @@ Reason ProgramDraws::classify(PrimitiveClass kind) {
   } else if (p_.shadow.raster().reason != Reason::traced && !mayBeBlended()) {
     return p_.shadow.raster().reason;
   }
+  if (const Reason reason = p_.classifier.ofDepths(); reason != Reason::traced) return reason;
   if (p_.shadow.raster().alphaTest != scene::AlphaTest{}) return Reason::alphaTest;
   // The program's colours may pass through gl_FrontColor.
   if (const Family& family = *p_.shadow.program().known->family;
@@ -76,7 +77,7 @@ namespace {
 /// The depth offset of the program's draws: the program's own or, if it does not write depth, OpenGL's.
 scene::PolygonOffset offsetOf(ShadowState& shadow, scene::Shape shape) {
   const ProgramState& program = shadow.program();
-  if (scene::isSolid(shape)) return {};
+  if (scene::isSolid(shape) || shadow.raster().isReversed()) return {};  // not traced
   if (program.depthOffset != scene::PolygonOffset{}) return program.depthOffset;
   return shape == scene::Shape::triangles ? Batch::offsetOf(shadow.pixelState()) : scene::PolygonOffset{};
 }

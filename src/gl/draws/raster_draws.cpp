@@ -124,7 +124,9 @@ void RasterDraws::before(PrimitiveClass kind) {
     const bool writes = raster.program != 0 && p_.shadow.recognise(raster.program)->program.writes;
     // If only one of the two writes a channel, the channel keeps the value of that draw or of an earlier one.
     const bool channels = !(raster.colorWrites == batch.key().colorWrites);
-    if (!raster.orderFree || coplanar || seenThrough || writes || channels) p_.flusher.flush();
+    // Depths merge in any order only if both draws keep the smaller ones or both the larger ones.
+    const bool opposite = raster.isReversed() != batch.key().keepsLargest();
+    if (!raster.orderFree || coplanar || seenThrough || writes || channels || opposite) p_.flusher.flush();
   }
   p_.failsafe.protect([&] { p_.relighting.finish(Relighting::Place::sampling); });
   clearBelow_ = p_.cleared.target();

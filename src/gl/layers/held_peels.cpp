@@ -5,9 +5,17 @@
 
 namespace gluray::gl {
 
-uint64_t HeldPeels::trianglesIn(const ProgramDraw& draw) {
-  return countTriangles(draw.mode, static_cast<uint64_t>(draw.elements.count)) * draw.elements.repeats();
+uint64_t HeldPeels::trianglesIn(GLenum mode, const Elements& elements) {
+  return countTriangles(mode, static_cast<uint64_t>(elements.count)) * elements.repeats();
 }
+
+bool HeldPeels::holdsLabels() const {
+  const std::vector<ProgramDraw>& draws = peeling_.target.depths.draws;
+  return std::all_of(draws.begin(), draws.end(),
+                     [](const ProgramDraw& draw) { return isLabel(draw.mode, draw.elements); });
+}
+
+void HeldPeels::pause() { peeling_.pauses.failed(peeling_.pass, holdsLabels()); }
 
 void HeldPeels::end() {
   peeling_.stage = Peeling::Stage::none;
@@ -20,7 +28,7 @@ void HeldPeels::countHeld() {
   const auto count = [&](const HeldPass& pass) {
     for (const ProgramDraw& draw : pass.draws)
       p_.counts.rasterised(Reason::programPass, draw.elements.type ? DrawPath::elements : DrawPath::arrays,
-                           PrimitiveClass::surfaces, trianglesIn(draw));
+                           PrimitiveClass::surfaces, trianglesIn(draw.mode, draw.elements));
   };
   count(peeling_.target.depths);
   std::for_each(peeling_.target.later.begin(), peeling_.target.later.end(), count);
@@ -34,7 +42,7 @@ void HeldPeels::giveUp() {
   const bool counts = asks() && p_.shadow.activeQueries > 0;
   if (counts) p_.shadow.real.EndQuery(peeling_.query);
   peeling_.stage = Peeling::Stage::none;
-  peeling_.failed();
+  pause();
   LayersTarget& target = peeling_.target;
   target.image.clear();
   scene::SnapshotPtr snapshot = peeling_.traced;

@@ -30,9 +30,18 @@ class HeldPeels {
   void countHeld();
   /// Ends the peeling, and forgets what was held back.
   void end();
-  static uint64_t trianglesIn(const ProgramDraw& draw);
+  /// Whether the held depth pass draws only labels.
+  bool holdsLabels() const;
+  /// Leaves passes like the held one to the real OpenGL for a while, because it had to be rasterised.
+  void pause();
+  /// Whether the draw may show a label: at most one quad. Points may be impostors.
+  static bool isLabel(GLenum mode, const Elements& elements) {
+    return mode != GL_POINTS && trianglesIn(mode, elements) <= 2;
+  }
 
  private:
+  static uint64_t trianglesIn(GLenum mode, const Elements& elements);
+
   LayerParts p_;
   Peeling peeling_;
 };

@@ -240,7 +240,7 @@ bool LaterPeels::showWaiting() {
   if (result.pendingError != GL_NO_ERROR) p_.shadow.errors.set(result.pendingError);
   const bool shown = result.outcome == PresentResult::traced;
   if (shown) {
-    peeling_.succeeded();
+    peeling_.pauses.succeeded(peeling_.pass);
   } else {
     if (peeling_.traced) p_.counts.asRasterised(*peeling_.traced, Reason::programPass);
     held_.countHeld();

@@ -13,10 +13,15 @@
 
 namespace gluray::gl {
 
-bool PeelDraws::beginHolding() {
+bool PeelDraws::beginHolding(GLenum mode, const Elements& elements) {
   const ProgramState& program = p_.shadow.program();
   const GLint unit = inputUnit(program);
-  if (unit < 0 || !peelsIntoAll(p_.shadow) || !peeling_.mayBegin()) return false;
+  if (unit < 0 || !peelsIntoAll(p_.shadow)) return false;
+  const PeelPauses::Pass pass{.framebuffer = p_.shadow.target().framebuffer,
+                              .viewport = p_.shadow.viewport().box,
+                              .mode = mode,
+                              .label = HeldPeels::isLabel(mode, elements)};
+  if (!peeling_.pauses.mayBegin(pass, p_.clock.frame)) return false;
   LayersTarget target;
   target.depths.outputs = outputsOf(p_.shadow);
   target.depths.viewport = p_.shadow.viewport().box;
@@ -36,6 +41,8 @@ bool PeelDraws::beginHolding() {
   peeling_.target = std::move(target);
   peeling_.layers = std::move(layers);
   peeling_.depthsFound = found;
+  peeling_.pass = pass;
+  peeling_.pauses.endPass();
   peeling_.traced.reset();
   peeling_.stage = Peeling::Stage::depths;
   return true;
@@ -53,7 +60,8 @@ bool PeelDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t trian
     held_.end();
   }
   if (peeling_.stage == Stage::none) {
-    if (p_.clock.leavesAlone(triangles, p_.shadow.viewportPixels()) || !beginHolding()) return false;
+    if (p_.clock.leavesAlone(triangles, p_.shadow.viewportPixels()) || !beginHolding(mode, elements))
+      return false;
   } else if (!peelsIntoAll(p_.shadow) || peeling_.target.depths.viewport != p_.shadow.viewport().box ||
              peeling_.depthsFound !=
                  outputOf(p_.shadow.real, *p_.shadow.program().known, outputsOf(p_.shadow))) {
@@ -68,6 +76,7 @@ bool PeelDraws::holdDepths(GLenum mode, const Elements& elements, uint64_t trian
 Reason PeelDraws::classify(PrimitiveClass kind) {
   using Stage = Peeling::Stage;
   if (p_.failsafe.aside()) return p_.failsafe.reason();
+  peeling_.pauses.endPass();
   if (peeling_.stage == Stage::none || p_.shadow.activeQueries > 0) return Reason::programPass;
   if (const Reason reason = seenThroughReason(p_.shadow, kind); reason != Reason::traced) return reason;
   if (inputTexture(p_.shadow.real, p_.shadow.program()) != peeling_.depthsFound)
@@ -76,10 +85,7 @@ Reason PeelDraws::classify(PrimitiveClass kind) {
     return Reason::programPass;
   LayersTarget& target = peeling_.target;
   // Labels face the viewer: they would be new meshes in every frame.
-  const auto isQuad = [](const ProgramDraw& draw) {
-    return draw.mode != GL_POINTS && HeldPeels::trianglesIn(draw) <= 2;  // points may be impostors
-  };
-  if (std::all_of(target.depths.draws.begin(), target.depths.draws.end(), isQuad)) return Reason::programPass;
+  if (held_.holdsLabels()) return Reason::programPass;
   std::vector<HeldPass::Output> outputs = outputsOf(p_.shadow);
   const GLuint result = outputOf(p_.shadow.real, *p_.shadow.program().known, outputs);
   if (result == 0 || (peeling_.stage == Stage::surfaces && result != target.result))
@@ -126,10 +132,10 @@ PresentResult PeelDraws::present(const scene::SnapshotPtr& snapshot, const Batch
     peeling_.tracedKey = key;
     peeling_.traced = snapshot;
     target.written = result.image.empty();
-    target.written ? peeling_.succeeded() : later_.ask(result);
+    target.written ? peeling_.pauses.succeeded(peeling_.pass) : later_.ask(result);
   } else {
     if (result.layers) {
-      peeling_.failed();
+      held_.pause();
       held_.countHeld();
     }
     held_.end();
@@ -152,6 +158,7 @@ void PeelDraws::meetRasterDraw() {
 
 void PeelDraws::clearing() {
   peeling_.emptied = 0;
+  peeling_.pauses.endPass();
   if (peeling_.stage != Peeling::Stage::depths) return;
   for (const HeldPass::Output& output : outputsOf(p_.shadow))
     if (output.texture == peeling_.depthsFound) return held_.giveUp();

@@ -37,7 +37,7 @@ class PeelDraws {
   void programChanges(GLuint program) noexcept;
 
  private:
-  bool beginHolding();
+  bool beginHolding(GLenum mode, const Elements& elements);
 
   LayerParts p_;
   HeldPeels& held_;

@@ -4,9 +4,9 @@
 #pragma once
 #include "gl/batch/batch.h"
 #include "gl/batch/held_pass.h"
+#include "gl/layers/peel_pauses.h"
 #include "scene/snapshot.h"
 
-#include <algorithm>
 #include <memory>
 
 namespace gluray::gl {
@@ -39,23 +39,8 @@ struct Peeling {
   GLenum query = 0;  // target of the active query
   GLuint queryName = 0;
 
-  /// Reports that held draws had to be rasterised: nothing is held back for a while, each time for longer.
-  void failed() {
-    wait_ = pause_ * std::max<size_t>(target.depths.draws.size(), 1);
-    pause_ = std::clamp<size_t>(pause_ * 2, 1, kLongest);
-  }
-  void succeeded() { pause_ = 0; }
-  /// Whether holding back may begin with this draw.
-  bool mayBegin() {
-    if (wait_ == 0) return true;
-    --wait_;
-    return false;
-  }
-
- private:
-  static constexpr size_t kLongest = 256;
-  size_t pause_ = 0;  // length of the next pause, frames
-  size_t wait_ = 0;   // draws left in this pause
+  PeelPauses pauses;
+  PeelPauses::Pass pass;  // the depth pass that is held back
 };
 
 }  // namespace gluray::gl

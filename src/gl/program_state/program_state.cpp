@@ -5,6 +5,7 @@
 #include "gl/program_state/program_lights.h"
 #include "gl/program_state/program_reader.h"
 #include "gl/programs/vertex_inputs.h"
+#include "gl/real/clip_depths.h"
 #include "gl/real/state_queries.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -78,6 +79,7 @@ Reason ProgramReader::checkBuiltInState() {
 
 void ProgramReader::readTransform() {
   out_.clipFromObject = *uniforms_.product(family_.clipFromObject);
+  if (hasDepthsFromZero(real_, has_)) out_.clipFromObject = toUsualDepths(out_.clipFromObject);
   out_.eyeFromObject = uniforms_.product(family_.eyeFromObject);
   // Lights may be given in another space than eye space, such as world space: moves the origin to the viewer.
   viewer_ = glm::vec3(uniforms_.vector(family_.viewer));

@@ -25,8 +25,8 @@ struct ProgramState {
   UniformValuesPtr uniforms;                  // current values of all uniforms
   Reason reason = Reason::program;            // why its surfaces cannot be traced, or Reason::traced
   std::string why;                            // details of `reason` for the user; may be empty
-  glm::dmat4 clipFromObject{1};
-  std::optional<glm::dmat4> eyeFromObject;  // if the program has one
+  glm::dmat4 clipFromObject{1};               // to depths from -1 to 1, whatever glClipControl says
+  std::optional<glm::dmat4> eyeFromObject;    // if the program has one
   glm::mat3 normalMatrix{1};
   scene::Shading shading;
   scene::MaterialPair material;

@@ -3,6 +3,7 @@
 #include "gl/basics/affine.h"
 #include "gl/basics/failsafe.h"
 #include "gl/capture/solid_settings.h"
+#include "gl/real/clip_depths.h"
 #include "gl/real/errors.h"
 #include "gl/real/extensions.h"
 
@@ -85,6 +86,7 @@ void ShadowState::read(uint32_t stale) {
   }
   if (stale & kProjection) {
     projection_ = readMatrix(real, GL_PROJECTION_MATRIX);
+    if (hasDepthsFromZero(real, rare_)) projection_ = toUsualDepths(projection_);
     projectionInvertible_ = isInvertible(projection_);
   }
   if (stale & kViewport) readViewport(real, viewport_);

@@ -61,6 +61,7 @@ class ShadowState {
     return rare_;
   }
   const glm::dmat4& modelview() { return fresh(kModelview, modelview_); }
+  /// Maps to clip space with depths from -1 to 1, whatever glClipControl says.
   const glm::dmat4& projection() { return fresh(kProjection, projection_); }
   bool modelviewIsInvertible() { return fresh(kModelview, modelviewInvertible_); }
   bool projectionIsInvertible() { return fresh(kProjection, projectionInvertible_); }

@@ -1,5 +1,6 @@
 #include "gl/state/output_state.h"
 
+#include "gl/real/clip_depths.h"
 #include "gl/real/state_queries.h"
 
 #include <GL/glext.h>
@@ -52,7 +53,7 @@ bool blendIsOn(const RealGl& real) {
 bool isOpen(const RealGl& real, const RareState& has) {
   if (!allOff(real, {GL_STENCIL_TEST, GL_COLOR_LOGIC_OP})) return false;
   if (has.framebufferSrgb && isOn(real, GL_FRAMEBUFFER_SRGB)) return false;
-  if (rareReason(real, has) != Reason::traced) return false;
+  if (rareReason(real, has) != Reason::traced || hasDepthsFromZero(real, has)) return false;
   if (has.fixedFunction && (isOn(real, GL_ALPHA_TEST) || isOn(real, GL_POLYGON_STIPPLE))) return false;
   GLboolean mask[4] = {};
   real.GetBooleanv(GL_COLOR_WRITEMASK, mask);
@@ -68,9 +69,7 @@ Reason rareReason(const RealGl& real, const RareState& has) {
   if (has.depthBounds && isOn(real, GL_DEPTH_BOUNDS_TEST_EXT)) return Reason::depthClamp;
   if (has.rasterizerDiscard && isOn(real, GL_RASTERIZER_DISCARD)) return Reason::transformFeedback;
   if (has.feedbackActive && integer(real, GL_TRANSFORM_FEEDBACK_ACTIVE)) return Reason::transformFeedback;
-  if (has.clipControl && (integer(real, GL_CLIP_ORIGIN) != GL_LOWER_LEFT ||
-                          integer(real, GL_CLIP_DEPTH_MODE) != GL_NEGATIVE_ONE_TO_ONE))
-    return Reason::clipControl;
+  if (has.clipControl && integer(real, GL_CLIP_ORIGIN) != GL_LOWER_LEFT) return Reason::clipControl;
   GLfloat clamp = 0;
   if (has.offsetClamp) real.GetFloatv(GL_POLYGON_OFFSET_CLAMP, &clamp);
   return clamp != 0 ? Reason::depthClamp : Reason::traced;

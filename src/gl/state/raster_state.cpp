@@ -1,5 +1,6 @@
 // Per-fragment operations and polygon state: the reasons against tracing, and the values that tracing needs.
 #include "gl/real/blend_state.h"
+#include "gl/real/clip_depths.h"
 #include "gl/real/state_queries.h"
 #include "gl/state/output_state.h"
 #include "gl/state/state.h"
@@ -106,7 +107,7 @@ Reason fragmentReason(const RealGl& real, const RareState& has, RasterState& ras
   if (!isOn(real, GL_DEPTH_TEST)) return raster.butDepthFunc = Reason::noDepthTest;
   const bool isUsual = raster.depthFunc == GL_LESS || raster.depthFunc == GL_LEQUAL;
   if (isUsual || raster.isReversed()) raster.butDepthFunc = otherFragmentReason(real, has, raster);
-  const Reason reason = isUsual ? raster.butDepthFunc : Reason::depthFunc;
+  const Reason reason = isUsual || raster.isReversed() ? raster.butDepthFunc : Reason::depthFunc;
   // Reasons that still allow tracing: as surfaces, or as layers.
   const bool traced = reason == Reason::traced || reason == Reason::depthMask || reason == Reason::blend;
   return traced && fogReason(real, has) != Reason::traced ? Reason::fog : reason;
@@ -142,6 +143,7 @@ scene::CullFace readCull(const RealGl& real) {
 void readRaster(const RealGl& real, const RareState& has, RasterState& raster, scene::Fog& fog) {
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
+  raster.depthsFromZero = hasDepthsFromZero(real, has);
   raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.offsetFill = isOn(real, GL_POLYGON_OFFSET_FILL);
   real.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &raster.offsetFactor);
@@ -163,8 +165,11 @@ void readRaster(const RealGl& real, const RareState& has, RasterState& raster, s
   const Reason polygon = blended || open ? polygonReason(real, has, raster) : Reason::traced;
   if (raster.reason == Reason::traced) raster.reason = polygon;
   if (open && polygon != Reason::traced) raster.butDepthFunc = polygon;
-  raster.layers =
-      blended && polygon == Reason::traced ? readBlending(real, raster.writesDepth) : std::nullopt;
+  raster.layers = blended && polygon == Reason::traced && !raster.isReversed() && !raster.depthsFromZero
+                      ? readBlending(real, raster.writesDepth)
+                      : std::nullopt;
+  const bool moved = raster.offsetFill && (raster.offsetFactor != 0 || raster.offsetUnits != 0);
+  if (raster.isReversed() && moved && raster.reason == Reason::traced) raster.reason = Reason::reversedDepth;
   raster.firstVertexProvokes =
       has.provokingVertex && integer(real, GL_PROVOKING_VERTEX) != GL_LAST_VERTEX_CONVENTION;
   raster.multisample = isOn(real, GL_MULTISAMPLE);

@@ -58,6 +58,7 @@ struct RasterState {
   GLenum depthFunc = GL_LESS;
   /// Whether larger depths are nearer.
   bool isReversed() const { return depthFunc == GL_GREATER || depthFunc == GL_GEQUAL; }
+  bool depthsFromZero = false;  // clip depths range from 0 to 1 (glClipControl)
   bool writesDepth = true;
   bool orderFree = false;  // rasterised draws merge with pending traced ones in any order
   /// For surfaces that blend or do not write depth: how they are blended, if they can be traced as layers in

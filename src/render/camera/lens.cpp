@@ -42,7 +42,10 @@ LensShear LensShear::in(const glm::dmat4& thisFromOther) const {
 LensAxis::LensAxis(const scene::Camera& camera) {
   const glm::dmat4 eyeFromClip = inverseOf(camera.clipFromEye, "the projection matrix");
   const glm::dvec4 w = glm::transpose(camera.clipFromEye)[3];
-  const glm::dvec4 middle[] = {eyeFromClip * glm::dvec4(0, 0, -1, 1), eyeFromClip * glm::dvec4(0, 0, 1, 1)};
+  // Reversed projections map the near plane to 1.
+  const double nearest = camera.largestWins ? camera.firstNdcDepth() : -1.0;
+  const glm::dvec4 middle[] = {eyeFromClip * glm::dvec4(0, 0, nearest, 1),
+                               eyeFromClip * glm::dvec4(0, 0, -nearest, 1)};
   glm::dvec3 axis;
   const bool perspective = isPerspective(eyeFromClip);
   if (perspective) {
@@ -56,7 +59,7 @@ LensAxis::LensAxis(const scene::Camera& camera) {
     start_ = std::min(near, 0.0);
     depth_ = {axis, -start_};
   }
-  const glm::dvec3 across = direction(middle[0], eyeFromClip * glm::dvec4(1, 0, -1, 1));
+  const glm::dvec3 across = direction(middle[0], eyeFromClip * glm::dvec4(1, 0, nearest, 1));
   right_ = unit(across - glm::dot(across, axis) * axis);
   up_ = glm::cross(axis, right_);
   if (perspective)

@@ -88,8 +88,8 @@ WindowMap::WindowMap(const glm::ivec4& viewport) {
 
 namespace {
 
-// With a reversed glDepthRange rays start at the far plane. If that is at infinity, starts them before it,
-// where depth is almost equal.
+// With a reversed glDepthRange and GL_LESS rays start at the far plane. If that is at infinity, starts them
+// before it, where depth is almost equal.
 void startInSight(RaySetup& rays, const glm::ivec4& viewport) {
   constexpr double kNearlyInfinite = 0x1p-30;  // of the w at the other end; with less, origins would jitter
   const double w = middleOf(rays, viewport).w, end = w + 2 * rays.step.w, least = kNearlyInfinite * end;
@@ -99,8 +99,7 @@ void startInSight(RaySetup& rays, const glm::ivec4& viewport) {
 // Starts and steps in the space that `fromClip` maps to.
 RaySetup makeSteps(const scene::Camera& camera, const glm::dmat4& fromClip) {
   const WindowMap window(camera.viewport);
-  const double nearest =
-      camera.depthNear <= camera.depthFar ? -1.0 : 1.0;  // NDC depth that wins the depth test
+  const double nearest = camera.firstNdcDepth();
   RaySetup rays;
   rays.startX = fromClip[0] * window.ndcScale.x;
   rays.startY = fromClip[1] * window.ndcScale.y;

@@ -20,8 +20,8 @@ struct LinearRays {
 };
 
 /// The homogeneous world-space points at window position (x, y):
-///   start + x*startX + y*startY + k*step,  k = 0 on the plane nearest in window depth (the near plane unless
-///   glDepthRange is reversed), k = 2 on the opposite one.
+///   start + x*startX + y*startY + k*step,  k = 0 on the plane at which the depth test's order begins (the
+///   near plane unless glDepthRange is reversed), k = 2 on the opposite one.
 /// A point is in front of the viewer if its w is positive. Holds for every invertible projection.
 struct RaySetup {
   glm::dvec4 start{0}, startX{0}, startY{0}, step{0};

@@ -22,9 +22,9 @@ inline bool isSeenBefore(const scene::Snapshot& s, const Nearest& next, const Ne
   if (best.instance == accel::kNoHit) return true;
   const double depth = std::clamp(next.depth, 0.0, 1.0), bestDepth = std::clamp(best.depth, 0.0, 1.0);
   const double step = s.polygonOffset.resolution;
-  if (std::abs(depth - bestDepth) > step) return depth < bestDepth;
+  if (std::abs(depth - bestDepth) > step) return (depth < bestDepth) != s.camera.largestWins;
   const double steps = std::round(depth / step), bestSteps = std::round(bestDepth / step);
-  if (steps != bestSteps) return steps < bestSteps;
+  if (steps != bestSteps) return (steps < bestSteps) != s.camera.largestWins;
   const bool later = std::tie(next.instance, next.primitive) > std::tie(best.instance, best.primitive);
   return later == s.laterWins;
 }

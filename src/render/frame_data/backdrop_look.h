@@ -15,8 +15,12 @@ namespace gluray::render {
 
 class BackdropLook {
  public:
-  /// Depth of the background: the largest float below the cleared depth of 1.
+  /// Depth of the background: the largest float below the cleared depth of 1. With GL_GREATER and a cleared
+  /// depth of 0, as far from that.
   static constexpr float kDepth = 0x1.fffffep-1f;
+  static constexpr float depthOf(const scene::Camera& camera) {
+    return camera.largestWins ? 1 - kDepth : kDepth;
+  }
 
   /// `eyeRays`: of the snapshot's camera. Its backdrop must not be null; both must outlive this.
   BackdropLook(const scene::Snapshot&, const RaySetup& eyeRays);

@@ -15,7 +15,9 @@ std::optional<KnownDepths> findKnownDepths(const scene::Snapshot& snapshot, cons
   const auto& around = snapshot.secondaryScene;
   const scene::FramebufferCapture* capture = around ? around->framebuffer.get() : nullptr;
   if (!capture || !rays.linear.usable || !rays.clipPlanes.empty()) return {};
-  if (!(capture->depthNear < capture->depthFar) || !(capture->offset == scene::PolygonOffset{})) return {};
+  if (snapshot.camera.largestWins || !(capture->depthNear < capture->depthFar) ||
+      !(capture->offset == scene::PolygonOffset{}))
+    return {};
   KnownDepths known;
   known.capture = capture;
   known.depthNear = double{capture->depthNear}, known.clear = capture->depthFar;

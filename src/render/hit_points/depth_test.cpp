@@ -112,6 +112,26 @@ TEST(Depth, ReversedRangeShowsTheFarSide) {
   expectPlane(s, {0, 0}, -20);
 }
 
+TEST(Depth, LargestDepthIsNearestWhereOneOfRangeAndProjectionIsReversed) {
+  const glm::dmat4 mirror = glm::scale(glm::dmat4(1), {1, 1, -1});
+  for (const bool range : {false, true})
+    for (const bool projection : {false, true}) {
+      auto s = planeScene(projection ? mirror * kPerspective : kPerspective, {0, 0}, -10, 50);
+      const auto further = planeScene(kPerspective, {0, 0}, -20, 50);
+      s.instances.push_back(further.instances[0]);
+      if (range) s.camera.depthNear = 1, s.camera.depthFar = 0;
+      s.camera.largestWins = true;
+      expectPlane(s, {0, 0}, range != projection ? -10 : -20);
+    }
+}
+
+TEST(Depth, InfiniteFarPlaneInReversedProjection) {
+  const glm::dmat4 mirror = glm::scale(glm::dmat4(1), {1, 1, -1});
+  auto s = planeScene(mirror * glm::infinitePerspective(0.9, 1.0, 0.5), {0.1, 0.2}, -10, 200);
+  s.camera.largestWins = true;
+  expectPlane(s, {0.1, 0.2}, -10);
+}
+
 TEST(Depth, ViewportAndRegionElsewhere) {
   auto s = planeScene(kPerspective, {0.3, 0.1}, -15, 100);
   s.camera.viewport = {-7, 11, 60, 45};

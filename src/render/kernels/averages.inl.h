@@ -19,6 +19,7 @@ namespace HWY_NAMESPACE {
 class Averages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
+    const scene::Camera& camera = frame.snapshot->camera;
     const bool bytes = frame.bytes;
     const bool depthAlone = frame.lens && work.sample == 0;
     const float weight =
@@ -31,7 +32,8 @@ class Averages {
       const bool hit = work.depth[i] != Image::kMiss, caught = isCaught(work.depth[i]);
       // A catcher lies where it is, but hides nothing.
       if (work.sample == 0) pixel.center = caught ? Image::kMiss : work.depth[i];
-      pixel.nearest = std::min(pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
+      pixel.nearest =
+          firstDepth(camera, pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
       float alpha = work.wide[3][i];
       if (bytes) alpha = static_cast<float>(work.color[i] >> 24) / 255;
       seenThrough |= hit && !caught && alpha != 1;
@@ -39,7 +41,7 @@ class Averages {
       const bool covered = (!hit || caught) && frame.backdrop && frame.backdrop->covers(x, y);
       if (covered)
         addBackdrop(*frame.backdrop, work, i, weight * (hit ? 1 - alpha : 1), bytes ? 255 : 1, pixel);
-      if (covered) pixel.nearest = std::min(pixel.nearest, BackdropLook::kDepth);
+      if (covered) pixel.nearest = firstDepth(camera, pixel.nearest, BackdropLook::depthOf(camera));
       pixel.through += weight * work.through[i];
       for (int c = 0; c < 4; ++c)
         pixel.sum[c] +=

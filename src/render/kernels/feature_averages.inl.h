@@ -24,6 +24,7 @@ class FeatureAverages {
  public:
   HWY_ATTR void add(const FrameData& frame, const Tile& tile, const Work& work) {
     if (frame.lens && work.sample == 0) return;
+    const scene::Camera& camera = frame.snapshot->camera;
     const bool geometry = isGeometry(frame);
     const float weight =
         frame.sampleWeights.empty() ? 1.0f : frame.sampleWeights[static_cast<size_t>(work.sample)];
@@ -33,7 +34,8 @@ class FeatureAverages {
       Pixel& pixel = at(x - tile.x0, y - tile.y0);
       const bool caught = isCaught(work.depth[i]);
       const bool shown = caught && frame.backdrop && frame.backdrop->covers(x, y);
-      pixel.nearest = std::min(pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
+      pixel.nearest =
+          firstDepth(camera, pixel.nearest, caught ? depthOfCaught(work.depth[i]) : work.depth[i]);
       Features& sums = caught && !shown ? pixel.caught : pixel.surfaces;
       if (geometry)
         addPlane(frame, work, i, weight, sums);

@@ -86,7 +86,7 @@ View::View(const scene::Camera& camera)
       clipFromEye(camera.clipFromEye),
       eyeFromClip(glm::inverse(camera.clipFromEye)),
       areaSign(glm::determinant(camera.clipFromEye) < 0 ? -1.0 : 1.0),
-      away(camera.depthNear <= camera.depthFar ? 1.0 : -1.0) {}
+      away(-camera.firstNdcDepth()) {}
 
 Surface makeSurface(const View& view, const scene::Instance& instance, const Lighting& lighting,
                     bool sharedClipPlanes) {

@@ -67,6 +67,11 @@ struct Work {
 constexpr float caughtAt(float depth) { return -1 - depth; }
 constexpr bool isCaught(float depth) { return depth < 0; }
 constexpr float depthOfCaught(float depth) { return -1 - depth; }
+/// The one of two depths that the depth test prefers; Image::kMiss is no depth.
+constexpr float firstDepth(const scene::Camera& camera, float a, float b) {
+  if (a == Image::kMiss || b == Image::kMiss) return std::min(a, b);
+  return camera.largestWins ? std::max(a, b) : std::min(a, b);
+}
 
 // Pixel of lane i within its 4x4 block: Z order of 2x2 quads.
 constexpr int laneX(int i) { return (i & 1) + (i >> 1 & 2); }

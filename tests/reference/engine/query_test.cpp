@@ -65,7 +65,12 @@ const Rare kRares[] = {
     {"depth clamp", [](Gl gl) { gl.Enable(GL_DEPTH_CLAMP); }, gl::Reason::depthClamp},
     {"clip control", [](Gl gl) { gl.ClipControl(GL_UPPER_LEFT, GL_NEGATIVE_ONE_TO_ONE); },
      gl::Reason::clipControl},
-    {"zero to one", [](Gl gl) { gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE); }, gl::Reason::clipControl},
+    {"zero to one, with layers",
+     [](Gl gl) {
+       gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+       gl.Enable(GL_BLEND), gl.BlendFunc(GL_ONE, GL_ONE), gl.DepthMask(GL_FALSE);
+     },
+     gl::Reason::depthMask},
     {"first vertex provokes",
      [](Gl gl) { gl.ShadeModel(GL_FLAT), gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); },
      gl::Reason::provokingVertex},

@@ -22,6 +22,28 @@ TEST(PeelingInterrupted, LinesAfterSurfacesThatWaited) {
   expectPeeled("lines_last", all, 2 * 1);
 }
 
+Layer label() { return seen(sheet(1), {1, 1, 0}, 0.5f, placed({0.4, 0.4, 0.9}, 0.2)); }
+
+TEST(PeelingInterrupted, SurfacesAreTracedAtOnceAfterFramesOfLabels) {
+  const auto draw = [](Gl gl) {
+    Peeler peeler(gl), surfaces(gl);
+    for (int frame = 0; frame < 8; ++frame) peeler.frame({label()});
+    surfaces.frame(balls());
+  };
+  expectSame("after_labels", draw, 4, {}, kPeelTolerance);
+}
+
+TEST(PeelingInterrupted, SurfacesAmongLabelsAreTracedInTheNextFrame) {
+  const auto draw = [](Gl gl) {
+    Peeler peeler(gl);
+    for (int frame = 0; frame < 8; ++frame) peeler.frame({label()});
+    std::vector<Layer> all = balls();
+    all.insert(all.begin(), label());
+    for (int frame = 0; frame < 3; ++frame) peeler.frame(all);
+  };
+  expectSame("among_labels", draw, 1 + 5 + 5, {}, kPeelTolerance);
+}
+
 TEST(PeelingInterrupted, DepthsFoundAreReadBack) {
   std::vector<std::vector<float>> found;
   const auto hooks = [&](Gl gl, Peeler& peeler) {

@@ -62,15 +62,37 @@ def spheres_stretched(stage):
     stage.orbit(3)
 
 
+def far_cloud(vtk, *filters):
+    """The cloud of spheres(), each point rounded to 1/64: coordinates of 2e5 have no finer steps."""
+    data = shapes.cloud(vtk)
+    for away in filters:
+        move, transform = vtk.vtkTransformPolyDataFilter(), vtk.vtkTransform()
+        transform.Translate(away * 2e5, away * -1e5, away * 3e4)
+        move.SetTransform(transform)
+        move.SetInputData(data)
+        move.Update()
+        data = move.GetOutput()
+    return data
+
+
 @state("vtk")
 def spheres_far_from_origin(stage):
-    vtk, mapper = stage.vtk, spheres(stage)
-    move, transform = vtk.vtkTransformPolyDataFilter(), vtk.vtkTransform()
-    transform.Translate(2e5, -1e5, 3e4)
-    move.SetTransform(transform)
-    move.SetInputData(shapes.cloud(stage.vtk))
-    mapper.SetInputConnection(move.GetOutputPort())
+    """This mapper sends the coordinates as they are. OpenGL multiplies them in single precision, so that its products are
+    rounded by several pixels, in an order that it does not define: the real OpenGL draws them."""
+    mapper = spheres(stage)
+    mapper.SetInputData(far_cloud(stage.vtk, 1))
     stage.show(mapper)
+    stage.look()
+    stage.orbit(3)
+
+
+@state("vtk")
+def spheres_of_far_actor(stage):
+    """The same spheres around an origin that the actor moves far away. VTK multiplies the matrices in double precision, so that
+    they are drawn where they are."""
+    mapper = spheres(stage)
+    mapper.SetInputData(far_cloud(stage.vtk, 1, -1))
+    stage.show(mapper, at=(2e5, -1e5, 3e4))
     stage.look()
     stage.orbit(3)
 

@@ -45,7 +45,7 @@ def steady_blocks(stage):
     stage.steady_orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False, reason="translucent surfaces leave no depth")
 def steady_beside_translucent(stage):
     stage.show(stage.simple.Sphere(ThetaResolution=32, PhiResolution=32), Opacity=0.5)
     stage.show(stage.simple.Cone(Resolution=20))

@@ -1,5 +1,6 @@
 #include "intercept/present/raster/raster_fallback.h"
 
+#include "gl/real/clip_depths.h"
 #include "intercept/present/raster/fixed_function.h"
 #include "intercept/present/raster/program_replay.h"
 
@@ -46,7 +47,10 @@ bool attribStackHasRoom(const gl::RealGl& real) {
 
 void setUpCamera(const gl::RealGl& real, const scene::Snapshot& snapshot) {
   real.MatrixMode(GL_PROJECTION);
-  real.LoadMatrixd(glm::value_ptr(snapshot.camera.clipFromEye));
+  const scene::Camera& camera = snapshot.camera;
+  const glm::dmat4 projection =
+      camera.depthsFromZero ? gl::toDepthsFromZero(camera.clipFromEye) : camera.clipFromEye;
+  real.LoadMatrixd(glm::value_ptr(projection));
   if (snapshot.polygonOffset.factor != 0 || snapshot.polygonOffset.units != 0) {
     real.Enable(GL_POLYGON_OFFSET_FILL);
     real.PolygonOffset(snapshot.polygonOffset.factor, snapshot.polygonOffset.units);

@@ -1,5 +1,6 @@
 #include "intercept/present/raster/triangle_array.h"
 
+#include "gl/real/clip_depths.h"
 #include "gl/real/state_queries.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -47,7 +48,8 @@ void TriangleArray::draw(const scene::Snapshot& snapshot, const glm::dmat4& clip
     guard.texture2D(0, pass.depth);
   guard.vertexArray(array_);
   guard.capability(GL_CULL_FACE, false);
-  const glm::mat4 matrix(clipFromObject);
+  const glm::mat4 matrix(snapshot.camera.depthsFromZero ? gl::toDepthsFromZero(clipFromObject)
+                                                        : clipFromObject);
   real_.UniformMatrix4fv(real_.GetUniformLocation(pass.program, "MCDCMatrix"), 1, GL_FALSE,
                          glm::value_ptr(matrix));
   real_.DrawArrays(GL_TRIANGLES, 0, count_);

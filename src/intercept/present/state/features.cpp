@@ -45,6 +45,7 @@ Features readFeatures(const gl::RealGl& real) {
   f.indexedBlending = has(40, "GL_ARB_draw_buffers_blend");
   f.indexedViewports = has(41, "GL_ARB_viewport_array");
   f.offsetClamp = has(46, "GL_ARB_polygon_offset_clamp") || has(46, "GL_EXT_polygon_offset_clamp");
+  f.clipControl = has(45, "GL_ARB_clip_control");
   f.samplerObjects = has(33, "GL_ARB_sampler_objects");
   f.multisample = has(13, "GL_ARB_multisample");
   f.sampleMask = has(32, "GL_ARB_texture_multisample");

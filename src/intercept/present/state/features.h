@@ -25,6 +25,7 @@ struct Features {
   bool readFramebuffers = false;  // separate read and draw framebuffers
   bool depthBounds = false;
   bool offsetClamp = false;       // glPolygonOffsetClamp
+  bool clipControl = false;       // glClipControl
   bool encoding = false;          // GL_FRAMEBUFFER_SRGB
   bool rectangles = false;        // GL_TEXTURE_RECTANGLE
   bool redFloatTextures = false;  // R32F

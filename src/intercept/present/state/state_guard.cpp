@@ -61,6 +61,7 @@ void StateGuard::drawInto(const scene::Snapshot& snapshot, GLenum func) {
   encoding(snapshot.encodes);
   depthTest(func);
   depthRange(snapshot.camera.depthNear, snapshot.camera.depthFar);
+  clipSpace(snapshot.camera.depthsFromZero);
   const glm::ivec4& v = snapshot.camera.viewport;
   viewport(v.x, v.y, v.z, v.w);
   const scene::Region& r = snapshot.region;

@@ -53,6 +53,8 @@ class StateGuard {
   void encoding(bool on);                          // GL_FRAMEBUFFER_SRGB
   void depthWrites(bool on);
   void depthRange(double zNear, double zFar);
+  /// Clip space with the origin at the lower left, and depths from 0 or from -1.
+  void clipSpace(bool depthsFromZero);
   /// Enables GL_POLYGON_OFFSET_FILL, without a clamp.
   void polygonOffset(float factor, float units);
   void viewport(int x, int y, int width, int height);

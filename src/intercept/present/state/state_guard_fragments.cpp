@@ -9,6 +9,7 @@ void StateGuard::openFragmentPath() {
   if (features_.rasterizerDiscard) capability(GL_RASTERIZER_DISCARD, false);
   for (int i = 0; i < features_.maxClipDistances; ++i)
     capability(GL_CLIP_PLANE0 + static_cast<GLenum>(i), false);
+  clipSpace(false);
   capability(GL_CULL_FACE, false);
   capability(GL_POLYGON_SMOOTH, false);
   capability(GL_STENCIL_TEST, false);
@@ -46,6 +47,20 @@ void StateGuard::openFragmentPath() {
   }
   colorMasks();
   coverage();
+}
+
+void StateGuard::clipSpace(bool depthsFromZero) {
+  if (!features_.clipControl) return;
+  const GLint origin = integer(GL_CLIP_ORIGIN), depths = integer(GL_CLIP_DEPTH_MODE);
+  const GLenum wanted = depthsFromZero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE;
+  if (origin == GL_LOWER_LEFT && static_cast<GLenum>(depths) == wanted) return;
+  keep({[](const RealGl& r, const Undo& u) {
+          r.ClipControl(static_cast<GLenum>(u.i[0]), static_cast<GLenum>(u.i[1]));
+        },
+        0,
+        0,
+        {origin, depths}});
+  real_.ClipControl(GL_LOWER_LEFT, wanted);
 }
 
 void StateGuard::colorMasks() {

@@ -1,5 +1,6 @@
 // Beads and tubes other than VTK's: the keys of the section [impostors] of family files about points and
 // lines sized in pixels, each tested by a program that computes exactly that.
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/programs/impostors/own_impostors.h"
 
 #include <gtest/gtest.h>
@@ -117,6 +118,39 @@ TEST(ProgramPixelImpostor, TheirSizeIsThatOfTheirDraw) {
         gl.PointSize(2);
       },
       2, coreWish(), kProgramTolerance, familyOf(beads));
+}
+
+uint64_t rasterisedFor(gl::Reason reason, const Outcome& outcome) {
+  return outcome.statistics.rasterisedBecause[static_cast<size_t>(reason)];
+}
+
+TEST(ProgramPixelImpostor, MultisampledPointsAreLeftToTheRealOpenGl) {
+  const PixelImpostorCase beads = kPixelImpostorCases[3];
+  const auto draw = [&](Gl gl) {
+    bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
+    drawPixelImpostorCase(gl, beads);
+    gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl.BlitFramebuffer(0, 0, kProgramWidth, kProgramHeight, 0, 0, kProgramWidth, kProgramHeight,
+                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  };
+  const Outcome outcome =
+      expectSame("pixels_multisampled", draw, 0, coreWish(), kProgramTolerance, familyOf(beads));
+  EXPECT_EQ(rasterisedFor(gl::Reason::multisampledPoints, outcome), 1u);
+}
+
+TEST(ProgramPixelImpostor, UnderAReversedDepthTestAreLeftToTheRealOpenGl) {
+  for (const PixelImpostorCase& c : {kPixelImpostorCases[0], kPixelImpostorCases[3]}) {
+    const auto draw = [&](Gl gl) {
+      const GLuint program = drawPixelImpostorCase(gl, c);
+      gl.DepthFunc(GL_GREATER);
+      gl.UseProgram(program);
+      gl.DrawArrays(c.tubes ? GL_LINES : GL_POINTS, 4, kImpostors - 4);
+    };
+    const Outcome outcome = expectSame(std::string("pixels_reversed_") + c.name, draw, 1, coreWish(),
+                                       kProgramTolerance, familyOf(c));
+    EXPECT_EQ(rasterisedFor(gl::Reason::reversedDepth, outcome), 1u) << c.name;
+  }
 }
 
 TEST(ProgramPixelImpostor, PointsHaveNoFacesToBeCulled) {
