@@ -1,4 +1,5 @@
 // Only pixels that exist are traced: viewports may be larger than the framebuffer.
+#include "tests/reference/both.h"
 #include "tests/support/snapshot_taker.h"
 #include "tests/support/traced_context.h"
 
@@ -42,6 +43,24 @@ TEST(Viewport, BesideTheWindowIsNotTraced) {
   TracedContext context({kViewportSize, kViewportSize}, TracedContext::vertexShading(), takeRegions(seen));
   drawWith(context.gl(), kViewportSize, 0, 100, 100);
   EXPECT_TRUE(seen.empty());
+}
+
+/// Drawing order decides which of two surfaces is visible.
+TEST(Viewport, WithoutDepthIsNotTraced) {
+  for (const GLenum function : {GL_LESS, GL_LEQUAL}) {
+    const BothStage stage{.width = 64, .height = 64, .folder = "viewport", .prepare = [](scenes::Gl) {}};
+    const gl::Statistics counts = compareBoth(stage, "equal_depths", [&](scenes::Gl gl) {
+      gl.Enable(GL_DEPTH_TEST), gl.DepthFunc(function), gl.DepthRange(0.5, 0.5);
+      gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      for (const float z : {0.5f, -0.5f, 0.2f}) {
+        gl.Color3f(0.5f + z, 0.5f, 0.2f);
+        gl.Begin(GL_TRIANGLES);
+        gl.Vertex3f(-1, -1, z), gl.Vertex3f(1, -1, z), gl.Vertex3f(z, 1, z + 0.1f);
+        gl.End();
+      }
+    });
+    EXPECT_EQ(counts.drawsTraced, 0u);
+  }
 }
 
 TEST(Viewport, WindowIsAskedOnceABatch) {

@@ -98,12 +98,13 @@ Reason Classifier::ofImages(bool large) const {
 
 Reason Classifier::ofDepths() const {
   const RasterState& raster = p_.shadow.raster();
+  const ViewportState& viewport = p_.shadow.viewport();
+  if (viewport.depthNear == viewport.depthFar) return Reason::flat;
   if (!raster.isReversed() && !raster.depthsFromZero) return Reason::traced;
   const bool impostors = raster.program != 0 && p_.shadow.attributes().shape != scene::Shape::triangles;
   if (impostors && raster.depthsFromZero) return Reason::clipControl;
   if (!raster.isReversed()) return Reason::traced;
-  const ViewportState& viewport = p_.shadow.viewport();
-  if (impostors || viewport.depthNear == viewport.depthFar) return Reason::reversedDepth;
+  if (impostors) return Reason::reversedDepth;
   if (raster.program == 0) return Reason::traced;
   const ProgramState& program = p_.shadow.program();
   const bool own = program.shading.fragment.writesDepth || program.depthOffset != scene::PolygonOffset{};

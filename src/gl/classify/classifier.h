@@ -36,8 +36,8 @@ class Classifier {
   /// Reason::noGlsl if this OpenGL cannot show traced images, else Reason::traced. A mixed frame delays the
   /// check to draws that are too large for the real OpenGL: call it again for these, with `large`.
   Reason ofImages(bool large) const;
-  /// Why GL_GREATER, GL_GEQUAL or clip depths from 0 prevent tracing: all depths are equal, the program moves
-  /// them, or it draws impostors.
+  /// Why depths prevent tracing: the depth range makes all equal, or under GL_GREATER, GL_GEQUAL or clip
+  /// depths from 0 the program moves them or draws impostors.
   Reason ofDepths() const;
   /// The reason why a draw of fixed function's vertices, by fixed function or by a shader program, cannot be
   /// traced now if it has this primitive class, or Reason::traced.

@@ -37,6 +37,7 @@ void leaveAtExit() {
   drawTriangle(gl);
   gl.Finish();
   if (g_presented != 1) _exit(5);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   drawTriangle(gl);
   std::exit(6);
 }

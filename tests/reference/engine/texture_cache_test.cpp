@@ -42,6 +42,7 @@ class TextureCache : public testing::Test {
   }
   /// The texture image with which a surface is drawn now.
   TakenImage drawn(GLuint name) {
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.BindTexture(GL_TEXTURE_2D, name);
     send(gl, scenes::sphere(6, 8), kTexcoords);
     gl.Finish();
