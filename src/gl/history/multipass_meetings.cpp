@@ -115,33 +115,20 @@ bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat
   return false;
 }
 
-bool MultipassSurfaces::coincide(const scene::Mesh& a, const scene::Mesh& b) {
-  const auto inside = [](const glm::vec3& p, const scene::Mesh& mesh) {
-    return glm::all(glm::greaterThanEqual(p, mesh.lower)) && glm::all(glm::lessThanEqual(p, mesh.upper));
-  };
-  // Few meshes reach into each other's bounds, so that few need sets of vertices.
-  const auto holds = [&](const scene::Mesh& all, const scene::Mesh& sampled) {
-    std::vector<Triangle> triangles = sampleTriangles(sampled);
-    std::erase_if(triangles, [&](const Triangle& t) {
-      return !std::all_of(t.begin(), t.end(), [&](const glm::vec3& p) { return inside(p, all); });
-    });
-    return !triangles.empty() && holdsSome(all, triangles);
-  };
-  if (glm::any(glm::lessThan(a.upper, b.lower)) || glm::any(glm::lessThan(b.upper, a.lower))) return false;
-  return a.geometryId == b.geometryId || holds(a, b) || holds(b, a);
-}
-
 template <class SameMatrix>
 bool MultipassSurfaces::meetsTracedUnder(const Hash128& key, const scene::MeshPtr& mesh,
                                          const scene::Snapshot& batch, const DepthPlace& place,
                                          const SameMatrix& sameMatrix) {
+  constexpr uint64_t kMaxCompared = 1 << 16;  // surfaces in a depth epoch: a millisecond
   bool found = false;
   const auto [first, last] = surfaces_.equal_range(key);
-  for (auto it = first; it != last; ++it) {
+  for (auto it = first; it != last && compared_ < kMaxCompared; ++it) {
     Surface& surface = it->second;
-    if (surface.how != How::traced || !(surface.at.place.viewport == place.viewport) ||
-        !sameMatrix(surface) || !(surface.snapshot->polygonOffset == batch.polygonOffset) ||
-        !depths_.reaches(surface.at, place.framebuffer) || !coincide(*surface.mesh, *mesh))
+    ++compared_;
+    if (surface.how != How::traced || !coincident_.coincide(*surface.mesh, *mesh) ||
+        !(surface.at.place.viewport == place.viewport) || !sameMatrix(surface) ||
+        !(surface.snapshot->polygonOffset == batch.polygonOffset) ||
+        !depths_.reaches(surface.at, place.framebuffer))
       continue;
     surface.met = found = true;
     remember(surface.mesh->geometryId);

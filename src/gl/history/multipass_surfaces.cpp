@@ -98,6 +98,7 @@ void MultipassSurfaces::shown() {
 
 void MultipassSurfaces::endEpoch() {
   lastUnseen_ = {};
+  compared_ = 0;
   ++idle_;
   if (std::exchange(used_, false)) ++epoch_;
 }

@@ -9,6 +9,7 @@
 // Context, GL thread.
 #pragma once
 #include "base/hash.h"
+#include "gl/history/coincident_meshes.h"
 #include "gl/history/depth_history.h"
 #include "gl/history/sampled_surfaces.h"
 #include "scene/snapshot.h"
@@ -106,7 +107,7 @@ class MultipassSurfaces {
   bool anyTraced() const { return traced_; }
   /// Whether `mesh`, in the pending batch, coincides with surfaces of earlier batches that were traced with
   /// the same camera and offset. If so, all are remembered as multipass, and takeTraced() returns the earlier
-  /// ones. `batch`: the pending batch's draws so far.
+  /// ones. `batch`: the pending batch's draws so far. Compares at most 65,536 pairs in a depth epoch.
   bool meetsTraced(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, const scene::Snapshot& batch,
                    const DepthPlace& place);
   /// The same for a surface that a shader program draws.
@@ -178,8 +179,6 @@ class MultipassSurfaces {
   template <class SameMatrix>
   bool meetsTracedUnder(const Hash128& key, const scene::MeshPtr& mesh, const scene::Snapshot& batch,
                         const DepthPlace& place, const SameMatrix& sameMatrix);
-  /// Whether sampled triangles of one mesh have their corners among the vertices of the other.
-  bool coincide(const scene::Mesh& a, const scene::Mesh& b);
   void remember(const Hash128& geometry);
   const VertexSet& verticesOf(const scene::Mesh& mesh);
 
@@ -187,7 +186,9 @@ class MultipassSurfaces {
   std::pmr::unordered_multimap<Hash128, Surface> surfaces_{&blocks_};  // by modelview; programs': framebuffer
   bool rasterised_ = false;                                            // some surfaces were rasterised
   bool traced_ = false;                                                // some surfaces were traced
-  bool used_ = false;                                                  // a surface was drawn since endEpoch()
+  uint64_t compared_ = 0;                                              // surfaces, by meetsTraced()
+  CoincidentMeshes coincident_;
+  bool used_ = false;  // a surface was drawn since endEpoch()
   DepthHistory depths_;
   std::vector<Rasterised> rasterisedByProgram_;
   // The last entry of rasterisedUnseen(), to skip repetitions: consecutive draws are often alike.
