@@ -44,6 +44,10 @@ struct Impostors {
   glm::vec2 size{0};
   // Tubes shorter than wide grow by a quarter of the difference at each end.
   bool grows = false;
+  // Tubes' sides are offset along the line's normal in pixels instead of normalised device coordinates, and
+  // their second end reaches `longer` pixels further. Lines that are points in the window run to the right.
+  bool inPixels = false;
+  float longer = 0;
   // With b = bulge * (1 in the middle, 0 at the sides), window depth z becomes z + b * bulgeDepth for a
   // viewer at infinity, otherwise bulgeDepth + (z - bulgeDepth) / (1 - b). `depthBias` is then added, and the
   // result clamped to [0, 1].

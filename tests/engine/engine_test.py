@@ -53,7 +53,11 @@ class Engine(unittest.TestCase):
                 plain, _ = run(CLIENT, path, LARGE, 20)
                 seen, report = run(CLIENT, path, LARGE, 20, engine="auto")
                 self.same_images(plain, seen)
-                self.assertEqual(report["draws"], {"traced": 20, "rasterised": {}})
+                # On a busy machine frames take long, and a trial may leave three of them to the real OpenGL.
+                self.assertLessEqual(set(report["draws"]["rasterised"]), {REASON})
+                self.assertGreaterEqual(report["draws"]["traced"], 14)
+                _, report = run(CLIENT, path, LARGE, 2, engine="auto")
+                self.assertEqual(report["draws"], {"traced": 2, "rasterised": {}})
                 self.assertEqual(report["framesDirect"], 0)
 
     def test_scene_that_changes(self):

@@ -1,6 +1,6 @@
-// The pieces of the fragment shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper. Branches for
-// points and lines are shortened.
+// The pieces of the fragment shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper.
 #include "tests/support/pbr_text.h"
+#include "tests/support/pulled_solid_text.h"
 #include "tests/support/pulled_text.h"
 #include "tests/support/replaced_text.h"
 
@@ -24,39 +24,15 @@ uniform float cOffset, cFactor;
 vec3 computedNormalVCVS;
 out vec4 fragOutput0;
 flat in mat4 edgeEqn;
+uniform float ZCalcS;
+uniform float ZCalcR;
+in vec3 tubeBasis1VS;
+in vec3 tubeBasis2VS;
+flat in int hasTubeBasisVS;
 uniform vec3 edgeColor;
 uniform float edgeOpacity;
 uniform highp int wireframe, edgeVisibility;
 uniform float edgeWidth;
-)";
-
-const char* const kSides = R"(
-  if (renderPointsAsSpheres == 1 && primitiveSize == 1)
-  {
-    if (pointPicking == 1)
-    {
-      NORMAL = vec3(0.0, 0.0, 1.0);
-    }
-    else
-    {
-      discard;
-    }
-  }
-  else
-  {
-    if (primitiveSize == 1)
-    {
-      NORMAL = vec3(0.0, 0.0, 1.0);
-    }
-    else if (cellType == 3 || primitiveSize == 2)
-    {
-      NORMAL = abs(NORMAL);
-    }
-    else if (gl_FrontFacing == false)
-    {
-      NORMAL = -NORMAL;
-    }
-  }
 )";
 
 const char* const kColors = R"(
@@ -92,7 +68,9 @@ const char* const kPaintedEdges = R"(
   {
     ambientColor = intensity_ambient * vertex_color;
     diffuseColor = intensity_diffuse * vertex_color;
+    specularColor = intensity_specular * vertex_color;
   }
+BLOCKS
   if (((edgeVisibility == 1) || (wireframe == 1)) && (cellType == 5))
   {
     float edist[3];
@@ -117,36 +95,22 @@ const char* const kPaintedEdges = R"(
     {
       diffuseColor = mix(diffuseColor, vec3(0.0), emix * edgeOpacity);
       ambientColor = mix(ambientColor, edgeColor, emix * edgeOpacity);
-      if (enable_lights == 1 && renderLinesAsTubes == 1)
-      {
-        diffuseColor = mix(diffuseColor, edgeColor, emix);
-      }
+ROUND
     }
   }
 )";
 
-const char* const kVertexNormal = R"(
-  computedNormalVCVS = normalVCVSInput;
-  vec3 vertexNormalVCVS = computedNormalVCVS;
-SIDES
-  computedNormalVCVS = vertexNormalVCVS;
-  vec3 normalVCVSOutput = vertexNormalVCVS;
-  vec3 normalizedNormalVCVSOutput = normalize(vertexNormalVCVS);
+const char* const kBlockUniforms = R"(
+uniform bool overridesColor;
+uniform float intensity_opacity_override;
+uniform vec3 color_ambient_override;
+uniform vec3 color_diffuse_override;
 )";
-const char* const kTriangleNormal = R"(
-  if (renderPointsAsSpheres == 1 && primitiveSize == 1)
-  {
-    computedNormalVCVS = vec3(0.0, 0.0, 1.0);
-  }
-  else
-  {
-    computedNormalVCVS = normalize(cross(fdx,fdy));
-    if (cameraParallel == 1 && computedNormalVCVS.z < 0.0) { computedNormalVCVS = -1.0*computedNormalVCVS; }
-    if (cameraParallel == 0 && dot(computedNormalVCVS,vertexVC.xyz) > 0.0) { computedNormalVCVS = -1.0*computedNormalVCVS; }
-  }
-  vec3 vertexNormalVCVS = computedNormalVCVS;
-  vec3 normalVCVSOutput = computedNormalVCVS;
-  vec3 normalizedNormalVCVSOutput = normalize(vertexNormalVCVS);
+const char* const kBlockColors = R"(
+  opacity = intensity_opacity_override;
+  if (overridesColor && vertex_pass == 0) {
+    ambientColor = color_ambient_override * intensity_ambient;
+    diffuseColor = color_diffuse_override * intensity_diffuse; }
 )";
 
 const char* const kHeadlight = R"(
@@ -241,28 +205,26 @@ std::string pulledFragmentText(const PulledSurface& s) {
   if (s.textured) text += "in vec2 tcoordVCVSOutput;\nuniform sampler2D actortexture;\n";
   if (s.clipPlanes) text += "in float clipDistancesVSOutput[6];\nuniform int numClipPlanes;\n";
   if (s.summed) text += "out vec4 fragOutput1;\n";
+  if (s.blocks) text += kBlockUniforms;
   text += "void main()\n{\n  vec4 vertexVC = vertexVCVSOutput;\n";
   if (flat)
     text +=
         "  float scale = 1.0/length(fwidth(vertexVC.xyz));\n  vec3 fdx = dFdx(vertexVC.xyz)*scale;\n"
         "  vec3 fdy = dFdy(vertexVC.xyz)*scale;\n";
   if (s.depthOffset) text += "  float cscale = length(vec2(dFdx(gl_FragCoord.z),dFdy(gl_FragCoord.z)));\n";
-  text +=
-      flat ? "  computedNormalVCVS = vec3(0.0, 0.0, 1.0);\n" : "  computedNormalVCVS = normalVCVSInput;\n";
-  text += "  gl_FragDepth = gl_FragCoord.z;\n";
-  if (!flat) text += replacedInAll(kSides, "NORMAL", "computedNormalVCVS");
+  text += flat ? kPulledDepthWithoutNormals : kPulledDepthWithNormals;
   if (s.depthOffset) text += "  gl_FragDepth = gl_FragCoord.z + cFactor*cscale + 1.0*cOffset/65000.0f;\n";
   if (s.clipPlanes)
     text +=
         "  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)\n  {\n"
         "    if (clipDistancesVSOutput[planeNum] < 0.0) discard;\n  }\n";
-  text += colorText(s) + kPaintedEdges;
-  text += flat ? kTriangleNormal
-               : replacedInAll(kVertexNormal, "SIDES", replacedInAll(kSides, "NORMAL", "vertexNormalVCVS"));
+  text += colorText(s) + replacedInAll(replacedInAll(kPaintedEdges, "ROUND", kPulledRoundEdges), "BLOCKS",
+                                       s.blocks ? kBlockColors : "");
+  text += flat ? kPulledNormalOfPrimitives : kPulledNormalOfVertices;
   text +=
       "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n"
-      "  int vtkEnableLights = enable_lights;\n  if (vtkEnableLights == 1)\n  {\n" +
-      lightText(s) + "  }\n";
+      "  int vtkEnableLights = enable_lights;\n" +
+      std::string(kPulledTubesAreLit) + "  if (vtkEnableLights == 1)\n  {\n" + lightText(s) + "  }\n";
   if (s.textured)
     text +=
         "  vec4 tcolor_0 = texture(actortexture, tcoordVCVSOutput);\n  vec4 tcolor = tcolor_0;\n"

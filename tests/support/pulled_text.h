@@ -18,6 +18,7 @@ struct PulledSurface {
   bool scalars = true;  // positions and normals in buffers of single floats, as since VTK 9.7
   bool backMaterial = false, clipPlanes = false, depthOffset = false, textured = false;
   bool summed = false;  // order-independent translucency
+  bool blocks = false;  // of a composite data set (vtkOpenGLLowMemoryBatchedPolyDataMapper)
 };
 std::string pulledVertexText(const PulledSurface& surface);
 std::string pulledFragmentText(const PulledSurface& surface);

@@ -1,5 +1,5 @@
-// The pieces of the vertex shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper. Branches for
-// points and lines are shortened.
+// The pieces of the vertex shaders of VTK 9.6's and 9.7's vtkOpenGLLowMemoryPolyDataMapper.
+#include "tests/support/pulled_solid_text.h"
 #include "tests/support/pulled_text.h"
 #include "tests/support/replaced_text.h"
 
@@ -28,6 +28,9 @@ uniform vec4 viewportDimensions;
 uniform float lineWidth;
 smooth out vec4 vertexVCVSOutput;
 flat out mat4 edgeEqn;
+out vec3 tubeBasis1VS;
+out vec3 tubeBasis2VS;
+flat out int hasTubeBasisVS;
 )";
 
 const char* const kFetchTuple = R"(
@@ -55,15 +58,15 @@ void main()
   {
     if (primitiveSize == 3)
     {
-      primitiveId = (gl_VertexID - vertexIdOffset) / 6;
-      pointId = texelFetchBuffer(vertexIdBuffer, 2 * primitiveId + vertexIdOffset).x + pointIdOffset;
+      WIDE
     }
     else
     {
       vertexId = gl_VertexID - vertexIdOffset;
       POINT
-      primitiveId = vertexId >> 1;
+      THIN
     }
+    EACH
   }
   else if (cellType == 5) // triangles
   {
@@ -89,11 +92,23 @@ const char* const kPointOfIndices = R"(if (useIndexedPointId == 1)
       pointId = texelFetchBuffer(vertexIdBuffer, gl_VertexID).x + pointIdOffset;
     })";
 
+const char* const kEndOfLine = R"(primitiveId = (gl_VertexID - vertexIdOffset) / 6;
+      int quadCorner = (gl_VertexID - vertexIdOffset) % 6;
+      int endpointSide = (quadCorner == 2 || quadCorner == 3 || quadCorner == 5) ? 1 : 0;
+      vertexId = 2 * primitiveId + endpointSide;
+      pointId = texelFetchBuffer(vertexIdBuffer, vertexId + vertexIdOffset).x + pointIdOffset;)";
+
+/// The computation of ids; up to VTK 9.6 (not `scalars`) wide lines read point 0.
+std::string idText(bool scalars) {
+  const char* const walked = "pointId = texelFetchBuffer(vertexIdBuffer, gl_VertexID).x + pointIdOffset;";
+  const char* const line = "primitiveId = vertexId >> 1;";
+  std::string text = replacedInAll(kIds, "POINT", scalars ? kPointOfIndices : walked);
+  text = replacedInAll(text, "WIDE", scalars ? kEndOfLine : "vertexId = (gl_VertexID - vertexIdOffset) / 3;");
+  text = replacedInAll(text, "THIN", scalars ? line : "");
+  return replacedInAll(text, "EACH", scalars ? "" : line);
+}
+
 const char* const kEdgeEquations = R"(
-  if (cellType == 3 && primitiveSize == 3)
-  {
-    gl_Position.x += lineWidth;
-  }
   if ((((edgeVisibility == 1) || (wireframe == 1)) && (cellType == 5)) && (vertexId % 3 == 2))
   {
     int p0 = texelFetchBuffer(vertexIdBuffer, gl_VertexID - 2).x + pointIdOffset;
@@ -136,8 +151,9 @@ const char* fetchOf(const PulledSurface& s) { return s.scalars ? "fetchTuple3(" 
 /// The text with its fetches of three floats.
 std::string withFetches(const PulledSurface& s, std::string text) {
   if (!s.scalars) {
-    for (const char* const index : {"positions, pointId)", "positions, p0)", "positions, p1)",
-                                    "pointNormals, pointId)", "cellNormals, cellId)"})
+    for (const char* const index :
+         {"positions, pointId)", "positions, p0)", "positions, p1)", "positions, p0PointId)",
+          "positions, p1PointId)", "pointNormals, pointId)", "cellNormals, cellId)"})
       text = replacedInAll(text, std::string("FETCH(") + index, std::string("FETCH(") + index + ".xyz");
   }
   return replacedInAll(text, "FETCH(", fetchOf(s));
@@ -158,8 +174,7 @@ std::string pulledVertexText(const PulledSurface& s) {
   if (s.clipPlanes)
     text += "uniform vec4 clipPlanes[6];\nuniform int numClipPlanes;\nout float clipDistancesVSOutput[6];\n";
   if (s.scalars) text += kFetchTuple;
-  const char* const walked = "pointId = texelFetchBuffer(vertexIdBuffer, gl_VertexID).x + pointIdOffset;";
-  text += replacedInAll(kIds, "POINT", s.scalars ? kPointOfIndices : walked);
+  text += idText(s.scalars);
   const std::string colored =
       "  vertexColorVS = vec4(texelFetchBuffer(colors, colorID)) / vec4(255.0, 255.0, 255.0, 255.0);\n";
   if (s.color == PulledColor::points) text += "  int colorID = pointId;\n" + colored;
@@ -178,7 +193,7 @@ std::string pulledVertexText(const PulledSurface& s) {
         "  for (int planeNum = 0; planeNum < numClipPlanes; planeNum++)\n  {\n"
         "    clipDistancesVSOutput[planeNum] = dot(clipPlanes[planeNum], vertexMC);\n  }\n";
   text += "  vertexVCVSOutput = MCVCMatrix * vertexMC;\n  gl_Position = MCDCMatrix * vertexMC;\n";
-  return withFetches(s, text + kEdgeEquations);
+  return withFetches(s, text + kPulledWideLines + kEdgeEquations);
 }
 
 }  // namespace gluray::test

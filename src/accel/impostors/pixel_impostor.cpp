@@ -91,6 +91,7 @@ void PixelImpostor::makeSplat(uint32_t vertex) {
 void PixelImpostor::makeTube() {
   const glm::dvec2 half = placed_.windowHalf, size(placed_.look.size);
   const glm::dvec2 ends[] = {windowOf(end_[0]), windowOf(end_[1])};
+  if (placed_.look.inPixels) return makeTubeInPixels(ends[0], ends[1]);
   glm::dvec2 along = (ends[1] - ends[0]) / half;
   const double length = glm::length(along);
   if (!(length > 0)) return;
@@ -100,6 +101,22 @@ void PixelImpostor::makeTube() {
   aside_ = half * size * across_ * -1.0;
   corner_ = ends[0] - half * along * (longer * (double{end_[1].w} / end_[0].w)) - 0.5 * aside_;
   along_ = ends[1] + half * along * longer - 0.5 * aside_ - corner_;
+  exists_ = turn(along_, aside_) != 0;
+}
+
+glm::dvec2 PixelImpostor::turnAcross(const glm::dvec2& pixels) {
+  constexpr double kPoint = 1e-6;
+  const double length = glm::length(pixels);
+  const glm::dvec2 along = length > kPoint ? pixels / length : glm::dvec2(1, 0);
+  across_ = {along.y, -along.x};  // the two triangles of the billboard meet along its other diagonal
+  return along;
+}
+
+void PixelImpostor::makeTubeInPixels(const glm::dvec2& first, const glm::dvec2& second) {
+  const glm::dvec2 along = turnAcross(second - first);
+  aside_ = placed_.windowHalf * glm::dvec2(placed_.look.size) * across_ * -1.0;
+  corner_ = first - 0.5 * aside_;
+  along_ = second + along * double{placed_.look.longer} - first;
   exists_ = turn(along_, aside_) != 0;
 }
 
@@ -122,16 +139,22 @@ void PixelImpostor::makeBehindViewer() {
   const glm::dvec2 size(placed_.look.size);
   glm::dvec2 along = glm::dvec2(clip[1]) / clip[1].w - glm::dvec2(clip[0]) / clip[0].w;
   const double length = glm::length(along);
-  if (!(length > 0) || !std::isfinite(length)) return;
-  along /= length;
-  across_ = {-along.y, along.x};
-  const double missing = placed_.look.grows ? std::max(0.0, glm::length(size) - length) : 0.0;
-  const glm::dvec2 longer = along * (0.25 * missing * clip[1].w);
+  if ((!(length > 0) && !placed_.look.inPixels) || !std::isfinite(length)) return;
+  glm::dvec2 longer(0), before(0);  // what the ends move by
+  if (placed_.look.inPixels) {
+    along = turnAcross(along * placed_.windowHalf);
+    longer = along / placed_.windowHalf * (double{placed_.look.longer} * clip[1].w);
+  } else {
+    along /= length;
+    across_ = {-along.y, along.x};
+    const double missing = placed_.look.grows ? std::max(0.0, glm::length(size) - length) : 0.0;
+    longer = along * (0.25 * missing * clip[1].w), before = -longer;
+  }
   glm::dvec3 corners[4];
   for (int j = 0; j < 4; ++j) {
     const int end = j / 2;
     const glm::dvec2 aside = size * across_ * ((j % 2 == 0 ? 0.5 : -0.5) * clip[end].w);
-    corners[j] = glm::dvec3(glm::dvec2(clip[end]) + (end == 0 ? -longer : longer) + aside, clip[end].w);
+    corners[j] = glm::dvec3(glm::dvec2(clip[end]) + (end == 0 ? before : longer) + aside, clip[end].w);
     z_[j] = clip[end].z;
   }
   const glm::dvec2 scale = 1.0 / placed_.windowHalf, offset = -placed_.windowCenter * scale;
@@ -209,8 +232,11 @@ glm::vec3 PixelImpostor::outwards() const {
   const auto center = [&](int k) {
     return scene::impostorCenter(placed_.lightingFromObject, placed_.mesh->position(vertex_[k]));
   };
-  outwards_ = glm::normalize(glm::cross(glm::normalize(center(1) - center(0)), glm::vec3(across_, 0)));
-  outwards_ *= glm::sign(outwards_.z);
+  glm::vec3 line = center(1) - center(0);
+  constexpr float kPoint = 1e-6f;
+  if (placed_.look.inPixels && !(glm::length(line) > kPoint)) line = {0, 0, 1};
+  outwards_ = glm::normalize(glm::cross(glm::normalize(line), glm::vec3(across_, 0)));
+  outwards_ *= placed_.look.inPixels && outwards_.z == 0 ? 1.0f : glm::sign(outwards_.z);
   hasOutwards_ = true;
   return outwards_;
 }

@@ -22,7 +22,8 @@ struct WindowRectangle {
 
 /// A bead is a square about a point, cut to a disc. A tube is a parallelogram about a line: its long sides
 /// are offset along the line's normal in normalised device coordinates; if the line is shorter than the tube
-/// is wide, each end moves outwards by a quarter of the difference. Lines may reach behind the viewer.
+/// is wide, each end moves outwards by a quarter of the difference. Tubes `inPixels` are measured in the
+/// window instead. Lines may reach behind the viewer.
 class PixelImpostor {
  public:
   PixelImpostor(const PlacedImpostors&, uint32_t primitive);
@@ -50,6 +51,9 @@ class PixelImpostor {
   void makeBead(uint32_t vertex);
   void makeSplat(uint32_t vertex);
   void makeTube();
+  void makeTubeInPixels(const glm::dvec2& first, const glm::dvec2& second);
+  /// Sets across_ for a line that runs so in the window, and returns its direction.
+  glm::dvec2 turnAcross(const glm::dvec2& pixels);
   void makeBehindViewer();
   void makeSides();
   bool coversBead(const glm::dvec2& at) const;

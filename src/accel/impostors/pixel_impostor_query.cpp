@@ -13,6 +13,7 @@ namespace {
 /// Upper bound of an impostor's extent about its point or line, pixels.
 float pixelReach(const PlacedImpostors& placed) {
   const glm::vec2 size = placed.look.size * glm::vec2(placed.windowHalf);
+  if (placed.look.inPixels) return 0.5f * size.x + placed.look.longer;
   return placed.look.grows ? 0.5f * glm::length(size) : 0.5f * std::max({size.x, size.y, 1.0f});
 }
 

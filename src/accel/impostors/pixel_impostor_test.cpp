@@ -74,9 +74,10 @@ TEST(PixelImpostor, AxisAlignedTubesCoverWidthTimesLength) {
 }
 
 TEST(PixelImpostor, NearbyIncludesAllCoveredPositions) {
-  for (const bool grows : {false, true}) {
+  for (const int way : {0, 1, 2}) {
     PixelScene s(Shape::tubes, {{-1.5f, -0.7f, -6}, {1.2f, 0.9f, -3}}, 9.5f);
-    s.instance.impostors.grows = grows;
+    s.instance.impostors.grows = way == 1, s.instance.impostors.inPixels = way == 2;
+    s.instance.impostors.longer = 2;
     s.place();
     const PixelImpostor impostor = s.impostor();
     int near = 0, hits = 0;
@@ -107,6 +108,33 @@ TEST(PixelImpostor, ShortTubesGrowByAQuarterOfTheDifference) {
   // In normalised device coordinates: length of the size less that of the line, a quarter of it at each end.
   const double missing = std::hypot(0.2, 0.4) - 0.04;
   EXPECT_NEAR(covered(s.impostor()), 20 * (4 + 2 * 0.25 * missing * kWidth / 2), 20);
+}
+
+TEST(PixelImpostor, TubesInPixelsHaveTheirWidthInTheWindow) {
+  PixelScene s(Shape::tubes, {{0, 0, -5}, {0.6f, 0.6f, -5}}, 8, true);  // 30 pixels along both axes
+  const auto covers = [&](double along, double aside) {
+    const glm::dvec2 end(130, 80), way = glm::dvec2(1, 1) / std::sqrt(2.0), normal(-way.y, way.x);
+    return s.impostor().covers(end + along * way + aside * normal);
+  };
+  s.instance.impostors.inPixels = true;
+  s.place();
+  EXPECT_TRUE(covers(-20, 3.9) && covers(-20, -3.9) && covers(-0.1, 0));
+  EXPECT_FALSE(covers(-20, 4.1) || covers(-20, -4.1) || covers(0.1, 0));
+  s.instance.impostors.longer = 3;
+  s.place();
+  EXPECT_TRUE(covers(2.9, 3.9) && covers(2.9, -3.9));
+  EXPECT_FALSE(covers(3.1, 0));
+}
+
+TEST(PixelImpostor, TubesInPixelsThatArePointsRunToTheRight) {
+  PixelScene s(Shape::tubes, {{0, 0, -5}, {0, 0, -6}}, 8, true);
+  EXPECT_EQ(covered(s.impostor()), 0);
+  s.instance.impostors.inPixels = true, s.instance.impostors.longer = 2;
+  s.place();
+  EXPECT_EQ(covered(s.impostor()), 2 * 8);
+  PixelImpostor::Shown shown;
+  ASSERT_TRUE(s.impostor().show({100.5, 52.5}, shown));
+  EXPECT_NEAR(shown.normal.z, 0, 1e-6f) << "the tube points at the viewer";
 }
 
 TEST(PixelImpostor, TheMiddleOfATubeIsARadiusNearer) {
@@ -198,11 +226,13 @@ TEST(PixelImpostor, BoundsContainEveryHit) {
     points.push_back({std::sin(1.7f * t), std::sin(2.3f * t + 1), std::cos(0.9f * t)});
   }
   int hits = 0;
-  for (const Shape shape : {Shape::beads, Shape::tubes}) {
+  const std::pair<Shape, bool> kinds[] = {{Shape::beads, false}, {Shape::tubes, false}, {Shape::tubes, true}};
+  for (const auto& [shape, inPixels] : kinds) {
     for (const bool parallel : {false, true}) {
       for (const double away : {1.2, 2.5, 12.0}) {
         PixelScene s(shape, points, 14, parallel);
-        s.instance.impostors.grows = true, s.instance.impostors.depthBias = -8 / 65000.0f;
+        s.instance.impostors.inPixels = inPixels, s.instance.impostors.longer = 1;
+        s.instance.impostors.grows = !inPixels, s.instance.impostors.depthBias = -8 / 65000.0f;
         const glm::mat4 turned = glm::rotate(glm::mat4(1), 0.7f, glm::vec3(1, 2, 3));
         s.instance.eyeFromObject = glm::translate(glm::dmat4(1), {0, 0, -away}) * glm::dmat4(turned);
         s.instance.eyeFromObject = s.instance.eyeFromObject * glm::scale(glm::dmat4(1), {1, 0.3, 0.5});

@@ -98,7 +98,9 @@ ImpostorReach reachInPixels(const scene::Instance& instance, const scene::Camera
   const glm::dvec2 unit(glm::length(glm::dvec3(lightingFromClip[0])),
                         glm::length(glm::dvec3(lightingFromClip[1])));
   const double aside = farthest * std::max(unit.x * size.x, unit.y * size.y) * 0.5;
-  const double grown = f.grows ? farthest * std::max(unit.x, unit.y) * glm::length(size) * 0.25 : 0.0;
+  // Tubes in pixels are wider than one.
+  const double growth = (f.grows ? 0.25 : 0.0) + (f.inPixels ? double{f.longer} : 0.0);
+  const double grown = farthest * std::max(unit.x, unit.y) * glm::length(size) * growth;
   // Towards the viewer: largest at the middle of the billboard.
   const double bulge = (tubes ? 2 : 1) * double{f.bulge};
   const double out = f.parallelView

@@ -213,6 +213,7 @@ TEST(SnapshotStream, SticksArrive) {
   mesh->indices = {};
   mesh->ends = attributeOf<uint32_t>({1, 2, 3, 7}, scene::Format::uint32);
   s.instances[1].mesh = mesh;
+  s.instances[1].impostors.inPixels = true, s.instances[1].impostors.longer = 2;
   s.instances[1].impostors.roundEnds = false, s.instances[1].impostors.halvesBlend = 0.5f;
   const scene::SnapshotPtr read = ends.sent(s);
   const scene::Instance& got = read->instances[1];

@@ -39,14 +39,16 @@ double stretchOf(const glm::dmat4& eyeFromObject) {
   return std::cbrt(std::abs(glm::determinant(glm::dmat3(eyeFromObject))));
 }
 
-void setSize(ShadowState& shadow, scene::Shape shape, const glm::dmat4& eyeFromObject,
+/// `ofProgram`: the size in pixels that the shader program sets; 0: none.
+void setSize(ShadowState& shadow, scene::Shape shape, const glm::dmat4& eyeFromObject, float ofProgram,
              scene::Impostors& look) {
   const bool points = shape == scene::Shape::balls;
   const Settings& s = shadow.settings;
   look.radius =
       static_cast<float>(double{points ? s.points.radius : s.lines.radius} * stretchOf(eyeFromObject));
   const float asked = points ? s.points.size : s.lines.width;
-  const float pixels = asked > 0 ? asked : programSize(shadow.real, shadow.info.core, points);
+  float pixels = asked > 0 ? asked : ofProgram;
+  if (!(pixels > 0)) pixels = programSize(shadow.real, shadow.info.core, points);
   look.size = glm::vec2(2 * pixels) / glm::vec2(shadow.viewport().box.z, shadow.viewport().box.w);
 }
 
@@ -96,7 +98,7 @@ Reason solidReason(ShadowState& shadow, PrimitiveClass kind) {
 
 void makeSolid(ShadowState& shadow, scene::Instance& instance, scene::Shading& shading) {
   scene::Impostors& look = instance.impostors;
-  setSize(shadow, instance.mesh->shape, instance.eyeFromObject, look);
+  setSize(shadow, instance.mesh->shape, instance.eyeFromObject, 0, look);
   look.parallelView = isParallel(shadow.projection());
   look.unlit = !shading.lighting;
   for (const glm::dvec4& plane : instance.clipPlanes)
@@ -120,7 +122,8 @@ Reason programSolidReason(ShadowState& shadow, PrimitiveClass kind) {
     return Reason::blend;
   if (!points && compatible && isOn(real, GL_LINE_STIPPLE)) return Reason::lineStyle;
   const bool ownSize = points && shadow.settings.points.size == 0 && shadow.settings.points.radius == 0;
-  if (ownSize && isOn(real, GL_PROGRAM_POINT_SIZE)) return Reason::lineStyle;
+  if (ownSize && isOn(real, GL_PROGRAM_POINT_SIZE) && !(shadow.program().pixelSize > 0))
+    return Reason::lineStyle;
   const scene::Shading& shading = shadow.program().shading;
   if (!shading.textures.empty() || shading.fragment.edges ||
       shadow.attributes().shape != scene::Shape::triangles || !shadow.attributes().instanceTransform.empty())
@@ -144,7 +147,7 @@ void makeProgramSolid(ShadowState& shadow, scene::Instance& instance) {
   const glm::dmat4 eyeFromObject = eyeOf(program);
   scene::Impostors& look = instance.impostors;
   look = {};
-  setSize(shadow, instance.mesh->shape, eyeFromObject, look);
+  setSize(shadow, instance.mesh->shape, eyeFromObject, program.pixelSize, look);
   look.parallelView = isParallel(program.clipFromObject);
   look.unlit = program.shading.fragment.model == scene::FragmentShading::Model::unlit;
   look.centerPlanes.assign(program.clipPlanes.begin(), program.clipPlanes.end());

@@ -19,8 +19,15 @@ Reason classifyPass(Context& c, PrimitiveClass primitive) {
   return c.programs.classify(primitive);
 }
 
-std::optional<Elements> verticesOf(const std::optional<PulledVertices>& pulled, const Elements& drawn) {
-  return pulled ? elementsOf(*pulled, drawn) : drawn;
+std::optional<Elements> verticesOf(const std::optional<PulledVertices>& pulled, GLenum mode,
+                                   const Elements& drawn) {
+  if (!pulled) return drawn;
+  return modeOf(*pulled, mode) ? elementsOf(*pulled, drawn) : std::nullopt;
+}
+
+/// The primitives that the program shows; those of the draw if it shows none.
+GLenum shownModeOf(const std::optional<PulledVertices>& pulled, GLenum mode) {
+  return pulled ? modeOf(*pulled, mode).value_or(mode) : mode;
 }
 
 }  // namespace
@@ -29,11 +36,14 @@ ProgramArraysDraw::ProgramArraysDraw(Context& context, GLenum mode, const Elemen
     : c_(context),
       mode_(mode),
       elements_(elements),
-      vertices_(verticesOf(context.shadow.program().pulled, elements)),
+      shownMode_(shownModeOf(context.shadow.program().pulled, mode)),
+      vertices_(verticesOf(context.shadow.program().pulled, mode, elements)),
       fixed_(context, mode, elements),
       takesFixed_(readsBuiltIns(context.shadow.program())),
       sentBillboards_(context.shadow.attributes().sentBillboards &&
-                      (mode == GL_TRIANGLES || mode == GL_QUADS)) {}
+                      (mode == GL_TRIANGLES || mode == GL_QUADS)),
+      impostors_(sentBillboards_ || (context.shadow.program().known &&
+                                     drawsImpostors(*context.shadow.program().known, shownMode_))) {}
 
 Reason ProgramArraysDraw::classifyState() {
   if (takesFixed_) {
@@ -43,17 +53,16 @@ Reason ProgramArraysDraw::classifyState() {
   }
   if (mode_ > GL_POLYGON) return Reason::program;
   if (!vertices_) return Reason::arrayState;
-  const bool impostors = sentBillboards_ || c_.shadow.currentProgram.drawsImpostors(mode_);
-  Reason reason = classifyPass(c_, impostors ? PrimitiveClass::surfaces : classOf(mode_));
-  if (reason == Reason::traced && impostors) reason = c_.programs.classifyImpostors();
+  Reason reason = classifyPass(c_, impostors_ ? PrimitiveClass::surfaces : classOf(shownMode_));
+  if (reason == Reason::traced && impostors_) reason = c_.programs.classifyImpostors();
   if (reason != Reason::traced) return reason;
   // Surfaces drawn by a program that expects impostors have an unknown look.
-  const bool odd = !impostors && c_.shadow.attributes().shape != scene::Shape::triangles;
+  const bool odd = !impostors_ && c_.shadow.attributes().shape != scene::Shape::triangles;
   return odd ? Reason::program : Reason::traced;
 }
 
 KnownMesh ProgramArraysDraw::mesh() {
-  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.vertices(), mode_, *vertices_);
+  return takesFixed_ ? fixed_.mesh() : meshOf(c_, c_.shadow.vertices(), shownMode_, *vertices_);
 }
 
 uint64_t ProgramArraysDraw::shown(const KnownMesh& known) const {
@@ -92,12 +101,17 @@ void ProgramArraysDraw::meetPasses(PrimitiveClass primitive, Reason) {
     if (!c_.surfaces.passes.any() && c_.untraced.areAll())
       rememberUntraced(c_, mode_, elements_);
     else
-      c_.programs.meetPasses(primitive, mode_, vertices_.value_or(elements_));
+      c_.programs.meetPasses(primitive, shownMode_, vertices_.value_or(elements_));
   });
   if (!c_.info().core && mode_ <= GL_POLYGON) fixed_.meetPasses(primitive, Reason::program);
 }
 
-DrawRequest::Load ProgramArraysDraw::load() { return loadOf(c_, mode_, elements_); }
+DrawRequest::Load ProgramArraysDraw::load() {
+  if (!impostors_ || sentBillboards_ || !vertices_) return loadOf(c_, mode_, elements_);
+  const uint64_t corners = shownMode_ == GL_LINES ? 2 : 1;
+  return {pathOf(elements_), PrimitiveClass::surfaces,
+          static_cast<uint64_t>(vertices_->count) / corners * elements_.repeats()};
+}
 
 Fate ProgramArraysDraw::make() {
   const bool culled = c_.culled.draw(mode_, elements_);

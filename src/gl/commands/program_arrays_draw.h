@@ -29,10 +29,12 @@ class ProgramArraysDraw final : public DrawRequest {
   Context& c_;
   const GLenum mode_;
   const Elements& elements_;
+  const GLenum shownMode_;                  // the primitives of vertices_
   const std::optional<Elements> vertices_;  // the draw of shadow.vertices(); nullopt: it is none
   FixedArraysDraw fixed_;                   // the same draw
   const bool takesFixed_;                   // the program reads fixed function's vertex arrays
   const bool sentBillboards_;               // the program sends the billboards of its impostors
+  const bool impostors_;                    // the program shows impostors
 };
 
 }  // namespace gluray::gl

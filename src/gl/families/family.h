@@ -3,6 +3,7 @@
 // lights. Files: spec/programs/*.toml (built in) and those of --program-families; format:
 // docs/program-families.md.
 #pragma once
+#include "gl/families/family_pulling.h"
 #include "gl/families/known_code.h"
 #include "gl/glsl/glsl_branches.h"
 #include "scene/fragment_shading.h"
@@ -111,9 +112,12 @@ struct FamilyImpostors {
   bool fades = false;
   bool grows = false;                              // of tubes
   FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Impostors
-  FamilyValue scale;                               // factor of splats' radius
-  FamilyValue billboardScale;                      // of splats' billboards, in radii
-  std::string projection;                          // uniform: projection matrix of splats and sent billboards
+  bool inPixels = false;       // of tubes: scene::Impostors; `size` is one number, as of beads
+  FamilyValue longer;          // of these tubes: scene::Impostors
+  std::string viewport;        // uniform: the viewport that the program computes with
+  FamilyValue scale;           // factor of splats' radius
+  FamilyValue billboardScale;  // of splats' billboards, in radii
+  std::string projection;      // uniform: projection matrix of splats and sent billboards
   /// The program sends the billboards' corners, each with all attributes of its impostor.
   bool sent = false;
   std::string corners;            // attribute: the vertex's corner, as one bit for each direction
@@ -141,20 +145,6 @@ struct FamilyHeight {
   int axis = 2;
   FamilyValue scale[3], offset[3], exponent[3];
   bool given() const { return scale[0].given(); }
-};
-
-/// Vertices that the vertex shader fetches from buffer textures by gl_VertexID. The names of position,
-/// normal, color and texcoord are then buffer samplers with an element for each point. Elements of positions
-/// and normals are three components of one texel, or three texels of one component.
-struct FamilyPulling {
-  std::string pointIds;     // integer buffer sampler: the point of each vertex
-  std::string pointOffset;  // uniform, added to the number of a point
-  std::string firstVertex;  // uniform: gl_VertexID of the draw's first vertex
-  std::string indexedIf;    // uniform; not 0: gl_VertexID is the point, without `pointIds`
-  std::string cells;        // integer buffer sampler: the cell of each triangle, for colours and normals
-  std::string cellsIf;      // uniform; 0: a triangle's cell is its number
-  std::string cellsOffset;  // uniform, added to the number of a triangle before `cells` is read
-  bool given() const { return !pointIds.empty(); }
 };
 
 struct Family {
@@ -246,6 +236,7 @@ struct Family {
 
   // Edges of triangles that a geometry shader paints: flags per triangle, width in pixels, colour.
   std::string edgesIf;          // uniform; 0: no edges
+  std::string edgesUnless;      // uniform; not 0: edges have another look, which cannot be traced
   std::string edgeFlags;        // buffer sampler; bit k: the edge from corner k to the next
   std::string edgeFlagsIf;      // uniform; 0: all edges are painted
   std::string edgeFlagsOffset;  // uniform, added to the triangle's number

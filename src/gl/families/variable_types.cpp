@@ -82,8 +82,9 @@ void needPulledTypes(const TypeCheck& check, const Family& f) {
     check.uniform(*name, kBuffer);
   check.uniform(f.color, kBytes), check.uniform(f.edgeFlags, kBytes);
   for (const std::string* name : {&pull.pointIds, &pull.cells}) check.uniform(*name, kIntegers);
-  for (const std::string* name : {&pull.pointOffset, &pull.firstVertex, &pull.indexedIf, &pull.cellsIf,
-                                  &pull.cellsOffset, &f.edgesIf, &f.edgeFlagsIf, &f.edgeFlagsOffset})
+  for (const std::string* name :
+       {&pull.pointOffset, &pull.firstVertex, &pull.indexedIf, &pull.cellsIf, &pull.cellsOffset, &pull.size,
+        &f.edgesIf, &f.edgesUnless, &f.edgeFlagsIf, &f.edgeFlagsOffset})
     check.uniform(*name, kNumber);
 }
 
@@ -107,7 +108,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.values({&f.impostors.radius, &f.impostors.inside, &f.impostors.radiusDivisor, &f.impostors.size,
                 &f.impostors.bulge, &f.impostors.bulgeDepth, &f.impostors.depthBias, &f.impostors.scale,
                 &f.impostors.billboardScale});
-  check.uniform(f.impostors.projection, kMatrix);
+  check.values({&f.impostors.longer});
+  check.uniform(f.impostors.projection, kMatrix), check.uniform(f.impostors.viewport, kVec4);
   check.attribute(f.impostors.end), check.attribute(f.impostors.endColor);
   for (const std::string* name : {&f.impostors.corners, &f.impostors.caps}) check.attribute(*name, kFloat);
   check.uniform(f.impostors.roundCaps, kNumber);

@@ -15,13 +15,16 @@ namespace {
 Reason readPointSize(ShadowState& shadow) {
   const RealGl& real = shadow.real;
   const bool core = shadow.info.core;
-  if (isOn(real, GL_PROGRAM_POINT_SIZE)) return Reason::points;
+  // gl_PointSize is known only where the family names its value.
+  const bool ofProgram = isOn(real, GL_PROGRAM_POINT_SIZE);
+  if (ofProgram && !(shadow.program().pixelSize > 0)) return Reason::points;
   // Implementations differ in the point coordinates of multisampled points (Mesa 22: half a pixel aside).
   if (shadow.target().samples > 1) return Reason::multisampledPoints;
   if (!core && (isOn(real, GL_POINT_SMOOTH) || !isOn(real, GL_POINT_SPRITE))) return Reason::points;
   if (integer(real, GL_POINT_SPRITE_COORD_ORIGIN) != GL_UPPER_LEFT) return Reason::points;
   GLfloat size = 1, range[2] = {1, 1};
   real.GetFloatv(GL_POINT_SIZE, &size);
+  if (ofProgram) size = shadow.program().pixelSize;
   real.GetFloatv(core ? GL_POINT_SIZE_RANGE : GL_ALIASED_POINT_SIZE_RANGE, range);
   size = std::clamp(size, range[0], range[1]);
   const glm::ivec4& viewport = shadow.viewport().box;
@@ -54,6 +57,19 @@ Reason checkSplats(const ProgramState& program, const RasterState& raster) {
                                                                                       : Reason::program;
 }
 
+/// Sets the size of tubes whose width is a number of pixels. Lines that are not wider than one are no tubes.
+Reason readLineWidth(ShadowState& shadow) {
+  const ProgramState& program = shadow.program();
+  const glm::vec4 box(shadow.viewport().box);
+  if (!(program.pixelSize > 1)) return Reason::lines;
+  if (program.usedViewport != box) {
+    shadow.setProgramWhy("the viewport that it computes tubes with is not the viewport");
+    return Reason::programValue;
+  }
+  shadow.setImpostorSize(glm::vec2(2 * program.pixelSize) / glm::vec2(box.z, box.w));
+  return Reason::traced;
+}
+
 }  // namespace
 
 Reason readPixelImpostors(ShadowState& shadow) {
@@ -64,6 +80,8 @@ Reason readPixelImpostors(ShadowState& shadow) {
   if (shape == scene::Shape::splats) return checkSplats(program, shadow.raster());
   if (!depthFits(program)) return Reason::program;
   if (shape == scene::Shape::beads) return readPointSize(shadow);
+  if (program.impostors.inPixels)
+    if (const Reason reason = readLineWidth(shadow); reason != Reason::traced) return reason;
   const glm::vec2 size = program.impostors.size;
   if (!(size.x > 0 && size.y > 0) || !std::isfinite(size.x + size.y)) return Reason::program;
   return shadow.raster().offsetFill ? Reason::program : Reason::traced;

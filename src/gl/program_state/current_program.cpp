@@ -15,14 +15,18 @@ GLuint CurrentProgram::name() const {
   return static_cast<GLuint>(name);
 }
 
+bool drawsImpostors(const KnownProgram& program, GLenum mode) {
+  if (mode != GL_POINTS && mode != GL_LINES) return false;
+  if (!program.family || !program.family->impostors.given() || program.family->impostors.sent) return false;
+  return (mode == GL_LINES) == (program.family->impostors.shape == scene::Shape::tubes);
+}
+
 bool CurrentProgram::drawsImpostors(GLenum mode) const {
   if (mode != GL_POINTS && mode != GL_LINES) return false;
   const GLuint inUse = name();
   if (inUse == 0) return false;
   const auto program = known(inUse);
-  if (!program || !program->family || !program->family->impostors.given()) return false;
-  if (program->family->impostors.sent) return false;
-  return (mode == GL_LINES) == (program->family->impostors.shape == scene::Shape::tubes);
+  return program && gl::drawsImpostors(*program, mode);
 }
 
 }  // namespace gluray::gl

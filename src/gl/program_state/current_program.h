@@ -11,6 +11,9 @@
 
 namespace gluray::gl {
 
+/// Whether the shader program turns the points or lines of a draw of this mode into impostors.
+bool drawsImpostors(const KnownProgram& program, GLenum mode);
+
 class CurrentProgram {
  public:
   CurrentProgram(const RealGl& real, ShareGroup& group, const ContextInfo& info)
@@ -20,7 +23,7 @@ class CurrentProgram {
   std::shared_ptr<const KnownProgram> known(GLuint name) const;
   /// Name of the shader program in use; 0: none.
   GLuint name() const;
-  /// Whether the shader program in use turns the points or lines of a draw of this mode into impostors.
+  /// Likewise of the shader program in use and the first of its families, which needs no values of uniforms.
   bool drawsImpostors(GLenum mode) const;
 
  private:

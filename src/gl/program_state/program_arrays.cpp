@@ -91,7 +91,10 @@ class AttributeReader {
       : real_(real), group_(group), program_(program), out_(out) {}
 
   void read() {
-    if (program_ && program_->family && !program_->family->pulling.given()) readVertices(*program_->family);
+    if (program_ && program_->family) {
+      out_.shape = program_->family->impostors.shape;
+      if (!program_->family->pulling.given()) readVertices(*program_->family);
+    }
     readOthers();
     if (program_ && program_->family) readInstances(*program_->family);
     // Client memory may change before the draw is replayed.
@@ -141,7 +144,6 @@ void AttributeReader::readVertices(const Family& family) {
     out_.texcoordsAbove.resize(scene::PbrSurface::kTangentUnit);
     take(family.tangent, out_.texcoordsAbove.back());
   }
-  out_.shape = family.impostors.shape;
   take(family.impostors.radius.uniform, out_.radius);
   take(family.impostors.axis, out_.axis);
   out_.sentBillboards = family.impostors.sent;

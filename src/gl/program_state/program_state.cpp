@@ -95,6 +95,10 @@ void ProgramReader::readTransform() {
 Reason ProgramReader::readImpostors() {
   const FamilyImpostors& f = family_.impostors;
   out_.impostors = {};
+  const std::string& ofPulled = family_.pulling.size;
+  out_.pixelSize = f.given()          ? uniforms_.number(f.size, 0)
+                   : ofPulled.empty() ? 0
+                                      : uniforms_.number(ofPulled);
   if (!f.given()) return Reason::traced;
   out_.impostors.billboards = f.billboards;
   out_.impostors.fades = f.fades;
@@ -105,6 +109,9 @@ Reason ProgramReader::readImpostors() {
   const bool attribute = !f.radius.uniform.empty() && program_.attribute(f.radius.uniform);
   out_.impostors.grows = f.grows;
   out_.impostors.size = glm::vec2(uniforms_.value(f.size, glm::vec4(0)));
+  out_.impostors.inPixels = f.inPixels;
+  out_.impostors.longer = uniforms_.number(f.longer, 0);
+  if (!f.viewport.empty()) out_.usedViewport = uniforms_.vector(f.viewport);
   out_.impostors.bulge = uniforms_.number(f.bulge, 0);
   out_.impostors.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
   constexpr float kUnit = 1.0f / 65000.0f;  // VTK's unit of depth bias
@@ -180,6 +187,8 @@ Reason ProgramReader::readEdges() {
       !family_.edgeFlags.empty() && (family_.edgesIf.empty() || uniforms_.integer(family_.edgesIf) != 0);
   out_.triangleEdges = {};
   if (!f.edges) return Reason::traced;
+  if (!family_.edgesUnless.empty() && uniforms_.integer(family_.edgesUnless) != 0)
+    return refuse("uniform \"" + family_.edgesUnless + "\" is not 0, but the triangles have edges");
   GLint viewport[4] = {};
   real_.GetIntegerv(GL_VIEWPORT, viewport);
   if (uniforms_.has(family_.edgeViewport) &&
@@ -216,6 +225,21 @@ glm::vec4 ProgramReader::current(const std::string& name) const {
 
 namespace {
 
+/// Lets the program have that of its families whose values (Family::decided) its uniforms have; the first
+/// one if none has.
+void chooseFamily(ProgramState& s) {
+  const auto fits = [&](const KnownProgram& known) {
+    const UniformReader uniforms(known.program, *s.uniforms, known.placeholders);
+    return std::ranges::all_of(known.family->decided, [&](const auto& value) {
+      return uniforms.unlike(value.first, {value.second}).empty();
+    });
+  };
+  if (fits(*s.known)) return;
+  const auto& others = s.known->others;
+  const auto found = std::ranges::find_if(others, [&](const auto& other) { return fits(*other); });
+  if (found != others.end()) s.known = std::shared_ptr<const KnownProgram>(*found);
+}
+
 bool isSane(const ProgramState& s) {
   return isInvertible(s.clipFromObject) && (!s.eyeFromObject || isInvertible(*s.eyeFromObject));
 }
@@ -230,17 +254,22 @@ void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, Te
     state.reason = reason;
     return;
   }
+  const bool several = !state.known->others.empty();
+  if (several) {
+    state.uniforms = readUniforms(real, state.known->program);
+    chooseFamily(state);
+  }
   if (state.known->family->onlySolids && !solids) {
-    state.reason = Reason::program;
+    state.reason = state.known->family->pulling.lines ? Reason::lines : Reason::program;
     return;
   }
   if (!state.known->family->rasteriseBecause.empty()) {
     state.reason = Reason::programPass;
-    if (state.known->family->pass != Family::Pass::none)
+    if (state.known->family->pass != Family::Pass::none && !several)
       state.uniforms = readUniforms(real, state.known->program);
     return;
   }
-  state.uniforms = readUniforms(real, state.known->program);
+  if (!several) state.uniforms = readUniforms(real, state.known->program);
   state.reason = ProgramReader(real, group, has, textures, state).read();
   if (state.reason == Reason::traced && !isSane(state)) state.reason = Reason::singularMatrix;
 }

@@ -33,7 +33,9 @@ struct ProgramState {
   std::vector<glm::dvec4> clipPlanes;  // object space
   scene::PolygonOffset depthOffset;
   scene::Impostors impostors;
-  float impostorRadius = 1;  // if no array provides radii
+  float pixelSize = 0;        // of points and lines that the program sizes in pixels; 0: not given
+  glm::vec4 usedViewport{0};  // that the program computes tubes with, if it does so in pixels
+  float impostorRadius = 1;   // if no array provides radii
   float impostorCaps = 0;
   scene::Attribute triangleColors, triangleNormals, triangleEdges;
   uint32_t triangleColorCount = 0, triangleNormalCount = 0, triangleEdgeCount = 0, triangleOffset = 0;

@@ -12,9 +12,12 @@
 namespace gluray::gl {
 
 std::optional<Elements> elementsOf(const PulledVertices& pulled, const Elements& drawn) {
+  constexpr GLsizei kTwoTriangles = 6, kLine = 2;
+  if (pulled.lines && (pulled.indexed || drawn.count % kTwoTriangles != 0)) return std::nullopt;
   if (pulled.indexed) return drawn;
   if (drawn.type || drawn.first != pulled.firstVertex) return std::nullopt;
   Elements elements = drawn;
+  if (pulled.lines) elements.count = drawn.count / kTwoTriangles * kLine;
   elements.first = 0;
   elements.type = GL_UNSIGNED_INT;
   elements.indices =
@@ -22,16 +25,22 @@ std::optional<Elements> elementsOf(const PulledVertices& pulled, const Elements&
   return elements;
 }
 
+std::optional<GLenum> modeOf(const PulledVertices& pulled, GLenum mode) {
+  if (!pulled.lines) return mode;
+  return mode == GL_TRIANGLES ? std::optional<GLenum>(GL_LINES) : std::nullopt;
+}
+
 namespace {
 
 std::optional<scene::Attribute> gather(const PulledVertices& pulled, const scene::Attribute& elements,
                                        uint32_t count, uint32_t triangles) {
-  if (triangles > pulled.cellCount) return std::nullopt;
+  const size_t each = pulled.primitivesPerCell;
+  if (pulled.cells && triangles > pulled.cellCount * each) return std::nullopt;
   const auto values = makePadded<uint32_t>(size_t{elements.stride} / sizeof(uint32_t) * triangles);
   auto* const data = reinterpret_cast<std::byte*>(values.get());
   for (size_t i = 0; i < triangles; ++i) {
-    int32_t cell = 0;
-    std::memcpy(&cell, pulled.cells.data + i * pulled.cells.stride, sizeof cell);
+    auto cell = static_cast<int32_t>(i / each);
+    if (pulled.cells) std::memcpy(&cell, pulled.cells.data + i / each * pulled.cells.stride, sizeof cell);
     if (cell < 0 || static_cast<uint32_t>(cell) >= count) return std::nullopt;
     std::memcpy(data + i * elements.stride, elements.data + static_cast<size_t>(cell) * elements.stride,
                 elements.stride);
@@ -45,11 +54,12 @@ std::optional<scene::Attribute> ValuesOfCells::take(const PulledVertices& pulled
                                                     const scene::Attribute& elements, uint32_t count,
                                                     uint32_t triangles) {
   for (const Known& k : known_)
-    if (k.count == count && k.triangles == triangles && k.elements == elements && k.cells == pulled.cells)
+    if (k.count == count && k.triangles == triangles && k.elements == elements && k.cells == pulled.cells &&
+        k.each == pulled.primitivesPerCell)
       return k.values;
   std::optional<scene::Attribute> values = gather(pulled, elements, count, triangles);
   if (!values) return values;
-  add({elements, pulled.cells, count, triangles, *values});
+  add({elements, pulled.cells, count, triangles, pulled.primitivesPerCell, *values});
   return values;
 }
 
@@ -99,6 +109,7 @@ Reason ProgramReader::readPulledIntegers(const std::string& name, BufferTexture&
 }
 
 Reason ProgramReader::readPulledArrays(ArrayState& arrays) {
+  arrays.shape = family_.impostors.shape;
   const bool two = hasTwoTexcoords(program_, family_);
   const bool mapped = two || !hasVertexInput(program_, family_, family_.texcoord);
   if (two) arrays.texcoordsAbove.resize(1);
@@ -149,6 +160,8 @@ Reason ProgramReader::readPulled() {
   PulledVertices& pulled = out_.pulled.emplace();
   pulled.firstVertex = uniforms_.integer(names.firstVertex);
   pulled.indexed = uniforms_.integer(names.indexedIf) != 0;
+  pulled.lines = names.lines;
+  pulled.primitivesPerCell = static_cast<uint32_t>(std::max(names.verticesPerCell, 1));
   BufferTexture ids;
   if (const Reason reason = readPulledIntegers(names.pointIds, ids); reason != Reason::traced) return reason;
   pulled.idsOffset = ids.offset;

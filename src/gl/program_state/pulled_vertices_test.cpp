@@ -37,6 +37,40 @@ TEST(PulledVertices, AreThoseOfTheDrawIfItIsIndexed) {
   EXPECT_EQ(elements->base, 5);
 }
 
+TEST(PulledVertices, OfLinesAreTwoForSix) {
+  PulledVertices pulled;
+  pulled.idsOffset = 64, pulled.firstVertex = 6, pulled.lines = true;
+  const auto elements = elementsOf(pulled, {6, 300, 0, nullptr, 0, 1});
+  ASSERT_TRUE(elements);
+  EXPECT_EQ(elements->count, 100);
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(elements->indices), 64u + 24u);
+  EXPECT_FALSE(elementsOf(pulled, {6, 303, 0, nullptr, 0, 1}));  // half a line
+  pulled.indexed = true;
+  EXPECT_FALSE(elementsOf(pulled, {0, 300, GL_UNSIGNED_INT, nullptr, 0, 1}));
+  EXPECT_EQ(modeOf(pulled, GL_TRIANGLES), std::optional<GLenum>(GL_LINES));
+  EXPECT_FALSE(modeOf(pulled, GL_LINES));
+  EXPECT_EQ(modeOf(PulledVertices{}, GL_POINTS), std::optional<GLenum>(GL_POINTS));
+}
+
+TEST(ValuesOfCells, MayBeOfSeveralPrimitives) {
+  const std::vector<int32_t> cells{2, 0};
+  const std::vector<uint32_t> colors{10, 11, 12};
+  const scene::Attribute all = attributeOf(colors, scene::Format::unorm8x4);
+  PulledVertices pulled;
+  pulled.primitivesPerCell = 2;
+  const auto valuesOf = [&](uint32_t primitives) {
+    const auto taken = ValuesOfCells().take(pulled, all, 3, primitives);
+    std::vector<uint32_t> got(taken ? primitives : 0);
+    if (taken) std::memcpy(got.data(), taken->data, got.size() * sizeof(uint32_t));
+    return got;
+  };
+  EXPECT_EQ(valuesOf(5), (std::vector<uint32_t>{10, 10, 11, 11, 12}));
+  EXPECT_TRUE(valuesOf(7).empty());  // no fourth cell
+  pulled.cells = attributeOf(cells, scene::Format::uint32), pulled.cellCount = 2;
+  EXPECT_EQ(valuesOf(4), (std::vector<uint32_t>{12, 12, 10, 10}));
+  EXPECT_TRUE(valuesOf(5).empty());
+}
+
 TEST(ValuesOfCells, AreInTheOrderOfTriangles) {
   const std::vector<int32_t> cells{2, 0, 0, 1, 2};
   const std::vector<uint32_t> colors{10, 11, 12};

@@ -5,6 +5,7 @@
 #include "gl/glsl/program_source.h"
 #include "gl/glsl/shader_digest.h"
 #include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/renames.h"
 #include "gl/programs/vertex_inputs.h"
 #include "gl/real/extensions.h"
 
@@ -82,23 +83,6 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
     if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
 }
 
-/// Whether the family mentions a variable, under this name or as an alternative.
-bool isKnown(const std::string& name, const Family& f, const Renames& renamed) {
-  const auto isTaken = [&](const auto& pair) { return pair.second == name; };
-  return f.mentions(name) || std::any_of(renamed.begin(), renamed.end(), isTaken);
-}
-
-/// The only sampler2D that the family does not mention; null if there is none or several.
-const std::string* onlyUnknownTexture(const Program& p, const Family& f, const Renames& renamed) {
-  const std::string* only = nullptr;
-  for (const auto& [name, uniform] : p.uniforms) {
-    if (uniform.type != GL_SAMPLER_2D || isKnown(name, f, renamed)) continue;
-    if (only) return nullptr;
-    only = &name;
-  }
-  return only;
-}
-
 void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.strict) return;
   const auto check = [&](const char* kind, const std::string& name, GLenum type) {
@@ -168,21 +152,6 @@ float numberAfter(const std::string& before, const std::string& text) {
 
 }  // namespace
 
-Renames renamedBy(const Program& program, const Family& family) {
-  Renames renamed;
-  const auto has = [&](const std::string& name) {
-    return program.uniforms.contains(name) || program.attributes.contains(name);
-  };
-  for (const auto& [name, others] : family.alternatives) {
-    const auto other = has(name) ? others.end() : std::find_if(others.begin(), others.end(), has);
-    if (other != others.end()) renamed[name] = *other;
-  }
-  if (!family.anyTexture.empty() && !has(family.anyTexture))
-    if (const std::string* other = onlyUnknownTexture(program, family, renamed))
-      renamed[family.anyTexture] = *other;
-  return renamed;
-}
-
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code) {
   program.renamed = renamedBy(program, family);
@@ -249,6 +218,7 @@ void findFamily(const RealGl& real, KnownProgram& known, const FamilyList& famil
   std::vector<std::string> fewest;
   const Family* nearest = nullptr;
   for (const auto& family : families) {
+    if (!family->rasteriseBecause.empty() && !family->decided.empty()) continue;  // findOthers()
     bool unknown = false;
     known.program.renamed = renamedBy(known.program, *family);
     nameBuiltIns(known.program, *family);
@@ -267,6 +237,42 @@ void findFamily(const RealGl& real, KnownProgram& known, const FamilyList& famil
   known.why = whyNoneFits(known, nearest, fewest);
 }
 
+void addNote(KnownProgram& known, const std::string& note) {
+  if (!note.empty()) known.note.append(known.note.empty() ? "" : "; ").append(note);
+}
+
+/// Whether no draw can have the values of both families: a uniform of the program must differ.
+bool excludeEachOther(const Program& program, const Family& a, const Family& b) {
+  return std::ranges::any_of(a.decided, [&](const auto& value) {
+    const auto other = b.decided.find(value.first);
+    return other != b.decided.end() && other->second != value.second && program.uniform(value.first);
+  });
+}
+
+/// Finds KnownProgram::others. The first family that fits wins for each set of values.
+void findOthers(const RealGl& real, KnownProgram& known, const FamilyList& families, ProgramSource& source,
+                const std::string& note) {
+  if (!known.family || known.family->decided.empty()) return;
+  for (const auto& family : families) {
+    const auto excludes = [&](const KnownProgram& found) {
+      return excludeEachOther(found.program, *found.family, *family);
+    };
+    if (family->decided.empty() || !excludes(known) ||
+        !std::ranges::all_of(known.others, [&](const auto& found) { return excludes(*found); }))
+      continue;
+    auto other = std::make_shared<KnownProgram>();
+    other->program = known.program;
+    dropBuiltIns(other->program);
+    other->program.renamed = renamedBy(other->program, *family);
+    nameBuiltIns(other->program, *family);
+    bool unknown = false;
+    if (!obstacles(real, other->program, *family, families.code, source, unknown).empty()) continue;
+    setFamily(*other, family, families, source);
+    addNote(*other, note);
+    known.others.push_back(std::move(other));
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
@@ -276,8 +282,9 @@ std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, c
   known->program.texts = std::move(texts);
   ProgramSource source(real, known->program);
   findFamily(real, *known, families, source);
-  if (const std::string note = noteOnOpenGl(real, known->program, source); !note.empty())
-    known->note.append(known->note.empty() ? "" : "; ").append(note);
+  const std::string note = noteOnOpenGl(real, known->program, source);
+  addNote(*known, note);
+  findOthers(real, *known, families, source, note);
   return known;
 }
 

@@ -23,17 +23,16 @@ struct KnownProgram {
   bool ignoresOpacity = false;           // by FamilyMaterial::unusedOpacityInSource
   bool discardsInvisible = false;        // by Family::discardsInvisibleInSource
   bool unknownCode = false;              // the nearest family fits except for unknown statements
+  /// The same program with further families, for other values of uniforms (Family::decided).
+  std::vector<std::shared_ptr<const KnownProgram>> others;
 };
-
-/// For each family name that the shader program lacks, the first alternative name that the program has. For
-/// Family::anyTexture, the program's only unknown sampler2D.
-Renames renamedBy(const Program& program, const Family& family);
 
 /// Reasons why `program` does not fit `family`, whose known sections are in `code`; empty if it fits.
 std::vector<std::string> obstacles(const RealGl& real, Program program, const Family& family,
                                    const CodeSections& code = {});
 
-/// Queries the shader program and finds its family. `texts`: Program::texts.
+/// Queries the shader program and finds its family, and the families for other values of its uniforms.
+/// `texts`: Program::texts.
 std::shared_ptr<const KnownProgram> recognise(const RealGl& real, GLuint name, const FamilyList& families,
                                               std::shared_ptr<const ShaderTexts> texts = {});
 

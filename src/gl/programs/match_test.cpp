@@ -1,4 +1,5 @@
 // Whether programs fit a family, judged by the names of their variables.
+#include "gl/programs/renames.h"
 #include "gl/testing/test_match.h"
 
 #include <gtest/gtest.h>

@@ -129,12 +129,12 @@ void ShadowState::readProgramInUse() {
   const GLuint name = currentProgram.name();
   const auto before = inUse.known;
   inUse.known = name ? currentProgram.known(name) : nullptr;
-  if (inUse.known != before) touch(kAttributes);
-  if (!inUse.known) {
+  if (inUse.known)
+    readProgram(real, group, rare_, textures, inUse, drawsAnySolids(settings));
+  else
     inUse.reason = Reason::program, inUse.pulled.reset();
-    return;
-  }
-  readProgram(real, group, rare_, textures, inUse, drawsAnySolids(settings));
+  if (inUse.known != before) touch(kAttributes);
+  if (!inUse.known) return;
   // A deleted program lives only while it is in use. Not every version of OpenGL lets OtherProgram keep it
   // alive.
   GLint deleted = 0;
@@ -150,7 +150,7 @@ const ArrayState& ShadowState::vertices() {
 }
 
 bool ShadowState::takeValuesOfCells(uint32_t triangles) {
-  if (!program_.pulled || !program_.pulled->cells) return true;
+  if (!program_.pulled || !program_.pulled->sortsCells()) return true;
   const auto take = [&](scene::Attribute& values, uint32_t& count) {
     if (!values) return true;
     std::optional<scene::Attribute> taken = valuesOfCells_.take(*program_.pulled, values, count, triangles);
@@ -159,7 +159,7 @@ bool ShadowState::takeValuesOfCells(uint32_t triangles) {
   };
   const bool all = take(program_.triangleColors, program_.triangleColorCount) &&
                    take(program_.triangleNormals, program_.triangleNormalCount);
-  program_.pulled->cells = {};
+  program_.pulled->cells = {}, program_.pulled->primitivesPerCell = 1;
   program_.opaqueTriangleColors = textures.isOpaque(program_.triangleColors, program_.triangleColorCount);
   expire(kProgram);
   return all;

@@ -1,4 +1,5 @@
 """Pictures by VTK itself: its vertex-pulling mapper, glyphs, impostors, composite mappers."""
+import math
 import sys
 
 import vtk
@@ -74,6 +75,31 @@ def flat():
     return plain
 
 
+def helix():
+    """Three lines with scalars of points, of many segments."""
+    points, lines, values = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkFloatArray()
+    values.SetName("height")
+    for strand in range(3):
+        lines.InsertNextCell(25)
+        for i in range(25):
+            angle = i / 4 + 2 * strand
+            lines.InsertCellPoint(points.InsertNextPoint((0.3 + 0.1 * strand) * math.cos(angle), (0.3 + 0.1 * strand) * math.sin(angle), i / 24 - 0.5))
+            values.InsertNextValue(i / 24)
+    mesh = vtk.vtkPolyData()
+    mesh.SetPoints(points), mesh.SetLines(lines)
+    mesh.GetPointData().SetScalars(values)
+    return mesh
+
+
+def spheres(actor):
+    actor.GetProperty().SetRepresentationToPoints()
+    actor.GetProperty().RenderPointsAsSpheresOn(), actor.GetProperty().SetPointSize(9)
+
+
+def tubes(actor):
+    actor.GetProperty().RenderLinesAsTubesOn(), actor.GetProperty().SetLineWidth(7)
+
+
 def glyphs(change=lambda actor: None):
     def draw(file):
         mapper = vtk.vtkGlyph3DMapper()
@@ -99,6 +125,13 @@ SCENES = {
     "pulled: edges": shown(PULLING, data=flat, change=prop("EdgeVisibilityOn")),
     "pulled: wireframe": shown(PULLING, data=flat, change=prop("SetRepresentationToWireframe")),
     "pulled: points": shown(PULLING, data=flat, change=prop("SetRepresentationToPoints")),
+    "pulled: points as spheres": shown(PULLING, data=flat, change=spheres),
+    "pulled: points as spheres, scalars": shown(PULLING, scalars=True, change=spheres),
+    "pulled: points as spheres, scalars of cells": shown(PULLING, cells=True, change=spheres),
+    "pulled: lines": shown(PULLING, data=helix, scalars=True, change=prop("SetLineWidth", 3)),
+    "pulled: lines as tubes": shown(PULLING, data=helix, change=tubes),
+    "pulled: lines as tubes, scalars": shown(PULLING, data=helix, scalars=True, change=tubes),
+    "pulled: lines as tubes, scalars of cells": shown(PULLING, data=helix, cells=True, change=tubes),
     "pulled: opacity": shown(PULLING, change=prop("SetOpacity", 0.5)),
     "pulled: physically based": shown(PULLING, change=prop("SetInterpolationToPBR")),
     "glyphs": glyphs(),

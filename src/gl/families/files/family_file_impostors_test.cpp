@@ -55,7 +55,10 @@ TEST(FamilyFile, BeadsAndTubes) {
   EXPECT_TRUE(f.impostors.grows && f.mentions("w") && f.mentions("r") && f.mentions("s") && f.mentions("o"));
   const std::string beads = round + "impostors.shape = \"beads\"\n";
   EXPECT_EQ(mistakeIn(beads), "none");
-  EXPECT_NE(mistakeIn(beads + "impostors.size = 1").find("need size"), std::string::npos);
+  EXPECT_EQ(mistakeIn(beads + "impostors.size = \"w\""), "none");
+  EXPECT_NE(
+      mistakeIn("impostors.shape = \"discs\"\nimpostors.radius = 1\nimpostors.size = 1").find("need size"),
+      std::string::npos);
   EXPECT_NE(mistakeIn(round + "impostors.shape = \"tubes\"").find("need size"), std::string::npos);
   EXPECT_NE(mistakeIn("impostors.shape = \"beads\"").find("need bulge"), std::string::npos);
   EXPECT_NE(mistakeIn(beads + "depth.offset = \"o\"").find("impostors.depth_bias"), std::string::npos);

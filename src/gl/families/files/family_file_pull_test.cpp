@@ -44,6 +44,26 @@ TEST(FamilyPulling, IsRead) {
     EXPECT_TRUE(f.mentions(name)) << name;
 }
 
+TEST(FamilyPulling, DescribesPointsAndLines) {
+  const std::string tubes =
+      kPulling +
+      "pull.lines = true\npull.size = \"wide\"\nedges.unless = \"round\"\nimpostors.shape = \"tubes\"\n"
+      "impostors.size = \"w\"\nimpostors.in_pixels = true\nimpostors.longer = 1\n"
+      "impostors.viewport = \"port\"\nimpostors.bulge = 0.1\nimpostors.bulge_depth = 1\n"
+      "[[family]]\ninherits = \"pulls\"\nname = \"points\"\nmatch.decided = { kind = 1 }\n"
+      "pull.vertices_per_cell = 3\npull.lines = false\n";
+  const FamilyList list = parseFamilies(tubes, "f.toml");
+  const Family &lines = *list[0], &points = *list[1];
+  EXPECT_TRUE(lines.pulling.lines && lines.impostors.inPixels);
+  EXPECT_EQ(lines.pulling.size, "wide");
+  EXPECT_EQ(lines.edgesUnless, "round");
+  EXPECT_EQ(lines.impostors.viewport, "port");
+  EXPECT_EQ(lines.impostors.longer.constant, std::vector<float>{1});
+  for (const char* const name : {"wide", "round", "w", "port"}) EXPECT_TRUE(lines.mentions(name)) << name;
+  EXPECT_EQ(points.pulling.verticesPerCell, 3);
+  EXPECT_EQ(points.decided, (DecidedValues{{"kind", 1}})) << "replaces what is inherited";
+}
+
 TEST(FamilyPulling, HasItsMistakesNamed) {
   const auto has = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
@@ -54,6 +74,15 @@ TEST(FamilyPulling, HasItsMistakesNamed) {
   EXPECT_TRUE(has(mistakeOfPulling("instance.color = \"c\"\n"), "pulled vertices have neither"));
   EXPECT_TRUE(has(mistakeOfPulling("lights.enabled = \"lit\"\n"), "lights.unlit_shows"));
   EXPECT_EQ(mistakeOfPulling("lights.enabled = \"lit\"\nlights.unlit_shows = \"ambient_and_diffuse\"\n"), "");
+  EXPECT_TRUE(has(mistakeOfPulling("pull.vertices_per_cell = 0\n"), "from 1 on"));
+  const std::string tubes =
+      "impostors.shape = \"tubes\"\nimpostors.bulge = 0.1\nimpostors.bulge_depth = 1\nimpostors.size = "
+      "\"w\"\n";
+  EXPECT_EQ(mistakeOfPulling(tubes), "");
+  EXPECT_TRUE(has(mistakeOfPulling(tubes + "impostors.in_pixels = true\n"), "needs viewport"));
+  EXPECT_TRUE(has(mistakeOfPulling(tubes + "impostors.longer = 1\n"), "need in_pixels"));
+  EXPECT_TRUE(
+      has(mistakeOfPulling("impostors.shape = \"spheres\"\nimpostors.radius = 1\n"), "beads or tubes"));
   std::string text = kPulling;
   text.replace(text.find("match.code = \"all\""), 18, "");
   EXPECT_THROW(parseFamilies(text, "f.toml"), FamilyError);

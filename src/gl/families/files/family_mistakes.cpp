@@ -92,13 +92,15 @@ std::string mistakeInLook(const Family& family) {
 
 std::string mistakeInPulling(const Family& family) {
   const FamilyPulling& pull = family.pulling;
-  if (!family.decided.empty() && family.code.empty()) return "match.decided needs match.code";
+  if (!family.decided.empty() && family.code.empty() && family.rasteriseBecause.empty())
+    return "match.decided needs match.code";
   if (!pull.given()) return "";
   if (family.code.empty() && family.rasteriseBecause.empty()) return "pulled vertices need match.code";
-  if (family.hasBuiltInVertices() || family.impostors.given() || family.geometryShader ||
-      !family.tangent.empty() || !family.instanceTransform.empty() || !family.instanceShift.empty() ||
-      !family.instanceColor.empty())
-    return "pulled vertices have neither gl_Vertex nor impostors, geometry shaders, tangents and instances";
+  if (family.impostors.given() && !scene::isSizedInPixels(family.impostors.shape))
+    return "impostors of pulled vertices are beads or tubes";
+  if (family.hasBuiltInVertices() || family.geometryShader || !family.tangent.empty() ||
+      !family.instanceTransform.empty() || !family.instanceShift.empty() || !family.instanceColor.empty())
+    return "pulled vertices have neither gl_Vertex nor geometry shaders, tangents and instances";
   if (pull.cellsIf.empty() != pull.cells.empty()) return "pull.cells and pull.cells_if need each other";
   return "";
 }

@@ -92,6 +92,13 @@ void FamilyReader::readPulling() {
   name("cells", pull.cells);
   name("cells_if", pull.cellsIf);
   name("cells_offset", pull.cellsOffset);
+  if (FamilyValue each; value("vertices_per_cell", each), each.given()) {
+    if (each.constant.size() != 1 || each.constant[0] < 1)
+      fail(at("vertices_per_cell"), "vertices_per_cell must be a number from 1 on");
+    pull.verticesPerCell = static_cast<int>(each.constant[0]);
+  }
+  flag("lines", pull.lines);
+  name("size", pull.size);
   if (!pull.given()) fail(here(), "pull needs point_ids");
 }
 
@@ -179,6 +186,7 @@ void FamilyReader::readTextureUse() {
 
 void FamilyReader::readEdges() {
   name("if", family_.edgesIf);
+  name("unless", family_.edgesUnless);
   name("flags", family_.edgeFlags);
   name("flags_if", family_.edgeFlagsIf);
   name("flags_offset", family_.edgeFlagsOffset);

@@ -40,6 +40,9 @@ void FamilyReader::readImpostors() {
   value("radius_divisor", f.radiusDivisor);
   flag("fades", f.fades);
   flag("grows", f.grows);
+  flag("in_pixels", f.inPixels);
+  value("longer", f.longer);
+  name("viewport", f.viewport);
   value("size", f.size);
   value("bulge", f.bulge);
   value("bulge_depth", f.bulgeDepth);
@@ -51,7 +54,10 @@ void FamilyReader::readImpostors() {
   const bool pixels = scene::isSizedInPixels(f.shape);
   if (pixels && !(f.bulge.given() && f.bulgeDepth.given()))
     fail(here(), "beads and tubes need bulge and bulge_depth");
-  if (f.size.given() != (f.shape == scene::Shape::tubes)) fail(here(), "tubes, and only tubes, need size");
+  const bool tubes = f.shape == scene::Shape::tubes;
+  if (f.size.given() ? !pixels : tubes) fail(here(), "tubes need size, and only beads and tubes have one");
+  if (f.inPixels ? !tubes || f.viewport.empty() : f.longer.given() || !f.viewport.empty())
+    fail(here(), "in_pixels is for tubes and needs viewport; longer and viewport need in_pixels");
 }
 
 void FamilyReader::readSentBillboards() {

@@ -185,6 +185,7 @@ void FamilyTable::decidedValues(const char* key, DecidedValues& out) {
   const toml::node* node = get(key);
   if (!node) return;
   if (!node->is_table()) fail(*node, std::string(key) + " must be a section");
+  out.clear();
   for (const auto& [name, value] : *node->as_table()) {
     const auto number = value.value<double>();
     if (!number) fail(value, std::string(name.str()) + " must be a number");

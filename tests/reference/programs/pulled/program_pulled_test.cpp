@@ -57,6 +57,19 @@ const PulledCase kPulledCases[] = {
      {.lights = PulledLights::headlight, .backMaterial = true, .clipPlanes = true},
      kSharedBuffers},
     {"depth_offset", {.depthOffset = true}, {}},
+    {"blocks", {.lightCount = 2, .blocks = true}, kSharedBuffers},
+    {"blocks_of_points", {.color = PulledColor::points, .scalars = false, .blocks = true}, kSharedBuffers},
+    {"blocks_of_cells", {.color = PulledColor::cells, .blocks = true}, inSharedBuffers({.quads = true})},
+    {"blocks_of_maps",
+     {.color = PulledColor::mapped, .lights = PulledLights::headlight, .blocks = true},
+     kSharedBuffers},
+    {"blocks_of_one_color",
+     {.color = PulledColor::cells, .blocks = true},
+     inSharedBuffers({.quads = true, .edges = true, .flagged = true, .overrides = true})},
+    {"blocks_of_one_color_and_maps",
+     {.color = PulledColor::mapped, .blocks = true},
+     inSharedBuffers({.overrides = true})},
+    {"blocks_of_two_sides", {.backMaterial = true, .blocks = true}, kSharedBuffers, 0},
 };
 
 class PulledPrograms : public testing::TestWithParam<PulledCase> {};
@@ -102,6 +115,12 @@ TEST(PulledProgram, WithUniformsForOtherPrimitivesIsRasterised) {
     expectSame(std::string("pulled_other_") + name,
                bowlWith([&, n = name, v = value](Gl gl, GLuint program) { setInteger(gl, program, n, v); }),
                0);
+}
+
+TEST(PulledProgram, ThatFitsNoFamilyIsNotTakenForWireframe) {
+  const Outcome outcome =
+      expectSame("pulled_unknown", bowlWith([](Gl, GLuint) {}, {.backMaterial = true, .blocks = true}), 0);
+  EXPECT_EQ(outcome.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::program)], 1u);
 }
 
 TEST(PulledProgram, ThatBeginsElsewhereIsRasterised) {
@@ -191,7 +210,11 @@ INSTANTIATE_TEST_SUITE_P(
         PulledCase{"texels",
                    {.color = PulledColor::mapped, .scalars = false, .clipPlanes = true, .textured = true},
                    kSharedBuffers},
-        PulledCase{"back", {.lightCount = 2, .backMaterial = true}, {}}),
+        PulledCase{"back", {.lightCount = 2, .backMaterial = true}, {}},
+        PulledCase{"blocks", {.color = PulledColor::points, .blocks = true}, kSharedBuffers},
+        PulledCase{"blocks_of_one_color",
+                   {.color = PulledColor::cells, .blocks = true},
+                   inSharedBuffers({.overrides = true})}),
     [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -137,7 +137,10 @@ void PulledMesh::set(Gl gl, GLuint program, const View& view, const PulledSurfac
   integer("edgeValueBufferOffset", way_.flagsBefore), integer("useIndexedPointId", way_.indexed);
   integer("usesCellMap", way_.quads), integer("cellType", 5), integer("primitiveSize", 3);
   integer("edgeVisibility", way_.edges), integer("usesEdgeValues", way_.flagged);
-  integer("enable_lights", way_.lit);
+  integer("enable_lights", way_.lit), integer("overridesColor", way_.overrides);
+  number("intensity_opacity_override", way_.opacity);
+  setVec3(gl, program, "color_ambient_override", {0.9f, 0.3f, 0.2f});
+  setVec3(gl, program, "color_diffuse_override", {0.8f, 0.4f, 0.1f});
   number("edgeWidth", 1.5f), number("edgeOpacity", way_.edgeOpacity), number("pointSize", 1);
   number("lineWidth", 1);
   setVec3(gl, program, "edgeColor", {0.9f, 0.2f, 0.1f});
@@ -161,6 +164,28 @@ void PulledMesh::set(Gl gl, GLuint program, const View& view, const PulledSurfac
 void PulledMesh::draw(Gl gl) const {
   if (way_.indexed) return gl.DrawElementsInstanced(GL_TRIANGLES, count_, GL_UNSIGNED_INT, nullptr, 1);
   gl.DrawArraysInstanced(GL_TRIANGLES, way_.verticesBefore, count_, 1);
+}
+
+void PulledMesh::drawSolids(Gl gl, GLuint program, PulledKind kind, const View& view, float pixels) const {
+  const bool lines = kind == PulledKind::lines;
+  const GLsizei each = kind == PulledKind::vertices ? 1 : kind == PulledKind::corners ? 3 : 2;
+  const GLint cellTypes[] = {1, 3, 5, 3};
+  setInteger(gl, program, "cellType", cellTypes[static_cast<int>(kind)]);
+  setInteger(gl, program, "primitiveSize", lines ? 3 : 1);
+  setInteger(gl, program, "renderPointsAsSpheres", 1), setInteger(gl, program, "renderLinesAsTubes", 1);
+  setFloat(gl, program, "pointSize", pixels), setFloat(gl, program, "lineWidth", pixels);
+  const bool parallel = view.clipFromEye[3][3] == 1;
+  const double zz = view.clipFromEye[2][2];
+  setFloat(gl, program, "ZCalcR", static_cast<float>(pixels / (kProgramWidth * view.clipFromEye[0][0])));
+  setFloat(gl, program, "ZCalcS", static_cast<float>(parallel ? zz : 0.5 - 0.5 * zz));
+  gl.Enable(GL_PROGRAM_POINT_SIZE);
+  const GLsizei triangles = count_ / 3, first = way_.verticesBefore;
+  if (lines)
+    gl.DrawArraysInstanced(GL_TRIANGLES, first, 6 * triangles, 1);
+  else if (way_.indexed)
+    gl.DrawElementsInstanced(GL_POINTS, each * triangles, GL_UNSIGNED_INT, nullptr, 1);
+  else
+    gl.DrawArraysInstanced(GL_POINTS, first, each * triangles, 1);
 }
 
 }  // namespace gluray::test

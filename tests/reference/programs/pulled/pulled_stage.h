@@ -15,7 +15,12 @@ struct PulledWay {
   float edgeOpacity = 1;
   float opacity = 1;
   bool lit = true;
+  bool overrides = false;  // blocks have colours that replace all others
 };
+
+/// What a program's uniforms let it draw of the same buffers: each vertex as a point, of cells of one, two or
+/// three vertices, or each two vertices as a line. There are as many cells as the mesh has triangles.
+enum class PulledKind { vertices, ends, corners, lines };
 
 GLuint makeProgram(Gl gl, const PulledSurface& surface);
 
@@ -27,6 +32,8 @@ class PulledMesh {
   void set(Gl gl, GLuint program, const View& view, const PulledSurface& surface) const;
   /// Draws by the program in use.
   void draw(Gl gl) const;
+  /// Draws spheres or tubes of `pixels` by the program in use. Changes its uniforms.
+  void drawSolids(Gl gl, GLuint program, PulledKind kind, const View& view, float pixels) const;
   /// Replaces the position of a point.
   void move(Gl gl, size_t point, const glm::vec3& to) const;
   /// Replaces the colours of some cells from `cell` on, or lets triangles from `cell` on be of the first one.
