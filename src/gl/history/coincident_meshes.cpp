@@ -12,7 +12,7 @@
 namespace gluray::gl {
 namespace {
 
-struct Box {
+struct CornerBounds {
   glm::vec3 lower{std::numeric_limits<float>::infinity()}, upper{-std::numeric_limits<float>::infinity()};
   void add(const glm::vec3& p) { lower = glm::min(lower, p), upper = glm::max(upper, p); }
   bool contains(const glm::vec3& p) const {
@@ -33,9 +33,9 @@ uint64_t keyOf(const Triangle& triangle) {
 
 /// Whether a sampled triangle of `sampled` is a triangle of `all`.
 bool holdsSome(const scene::Mesh& all, const scene::Mesh& sampled) {
-  const Box bounds{all.lower, all.upper};
+  const CornerBounds bounds{all.lower, all.upper};
   std::unordered_set<uint64_t> keys;
-  Box wanted;
+  CornerBounds wanted;
   for (const Triangle& t : sampleTriangles(sampled)) {
     if (!std::all_of(t.begin(), t.end(), [&](const glm::vec3& p) { return bounds.contains(p); })) continue;
     keys.insert(keyOf(t));
