@@ -98,13 +98,11 @@ Reason Classifier::ofImages(bool large) const {
 
 Reason Classifier::ofDepths() const {
   const RasterState& raster = p_.shadow.raster();
-  const ViewportState& viewport = p_.shadow.viewport();
-  if (viewport.depthNear == viewport.depthFar) return Reason::flat;
   if (!raster.isReversed() && !raster.depthsFromZero) return Reason::traced;
   const bool impostors = raster.program != 0 && p_.shadow.attributes().shape != scene::Shape::triangles;
   if (impostors && raster.depthsFromZero) return Reason::clipControl;
   if (!raster.isReversed()) return Reason::traced;
-  if (impostors) return Reason::reversedDepth;
+  if (impostors || hasNoDepth()) return Reason::reversedDepth;
   if (raster.program == 0) return Reason::traced;
   const ProgramState& program = p_.shadow.program();
   const bool own = program.shading.fragment.writesDepth || program.depthOffset != scene::PolygonOffset{};
@@ -194,6 +192,7 @@ Reason Classifier::classify(const KnownMesh& known, const std::vector<MaterialCh
   const uint32_t triangles = known.mesh->triangleCount;
   if (isLayer(*known.mesh, materials))
     return p_.layers.drawn.leaves(triangles) ? Reason::smallScene : ofImages(true);
+  if (hasNoDepth()) return Reason::flat;
   const EngineChoice& choice = p_.clock.choice;
   const bool leave =
       choice.way() == EngineChoice::Way::mixed && choice.takes(triangles, p_.shadow.viewportPixels());

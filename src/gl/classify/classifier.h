@@ -36,9 +36,14 @@ class Classifier {
   /// Reason::noGlsl if this OpenGL cannot show traced images, else Reason::traced. A mixed frame delays the
   /// check to draws that are too large for the real OpenGL: call it again for these, with `large`.
   Reason ofImages(bool large) const;
-  /// Why depths prevent tracing: the depth range makes all equal, or under GL_GREATER, GL_GEQUAL or clip
-  /// depths from 0 the program moves them or draws impostors.
+  /// Why GL_GREATER, GL_GEQUAL or clip depths from 0 prevent tracing: all depths are equal, the program moves
+  /// them, or it draws impostors.
   Reason ofDepths() const;
+  /// Whether the depth range makes all depths equal, so that drawing order decides between opaque surfaces.
+  bool hasNoDepth() const {
+    const ViewportState& viewport = p_.shadow.viewport();
+    return viewport.depthNear == viewport.depthFar;
+  }
   /// The reason why a draw of fixed function's vertices, by fixed function or by a shader program, cannot be
   /// traced now if it has this primitive class, or Reason::traced.
   Reason classify(PrimitiveClass kind) const;

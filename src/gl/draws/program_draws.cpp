@@ -113,6 +113,7 @@ Reason ProgramDraws::classify(const KnownMesh& known, uint64_t load) {
   if (reason != Reason::traced) return reason;
   if (isBlended(*known.mesh))
     return p_.layers.drawn.leaves(load) ? Reason::smallScene : p_.classifier.ofImages(true);
+  if (p_.classifier.hasNoDepth()) return Reason::flat;
   // Judged for each draw and not for their sum, so that a surface that is drawn again is drawn in the same
   // way.
   const bool leave = p_.clock.leavesAlone(load, p_.shadow.viewportPixels());

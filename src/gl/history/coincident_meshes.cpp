@@ -54,7 +54,7 @@ bool holdsSome(const scene::Mesh& all, const scene::Mesh& sampled) {
 }  // namespace
 
 bool CoincidentMeshes::coincide(const scene::Mesh& a, const scene::Mesh& b) {
-  constexpr size_t kKept = 65536;
+  constexpr size_t kKept = 4096;
   if (a.geometryId == b.geometryId) return true;
   if (glm::any(glm::lessThan(a.upper, b.lower)) || glm::any(glm::lessThan(b.upper, a.lower))) return false;
   const Hash128 pair = hashBytes(&a.geometryId, sizeof a.geometryId, b.geometryId);
