@@ -281,11 +281,12 @@ bool Classifier::leavesDepth(PrimitiveClass kind) const {
          !p_.shadow.info.off;
 }
 
-bool Classifier::isPushedBack() const {
+bool Classifier::isPushedBack() const { return !p_.shadow.raster().isReversed() && increasesDepth(); }
+
+bool Classifier::increasesDepth() const {
   const RasterState& raster = p_.shadow.raster();
   const scene::PolygonOffset offset{.factor = raster.offsetFactor, .units = raster.offsetUnits};
-  return raster.offsetFill && raster.reason != Reason::polygonMode && !raster.isReversed() &&
-         offset.pushesBack();
+  return raster.offsetFill && raster.reason != Reason::polygonMode && offset.pushesBack();
 }
 
 }  // namespace gluray::gl

@@ -9,6 +9,7 @@
 
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <cstring>
 #include <utility>
@@ -88,9 +89,13 @@ bool Immediate::takesSlot(Slot slot) {
 }
 
 void Immediate::addSlotToRun(Slot slot) {
-  if (!p_.lists.compiling())
-    return stream_.addSlot(
-        slot, slot == kMaterialNumber ? initialSlotValues()[kMaterialNumber].data() : current(slot));
+  if (!p_.lists.compiling()) {
+    if (slot == kMaterialNumber) return stream_.addSlot(slot, initialSlotValues()[slot].data());
+    const float* const now = current(slot);
+    if (slot != kColor || stream_.empty()) return stream_.addSlot(slot, now);
+    const glm::vec4 followed = p_.shadow.colorOfMaterial();
+    return stream_.addSlot(slot, glm::value_ptr(followed));
+  }
   // The value that the list's caller will have set is unknown: vertices captured so far inherit it when the
   // list is called.
   if (p_.beginEnd.inside != Inside::captured && !stream_.empty()) closeRun();

@@ -75,9 +75,9 @@ void RasterDraws::remember(const KnownMesh& known) {
 void RasterDraws::meet(std::span<const Triangle> triangles) {
   p_.failsafe.protect([&] {
     p_.flusher.settleBelow(p_.shadow.target().samples);
-    const bool pushedBack = p_.classifier.isPushedBack();
     rasteriseMet(p_.surfaces.passes.meets(p_.shadow.modelview(), triangles,
-                                          depthPlaceOf(p_.shadow).framebuffer, pushedBack));
+                                          depthPlaceOf(p_.shadow).framebuffer,
+                                          p_.classifier.increasesDepth()));
   });
 }
 

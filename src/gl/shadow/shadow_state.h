@@ -120,6 +120,9 @@ class ShadowState {
     // If kLighting is dirty, material() reads the material back with it.
     if (shading_.colorMaterial != scene::ColorMaterial{}) followColor();
   }
+  /// The colour that vertices without one have: the current colour or, where the real OpenGL draws with
+  /// materials that it has stored (MaterialLatch), what of the material follows the colour.
+  glm::vec4 colorOfMaterial();
   /// Reports glMaterial with valid arguments, outside glBegin and glEnd.
   void materialSet(const MaterialChange& change);
   /// Reports a traced draw that uses the current values.

@@ -100,8 +100,8 @@ TEST(SmallDraws, ByFixedFunctionAreLeftOut) {
       "small_fixed", 3, [](Gl) {},
       [&](Gl gl, int frame) {
         drawByFixedFunction(gl, mesh, frame, GL_TRIANGLES, indices);
-        gl.Disable(GL_POLYGON_STIPPLE);                             // it leaves holes
-        gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(0, 1);  // not traced under GL_GEQUAL
+        gl.Disable(GL_POLYGON_STIPPLE);                              // it leaves holes
+        gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(0, -1);  // not traced under GL_GEQUAL
         gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, mesh.indices.data());
         for (int i = 1; i < 12; ++i) {
           gl.MatrixMode(GL_MODELVIEW), gl.LoadIdentity(), gl.Translatef(0.02f * i, 0, -4 - 0.8f * i);
