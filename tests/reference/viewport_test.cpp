@@ -70,6 +70,7 @@ TEST(Viewport, WindowIsAskedOnceABatch) {
   const auto below = OsmesaContext::create({kViewportSize, kViewportSize});
   gl::ContextInfo info;
   info.settings.engine = Engine::always;
+  info.doubleBuffered = false;
   info.drawableSize = [&] { return ++asked, glm::ivec2(width, kViewportSize); };
   const auto context =
       gl::Context::create(below->real(), std::make_shared<gl::ShareGroup>(), info, *presenter);

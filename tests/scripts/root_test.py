@@ -39,6 +39,20 @@ class Root(unittest.TestCase):
             self.calls = calls.read_text().replace(folder, "FOLDER").splitlines() if calls.exists() else []
         return done
 
+    def test_lists_out_of_date_are_taken_where_they_are_here(self):
+        for word, kept in (('Acquire::Check-Valid-Until "false";', 'Acquire::Check-Valid-Until "false";\n'), ("", "")):
+            with tempfile.TemporaryDirectory() as folder:
+                place = pathlib.Path(folder)
+                apt = place / "trixie" / "etc" / "apt"
+                for made in (place / "none", apt / "apt.conf.d", place / "trixie" / "root", place / "trixie" / "usr" / "sbin"):
+                    made.mkdir(parents=True)
+                (apt / "sources.list").write_text("deb http://first.example/debian trixie main\n")
+                (place / "apt.conf").write_text(f'Dir::Etc::parts "{place}/none"; Dir::Etc::main "{place}/none"; {word}')
+                stand_ins = {"id": "echo 0", "unshare": "exit 0", "debootstrap": DEBOOTSTRAP, "git": "exit 1"}
+                done = self.run_with(stand_ins, "trixie", GLURAY_ROOTS=folder, APT_CONFIG=str(place / "apt.conf"))
+                self.assertEqual((done.returncode, done.stderr, self.calls), (1, "root: cloning failed\n", []))
+                self.assertEqual((apt / "apt.conf.d" / "90valid-until").read_text(), kept)
+
     def run_as_root(self, *arguments, **variables):
         return self.run_with({"id": "echo 0", "unshare": "exit 0", "debootstrap": DEBOOTSTRAP}, *arguments, **variables)
 

@@ -165,12 +165,15 @@ void Context::makeCurrent(uintptr_t drawable) {
 }
 
 void Context::loseCurrent() {
-  protect([&] {
-    immediate.closeRunIfOpen();
-    // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their static
-    // objects.
-    if (!isExiting()) flusher.flush(), relighting.finish(Relighting::Place::leaving);
-  });
+  // Nobody sees what is drawn at exit, and the real OpenGL's libraries may have destroyed their contexts and
+  // static objects: not even state is read there.
+  if (!isExiting()) {
+    protect([&] {
+      immediate.closeRunIfOpen();
+      flusher.flush();
+      relighting.finish(Relighting::Place::leaving);
+    });
+  }
   cleared.forget();
   if (t_thread.context == this) t_thread = {};
 }
