@@ -3,6 +3,7 @@
 #include "intercept/window_systems/osmesa_api.h"
 
 #include <GL/glext.h>
+#include <dlfcn.h>
 
 #include <utility>
 
@@ -40,6 +41,9 @@ GLenum APIENTRY strictGetError() {
   return below != GL_NO_ERROR ? below : refused;
 }
 
+/// Whether OSMesa is GLuRay's, which has no accumulation buffers.
+bool isOverEgl() { return dlsym(RTLD_DEFAULT, "OSMesaIsOverEgl") != nullptr; }
+
 }  // namespace
 
 std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish, const OsmesaContext* share) {
@@ -47,7 +51,7 @@ std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish, co
       OSMESA_FORMAT,       OSMESA_RGBA,
       OSMESA_DEPTH_BITS,   24,
       OSMESA_STENCIL_BITS, 8,
-      OSMESA_ACCUM_BITS,   16,
+      OSMESA_ACCUM_BITS,   isOverEgl() ? 0 : 16,
       OSMESA_PROFILE,      wish.core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE};
   if (wish.major) {
     attributes.insert(attributes.end(), {OSMESA_CONTEXT_MAJOR_VERSION, wish.major});
@@ -65,6 +69,8 @@ std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextWish& wish, co
   gl::loadRealGl(
       context->real_,
       [](void*, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }, nullptr);
+  // What a new framebuffer holds is undefined: over EGL, it may be what was drawn into another.
+  if (isOverEgl()) context->real_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   if (wish.core) {
     context->real_.GetIntegerv = strictGetIntegerv;
     context->real_.GetError = strictGetError;
