@@ -92,7 +92,8 @@ void Immediate::addSlotToRun(Slot slot) {
   if (!p_.lists.compiling()) {
     if (slot == kMaterialNumber) return stream_.addSlot(slot, initialSlotValues()[slot].data());
     const float* const now = current(slot);
-    if (slot != kColor || stream_.empty()) return stream_.addSlot(slot, now);
+    // The real OpenGL does not yet have the values of a run of array draws.
+    if (slot != kColor || stream_.empty() || ofArrays_) return stream_.addSlot(slot, now);
     const glm::vec4 followed = p_.shadow.colorOfMaterial();
     return stream_.addSlot(slot, glm::value_ptr(followed));
   }
