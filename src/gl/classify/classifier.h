@@ -59,7 +59,7 @@ class Classifier {
   bool leavesDepth(PrimitiveClass kind) const;
   /// Whether surfaces are now drawn with a polygon offset away from the viewer.
   bool isPushedBack() const;
-  /// Whether a polygon offset would increase its depth, whatever the depth function.
+  /// Whether surfaces are now drawn with a polygon offset that increases depths, whatever the depth function.
   bool increasesDepth() const;
   /// The place of a mesh that is drawn now with this matrix and polygon offset.
   SurfacePlace placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;

@@ -1,5 +1,5 @@
 // Bugs that the fuzzer found, reduced: the real OpenGL and GLuRay must give the same results.
-#include "tests/fuzz/found.h"
+#include "tests/fuzz/found/found.h"
 
 #include "gl/arrays/arrays.h"
 #include "gl/capture/mesh_builder.h"

@@ -1,4 +1,4 @@
-#include "tests/fuzz/found.h"
+#include "tests/fuzz/found/found.h"
 
 #include <cmath>
 
