@@ -31,5 +31,7 @@ inline constexpr GLfloat kValues[64] = {0.5f, 0.25f, -0.5f, 1,    0.75f, 0.1f,
 
 /// Colours and materials.
 std::span<const Found> foundMaterials();
+/// What lists leave.
+std::span<const Found> foundLists();
 
 }  // namespace gluray::test

@@ -246,6 +246,7 @@ TEST_P(FoundTest, AnswersAreThoseOfTheRealOne) {
 INSTANTIATE_TEST_SUITE_P(Fuzzer, FoundTest, testing::ValuesIn(kFound));
 INSTANTIATE_TEST_SUITE_P(Materials, FoundTest,
                          testing::ValuesIn(foundMaterials().begin(), foundMaterials().end()));
+INSTANTIATE_TEST_SUITE_P(Lists, FoundTest, testing::ValuesIn(foundLists().begin(), foundLists().end()));
 
 /// An enabled array without memory has no elements. Not drawn: the real OpenGL may read at null.
 TEST(Found, ArraysAtNull) {
