@@ -61,6 +61,8 @@ class Classifier {
   bool isPushedBack() const;
   /// Whether surfaces are now drawn with a polygon offset that increases depths, whatever the depth function.
   bool increasesDepth() const;
+  /// Whether isPushedBack() would be true for filled faces where one face, or both, are not filled.
+  bool fillsArePushedBack() const;
   /// The place of a mesh that is drawn now with this matrix and polygon offset.
   SurfacePlace placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const;
 

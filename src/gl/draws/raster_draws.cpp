@@ -58,6 +58,8 @@ void RasterDraws::noteUnsampledDraw(PrimitiveClass kind, Reason reason) {
 }
 
 void RasterDraws::leave(std::vector<Triangle> triangles) {
+  if (p_.classifier.fillsArePushedBack())  // which triangles are filled is unknown
+    p_.surfaces.passes.rasterisedFixed(p_.shadow.modelview(), triangles, depthPlaceOf(p_.shadow), true);
   p_.surfaces.passes.rasterisedFixed(p_.shadow.modelview(), std::move(triangles), depthPlaceOf(p_.shadow),
                                      p_.classifier.isPushedBack());
 }

@@ -228,6 +228,27 @@ TEST(Passes, ThatCouldBothBeTracedAreRasterised) {
       }
 }
 
+/// Faces in front are filled with an offset, and those in the back are points; then all are filled.
+TEST(Passes, AfterOneFilledFaceAreRasterised) {
+  for (const bool arrays : {false, true}) {
+    const BothStage stage{kPassesWidth, kPassesHeight, "passes", [](Gl) {}};
+    const gl::Statistics counts = compareBoth(stage, arrays ? "face_arrays" : "face", [&](Gl gl) {
+      begin(gl, kPassesWidth, kPassesHeight);
+      camera(gl, kPassesWidth, kPassesHeight);
+      keyLight(gl);
+      gl.Enable(GL_POLYGON_OFFSET_FILL), gl.PolygonOffset(0.13f, 3.1f);
+      const Model ball = scenes::sphere(24, 36);
+      paint(gl, 0.3f, 0.5f, 0.7f);
+      gl.PolygonMode(GL_BACK, GL_POINT);
+      sendArrays(gl, ball);
+      gl.PolygonMode(GL_BACK, GL_FILL);
+      paint(gl, 0.9f, 0.5f, 0.7f);
+      arrays ? sendArrays(gl, ball) : send(gl, ball);
+    });
+    EXPECT_GE(counts.rasterisedBecause[static_cast<size_t>(gl::Reason::passes)], 1u) << arrays;
+  }
+}
+
 /// The same surface in two viewports, or under two cameras: neither has the other's depth.
 TEST(Passes, AreNoneInOtherViewsOfTheFramebuffer) {
   for (const bool camera : {false, true}) {
