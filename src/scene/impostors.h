@@ -42,6 +42,9 @@ struct Impostors {
   // (accel/impostors/pixel_impostor.h). Size in normalised device coordinates (of splats: see above): width
   // and height of beads; width of tubes along y, and of tubes along x.
   glm::vec2 size{0};
+  // Programs compute a bead's look so many pixels beside the pixel's centre: some implementations of OpenGL
+  // do so with multisampling.
+  glm::vec2 coordinateShift{0};
   // Tubes shorter than wide grow by a quarter of the difference at each end.
   bool grows = false;
   // Tubes' sides are offset along the line's normal in pixels instead of normalised device coordinates, and

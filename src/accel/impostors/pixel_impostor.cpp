@@ -254,7 +254,8 @@ bool PixelImpostor::show(const glm::dvec2& at, Shown& shown) const {
     return true;
   }
   if (placed_.mesh->shape == scene::Shape::beads) {
-    const glm::dvec2 from = (at - windowOf(end_[0])) * (2 / pixels_);
+    const glm::dvec2 shift(placed_.look.coordinateShift);
+    const glm::dvec2 from = (at + shift - windowOf(end_[0])) * (2 / pixels_);
     const double length2 = glm::dot(from, from);
     if (!(length2 <= 1)) return false;
     shown.normal = glm::vec3(glm::dvec3(from, std::sqrt(1 - length2)));

@@ -5,7 +5,10 @@
 #include "gl/real/real.h"
 #include "scene/snapshot.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gluray::gl {
@@ -55,6 +58,13 @@ class FramebufferReader {
   /// alpha of at least gl::Opacity::kMin leaves nothing of the colour below. In shaders, min(), max() and
   /// clamp() of a number and a NaN return the number. No error may be pending. Never throws.
   virtual bool replacesColors(const RealGl&) noexcept { return false; }
+  /// How far, in pixels of the window's axes, gl_PointCoord at a pixel's centre is that of a position beside
+  /// it, in framebuffers of `samples` samples: (0, 0) as specified. Found out by drawing, once for each
+  /// number of samples. Nullopt if it differs from point to point, or cannot be found out. No error may be
+  /// pending. Never throws.
+  virtual std::optional<glm::vec2> pointCoordinateShift(const RealGl&, int /*samples*/) noexcept {
+    return std::nullopt;
+  }
   /// Copies the bound draw framebuffer's colours, depths and stencil values in `region`. Returns false if
   /// that is not possible. No error may be pending. Never throws.
   virtual bool keep(const RealGl&, const scene::Region& /*region*/) noexcept { return false; }

@@ -36,7 +36,23 @@ Reason ProgramDraws::classifyImpostors() {
       p_.shadow.attributes().shape != scene::Shape::sticks &&
       p_.shadow.raster().cull != scene::CullFace::none)
     return Reason::program;
-  if (scene::isInWindow(p_.shadow.attributes().shape)) return readPixelImpostors(p_.shadow);
+  if (!scene::isInWindow(p_.shadow.attributes().shape)) return Reason::traced;
+  const Reason reason = readPixelImpostors(p_.shadow);
+  const bool isPoint = p_.shadow.attributes().shape == scene::Shape::beads;
+  return reason == Reason::traced && isPoint ? readCoordinateShift() : reason;
+}
+
+/// Implementations of OpenGL differ in the coordinates of multisampled points (Mesa 22: half a pixel aside).
+Reason ProgramDraws::readCoordinateShift() {
+  const int samples = p_.shadow.target().samples;
+  p_.shadow.setCoordinateShift(glm::vec2(0));
+  if (samples <= 1) return Reason::traced;
+  p_.shadow.errors.keepPending();
+  p_.shadow.current.shelve(p_.shadow.real);
+  const auto shift = p_.pending.presenter.reader().pointCoordinateShift(p_.shadow.real, samples);
+  p_.shadow.latch.restore(p_.shadow.real);
+  if (!shift) return Reason::multisampledPoints;
+  p_.shadow.setCoordinateShift(*shift);
   return Reason::traced;
 }
 

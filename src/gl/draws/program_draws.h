@@ -48,6 +48,7 @@ class ProgramDraws {
   void meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements);
 
  private:
+  Reason readCoordinateShift();
   Reason classifyAlways(const KnownMesh& mesh) const;  // as if engine = always
   /// The reason why a surface is not traced because of its alpha, blending or depth mask, or Reason::traced.
   Reason ofBlending(const scene::Mesh& mesh) const;

@@ -18,8 +18,6 @@ Reason readPointSize(ShadowState& shadow) {
   // gl_PointSize is known only where the family names its value.
   const bool ofProgram = isOn(real, GL_PROGRAM_POINT_SIZE);
   if (ofProgram && !(shadow.program().pixelSize > 0)) return Reason::points;
-  // Implementations differ in the point coordinates of multisampled points (Mesa 22: half a pixel aside).
-  if (shadow.target().samples > 1) return Reason::multisampledPoints;
   if (!core && (isOn(real, GL_POINT_SMOOTH) || !isOn(real, GL_POINT_SPRITE))) return Reason::points;
   if (integer(real, GL_POINT_SPRITE_COORD_ORIGIN) != GL_UPPER_LEFT) return Reason::points;
   GLfloat size = 1, range[2] = {1, 1};

@@ -141,6 +141,8 @@ class ShadowState {
   void setProgramWhy(std::string why) { program_.why = std::move(why); }
   /// Sets scene::Impostors::size of the program's impostors.
   void setImpostorSize(const glm::vec2& size) { program_.impostors.size = size; }
+  /// Sets scene::Impostors::coordinateShift of the program's impostors.
+  void setCoordinateShift(const glm::vec2& pixels) { program_.impostors.coordinateShift = pixels; }
   /// Lets the first `triangles` triangles of a draw have the values of their cells. Does nothing if the
   /// program does not pull its vertices, or cells are triangles. Returns false if there are too few values.
   /// May throw std::bad_alloc.

@@ -57,6 +57,12 @@ bool BufferReader::replacesColors(const gl::RealGl& real) noexcept {
   } catch (const std::exception&) { return false; }
 }
 
+std::optional<glm::vec2> BufferReader::pointCoordinateShift(const gl::RealGl& real, int samples) noexcept {
+  try {
+    return points_.shift(real, shared_.features(real), samples);
+  } catch (const std::exception&) { return std::nullopt; }
+}
+
 bool BufferReader::readDepth(const gl::RealGl& real, const scene::Region& region,
                              std::vector<float>& out) noexcept {
   return makeRoom(region, out) && read(real, region, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());

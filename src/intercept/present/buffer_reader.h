@@ -6,6 +6,7 @@
 #include "intercept/present/kept_framebuffer.h"
 #include "intercept/present/presented_images.h"
 #include "intercept/present/read_back/blending_trial.h"
+#include "intercept/present/read_back/point_trial.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,6 +31,7 @@ class BufferReader final : public gl::FramebufferReader {
   bool keep(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void putBack(const gl::RealGl& real) noexcept override;
   bool replacesColors(const gl::RealGl& real) noexcept override;
+  std::optional<glm::vec2> pointCoordinateShift(const gl::RealGl& real, int samples) noexcept override;
   gl::PresentResult bindFinished(const gl::RealGl& real, const scene::Region& region) noexcept override;
   void unbindFinished(const gl::RealGl& real) noexcept override {
     finished_.unbind(real, shared_.features(real));
@@ -43,6 +45,7 @@ class BufferReader final : public gl::FramebufferReader {
   FinishedFramebuffer finished_;
   KeptFramebuffer kept_;
   BlendingTrial blending_;
+  PointTrial points_;
 };
 
 }  // namespace gluray::present
