@@ -166,6 +166,8 @@ MORE = {
     "mayavi2": wide(mayavi, "VTK 9 from Python; what it does not trace are its colour bar and full-screen passes", 0.97, rest=4.0),
     "avogadro": wide(lambda folder: ["avogadro2", str(models.write_xyz(folder / "ball.xyz"))], "Qt 5; half spheres and meshes of shaders of its own; the rest are the arrows of its axes, blended with four samples a pixel", 0.8,
                      rest=4.0),
+    "avogadro_protein": wide(lambda folder: ["avogadro2", str(models.write_helix_pdb(folder / "helix.pdb"))], "the same with the cartoon of a protein", 0.93,
+                             rest=4.0),
     "openuniverse": wide(lambda folder: ["openuniverse"], "GLUT; drawn without depth test", 0.0, frame=30),
     "ctmviewer": wide(lambda folder: ["ctmviewer", str(models.write_ply(folder / "knot.ply", **SMALL))],
                       "GLUT; GLSL 1.10 that takes fixed function's state; buttons without depth test", 0.99),
