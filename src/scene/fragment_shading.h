@@ -88,6 +88,9 @@ struct FragmentShading {
   /// The cosine of highlights: of the reflected ray and the viewer, or of the normal and a vector: halfway
   /// between light and viewer, or that of the light.
   enum class Specular : uint8_t { reflect, half, ofLight };
+  /// By what the material's specular colour is multiplied: nothing, the base colour, or 1 minus the base
+  /// colour.
+  enum class HighlightColor : uint8_t { material, base, complement };
   enum class Normals : uint8_t { vertices, triangles, perTriangle };
   enum class Color : uint8_t { material, vertices, map, perTriangle, height };
   /// Where vertex normals are normalised: after interpolation, before it (in the program's eye space), or
@@ -96,6 +99,7 @@ struct FragmentShading {
 
   Model model = Model::off;
   Specular specular = Specular::reflect;
+  HighlightColor highlightColor = HighlightColor::material;
   Normals normals = Normals::vertices;
   Color color = Color::material;  // source of the factor of the material's ambient and diffuse colours
   bool colorIsDiffuseOnly = false;

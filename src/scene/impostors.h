@@ -21,6 +21,11 @@ struct Impostors {
   Billboards billboards = Billboards::silhouette;
   bool parallelView = false;  // the viewer is at infinity
   bool inside = false;        // spheres show their far side, from within
+  /// Of spheres with squares: discs of constant z with normals and depths of the half sphere above them, as
+  /// if every sphere were seen along -z. A point of the disc at the share q of the radius from the centre has
+  /// the normal (x, y, sqrt(1 - q^2)) and the depth of the eye z that is radius * sqrt(1 - q^2) nearer. What
+  /// reaches through the near plane does not exist. Lenses and secondary rays see whole spheres.
+  bool hemispheres = false;
   bool fades = false;       // discs and splats: multiply colours by 1 - (distance from the centre / radius)^2
   float radiusDivisor = 1;  // radius of the billboard / radius of the disc
   /// A cylinder's axis in lighting space is axisMatrix * axis, reversed if it points to -z; its length is

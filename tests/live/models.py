@@ -218,6 +218,19 @@ def write_xyz(path):
     return path
 
 
+def write_helix_pdb(path, residues=20):
+    """An alpha helix of alanine, for viewers of molecules."""
+    backbone = {"N": (1.55, -27.5, -0.9), "CA": (2.29, 0, 0), "C": (1.68, 26, 1.1), "O": (2.01, 24, 2.35), "CB": (3.3, -18, 0.2)}
+    lines = []
+    for i in range(residues):
+        for name, (radius, angle, height) in backbone.items():
+            turn = np.radians(angle + 100 * i)
+            lines.append("ATOM  %5d  %-3s ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           %s" % (
+                len(lines) + 1, name, i + 1, radius * np.cos(turn), radius * np.sin(turn), height + 1.5 * i, name[0]))
+    path.write_text("\n".join([*lines, "END", ""]))
+    return path
+
+
 def write_xsf(path):
     """Rock salt."""
     path.write_text("CRYSTAL\nPRIMVEC\n0 2.82 2.82\n2.82 0 2.82\n2.82 2.82 0\nPRIMCOORD\n2 1\n11 0 0 0\n17 2.82 2.82 2.82\n")

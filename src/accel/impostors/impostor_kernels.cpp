@@ -81,6 +81,16 @@ HWY_INLINE Float bounded(const Rays& r, Float t) {
   return hn::IfThenElse(hn::Lt(t, r.eye), end, hn::Max(t, hn::Zero(Tag())));
 }
 
+/// A disc of constant z with the depths of the half sphere above it.
+HWY_INLINE Mask meetHemisphere(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
+  const OnBillboard c = onPlane(r, f.toViewer, 0);
+  const Float open =
+      hn::Sub(splat(f.radius * f.radius), hn::MulAdd(c.from.x, c.from.x, hn::Mul(c.from.y, c.from.y)));
+  const Float above = hn::Sqrt(hn::Max(open, hn::Zero(Tag())));
+  t = hn::Div(hn::Add(r.toCenter.z, above), r.dir.z);
+  return hn::And(hn::Gt(open, hn::Zero(Tag())), onSquare(f, onPlane(sample, f.toViewer, 0)));
+}
+
 HWY_INLINE Mask meetSphere(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
   const Float b = dot(r.toCenter, r.unit);
   const Float3 nearest = scaledMinus(r.unit, b, r.toCenter);
@@ -153,7 +163,9 @@ uint32_t meetLanes(const Impostor& f, const ImpostorRays& rays, const ImpostorRa
     const Rays sample = &samples == &rays ? r : raysAt(f, samples, i);
     Float at;
     Mask met;
-    if (f.shape == scene::Shape::spheres)
+    if (f.hemisphere)
+      met = meetHemisphere(f, r, sample, at);
+    else if (f.shape == scene::Shape::spheres)
       met = meetSphere(f, r, sample, at);
     else if (f.shape == scene::Shape::discs)
       met = meetDisc(f, r, sample, at);

@@ -64,6 +64,11 @@ PlacedImpostors::PlacedImpostors(const scene::Instance& instance, const scene::C
   windowCenter = glm::dvec2(camera.viewport.x, camera.viewport.y) + windowHalf;
   depthScale = 0.5 * (double{camera.depthFar} - camera.depthNear);
   depthOffset = 0.5 * (double{camera.depthFar} + camera.depthNear);
+  if (look.hemispheres) {
+    const glm::dmat4 rowsOfLighting =
+        glm::transpose(camera.clipFromEye * glm::inverse(glm::dmat4(lightingFromEye)));
+    lightingNear = glm::vec4(rowsOfLighting[2] + rowsOfLighting[3]);
+  }
   if (!scene::isSizedInPixels(mesh->shape) && !scene::isSolid(mesh->shape)) return;
   const glm::dmat4 lightingFromClip = glm::dmat4(lightingFromEye) * glm::inverse(camera.clipFromEye);
   const double x = look.size.x * glm::length(glm::dvec3(lightingFromClip[0])),
@@ -85,13 +90,17 @@ bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor&
   f.billboards = placed.look.billboards;
   f.parallelView = placed.look.parallelView;
   f.inside = placed.look.inside;
+  f.hemisphere = placed.look.hemispheres;
   f.center = scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex));
   f.cardRadius = radiusOf(mesh, vertex);
   f.radius = f.cardRadius / placed.look.radiusDivisor;
+  if (f.hemisphere &&
+      !(glm::dot(placed.lightingNear, glm::vec4(f.center + glm::vec3(0, 0, f.radius), 1)) > 0))
+    return false;
   f.toViewer = f.parallelView ? glm::vec3(0, 0, 1) : glm::normalize(-f.center);
   if (f.billboards == scene::Impostors::Billboards::square) {
     f.toViewer = {0, 0, 1}, f.right = {1, 0, 0}, f.up = {0, 1, 0};
-    f.square = squareAbout(f.center, f.radius, f.parallelView);
+    f.square = squareAbout(f.center, f.radius, f.parallelView || f.hemisphere);
   } else if (mesh.shape == scene::Shape::cylinders) {
     const glm::vec3 axis = axisOf(mesh, vertex);
     f.halfLength = 0.5f * glm::length(axis);

@@ -39,7 +39,8 @@ struct PlacedImpostors {
   double halfWidthPerW = 0;  // of sizes in pixels: half their width in lighting space, by clip-space w
   glm::vec4 objectW{0}, objectNear{0};  // of object space: clip-space w, and the distance from the near plane
   glm::vec4 viewer{0};                  // homogeneous, lighting space
-  std::vector<WindowVertex> window;     // per vertex
+  glm::vec4 lightingNear{0};  // of hemispheres: the near plane in lighting space, positive where it shows
+  std::vector<WindowVertex> window;  // per vertex
   PlacedImpostors() = default;
   PlacedImpostors(const scene::Instance&, const scene::Camera&);
 };
@@ -48,7 +49,7 @@ struct PlacedImpostors {
 struct Impostor {
   scene::Shape shape;
   scene::Impostors::Billboards billboards;
-  bool parallelView, inside;
+  bool parallelView, inside, hemisphere;
   glm::vec3 center;
   float radius, cardRadius;
   glm::vec2 square{0};      // Billboards::square: half of its width and height

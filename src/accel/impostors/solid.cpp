@@ -166,7 +166,7 @@ bool isShown(const PlacedImpostors& placed, uint32_t primitive) {
   if (mesh.shape != scene::Shape::spheres || placed.look.billboards != scene::Impostors::Billboards::square)
     return true;
   const glm::dvec4 clip = placed.clipFromObject * glm::dvec4(mesh.position(mesh.corner(primitive, 0)), 1);
-  return std::abs(clip.z) <= clip.w;
+  return std::abs(clip.z) <= clip.w;  // make() looks at the near plane of half spheres
 }
 
 std::optional<Hit> meetTube(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {

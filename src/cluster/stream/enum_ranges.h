@@ -64,6 +64,9 @@ inline constexpr auto kLast<scene::Format> = scene::Format::bits8;
 template <>
 inline constexpr auto kLast<scene::Shape> = scene::Shape::sticks;
 template <>
+inline constexpr auto kLast<scene::FragmentShading::HighlightColor> =
+    scene::FragmentShading::HighlightColor::complement;
+template <>
 inline constexpr auto kLast<scene::Impostors::Billboards> = scene::Impostors::Billboards::square;
 
 template <class E>

@@ -107,16 +107,16 @@ void fields(auto& archive, Like<scene::Rim> auto& value) {
   archive(on, mixes, color, exponent, opacity);
 }
 void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
-  auto& [model, specular, normals, color, colorIsDiffuseOnly, height, colorExponent, encoding, unitNormals,
-         normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer,
-         clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor,
-         texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges, edgesGrow,
-         edgeWidth, edgeOpacity, edgeColor] = value;
-  archive(model, specular, normals, color, colorIsDiffuseOnly, height, colorExponent, encoding, unitNormals,
-          normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark, infiniteViewer,
-          clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack, backColor,
-          texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges, edgesGrow,
-          edgeWidth, edgeOpacity, edgeColor);
+  auto& [model, specular, highlightColor, normals, color, colorIsDiffuseOnly, height, colorExponent, encoding,
+         unitNormals, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark,
+         infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack,
+         backColor, texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges,
+         edgesGrow, edgeWidth, edgeOpacity, edgeColor] = value;
+  archive(model, specular, highlightColor, normals, color, colorIsDiffuseOnly, height, colorExponent,
+          encoding, unitNormals, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
+          highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, parallelView,
+          backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map,
+          pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;
@@ -154,10 +154,10 @@ void fields(auto& archive, Like<scene::Shading> auto& value) {
 }
 
 void fields(auto& archive, Like<scene::Impostors> auto& value) {
-  auto& [billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size,
+  auto& [billboards, parallelView, inside, hemispheres, fades, radiusDivisor, axisMatrix, centerPlanes, size,
          coordinateShift, grows, inPixels, longer, bulge, bulgeDepth, depthBias, radius, unlit, roundEnds,
          halvesBlend] = value;
-  archive(billboards, parallelView, inside, fades, radiusDivisor, axisMatrix, centerPlanes, size,
+  archive(billboards, parallelView, inside, hemispheres, fades, radiusDivisor, axisMatrix, centerPlanes, size,
           coordinateShift, grows, inPixels, longer, bulge, bulgeDepth, depthBias, radius, unlit, roundEnds,
           halvesBlend);
 }

@@ -33,8 +33,9 @@ struct ArrayState {
   ArraySource vertex, normal, color, secondaryColor, fogCoord, texcoord;
   ArraySource radius, axis;                  // of impostors (scene/impostors.h)
   ArraySource corners, end, endColor, caps;  // of impostors whose billboards the program sends
-  bool sentBillboards = false;               // the four arrays above and radiusInPosition apply
+  bool sentBillboards = false;               // the four arrays above and the two flags below apply
   bool radiusInPosition = false;
+  bool radiusInCorners = false;  // `corners` has minus or plus the radius for each direction of a square
   scene::Shape shape = scene::Shape::triangles;
   float impostorRadius = 1;                 // if no array gives radii
   float impostorCaps = 0;                   // if no array gives `caps`

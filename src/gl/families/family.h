@@ -65,8 +65,10 @@ struct FamilyLights {
   /// material colour, and the material's exponent. The last entry also applies to all further lights.
   std::vector<FamilyValue> specularColor, shininess;
   bool infiniteViewer = false;  // highlights as if the viewer were at infinity
-  std::string halfVector;       // highlights depend on the cosine between the normal and this vector
-  bool clamped = false;         // ambient plus diffuse light is at most 1
+  FamilyValue halfVector;       // highlights depend on the cosine between the normal and this vector
+  using HighlightColor = scene::FragmentShading::HighlightColor;
+  HighlightColor highlightColor = HighlightColor::material;
+  bool clamped = false;  // ambient plus diffuse light is at most 1
 };
 
 /// The name of the variable of light `number`; `pattern` has {} for the light.
@@ -123,6 +125,8 @@ struct FamilyImpostors {
   std::string corners;            // attribute: the vertex's corner, as one bit for each direction
   bool parallelView = false;      // the viewer is at infinity; otherwise at the origin
   bool radiusInPosition = false;  // the position's fourth component is the radius
+  bool radiusInCorners = false;   // `corners` is a vec2: minus or plus the radius for each direction
+  bool hemispheres = false;       // scene::Impostors; the viewer is where the projection has it
   bool radiusInObject =
       false;  // radii are in object space: divided by the length of normalMatrix's first column
   bool zeroScaleIsOne = false;           // a `scale` of 0 has no effect

@@ -26,6 +26,7 @@ const Types kVector{"a vector",
 const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
 const Types kMatrix{"a mat4", [](GLenum t) { return t == GL_FLOAT_MAT4; }};
 const Types kPlain{"a number, vector or matrix", [](GLenum t) { return glslName(t).find("sampler") != 0; }};
+const Types kVec2{"a vec2", [](GLenum t) { return t == GL_FLOAT_VEC2; }};
 const Types kVec4{"a vec4", [](GLenum t) { return t == GL_FLOAT_VEC4; }};
 const Types kLinear{"a mat3 or mat4", [](GLenum t) { return t == GL_FLOAT_MAT3 || t == GL_FLOAT_MAT4; }};
 const Types kImage{"a sampler", [](GLenum t) { return t == GL_SAMPLER_2D || t == GL_SAMPLER_1D; }};
@@ -111,7 +112,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.values({&f.impostors.longer});
   check.uniform(f.impostors.projection, kMatrix), check.uniform(f.impostors.viewport, kVec4);
   check.attribute(f.impostors.end), check.attribute(f.impostors.endColor);
-  for (const std::string* name : {&f.impostors.corners, &f.impostors.caps}) check.attribute(*name, kFloat);
+  check.attribute(f.impostors.corners, f.impostors.radiusInCorners ? kVec2 : kFloat);
+  check.attribute(f.impostors.caps, kFloat);
   check.uniform(f.impostors.roundCaps, kNumber);
   for (const FamilyValue& factor : f.impostors.halvesBlend) check.values({&factor});
   check.uniforms(f.clipFromObject, kMatrix), check.uniforms(f.eyeFromObject, kLinear);
@@ -141,7 +143,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.uniform(f.pbr.irradiance, kCube), check.uniform(f.pbr.prefiltered, kCube);
   check.uniform(f.pbr.environmentMatrix, kLinear), check.uniforms(f.pbr.harmonics, kNumber);
   const FamilyLights& l = f.lights;
-  for (const std::string* name : {&l.color, &l.direction.uniform, &l.position, &l.attenuation, &l.halfVector})
+  for (const std::string* name :
+       {&l.color, &l.direction.uniform, &l.position, &l.attenuation, &l.halfVector.uniform})
     check.light(*name, kVector);
   for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
     check.light(*name, kNumber);

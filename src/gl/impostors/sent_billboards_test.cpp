@@ -76,6 +76,7 @@ struct SentDraw {
   std::vector<std::array<float, 4>> colors, tipColors;
   std::vector<float> caps, corners;
   std::vector<uint32_t> numbers;
+  const std::vector<std::array<float, 2>>* inCorners = nullptr;  // corners that have the radius
   ArrayState arrays;
 
   explicit SentDraw(bool ofSticks) : sticks(ofSticks) {
@@ -90,7 +91,8 @@ struct SentDraw {
       for (const uint8_t corner : sticks ? box() : kSquare) numbers.push_back(n * each + corner);
   }
   KnownMesh build(GLenum mode = GL_TRIANGLES) {
-    arrays.sentBillboards = arrays.radiusInPosition = true;
+    arrays.sentBillboards = true;
+    arrays.radiusInPosition = !inCorners, arrays.radiusInCorners = inCorners;
     arrays.shape = sticks ? scene::Shape::sticks : scene::Shape::spheres;
     const auto set = [](ArraySource& to, const auto& from) {
       to.enabled = true, to.size = static_cast<GLint>(sizeof(from[0]) / 4);
@@ -98,6 +100,7 @@ struct SentDraw {
       to.pointer = reinterpret_cast<const std::byte*>(from.data());
     };
     set(arrays.vertex, places), set(arrays.color, colors), set(arrays.corners, corners);
+    if (inCorners) set(arrays.corners, *inCorners);
     if (sticks) set(arrays.end, tips), set(arrays.endColor, tipColors), set(arrays.caps, caps);
     Elements e;
     e.count = static_cast<GLsizei>(numbers.size()), e.type = GL_UNSIGNED_INT, e.indices = numbers.data();
@@ -117,6 +120,35 @@ TEST(SentBillboards, BecomeSpheres) {
   EXPECT_TRUE(known.mesh->opaqueColors);
   for (auto& color : draw.colors) color[3] = 0.5f;
   EXPECT_FALSE(draw.build().mesh->opaqueColors);
+}
+
+TEST(SentBillboards, HaveRadiiInTheirCorners) {
+  SentDraw draw(false);
+  std::vector<std::array<float, 2>> corners;
+  for (size_t i = 0; i < draw.corners.size(); ++i) {
+    const auto corner = static_cast<int>(draw.corners[i]);
+    const float radius = i < 4 ? 0.25f : 0.75f;
+    corners.push_back({corner & 1 ? radius : -radius, corner & 2 ? radius : -radius});
+  }
+  for (auto& place : draw.places) place[3] = 1;
+  draw.inCorners = &corners;
+  const KnownMesh known = draw.build();
+  ASSERT_TRUE(known.mesh);
+  EXPECT_EQ(scene::fetch(known.mesh->radii, 0).x, 0.25f);
+  EXPECT_EQ(scene::fetch(known.mesh->radii, 1).x, 0.75f);
+  EXPECT_EQ(known.mesh->position(1), glm::vec3(1, 2, 3));
+  const auto damaged = [&](size_t vertex, float x, float y) {
+    auto other = corners;
+    other[vertex] = {x, y};
+    draw.inCorners = &other;
+    return !draw.build().mesh;
+  };
+  EXPECT_FALSE(damaged(1, 0.25f, -0.25f));
+  EXPECT_TRUE(damaged(1, 0.25f, -0.3f)) << "not a square";
+  EXPECT_TRUE(damaged(1, 0.3f, -0.3f)) << "another radius";
+  EXPECT_TRUE(damaged(1, -0.25f, -0.25f)) << "the same corner twice";
+  EXPECT_TRUE(damaged(1, 0, 0)) << "no radius";
+  EXPECT_TRUE(damaged(1, std::nanf(""), -0.25f));
 }
 
 TEST(SentBillboards, BecomeSticks) {

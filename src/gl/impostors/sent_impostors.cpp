@@ -34,6 +34,7 @@ class Billboards {
       : radius_(arrays.impostorRadius),
         caps_(arrays.impostorCaps),
         inPosition_(arrays.radiusInPosition),
+        inCorners_(arrays.radiusInCorners),
         readers_{ArrayReader(real, arrays.vertex),   ArrayReader(real, arrays.radius),
                  ArrayReader(real, arrays.color),    ArrayReader(real, arrays.end),
                  ArrayReader(real, arrays.endColor), ArrayReader(real, arrays.caps),
@@ -52,18 +53,28 @@ class Billboards {
     for (size_t i = 0; i < std::size(out); ++i)
       if (readers_[i].enabled()) readers_[i].read(vertex, out[i]);
     if (inPosition_) v.radius[0] = v.position[3], v.position[3] = 1;
+    if (inCorners_) v.radius[0] = radiusOfCorner(vertex);
     return v;
   }
   /// The corner of a vertex; above 7: invalid.
   uint8_t cornerOf(uint32_t vertex) const {
     float v[4] = {};
     readers_[kCorners].read(vertex, v);
+    if (inCorners_) return static_cast<uint8_t>((v[0] > 0 ? 1 : 0) | (v[1] > 0 ? 2 : 0));
     return v[0] >= 0 && v[0] <= 7 && v[0] == std::floor(v[0]) ? static_cast<uint8_t>(v[0]) : uint8_t{255};
   }
 
  private:
+  /// The corner's distance from the centre in each direction; not a number if the two differ.
+  float radiusOfCorner(uint32_t vertex) const {
+    float v[4] = {};
+    readers_[kCorners].read(vertex, v);
+    const float radius = std::abs(v[0]);
+    return radius > 0 && std::abs(v[1]) == radius ? radius : std::numeric_limits<float>::quiet_NaN();
+  }
+
   float radius_, caps_;
-  bool inPosition_;
+  bool inPosition_, inCorners_;
   uint32_t available_ = std::numeric_limits<uint32_t>::max();
   std::array<ArrayReader, 7> readers_;
 };

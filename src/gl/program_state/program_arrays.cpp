@@ -148,6 +148,7 @@ void AttributeReader::readVertices(const Family& family) {
   take(family.impostors.axis, out_.axis);
   out_.sentBillboards = family.impostors.sent;
   out_.radiusInPosition = family.impostors.radiusInPosition;
+  out_.radiusInCorners = family.impostors.radiusInCorners;
   take(family.impostors.corners, out_.corners), take(family.impostors.end, out_.end);
   take(family.impostors.endColor, out_.endColor), take(family.impostors.caps, out_.caps);
 }

@@ -48,7 +48,8 @@ glm::vec4 valueOf(const std::vector<FamilyValue>& values, const FamilyLights& na
 
 void readHighlight(const FamilyLights& names, const UniformReader& uniforms, float shininess, int i,
                    scene::FragmentLight& light) {
-  if (!names.halfVector.empty()) light.half = glm::vec3(uniforms.vector(ofLight(names.halfVector, names, i)));
+  if (names.halfVector.given())
+    light.half = glm::vec3(valueOf({names.halfVector}, names, uniforms, i, glm::vec4(0)));
   light.ownHighlight = !names.specularColor.empty() || !names.shininess.empty();
   if (!light.ownHighlight) return;
   light.highlight = glm::vec3(valueOf(names.specularColor, names, uniforms, i, glm::vec4(light.color, 1)));

@@ -74,9 +74,10 @@ void ProgramReader::readModel() {
             : family_.model == Family::Model::phong ? Model::phong
                                                     : Model::unlit;
   using Specular = scene::FragmentShading::Specular;
-  f.specular = !family_.lights.halfVector.empty()           ? Specular::ofLight
+  f.specular = family_.lights.halfVector.given()            ? Specular::ofLight
                : family_.specular == Family::Specular::half ? Specular::half
                                                             : Specular::reflect;
+  f.highlightColor = family_.lights.highlightColor;
   f.flipBackFaces = family_.flipBackFaces || uniforms_.integer(family_.flipsBackFaces) != 0;
   f.darkBackFaces = family_.darkBackFaces && !f.flipBackFaces;
   f.unitNormals = family_.unitNormals;

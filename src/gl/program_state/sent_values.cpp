@@ -38,9 +38,10 @@ Reason ProgramReader::readSentBillboards() {
   const FamilyImpostors& f = family_.impostors;
   const glm::mat4 projection = uniforms_.matrix4(f.projection);
   if (!out_.eyeFromObject) return Reason::program;
-  out_.impostors.parallelView = f.parallelView;
-  out_.shading.fragment.parallelView = f.parallelView;
-  if (!isProjectionFrom(projection, f.parallelView))
+  const bool parallel = f.hemispheres ? isProjectionFrom(projection, true) : f.parallelView;
+  out_.impostors.parallelView = parallel, out_.impostors.hemispheres = f.hemispheres;
+  out_.shading.fragment.parallelView = parallel;
+  if (!isProjectionFrom(projection, parallel))
     return refuse("matrix \"" + f.projection + "\" is not a projection from where the family has the viewer");
   float scale = uniforms_.number(f.scale, 1);
   if (scale == 0 && f.zeroScaleIsOne) scale = 1;

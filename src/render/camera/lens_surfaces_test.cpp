@@ -171,6 +171,19 @@ scene::MeshPtr sphere(const glm::vec3& center, float radius) {
   return mesh;
 }
 
+TEST(Lens, ShowsHalfSpheresAsSpheres) {
+  scene::Snapshot s = inFocus({sphere({1.7f, -1.2f, -5}, 0.8f), halfPlane(6, 20)});
+  s.settings.spp = 16;
+  s.instances[0].impostors.billboards = scene::Impostors::Billboards::square;
+  for (const bool occluded : {false, true}) {
+    s.settings.ao.enabled = occluded;
+    s.instances[0].impostors.hemispheres = false;
+    const Image whole = test::trace(s).image;
+    s.instances[0].impostors.hemispheres = true;
+    EXPECT_EQ(test::trace(s).image.color, whole.color);
+  }
+}
+
 TEST(Lens, ShowsImpostorsAsTheirSolids) {
   const glm::vec3 center(0.3f, -0.2f, -9);
   const test::Traced solid = test::trace(inFocus({sphere(center, 1)})),

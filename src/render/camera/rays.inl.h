@@ -100,12 +100,14 @@ struct LensPoints {
 
 /// Rays through the middle of the lens.
 struct Pinhole {
+  static constexpr bool kOpen = false;
   HWY_INLINE void bend(DoubleRays&, int) const {}
   /// Where programs compute what a window position shows of impostors.
   HWY_INLINE Double position(Double at) const { return hn::Add(hn::Floor(at), hn::Set(DoubleTag(), 0.5)); }
 };
 
 struct OpenLens {
+  static constexpr bool kOpen = true;
   const LensShear& shear;
   const LensPoints& points;
 

@@ -94,6 +94,16 @@ HWY_INLINE Seen seeSphere(const Surface& s, const Lines& l, Double radius) {
   return {scaled(normal, radius), inside ? scaled(normal, splatDouble(-1)) : normal, splatDouble(1)};
 }
 
+/// A point of the disc at the half sphere's z, on the line of sight.
+HWY_INLINE Seen seeHemisphere(const Lines& l, Double radius) {
+  const Double zero = splatDouble(0), one = splatDouble(1);
+  const Double3 on = along(l.org, hn::Neg(hn::Div(l.org.z, l.dir.z)), l.dir);
+  const Double x = hn::Div(on.x, radius), y = hn::Div(on.y, radius);
+  const Double z = hn::Sqrt(hn::Max(hn::Sub(one, hn::MulAdd(x, x, hn::Mul(y, y))), zero));
+  const Double height = hn::Mul(z, radius);
+  return {along(l.org, hn::Div(hn::Sub(height, l.org.z), l.dir.z), l.dir), {x, y, z}, one};
+}
+
 HWY_INLINE Seen seeDisc(const Surface& s, const Lines& l, Double radius) {
   const Double3 n = towardsViewer(s, l);
   const Double t = hn::Neg(hn::Div(dot(n, l.org), dot(n, l.dir)));
@@ -152,7 +162,9 @@ HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& ma
     const Lines lines = linesThrough(surface, group, lens, px, py, i);
     const Double r = hn::Mul(loadDouble(radius + i), smaller);
     Seen seen;
-    if (mesh.shape == scene::Shape::spheres)
+    if (surface.instance->impostors.hemispheres && !Bend::kOpen)
+      seen = seeHemisphere(lines, r);
+    else if (mesh.shape == scene::Shape::spheres)
       seen = seeSphere(surface, lines, r);
     else if (mesh.shape == scene::Shape::discs)
       seen = seeDisc(surface, lines, r);

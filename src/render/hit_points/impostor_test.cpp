@@ -85,6 +85,61 @@ TEST(Impostor, SphereDepthAndLightMatchTheEquation) {
   EXPECT_GT(hits, 500);
 }
 
+/// Half spheres that are seen along -z, and lit with highlights in the complement of their colour.
+scene::Snapshot halfSpheres() {
+  scene::Snapshot s = snapshotOf(Shape::spheres);
+  s.instances[0].impostors.billboards = scene::Impostors::Billboards::square;
+  s.instances[0].impostors.hemispheres = true;
+  scene::FragmentShading& f = s.shadings[0].fragment;
+  f.specular = scene::FragmentShading::Specular::half;
+  f.infiniteViewer = f.highlightsInDark = true;
+  f.highlightColor = scene::FragmentShading::HighlightColor::complement;
+  s.instances[0].materials[0].front.specular = glm::vec4(0.5f);
+  s.instances[0].materials[0].front.shininess = 7;
+  return s;
+}
+
+TEST(Impostor, HemisphereDepthAndLightMatchTheEquation) {
+  const scene::Snapshot s = halfSpheres();
+  const test::Traced traced = test::trace(s);
+  const scene::Mesh& mesh = *s.instances[0].mesh;
+  const glm::dvec3 light = -glm::dvec3(s.shadings[0].fragment.lights[0].direction);
+  const glm::dvec3 half = glm::normalize(light + glm::dvec3(0, 0, 1));
+  int hits = 0;
+  for (int y = 0; y < kImpostorSize; ++y) {
+    for (int x = 0; x < kImpostorSize; ++x) {
+      const double scale = std::tan(glm::radians(25.0));
+      const glm::dvec2 slope(scale * ((x + 0.5) / kImpostorSize * 2 - 1),
+                             scale * ((y + 0.5) / kImpostorSize * 2 - 1));
+      double nearest = -INFINITY;
+      uint32_t which = 0;
+      glm::dvec3 n(0);
+      bool edge = false;
+      for (uint32_t k = 0; k < 3; ++k) {
+        const glm::dvec3 c(mesh.position(k));
+        const double r = scene::fetch(mesh.radii, k).x;
+        const glm::dvec2 on = (slope * -c.z - glm::dvec2(c)) / r;
+        const double open = 1 - glm::dot(on, on);
+        edge = edge || std::abs(open) < 1e-4;
+        if (open <= 0 || c.z + r * std::sqrt(open) <= nearest) continue;
+        nearest = c.z + r * std::sqrt(open), which = k, n = {on, std::sqrt(open)};
+      }
+      if (edge) continue;
+      ASSERT_EQ(traced.hit(x, y), std::isfinite(nearest)) << x << " " << y;
+      if (!std::isfinite(nearest)) continue;
+      ++hits;
+      const glm::dvec4 clip = s.camera.clipFromEye * glm::dvec4(0, 0, nearest, 1);
+      EXPECT_NEAR(traced.depth(x, y), 0.5 + 0.5 * clip.z / clip.w, 1e-6);
+      const glm::dvec3 base(scene::fetch(mesh.colors, which));
+      const glm::dvec3 color = base * (0.1 + 0.9 * std::max(0.0, glm::dot(n, light))) +
+                               (1.0 - base) * 0.5 * std::pow(std::max(0.0, glm::dot(n, half)), 7);
+      const glm::vec3 bytes(glm::min(255.0 * color, glm::dvec3(255)));
+      EXPECT_LT(glm::length(glm::vec3(traced.color(x, y)) - bytes), 1.5f);
+    }
+  }
+  EXPECT_GT(hits, 500);
+}
+
 TEST(Impostor, OneColourAndDepthInAllSamplesOfAPixel) {
   scene::Snapshot s = snapshotOf(Shape::spheres);
   const test::Traced one = test::trace(s);
@@ -106,6 +161,28 @@ TEST(Impostor, OneColourAndDepthInAllSamplesOfAPixel) {
   EXPECT_LT(differing, hits / 100);
 }
 
+void expectEachTargetAgrees(const scene::Snapshot& s) {
+  const test::Traced best = test::trace(s);
+  test::withEachTarget([&](int64_t) {
+    SCOPED_TRACE(render::kernelTarget());
+    const test::Traced traced = test::trace(s);
+    int differing = 0, hits = 0;
+    for (int y = 0; y < kImpostorSize; ++y) {
+      for (int x = 0; x < kImpostorSize; ++x) {
+        hits += best.hit(x, y);
+        if (traced.hit(x, y) != best.hit(x, y)) {
+          ++differing;
+        } else if (best.hit(x, y)) {
+          EXPECT_NEAR(traced.depth(x, y), best.depth(x, y), 1.2e-7);
+          EXPECT_LE(test::difference(traced.color(x, y), best.color(x, y)), 1);
+        }
+      }
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_LE(differing, 1) << "fused multiply-adds decide otherwise on a silhouette";
+  });
+}
+
 TEST(Impostor, EveryInstructionSetAgrees) {
   for (const Shape shape : {Shape::spheres, Shape::discs, Shape::cylinders}) {
     for (const auto billboards :
@@ -116,27 +193,10 @@ TEST(Impostor, EveryInstructionSetAgrees) {
               ? scene::Impostors::Billboards::faces
               : billboards;
       s.instances[0].impostors.fades = true;
-      const test::Traced best = test::trace(s);
-      test::withEachTarget([&](int64_t) {
-        SCOPED_TRACE(render::kernelTarget());
-        const test::Traced traced = test::trace(s);
-        int differing = 0, hits = 0;
-        for (int y = 0; y < kImpostorSize; ++y) {
-          for (int x = 0; x < kImpostorSize; ++x) {
-            hits += best.hit(x, y);
-            if (traced.hit(x, y) != best.hit(x, y)) {
-              ++differing;
-            } else if (best.hit(x, y)) {
-              EXPECT_NEAR(traced.depth(x, y), best.depth(x, y), 1.2e-7);
-              EXPECT_LE(test::difference(traced.color(x, y), best.color(x, y)), 1);
-            }
-          }
-        }
-        EXPECT_GT(hits, 100);
-        EXPECT_LE(differing, 1) << "fused multiply-adds decide otherwise on a silhouette";
-      });
+      expectEachTargetAgrees(s);
     }
   }
+  expectEachTargetAgrees(halfSpheres());
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ LineOfSight sightThrough(const ImpostorSpace& space, double x, double y) {
 }
 
 /// The point of an impostor that a line of sight meets. `computed`: what its program computed, whose point
-/// lies on the impostor's axis. The program may draw pixels at the silhouette beside the solid: their points
-/// are as far away as the axis, and have the program's normal.
+/// lies on the impostor's axis or, of half spheres, near the solid. The program may draw pixels at the
+/// silhouette beside the solid: their points are as far away as the axis, and have the program's normal.
 Point seenAlong(const LineOfSight& sight, const accel::PlacedImpostors& placed, const Spaces& spaces,
                 uint32_t primitive, double thickest, const Point& computed) {
   const double axis = glm::dot(computed.point - sight.org, sight.dir);
@@ -65,7 +65,8 @@ void solidPoints(const Metric& metric, const FrameData& frame, const ColoredHits
     for (int c = 0; c < 3; ++c)
       point[c][i] = static_cast<float>(p.point[c]), normal[c][i] = static_cast<float>(p.normal[c]);
   };
-  const bool flat = scene::isInWindow(placed.mesh->shape);  // programs draw it on a billboard
+  // Programs draw it on a billboard. Rays through a lens meet whole spheres.
+  const bool flat = scene::isInWindow(placed.mesh->shape) || (placed.look.hemispheres && !frame.lens);
   const glm::dmat3 lightingFromEye(glm::dmat4(placed.lightingFromEye));
   const double thickest = 4.0 * metric.diagonal *
                           std::max({glm::length(lightingFromEye[0]), glm::length(lightingFromEye[1]),

@@ -6,8 +6,8 @@
 namespace gluray::render {
 
 /// Eye-space points and unit normals of the group's lanes, on the solids that secondary rays hit
-/// (accel/impostors/solid.h). The drawn pixels of beads, tubes and splats lie inside or in front of these
-/// solids. Lanes outside the group repeat one of its lanes.
+/// (accel/impostors/solid.h). The drawn pixels of beads, tubes, splats and half spheres lie inside or in
+/// front of these solids. Lanes outside the group repeat one of its lanes.
 void solidPoints(const Metric&, const FrameData&, const ColoredHits&, Row (&point)[3], Row (&normal)[3]);
 
 }  // namespace gluray::render

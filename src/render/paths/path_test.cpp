@@ -183,6 +183,13 @@ TEST(Path, HighlightsAreThoseOfTheLocalLook) {
       s.shadings[0].fragment.specular = specular;
       expectEqualImages(radiances(s), radiances(localLook(s)), 3e-3f);
     }
+  s.shadings[0].fragment.color = scene::FragmentShading::Color::vertices;
+  s.instances[0].color = {0.2f, 0.5f, 0.9f, 1};
+  using HighlightColor = scene::FragmentShading::HighlightColor;
+  for (const auto color : {HighlightColor::base, HighlightColor::complement}) {
+    s.shadings[0].fragment.highlightColor = color;
+    expectEqualImages(radiances(s), radiances(localLook(s)), 3e-3f);
+  }
 }
 
 TEST(Path, VtksPhysicallyBasedSurfacesAreAsBrightAsTheirLocalLook) {

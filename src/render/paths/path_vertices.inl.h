@@ -110,6 +110,16 @@ inline void applyPbrTexels(const Path& path, const Surface& s, const Group& grou
   }
 }
 
+/// The specular colour of a program's surface with this albedo, the product of diffuse and base colour.
+inline glm::vec3 specularOf(const scene::FragmentShading& f, const scene::Material& m,
+                            const glm::vec3& albedo) {
+  using Color = scene::FragmentShading::HighlightColor;
+  const glm::vec3 specular(m.specular), diffuse(m.diffuse);
+  if (f.highlightColor == Color::material) return specular;
+  const glm::vec3 base = glm::clamp(albedo / glm::max(diffuse, glm::vec3(1e-6f)), 0.0f, 1.0f);
+  return specular * (f.highlightColor == Color::base ? base : 1.0f - base);
+}
+
 /// Writes the vertices of the group's lanes. `x`, `y`: window positions, for textures.
 HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors, uint32_t instance,
                                    const Group& group, const Row (&from)[3], const VertexRows& rows,
@@ -142,7 +152,7 @@ HWY_ATTR inline void colorVertices(const Path& path, const SurfaceColors& colors
     v.opacity = captured ? 1 : albedo.value[3][i];
     const bool backMaterial = sided && (back >> i & 1);
     const scene::Material& m = faceOf(s.materials[materialIndex(s, group.vertex[2][i])], backMaterial);
-    v.specular = model.isProgram() ? glm::vec3(m.specular) : glm::vec3(0);
+    v.specular = model.isProgram() ? specularOf(shading.fragment, m, v.albedo) : glm::vec3(0);
     v.shininess = m.shininess;
     v.instance = instance;
     v.front = !(back >> i & 1);

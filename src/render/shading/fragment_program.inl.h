@@ -44,6 +44,15 @@ HWY_INLINE Float3 atMostOne(const Float3& v) {
   return {hn::Min(v.x, one), hn::Min(v.y, one), hn::Min(v.z, one)};
 }
 
+HWY_INLINE Float3 highlightColor(const scene::FragmentShading& f, const scene::Material& m,
+                                 const Fragment& at) {
+  using Color = scene::FragmentShading::HighlightColor;
+  const Float3 color = splat(glm::vec3(m.specular));
+  if (f.highlightColor == Color::base) return times(color, at.color);
+  if (f.highlightColor == Color::complement) return times(color, sub(splat(glm::vec3(1)), at.color));
+  return color;
+}
+
 template <class Seen>
 HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragment& at, const Seen& seen) {
   const Lighting& lighting = *s.lighting;
@@ -69,7 +78,7 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
     else
       specular = add(specular, scaled(color, weight));
   }
-  specular = times(specular, splat(glm::vec3(m.specular)));
+  specular = times(specular, highlightColor(f, m, at));
   if (owns) specular = add(specular, own);
   if (f.darkBackFaces) diffuse = scaled(diffuse, at.front), specular = scaled(specular, at.front);
   diffuse = seen.withDome(diffuse, splat(glm::vec3(1)), at.normal);

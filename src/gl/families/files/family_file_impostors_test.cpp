@@ -111,6 +111,13 @@ TEST(FamilyFile, SentBillboards) {
   EXPECT_TRUE(sphere.impostors.sent && sphere.impostors.radiusInPosition && !sphere.impostors.parallelView);
 }
 
+TEST(FamilyFile, HemispheresWithRadiiInCorners) {
+  const Family f = parsed(kSent + "impostors.radius_in_corners = true\nimpostors.hemispheres = true\n");
+  EXPECT_TRUE(f.impostors.radiusInCorners && f.impostors.hemispheres && !f.impostors.radiusInPosition);
+  const Family other = parsed(kSent + "impostors.radius_in_position = true\n");
+  EXPECT_FALSE(other.impostors.radiusInCorners || other.impostors.hemispheres);
+}
+
 TEST(FamilyFile, MistakesInSentBillboards) {
   const auto has = [](const std::string& line, const char* text) {
     EXPECT_NE(mistakeIn(line).find(text), std::string::npos) << mistakeIn(line);
@@ -133,6 +140,16 @@ TEST(FamilyFile, MistakesInSentBillboards) {
   has(without(kStick + end, "impostors.billboards"), "need impostors.projection");
   has(kSent + inPosition + "match.geometry_shader = true", "neither geometry shaders");
   has(kSent + inPosition + "impostors.viewer = \"here\"", "origin, infinite");
+  const std::string inCorners = "impostors.radius_in_corners = true\n",
+                    half = "impostors.hemispheres = true\n";
+  EXPECT_EQ(mistakeIn(kSent + inCorners + half), "none");
+  has(kStick + end + half, "are for spheres alone");
+  has(kStick + end + inCorners, "are for spheres alone");
+  has(kSent + inCorners + inPosition, "radius_in_corners replaces");
+  has(kSent + inCorners + "impostors.radius = 1\n", "radius_in_corners replaces");
+  has(kSent + inCorners + half + "impostors.viewer = \"infinite\"\n", "hemispheres have no");
+  has("impostors.shape = \"spheres\"\nimpostors.radius = 1\n" + half, "need ");
+  has("impostors.shape = \"spheres\"\nimpostors.radius = 1\n" + inCorners, "need ");
   has("impostors.shape = \"spheres\"\nimpostors.radius = 1\nimpostors.corners = \"k\"\n", "need ");
 }
 

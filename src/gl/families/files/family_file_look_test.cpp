@@ -224,13 +224,32 @@ TEST(FamilyFileLook, RimsOfOpacity) {
 TEST(FamilyFileLook, HalfVectorsAndComponentsOfLights) {
   const Family f =
       parsed("lights.color = \"scale.{}\"\nlights.half_vector = \"light{}H\"\ncolor.alpha = false\n");
-  EXPECT_EQ(f.lights.halfVector, "light{}H");
+  EXPECT_EQ(f.lights.halfVector.uniform, "light{}H");
   EXPECT_TRUE(f.mentions("scale") && f.mentions("light3H"));
   EXPECT_EQ(ofLight(f.lights.color, f.lights, 2), "scale.2");
   EXPECT_TRUE(!f.colorAlpha && parsed().colorAlpha);
   EXPECT_EQ(mistakeIn("lights = { model = \"unlit\", half_vector = \"h\" }"),
             "x.toml:1: family \"f\": lights.clamped, lights.viewer, lights.half_vector and "
             "normals.dark_back_faces are for the model phong");
+}
+
+TEST(FamilyFileLook, ColoursOfHighlightsAndConstantHalfVectors) {
+  using HighlightColor = FamilyLights::HighlightColor;
+  const std::string color = "vertex.color = \"c\"\n";
+  const auto lights = [](const char* which) {
+    return std::string("lights.highlight_color = \"") + which + "\"\n";
+  };
+  EXPECT_EQ(parsed(color + lights("complement")).lights.highlightColor, HighlightColor::complement);
+  EXPECT_EQ(parsed(color + lights("base")).lights.highlightColor, HighlightColor::base);
+  EXPECT_EQ(parsed().lights.highlightColor, HighlightColor::material);
+  EXPECT_EQ(parsed("lights.half_vector = [0, 0.6, 0.8]\n").lights.halfVector.constant,
+            (Numbers{0, 0.6f, 0.8f}));
+  const std::string mistake =
+      "x.toml:1: family \"f\": lights.highlight_color needs vertex.color and the model phong, without "
+      "lights.specular_color";
+  EXPECT_EQ(mistakeIn(lights("base")), mistake);
+  EXPECT_EQ(mistakeIn(color + lights("base") + "lights.model = \"unlit\"\n"), mistake);
+  EXPECT_EQ(mistakeIn(color + lights("base") + "lights.specular_color = [1]\n"), mistake);
 }
 
 TEST(FamilyFileLook, FogWhoseModeAUniformNames) {

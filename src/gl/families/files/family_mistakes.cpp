@@ -11,7 +11,8 @@ bool hasKeysOfSticks(const FamilyImpostors& f) {
 }
 
 bool hasKeysOfSent(const FamilyImpostors& f) {
-  return !f.corners.empty() || f.parallelView || f.radiusInPosition || f.radiusInObject || f.zeroScaleIsOne;
+  return !f.corners.empty() || f.parallelView || f.radiusInPosition || f.radiusInCorners ||
+         f.radiusInObject || f.zeroScaleIsOne || f.hemispheres;
 }
 
 std::string mistakeInSentBillboards(const Family& family) {
@@ -22,11 +23,16 @@ std::string mistakeInSentBillboards(const Family& family) {
   if (!sticks && hasKeysOfSticks(f))
     return "end, end_color, caps, round_caps and halves_blend are for sticks alone";
   if (!f.sent && hasKeysOfSent(f))
-    return "corners, viewer, radius_in_position, radius_in_object_space and zero_scale_is_one need "
-           "impostors.billboards = \"sent\"";
+    return "corners, viewer, hemispheres, radius_in_position, radius_in_corners, radius_in_object_space and "
+           "zero_scale_is_one need impostors.billboards = \"sent\"";
   if (!f.sent) return "";
   if (f.shape != scene::Shape::spheres && !sticks)
     return "billboards = \"sent\" is for spheres and sticks only";
+  if (sticks && (f.hemispheres || f.radiusInCorners))
+    return "hemispheres and radius_in_corners are for spheres alone";
+  if (f.hemispheres && f.parallelView) return "hemispheres have no impostors.viewer";
+  if (f.radiusInCorners && (f.radiusInPosition || f.radius.given()))
+    return "radius_in_corners replaces radius and radius_in_position";
   if (f.corners.empty()) return "sent billboards need impostors.corners";
   if (family.eyeFromObject.empty()) return "sent billboards need transform.eye_from_object";
   if (!family.viewer.empty()) return "sent billboards have no transform.viewer";
@@ -82,9 +88,12 @@ std::string mistakeInLook(const Family& family) {
     return "color.textures_if and color.textures_apply need color.textures";
   if (family.encoding.given() && family.model != Family::Model::unlit)
     return "color.encoding is for the model unlit";
+  if (family.lights.highlightColor != FamilyLights::HighlightColor::material &&
+      (colors.empty() || family.model != Family::Model::phong || !family.lights.specularColor.empty()))
+    return "lights.highlight_color needs vertex.color and the model phong, without lights.specular_color";
   const bool phong = family.model == Family::Model::phong;
   if (!phong && (family.lights.clamped || family.lights.infiniteViewer || family.darkBackFaces ||
-                 !family.lights.halfVector.empty()))
+                 family.lights.halfVector.given()))
     return "lights.clamped, lights.viewer, lights.half_vector and normals.dark_back_faces are for the model "
            "phong";
   return "";
@@ -132,7 +141,8 @@ std::string missingKey(const Family& family) {
   const bool traced = family.rasteriseBecause.empty();
   if (traced && (family.position.empty() || family.clipFromObject.empty()))
     return "vertex.position and transform.clip_from_object, or match.rasterise";
-  if (f.given() && !scene::isSizedInPixels(f.shape) && !f.radius.given() && !f.radiusInPosition)
+  if (f.given() && !scene::isSizedInPixels(f.shape) && !f.radius.given() && !f.radiusInPosition &&
+      !f.radiusInCorners)
     return "impostors.radius";
   return f.shape == scene::Shape::cylinders && f.axis.empty() ? "impostors.axis" : "";
 }

@@ -65,6 +65,8 @@ void FamilyReader::readSentBillboards() {
   name("corners", f.corners);
   choice("viewer", {{"origin", false}, {"infinite", true}}, f.parallelView);
   flag("radius_in_position", f.radiusInPosition);
+  flag("radius_in_corners", f.radiusInCorners);
+  flag("hemispheres", f.hemispheres);
   flag("radius_in_object_space", f.radiusInObject);
   flag("zero_scale_is_one", f.zeroScaleIsOne);
   name("end", f.end);

@@ -52,13 +52,19 @@ void FamilyReader::readHighlights() {
   lightValues("specular_color", l.specularColor);
   lightValues("shininess", l.shininess);
   choice("viewer", {{"here", false}, {"infinite", true}}, l.infiniteViewer);
-  name("half_vector", l.halfVector);
+  value("half_vector", l.halfVector);
+  using HighlightColor = FamilyLights::HighlightColor;
+  choice("highlight_color",
+         {{"material", HighlightColor::material},
+          {"base", HighlightColor::base},
+          {"complement", HighlightColor::complement}},
+         l.highlightColor);
 }
 
 void FamilyReader::mentionNamedLights() {
   const FamilyLights& l = family_.lights;
   std::vector<std::string> patterns = {l.color,       l.direction.uniform, l.position, l.positional,
-                                       l.attenuation, l.coneAngle,         l.exponent, l.halfVector};
+                                       l.attenuation, l.coneAngle,         l.exponent, l.halfVector.uniform};
   for (const auto* values : {&l.specularColor, &l.shininess})
     for (const FamilyValue& value : *values) patterns.push_back(value.uniform);
   for (const std::string& pattern : patterns)
