@@ -32,6 +32,7 @@ void engineCalls(benchmark::State& state) {
   gl.Enable(GL_DEPTH_TEST);
   NoPresenter::batches = 0;
   for (auto _ : state) {
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl.Begin(GL_TRIANGLES);
     const auto start = std::chrono::steady_clock::now();
     for (size_t i = 0; i < sent.size(); i += 2) {
