@@ -1,6 +1,8 @@
 #include "base/own_thread.h"
 
+#include <csignal>
 #include <cstddef>
+#include <initializer_list>
 
 namespace gluray {
 namespace {
