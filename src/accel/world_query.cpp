@@ -2,6 +2,7 @@
 #include "accel/device/embree.h"
 #include "accel/queries/query_state.h"
 #include "accel/rays/packet_parts.h"
+#include "accel/world.h"
 
 #include <cstddef>
 

@@ -1,5 +1,6 @@
 // Which parts of a view one worker gathers, where ranks draw nothing, stop, end, or draw otherwise.
 #include "cluster/testing/gather_fixture.h"
+#include "scene/backdrop.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -1,5 +1,6 @@
 // Images of gathered parts, as all ranks and the composed view show them: those of one process.
 #include "cluster/testing/gather_fixture.h"
+#include "scene/backdrop.h"
 
 #include <functional>
 #include <string>

@@ -3,6 +3,7 @@
 #include "base/sanitized.h"
 #include "frame/refinement/denoiser.h"
 #include "frame/testing/mixed_scenes.h"
+#include "scene/backdrop.h"
 
 #include <gtest/gtest.h>
 

@@ -16,12 +16,6 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether filled polygons have an offset that increases depths.
-bool increasesDepthOfFills(const RasterState& raster) {
-  const scene::PolygonOffset offset{.factor = raster.offsetFactor, .units = raster.offsetUnits};
-  return raster.offsetFill && offset.pushesBack();
-}
-
 /// Alpha of one face's primary colour; 1 if it is the vertices' alpha.
 float faceAlpha(const scene::Material& material, scene::ColorMaterial::Mode mode) {
   const bool fromVertex =
@@ -291,12 +285,12 @@ bool Classifier::isPushedBack() const { return !p_.shadow.raster().isReversed() 
 
 bool Classifier::increasesDepth() const {
   const RasterState& raster = p_.shadow.raster();
-  return raster.reason != Reason::polygonMode && increasesDepthOfFills(raster);
+  return raster.reason != Reason::polygonMode && raster.increasesDepthOfFills();
 }
 
 bool Classifier::fillsArePushedBack() const {
   const RasterState& raster = p_.shadow.raster();
-  return raster.reason == Reason::polygonMode && !raster.isReversed() && increasesDepthOfFills(raster);
+  return raster.reason == Reason::polygonMode && !raster.isReversed() && raster.increasesDepthOfFills();
 }
 
 }  // namespace gluray::gl

@@ -5,6 +5,7 @@
 #include "gl/glsl/program_source.h"
 #include "gl/glsl/shader_digest.h"
 #include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/nearest_family.h"
 #include "gl/programs/renames.h"
 #include "gl/programs/vertex_inputs.h"
 #include "gl/real/extensions.h"
@@ -186,22 +187,6 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
   readPlaceholders(statements, families.code, family->code, known.placeholders);
 }
 
-/// Says why the program fits no family. `found`: its obstacles for the `nearest` family, which may be null.
-std::string whyNoneFits(const KnownProgram& known, const Family* nearest,
-                        const std::vector<std::string>& found) {
-  if (!known.program.linked) return "not linked";
-  std::string why = "no family fits";
-  if (!nearest) return why;
-  why.append("; nearest: ").append(nearest->name);
-  for (size_t i = 0; i < found.size() && i < 4; ++i) why.append(i ? ", " : ", but it ").append(found[i]);
-  if (found.size() > 4) why.append(" and ").append(std::to_string(found.size() - 4)).append(" more");
-  if (known.unknownCode)
-    why.append("; statements that do not affect the image can be added to [[code]] section \"")
-        .append(nearest->code.back())
-        .append("\" by a file for --program-families");
-  return why;
-}
-
 /// What users should know of the program in use with this OpenGL; empty if nothing.
 std::string noteOnOpenGl(const RealGl& real, const Program& program, ProgramSource& source) {
   if (program.geometryShader || !program.linked ||
@@ -209,14 +194,12 @@ std::string noteOnOpenGl(const RealGl& real, const Program& program, ProgramSour
       source.text().find("gl_PrimitiveID") == std::string::npos)
     return "";
   return "this version of Mesa numbers triangles wrongly where a shader program reads gl_PrimitiveID and has "
-         "no "
-         "geometry shader: the real OpenGL's picture may be wrong, and the traced one differs from it";
+         "no geometry shader: the real OpenGL's picture may be wrong, and the traced one differs from it";
 }
 
 /// Finds the family of `known`, whose source is `source`.
 void findFamily(const RealGl& real, KnownProgram& known, const FamilyList& families, ProgramSource& source) {
-  std::vector<std::string> fewest;
-  const Family* nearest = nullptr;
+  NearestFamily nearest;
   for (const auto& family : families) {
     if (!family->rasteriseBecause.empty() && !family->decided.empty()) continue;  // findOthers()
     bool unknown = false;
@@ -224,17 +207,12 @@ void findFamily(const RealGl& real, KnownProgram& known, const FamilyList& famil
     nameBuiltIns(known.program, *family);
     std::vector<std::string> found = obstacles(real, known.program, *family, families.code, source, unknown);
     if (found.empty()) return setFamily(known, family, families, source);
-    // Name the nearest family: one that can be traced and has the same kind of vertices, preferably one that
-    // fits except for statements.
-    if (!family->rasteriseBecause.empty()) continue;
-    if (family->hasBuiltInVertices() != readsFixedVertices(known.program)) continue;
-    if (!nearest || unknown > known.unknownCode ||
-        (unknown == known.unknownCode && found.size() < fewest.size()))
-      nearest = family.get(), fewest = std::move(found), known.unknownCode = unknown;
+    nearest.take(known.program, *family, unknown, std::move(found));
   }
   known.program.renamed.clear();
   dropBuiltIns(known.program);
-  known.why = whyNoneFits(known, nearest, fewest);
+  known.unknownCode = nearest.fitsButForCode();
+  known.why = known.program.linked ? "no family fits" + nearest.text() : "not linked";
 }
 
 void addNote(KnownProgram& known, const std::string& note) {

@@ -71,6 +71,10 @@ struct RasterState {
   bool frontFaceCcw = true;
   bool offsetFill = false;
   float offsetFactor = 0, offsetUnits = 0;
+  /// Whether filled polygons have an offset that increases depths.
+  bool increasesDepthOfFills() const {
+    return offsetFill && scene::PolygonOffset{.factor = offsetFactor, .units = offsetUnits}.pushesBack();
+  }
 };
 
 /// The framebuffer that draws go to.

@@ -2,6 +2,7 @@
 #include "gl/views/shown_views.h"
 
 #include "gl/pending/cleared_pixels.h"
+#include "scene/backdrop.h"
 
 #include <GL/glext.h>
 #include <gtest/gtest.h>

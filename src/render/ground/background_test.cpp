@@ -2,6 +2,7 @@
 #include "render/frame_data/backdrop_look.h"
 #include "render/lights/make_environment.h"
 #include "render/testing/test_ground.h"
+#include "scene/backdrop.h"
 
 #include <gtest/gtest.h>
 
