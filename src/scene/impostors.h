@@ -26,7 +26,16 @@ struct Impostors {
   /// the normal (x, y, sqrt(1 - q^2)) and the depth of the eye z that is radius * sqrt(1 - q^2) nearer. What
   /// reaches through the near plane does not exist. Lenses and secondary rays see whole spheres.
   bool hemispheres = false;
-  bool fades = false;       // discs and splats: multiply colours by 1 - (distance from the centre / radius)^2
+  bool fades = false;  // discs and splats: multiply colours by 1 - (distance from the centre / radius)^2
+  // Discs and splats: multiply opacities by exp(-(distance from the centre / radius)^2 / 2), and cover their
+  // billboards.
+  bool gaussian = false;
+  // Splats: multiply colours by 1 - distance from the centre / radius, cover their billboards, and have
+  // antialiased edges: where s = distance / radius - 1 is positive, opacities are 1 - smoothstep(0, w, s) for
+  // the sum w of |s| of the differences between two pixels of a 2x2 block in its row, and in its column.
+  bool antialiased = false;
+  /// Whether they cover their billboards, and opacities fall off.
+  bool fillsBillboard() const { return gaussian || antialiased; }
   float radiusDivisor = 1;  // radius of the billboard / radius of the disc
   /// A cylinder's axis in lighting space is axisMatrix * axis, reversed if it points to -z; its length is
   /// that of `axis`. Only the end that it points to is closed.
@@ -37,11 +46,16 @@ struct Impostors {
 
   // A splat is the image of a ball of its radius, in object space, under lightingFromObject and the affine
   // approximation of the projection at its centre ("EWA Splatting", Zwicker et al. 2002, equation 29):
-  //   C = J W W^T J^T, J = [s.x/z, 0, -s.x x/z^2; 0, s.y/z, -s.y y/z^2] (of a viewer at infinity [s.x, 0, 0;
-  //   0, s.y, 0])
-  // with s = `size`; off-diagonal entries of at most 1e-6 count as 0. It covers positions p in normalised
-  // device coordinates, relative to the centre, with p^T C^-1 p <= 1, all at the centre's depth plus
-  // `depthBias`. A splat whose centre is more than 1.3 from the middle of the window does not exist.
+  //   C = J W W^T J^T + L, J = [s.x/z, 0, -s.x x/z^2; 0, s.y/z, -s.y y/z^2] (of a viewer at infinity [s.x, 0,
+  //   0; 0, s.y, 0])
+  // with s = `size` and L = `lowpass` (xx, xy, yy); off-diagonal entries of at most 1e-6 count as 0. It
+  // covers positions p in normalised device coordinates, relative to the centre, with p^T C^-1 p <= 1, all at
+  // the centre's depth plus `depthBias`. A splat whose centre is more than 1.3 from the middle of the window
+  // does not exist. Those that fill them cover their billboards, the squares |q.x|, |q.y| <= `billboardScale`
+  // with p = (sqrt(a) A, sqrt(b) B) q for the eigenvalues a >= b of C and their eigenvectors A and B; without
+  // off-diagonal entries (A, B) = 1.
+  float billboardScale = 1;
+  glm::vec3 lowpass{0};
 
   // Beads and tubes are flat billboards of a fixed size in the window, lit as if they were round
   // (accel/impostors/pixel_impostor.h). Size in normalised device coordinates (of splats: see above): width

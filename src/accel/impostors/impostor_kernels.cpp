@@ -110,8 +110,9 @@ HWY_INLINE Mask meetSphere(const Impostor& f, const Rays& r, const Rays& sample,
 HWY_INLINE Mask meetDisc(const Impostor& f, const Rays& r, const Rays& sample, Float& t) {
   const OnBillboard c = onPlane(r, f.toViewer, 0);
   t = c.t;
-  const Mask met = hn::Le(dot(c.from, c.from), splat(f.radius * f.radius));
   const bool triangle = f.billboards == scene::Impostors::Billboards::triangle;
+  if (f.gaussian) return onTriangle(f, onPlane(sample, f.toViewer, 0));
+  const Mask met = hn::Le(dot(c.from, c.from), splat(f.radius * f.radius));
   return hn::And(met, triangle ? onTriangle(f, onPlane(sample, f.toViewer, 0)) : c.seen);
 }
 

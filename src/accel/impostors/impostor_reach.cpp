@@ -39,7 +39,7 @@ ImpostorReach reachOf(const scene::Instance& instance, const scene::Camera& came
   const glm::dmat3 rows = glm::transpose(objectFromLighting);
   double largest = 1 / double{instance.impostors.radiusDivisor};
   if (instance.impostors.billboards == scene::Impostors::Billboards::triangle)
-    largest = std::min(largest, 2.0);  // the triangle's corners
+    largest = instance.impostors.gaussian ? 2.0 : std::min(largest, 2.0);  // the triangle's corners
   // Depths of a half sphere lie on lines of sight through its disc, a radius further at most along z.
   if (instance.impostors.hemispheres) largest *= 1 + slopeOfSight(instance, camera);
   if (scene::isSolid(instance.mesh->shape)) largest = double{instance.impostors.radius};

@@ -63,31 +63,6 @@ void PixelImpostor::makeBead(uint32_t vertex) {
   pixels_ = std::max(1.0, double{placed_.look.size.x} * placed_.windowHalf.x);
 }
 
-void PixelImpostor::makeSplat(uint32_t vertex) {
-  constexpr double kFarthest = 1.3, kAcross = 1e-6;
-  const scene::Mesh& mesh = *placed_.mesh;
-  const scene::Impostors& f = placed_.look;
-  const glm::dvec4 clip = placed_.clipFromObject * glm::dvec4(mesh.position(vertex), 1);
-  exists_ = wholly_ && std::abs(clip.x) <= kFarthest * clip.w && std::abs(clip.y) <= kFarthest * clip.w &&
-            std::abs(clip.z) <= clip.w && !isCutAway(0);
-  const double radius =
-      double{mesh.radii ? scene::fetch(mesh.radii, vertex).x : mesh.radius} / f.radiusDivisor;
-  const glm::dvec3 p(scene::impostorCenter(placed_.lightingFromObject, mesh.position(vertex)));
-  const glm::dmat3 w = glm::transpose(glm::dmat3(glm::mat3(placed_.lightingFromObject)));
-  // Rows of J W.
-  glm::dvec3 x = double{f.size.x} * w[0], y = double{f.size.y} * w[1];
-  if (!f.parallelView)
-    x = (x - f.size.x * p.x / p.z * w[2]) / p.z, y = (y - f.size.y * p.y / p.z * w[2]) / p.z;
-  const double r2 = radius * radius, across = r2 * glm::dot(x, y);
-  const double off = std::abs(across) > kAcross ? across : 0.0;
-  const glm::dvec2 half = placed_.windowHalf;
-  const glm::dmat2 c(r2 * glm::dot(x, x) * half.x * half.x, off * half.x * half.y, off * half.x * half.y,
-                     r2 * glm::dot(y, y) * half.y * half.y);
-  const double determinant = glm::determinant(c);
-  exists_ = exists_ && determinant > 0 && std::isfinite(determinant);
-  if (exists_) inverse_ = glm::inverse(c);
-}
-
 void PixelImpostor::makeTube() {
   const glm::dvec2 half = placed_.windowHalf, size(placed_.look.size);
   const glm::dvec2 ends[] = {windowOf(end_[0]), windowOf(end_[1])};
@@ -175,13 +150,15 @@ bool PixelImpostor::coversBead(const glm::dvec2& at) const {
 bool PixelImpostor::covers(const glm::dvec2& at) const {
   if (!exists_) return false;
   if (placed_.mesh->shape == scene::Shape::beads) return coversBead(at);
-  if (placed_.mesh->shape == scene::Shape::splats) return true;  // show() decides
+  const bool splat = placed_.mesh->shape == scene::Shape::splats;
+  if (splat && !placed_.look.fillsBillboard()) return true;  // show() decides
   if (wholly_) {
     for (const Side& s : side_) {
       const double inside = s.dx * (at.y * kSteps - s.y) - s.dy * (at.x * kSteps - s.x);
       if (!(inside > 0 || (inside == 0 && s.owned))) return false;
     }
   }
+  if (splat) return true;
   const OnBillboard on = onBillboard(at);
   return on.inside && on.ndc >= -1 && on.ndc <= 1;
 }
@@ -242,17 +219,7 @@ glm::vec3 PixelImpostor::outwards() const {
 }
 
 bool PixelImpostor::show(const glm::dvec2& at, Shown& shown) const {
-  if (placed_.mesh->shape == scene::Shape::splats) {
-    const glm::dvec2 from = at - windowOf(end_[0]);
-    const double share = glm::dot(from, inverse_ * from);
-    if (!(share <= 1)) return false;
-    shown.normal = {0, 0, 1};
-    shown.along = 0;
-    shown.fade = placed_.look.fades ? static_cast<float>(1 - share) : 1.0f;
-    const double depth = end_[0].ndc * placed_.depthScale + placed_.depthOffset;
-    shown.depth = std::clamp(depth + placed_.look.depthBias, 0.0, 1.0);
-    return true;
-  }
+  if (placed_.mesh->shape == scene::Shape::splats) return showSplat(at, shown);
   if (placed_.mesh->shape == scene::Shape::beads) {
     const glm::dvec2 shift(placed_.look.coordinateShift);
     const glm::dvec2 from = (at + shift - windowOf(end_[0])) * (2 / pixels_);

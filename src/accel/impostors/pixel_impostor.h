@@ -33,14 +33,16 @@ class PixelImpostor {
     double depth = 0;     // window, [0, 1]
     double along = 0;     // of a tube: position on the line, 0 at its first end, 1 at its second
     glm::vec3 normal{0};  // unit, lighting space; splats: towards the viewer
-    float fade = 1;       // of splats: see scene::Impostors::fades
+    float fade = 1;       // of splats: factor of the colour
+    float alpha = 1;      // of splats: factor of the opacity
   };
   /// Whether its billboard covers a window position. Corners snap to 1/256 pixel, as in rasterisers;
   /// positions exactly on the left or lower side are covered.
   bool covers(const glm::dvec2& at) const;
   /// Must be called before covers().
   void prepare() {
-    if (wholly_ && placed_.mesh->shape == scene::Shape::tubes) makeSides();
+    const bool square = placed_.look.fillsBillboard() && placed_.mesh->shape == scene::Shape::splats;
+    if (wholly_ && exists_ && (square || placed_.mesh->shape == scene::Shape::tubes)) makeSides();
   }
   /// The subset of `lanes` whose positions the billboard may cover; conservative and tight.
   uint32_t nearby(const PixelRays&, uint32_t lanes) const;
@@ -48,8 +50,11 @@ class PixelImpostor {
   bool show(const glm::dvec2& at, Shown& shown) const;
 
  private:
+  bool showSplat(const glm::dvec2& at, Shown& shown) const;
+
   void makeBead(uint32_t vertex);
   void makeSplat(uint32_t vertex);
+  void makeSquare(const glm::vec3& center, float radius);
   void makeTube();
   void makeTubeInPixels(const glm::dvec2& first, const glm::dvec2& second);
   /// Sets across_ for a line that runs so in the window, and returns its direction.
@@ -74,7 +79,8 @@ class PixelImpostor {
   WindowVertex end_[2];
   double pixels_ = 1;      // of beads
   glm::dmat2 inverse_{1};  // of splats: of C, in pixels
-  // Tubes in front of the viewer: parallelograms of corner_ + along*along_ + aside*aside_.
+  // Tubes in front of the viewer, and splats that fill their billboards: parallelograms of corner_ +
+  // along*along_ + aside*aside_.
   glm::dvec2 corner_{0}, along_{0}, aside_{0};
   struct Side {
     double x, y, dx, dy;  // 1/256 pixel

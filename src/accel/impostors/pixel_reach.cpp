@@ -75,14 +75,19 @@ ImpostorReach reachOfSplats(const scene::Instance& instance, const scene::Camera
   constexpr double kFarthest = 1.3;
   const glm::dvec2 tangents = kFarthest / glm::abs(glm::dvec2(f.size));
   const double slanted = f.parallelView ? 1 : std::sqrt(1 + glm::dot(tangents, tangents));
-  const double reach =
-      largestStretch(glm::dmat3(range.lightingFromObject)) * slanted / double{f.radiusDivisor} * (1 + 1e-4);
+  // The billboard's corners; shaders round its sides.
+  const double corners = f.fillsBillboard() ? std::sqrt(2.0) * double{f.billboardScale} * (1 + 1e-3) : 1.0;
+  const double reach = largestStretch(glm::dmat3(range.lightingFromObject)) * slanted * corners /
+                       double{f.radiusDivisor} * (1 + 1e-4);
+  // No eigenvalue is above the trace; depths do not count, as those of the billboard are its centre's.
+  const double wider = std::sqrt(double{f.lowpass.x} + f.lowpass.z) * corners * range.farthest *
+                       std::max(1 / std::abs(double{f.size.x}), 1 / std::abs(double{f.size.y}));
+  const double further = wider + (f.depthBias != 0 ? range.movedBy(f.depthBias, f.parallelView) : 0.0);
   const glm::dvec3 unit = perUnit(range.lightingFromObject);
   ImpostorReach result;
   for (int c = 0; c < 3; ++c) {
     result.perRadius[c] = roundedUp(unit[c] * reach);
-    if (f.depthBias != 0)
-      result.further[c] = roundedUp(unit[c] * inSteps(range.movedBy(f.depthBias, f.parallelView)));
+    if (further > 0) result.further[c] = roundedUp(unit[c] * inSteps(further));
   }
   return result;
 }

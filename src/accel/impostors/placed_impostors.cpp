@@ -91,6 +91,7 @@ bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor&
   f.parallelView = placed.look.parallelView;
   f.inside = placed.look.inside;
   f.hemisphere = placed.look.hemispheres;
+  f.gaussian = placed.look.gaussian;
   f.center = scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex));
   f.cardRadius = radiusOf(mesh, vertex);
   f.radius = f.cardRadius / placed.look.radiusDivisor;

@@ -49,7 +49,7 @@ struct PlacedImpostors {
 struct Impostor {
   scene::Shape shape;
   scene::Impostors::Billboards billboards;
-  bool parallelView, inside, hemisphere;
+  bool parallelView, inside, hemisphere, gaussian;
   glm::vec3 center;
   float radius, cardRadius;
   glm::vec2 square{0};      // Billboards::square: half of its width and height

@@ -154,12 +154,12 @@ void fields(auto& archive, Like<scene::Shading> auto& value) {
 }
 
 void fields(auto& archive, Like<scene::Impostors> auto& value) {
-  auto& [billboards, parallelView, inside, hemispheres, fades, radiusDivisor, axisMatrix, centerPlanes, size,
-         coordinateShift, grows, inPixels, longer, bulge, bulgeDepth, depthBias, radius, unlit, roundEnds,
-         halvesBlend] = value;
-  archive(billboards, parallelView, inside, hemispheres, fades, radiusDivisor, axisMatrix, centerPlanes, size,
-          coordinateShift, grows, inPixels, longer, bulge, bulgeDepth, depthBias, radius, unlit, roundEnds,
-          halvesBlend);
+  auto& [billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, radiusDivisor,
+         axisMatrix, centerPlanes, billboardScale, lowpass, size, coordinateShift, grows, inPixels, longer,
+         bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend] = value;
+  archive(billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, radiusDivisor,
+          axisMatrix, centerPlanes, billboardScale, lowpass, size, coordinateShift, grows, inPixels, longer,
+          bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
 }
 void fields(auto& archive, Like<scene::FramebufferCapture> auto& value) {
   auto& [viewport, depthNear, depthFar, region, offset, colors, depths, content] = value;

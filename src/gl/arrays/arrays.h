@@ -34,6 +34,7 @@ struct ArrayState {
   ArraySource radius, axis;                  // of impostors (scene/impostors.h)
   ArraySource corners, end, endColor, caps;  // of impostors whose billboards the program sends
   bool sentBillboards = false;               // the four arrays above and the two flags below apply
+  bool ofInstances = false;                  // arrays have an element for each instance, which is an impostor
   bool radiusInPosition = false;
   bool radiusInCorners = false;  // `corners` has minus or plus the radius for each direction of a square
   scene::Shape shape = scene::Shape::triangles;

@@ -19,14 +19,26 @@ Reason classifyPass(Context& c, PrimitiveClass primitive) {
   return c.programs.classify(primitive);
 }
 
-std::optional<Elements> verticesOf(const std::optional<PulledVertices>& pulled, GLenum mode,
-                                   const Elements& drawn) {
+/// The points at which a strip of four vertices shows an impostor for each of its instances.
+std::optional<Elements> pointsOf(GLenum mode, const Elements& drawn) {
+  if (mode != GL_TRIANGLE_STRIP || drawn.type != 0 || drawn.count != 4 || drawn.first % 4 != 0)
+    return std::nullopt;
+  Elements points;
+  points.first = static_cast<GLint>(drawn.baseInstance), points.count = static_cast<GLsizei>(drawn.repeats());
+  return points;
+}
+
+std::optional<Elements> verticesOf(ShadowState& shadow, GLenum mode, const Elements& drawn) {
+  if (shadow.attributes().ofInstances) return pointsOf(mode, drawn);
+  const std::optional<PulledVertices>& pulled = shadow.program().pulled;
   if (!pulled) return drawn;
   return modeOf(*pulled, mode) ? elementsOf(*pulled, drawn) : std::nullopt;
 }
 
 /// The primitives that the program shows; those of the draw if it shows none.
-GLenum shownModeOf(const std::optional<PulledVertices>& pulled, GLenum mode) {
+GLenum shownModeOf(ShadowState& shadow, GLenum mode) {
+  if (shadow.attributes().ofInstances) return GL_POINTS;
+  const std::optional<PulledVertices>& pulled = shadow.program().pulled;
   return pulled ? modeOf(*pulled, mode).value_or(mode) : mode;
 }
 
@@ -36,9 +48,10 @@ ProgramArraysDraw::ProgramArraysDraw(Context& context, GLenum mode, const Elemen
     : c_(context),
       mode_(mode),
       elements_(elements),
-      shownMode_(shownModeOf(context.shadow.program().pulled, mode)),
-      vertices_(verticesOf(context.shadow.program().pulled, mode, elements)),
+      shownMode_(shownModeOf(context.shadow, mode)),
+      vertices_(verticesOf(context.shadow, mode, elements)),
       fixed_(context, mode, elements),
+      ofInstances_(context.shadow.attributes().ofInstances),
       takesFixed_(readsBuiltIns(context.shadow.program())),
       sentBillboards_(context.shadow.attributes().sentBillboards &&
                       (mode == GL_TRIANGLES || mode == GL_QUADS)),
@@ -66,18 +79,18 @@ KnownMesh ProgramArraysDraw::mesh() {
 }
 
 uint64_t ProgramArraysDraw::shown(const KnownMesh& known) const {
-  return known.mesh ? uint64_t{known.mesh->triangleCount} * elements_.repeats() : 0;
+  return known.mesh ? uint64_t{known.mesh->triangleCount} * repeated().repeats() : 0;
 }
 
 uint64_t ProgramArraysDraw::sent(const KnownMesh& known) const {
-  return sentBillboards_ ? trianglesOf(mode_, elements_) : shown(known);
+  return sentBillboards_ || ofInstances_ ? trianglesOf(mode_, elements_) : shown(known);
 }
 
 Reason ProgramArraysDraw::classifyMesh(const KnownMesh& known) {
   if (takesFixed_) return fixed_.classifyMesh(known);
   if (known.mesh && !c_.shadow.takeValuesOfCells(known.mesh->triangleCount)) return Reason::arrayState;
   const Reason reason = c_.programs.classify(known, sent(known));
-  return reason == Reason::traced ? c_.programs.classifyInstances(*known.mesh, elements_) : reason;
+  return reason == Reason::traced ? c_.programs.classifyInstances(*known.mesh, repeated()) : reason;
 }
 
 Reason ProgramArraysDraw::trace(const KnownMesh& known) {
@@ -107,7 +120,7 @@ void ProgramArraysDraw::meetPasses(PrimitiveClass primitive, Reason) {
 }
 
 DrawRequest::Load ProgramArraysDraw::load() {
-  if (!impostors_ || sentBillboards_ || !vertices_) return loadOf(c_, mode_, elements_);
+  if (!impostors_ || sentBillboards_ || ofInstances_ || !vertices_) return loadOf(c_, mode_, elements_);
   const uint64_t corners = shownMode_ == GL_LINES ? 2 : 1;
   return {pathOf(elements_), PrimitiveClass::surfaces,
           static_cast<uint64_t>(vertices_->count) / corners * elements_.repeats()};

@@ -20,6 +20,8 @@ class ProgramArraysDraw final : public DrawRequest {
   Fate make() override;
 
  private:
+  /// The draw with its instances as it is traced: as one where each instance is an impostor.
+  const Elements& repeated() const { return ofInstances_ && vertices_ ? *vertices_ : elements_; }
   /// Number of triangles that the draw shows if it is traced.
   uint64_t shown(const KnownMesh& mesh) const;
   /// Number of triangles that the real OpenGL would draw: an impostor costs it as much as its billboard's
@@ -32,6 +34,7 @@ class ProgramArraysDraw final : public DrawRequest {
   const GLenum shownMode_;                  // the primitives of vertices_
   const std::optional<Elements> vertices_;  // the draw of shadow.vertices(); nullopt: it is none
   FixedArraysDraw fixed_;                   // the same draw
+  const bool ofInstances_;                  // each instance is an impostor
   const bool takesFixed_;                   // the program reads fixed function's vertex arrays
   const bool sentBillboards_;               // the program sends the billboards of its impostors
   const bool impostors_;                    // the program shows impostors

@@ -4,16 +4,39 @@
 #include "gl/layers/layer_draws.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gluray::gl {
 
 namespace {
 
+/// Distance of the corners of a gaussian's billboard from its centre, in radii.
+float reachOfGaussian(const ProgramState& program, scene::Shape shape) {
+  const scene::Impostors& f = program.impostors;
+  return shape == scene::Shape::discs ? 2 * f.radiusDivisor : std::sqrt(2.0f) * f.billboardScale;
+}
+
 /// Whether the program may discard fragments whose alpha is 0. Layers would write their depths.
-bool mayDiscard(const ProgramState& program) {
-  const bool oneAlpha = program.shading.fragment.color == scene::FragmentShading::Color::material &&
-                        program.shading.textures.empty();
-  return program.known->discardsInvisible && !oneAlpha;
+bool mayDiscard(const ProgramState& program, const scene::Mesh& mesh) {
+  using Color = scene::FragmentShading::Color;
+  constexpr float kFarthest = 12;  // radii; beyond, opacities of gaussians fall to 0 in floats
+  const scene::FragmentShading& f = program.shading.fragment;
+  const bool oneAlpha = f.color == Color::material && program.shading.textures.empty();
+  if (!program.known->discardsInvisible || program.impostors.antialiased) return false;
+  if (!program.impostors.gaussian) return !oneAlpha;
+  const bool paints = f.color == Color::vertices && (mesh.colors ? mesh.opaqueColors : program.color.a > 0);
+  return reachOfGaussian(program, mesh.shape) > kFarthest || !(program.material.front.diffuse.a > 0) ||
+         !(oneAlpha || paints);
+}
+
+/// Whether each of the mesh's impostors is one fragment of a pixel. A stick's box makes two, one for each
+/// side, unless one is culled.
+bool isSingle(const scene::Mesh& mesh, const ProgramState& program, const RasterState& raster) {
+  using scene::Shape;
+  const bool flat = mesh.shape == Shape::splats || mesh.shape == Shape::discs;
+  return mesh.shape == Shape::triangles || mesh.shape == Shape::spheres ||
+         (flat && program.impostors.fillsBillboard()) ||
+         (mesh.shape == Shape::sticks && raster.cull != scene::CullFace::none);
 }
 
 }  // namespace
@@ -26,11 +49,8 @@ Reason ProgramDraws::ofBlending(const scene::Mesh& mesh) const {
   const bool solid = scene::isSolid(mesh.shape);
   if (opaque && (solid || raster.reason == Reason::traced)) return Reason::traced;
   if (!isBlended(mesh)) return raster.unlessOpaque;
-  // Each impostor must produce one fragment per pixel. A stick's box produces two, one for each side, unless
-  // one is culled.
-  const bool single = mesh.shape == scene::Shape::triangles || mesh.shape == scene::Shape::spheres ||
-                      (mesh.shape == scene::Shape::sticks && raster.cull != scene::CullFace::none);
-  const bool whole = !raster.writesDepth || !mayDiscard(program);
+  const bool single = isSingle(mesh, program, raster);
+  const bool whole = !raster.writesDepth || !mayDiscard(program, mesh);
   const bool grows = program.shading.fragment.edges && program.shading.fragment.edgesGrow;
   if (single && whole && !grows) return Reason::traced;
   return raster.reason != Reason::traced ? raster.reason : raster.unlessOpaque;

@@ -112,12 +112,17 @@ struct FamilyImpostors {
   FamilyValue radiusDivisor;
   scene::Impostors::Billboards billboards = scene::Impostors::Billboards::silhouette;
   bool fades = false;
+  bool antialiased = false;  // scene::Impostors
+  /// Each instance of a draw is an impostor, and its four vertices are the corners of the billboard.
+  bool instances = false;
+  bool gaussian = false;                           // scene::Impostors
   bool grows = false;                              // of tubes
   FamilyValue size, bulge, bulgeDepth, depthBias;  // of beads and tubes: scene::Impostors
   bool inPixels = false;       // of tubes: scene::Impostors; `size` is one number, as of beads
   FamilyValue longer;          // of these tubes: scene::Impostors
   std::string viewport;        // uniform: the viewport that the program computes with
   FamilyValue scale;           // factor of splats' radius
+  FamilyValue lowpass;         // of splats: scene::Impostors
   FamilyValue billboardScale;  // of splats' billboards, in radii
   std::string projection;      // uniform: projection matrix of splats and sent billboards
   /// The program sends the billboards' corners, each with all attributes of its impostor.

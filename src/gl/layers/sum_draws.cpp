@@ -19,9 +19,8 @@ Reason SumDraws::classify(PrimitiveClass kind) {
   if (p_.shadow.activeQueries > 0) return Reason::query;
   if (const Reason reason = seenThroughReason(p_.shadow, kind); reason != Reason::traced) return reason;
   const TargetState& target = p_.shadow.target();
-  if (target.framebuffer == 0 || target.samples > 1 ||
-      !addsUp(p_.shadow.real, p_.shadow.rare(), p_.shadow.raster()))
-    return Reason::programPass;
+  if (target.framebuffer == 0 || target.samples > 1) return Reason::programPass;
+  if (!addsUp(p_.shadow.real, p_.shadow.rare(), p_.shadow.raster())) return Reason::blend;
   const Family& family = *p_.shadow.program().known->family;
   if (p_.shadow.real.GetFragDataLocation(p_.shadow.program().known->program.name,
                                          family.passOutput.c_str()) != 1)

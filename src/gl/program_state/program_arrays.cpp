@@ -128,7 +128,8 @@ void AttributeReader::take(const std::string& name, ArraySource& source) {
   if (!a || a->location < 0) return;
   source = readPlaced(real_, group_, a->location);
   named_.push_back(a->location);
-  plain_ = plain_ && isReadable(source) && source.divisor == 0;
+  const GLuint divisor = program_->family->impostors.instances && source.enabled ? 1 : 0;
+  plain_ = plain_ && isReadable(source) && source.divisor == divisor;
 }
 
 void AttributeReader::readVertices(const Family& family) {
@@ -147,6 +148,7 @@ void AttributeReader::readVertices(const Family& family) {
   take(family.impostors.radius.uniform, out_.radius);
   take(family.impostors.axis, out_.axis);
   out_.sentBillboards = family.impostors.sent;
+  out_.ofInstances = family.impostors.instances;
   out_.radiusInPosition = family.impostors.radiusInPosition;
   out_.radiusInCorners = family.impostors.radiusInCorners;
   take(family.impostors.corners, out_.corners), take(family.impostors.end, out_.end);

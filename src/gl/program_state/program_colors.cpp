@@ -181,7 +181,7 @@ bool showsOpacityBeneath(const ProgramState& program, const scene::Mesh& mesh, c
 bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
-  if (program.material.front.diffuse.a < 1) return false;
+  if (program.material.front.diffuse.a < 1 || program.impostors.fillsBillboard()) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
   if (showsOpacityBeneath(program, mesh, color)) return false;
   if (f.color == Color::vertices && !f.ignoresAlpha && !program.instanceColors &&

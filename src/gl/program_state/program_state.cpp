@@ -102,6 +102,7 @@ Reason ProgramReader::readImpostors() {
   if (!f.given()) return Reason::traced;
   out_.impostors.billboards = f.billboards;
   out_.impostors.fades = f.fades;
+  out_.impostors.gaussian = f.gaussian, out_.impostors.antialiased = f.antialiased;
   out_.impostors.parallelView = out_.shading.fragment.parallelView;
   out_.impostors.inside = uniforms_.number(f.inside, 1) < 0;
   out_.impostors.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
@@ -128,9 +129,17 @@ Reason ProgramReader::readSplats() {
   const float scale = uniforms_.number(f.scale, 1);
   if (!(scale > 0)) return refuse("uniform \"" + f.scale.uniform + "\" is not above 0");
   out_.impostors.radiusDivisor = 1 / scale;
+  const glm::vec3 lowpass(uniforms_.value(f.lowpass, glm::vec4(0)));
+  const bool adds = lowpass.x >= 0 && lowpass.z >= 0 && lowpass.y * lowpass.y <= lowpass.x * lowpass.z;
+  if (!adds || !std::isfinite(lowpass.x + lowpass.z))
+    return refuse("uniform \"" + f.lowpass.uniform + "\" is no covariance");
+  out_.impostors.lowpass = lowpass;
   // Smaller billboards would clip the ellipse.
-  if (!(uniforms_.number(f.billboardScale, 1) >= 1))
-    return refuse("uniform \"" + f.billboardScale.uniform + "\" is below 1");
+  const float bounds = uniforms_.number(f.billboardScale, 1);
+  if (!(bounds >= 1)) return refuse("uniform \"" + f.billboardScale.uniform + "\" is below 1");
+  if (!out_.impostors.fillsBillboard()) return out_.eyeFromObject ? Reason::traced : Reason::program;
+  if (!std::isfinite(bounds)) return refuse("uniform \"" + f.billboardScale.uniform + "\" is infinite");
+  out_.impostors.billboardScale = bounds;
   if (!out_.eyeFromObject) return Reason::program;
   return Reason::traced;
 }

@@ -84,6 +84,12 @@ void refuseActive(const RealGl& real, const Program& p, const Family& f, std::ve
     if (hasOutput(real, p, name)) out.push_back(about("has output ", name));
 }
 
+/// Whether the family is of programs that read this number of the vertex or instance.
+bool isNumber(const Family& f, const std::string& name) {
+  if (name == "gl_VertexID") return f.pulling.given() || f.impostors.instances;
+  return name == "gl_InstanceID" && f.impostors.instances;
+}
+
 void needMentioned(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.strict) return;
   const auto check = [&](const char* kind, const std::string& name, GLenum type) {
@@ -96,7 +102,7 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
   if (!f.hasBuiltInVertices())
     for (const auto& [name, type] : p.builtInUniforms) check("has uniform ", name, type);
   for (const auto& [name, attribute] : p.attributes)
-    if (!f.pulling.given() || name != "gl_VertexID") check("has attribute ", name, attribute.type);
+    if (!isNumber(f, name)) check("has attribute ", name, attribute.type);
 }
 
 /// Requires what tracing needs from any program.

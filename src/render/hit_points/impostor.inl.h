@@ -76,7 +76,7 @@ HWY_INLINE Lines linesThrough(const Surface& s, const Group& group, const Bend& 
 /// Visible points of impostors, relative to their centres.
 struct Seen {
   Double3 point, normal;
-  Double fade;
+  Double fade, alpha;
 };
 
 HWY_INLINE Double3 towardsViewer(const Surface& s, const Lines& lines) {
@@ -91,7 +91,8 @@ HWY_INLINE Seen seeSphere(const Surface& s, const Lines& l, Double radius) {
   const Double chord = hn::Sqrt(hn::Max(hn::MulSub(radius, radius, dot(nearest, nearest)), zero));
   const bool inside = s.instance->impostors.inside;
   const Double3 normal = unit(along(nearest, inside ? chord : hn::Neg(chord), l.dir));
-  return {scaled(normal, radius), inside ? scaled(normal, splatDouble(-1)) : normal, splatDouble(1)};
+  return {scaled(normal, radius), inside ? scaled(normal, splatDouble(-1)) : normal, splatDouble(1),
+          splatDouble(1)};
 }
 
 /// A point of the disc at the half sphere's z, on the line of sight.
@@ -101,7 +102,15 @@ HWY_INLINE Seen seeHemisphere(const Lines& l, Double radius) {
   const Double x = hn::Div(on.x, radius), y = hn::Div(on.y, radius);
   const Double z = hn::Sqrt(hn::Max(hn::Sub(one, hn::MulAdd(x, x, hn::Mul(y, y))), zero));
   const Double height = hn::Mul(z, radius);
-  return {along(l.org, hn::Div(hn::Sub(height, l.org.z), l.dir.z), l.dir), {x, y, z}, one};
+  return {along(l.org, hn::Div(hn::Sub(height, l.org.z), l.dir.z), l.dir), {x, y, z}, one, one};
+}
+
+/// exp(-v / 2)
+HWY_INLINE Double fallOff(Double v) {
+  alignas(64) double values[hn::MaxLanes(DoubleTag())];
+  hn::Store(v, DoubleTag(), values);
+  for (size_t i = 0; i < hn::Lanes(DoubleTag()); ++i) values[i] = std::exp(-0.5 * values[i]);
+  return hn::Load(DoubleTag(), values);
 }
 
 HWY_INLINE Seen seeDisc(const Surface& s, const Lines& l, Double radius) {
@@ -109,7 +118,9 @@ HWY_INLINE Seen seeDisc(const Surface& s, const Lines& l, Double radius) {
   const Double t = hn::Neg(hn::Div(dot(n, l.org), dot(n, l.dir)));
   const Double3 point = along(l.org, t, l.dir);
   const Double share = hn::Div(dot(point, point), hn::Mul(radius, radius));
-  return {point, n, s.instance->impostors.fades ? hn::Sub(splatDouble(1), share) : splatDouble(1)};
+  if (s.instance->impostors.gaussian) return {point, n, splatDouble(1), fallOff(share)};
+  return {point, n, s.instance->impostors.fades ? hn::Sub(splatDouble(1), share) : splatDouble(1),
+          splatDouble(1)};
 }
 
 HWY_INLINE Seen seeCylinder(const Surface& s, const Group& group, const Lines& l, Double radius, int i) {
@@ -132,7 +143,8 @@ HWY_INLINE Seen seeCylinder(const Surface& s, const Group& group, const Lines& l
   const auto onMantle = hn::Le(hn::Abs(hn::MulAdd(enter, dirZ, orgZ)), halfLength);
   const Double toEnd = hn::Div(hn::Sub(halfLength, orgZ), dirZ);
   const Double3 normal = blend(onMantle, scaled(along(o, enter, d), hn::Div(splatDouble(1), radius)), axis);
-  return {along(l.org, hn::IfThenElse(onMantle, enter, toEnd), l.dir), normal, splatDouble(1)};
+  return {along(l.org, hn::IfThenElse(onMantle, enter, toEnd), l.dir), normal, splatDouble(1),
+          splatDouble(1)};
 }
 
 HWY_INLINE void storeRows(const Double3& v, Row (&rows)[3], int i) {
@@ -173,7 +185,7 @@ HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& ma
     const Double3 point = along(seen.point, one, lines.center);
     storeRows(point, group.point, i);
     storeRows(seen.normal, group.normal, i);
-    storeFloat(seen.fade, group.fade + i);
+    storeFloat(seen.fade, group.fade + i), storeFloat(seen.alpha, group.alpha + i);
     const Double ndc = hn::Div(dot(surface.impostors.clipZ, point), dot(surface.impostors.clipW, point));
     const Double depth = hn::MulAdd(ndc, splatDouble(map.scale), splatDouble(map.offset));
     storeFloat(hn::Min(hn::Max(depth, zero), one), out.depth + i);
@@ -185,7 +197,7 @@ HWY_ATTR inline void computeImpostors(const Surface& surface, const DepthMap& ma
 HWY_ATTR inline void computePixelImpostors(const Surface& surface, const accel::PlacedImpostors& placed,
                                            const float* x, const float* y, Group& group,
                                            DepthAndFacing& out) {
-  for (int i = 0; i < kLanes; ++i) group.fade[i] = 1, group.u[i] = group.v[i] = 0;
+  for (int i = 0; i < kLanes; ++i) group.fade[i] = group.alpha[i] = 1, group.u[i] = group.v[i] = 0;
   for (uint32_t lanes = group.lanes; lanes; lanes &= lanes - 1) {
     const int i = std::countr_zero(lanes);
     const accel::PixelImpostor impostor(placed, group.primitive[i]);
@@ -199,7 +211,7 @@ HWY_ATTR inline void computePixelImpostors(const Surface& surface, const accel::
     const glm::vec3 point = glm::mix(end[0], end[1], along);
     for (int c = 0; c < 3; ++c) group.point[c][i] = point[c], group.normal[c][i] = shown.normal[c];
     group.u[i] = along;
-    group.fade[i] = shown.fade;
+    group.fade[i] = shown.fade, group.alpha[i] = shown.alpha;
     out.depth[i] = static_cast<float>(shown.depth);
   }
   for (int i = 0; i < kLanes; ++i) {

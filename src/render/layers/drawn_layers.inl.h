@@ -46,7 +46,7 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
   // Depth grows along a ray, except for polygon offsets of single triangles.
   const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
   const float reach = grows ? static_cast<float>(1 / std::max(layers.depthSteps, 1.0)) + 0x1p-24f : 2.0f;
-  EdgeHits edges;
+  EdgeHits edges(frame);
   alignas(64) uint32_t colors[kLanes];
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth, reach); };

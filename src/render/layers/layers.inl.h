@@ -8,6 +8,7 @@
 #endif
 
 #include "accel/rays/next_hits.h"
+#include "render/layers/edge_hits.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/visibility/edges.inl.h"
 
@@ -205,41 +206,6 @@ HWY_ATTR inline void compositeLayers(const FrameData& frame, const scene::Layers
   for (int c = 0; c < 4; ++c) std::copy_n(rows.value[c], kLanes, work.wide[c]);
 }
 
-/// Finds double hits of one ray on an edge that two triangles share; only one counts.
-class EdgeHits {
- public:
-  /// The lanes whose hit the other triangle has reported already.
-  uint32_t again(uint32_t lanes, const accel::RayPacket& packet) {
-    constexpr float kAtEdge = 1e-5f, kSamePlace = 0x1p-20f;
-    uint32_t found = 0;
-    for (; lanes; lanes &= lanes - 1) {
-      const int i = std::countr_zero(lanes);
-      const float u = packet.u[i], v = packet.v[i], distance = packet.tFar[i];
-      if (std::min({u, v, 1 - u - v}) > kAtEdge) continue;
-      const auto isOther = [&](const Hit& hit) {
-        return hit.instance == packet.instance[i] && hit.primitive != packet.primitive[i] &&
-               std::abs(hit.distance - distance) <= kSamePlace * distance;
-      };
-      std::vector<Hit>& hits = hits_[i];
-      const auto other = std::find_if(hits.begin(), hits.end(), isOther);
-      if (other == hits.end()) {
-        hits.push_back({packet.instance[i], packet.primitive[i], distance});
-        continue;
-      }
-      hits.erase(other);
-      found |= 1u << i;
-    }
-    return found;
-  }
-
- private:
-  struct Hit {
-    uint32_t instance, primitive;
-    float distance;
-  };
-  std::vector<Hit> hits_[kLanes];
-};
-
 inline bool areOrdered(const FrameData& frame) {
   return frame.snapshot->settings.transparency == Transparency::ordered;
 }
@@ -252,7 +218,7 @@ HWY_ATTR inline void sumOrdered(const FrameData& frame, const scene::Layers& lay
   work.cover = {g.now[3], g.before[3], g.place, layers.tolerance};
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };
-  EdgeHits edges;
+  EdgeHits edges(frame);
   walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     lanes &= ~edges.again(lanes, work.packet);
     putBehind(lanes, rows, depth, layers.tolerance, g, !frame.features);
@@ -275,7 +241,7 @@ inline constexpr float kUncovered[kLanes] = {};
 /// Sums all hits of the packet's rays.
 HWY_ATTR inline void sumLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   if (areOrdered(frame)) return sumOrdered(frame, layers, work);
-  EdgeHits edges;
+  EdgeHits edges(frame);
   work.cover = {kUncovered};
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth); };

@@ -27,8 +27,8 @@ struct Group {
   alignas(64) uint32_t vertex[3][kLanes];
   alignas(64) Row position[3][3];  // [corner][component], object space
   alignas(64) Row u, v;
-  // For impostors (impostor.inl.h): hit point and normal in lighting space, and colour factor.
-  alignas(64) Row point[3], normal[3], fade;
+  // For impostors (impostor.inl.h): hit point and normal in lighting space, factors of colour and opacity.
+  alignas(64) Row point[3], normal[3], fade, alpha;
   // One per lane: footprints of hits of secondary rays. Null: window positions determine footprints.
   const WeightSteps* steps = nullptr;
 };

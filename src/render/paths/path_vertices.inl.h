@@ -205,7 +205,7 @@ inline void gatherBounced(const FrameData& frame, const accel::RayPacket& packet
     group.primitive[i] = packet.primitive[lane];
     for (uint32_t k = 0; k < 3; ++k) group.vertex[k][i] = mesh.corner(packet.primitive[lane], k);
     group.u[i] = packet.u[lane], group.v[i] = packet.v[lane];
-    group.fade[i] = 1;
+    group.fade[i] = group.alpha[i] = 1;
   }
 }
 

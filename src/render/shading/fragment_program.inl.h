@@ -179,7 +179,9 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
       color = unlit(f, m, at);
       if (f.encoding != 1) color = raised(color, 1 / f.encoding);
     }
-    rows.set(i, {color, hn::Mul(splat(m.diffuse.a), load(base[3] + i)), {splat(0), splat(0), splat(0)}});
+    Float alpha = hn::Mul(splat(m.diffuse.a), load(base[3] + i));
+    if (impostors && s.instance->impostors.fillsBillboard()) alpha = hn::Mul(alpha, load(group.alpha + i));
+    rows.set(i, {color, alpha, {splat(0), splat(0), splat(0)}});
   }
 }
 

@@ -57,6 +57,9 @@ void Summer::frame(const std::vector<Layer>& all) {
     draw();
     gl_.DepthMask(GL_TRUE);
   }
+  gl_.DepthMask(GL_FALSE);
+  if (last) last();
+  gl_.DepthMask(GL_TRUE);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, below_);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.BlendFuncSeparate(GL_ONE_MINUS_SRC_ALPHA, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_SRC_ALPHA);

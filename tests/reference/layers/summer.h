@@ -10,6 +10,7 @@ class Summer {
  public:
   explicit Summer(Gl gl);
   std::function<void()> between;  // called between summed surfaces
+  std::function<void()> last;     // draws more to be summed
   GLuint colors() const { return colors_; }
   GLuint opacities() const { return opacities_; }
   GLenum depthFunc = GL_LEQUAL;

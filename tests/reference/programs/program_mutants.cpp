@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <string>
 
 namespace gluray::test {
 namespace {
@@ -34,6 +35,12 @@ std::vector<Piece> piecesOf(const std::string& text) {
 const std::pair<const char*, const char*> kChanges[] = {
     {" + ", " - "},  {" * ", " + "},    {"max(", "min("},  {"-", "+"},       {"<", ">="},   {".rgb", ".bgr"},
     {"1.0", "0.25"}, {"true", "false"}, {"false", "true"}, {"== 0", "== 1"}, {"0.0", "0.5"}};
+
+/// Whether a geometry shader may emit more vertices than it declares: Mesa then writes beyond its memory.
+bool mayEmitMore(GLenum kind, const Mutant& mutant) {
+  return kind == GL_GEOMETRY_SHADER && mutant.what.find("EmitVertex") != std::string::npos &&
+         !mutant.what.starts_with("removed");
+}
 
 struct Drawn {
   DrawnImage image;
@@ -99,6 +106,7 @@ void expectMutantsSeen(const std::string& name, const ShaderTexts& shaders,
   size_t compiled = 0, traced = 0;
   for (size_t s = 0; s < shaders.size(); ++s) {
     for (const Mutant& mutant : mutantsOf(shaders[s].second)) {
+      if (mayEmitMore(shaders[s].first, mutant)) continue;
       ShaderTexts texts = shaders;
       texts[s].second = mutant.text;
       real->makeCurrent();

@@ -69,6 +69,17 @@ def peeled(plotter):
     plotter.enable_depth_peeling(10)
 
 
+def splats_of_radii(plotter):
+    points = pv.PolyData(np.random.default_rng(1).random((300, 3)))
+    points["radius"] = np.linspace(0.01, 0.06, 300)
+    actor = plotter.add_mesh(points, style="points_gaussian", render_points_as_spheres=True, color="tan")
+    actor.mapper.scale_array = "radius"
+
+
+def multisampled(samples):
+    return lambda plotter: plotter.enable_anti_aliasing("msaa", multi_samples=samples)
+
+
 def two_views(file):
     plotter = pv.Plotter(off_screen=True, window_size=SIZE, shape=(1, 2))
     plotter.add_mesh(sphere(), color="tan")
@@ -130,9 +141,22 @@ SCENES = {
     "wireframe": shown(lambda: sphere(20), color="tan", style="wireframe"),
     "points": shown(sphere, color="tan", style="points", point_size=4),
     "points as spheres": shown(sphere, color="tan", style="points", point_size=8, render_points_as_spheres=True),
+    "points as spheres, 4 samples": shown(sphere, color="tan", style="points", point_size=12, render_points_as_spheres=True, before=multisampled(4)),
+    "points as spheres, 8 samples": shown(sphere, color="tan", style="points", point_size=12, render_points_as_spheres=True, before=multisampled(8)),
+    "points as spheres, scalars": shown(sphere, scalars="height", style="points", point_size=7, render_points_as_spheres=True, before=multisampled(4)),
+    "points as spheres, unlit": shown(sphere, color="tan", style="points", point_size=5, render_points_as_spheres=True, lighting=False),
+    "points as spheres, opacity": shown(sphere, color="tan", style="points", point_size=12, render_points_as_spheres=True, opacity=0.5),
+    "vertices as spheres": shown(lambda: sphere(20), color="tan", show_vertices=True, vertex_color="red", point_size=12, render_points_as_spheres=True),
     "point splats": shown(sphere, style="points_gaussian", point_size=8, scalars="height"),
+    "point splats, plain": shown(lambda: sphere(20), color="tan", style="points_gaussian", point_size=20),
+    "point splats, emissive": shown(lambda: sphere(20), color="tan", style="points_gaussian", point_size=20, emissive=True),
+    "point splats, opacity": shown(lambda: sphere(20), scalars="height", style="points_gaussian", point_size=20, opacity=0.5),
+    "point splats, peeled": shown(lambda: sphere(20), scalars="height", style="points_gaussian", point_size=20, before=peeled),
+    "point splats as spheres": shown(lambda: sphere(20), scalars="height", style="points_gaussian", point_size=20, render_points_as_spheres=True),
+    "point splats of radii": by(splats_of_radii),
     "lines": shown(lines, color="red", line_width=3),
     "lines as tubes": shown(lines, color="red", line_width=8, render_lines_as_tubes=True),
+    "lines as tubes, opacity": shown(lines, color="red", line_width=8, render_lines_as_tubes=True, opacity=0.5),
     "tubes": shown(lambda: lines().tube(0.05), color="red"),
     "arrows": shown(arrows, color="tan"),
     "opacity": shown(sphere, color="tan", opacity=0.5),

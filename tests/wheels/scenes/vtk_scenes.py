@@ -19,14 +19,14 @@ def sphere(resolution=40):
     return elevation.GetOutput()
 
 
-def picture(file, *actors, change=None):
+def picture(file, *actors, change=None, samples=0):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(0.2, 0.3, 0.4)
     for actor in actors:
         renderer.AddActor(actor)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
-    window.SetMultiSamples(0)
+    window.SetMultiSamples(samples)
     window.SetSize(*SIZE)
     window.AddRenderer(renderer)
     if change:
@@ -43,7 +43,7 @@ def picture(file, *actors, change=None):
     writer.Write()
 
 
-def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda actor: None):
+def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda actor: None, samples=0):
     """A scene of one actor. `mapper`: the name of its class."""
     def draw(file):
         made = getattr(vtk, mapper)()
@@ -60,7 +60,7 @@ def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda acto
         actor.SetMapper(made)
         actor.GetProperty().SetColor(0.9, 0.6, 0.3)
         change(actor)
-        picture(file, actor)
+        picture(file, actor, samples=samples)
     return draw
 
 
@@ -100,6 +100,38 @@ def tubes(actor):
     actor.GetProperty().RenderLinesAsTubesOn(), actor.GetProperty().SetLineWidth(7)
 
 
+def gaussians(*changes, look=None, solid=False):
+    """vtkPointGaussianMapper: its own look, or that of a shader. `changes`: of the mapper and its actor."""
+    def draw(file):
+        mapper, elevation = vtk.vtkPointGaussianMapper(), sphere(14)
+        mapper.SetInputData(elevation), mapper.SetScaleFactor(0.05), mapper.EmissiveOff(), mapper.SetSplatShaderCode(look)
+        actor, ball = vtk.vtkActor(), vtk.vtkActor()
+        actor.SetMapper(mapper)
+        for change in changes:
+            change(mapper, actor)
+        ball.SetMapper(vtk.vtkPolyDataMapper())
+        ball.GetMapper().SetInputData(elevation), ball.GetMapper().ScalarVisibilityOff(), ball.SetScale(0.9)
+        picture(file, *([actor, ball] if solid else [actor]))
+    return draw
+
+
+def translucent(mapper, actor):
+    actor.ForceTranslucentOn()
+
+
+# What ParaView's preset "Sphere" and F3D give the mapper.
+ROUND = """//VTK::Color::Impl
+float dist = dot(offsetVCVSOutput.xy,offsetVCVSOutput.xy);
+if (dist > 1.0) {
+  discard;
+} else {
+  float scale = (1.0 - dist);
+  ambientColor *= scale;
+  diffuseColor *= scale;
+}
+"""
+
+
 def glyphs(change=lambda actor: None):
     def draw(file):
         mapper = vtk.vtkGlyph3DMapper()
@@ -128,6 +160,9 @@ SCENES = {
     "pulled: points as spheres": shown(PULLING, data=flat, change=spheres),
     "pulled: points as spheres, scalars": shown(PULLING, scalars=True, change=spheres),
     "pulled: points as spheres, scalars of cells": shown(PULLING, cells=True, change=spheres),
+    "pulled: points as spheres, 4 samples": shown(PULLING, data=flat, change=spheres, samples=4),
+    "pulled: points as spheres, scalars, 8 samples": shown(PULLING, scalars=True, change=spheres, samples=8),
+    "points as spheres, 4 samples": shown("vtkPolyDataMapper", data=flat, change=spheres, samples=4),
     "pulled: lines": shown(PULLING, data=helix, scalars=True, change=prop("SetLineWidth", 3)),
     "pulled: lines as tubes": shown(PULLING, data=helix, change=tubes),
     "pulled: lines as tubes, scalars": shown(PULLING, data=helix, scalars=True, change=tubes),
@@ -142,6 +177,14 @@ SCENES = {
     "physically based": shown("vtkPolyDataMapper", change=prop("SetInterpolationToPBR")),
     "physically based, scalars": shown("vtkPolyDataMapper", scalars=True, change=prop("SetInterpolationToPBR")),
     "spheres of points": shown("vtkSphereMapper" if hasattr(vtk, "vtkSphereMapper") else "vtkOpenGLSphereMapper", change=lambda a: a.GetMapper().SetRadius(0.05)),
+    "gaussians": gaussians(),
+    "gaussians about a surface": gaussians(solid=True),
+    "gaussians, one colour": gaussians(lambda mapper, actor: mapper.ScalarVisibilityOff(), solid=True),
+    "gaussians, emissive": gaussians(lambda mapper, actor: mapper.EmissiveOn(), solid=True),
+    "gaussians, translucent": gaussians(translucent, solid=True),
+    "gaussians, translucent and emissive": gaussians(translucent, lambda mapper, actor: mapper.EmissiveOn(), solid=True),
+    "gaussians as spheres": gaussians(look=ROUND, solid=True),
+    "gaussians as spheres, translucent": gaussians(lambda mapper, actor: actor.GetProperty().SetOpacity(0.5), look=ROUND, solid=True),
     "flat shading": shown("vtkPolyDataMapper", change=prop("SetInterpolationToFlat")),
     "edges": shown("vtkPolyDataMapper", data=flat, change=prop("EdgeVisibilityOn")),
 }

@@ -74,6 +74,18 @@ TEST(FamilyFile, Splats) {
   EXPECT_EQ(f.impostors.billboardScale.uniform, "c");
   EXPECT_TRUE(f.mentions("pm") && f.mentions("s") && f.mentions("c"));
   EXPECT_NE(mistakeIn(least).find("need impostors.projection"), std::string::npos);
+  const std::string gaussian = least + "impostors.projection = \"pm\"\nimpostors.gaussian = true\n";
+  EXPECT_TRUE(parsed(gaussian).impostors.gaussian && !f.impostors.gaussian);
+  EXPECT_NE(mistakeIn(gaussian + "impostors.fades = true").find("impostors.gaussian"), std::string::npos);
+  const std::string more = least + "impostors.projection = \"pm\"\nimpostors.instances = true\n";
+  EXPECT_TRUE(parsed(more).impostors.instances && !f.impostors.instances);
+  EXPECT_NE(mistakeIn(more + "match.geometry_shader = true").find("impostors.instances"), std::string::npos);
+  EXPECT_TRUE(parsed(more + "impostors.antialiased = true").impostors.antialiased);
+  EXPECT_NE(mistakeIn(gaussian + "impostors.antialiased = true").find("impostors.antialiased"),
+            std::string::npos);
+  const std::string disc = "impostors.shape = \"discs\"\nimpostors.radius = 1\nimpostors.gaussian = true\n";
+  EXPECT_NE(mistakeIn(disc).find("impostors.gaussian"), std::string::npos);
+  EXPECT_EQ(mistakeIn(disc + "impostors.billboards = \"triangle\""), "none");
   const std::string bead = "impostors.shape = \"beads\"\nimpostors.bulge = 1\nimpostors.bulge_depth = 1\n";
   EXPECT_NE(mistakeIn(bead + "impostors.projection = \"pm\"").find("need impostors.projection"),
             std::string::npos);

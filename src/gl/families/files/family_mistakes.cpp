@@ -130,6 +130,15 @@ std::string mistakeInImpostors(const Family& family) {
     return "impostors have neither textures nor edges";
   if (scene::isInWindow(f.shape) && (family.depthOffset.given() || family.depthFactor.given()))
     return "beads, tubes and splats have impostors.depth_bias instead of depth";
+  const bool trianglesOfDiscs =
+      f.shape == scene::Shape::discs && f.billboards == scene::Impostors::Billboards::triangle;
+  if (f.gaussian && (f.fades || !(trianglesOfDiscs || f.shape == scene::Shape::splats)))
+    return "impostors.gaussian is for splats, and discs on triangles, without impostors.fades";
+  const bool splats = f.shape == scene::Shape::splats;
+  if (f.antialiased && (!splats || f.fades || f.gaussian))
+    return "impostors.antialiased is for splats, without impostors.fades and impostors.gaussian";
+  if (f.instances && (!splats || family.geometryShader))
+    return "impostors.instances is for splats without a geometry shader";
   if ((f.shape == scene::Shape::splats || f.sent) == f.projection.empty())
     return "splats and sent billboards, and only these, need impostors.projection";
   return mistakeInSentBillboards(family);

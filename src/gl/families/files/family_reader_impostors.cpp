@@ -39,6 +39,9 @@ void FamilyReader::readImpostors() {
   value("inside", f.inside);
   value("radius_divisor", f.radiusDivisor);
   flag("fades", f.fades);
+  flag("gaussian", f.gaussian);
+  flag("antialiased", f.antialiased);
+  flag("instances", f.instances);
   flag("grows", f.grows);
   flag("in_pixels", f.inPixels);
   value("longer", f.longer);
@@ -48,6 +51,7 @@ void FamilyReader::readImpostors() {
   value("bulge_depth", f.bulgeDepth);
   value("depth_bias", f.depthBias);
   value("scale", f.scale);
+  value("lowpass", f.lowpass);
   value(has("card_scale") ? "card_scale" : "billboard_scale", f.billboardScale);
   name("projection", f.projection);
   readSentBillboards();

@@ -137,7 +137,8 @@ std::optional<glm::vec2> tryPoints(const RealGl& real, const Features& has, GLui
     if (has.compatibility) guard.capability(GL_POINT_SPRITE, true);
     if (has.encoding) guard.encoding(false);
     guard.viewport(0, 0, kPointsSize, kPointsSize);
-    guard.scissorOff();
+    // Mesa 22 draws no points while only the scissor tests of other viewports are on.
+    guard.scissor(0, 0, kPointsSize, kPointsSize);
     guard.plainPack();
     guard.program(program);
     if (vertexArray != 0) guard.vertexArray(vertexArray);

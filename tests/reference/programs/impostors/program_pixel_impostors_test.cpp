@@ -129,13 +129,16 @@ TEST(ProgramPixelImpostor, MultisampledPointsHaveTheCoordinatesThatTheRealOpenGl
   const PixelImpostorCase beads = kPixelImpostorCases[3];
   const auto draw = [&](Gl gl) {
     bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, GL_RGBA8, GL_DEPTH_COMPONENT24, 4);
+    // Of all viewports, where there are several.
+    gl.Scissor(0, 0, kProgramWidth, kProgramHeight), gl.Enable(GL_SCISSOR_TEST);
     drawPixelImpostorCase(gl, beads);
     gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     gl.BlitFramebuffer(0, 0, kProgramWidth, kProgramHeight, 0, 0, kProgramWidth, kProgramHeight,
                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   };
-  expectSame("pixels_multisampled", draw, 1, coreWish(), kProgramTolerance, familyOf(beads));
+  for (const ContextWish& wish : {coreWish(), coreWish(4, 5)})
+    expectSame("pixels_multisampled", draw, 1, wish, kProgramTolerance, familyOf(beads));
 }
 
 TEST(ProgramPixelImpostor, UnderAReversedDepthTestAreLeftToTheRealOpenGl) {
