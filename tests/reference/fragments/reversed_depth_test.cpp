@@ -225,7 +225,7 @@ TEST(MixedDepthFunctions, OfTracedAndOtherDraws) {
     for (const bool first : {true, false})
       expectSame(
           "mixed_unknown_" + std::to_string(traced) + std::to_string(first),
-          [&](Gl gl) {
+          [&, traced = traced, other = other](Gl gl) {
             const GLuint unknown = makeUnknownProgram(gl);
             const ReversedSurface sheets = readySurface(gl, sheet(12));
             const ProgramMesh ball20 = ball(20);

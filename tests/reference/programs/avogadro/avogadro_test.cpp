@@ -132,7 +132,7 @@ TEST_P(AvogadroMeshes, AreTraced) {
   for (const View& view : {perspectiveView(35), parallelView(110)})
     expectBoth(
         std::string("avogadro_") + name,
-        [&](Gl gl) {
+        [&, kind = kind](Gl gl) {
           beginAtoms(gl);
           drawAvogadroMesh(gl, linked(gl, avogadroTexts(kind)), bowl, view);
         },

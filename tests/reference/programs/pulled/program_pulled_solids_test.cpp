@@ -121,8 +121,8 @@ TEST(PulledSolid, WithOtherUniformsIsRasterised) {
     for (const auto& [name, value] : {std::pair{"vertex_pass", 1}, {"vertexIdOffset", 3}})
       expectSame(
           std::string("pulled_solid_other_") + name,
-          [&](Gl gl) {
-            drawSolidCase(gl, c, [&, n = name, v = value](Gl g, GLuint p) { setInteger(g, p, n, v); });
+          [&, n = name, v = value](Gl gl) {
+            drawSolidCase(gl, c, [&](Gl g, GLuint p) { setInteger(g, p, n, v); });
           },
           0);
   const auto picking = [](Gl gl, GLuint program) { setInteger(gl, program, "pointPicking", 1); };
