@@ -176,7 +176,7 @@ TEST(ProgramGaussian, MutantsAreNotTakenForThem) {
     if (!points.instances) texts.emplace_back(GL_GEOMETRY_SHADER, geometryText(points));
     expectMutantsSeen(
         std::string("gaussian_mutants_") + name, texts,
-        [&](Gl gl, GLuint program) {
+        [&, points = points](Gl gl, GLuint program) {
           beginFrame(gl);
           preparePointGaussian(
               gl, program, points,
