@@ -1,6 +1,5 @@
 #include "base/own_thread.h"
 
-#include <csignal>
 #include <cstddef>
 #include <initializer_list>
 

@@ -7,66 +7,66 @@
 namespace gluray::gl {
 
 /// Reasons why the real OpenGL makes a draw.
-#define GLURAY_REASONS(X)                                                                         \
-  X(points, "points")                                                                             \
-  X(multisampledPoints, "points as spheres whose coordinates differ between multisampled points") \
-  X(lines, "lines")                                                                               \
-  X(lineStyle, "lines or points with a style that tubes and spheres lack")                        \
-  X(polygonMode, "polygon mode is not fill")                                                      \
-  X(renderMode, "selection or feedback")                                                          \
-  X(noDepthTest, "depth test off")                                                                \
-  X(depthFunc, "depth function is not LESS, LEQUAL, GREATER or GEQUAL")                           \
-  X(reversedDepth, "depth function GREATER or GEQUAL where only LESS or LEQUAL is traced")        \
-  X(depthMask, "depth writes off")                                                                \
-  X(noDepthBuffer, "framebuffer has no depth buffer")                                             \
-  X(framebuffer, "framebuffer format not traced")                                                 \
-  X(drawBuffer, "draw buffer selection not traced")                                               \
-  X(colorMask, "colour mask")                                                                     \
-  X(stencil, "stencil test")                                                                      \
-  X(alphaTest, "alpha test")                                                                      \
-  X(blend, "blending")                                                                            \
-  X(logicOp, "logic operation")                                                                   \
-  X(fog, "fog distance mode")                                                                     \
-  X(polygonStipple, "polygon stipple")                                                            \
-  X(polygonSmooth, "polygon smoothing")                                                           \
-  X(polygonOffset, "polygon offset for lines or points, but not for fills")                       \
-  X(program, "vertex or fragment program")                                                        \
-  X(programCode, "program with statements that its family does not know")                         \
-  X(programValue, "program with a value that its family does not cover")                          \
-  X(programPass, "program that is never traced")                                                  \
-  X(colorMaterial, "material of a list, between glBegin and glEnd, that follows the colour")      \
-  X(textureUnits, "texture unit beyond the eighth")                                               \
-  X(textureEnv, "texture environment not traced")                                                 \
-  X(textureFormat, "texture format not traced")                                                   \
-  X(textureAnisotropy, "anisotropic texture filter")                                              \
-  X(textureIncomplete, "texture incomplete")                                                      \
-  X(texGen, "texture coordinate generation")                                                      \
-  X(transformFeedback, "transform feedback")                                                      \
-  X(depthClamp, "depth clamp or depth bounds")                                                    \
-  X(clipControl, "clip control: upper left origin, or other than opaque surfaces")                \
-  X(provokingVertex, "flat shading by the first vertex")                                          \
-  X(query, "query active")                                                                        \
-  X(multisampleState, "multisample coverage state")                                               \
-  X(homogeneous, "homogeneous vertices (w is not 1)")                                             \
-  X(farAway, "vertices farther away than rays reach")                                             \
-  X(farFromOrigin, "vertices so far from their origin that rounding shows")                       \
-  X(notFinite, "normals, colours or texture coordinates that are infinite or no numbers")         \
-  X(tooLarge, "triangles too large or small for the precision of rays")                           \
-  X(singularMatrix, "matrix without inverse")                                                     \
-  X(untraceable, "surface that rays cannot meet")                                                 \
-  X(flat, "flat layer: drawing order decides")                                                    \
-  X(coincident, "coincident surfaces: drawing order decides")                                     \
-  X(passes, "drawn in several passes")                                                            \
-  X(arrayState, "vertex array form not traced")                                                   \
-  X(foreignBuffer, "buffer written where it is not seen")                                         \
-  X(persistentMapping, "persistent mapping (quirk hide-persistent-mapping)")                      \
-  X(deletedBuffer, "buffer deleted while arrays hold it")                                         \
-  X(evaluators, "evaluators")                                                                     \
-  X(noGlsl, "real OpenGL lacks shaders for the write-back")                                       \
-  X(smallScene, "small scene: the real OpenGL is faster")                                         \
-  X(instanced, "several instances, or a base instance")                                           \
-  X(off, "switched off")                                                                          \
-  X(shortage, "memory or threads ran out")                                                        \
+#define GLURAY_REASONS(X)                                                                    \
+  X(points, "points")                                                                        \
+  X(multisampledPoints, "points as spheres whose multisampled coordinates are unclear")      \
+  X(lines, "lines")                                                                          \
+  X(lineStyle, "lines or points with a style that tubes and spheres lack")                   \
+  X(polygonMode, "polygon mode is not fill")                                                 \
+  X(renderMode, "selection or feedback")                                                     \
+  X(noDepthTest, "depth test off")                                                           \
+  X(depthFunc, "depth function is not LESS, LEQUAL, GREATER or GEQUAL")                      \
+  X(reversedDepth, "depth function GREATER or GEQUAL where only LESS or LEQUAL is traced")   \
+  X(depthMask, "depth writes off")                                                           \
+  X(noDepthBuffer, "framebuffer has no depth buffer")                                        \
+  X(framebuffer, "framebuffer format not traced")                                            \
+  X(drawBuffer, "draw buffer selection not traced")                                          \
+  X(colorMask, "colour mask")                                                                \
+  X(stencil, "stencil test")                                                                 \
+  X(alphaTest, "alpha test")                                                                 \
+  X(blend, "blending")                                                                       \
+  X(logicOp, "logic operation")                                                              \
+  X(fog, "fog distance mode")                                                                \
+  X(polygonStipple, "polygon stipple")                                                       \
+  X(polygonSmooth, "polygon smoothing")                                                      \
+  X(polygonOffset, "polygon offset for lines or points, but not for fills")                  \
+  X(program, "vertex or fragment program")                                                   \
+  X(programCode, "program with statements that its family does not know")                    \
+  X(programValue, "program with a value that its family does not cover")                     \
+  X(programPass, "program that is never traced")                                             \
+  X(colorMaterial, "material of a list, between glBegin and glEnd, that follows the colour") \
+  X(textureUnits, "texture unit beyond the eighth")                                          \
+  X(textureEnv, "texture environment not traced")                                            \
+  X(textureFormat, "texture format not traced")                                              \
+  X(textureAnisotropy, "anisotropic texture filter")                                         \
+  X(textureIncomplete, "texture incomplete")                                                 \
+  X(texGen, "texture coordinate generation")                                                 \
+  X(transformFeedback, "transform feedback")                                                 \
+  X(depthClamp, "depth clamp or depth bounds")                                               \
+  X(clipControl, "clip control: upper left origin, or other than opaque surfaces")           \
+  X(provokingVertex, "flat shading by the first vertex")                                     \
+  X(query, "query active")                                                                   \
+  X(multisampleState, "multisample coverage state")                                          \
+  X(homogeneous, "homogeneous vertices (w is not 1)")                                        \
+  X(farAway, "vertices farther away than rays reach")                                        \
+  X(farFromOrigin, "vertices so far from their origin that rounding shows")                  \
+  X(notFinite, "normals, colours or texture coordinates that are infinite or no numbers")    \
+  X(tooLarge, "triangles too large or small for the precision of rays")                      \
+  X(singularMatrix, "matrix without inverse")                                                \
+  X(untraceable, "surface that rays cannot meet")                                            \
+  X(flat, "flat layer: drawing order decides")                                               \
+  X(coincident, "coincident surfaces: drawing order decides")                                \
+  X(passes, "drawn in several passes")                                                       \
+  X(arrayState, "vertex array form not traced")                                              \
+  X(foreignBuffer, "buffer written where it is not seen")                                    \
+  X(persistentMapping, "persistent mapping (quirk hide-persistent-mapping)")                 \
+  X(deletedBuffer, "buffer deleted while arrays hold it")                                    \
+  X(evaluators, "evaluators")                                                                \
+  X(noGlsl, "real OpenGL lacks shaders for the write-back")                                  \
+  X(smallScene, "small scene: the real OpenGL is faster")                                    \
+  X(instanced, "several instances, or a base instance")                                      \
+  X(off, "switched off")                                                                     \
+  X(shortage, "memory or threads ran out")                                                   \
   X(failure, "GLuRay failed and stepped aside")
 
 /// Further reasons why the real OpenGL makes a draw whole, although parts of it may be hidden.

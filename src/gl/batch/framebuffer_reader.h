@@ -59,9 +59,9 @@ class FramebufferReader {
   /// clamp() of a number and a NaN return the number. No error may be pending. Never throws.
   virtual bool replacesColors(const RealGl&) noexcept { return false; }
   /// How far, in pixels of the window's axes, gl_PointCoord at a pixel's centre is that of a position beside
-  /// it, in framebuffers of `samples` samples: (0, 0) as specified. Found out by drawing, once for each
-  /// number of samples. Nullopt if it differs from point to point, or cannot be found out. No error may be
-  /// pending. Never throws.
+  /// it, in framebuffers of `samples` samples: (0, 0) as specified. Found out by drawing, in each call.
+  /// Nullopt if it differs from point to point, or cannot be found out. No error may be pending. Never
+  /// throws.
   virtual std::optional<glm::vec2> pointCoordinateShift(const RealGl&, int /*samples*/) noexcept {
     return std::nullopt;
   }

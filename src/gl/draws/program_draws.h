@@ -12,7 +12,9 @@
 #include <GL/gl.h>
 #include <glm/glm.hpp>
 
+#include <map>
 #include <memory>
+#include <optional>
 
 namespace gluray::gl {
 
@@ -66,6 +68,7 @@ class ProgramDraws {
   glm::dvec3 reachOfInstances(const scene::Mesh& mesh, const Elements& elements) const;
   void addInstancesOf(const scene::Instance& one, const scene::Shading& shading, const Elements& elements);
   Parts p_;
+  std::map<int, std::optional<glm::vec2>> coordinateShifts_;  // by number of samples, of those tried out
 };
 
 }  // namespace gluray::gl

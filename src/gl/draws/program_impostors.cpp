@@ -29,12 +29,15 @@ Reason ProgramDraws::readCoordinateShift() {
   const int samples = p_.shadow.target().samples;
   p_.shadow.setCoordinateShift(glm::vec2(0));
   if (samples <= 1) return Reason::traced;
-  p_.shadow.errors.keepPending();
-  p_.shadow.current.shelve(p_.shadow.real);
-  const auto shift = p_.pending.presenter.reader().pointCoordinateShift(p_.shadow.real, samples);
-  p_.shadow.latch.restore(p_.shadow.real);
-  if (!shift) return Reason::multisampledPoints;
-  p_.shadow.setCoordinateShift(*shift);
+  const auto [known, isNew] = coordinateShifts_.try_emplace(samples);
+  if (isNew) {
+    p_.shadow.errors.keepPending();
+    p_.shadow.current.shelve(p_.shadow.real);
+    known->second = p_.pending.presenter.reader().pointCoordinateShift(p_.shadow.real, samples);
+    p_.shadow.latch.restore(p_.shadow.real);
+  }
+  if (!known->second) return Reason::multisampledPoints;
+  p_.shadow.setCoordinateShift(*known->second);
   return Reason::traced;
 }
 

@@ -1,6 +1,7 @@
 #include "intercept/present/buffer_reader.h"
 
 #include "gl/real/state_queries.h"
+#include "intercept/present/read_back/point_trial.h"
 #include "intercept/present/state/state_guard.h"
 
 #include <exception>
@@ -59,7 +60,7 @@ bool BufferReader::replacesColors(const gl::RealGl& real) noexcept {
 
 std::optional<glm::vec2> BufferReader::pointCoordinateShift(const gl::RealGl& real, int samples) noexcept {
   try {
-    return points_.shift(real, shared_.features(real), samples);
+    return tryPointCoordinates(real, shared_.features(real), samples);
   } catch (const std::exception&) { return std::nullopt; }
 }
 

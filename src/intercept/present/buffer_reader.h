@@ -6,7 +6,6 @@
 #include "intercept/present/kept_framebuffer.h"
 #include "intercept/present/presented_images.h"
 #include "intercept/present/read_back/blending_trial.h"
-#include "intercept/present/read_back/point_trial.h"
 
 #include <cstdint>
 #include <vector>
@@ -45,7 +44,6 @@ class BufferReader final : public gl::FramebufferReader {
   FinishedFramebuffer finished_;
   KeptFramebuffer kept_;
   BlendingTrial blending_;
-  PointTrial points_;
 };
 
 }  // namespace gluray::present

@@ -158,16 +158,14 @@ std::optional<glm::vec2> tryPoints(const RealGl& real, const Features& has, GLui
 
 }  // namespace
 
-std::optional<glm::vec2> PointTrial::shift(const RealGl& real, const Features& has, int samples) {
-  const auto [known, added] = shifts_.try_emplace(samples);
-  if (!added || has.version < 32 || !has.readFramebuffers) return known->second;
-  const StateGuard guard(real, has);
+std::optional<glm::vec2> tryPointCoordinates(const RealGl& real, const Features& has, int samples) {
+  if (has.version < 32 || !has.readFramebuffers) return std::nullopt;
+  const StateGuard guard(real, has);  // the program's debug callback hears nothing of ours
   const GLuint program = pointProgram(real, has.compatibility);
   if (program == 0) return takeErrors(real), std::nullopt;
   const std::optional<glm::vec2> shift = tryPoints(real, has, program, samples);
   real.DeleteProgram(program);
-  if (takeErrors(real).empty()) known->second = shift;
-  return known->second;
+  return takeErrors(real).empty() ? shift : std::nullopt;
 }
 
 }  // namespace gluray::present
