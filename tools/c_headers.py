@@ -1,8 +1,11 @@
-"""Reads the prototypes of APIs that have no XML registry in Debian: EGL and OSMesa, from their C headers."""
+"""Reads the prototypes of EGL and OSMesa from their C headers. EGL's are those that the C compiler finds: $CC, or cc."""
 from __future__ import annotations
 
+import os
 import pathlib
 import re
+import shlex
+import subprocess
 
 import glxml
 
@@ -19,9 +22,19 @@ def _parameter(text: str, position: int) -> glxml.Param:
     return glxml.Param(kind, match.group(2), None)
 
 
-def prototypes(header: str | pathlib.Path, export: str, call: str) -> list[glxml.Command]:
-    """Every function that the header (relative to /usr/include) declares as `export RETURN call NAME (...)`."""
-    text = re.sub(r"/\*.*?\*/", " ", pathlib.Path("/usr/include", header).read_text(), flags=re.S)
+def found_by_compiler(header: str) -> pathlib.Path:
+    """The file that `#include <header>` reads. Raises FileNotFoundError if there is none."""
+    command = [*shlex.split(os.environ.get("CC") or "cc"), "-E", "-H", "-x", "c", "-"]
+    done = subprocess.run(command, input=f"#include <{header}>\n", capture_output=True, text=True)
+    first = next((line for line in done.stderr.splitlines() if line.startswith(". ")), None)  # one dot: no header includes it
+    if done.returncode or first is None:
+        raise FileNotFoundError(f"the C compiler finds no {header}")
+    return pathlib.Path(first[2:])
+
+
+def prototypes(header: pathlib.Path, export: str, call: str) -> list[glxml.Command]:
+    """Every function that the header declares as `export RETURN call NAME (...)`."""
+    text = re.sub(r"/\*.*?\*/", " ", header.read_text(), flags=re.S)
     found = {}
     for ret, name, parameters in re.findall(PROTOTYPE.format(export=export, call=call), text):
         parts = [] if parameters.strip() == "void" else parameters.split(",")
@@ -31,7 +44,7 @@ def prototypes(header: str | pathlib.Path, export: str, call: str) -> list[glxml
 
 
 def egl() -> list[glxml.Command]:
-    found = {c.name: c for h in ("EGL/egl.h", "EGL/eglext.h") for c in prototypes(h, "EGLAPI", "EGLAPIENTRY")}
+    found = {c.name: c for h in ("EGL/egl.h", "EGL/eglext.h") for c in prototypes(found_by_compiler(h), "EGLAPI", "EGLAPIENTRY")}
     return sorted(found.values(), key=lambda c: c.name)
 
 

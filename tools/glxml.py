@@ -1,4 +1,4 @@
-"""Reads the Khronos XML registries (gl.xml, glx.xml, egl.xml). Python standard library only."""
+"""Reads the Khronos XML registries, gl.xml and glx.xml of third_party/khronos. Python standard library only."""
 from __future__ import annotations
 
 import dataclasses
@@ -6,7 +6,7 @@ import pathlib
 import re
 import xml.etree.ElementTree as ET
 
-REGISTRY = pathlib.Path("/usr/share/khronos-api")
+REGISTRY = pathlib.Path(__file__).resolve().parent.parent / "third_party" / "khronos"
 
 
 @dataclasses.dataclass(frozen=True)

@@ -26,23 +26,27 @@ def package_of(library: pathlib.Path) -> str | None:
     return next((names.split(",")[0].split(":")[0] for names, path in owners if pathlib.Path(path).resolve() == library), None)
 
 
+def copy(copies: pathlib.Path, licences: pathlib.Path, folders: list[pathlib.Path]) -> None:
+    """The texts for the libraries in `copies` to the folder `licences`, whose other files go. `folders`: where the libraries may lie."""
+    shutil.rmtree(licences, ignore_errors=True)
+    licences.mkdir(parents=True)
+    for path in sorted(copies.glob("*" + NAME_SUFFIX)):
+        name = path.name.removesuffix(NAME_SUFFIX)
+        package = package_of(find(name, folders))
+        text = pathlib.Path("/usr/share/doc") / (package or "") / "copyright"
+        if package and text.is_file():
+            shutil.copyfile(text, licences / f"{name}.txt")
+        else:
+            print(f"library_licences: {name} is of no Debian package; a package of GLuRay needs its licence text", file=sys.stderr)
+
+
 def main(arguments: list[str]) -> None:
     parser = Parser(__doc__)
     parser.add_argument("--copies", type=pathlib.Path, required=True)
     parser.add_argument("--licences", type=pathlib.Path, required=True)
     parser.add_argument("--search", type=pathlib.Path, nargs="*", default=[])
     chosen = parser.parse_args(arguments)
-
-    shutil.rmtree(chosen.licences, ignore_errors=True)
-    chosen.licences.mkdir(parents=True)
-    for copy in sorted(chosen.copies.glob("*" + NAME_SUFFIX)):
-        name = copy.name.removesuffix(NAME_SUFFIX)
-        package = package_of(find(name, chosen.search))
-        text = pathlib.Path("/usr/share/doc") / (package or "") / "copyright"
-        if package and text.is_file():
-            shutil.copyfile(text, chosen.licences / f"{name}.txt")
-        else:
-            print(f"library_licences: {name} is of no Debian package; a package of GLuRay needs its licence text", file=sys.stderr)
+    copy(chosen.copies, chosen.licences, chosen.search)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #include "wake/wake.h"
 
+#include <dlfcn.h>
 #include <xcb/xcb.h>
 
 #include <cstdint>
@@ -15,7 +16,50 @@
 namespace gluray {
 namespace {
 
-using Server = std::unique_ptr<xcb_connection_t, decltype(&xcb_disconnect)>;
+/// The functions of libxcb, loaded when a window is to be woken: commands work where the library is missing.
+struct Xcb {
+  Xcb() {
+    void* const library = dlopen("libxcb.so.1", RTLD_LAZY | RTLD_LOCAL);
+    if (!library) return;
+    find(library, "xcb_connect", connect);
+    find(library, "xcb_disconnect", disconnect);
+    find(library, "xcb_connection_has_error", failed);
+    find(library, "xcb_get_geometry", askGeometry);
+    find(library, "xcb_get_geometry_reply", geometry);
+    find(library, "xcb_send_event_checked", sendEvent);
+    find(library, "xcb_request_check", check);
+  }
+
+  template <class Function>
+  void find(void* library, const char* name, Function*& function) {
+    function = reinterpret_cast<Function*>(dlsym(library, name));
+    complete = complete && function;
+  }
+
+  /// Whether all functions are there.
+  explicit operator bool() const { return complete && connect; }
+
+  decltype(xcb_connect)* connect = nullptr;
+  decltype(xcb_disconnect)* disconnect = nullptr;
+  decltype(xcb_connection_has_error)* failed = nullptr;
+  decltype(xcb_get_geometry)* askGeometry = nullptr;
+  decltype(xcb_get_geometry_reply)* geometry = nullptr;
+  decltype(xcb_send_event_checked)* sendEvent = nullptr;
+  decltype(xcb_request_check)* check = nullptr;
+
+ private:
+  bool complete = true;
+};
+
+const Xcb& xcb() {
+  static const Xcb once;
+  return once;
+}
+
+struct Disconnect {
+  void operator()(xcb_connection_t* server) const { xcb().disconnect(server); }
+};
+using Server = std::unique_ptr<xcb_connection_t, Disconnect>;
 
 /// Nothing is cleared: programs that do not draw at once keep what they show. Waits for the server, which may
 /// have gone.
@@ -26,13 +70,12 @@ void expose(xcb_connection_t* server, xcb_window_t window) {
   } exposed{};
   exposed.event.response_type = XCB_EXPOSE;
   exposed.event.window = window;
-  auto* size = xcb_get_geometry_reply(server, xcb_get_geometry(server, window), nullptr);
+  auto* size = xcb().geometry(server, xcb().askGeometry(server, window), nullptr);
   if (!size) return;
   exposed.event.width = size->width, exposed.event.height = size->height;
   std::free(size);
-  const auto sent =
-      xcb_send_event_checked(server, /*propagate=*/0, window, XCB_EVENT_MASK_EXPOSURE, exposed.bytes);
-  std::free(xcb_request_check(server, sent));
+  const auto sent = xcb().sendEvent(server, /*propagate=*/0, window, XCB_EVENT_MASK_EXPOSURE, exposed.bytes);
+  std::free(xcb().check(server, sent));
 }
 
 /// Windows that wait, and at most one thread that wakes them one after the other.
@@ -52,14 +95,14 @@ struct WakeQueue {
   }
 
   void work() noexcept {
-    Server server(nullptr, xcb_disconnect);
+    Server server;
     std::string connected;
     while (auto window = take()) {
-      if (!server || connected != window->display || xcb_connection_has_error(server.get())) {
-        server.reset(xcb_connect(window->display.c_str(), nullptr));
+      if (!server || connected != window->display || xcb().failed(server.get())) {
+        server.reset(xcb().connect(window->display.c_str(), nullptr));
         connected.swap(window->display);
       }
-      if (!xcb_connection_has_error(server.get())) expose(server.get(), window->number);
+      if (!xcb().failed(server.get())) expose(server.get(), window->number);
     }
   }
 
@@ -80,13 +123,13 @@ struct WakeQueue {
 }  // namespace
 
 bool canReach(const std::string& display) {
-  xcb_connection_t* server = xcb_connect(display.c_str(), nullptr);
-  const bool there = !xcb_connection_has_error(server);
-  xcb_disconnect(server);
-  return there;
+  if (!xcb()) return false;
+  const Server server(xcb().connect(display.c_str(), nullptr));
+  return !xcb().failed(server.get());
 }
 
 void wakeWindow(const std::string& display, unsigned long window) {
+  if (!xcb()) return;
   // A thread of its own, which nobody waits for: xcb has no time limits. What it uses outlives the process's
   // other objects.
   try {

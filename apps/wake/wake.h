@@ -8,7 +8,7 @@ namespace gluray {
 /// errors. Windows are woken one after the other. Any thread.
 void wakeWindow(const std::string& display, unsigned long window);
 
-/// Whether the X server answers.
+/// Whether the X server answers. It does not where libxcb is missing.
 bool canReach(const std::string& display);
 
 }  // namespace gluray

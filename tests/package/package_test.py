@@ -5,32 +5,16 @@ root       installed, run and removed in a root of its own, which debootstrap ma
 """
 import argparse
 import gzip
-import json
 import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-import package_mirrors  # noqa: E402
-
-SKIPPED = 77
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-
-
-def fail(what: str) -> None:
-    sys.exit(f"package: {what}")
-
-
-def run(*command, **more) -> subprocess.CompletedProcess:
-    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, **more)
-    if done.returncode != 0:
-        fail(f"{' '.join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
-    return done
+import clean_root
+from clean_root import SKIPPED, CleanRoot, check_report, fail, gears, run
 
 
 def make_package(build: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
@@ -53,13 +37,6 @@ def check_licences(prefix: pathlib.Path) -> None:
     texts = {path.stem for path in (prefix / "share/doc/gluray/licences").iterdir() if path.stat().st_size > 100}
     if not copies or copies != texts:
         fail(f"licences of {sorted(texts)} for copies of {sorted(copies)}")
-
-
-def check_report(file: pathlib.Path) -> None:
-    report = json.loads(file.read_text())
-    traced = report["triangles"]["traced"] if "triangles" in report else report["trianglesTraced"]
-    if not traced:
-        fail(f"nothing was traced: {file.read_text()[:500]}")
 
 
 OPTION = r"(?<![\w-])--?[A-Za-z][\w-]*"
@@ -170,56 +147,14 @@ def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) ->
     check_completion(tree / "usr/share/bash-completion/completions/gluray", gluray)
 
 
-class CleanRoot:
-    """A minimal Debian in a folder."""
-
-    def __init__(self, folder: pathlib.Path, mirror: str):
-        self.folder, self.mirror = folder, mirror
-        self.mounts: list[pathlib.Path] = []
-
-    def make(self) -> None:
-        release = run("sh", "-c", ". /etc/os-release; echo $VERSION_CODENAME").stdout.strip()
-        proxy = package_mirrors.proxy(self.mirror)
-        run("debootstrap", "--variant=minbase", "--include=ca-certificates", release, self.folder, self.mirror,
-            env={**os.environ, "http_proxy": proxy, "https_proxy": proxy})
-        for name in ("proc", "dev"):
-            target = self.folder / name
-            run("mount", "--bind", f"/{name}", target)
-            self.mounts.append(target)
-        shutil.copy("/etc/resolv.conf", self.folder / "etc/resolv.conf")
-        if proxy:
-            lines = [f'Acquire::{scheme}::Proxy "{proxy}";\n' for scheme in ("http", "https")]
-            (self.folder / "etc/apt/apt.conf.d/90proxy").write_text("".join(lines))
-
-    def run(self, *command: str) -> str:
-        return run("chroot", self.folder, "env", "DEBIAN_FRONTEND=noninteractive", "HOME=/root",
-                   "PATH=/usr/sbin:/usr/bin:/sbin:/bin", *command).stdout
-
-    def remove(self) -> None:
-        for target in reversed(self.mounts):
-            subprocess.run(["umount", target], check=False)
-        if not any(os.path.ismount(m) for m in self.mounts):
-            shutil.rmtree(self.folder, ignore_errors=True)
-
-
-def gears(root: CleanRoot, *gluray: str) -> None:
-    """glxgears on a screen of its own for three seconds."""
-    root.run("sh", "-c", "Xvfb :77 -noreset -screen 0 640x480x24 >/dev/null 2>&1 & screen=$!; sleep 2; export DISPLAY=:77;"
-             f"timeout 4 {' '.join(gluray)} glxgears >/gears.txt 2>&1; kill $screen; wait; grep -q frames /gears.txt || test -s /report.json || true")
-
-
 def in_root(build: pathlib.Path, folder: pathlib.Path) -> int:
-    if os.geteuid() != 0 or not shutil.which("debootstrap"):
-        print("package: needs root and debootstrap")
-        return SKIPPED
-    mirrors = os.environ.get("GLURAY_MIRROR", "").split() or package_mirrors.mirrors(pathlib.Path("/etc"))
-    if not mirrors:
-        print("package: no package source of this system names a mirror of its release")
+    if why := clean_root.impossible():
+        print(f"package: {why}")
         return SKIPPED
     package = make_package(build, folder / "cpack")
-    root = CleanRoot(folder / "root", mirrors[0])
+    root = CleanRoot(folder / "root")
     try:
-        root.make()
+        root.make(clean_root.own_release())
         shutil.copy(package, root.folder / "gluray.deb")
         root.run("apt-get", "-qq", "update")
         root.run("apt-get", "-qq", "install", "--no-install-recommends", "-y", "xvfb", "mesa-utils", "libgl1-mesa-dri")

@@ -8,6 +8,7 @@
 
 #include <dlfcn.h>
 #include <glvnd/libeglabi.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,6 +75,17 @@ static int othersFollow(void) {
   return files && strchr(files, ':');
 }
 
+/* Bytes of the tables of libglvnd's interface of this version. Later versions have only added functions at
+ * the ends. */
+static size_t exportsSize(uint32_t version) {
+  const int devices = EGL_VENDOR_ABI_GET_MINOR_VERSION(version) >= 2;
+  return devices ? sizeof(__EGLapiExports) : offsetof(__EGLapiExports, setVendorForDevice);
+}
+static size_t importsSize(uint32_t version) {
+  const int platforms = EGL_VENDOR_ABI_GET_MINOR_VERSION(version) >= 1;
+  return platforms ? sizeof(__EGLapiImports) : offsetof(__EGLapiImports, findNativeDisplayPlatform);
+}
+
 /* Starts the real vendor. A program may close libEGL and open it again: libEGL then initialises again, while
    this door and the real vendor stay loaded. The vendor may store its exports only at its first start, so it
    gets a copy that is kept up to date. */
@@ -81,10 +93,9 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
                            const __EGLapiImports* imports) {
   static void* handle;
   static __EGLapiExports lasting;
-  if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION ||
-      version < EGL_VENDOR_ABI_VERSION) {
-    gluraySay("libglvnd is too old; use gluray --door preload", NULL);
-    return 0; /* its structures are smaller than ours */
+  if (EGL_VENDOR_ABI_GET_MAJOR_VERSION(version) != EGL_VENDOR_ABI_MAJOR_VERSION) {
+    gluraySay("libglvnd has an interface that GLuRay does not know; use gluray --door preload", NULL);
+    return 0;
   }
   if (!handle) handle = openRealVendor();
   __PFNEGLMAINPROC realMain = handle ? (__PFNEGLMAINPROC)gluraySymbol(handle, __EGL_MAIN_PROTO_NAME) : NULL;
@@ -93,8 +104,9 @@ static int startRealVendor(uint32_t version, const __EGLapiExports* exports, __E
     gluraySay("the real EGL is GLuRay itself; GLURAY_REAL_EGL must name another library", NULL);
     return 0;
   }
-  __EGLapiImports filled = *imports;
-  lasting = *exports;
+  __EGLapiImports filled = {0};
+  memcpy(&filled, imports, importsSize(version));
+  memcpy(&lasting, exports, exportsSize(version));
   if (!realMain(version, &lasting, vendor, &filled)) return 0;
   if (filled.getProcAddress) real = filled;
   devicesAreAnothers = !standInFor(realVendor(), vendor) && othersFollow();
@@ -106,7 +118,7 @@ __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t version, c
                                                              __EGLapiImports* imports) {
   glurayNoteStreams();
   if (glurayIsPrivileged() || !startRealVendor(version, exports, vendor, imports)) return EGL_FALSE;
-  *imports = real;
+  memcpy(imports, &real, importsSize(version));
   imports->getProcAddress = getProcAddress;
   /* A vendor that patches libglvnd's entry points would bypass GLuRay. */
   imports->isPatchSupported = NULL;
