@@ -30,6 +30,7 @@ Commands, each with its own --help:
   gluray settings          all settings with their values and where these come from
   gluray get NAME          the value of a setting; with --why its value in each layer
   gluray presets           named sets of settings and their contents
+  gluray environment       variables for shells and batch jobs whose programs are to run under GLuRay
 
 Commands for running programs:
   gluray panel             a window with all programs and their settings
@@ -118,9 +119,11 @@ int complain(const std::string& what) {
 /// Whether the first word names a command, and which one.
 bool namesCommand(int argc, char** argv, Command& command) {
   static const std::map<std::string, Command> commands = {
-      {"run", Command::run},       {"explain", Command::explain},   {"doctor", Command::doctor},
-      {"quirks", Command::quirks}, {"settings", Command::settings}, {"timeline", Command::timeline},
-      {"get", Command::get},       {"presets", Command::presets},   {"hub", Command::hub}};
+      {"run", Command::run},           {"explain", Command::explain},
+      {"doctor", Command::doctor},     {"quirks", Command::quirks},
+      {"settings", Command::settings}, {"timeline", Command::timeline},
+      {"get", Command::get},           {"presets", Command::presets},
+      {"hub", Command::hub},           {"environment", Command::environment}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
@@ -187,6 +190,14 @@ void describe(CLI::App& app, CommandLine& line) {
       usage("options] [--] [PROGRAM");
       addJobOption(app, line);
       return;
+    case Command::environment:
+      app.description(
+          "Prints the variables that make programs run under GLuRay, as commands of a shell:\n"
+          "  eval \"$(gluray environment --preset figure)\"\n"
+          "Every program that the shell starts then runs under GLuRay.");
+      app.name("gluray environment");
+      usage("options");
+      break;
     case Command::quirks:
       app.description("Lists the workarounds for single OpenGL implementations.");
       app.name("gluray quirks");

@@ -15,6 +15,7 @@ enum class Command {
   explain,
   doctor,
   quirks,
+  environment,
   settings,
   get,
   presets,

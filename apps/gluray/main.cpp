@@ -8,6 +8,7 @@
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
 #include "explain/explain.h"
+#include "programs/environment.h"
 #include "programs/launch.h"
 #include "programs/program.h"
 #include "programs/streams.h"
@@ -38,6 +39,7 @@ int perform(const CommandLine& line) {
   switch (line.command) {
     case Command::explain: return explain(line);
     case Command::doctor: return doctor(line);
+    case Command::environment: return printEnvironment(line);
     case Command::quirks: return listQuirks(line);
     case Command::settings: return listSettings(line);
     case Command::get:

@@ -1,7 +1,13 @@
-"""Settings of programs that run under GLuRay.
+"""GLuRay in this process, and settings of programs that run under GLuRay.
 
     import gluray
-    gluray.set(ao=True, ao_samples=16)      # in all programs
+    gluray.enable(ao=True)                  # before the first window: what this process draws is ray traced
+    gluray.set(shadows=True)                # from the next frame on
+    gluray.report()                         # what was traced, and what was not
+
+Where this process was not enabled, the functions act on all programs that run under GLuRay:
+
+    gluray.set(ao=True, ao_samples=16)
     p = gluray.programs()[0]
     p["ao.samples"] = 32
     with gluray.settings(shadows=True):     # for as long as the block lasts
@@ -20,13 +26,16 @@ import subprocess
 import time
 
 from . import hub as _hub
+from . import inside as _inside
 from . import several as _several
 from .errors import GlurayError, HubError
 from .hub import connect
+from .inside import disable, enable, enabled, report, this_process
 from .program import Program
 
 # Not set and help: `from gluray import *` leaves Python's own alone.
-__all__ = ["GlurayError", "HubError", "Program", "connect", "preset", "programs", "redo", "settings", "undo", "watch"]
+__all__ = ["GlurayError", "HubError", "Program", "connect", "disable", "enable", "enabled", "preset", "programs", "redo", "report", "settings",
+           "this_process", "undo", "watch"]
 
 
 def programs(name=None):
@@ -42,6 +51,12 @@ def _by_number(message):
 
 
 def _some():
+    """This process if enable() was called, else all programs."""
+    if _inside.is_enabled():
+        own = this_process()
+        if own is None:
+            raise GlurayError("this process has drawn nothing yet; until then, settings are those of enable() and set()")
+        return [own]
     found = programs()
     if not found:
         raise GlurayError("no program runs under GLuRay; start one with: gluray PROGRAM")
@@ -49,28 +64,32 @@ def _some():
 
 
 def set(values=None, **more):
-    """Changes settings of all programs: gluray.set(ao=True, **{"ao.samples": 16}). A value None: what the other layers say.
+    """Changes settings: gluray.set(ao=True, **{"ao.samples": 16}). A value None: what the other layers say. Of this process if it was enabled,
+    of all programs if not.
 
     Returns the first frames with the new values, by Program (see Program.set). Raises GlurayError if a program refuses; the
     others have changed then.
     """
+    changes = {**(values or {}), **more}
+    if _inside.change_before_window(changes):
+        return {}
     found = _some()
-    return _frames(found, *_several.set(found, {**(values or {}), **more}))
+    return _frames(found, *_several.set(found, changes))
 
 
 def preset(name):
-    """Applies a preset to all programs."""
+    """Applies a preset, as set()."""
     return set({"preset": name})
 
 
 def undo():
-    """Takes back the last change of settings in all programs."""
+    """Takes back the last change of settings, as set()."""
     found = _some()
     return _frames(found, *_several.ask([({"type": "undo"}, found)]))
 
 
 def redo():
-    """Makes the change again that was taken back last, in all programs."""
+    """Makes the change again that was taken back last, as set()."""
     found = _some()
     return _frames(found, *_several.ask([({"type": "redo"}, found)]))
 
@@ -82,7 +101,7 @@ def _frames(programs, results, failures):
 
 @contextlib.contextmanager
 def settings(values=None, **more):
-    """`with gluray.settings(ao=True):` settings of all programs, which get back what they had at the end."""
+    """`with gluray.settings(ao=True):` settings as of set(), which get back what they had at the end."""
     found, changes = _some(), {**(values or {}), **more}
     before, failures = _several.values(found, list(changes))
     _several.check(found, failures)

@@ -1,6 +1,7 @@
 """The hub of this process: the one that runs, or `gluray hub` as a child process, which ends with this one."""
 import atexit
 import os
+import pathlib
 import shutil
 import subprocess
 import threading
@@ -64,8 +65,16 @@ def another():
 
 
 def executable():
-    """The program gluray: $GLURAY, or the one on the PATH; None: there is none."""
-    return os.environ.get("GLURAY") or shutil.which("gluray")
+    """The program gluray: $GLURAY, that of the installation which this module is part of, or the one on the PATH; None: there is none."""
+    return os.environ.get("GLURAY") or _installed() or shutil.which("gluray")
+
+
+def _installed():
+    """PREFIX/bin/gluray of PREFIX/lib/python3/dist-packages/gluray and the like."""
+    for folder in pathlib.Path(__file__).resolve().parents:
+        if (folder / "lib/gluray/libgluray-engine.so").exists():
+            return str(folder / "bin/gluray")
+    return None
 
 
 def _where():

@@ -20,6 +20,8 @@ class Program(Drawn):
     p["ao.samples"] reads and writes a setting. Methods raise GlurayError, whose text is one line that says what to do.
     """
 
+    in_process = False  # whether it is this process (inside.py)
+
     def __init__(self, entry):
         self._take(entry)
         self._names, self._gesture = None, None

@@ -13,7 +13,10 @@ def ask(requests):
         numbers = {}
         for p in programs:
             try:
-                numbers[p._number()] = p
+                if p.in_process:
+                    results[p] = p._ask(request)
+                else:
+                    numbers[p._number()] = p
             except HubError:
                 raise
             except GlurayError as error:

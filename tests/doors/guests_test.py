@@ -8,6 +8,7 @@ import fcntl
 import json
 import os
 import shutil
+import signal
 import struct
 import subprocess
 import sys
@@ -82,9 +83,13 @@ class Lives(Folder):
                     os.close(reader), os.close(writer)
 
     def test_a_limit_of_file_sizes(self):
+        limited = ("sh", "-c", 'ulimit -f 0; exec "$@"', "sh")
+        alone = run(*limited, CLIENT, "plain", **WITHOUT_DISPLAY)  # Mesa 25 itself makes files in memory
+        if alone.returncode == -signal.SIGXFSZ:
+            self.skipTest("the real OpenGL does not stand the limit")
         for door in DOORS:
             with self.subTest(door=door):
-                done = run("sh", "-c", 'ulimit -f 0; exec "$@"', "sh", GLURAY, "--door", door, *ALWAYS, "--timeline", self.folder / "t", "--log",
+                done = run(*limited, GLURAY, "--door", door, *ALWAYS, "--timeline", self.folder / "t", "--log",
                            self.folder / "log", "--", CLIENT, "plain", **WITHOUT_DISPLAY, **COMPLAINT)
                 self.assertEqual(done.returncode, 0, done.stderr)
 

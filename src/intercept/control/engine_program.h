@@ -12,7 +12,7 @@
 
 namespace gluray::intercept {
 
-class EngineProgram final : public control::ControlledProgram {
+class EngineProgram : public control::ControlledProgram {
  public:
   /// Construct on a thread of the program, because the program may change its environment later.
   EngineProgram();

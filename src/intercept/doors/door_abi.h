@@ -36,7 +36,7 @@ typedef struct GlurayEngine {
   void* (*proc)(const GlurayDoor* door, const char* name);
 } GlurayEngine;
 
-/* The engine's only export. Returns null if the door has another ABI version or the engine cannot start;
+/* What doors call. Returns null if the door has another ABI version or the engine cannot start;
    `*why` is then a line that is never freed. May be called again, by this or another door. */
 typedef const GlurayEngine* (*GlurayEngineEntry)(const GlurayDoor* door, const char** why);
 

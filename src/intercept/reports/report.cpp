@@ -248,6 +248,12 @@ std::string walkedPastNow() noexcept {
 
 }  // namespace
 
+json reportOfNow() {
+  json report = makeReport(totals());
+  report["walkedPast"] = walkedPastNow();
+  return report;
+}
+
 void writeReport() noexcept {
   if (isForkedChild()) return;
   const std::string past = walkedPastNow();

@@ -2,6 +2,7 @@
 // that a program killed by a signal leaves a report of its last frames (docs/adr/0032), and at exit. Any
 // thread.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 
 namespace gluray::intercept {
 
@@ -9,6 +10,9 @@ namespace gluray::intercept {
 /// writes FILE if that does not exist yet, otherwise FILE.PID, and only if it had a context. Never throws.
 /// Does nothing in forked children. The engine registers it to be called at exit.
 void writeReport() noexcept;
+
+/// The report as of now, as JSON. Throws std::bad_alloc.
+nlohmann::json reportOfNow();
 
 /// Called when a context has been created. Starts a thread that checks ten times a second for statistics that
 /// no frame has written: the last frames of an idle program, and the draws of programs that end no frames.

@@ -1,5 +1,6 @@
 // VTK's physically based materials with textures, normal maps and environments, drawn by the real OpenGL and
 // traced: the same colours and depths, also while tracing fails.
+#include "gl/real/extensions.h"
 #include "tests/reference/programs/pbr/pbr_stage.h"
 #include "tests/reference/programs/program_mutants.h"
 
@@ -89,9 +90,18 @@ void drawPbrCase(Gl gl, const PbrCase& c) {
 
 class ProgramPbr : public testing::TestWithParam<PbrCase> {};
 
+/// Draws that are traced. How Mesa filters anisotropically is known of its versions 22 and 23.
+int tracedDraws(const PbrFilter& filter) {
+  if (filter.anisotropy <= 1) return 1;
+  const auto real = OsmesaContext::create(coreWish());
+  const int mesa = gl::mesaVersionOf(real->real().GetString(GL_VERSION));
+  return mesa >= 2200 && mesa < 2400 ? 1 : 0;
+}
+
 TEST_P(ProgramPbr, LooksLikeTheRealOne) {
   const Outcome o = expectSame(
-      GetParam().name, [](Gl gl) { drawPbrCase(gl, GetParam()); }, 1, coreWish());
+      GetParam().name, [](Gl gl) { drawPbrCase(gl, GetParam()); }, tracedDraws(GetParam().filter),
+      coreWish());
   size_t hit = 0;
   for (const float depth : o.expected.depths) hit += depth < 1;
   EXPECT_GT(hit, o.expected.depths.size() / 20) << "next to nothing is to be seen";
