@@ -12,6 +12,8 @@ import re
 from elf_library import Elf, Unsupported
 
 C_LIBRARY = ("libc.so", "libm.so", "libdl.so", "libpthread.so", "librt.so", "ld-linux")
+# Functions of C 2023, which read binary numbers ("0b1"), too; the others do otherwise the same.
+C23 = "__isoc23_"
 # Libraries that older C libraries have these functions in, and newer ones keep for old programs.
 HOMES = {"libpthread.so.0": r"(__)?pthread_|sem_", "libdl.so.2": r"dl(v?sym|open|close|error|addr|info|mopen)"}
 
@@ -46,9 +48,12 @@ class OlderCLibrary:
         replaced, lacking = {}, []
         for symbol, file, version in self.newer(library):
             name = library.symbol_names[symbol]
-            older = max((v for v in self.versions.get(name, []) if number(v) <= self.newest), key=number, default="")
+            plain = name.removeprefix(C23)
+            older = max((v for v in self.versions.get(plain, []) if number(v) <= self.newest), key=number, default="")
             if older:
                 library.require(symbol, file, older)
+                if plain != name:
+                    replaced[name] = plain
                 for home, pattern in HOMES.items():
                     if re.match(pattern, name):
                         library.need(home)
@@ -57,7 +62,7 @@ class OlderCLibrary:
                 replaced[name] = name + "_substitute"
             else:
                 lacking.append(f"{name} ({version})")
-        if replaced:
+        if any(new.endswith("_substitute") for new in replaced.values()):
             library.need(self.substitutes.path.name)
         if lacking:
             raise Unsupported(f"{library.path} needs functions that no older C library has: {', '.join(sorted(lacking))}")

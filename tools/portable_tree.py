@@ -2,8 +2,8 @@
 
     portable_tree.py --tree PREFIX --c-library VERSION --search DIRECTORY...
 
-The tree is that of a build with GLURAY_PORTABLE, installed just now. Programs and libraries are stripped. The engine, the worker and its
-modules get copies of what they need, the C++ runtime among them (private_libraries.py). All then ask for no C library newer than VERSION
+The tree is that of a build with GLURAY_PORTABLE, installed just now. Programs and libraries are stripped. The engine and the
+worker's MPI modules get copies of what they need, the C++ runtime among them (private_libraries.py). All then ask for no C library newer than VERSION
 (older_c_library.py). Raises Unsupported if something would still be asked of the machine that not every machine has.
 """
 from __future__ import annotations
@@ -20,7 +20,7 @@ from private_libraries import C_RUNTIMES, CXX_RUNTIME, NAME_SUFFIX, find, give_c
 
 PRIVATE = "lib/gluray/private"
 OTHERS = ("libEGL.so", "libOpenGL.so", "libmpi.so", "libmpich.so", "libQt6")  # of the machine: without them there is no OSMesa, no job of many, no panel
-WITH_COPIES = ("lib/gluray/libgluray-engine.so", "lib/gluray/libgluray-mpi-openmpi.so", "lib/gluray/libgluray-mpi-mpich.so", "bin/gluray-worker")
+WITH_COPIES = ("lib/gluray/libgluray-engine.so", "lib/gluray/libgluray-mpi-openmpi.so", "lib/gluray/libgluray-mpi-mpich.so")
 WITH_QT = ("bin/gluray-panel",)  # Qt's C++ runtime is the machine's
 
 

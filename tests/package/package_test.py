@@ -26,7 +26,7 @@ def make_package(build: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
 def check_control(package: pathlib.Path) -> None:
     control = run("dpkg-deb", "--field", package).stdout
     depends = next(line for line in control.splitlines() if line.startswith("Depends:"))
-    for name in ("libembree", "libtbb12", "libgl1", "libc6"):
+    for name in ("libgl1", "libc6"):
         if name not in depends:
             fail(f"does not depend on {name}: {depends}")
 

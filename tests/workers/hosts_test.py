@@ -188,7 +188,7 @@ class OpenMpi(Jobs):
         os.kill(self.rank_at(2), signal.SIGKILL)
         drawing.draw_for(4, "a rank is killed")
         self.assertNotEqual(job.wait(60), 0)
-        self.assertTrue(wait_for(lambda: "this process traces until" in said.read_text()), said.read_text())
+        self.assertTrue(wait_for(lambda: "this process traces in the meantime" in said.read_text()), said.read_text())
         _, log = self.hosts_job()
         self.assertTrue(wait_for(lambda: drawing.draw() and "is connected" in log.read_text()), log.read_text())
         drawing.draw_for(2, "the next job")

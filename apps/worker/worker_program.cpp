@@ -1,5 +1,5 @@
-// gluray-worker: traces images for programs whose setting `workers` names its job. Started once, or by
-// mpirun or srun as a job of many ranks.
+#include "worker_program.h"
+
 #include "accel/memory/free_memory.h"
 #include "base/environment_variable.h"
 #include "base/files.h"
@@ -108,7 +108,7 @@ int work(const Options& options, int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+__attribute__((visibility("default"))) int glurayWorker(int argc, char** argv) {
   files::ownStreams();
   CLI::App app(
       "Traces images for programs started with gluray --workers JOB.\n"
