@@ -30,6 +30,7 @@ Commands, each with its own --help:
   gluray settings          all settings with their values and where these come from
   gluray get NAME          the value of a setting; with --why its value in each layer
   gluray presets           named sets of settings and their contents
+  gluray uninstall         what GLuRay keeps outside its folder, and how to remove it
   gluray environment       variables for shells and batch jobs whose programs are to run under GLuRay
 
 Commands for running programs:
@@ -118,12 +119,17 @@ int complain(const std::string& what) {
 
 /// Whether the first word names a command, and which one.
 bool namesCommand(int argc, char** argv, Command& command) {
-  static const std::map<std::string, Command> commands = {
-      {"run", Command::run},           {"explain", Command::explain},
-      {"doctor", Command::doctor},     {"quirks", Command::quirks},
-      {"settings", Command::settings}, {"timeline", Command::timeline},
-      {"get", Command::get},           {"presets", Command::presets},
-      {"hub", Command::hub},           {"environment", Command::environment}};
+  static const std::map<std::string, Command> commands = {{"run", Command::run},
+                                                          {"explain", Command::explain},
+                                                          {"doctor", Command::doctor},
+                                                          {"quirks", Command::quirks},
+                                                          {"settings", Command::settings},
+                                                          {"timeline", Command::timeline},
+                                                          {"get", Command::get},
+                                                          {"presets", Command::presets},
+                                                          {"hub", Command::hub},
+                                                          {"environment", Command::environment},
+                                                          {"uninstall", Command::uninstall}};
   if (argc > 1 && namesControlCommand(argv[1], command)) return true;
   const auto found = argc > 1 ? commands.find(argv[1]) : commands.end();
   if (found == commands.end()) return false;
@@ -198,6 +204,15 @@ void describe(CLI::App& app, CommandLine& line) {
       app.name("gluray environment");
       usage("options");
       break;
+    case Command::uninstall:
+      app.description(
+          "Lists what GLuRay keeps outside its own folder: settings, and sockets of running programs. Says "
+          "how\n"
+          "to remove GLuRay itself.");
+      app.name("gluray uninstall");
+      usage("options");
+      app.add_flag("--remove", line.remove, "Remove what is listed");
+      return;
     case Command::quirks:
       app.description("Lists the workarounds for single OpenGL implementations.");
       app.name("gluray quirks");
@@ -283,6 +298,8 @@ Parsed parse(int argc, char** argv) {
     parsed.exitCode = complain("no program given");
   else if (line.command == Command::quirks && !line.program.empty())
     parsed.exitCode = complain("quirks takes no program");
+  else if (line.command == Command::uninstall && !line.program.empty())
+    parsed.exitCode = complain("uninstall takes no program");
   else if (line.command == Command::settings && !line.program.empty())
     parsed.exitCode = complain("settings takes no program; use --program NAME");
   else if (!line.job.empty() && !line.program.empty())

@@ -16,6 +16,7 @@ enum class Command {
   doctor,
   quirks,
   environment,
+  uninstall,
   settings,
   get,
   presets,
@@ -54,8 +55,9 @@ struct CommandLine {
   ControlOptions control;  // get, and commands for running programs
   HubLine hub;
 
-  bool json = false;  // all but run and timeline
-  std::string job;    // doctor: of workers; empty: none is checked
+  bool json = false;    // all but run and timeline
+  bool remove = false;  // uninstall
+  std::string job;      // doctor: of workers; empty: none is checked
   // explain
   int frames = 100;
   double restSeconds = 3, limitSeconds = 120;  // 0: never

@@ -7,6 +7,7 @@
 #include "control/values/live_values.h"
 #include "doctor/doctor.h"
 #include "doctor/probe_context.h"
+#include "doctor/uninstall.h"
 #include "explain/explain.h"
 #include "programs/environment.h"
 #include "programs/launch.h"
@@ -40,6 +41,7 @@ int perform(const CommandLine& line) {
     case Command::explain: return explain(line);
     case Command::doctor: return doctor(line);
     case Command::environment: return printEnvironment(line);
+    case Command::uninstall: return uninstall(line);
     case Command::quirks: return listQuirks(line);
     case Command::settings: return listSettings(line);
     case Command::get:

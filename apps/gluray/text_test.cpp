@@ -161,13 +161,5 @@ TEST(Diagnosis, ExitCodeIsTheWorst) {
   EXPECT_EQ(diagnosis.json()["findings"][1]["fix"], "do b");
 }
 
-TEST(Diagnosis, PackagesAreNamedAsDebianNamesThem) {
-  EXPECT_EQ(installCommand("libembree3.so.3"), "sudo apt install libembree3-3");
-  EXPECT_EQ(installCommand("libtbb.so.12"), "sudo apt install libtbb12");
-  EXPECT_EQ(installCommand("libGLU.so.1"), "sudo apt install libglu1");
-  EXPECT_EQ(installCommand("libfoo_bar.so.2"), "sudo apt install libfoo-bar2");
-  EXPECT_EQ(installCommand("plugin.so"), "apt-file search plugin.so");
-}
-
 }  // namespace
 }  // namespace gluray::launcher

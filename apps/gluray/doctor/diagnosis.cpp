@@ -53,18 +53,4 @@ nlohmann::json Diagnosis::json() const {
   return {{"exitCode", exitCode()}, {"findings", list}};
 }
 
-std::string installCommand(const std::string& name) {
-  // Debian policy 8.1: the name without ".so", a dash if it ends in a digit, then the version.
-  const size_t so = name.find(".so");
-  if (so == name.npos) return "apt-file search " + name;
-  std::string package = name.substr(0, so), version = name.substr(std::min(name.size(), so + 3));
-  if (!version.empty()) version.erase(0, 1);
-  std::transform(package.begin(), package.end(), package.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  std::replace(package.begin(), package.end(), '_', '-');
-  if (version.empty()) return "apt-file search " + name;
-  if (std::isdigit(static_cast<unsigned char>(package.back()))) package += "-";
-  return "sudo apt install " + package + version;
-}
-
 }  // namespace gluray::launcher

@@ -37,7 +37,4 @@ class Diagnosis {
   std::vector<Finding> findings_;
 };
 
-/// Command that installs the package of the library `name` on Debian and its derivatives.
-std::string installCommand(const std::string& name);
-
 }  // namespace gluray::launcher

@@ -1,5 +1,6 @@
 #include "doctor/doctor_machine.h"
 
+#include "doctor/host.h"
 #include "doctor/probe_context.h"
 #include "explain/watched_run.h"
 #include "programs/doors.h"
@@ -163,9 +164,7 @@ void reportProbe(const std::string& api, const Said& said, const std::string& fo
   if (said.late) return diagnosis.broken(topic, "hangs: no output for 20 seconds");
   if (said.status != 0) {
     const std::string why = complaints.empty() ? "the test program crashed" : complaints.back();
-    return diagnosis.broken(topic, why,
-                            api == "glx" ? "sudo apt install libgl1 libglx-mesa0 libgl1-mesa-dri"
-                                         : "sudo apt install libegl1 libegl-mesa0 libgl1-mesa-dri");
+    return diagnosis.broken(topic, why, adviceForOpenGl(api, thisHost()));
   }
   if (words.size() >= 3) diagnosis.ok(topic, words[0] + ", " + words[1] + ", " + words[2]);
   bool explained = false;
@@ -200,24 +199,26 @@ bool examineInstall(Diagnosis& diagnosis) {
   const std::string directory = libraryDirectory();
   if (directory.empty()) {
     diagnosis.broken("install", "GLuRay's libraries are missing beside " + launcherFile(),
-                     "install GLuRay again: cmake --install BUILD --prefix DIR");
+                     "install GLuRay again");
     return false;
   }
+  const Host host = thisHost();
+  const Installed how = howInstalled(directory);
   const Health before = static_cast<Health>(diagnosis.exitCode());
   for (const InstalledFile& file : kFiles) {
     std::error_code ignored;
     if (!fs::exists(directory + "/" + file.name, ignored))
       diagnosis.add({file.without, "install", directory + "/" + file.name + " is missing: " + file.use,
-                     "install GLuRay again: cmake --install BUILD --prefix DIR"});
+                     adviceToReinstall(how, host)});
   }
   const std::string engine = directory + "/libgluray-engine.so";
   for (const WalkedLibrary& library : walkLibraries(engine, pathsOf(listLibraries(engine)), readElf))
     if (library.path.empty())
       diagnosis.broken("install",
                        "library " + library.name + " is missing; " + library.neededBy + " needs it",
-                       installCommand(library.name));
+                       adviceForLibrary(library.name, host));
   if (static_cast<Health>(diagnosis.exitCode()) == before)
-    diagnosis.ok("install", "complete, in " + directory);
+    diagnosis.ok("install", "complete: " + described(how, directory));
   return diagnosis.exitCode() < 2;
 }
 

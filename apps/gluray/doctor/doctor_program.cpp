@@ -1,5 +1,6 @@
 #include "doctor/doctor_program.h"
 
+#include "doctor/host.h"
 #include "programs/doors.h"
 #include "programs/library_walk.h"
 #include "programs/program.h"
@@ -54,7 +55,7 @@ void reportMissing(const std::vector<WalkedLibrary>& walk, Diagnosis& diagnosis)
   for (const WalkedLibrary& library : walk)
     if (library.path.empty())
       diagnosis.broken(kTopic, "library " + library.name + " is missing; " + library.neededBy + " needs it",
-                       installCommand(library.name));
+                       adviceForLibrary(library.name, thisHost()));
 }
 
 void reportDoor(const CommandLine& line, const Program& program, Diagnosis& diagnosis) {

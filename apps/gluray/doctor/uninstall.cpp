@@ -1,0 +1,88 @@
+#include "doctor/uninstall.h"
+
+#include "base/environment_variable.h"
+#include "control/runtime_directory.h"
+#include "doctor/host.h"
+#include "programs/doors.h"
+#include "say.h"
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace gluray::launcher {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Kept {
+  std::string path;
+  const char* what;
+};
+
+std::string settingsDirectory() {
+  const std::string chosen = environmentVariable("XDG_CONFIG_HOME"), home = environmentVariable("HOME");
+  if (!chosen.empty()) return chosen + "/gluray";
+  return home.empty() ? "" : home + "/.config/gluray";
+}
+
+std::vector<Kept> keptOutside() {
+  std::vector<Kept> kept;
+  const auto add = [&](const std::string& path, const char* what) {
+    std::error_code error;
+    if (path.empty() || !fs::is_directory(fs::symlink_status(path, error)) || error) return;
+    for (const Kept& other : kept)
+      if (other.path == path) return;
+    kept.push_back({path, what});
+  };
+  add(settingsDirectory(), "settings");
+  for (const std::string& path : {control::runtimeDirectory(), "/tmp/gluray-" + std::to_string(getuid())})
+    if (control::whyUnsafe(path).empty()) add(path, "sockets and links of programs that run");
+  return kept;
+}
+
+/// How to remove what was installed.
+std::string adviceToRemove(Installed how, const std::string& libraryDirectory) {
+  switch (how) {
+    case Installed::archive:
+      return "rm -r '" + fs::path(libraryDirectory).parent_path().parent_path().string() + "'";
+    case Installed::wheel: return "pip uninstall gluray";
+    case Installed::package: return "sudo apt purge gluray";
+    case Installed::build: return "remove the checkout";
+    case Installed::other: break;
+  }
+  return "remove bin/gluray*, lib/gluray and share/doc/gluray below its prefix";
+}
+
+}  // namespace
+
+int uninstall(const CommandLine& line) {
+  const std::string libraries = libraryDirectory();
+  const Installed how = howInstalled(libraries);
+  const std::vector<Kept> kept = keptOutside();
+  nlohmann::json list = nlohmann::json::array();
+  bool failed = false;
+  for (const Kept& one : kept) {
+    std::error_code error;
+    if (line.remove) fs::remove_all(one.path, error);
+    if (error) say(one.path + ": " + error.message()), failed = true;
+    list.push_back({{"path", one.path}, {"what", one.what}, {"removed", line.remove && !error}});
+    if (!line.json)
+      std::cout << (line.remove && !error ? "removed: " : "kept: ") << one.path << " (" << one.what << ")\n";
+  }
+  const std::string itself = adviceToRemove(how, libraries);
+  if (line.json) {
+    std::cout << jsonText({{"outside", list}, {"remove", itself}}) << "\n";
+  } else {
+    if (kept.empty()) std::cout << "GLuRay keeps nothing outside its own folder\n";
+    if (!kept.empty() && !line.remove) std::cout << "gluray uninstall --remove removes them\n";
+    std::cout << "GLuRay itself is " << described(how, libraries) << "; to remove it: " << itself << "\n";
+  }
+  return failed ? 1 : 0;
+}
+
+}  // namespace gluray::launcher
