@@ -10,7 +10,7 @@ import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from suites import compare, first, micro, objects, versions  # noqa: E402
+from suites import compare, first, micro, objects, versions, wheels  # noqa: E402
 from support import programs  # noqa: E402
 
 OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
@@ -156,6 +156,20 @@ class TrialsOfObjects(unittest.TestCase):
         overall, worst = objects.early_of([0.1] * 30, [0.125] * 30, settle=3)
         self.assertAlmostEqual(overall, 0.8)
         self.assertAlmostEqual(worst, 0.8)
+
+
+class Wheels(unittest.TestCase):
+    def test_the_ratio_is_the_median_of_those_of_the_rounds(self):
+        plain = [{"frame_s": s, "triangles": 500000} for s in (0.2, 0.4, 0.1)]
+        traced = [{"frame_s": s, "report": None} for s in (0.1, 0.1, 0.1)]
+        traced[-1]["report"] = {"triangles": {"traced": 3, "rasterised": 1}, "draws": {"rasterised": {"lines": 1}}}
+        row = wheels.row_of("open3d", plain, traced)
+        self.assertEqual((row["ratio"], row["ratios"], row["gl_ms"], row["gluray_ms"]), (2, [2, 4, 1], 200, 100))
+        self.assertEqual((row["traced"], row["rasterised"]), (0.75, {"lines": 1}))
+
+    def test_a_program_without_a_report_has_traced_nothing(self):
+        row = wheels.row_of("vispy", [{"frame_s": 1, "triangles": 1}], [{"frame_s": 2, "report": None}])
+        self.assertEqual((row["traced"], row["ratio"]), (0, 0.5))
 
 
 if __name__ == "__main__":

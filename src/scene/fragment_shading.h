@@ -47,13 +47,19 @@ struct PbrEnvironment {
   bool operator==(const PbrEnvironment&) const = default;
 };
 
-/// Microfacet reflection of VTK's physically based shading.
+/// Microfacet reflection of physically based shading.
 struct PbrSurface {
+  /// Masking and shadowing. correlated: Smith's function, correlated in height, as VTK has it. separate:
+  /// Schlick's approximation of Smith's function, a factor each for light and viewer (Karis, "Real Shading in
+  /// Unreal Engine 4", 2013); normals that face away count as facing, and `ambient` light is reflected.
+  enum class Masking : uint8_t { correlated, separate };
   /// Texture unit of the coordinates that are the vertices' tangents.
   static constexpr uint32_t kTangentUnit = 2;
 
+  Masking masking = Masking::correlated;
   float metallic = 0, roughness = 0.5f, baseF0 = 0.04f;
   glm::vec3 edgeTint{1}, emissive{0};
+  glm::vec3 ambient{0};         // Masking::separate: factor of the base colour
   float occlusionStrength = 1;  // weight of the occlusion in `material`
   float normalScale = 1;        // of x and y in `normal`
   float distributionFloor = 0;  // least divisor of the distribution of normals, pi times a square
@@ -93,9 +99,9 @@ struct FragmentShading {
   enum class HighlightColor : uint8_t { material, base, complement };
   enum class Normals : uint8_t { vertices, triangles, perTriangle };
   enum class Color : uint8_t { material, vertices, map, perTriangle, height };
-  /// Where vertex normals are normalised: after interpolation, before it (in the program's eye space), or
-  /// both.
-  enum class UnitNormals : uint8_t { pixels, vertices, both };
+  /// Where vertex normals are normalised: after interpolation, before it (in the program's eye space), both,
+  /// or, where they are colours alone, nowhere.
+  enum class UnitNormals : uint8_t { pixels, vertices, both, never };
 
   Model model = Model::off;
   Specular specular = Specular::reflect;
@@ -107,6 +113,7 @@ struct FragmentShading {
   float colorExponent = 1;  // of red, green and blue from this source, before textures
   float encoding = 1;       // unlit: the result, before textures after light, is raised to 1 divided by this
   UnitNormals unitNormals = UnitNormals::pixels;
+  bool facesViewer = false;       // vertex normals are turned to the viewer before they are interpolated
   bool normalColors = false;      // red, green and blue of `color` are half the vertex normal plus a half
   Rim rim;                        // of colours, by the vertex normal
   bool clampsColors = false;      // vertex colours are clamped to [0, 1] before they are interpolated
@@ -116,7 +123,8 @@ struct FragmentShading {
   bool infiniteViewer = false;    // Phong: highlights as if the viewer were at infinity, along +z
   bool clampsLight = false;       // Phong: ambient plus diffuse light, the factor of `color`, is at most 1
   bool darkBackFaces = false;     // Phong: lights do not shine on back faces
-  bool flipBackFaces = false;     // back faces use the reversed normal
+  bool flipBackFaces = false;     // back faces use the reversed vertex normal
+  bool flipsTriangles = false;    // and the reversed triangle normal
   bool parallelView = false;      // triangle normals face +z instead of the viewer's position
   bool backMaterial = false;      // back faces use MaterialPair::back
   bool paintsBack = false;        // back faces show `backColor`, without lights, textures and fog
@@ -127,6 +135,10 @@ struct FragmentShading {
   std::vector<FragmentLight> lights;
   std::vector<Texture> map;  // Color::map: one texture, sampled at the coordinates of unit 0; its matrix
                              // applies to s and t only
+  /// Unlit: none, or four images that the vertex normal looks up at (x, -y) * 0.49 + 0.5. The colour becomes
+  /// the sum of red, green and blue times the first three, plus the rest, 1 minus their sum, times the last.
+  std::vector<Texture> matcap;
+  float backFactor = 1;  // unlit: of red, green and blue of back faces
   PbrSurface pbr;
   bool writesDepth = false;  // gl_FragDepth: one depth for all samples of a pixel
   bool edges = false;        // paint the triangle edges selected by Instance::triangleEdges

@@ -38,7 +38,9 @@ inline constexpr auto kLast<scene::FragmentShading::Normals> = scene::FragmentSh
 template <>
 inline constexpr auto kLast<scene::FragmentShading::Color> = scene::FragmentShading::Color::height;
 template <>
-inline constexpr auto kLast<scene::FragmentShading::UnitNormals> = scene::FragmentShading::UnitNormals::both;
+inline constexpr auto kLast<scene::FragmentShading::UnitNormals> = scene::FragmentShading::UnitNormals::never;
+template <>
+inline constexpr auto kLast<scene::PbrSurface::Masking> = scene::PbrSurface::Masking::separate;
 template <>
 inline constexpr auto kLast<scene::TextureTarget> = scene::TextureTarget::rectangle;
 template <>

@@ -93,10 +93,10 @@ void fields(auto& archive, Like<scene::PbrEnvironment> auto& value) {
           diffuseF0);
 }
 void fields(auto& archive, Like<scene::PbrSurface> auto& value) {
-  auto& [metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, distributionFloor,
-         textures, material, emission, normal, environment] = value;
-  archive(metallic, roughness, baseF0, edgeTint, emissive, occlusionStrength, normalScale, distributionFloor,
-          textures, material, emission, normal, environment);
+  auto& [masking, metallic, roughness, baseF0, edgeTint, emissive, ambient, occlusionStrength, normalScale,
+         distributionFloor, textures, material, emission, normal, environment] = value;
+  archive(masking, metallic, roughness, baseF0, edgeTint, emissive, ambient, occlusionStrength, normalScale,
+          distributionFloor, textures, material, emission, normal, environment);
 }
 void fields(auto& archive, Like<scene::HeightColors> auto& value) {
   auto& [axis, scale, offset, exponent] = value;
@@ -108,15 +108,17 @@ void fields(auto& archive, Like<scene::Rim> auto& value) {
 }
 void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
   auto& [model, specular, highlightColor, normals, color, colorIsDiffuseOnly, height, colorExponent, encoding,
-         unitNormals, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark,
-         infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack,
-         backColor, texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges,
-         edgesGrow, edgeWidth, edgeOpacity, edgeColor] = value;
+         unitNormals, facesViewer, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
+         highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, flipsTriangles,
+         parallelView, backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha,
+         lights, map, matcap, backFactor, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity,
+         edgeColor] = value;
   archive(model, specular, highlightColor, normals, color, colorIsDiffuseOnly, height, colorExponent,
-          encoding, unitNormals, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
-          highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, parallelView,
-          backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map,
-          pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
+          encoding, unitNormals, facesViewer, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
+          highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, flipsTriangles,
+          parallelView, backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha,
+          lights, map, matcap, backFactor, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity,
+          edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;

@@ -85,6 +85,9 @@ void checkShadings(const std::vector<scene::Shading>& shadings) {
     require(shading.textures.size() <= scene::kTextureUnits, "there are too many textures");
     for (const scene::Texture& texture : shading.textures) checkTexture(texture);
     for (const scene::Texture& texture : shading.fragment.map) checkTexture(texture);
+    const std::vector<scene::Texture>& matcap = shading.fragment.matcap;
+    for (const scene::Texture& texture : matcap) checkTexture(texture);
+    require(matcap.empty() || matcap.size() == 4, "an image by normals is missing");
     checkPbr(shading.fragment.pbr);
     require(shading.fragment.height.axis >= 0 && shading.fragment.height.axis <= 2, "colours by no axis");
     require(shading.fragment.color != scene::FragmentShading::Color::map || !shading.fragment.map.empty(),

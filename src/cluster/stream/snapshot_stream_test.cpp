@@ -79,6 +79,10 @@ scene::Shading shading() {
   s.textures[0].byteFilter = true;
   scene::PbrSurface& pbr = s.fragment.pbr;
   pbr.textures = {s.textures[0]}, pbr.material = 0, pbr.occlusionStrength = 0.5f, pbr.normalScale = 2;
+  pbr.masking = scene::PbrSurface::Masking::separate, pbr.ambient = {0.5f, 2, 1};
+  s.fragment.matcap.assign(4, s.textures[1]), s.fragment.backFactor = 0.7f;
+  s.fragment.facesViewer = s.fragment.flipsTriangles = true;
+  s.fragment.unitNormals = scene::FragmentShading::UnitNormals::never;
   pbr.environment.brdf = {s.textures[0]};
   pbr.environment.harmonics[2][8] = 3, pbr.environment.byHarmonics = true, pbr.environment.maxLevel = 4;
   pbr.environment.worldFromEye[1].z = 0.5f;

@@ -86,6 +86,7 @@ glm::dvec3 ProgramDraws::reachOfInstances(const scene::Mesh& mesh, const Element
 void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shading& shading,
                                   const Elements& elements) {
   const InstanceReaders readers(p_.shadow.real, p_.shadow.attributes());
+  const bool turns = p_.shadow.program().known->family->instanceTurnsNormals;
   for (uint32_t i = 0; i < elements.repeats(); ++i) {
     const auto own = readers.matrix(elements, i);
     if (!own || glm::mat3(*own) == glm::mat3(0)) continue;  // shrunk to a point: invisible
@@ -97,6 +98,7 @@ void ProgramDraws::addInstancesOf(const scene::Instance& one, const scene::Shadi
       ownNormal[static_cast<int>(c)] = {column[0], column[1], column[2]};
     }
     if (readers.color.enabled()) readOfInstance(readers.color, elements, i, &instance.color[0]);
+    if (turns && scene::isPlaceable(*own)) ownNormal = glm::inverse(glm::transpose(glm::mat3(*own)));
     instance.eyeFromObject = one.eyeFromObject * glm::dmat4(*own);
     instance.lightingFromObject = one.lightingFromObject * *own;
     instance.normalMatrix = one.normalMatrix * ownNormal;

@@ -3,6 +3,7 @@
 // lights. Files: spec/programs/*.toml (built in) and those of --program-families; format:
 // docs/program-families.md.
 #pragma once
+#include "gl/families/family_light.h"
 #include "gl/families/family_pulling.h"
 #include "gl/families/known_code.h"
 #include "gl/glsl/glsl_branches.h"
@@ -21,87 +22,6 @@
 #include <vector>
 
 namespace gluray::gl {
-
-/// A number, vector or matrix: the value of a uniform, a constant, or, if the name is that of a placeholder,
-/// a number in the program's statements. If both are empty, the family does not specify it.
-struct FamilyValue {
-  std::string uniform;
-  std::vector<float> constant;
-  bool given() const { return !uniform.empty() || !constant.empty(); }
-};
-
-/// Reflectance of one face. Defaults: 0 for the ambient and specular intensities, 1 for everything else.
-struct FamilyMaterial {
-  FamilyValue ambientIntensity, ambientColor, diffuseIntensity, diffuseColor, specularIntensity,
-      specularColor;
-  FamilyValue emission;  // added to ambient light; only in families without vertex colours
-  FamilyValue shininess, opacity;
-  std::string unusedOpacityInSource;  // text in the source of programs that do not use `opacity`
-  bool given() const { return diffuseColor.given() || diffuseIntensity.given(); }
-};
-
-/// Lights are numbered from 0; {} in a name stands for the number or, if `names` is not empty, for that name.
-/// Light n is on if its `color` is an active uniform. If the family names no colour, the light is white, and
-/// it is on if its direction or position is active.
-struct FamilyLights {
-  /// Where lights without direction and position are: at infinity behind the viewer, or at the viewer.
-  enum class Headlight { infinite, viewer };
-  std::vector<std::string> names;
-  std::string count;                // number of lights that are on; empty: all
-  std::string countInSource;        // text that occurs in the source once for each light; empty: none
-  std::string noHighlightInSource;  // text that occurs once for each light without highlight, the last ones
-  std::string enabled;              // 0: the base colour is shown without lights
-  bool unlitIsMaterial = false;     // without lights: ambient plus diffuse colour, as Model::unlit
-  std::string color;
-  FamilyValue direction;      // eye space, from the light to the surface
-  bool towardsLight = false;  // `direction` points from the surface to the light
-  std::string position;       // eye space
-  std::string positional;     // not 0: the light has a position; 0: only a direction
-  std::string attenuation, coneAngle, exponent;
-  Headlight headlight = Headlight::infinite;
-  bool twoSided = false;          // lights shine on both sides of surfaces
-  bool highlightsInDark = false;  // highlights also appear if the diffuse cosine is negative
-  /// Colours and exponents of the lights' highlights. They replace the product of light colour and specular
-  /// material colour, and the material's exponent. The last entry also applies to all further lights.
-  std::vector<FamilyValue> specularColor, shininess;
-  bool infiniteViewer = false;  // highlights as if the viewer were at infinity
-  FamilyValue halfVector;       // highlights depend on the cosine between the normal and this vector
-  using HighlightColor = scene::FragmentShading::HighlightColor;
-  HighlightColor highlightColor = HighlightColor::material;
-  bool clamped = false;  // ambient plus diffuse light is at most 1
-};
-
-/// The name of the variable of light `number`; `pattern` has {} for the light.
-std::string ofLight(const std::string& pattern, const FamilyLights& lights, int number);
-
-struct FamilyPbr {
-  FamilyValue metallic, roughness, baseF0, edgeTint, emissive;
-  FamilyValue occlusionStrength;            // of the material texture's occlusion
-  std::string materialTexture;              // sampler: occlusion, roughness and metallic in red, green, blue
-  std::string emissiveTexture;              // sampler: factor of `emissive`
-  std::string normalTexture;                // sampler: normals in tangent space
-  FamilyValue normalScale;                  // of x and y of these normals
-  std::string environmentMatrix;            // uniform: from eye space to the environment's images
-  std::string irradiance;                   // cube sampler
-  std::vector<std::string> harmonics;       // uniforms in place of `irradiance`, one per colour: 9 numbers
-  std::string prefiltered;                  // cube sampler; its levels are for increasing roughness
-  std::string prefilteredMaxLevelInSource;  // text before the level for roughness 1 in the source
-  std::string brdfTable;                    // sampler, looked up at cosine and roughness
-  FamilyValue environmentIntensity;         // factor of the environment's light
-  FamilyValue multipleScattering;           // scene::PbrEnvironment::diffuseF0; not given: single scattering
-  FamilyValue distributionFloor;            // scene::PbrSurface::distributionFloor
-  bool given() const { return roughness.given(); }
-};
-
-/// Fog by the distance -z in eye space. Without `color` there is no fog.
-struct FamilyFog {
-  scene::Fog::Mode mode = scene::Fog::linear;
-  std::string modeFrom;   // uniform that selects the mode: 1 linear, 2 exp, 3 exp2, otherwise none
-  bool absolute = false;  // distance is the absolute value of z at the vertices, interpolated
-  FamilyValue color, start, end, scale, density;
-  bool extrapolated = false;  // linear: the weight of the surface's colour may become negative
-  bool given() const { return color.given(); }
-};
 
 /// Impostors that the shader program's shaders cut out of billboards.
 struct FamilyImpostors {
@@ -183,6 +103,7 @@ struct Family {
   std::string position, normal, color, texcoord, tangent;        // attributes
   std::string instanceTransform, instanceNormal, instanceColor;  // per-instance attributes
   std::string instanceShift;                                     // per-instance: a position and a scale
+  bool instanceTurnsNormals = false;  // instanceTransform's inverse transpose applies to normals
   FamilyPulling pulling;
   std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
   std::string viewer;        // uniform: viewer position in the space after eyeFromObject; empty: its origin
@@ -190,14 +111,17 @@ struct Family {
   NoNormals withoutNormals = NoNormals::refuse;
   bool flipBackFaces = false;  // back faces are lit with the reversed normal
   std::string flipsBackFaces;  // uniform; not 0: as flipBackFaces
+  bool facesViewer = false;    // scene::FragmentShading
+  bool flipsTriangles = false;
   bool darkBackFaces = false;  // back faces whose normals are not reversed have ambient light only
   scene::FragmentShading::UnitNormals unitNormals = scene::FragmentShading::UnitNormals::pixels;
   std::string parallelView;  // uniform, not 0: the viewer is at infinity (for triangle normals)
 
-  std::string colorMap;        // sampler: its colour at the texture coordinate replaces the surface's colour
-  std::string mapTexcoord;     // attribute: texture coordinate of the map; empty: `texcoord`
-  std::string texcoordMatrix;  // uniform, applied to all texture coordinates before they are interpolated
-  std::string triangleColors;  // buffer sampler: one colour per triangle
+  std::string colorMap;         // sampler: its colour at the texture coordinate replaces the surface's colour
+  FamilyValue mapLow, mapHigh;  // coordinates of the map's start and end; 0 and 1 if not given
+  std::string mapTexcoord;      // attribute: texture coordinate of the map; empty: `texcoord`
+  std::string texcoordMatrix;   // uniform, applied to all texture coordinates before they are interpolated
+  std::string triangleColors;   // buffer sampler: one colour per triangle
   std::string triangleNormals;
   std::string triangleOffset;       // uniform, added to the triangle's number
   std::string uniformColors;        // uniform; not 0: the material's colours replace all others
@@ -206,6 +130,8 @@ struct Family {
   FamilyValue rimColor, rimExponent, rimOpacity;  // scene::Rim; none without a colour or opacity
   FamilyValue colorExponent;                      // of colours that are not the material's
   FamilyValue encoding;                           // unlit: the result is raised to 1 divided by this
+  std::vector<std::string> matcap;                // samplers: scene::FragmentShading
+  FamilyValue backFactor;                         // unlit: factor of the colour of back faces
   bool normalColors = false;                      // red, green and blue are half the normal plus a half
   bool clampedColors = false;                     // vertex colours are clamped to [0, 1]
   bool colorAlpha = true;                         // the alpha of vertex colours counts

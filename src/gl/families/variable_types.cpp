@@ -23,6 +23,7 @@ const Types kNumber{"a number", [](GLenum t) {
 const Types kFloat{"a float", [](GLenum t) { return t == GL_FLOAT; }};
 const Types kVector{"a vector",
                     [](GLenum t) { return t == GL_FLOAT_VEC2 || t == GL_FLOAT_VEC3 || t == GL_FLOAT_VEC4; }};
+const Types kFloats{"a float or vector", [](GLenum t) { return kFloat.fit(t) || kVector.fit(t); }};
 const Types kValue{"a number or vector", [](GLenum t) { return kNumber.fit(t) || kVector.fit(t); }};
 const Types kMatrix{"a mat4", [](GLenum t) { return t == GL_FLOAT_MAT4; }};
 const Types kPlain{"a number, vector or matrix", [](GLenum t) { return glslName(t).find("sampler") != 0; }};
@@ -99,9 +100,11 @@ std::string about(const char* before, const std::string& name, const std::string
 void needTypes(const Program& p, const Family& f, std::vector<std::string>& out) {
   if (!f.rasteriseBecause.empty()) return;
   const TypeCheck check(p, out);
+  const FamilyLights& l = f.lights;
   for (const std::string* name :
-       {&f.position, &f.normal, &f.color, &f.texcoord, &f.mapTexcoord, &f.tangent, &f.impostors.axis})
+       {&f.position, &f.normal, &f.color, &f.texcoord, &f.tangent, &f.impostors.axis})
     check.attribute(*name);
+  check.attribute(f.mapTexcoord, kFloats);
   if (f.pulling.given()) needPulledTypes(check, f);
   check.attribute(f.instanceShift, kVec4);
   for (const auto& [name, value] : f.neutral) check.uniform(name, kPlain);
@@ -129,6 +132,8 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
   check.values({&f.backColor}), check.uniform(f.backColorIf, kNumber);
   check.uniform(f.texturesIf, kNumber), check.uniform(f.fog.modeFrom, kNumber);
   for (int c = 0; c < 3; ++c) check.values({&f.height.scale[c], &f.height.offset[c], &f.height.exponent[c]});
+  check.uniforms(f.matcap, kImage), check.values({&f.mapLow, &f.mapHigh, &f.backFactor, &f.pbr.ambient});
+  check.uniforms(l.positionMatrix, kMatrix);
   check.uniform(f.colorMap, kImage), check.uniforms(f.textures, kImage);
   check.uniform(f.triangleColors, f.pulling.given() ? kBytes : kBuffer);
   check.uniform(f.triangleNormals, kBuffer);
@@ -142,11 +147,11 @@ void needTypes(const Program& p, const Family& f, std::vector<std::string>& out)
     check.uniform(*name, kImage);
   check.uniform(f.pbr.irradiance, kCube), check.uniform(f.pbr.prefiltered, kCube);
   check.uniform(f.pbr.environmentMatrix, kLinear), check.uniforms(f.pbr.harmonics, kNumber);
-  const FamilyLights& l = f.lights;
   for (const std::string* name :
        {&l.color, &l.direction.uniform, &l.position, &l.attenuation, &l.halfVector.uniform})
     check.light(*name, kVector);
-  for (const std::string* name : {&l.positional, &l.coneAngle, &l.exponent, &l.count})
+  for (const std::string* name : {&l.intensity.uniform, &l.highlightIntensity.uniform, &l.positional,
+                                  &l.coneAngle, &l.exponent, &l.count})
     check.light(*name, kNumber);
   for (const auto* values : {&l.specularColor, &l.shininess})
     for (const FamilyValue& value : *values) check.light(value.uniform, kValue);

@@ -37,7 +37,7 @@ std::vector<Part> partsOf(std::string_view text) {
   return parts;
 }
 
-/// Evaluates "defined(A) || !(defined B && defined C)".
+/// Evaluates "defined(A) || !(defined B && defined C)", 0 and 1.
 class Condition {
  public:
   Condition(const Tokens& tokens, size_t from, const Names& defined)
@@ -75,6 +75,8 @@ class Condition {
       fails_ = fails_ || !take(")");
       return result;
     }
+    if (take("0")) return false;
+    if (take("1")) return true;
     if (!take("defined")) return fails_ = true, false;
     const bool inner = take("(");
     if (at_ >= tokens_.size()) return fails_ = true, false;

@@ -43,6 +43,12 @@ TEST(GlslConditions, ExpressionsAndChains) {
       << "even where nothing is left";
 }
 
+TEST(GlslConditions, ZeroAndOne) {
+  EXPECT_EQ(left("#if 1\nfloat a;\n#else\nfloat b;\n#endif\n#if 0\nfloat c;\n#endif\n"), Lines{"float a;"});
+  EXPECT_EQ(left("#if !0 && defined(A)\nfloat a;\n#else\nfloat b;\n#endif\n"), Lines{"float b;"});
+  EXPECT_EQ(left("#if 2\nfloat a;\n#endif\n"), Lines{"unresolved"});
+}
+
 TEST(GlslConditions, NestInEachOther) {
   const std::string nested =
       "#ifdef A\nfloat a;\n#ifdef B\nfloat b;\n#else\nfloat c;\n#endif\n#else\n#ifndef B\nfloat "
@@ -66,10 +72,10 @@ TEST(GlslConditions, DefinitionsThatTheRestUses) {
 
 TEST(GlslConditions, WhatCannotBeResolved) {
   for (const char* text :
-       {"#if 1\n#endif", "#if __VERSION__ > 120\n#endif", "#ifdef GL_ARB_texture_rectangle\n#endif",
-        "#ifdef A\n", "#else\n", "#endif\n", "#ifdef A\n#else\n#else\n#endif", "#if defined(A\n#endif",
-        "#if defined(A) B\n#endif", "#ifdef\n#endif", "#if defined(A) & defined(B)\n#endif",
-        "#elif defined(A)\n#endif"})
+       {"#if 2\n#endif", "#if 1 + 0\n#endif", "#if __VERSION__ > 120\n#endif",
+        "#ifdef GL_ARB_texture_rectangle\n#endif", "#ifdef A\n", "#else\n", "#endif\n",
+        "#ifdef A\n#else\n#else\n#endif", "#if defined(A\n#endif", "#if defined(A) B\n#endif",
+        "#ifdef\n#endif", "#if defined(A) & defined(B)\n#endif", "#elif defined(A)\n#endif"})
     EXPECT_EQ(left(text), Lines{"unresolved"}) << text;
   EXPECT_EQ(left("#ifdef GL_ES\nfloat a;\n#endif\nfloat b;"), Lines{"float b;"});
 }

@@ -94,16 +94,50 @@ void unnumberLight(std::string& code, size_t start) {
   code.resize(start + to);
 }
 
+/// Calls each(word) for every name and number.
+template <class Each>
+void eachWord(std::string_view s, Each&& each) {
+  for (size_t at = 0; at < s.size();) {
+    size_t end = at;
+    while (end < s.size() && isWordPart(s[end])) ++end;
+    if (end > at) each(s.substr(at, end - at));
+    at = std::max(end, at + 1);
+  }
+}
+
+/// Whether a comma stands outside parentheses.
+bool listsSeveral(std::string_view s) {
+  int depth = 0;
+  return std::ranges::any_of(s, [&](char c) {
+    depth += (c == '(') - (c == ')');
+    return c == ',' && depth == 0;
+  });
+}
+
+/// The name that a statement outside functions defines or declares, if it is a function or a constant.
+std::string_view definedBy(std::string_view s) {
+  const bool constant = startsWith(s, "const ");
+  if (constant && listsSeveral(s)) return {};
+  const size_t name = s.find(constant ? '=' : '('), before = s.substr(0, name).rfind(' ');
+  if (name == std::string_view::npos || before == std::string_view::npos) return {};
+  // "vec3 f(vec3 a)": a type and a name, and nothing else before the parenthesis.
+  const std::string_view start = s.substr(0, name);
+  const bool plain =
+      std::all_of(start.begin(), start.end(), [](char c) { return isWordPart(c) || c == ' '; });
+  return plain && !startsWith(s, "layout") ? start.substr(before + 1) : std::string_view();
+}
+
 /// Appends the statements to `code`, the end of each to `ends`, and to `repeated` whether it occurred before.
 class Cutter {
  public:
   Cutter(std::string_view text, const GlslStatements::Renamed& renamed, std::string& code,
-         std::vector<size_t>& ends, std::vector<bool>& repeated)
+         std::vector<size_t>& ends, std::vector<bool>& repeated, std::vector<bool>& global)
       : tokens_(text),
         renamed_(renamed),
         code_(code),
         ends_(ends),
         repeated_(repeated),
+        global_(global),
         start_(code.size()) {}
 
   void cut() {
@@ -168,6 +202,7 @@ class Cutter {
     if (!matters(statement(), !inMain_)) return code_.resize(start_);
     const std::string_view s = statement();
     repeated_.push_back(!seen_.insert(hashBytes(s.data(), s.size()).low).second);
+    global_.push_back(!inMain_);
     unnumberLight(code_, start_);
     ends_.push_back(start_ = code_.size());
   }
@@ -177,6 +212,7 @@ class Cutter {
   std::string& code_;
   std::vector<size_t>& ends_;
   std::vector<bool>& repeated_;
+  std::vector<bool>& global_;          // whether each statement stands outside functions
   std::unordered_set<uint64_t> seen_;  // statements of this text
   size_t start_;                       // of the statement being written
   int parentheses_ = 0, braces_ = 0, loops_ = 0;
@@ -185,12 +221,46 @@ class Cutter {
 
 }  // namespace
 
-void GlslStatements::cut(std::string_view text, const Renamed& renamed) {
+void GlslStatements::drop(const std::vector<bool>& unused, size_t first) {
+  std::string code;
+  std::vector<size_t> ends;
+  std::vector<bool> repeated;
+  for (size_t i = 0; i < size(); ++i) {
+    if (i >= first && unused[i - first]) continue;
+    code += (*this)[i], ends.push_back(code.size()), repeated.push_back(repeated_[i]);
+  }
+  code_ = std::move(code), ends_ = std::move(ends), repeated_ = std::move(repeated);
+}
+
+void GlslStatements::dropUnused(size_t first, const std::vector<bool>& global) {
+  std::vector<bool> unused(size() - first);
+  for (bool again = true; std::exchange(again, false);) {
+    std::unordered_set<std::string_view> named;  // by statements that do not define the name
+    for (size_t i = first; i < size(); ++i) {
+      if (unused[i - first]) continue;
+      const std::string_view own = global[i - first] ? definedBy((*this)[i]) : std::string_view();
+      eachWord((*this)[i], [&](std::string_view word) {
+        if (word != own) named.insert(word);
+      });
+    }
+    for (size_t i = first; i < size(); ++i) {
+      const std::string_view own = global[i - first] ? definedBy((*this)[i]) : std::string_view();
+      if (own.empty() || unused[i - first] || named.contains(own)) continue;
+      unused[i - first] = again = true;
+    }
+  }
+  drop(unused, first);
+}
+
+void GlslStatements::cut(std::string_view text, const Renamed& renamed, bool used) {
   // One allocation, unless renaming makes names longer: a token is no longer than its source text, and at
   // most one character, a space or a line feed, precedes it; a final line feed may have no source.
   code_.reserve(code_.size() + 2 * text.size() + 1);
   ends_.reserve(ends_.size() + 256);
-  Cutter(text, renamed, code_, ends_, repeated_).cut();
+  const size_t first = size();
+  std::vector<bool> global;
+  Cutter(text, renamed, code_, ends_, repeated_, global).cut();
+  if (used) dropUnused(first, global);
 }
 
 }  // namespace gluray::gl

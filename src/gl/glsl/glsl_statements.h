@@ -23,8 +23,9 @@ class GlslStatements {
     std::string from, to;
     bool operator==(const Renamed&) const = default;
   };
-  /// Appends the statements of one shader's text.
-  void cut(std::string_view text, const Renamed& renamed = {});
+  /// Appends the statements of one shader's text. `used`: without functions and constants outside functions
+  /// whose names occur nowhere else.
+  void cut(std::string_view text, const Renamed& renamed = {}, bool used = false);
   /// Whether statement i occurred earlier in the same shader's text, with the same light numbers.
   bool isRepeated(size_t i) const { return repeated_[i]; }
   size_t size() const { return ends_.size(); }
@@ -35,6 +36,8 @@ class GlslStatements {
   }
 
  private:
+  void dropUnused(size_t first, const std::vector<bool>& global);
+  void drop(const std::vector<bool>& unused, size_t first);
   std::string code_;  // the concatenated statements
   std::vector<size_t> ends_;
   std::vector<bool> repeated_;

@@ -33,6 +33,33 @@ TEST(GlslStatements, OmitsCommentsAndWhiteSpace) {
   EXPECT_EQ(cut(""), Texts{});
 }
 
+TEST(GlslStatements, DropsUnusedFunctionsAndConstants) {
+  const auto used = [](const std::string& text) {
+    GlslStatements statements;
+    statements.cut("void main() { before(); }");
+    statements.cut(text, {}, true);
+    Texts texts;
+    for (size_t i = 1; i < statements.size(); ++i) texts.emplace_back(statements[i]);
+    return texts;
+  };
+  const std::string main = "void main() { a = f(b); }";
+  EXPECT_EQ(used("float f(float x) { return x; } " + main),
+            (Texts{"float f(float x){return x;}", "a=f(b);"}));
+  EXPECT_EQ(used("float g(float x) { return f(x); } float g(); " + main), Texts{"a=f(b);"});
+  EXPECT_EQ(used("float h(); float f(float x) { return h(); } " + main + " float h() { return 1.; }").size(),
+            4u);
+  EXPECT_EQ(used("float i(float x) { return h(x); } float h(float x) { return x; } " + main),
+            Texts{"a=f(b);"})
+      << "what only an unused function uses";
+  EXPECT_EQ(used("const float c = 2.0; " + main), Texts{"a=f(b);"});
+  EXPECT_EQ(used("const float b = 2.0; " + main).size(), 2u);
+  EXPECT_EQ(used("const float c = 2.0, b = 1.0; " + main).size(), 2u) << "one of several";
+  EXPECT_EQ(used("float c = g(1.0); " + main).size(), 2u) << "may have effects";
+  EXPECT_EQ(used("void main() { const float c = 2.0; vec2 d(1.0); return f(x); }").size(), 3u)
+      << "statements of main stay";
+  EXPECT_EQ(used("#define f g\nfloat g(float x) { return x; } " + main).size(), 3u) << "used by a macro";
+}
+
 TEST(GlslStatements, RenamesOneName) {
   GlslStatements statements;
   statements.cut("void main() { a = texture(mine, t) + mine2 * b.mine; }", {"mine", "theirs"});

@@ -26,7 +26,8 @@ class ProgramSource {
   /// How the text is cut into statements.
   struct Cut {
     GlslStatements::Renamed renamed;  // replaces one name, unless the text already has the new name
-    bool resolved = false;            // without the lines that conditions exclude (glsl_conditions.h)
+    bool resolved = false;            // without the lines that conditions exclude (glsl_conditions.h), and
+                                      // without functions and constants that are not used
     DecidedValues decided;            // with the branches that follow from these values (glsl_branches.h)
     bool operator==(const Cut&) const = default;
   };

@@ -128,15 +128,38 @@ Reason ProgramReader::readMap(const ProgramUniform& sampler) {
   if (const Reason reason = textures_.bound(real_, has_, unitOf(sampler), sampler.type, texture);
       reason != Reason::traced)
     return reason;
-  const bool simple = (texture.target == scene::TextureTarget::texture2D ||
-                       texture.target == scene::TextureTarget::texture1D) &&
-                      texture.wrapS == scene::Wrap::clampToEdge &&
-                      texture.wrapT == scene::Wrap::clampToEdge &&
-                      texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
+  const bool simple =
+      (texture.target == scene::TextureTarget::texture2D ||
+       texture.target == scene::TextureTarget::texture1D) &&
+      texture.wrapS == scene::Wrap::clampToEdge &&
+      (texture.target == scene::TextureTarget::texture1D || texture.wrapT == scene::Wrap::clampToEdge) &&
+      texture.mipFilter == scene::MipFilter::none && texture.magFilter == texture.minFilter;
   if (!simple) return Reason::textureFormat;
   out_.texcoord = current(mapTexcoord(program_, family_));
   texture.textureMatrix = texcoordMatrix_;
+  if (family_.mapLow.given() || family_.mapHigh.given()) {
+    const float low = uniforms_.number(family_.mapLow, 0), high = uniforms_.number(family_.mapHigh, 1);
+    if (!(high > low)) return refuse("the range of its colour map is empty");
+    texture.textureMatrix[0].x /= high - low, texture.textureMatrix[3].x -= low / (high - low);
+  }
   out_.shading.fragment.map.push_back(std::move(texture));
+  return Reason::traced;
+}
+
+Reason ProgramReader::readMatcap() {
+  std::vector<scene::Texture>& images = out_.shading.fragment.matcap;
+  images.clear();
+  for (const std::string& name : family_.matcap) {
+    const ProgramUniform* sampler = samplerNamed(name);
+    if (!sampler) return refuse("sampler \"" + name + "\" is not active");
+    scene::Texture& image = images.emplace_back();
+    if (const Reason reason = textures_.bound(real_, has_, unitOf(*sampler), sampler->type, image);
+        reason != Reason::traced)
+      return reason;
+    if (image.magFilter != image.minFilter || image.mipFilter != scene::MipFilter::none)
+      return refuse("an image of its colours by normals is magnified in another way than reduced");
+    if (image.maxAnisotropy > 1) return Reason::textureAnisotropy;
+  }
   return Reason::traced;
 }
 

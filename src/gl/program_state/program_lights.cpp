@@ -6,6 +6,19 @@
 namespace gluray::gl {
 namespace {
 
+glm::vec3 positionOf(const FamilyLights& names, const UniformReader& uniforms, int i) {
+  const glm::vec4 given = uniforms.value({ofLight(names.position, names, i), {}}, glm::vec4(0, 0, 0, 1));
+  const auto matrix = uniforms.product(names.positionMatrix);
+  return glm::vec3(matrix ? glm::mat4(*matrix) * given : given);
+}
+
+/// A factor of the light's colour; 1 if the family specifies none. Inactive uniforms are 0.
+float factorOf(FamilyValue value, const FamilyLights& names, const UniformReader& uniforms, int i) {
+  if (!value.given()) return 1;
+  value.uniform = ofLight(value.uniform, names, i);
+  return uniforms.number(value, 0);
+}
+
 scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& uniforms,
                                const glm::vec3& viewer, int i) {
   const auto vector = [&](const std::string& name) {
@@ -30,7 +43,7 @@ scene::FragmentLight readLight(const FamilyLights& names, const UniformReader& u
   if (!positional && !atViewer) return light;
   light.kind = scene::FragmentLight::positional;
   if (atViewer) return light;  // the viewer is the origin
-  light.position = vector(names.position) - viewer;
+  light.position = positionOf(names, uniforms, i) - viewer;
   if (has(names.attenuation)) light.attenuation = vector(names.attenuation);
   if (has(names.coneAngle)) light.coneAngle = uniforms.number(ofLight(names.coneAngle, names, i));
   if (has(names.exponent)) light.exponent = uniforms.number(ofLight(names.exponent, names, i));
@@ -50,9 +63,14 @@ void readHighlight(const FamilyLights& names, const UniformReader& uniforms, flo
                    scene::FragmentLight& light) {
   if (names.halfVector.given())
     light.half = glm::vec3(valueOf({names.halfVector}, names, uniforms, i, glm::vec4(0)));
-  light.ownHighlight = !names.specularColor.empty() || !names.shininess.empty();
+  const glm::vec3 color = light.color;
+  light.color *= factorOf(names.intensity, names, uniforms, i);
+  const bool factor = names.highlightIntensity.given();
+  light.ownHighlight = factor || !names.specularColor.empty() || !names.shininess.empty();
   if (!light.ownHighlight) return;
-  light.highlight = glm::vec3(valueOf(names.specularColor, names, uniforms, i, glm::vec4(light.color, 1)));
+  light.highlight =
+      factor ? color * factorOf(names.highlightIntensity, names, uniforms, i)
+             : glm::vec3(valueOf(names.specularColor, names, uniforms, i, glm::vec4(light.color, 1)));
   light.shininess = valueOf(names.shininess, names, uniforms, i, glm::vec4(shininess)).x;
 }
 

@@ -86,6 +86,8 @@ void ProgramReader::readModel() {
   f.infiniteViewer = family_.lights.infiniteViewer;
   f.clampsLight = family_.lights.clamped;
   f.normalColors = family_.normalColors;
+  f.facesViewer = family_.facesViewer, f.flipsTriangles = family_.flipsTriangles;
+  f.backFactor = uniforms_.number(family_.backFactor, 1);
   f.encoding = uniforms_.number(family_.encoding, 1);
   f.rim.on = family_.hasRim();
   f.rim.mixes = family_.rimColor.given();
@@ -99,7 +101,10 @@ void ProgramReader::readModel() {
   f.paintsBack = (!back.constant.empty() || uniforms_.has(back.uniform)) &&
                  (family_.backColorIf.empty() || uniforms_.integer(family_.backColorIf) != 0);
   f.backColor = glm::vec3(uniforms_.value(family_.backColor, glm::vec4(0)));
-  f.parallelView = uniforms_.integer(family_.parallelView) != 0;
+  // The sign of triangle normals that are flipped counts: they face the viewer wherever it is.
+  const auto& m = out_.clipFromObject;
+  const bool parallel = m[0].w == 0 && m[1].w == 0 && m[2].w == 0;
+  f.parallelView = uniforms_.integer(family_.parallelView) != 0 || (f.flipsTriangles && parallel);
 }
 
 void ProgramReader::readFog() {

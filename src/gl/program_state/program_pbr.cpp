@@ -11,6 +11,8 @@ Reason ProgramReader::readPbr() {
   pbr = {};
   out_.tangent = glm::vec3(0);
   if (!names.given()) return Reason::traced;
+  pbr.masking = names.masking;
+  pbr.ambient = glm::vec3(uniforms_.value(names.ambient, glm::vec4(0)));
   pbr.metallic = uniforms_.number(names.metallic, 0);
   pbr.roughness = uniforms_.number(names.roughness, 0.5f);
   pbr.baseF0 = uniforms_.number(names.baseF0, 0.04f);

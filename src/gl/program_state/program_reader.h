@@ -67,6 +67,7 @@ class ProgramReader {
   GLint unitOf(const ProgramUniform& sampler) const { return (*out_.uniforms)[sampler.first].integers[0]; }
   Reason readTexcoordMatrix();
   Reason readMap(const ProgramUniform& sampler);
+  Reason readMatcap();
   Reason readBuffer(const ProgramUniform& sampler, scene::Attribute& attribute, uint32_t& count);
   /// Reads the vertices of a family that pulls them (pulled_vertices.h). Call it before colours, normals and
   /// edges are read.

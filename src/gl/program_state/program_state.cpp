@@ -37,6 +37,7 @@ Reason ProgramReader::read() {
   if (const Reason reason = readBackVisibility(); reason != Reason::traced) return reason;
   if (const Reason reason = readEnabled(); reason != Reason::traced) return reason;
   if (const Reason reason = readTextures(); reason != Reason::traced) return reason;
+  if (const Reason reason = readMatcap(); reason != Reason::traced) return reason;
   return readPbr();
 }
 

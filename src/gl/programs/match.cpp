@@ -99,8 +99,13 @@ void needMentioned(const Program& p, const Family& f, std::vector<std::string>& 
   };
   for (const auto& [name, uniform] : p.uniforms) check("has uniform ", name, uniform.type);
   // Implementations list more of these than programs use. Statements show which are used.
+  // gl_DepthRange is fixed function's name for state that all draws have; statements show its use.
+  const auto isDepthRange = [&](const std::string& name) {
+    return !f.code.empty() && name.starts_with("gl_DepthRange");
+  };
   if (!f.hasBuiltInVertices())
-    for (const auto& [name, type] : p.builtInUniforms) check("has uniform ", name, type);
+    for (const auto& [name, type] : p.builtInUniforms)
+      if (!isDepthRange(name)) check("has uniform ", name, type);
   for (const auto& [name, attribute] : p.attributes)
     if (!isNumber(f, name)) check("has attribute ", name, attribute.type);
 }

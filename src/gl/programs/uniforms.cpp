@@ -108,9 +108,11 @@ UniformReader::Found UniformReader::find(const std::string& name, int element) c
   if (const UniformValue* whole = findWhole(name, element)) return {whole};
   const int component = componentIn(name);
   if (component < 0) return {};
-  const UniformValue* vector = findWhole(std::string_view(name).substr(0, name.size() - 2), element);
-  const UniformShape shape = vector ? shapeOf(vector->type) : UniformShape{};
-  return shape.columns == 1 && component < shape.rows ? Found{vector, component} : Found{};
+  const UniformValue* whole = findWhole(std::string_view(name).substr(0, name.size() - 2), element);
+  const UniformShape shape = whole ? shapeOf(whole->type) : UniformShape{};
+  const bool column = shape.columns > 1 && name.back() <= '3';  // columns have numbers alone
+  const int count = shape.columns == 1 ? shape.rows : column ? shape.columns : 0;
+  return component < count ? Found{whole, component} : Found{};
 }
 
 const UniformValue* UniformReader::findWhole(std::string_view name, int element) const {
@@ -128,6 +130,12 @@ const UniformValue* UniformReader::findWhole(std::string_view name, int element)
 glm::vec4 UniformReader::vector(const std::string& name, int element) const {
   const auto [v, component] = find(name, element);
   if (!v) return glm::vec4(0);
+  if (const UniformShape shape = shapeOf(v->type); shape.columns > 1 && component >= 0) {
+    glm::vec4 column(0);
+    for (int r = 0; r < shape.rows; ++r)
+      column[r] = v->floats[static_cast<size_t>(component * shape.rows + r)];
+    return column;
+  }
   const glm::vec4 all = shapeOf(v->type).integers
                             ? glm::vec4(v->integers[0], v->integers[1], v->integers[2], v->integers[3])
                             : glm::vec4(v->floats[0], v->floats[1], v->floats[2], v->floats[3]);
@@ -204,7 +212,7 @@ glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherw
   if (!found.value) return otherwise;
   const glm::vec4 v = vector(value.uniform);
   const UniformShape shape = shapeOf(found.value->type);
-  if (shape.rows == 1 || found.component >= 0) return glm::vec4(v.x);
+  if (shape.rows == 1 || (found.component >= 0 && shape.columns == 1)) return glm::vec4(v.x);
   return shape.rows == 3 ? glm::vec4(glm::vec3(v), 1) : v;
 }
 

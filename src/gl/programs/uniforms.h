@@ -50,7 +50,7 @@ class UniformReader {
       : program_(program), values_(values), placeholders_(placeholders) {}
 
   /// Whether the uniform is active. Here and below, a name may end with an array index, "lightColor[2]", or
-  /// with a component of a vector, "ambient.r", which is a number.
+  /// with a component of a vector, "ambient.r", which is a number, or a column of a matrix, "colors.2".
   bool has(const std::string& name) const { return find(name, 0).value != nullptr; }
   /// Components of array element `element`; integers and booleans become numbers. 0 if the uniform is not
   /// active.

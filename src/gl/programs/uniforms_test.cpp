@@ -62,6 +62,15 @@ TEST_F(Uniforms, ComponentsOfVectors) {
   EXPECT_EQ(reader().value({"v.a", {}}, glm::vec4(9)), glm::vec4(9));
 }
 
+TEST_F(Uniforms, ColumnsOfMatrices) {
+  add("m", GL_FLOAT_MAT4), add("n", GL_FLOAT_MAT2x3);
+  EXPECT_EQ(reader().vector("m.2"), glm::vec4(9, 10, 11, 12));
+  EXPECT_EQ(reader().value({"m.0", {}}, glm::vec4(0)), glm::vec4(1, 2, 3, 4));
+  EXPECT_EQ(reader().vector("n.1"), glm::vec4(4, 5, 6, 0));
+  EXPECT_EQ(reader().value({"n.1", {}}, glm::vec4(0)), glm::vec4(4, 5, 6, 1));
+  EXPECT_FALSE(reader().has("n.2") || reader().has("m.4") || reader().has("m.r"));
+}
+
 TEST_F(Uniforms, VectorsAndNumbers) {
   add("v", GL_FLOAT_VEC3), add("i", GL_INT), add("f", GL_FLOAT);
   EXPECT_EQ(glm::vec3(reader().vector("v")), glm::vec3(1, 2, 3));

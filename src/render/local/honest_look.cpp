@@ -20,6 +20,7 @@ void makeHonest(scene::Shading& s) {
   s.fog.mode = scene::Fog::off;
   s.fragment.lights.clear();
   if (s.fragment.model != Fragment::Model::off) s.fragment.model = Fragment::Model::unlit;
+  s.fragment.matcap.clear(), s.fragment.backFactor = 1;
 }
 
 scene::Material honestOf(const scene::Material& m, const Fragment& fragment) {

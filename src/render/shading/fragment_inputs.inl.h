@@ -228,15 +228,34 @@ HWY_ATTR inline void loadNormals(const Surface& s, const Group& group, Row (&out
   }
 }
 
-/// Vertex normals that the vertex shader transforms and makes unit length, interpolated.
-HWY_ATTR inline void loadUnitNormals(const Surface& s, const Group& group, Row (&out)[3]) {
+/// Whether the vertex shader makes normals unit length.
+inline bool hasUnitVertices(const scene::FragmentShading& f) {
+  using Unit = scene::FragmentShading::UnitNormals;
+  return f.unitNormals != Unit::never && !(f.unitNormals == Unit::pixels && f.facesViewer);
+}
+
+/// Vertex normals that the vertex shader transforms, and makes unit length or turns to the viewer,
+/// interpolated.
+HWY_ATTR inline void loadEyeNormals(const Surface& s, const Group& group, Row (&out)[3]) {
+  const scene::FragmentShading& f = s.lighting->shading->fragment;
+  const bool units = hasUnitVertices(f);
   const glm::mat3& matrix = s.instance->normalMatrix;
-  if (!s.mesh->normals) return fillRows<3>(glm::normalize(matrix * s.instance->normal), out);
+  if (const glm::vec3 n = matrix * s.instance->normal; !s.mesh->normals && !f.facesViewer)
+    return fillRows<3>(units ? glm::normalize(n) : n, out);
   alignas(64) Row corner[3][3];
-  for (int k = 0; k < 3; ++k) loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], corner[k]);
+  for (int k = 0; k < 3; ++k) {
+    if (s.mesh->normals)
+      loadVec3(s.mesh->normals, s.mesh->vertexCount, group.vertex[k], corner[k]);
+    else
+      fillRows<3>(s.instance->normal, corner[k]);
+  }
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
-    const auto at = [&](int k) HWY_ATTR { return unit(transform(matrix, load3(corner[k], i))); };
+    const auto at = [&](int k) HWY_ATTR {
+      Float3 n = transform(matrix, load3(corner[k], i));
+      if (units) n = unit(n);
+      return f.facesViewer ? signedBy(hn::Le(dot(n, pointIn(s, group, k, i)), splat(0)), n) : n;
+    };
     const Float3 n = weights(at(0), at(1), at(2));
     store(n.x, out[0] + i), store(n.y, out[1] + i), store(n.z, out[2] + i);
   }

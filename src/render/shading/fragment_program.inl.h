@@ -8,7 +8,9 @@
 #endif
 
 #include "render/shading/fragment_inputs.inl.h"
+#include "render/shading/matcap.h"
 #include "render/shading/microfacets.inl.h"
+#include "render/shading/separate_microfacets.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -116,6 +118,26 @@ HWY_INLINE void applyRim(const scene::Rim& rim, const Float3& n, Float3& color, 
   store(hn::Min(hn::Mul(load(alpha), more), splat(1)), alpha);
 }
 
+/// The unlit colours of a vector of lanes; bits of `back`: see runProgram().
+HWY_ATTR inline Float3 shownColor(const scene::FragmentShading& f, const scene::Material& m,
+                                  const Fragment& at, uint32_t back, int i) {
+  Float3 color = unlit(f, m, at);
+  if (!f.matcap.empty()) {
+    alignas(64) Row rows[3], normal[3];
+    store(color.x, rows[0]), store(color.y, rows[1]), store(color.z, rows[2]);
+    store(at.normal.x, normal[0]), store(at.normal.y, normal[1]), store(at.normal.z, normal[2]);
+    for (int l = 0; l < lanesOfVector(); ++l) {
+      const glm::vec3 seen =
+          throughMatcap(f, {rows[0][l], rows[1][l], rows[2][l]}, {normal[0][l], normal[1][l], normal[2][l]});
+      for (int c = 0; c < 3; ++c) rows[c][l] = seen[c];
+    }
+    color = load3(rows, 0);
+  }
+  if (f.backFactor != 1)
+    color = scaled(color, hn::IfThenElse(lanesAt(back, i), splat(f.backFactor), splat(1)));
+  return f.encoding != 1 ? raised(color, 1 / f.encoding) : color;
+}
+
 /// Colours of the group from its fragment program, before textures; bit i of `back`: lane i shows its back
 /// face.
 template <class Seen>
@@ -142,10 +164,11 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
   PbrRows maps;
   const bool mapped = !f.pbr.textures.empty() && f.model == Shading::Model::pbr;
   if (mapped) loadPbrTexels(frame, s, group, x, y, maps);
-  const bool unitVertices = f.unitNormals != Shading::UnitNormals::pixels;
-  if (unitVertices || f.normalColors || f.rim.on)
-    loadUnitNormals(s, group, normals);
-  else if (lit && !impostors && f.normals != Shading::Normals::triangles)
+  const bool shaped = lit || !f.matcap.empty();  // the normal counts
+  const bool eyeNormals = f.unitNormals != Shading::UnitNormals::pixels || f.facesViewer;
+  if (eyeNormals || f.normalColors || f.rim.on)
+    loadEyeNormals(s, group, normals);
+  else if (shaped && !impostors && f.normals != Shading::Normals::triangles)
     loadNormals(s, group, normals);
   for (int i = 0; i < kLanes; i += lanesOfVector()) {
     const Weights weights(group, i);
@@ -157,7 +180,7 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
     at.edge = f.edges ? load(edges + i) : splat(0);
     at.front = f.darkBackFaces ? hn::IfThenZeroElse(lanesAt(back, i), splat(1)) : splat(1);
     Float3 color;
-    if (lit) {
+    if (shaped) {
       at.position = impostors
                         ? load3(group.point, i)
                         : weights(pointIn(s, group, 0, i), pointIn(s, group, 1, i), pointIn(s, group, 2, i));
@@ -166,19 +189,19 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
         at.normal = load3(group.normal, i);
       } else if (f.normals == Shading::Normals::triangles) {
         at.normal = triangleNormal(s, group, i, at.position);
+        if (f.flipsTriangles) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
       } else {
-        at.normal = unitVertices ? load3(normals, i) : transform(s.instance->normalMatrix, load3(normals, i));
+        at.normal = eyeNormals ? load3(normals, i) : transform(s.instance->normalMatrix, load3(normals, i));
         if (f.unitNormals != Shading::UnitNormals::vertices) at.normal = unit(at.normal);
         if (f.flipBackFaces) at.normal = signedBy(hn::Not(lanesAt(back, i)), at.normal);
       }
-      if (f.model == Shading::Model::pbr)
-        color = microfacets(s, m, at, mapped ? texelsAt(s, maps, i, at) : constantsOf(f.pbr), seen.at(i));
-      else
-        color = phong(s, m, at, seen.at(i));
-    } else {
-      color = unlit(f, m, at);
-      if (f.encoding != 1) color = raised(color, 1 / f.encoding);
     }
+    if (f.model == Shading::Model::pbr)
+      color = f.pbr.masking == scene::PbrSurface::Masking::separate
+                  ? separateMicrofacets(s, m, at, seen.at(i))
+                  : microfacets(s, m, at, mapped ? texelsAt(s, maps, i, at) : constantsOf(f.pbr), seen.at(i));
+    else
+      color = lit ? phong(s, m, at, seen.at(i)) : shownColor(f, m, at, back, i);
     Float alpha = hn::Mul(splat(m.diffuse.a), load(base[3] + i));
     if (impostors && s.instance->impostors.fillsBillboard()) alpha = hn::Mul(alpha, load(group.alpha + i));
     rows.set(i, {color, alpha, {splat(0), splat(0), splat(0)}});

@@ -50,12 +50,27 @@ def cloud():
     return [made]
 
 
+def bare():
+    mesh = o3d.geometry.TriangleMesh.create_torus(1, 0.35, 120, 60)
+    mesh.paint_uniform_color([0.9, 0.6, 0.3])
+    return [mesh]
+
+
+def normals(options):
+    options.mesh_color_option = o3d.visualization.MeshColorOption.Normal
+
+
+def unlit(options):
+    options.light_on = False
+
+
 def wireframe(options):
     options.mesh_show_wireframe = True
 
 
 SCENES = {"mesh, colours": drawn(knot), "mesh, flat shading": drawn(plain, lambda o: setattr(o, "mesh_shade_option", o3d.visualization.MeshShadeOption.Color)),
-          "meshes": drawn(plain), "mesh with edges": drawn(knot, wireframe), "points": drawn(cloud)}
+          "meshes": drawn(plain), "mesh with edges": drawn(knot, wireframe), "points": drawn(cloud),
+          "without normals": drawn(bare), "colours of normals": drawn(knot, normals), "unlit": drawn(knot, unlit)}
 
 if __name__ == "__main__":
     sys.exit(scene_list.main(SCENES, __doc__))

@@ -28,11 +28,14 @@ def shown(fill):
     return draw
 
 
-def mesh(smooth=True, edges=0.0, colors=False, transparency=1.0):
+def mesh(smooth=True, edges=0.0, colors=None, transparency=1.0, material="clay", back="different"):
     def fill():
         points, triangles = grid()
-        made = ps.register_surface_mesh("surface", points, triangles, smooth_shade=smooth, edge_width=edges, transparency=transparency)
-        if colors:
+        made = ps.register_surface_mesh("surface", points, triangles, smooth_shade=smooth, edge_width=edges, transparency=transparency, material=material,
+                                        back_face_policy=back)
+        if colors == "points":
+            made.add_color_quantity("places", 0.5 + points / 3, enabled=True)
+        if colors == "values":
             made.add_scalar_quantity("height", points[:, 2], enabled=True)
     return fill
 
@@ -47,7 +50,8 @@ def curves():
     ps.register_curve_network("lines", points, "line", radius=0.008)
 
 
-SCENES = {"mesh, smooth": shown(mesh()), "mesh, flat": shown(mesh(False)), "mesh, scalars": shown(mesh(colors=True)), "mesh with edges": shown(mesh(edges=1.0)),
+SCENES = {"mesh, smooth": shown(mesh()), "mesh, flat": shown(mesh(False)), "mesh, scalars": shown(mesh(colors="values")), "mesh, colours": shown(mesh(colors="points")), "mesh, wax": shown(mesh(material="wax", colors="points")),
+          "mesh, flat material": shown(mesh(material="flat")), "mesh, equal sides": shown(mesh(back="identical")), "mesh with edges": shown(mesh(edges=1.0)),
           "mesh, translucent": shown(mesh(transparency=0.6)), "spheres of points": shown(cloud), "tubes of curves": shown(curves)}
 
 if __name__ == "__main__":

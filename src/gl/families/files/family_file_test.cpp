@@ -113,7 +113,8 @@ TEST(FamilyFile, NormalAndColourKeys) {
   EXPECT_FALSE(f.normalColors || f.clampedColors || f.opaqueColors);
   EXPECT_EQ(
       mistakeIn("normals.unit = \"vertices\""),
-      "x.toml:1: family \"f\": normals.unit, color.from_normals and color.rim are for vertex normals alone");
+      "x.toml:1: family \"f\": normals.unit, normals.face_viewer, color.from_normals and color.rim are for "
+      "vertex normals alone");
   EXPECT_EQ(mistakeIn("color.textures = \"t1\"\ncolor.any_texture = \"t3\"\n"),
             "x.toml:7: any_texture is none of the textures");
   for (const char* name : {"pv", "tn", "cm", "tc", "to", "ui", "t1", "t2"})

@@ -86,6 +86,23 @@ std::string mistakeInLook(const Family& family) {
   if (family.backColor.given() && family.impostors.given()) return "impostors have no color.back_faces";
   if (family.textures.empty() && (family.texturesFirst || !family.texturesIf.empty()))
     return "color.textures_if and color.textures_apply need color.textures";
+  if (!family.matcap.empty() && family.matcap.size() != 4) return "color.matcap needs four samplers";
+  const bool unlit = family.model == Family::Model::unlit;
+  if (!unlit && (!family.matcap.empty() || family.backFactor.given()))
+    return "color.matcap and color.back_factor are for the model unlit";
+  if (family.unitNormals == scene::FragmentShading::UnitNormals::never && !family.normalColors)
+    return "normals.unit = \"never\" is for color.from_normals";
+  if (family.lights.highlightIntensity.given() &&
+      (family.lights.color.empty() || !family.lights.specularColor.empty()))
+    return "lights.highlight_intensity needs lights.color, without lights.specular_color";
+  if (!family.lights.positionMatrix.empty() && family.lights.position.empty())
+    return "lights.position_matrix needs lights.position";
+  const bool separate = family.pbr.masking == scene::PbrSurface::Masking::separate;
+  if (separate
+          ? !(family.pbr.materialTexture.empty() && family.pbr.emissiveTexture.empty() &&
+              family.pbr.normalTexture.empty() && family.pbr.prefiltered.empty() && family.textures.empty())
+          : family.pbr.ambient.given())
+    return "pbr.masking = \"separate\", and no other, has pbr.ambient, and it has no textures";
   if (family.encoding.given() && family.model != Family::Model::unlit)
     return "color.encoding is for the model unlit";
   if (family.lights.highlightColor != FamilyLights::HighlightColor::material &&
@@ -116,10 +133,12 @@ std::string mistakeInPulling(const Family& family) {
 
 std::string mistakeInVertexNormals(const Family& family) {
   const bool asked = family.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
-                     family.normalColors || family.hasRim();
+                     family.normalColors || family.hasRim() || family.facesViewer;
   const bool others = family.impostors.given() || !family.triangleNormals.empty() ||
                       family.withoutNormals == Family::NoNormals::triangle || family.normal.empty();
-  return asked && others ? "normals.unit, color.from_normals and color.rim are for vertex normals alone" : "";
+  return asked && others ? "normals.unit, normals.face_viewer, color.from_normals and color.rim are for "
+                           "vertex normals alone"
+                         : "";
 }
 
 std::string mistakeInImpostors(const Family& family) {

@@ -107,6 +107,9 @@ void FamilyReader::readInstance() {
   name("normal_matrix", family_.instanceNormal);
   name("color", family_.instanceColor);
   name("shift_and_scale", family_.instanceShift);
+  flag("turns_normals", family_.instanceTurnsNormals);
+  if (family_.instanceTurnsNormals && (family_.instanceTransform.empty() || !family_.instanceNormal.empty()))
+    fail(here(), "turns_normals needs transform, without normal_matrix");
   if (!family_.instanceShift.empty() && !family_.instanceTransform.empty())
     fail(here(), "instances have transform or shift_and_scale, not both");
 }
@@ -123,9 +126,13 @@ void FamilyReader::readNormals() {
          family_.withoutNormals);
   flagOrName("flip_back_faces", family_.flipBackFaces, family_.flipsBackFaces);
   flag("dark_back_faces", family_.darkBackFaces);
+  flag("flip_triangles", family_.flipsTriangles);
+  flag("face_viewer", family_.facesViewer);
   using Unit = scene::FragmentShading::UnitNormals;
-  choice("unit", {{"pixels", Unit::pixels}, {"vertices", Unit::vertices}, {"both", Unit::both}},
-         family_.unitNormals);
+  choice(
+      "unit",
+      {{"pixels", Unit::pixels}, {"vertices", Unit::vertices}, {"both", Unit::both}, {"never", Unit::never}},
+      family_.unitNormals);
   name("parallel_view", family_.parallelView);
   name("per_triangle", family_.triangleNormals);
 }
@@ -133,12 +140,15 @@ void FamilyReader::readNormals() {
 void FamilyReader::readColor() {
   name("map", family_.colorMap);
   name("map_texcoord", family_.mapTexcoord);
+  value("map_low", family_.mapLow), value("map_high", family_.mapHigh);
   name("per_triangle", family_.triangleColors);
   name("triangle_offset", family_.triangleOffset);
   name("uniform_instead", family_.uniformColors);
   flag("diffuse_only", family_.colorIsDiffuseOnly);
   value("exponent", family_.colorExponent), value("encoding", family_.encoding);
   flag("from_normals", family_.normalColors);
+  names("matcap", family_.matcap);
+  value("back_factor", family_.backFactor);
   section("rim", [&] {
     value("color", family_.rimColor), value("exponent", family_.rimExponent);
     value("opacity", family_.rimOpacity);

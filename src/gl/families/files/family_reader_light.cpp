@@ -37,6 +37,9 @@ void FamilyReader::readLights() {
   readHighlights();
   flag("clamped", l.clamped);
   name("position", l.position);
+  names("position_matrix", l.positionMatrix);
+  value("intensity", l.intensity);
+  value("highlight_intensity", l.highlightIntensity);
   name("positional", l.positional);
   name("attenuation", l.attenuation);
   name("cone_angle", l.coneAngle);
@@ -63,8 +66,16 @@ void FamilyReader::readHighlights() {
 
 void FamilyReader::mentionNamedLights() {
   const FamilyLights& l = family_.lights;
-  std::vector<std::string> patterns = {l.color,       l.direction.uniform, l.position, l.positional,
-                                       l.attenuation, l.coneAngle,         l.exponent, l.halfVector.uniform};
+  std::vector<std::string> patterns = {l.color,
+                                       l.direction.uniform,
+                                       l.position,
+                                       l.positional,
+                                       l.attenuation,
+                                       l.coneAngle,
+                                       l.exponent,
+                                       l.halfVector.uniform,
+                                       l.intensity.uniform,
+                                       l.highlightIntensity.uniform};
   for (const auto* values : {&l.specularColor, &l.shininess})
     for (const FamilyValue& value : *values) patterns.push_back(value.uniform);
   for (const std::string& pattern : patterns)
@@ -73,6 +84,9 @@ void FamilyReader::mentionNamedLights() {
 
 void FamilyReader::readPbr() {
   FamilyPbr& p = family_.pbr;
+  using Masking = scene::PbrSurface::Masking;
+  choice("masking", {{"correlated", Masking::correlated}, {"separate", Masking::separate}}, p.masking);
+  value("ambient", p.ambient);
   value("metallic", p.metallic);
   value("roughness", p.roughness);
   value("base_f0", p.baseF0);
