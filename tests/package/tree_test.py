@@ -1,10 +1,11 @@
-"""The tree that runs from any folder: scripts/package tree. tree_test.py unpacked|roots --client PROGRAM
+"""The tree that runs from any folder: scripts/package tree. tree_test.py unpacked|roots|release --client PROGRAM
 
-unpacked   in a folder with a space in its name; all that it needs is in it; two runs of scripts/package make the same file
+unpacked   in a folder with a space in its name; all that it needs is in it
 roots      in minimal systems of older and newer releases of Debian, as a user without rights
+release    two runs of scripts/release make the same files
 """
 import argparse
-import hashlib
+import json
 import os
 import pathlib
 import shutil
@@ -35,11 +36,7 @@ def unpack(archive: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
 
 
 def unpacked(client: pathlib.Path, folder: pathlib.Path) -> int:
-    archive = make_tree(folder / "once")
-    digests = {hashlib.sha256(one.read_bytes()).hexdigest() for one in (archive, make_tree(folder / "twice"))}
-    if len(digests) != 1:
-        fail("two runs make different files")
-    tree = unpack(archive, folder / "moved away")
+    tree = unpack(make_tree(folder / "archive"), folder / "moved away")
     texts = {path.name.removesuffix(".txt") for path in (tree / "share/doc/gluray/licences").iterdir() if path.stat().st_size > 100}
     copies = {path.name.removesuffix("-gluray") for path in (tree / "lib/gluray/private").glob("*-gluray")}
     if not copies or copies != texts:
@@ -82,9 +79,28 @@ def in_roots(folder: pathlib.Path) -> int:
     return 0
 
 
+def release(folder: pathlib.Path) -> int:
+    sums = []
+    for name in ("once", "twice"):
+        done = subprocess.run([ROOT / "scripts/release", "--draft", "--no-wheel", folder / name], capture_output=True, text=True)
+        if done.returncode:
+            fail(f"scripts/release failed: {done.stderr[-2000:]}")
+        run("sha256sum", "--check", "--strict", "SHA256SUMS", cwd=folder / name)
+        sums.append(dict(reversed(line.split()) for line in (folder / name / "SHA256SUMS").read_text().splitlines()))
+    if changed := [name for name in sums[0] if sums[0][name] != sums[1].get(name)]:
+        fail(f"two runs make different {', '.join(changed)}")
+    for part in (".deb", "-linux-", ".spdx.json", ".tar.xz"):
+        if not any(part in name for name in sums[0]):
+            fail(f"no {part} in {sorted(sums[0])}")
+    (bill,) = (folder / "once").glob("*.spdx.json")
+    if not any(package["name"].startswith("libembree") for package in json.loads(bill.read_text())["packages"]):
+        fail("the bill of materials lacks Embree")
+    return 0
+
+
 def main() -> int:
     parser = argparse.ArgumentParser()
-    parser.add_argument("what", choices=("unpacked", "roots"))
+    parser.add_argument("what", choices=("unpacked", "roots", "release"))
     parser.add_argument("--client", type=pathlib.Path, required=True)
     options = parser.parse_args()
     os.environ.setdefault("DISPLAY", ":none")  # needs no screen, but gluray prints a hint if DISPLAY is unset
@@ -92,6 +108,8 @@ def main() -> int:
         print("package: builds without ccache, which takes long")
     with tempfile.TemporaryDirectory(prefix="gluray-package-") as name:
         folder = pathlib.Path(name)
+        if options.what == "release":
+            return release(folder)
         return unpacked(options.client, folder) if options.what == "unpacked" else in_roots(folder)
 
 
