@@ -44,8 +44,8 @@ void fields(auto& archive, Like<scene::Blending> auto& value) {
   archive(rgb, alpha, constant, hasAlpha, writesDepth);
 }
 void fields(auto& archive, Like<scene::Layers> auto& value) {
-  auto& [of, opaqueDepth, tolerance, peels, colors, blending, depthSteps] = value;
-  archive(of, opaqueDepth, tolerance, peels, colors, blending, depthSteps);
+  auto& [of, opaqueDepth, tolerance, peels, colors, floatColors, halfFloats, blending, depthSteps] = value;
+  archive(of, opaqueDepth, tolerance, peels, colors, floatColors, halfFloats, blending, depthSteps);
 }
 void fields(auto& archive, Like<scene::LightSampling> auto& value) {
   auto& [mode, pass, tiles, anew] = value;

@@ -115,6 +115,7 @@ scene::Snapshot snapshot() {
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::drawn;
   layers->opaqueDepth.assign(6, 0.5f), layers->colors.assign(6, 0xff102030);
+  layers->floatColors.assign(6, {2, -1, 0.5f, 1}), layers->halfFloats = true;
   layers->blending.rgb = {scene::BlendEquation::subtract, scene::BlendFactor::constantAlpha,
                           scene::BlendFactor::one};
   s.layers = layers;
