@@ -111,12 +111,12 @@ void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
          unitNormals, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights, highlightsInDark,
          infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, parallelView, backMaterial, paintsBack,
          backColor, texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map, pbr, writesDepth, edges,
-         edgesGrow, edgeWidth, edgeOpacity, edgeColor] = value;
+         edgesAlone, edgesGrow, edgeWidth, edgeOpacity, edgeColor] = value;
   archive(model, specular, highlightColor, normals, color, colorIsDiffuseOnly, height, colorExponent,
           encoding, unitNormals, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
           highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, parallelView,
           backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha, lights, map,
-          pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
+          pbr, writesDepth, edges, edgesAlone, edgesGrow, edgeWidth, edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;
@@ -154,10 +154,10 @@ void fields(auto& archive, Like<scene::Shading> auto& value) {
 }
 
 void fields(auto& archive, Like<scene::Impostors> auto& value) {
-  auto& [billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, radiusDivisor,
+  auto& [billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, outline, radiusDivisor,
          axisMatrix, centerPlanes, billboardScale, lowpass, size, coordinateShift, grows, inPixels, longer,
          bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend] = value;
-  archive(billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, radiusDivisor,
+  archive(billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, outline, radiusDivisor,
           axisMatrix, centerPlanes, billboardScale, lowpass, size, coordinateShift, grows, inPixels, longer,
           bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
 }

@@ -103,6 +103,7 @@ Reason ProgramReader::readImpostors() {
   out_.impostors.billboards = f.billboards;
   out_.impostors.fades = f.fades;
   out_.impostors.gaussian = f.gaussian, out_.impostors.antialiased = f.antialiased;
+  out_.impostors.outline = uniforms_.number(f.outline, 0);
   out_.impostors.parallelView = out_.shading.fragment.parallelView;
   out_.impostors.inside = uniforms_.number(f.inside, 1) < 0;
   out_.impostors.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
@@ -195,6 +196,9 @@ Reason ProgramReader::readEdges() {
   f.edges =
       !family_.edgeFlags.empty() && (family_.edgesIf.empty() || uniforms_.integer(family_.edgesIf) != 0);
   out_.triangleEdges = {};
+  f.edgesAlone = f.edges && family_.edgesAlone;
+  out_.shading.alphaTest = {};
+  if (f.edgesAlone) out_.shading.alphaTest.function = scene::AlphaTest::greater;  // than 0
   if (!f.edges) return Reason::traced;
   if (!family_.edgesUnless.empty() && uniforms_.integer(family_.edgesUnless) != 0)
     return refuse("uniform \"" + family_.edgesUnless + "\" is not 0, but the triangles have edges");

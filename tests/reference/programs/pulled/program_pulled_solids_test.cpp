@@ -196,19 +196,6 @@ TEST(PulledSolid, FlatLinesAndPointsBecomeSolidsBySettings) {
     }
 }
 
-TEST(PulledSolid, OfWireframeIsRasterised) {
-  const auto draw = [](Gl gl) {
-    beginFrame(gl);
-    const GLuint program = makeProgram(gl, kPointColors);
-    const PulledMesh mesh(gl, solidBowl(), {}, true);
-    mesh.set(gl, program, perspectiveView(35), kPointColors);
-    setInteger(gl, program, "wireframe", 1);
-    mesh.draw(gl);
-  };
-  const Outcome outcome = expectSame("pulled_wireframe", draw, 0);
-  EXPECT_EQ(outcome.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::programPass)], 1u);
-}
-
 TEST(PulledSolid, DoesNotChangeSurfacesBesideIt) {
   const auto draw = [](Gl gl) {  // round lines and points alone, but the actor's other cells are triangles
     beginFrame(gl);
