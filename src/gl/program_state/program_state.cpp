@@ -8,6 +8,7 @@
 #include "gl/real/clip_depths.h"
 #include "gl/real/state_queries.h"
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -115,6 +116,9 @@ Reason ProgramReader::readImpostors() {
   out_.impostors.longer = uniforms_.number(f.longer, 0);
   if (!f.viewport.empty()) out_.usedViewport = uniforms_.vector(f.viewport);
   out_.impostors.bulge = uniforms_.number(f.bulge, 0);
+  // Flat ones have no uniform that tells; their depth follows from the matrices.
+  if (scene::isSizedInPixels(f.shape) && f.bulge.uniform.empty() && out_.impostors.bulge == 0)
+    out_.impostors.parallelView = glm::dvec3(glm::row(out_.clipFromObject, 3)) == glm::dvec3(0);
   out_.impostors.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
   constexpr float kUnit = 1.0f / 65000.0f;  // VTK's unit of depth bias
   out_.impostors.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
