@@ -42,8 +42,10 @@ bool wantsAverages(const scene::Snapshot& snapshot) {
 }
 
 /// Whether the layers' arrays have one element per pixel.
-bool arePixels(const scene::Layers& layers, size_t pixels) {
-  return layers.opaqueDepth.size() == pixels && (!areDrawn(&layers) || layers.colors.size() == pixels);
+bool arePixels(const scene::Snapshot& snapshot, size_t pixels) {
+  const scene::Layers& layers = *snapshot.layers;
+  const size_t colors = snapshot.wideColors ? layers.floatColors.size() : layers.colors.size();
+  return layers.opaqueDepth.size() == pixels && (!areDrawn(&layers) || colors == pixels);
 }
 
 void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
@@ -53,7 +55,7 @@ void shapeImage(const scene::Snapshot& snapshot, Image& image, bool averages) {
     throw scene::Untraceable("the region to trace is larger than any framebuffer");
   }
   const size_t pixels = static_cast<size_t>(region.width) * static_cast<size_t>(region.height);
-  if (snapshot.layers && (snapshot.samples > 1 || !arePixels(*snapshot.layers, pixels))) {
+  if (snapshot.layers && (snapshot.samples > 1 || !arePixels(snapshot, pixels))) {
     throw std::runtime_error("layers need one sample a pixel, and the depth of what is opaque for each");
   }
   image.x = region.x;

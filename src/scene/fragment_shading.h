@@ -142,6 +142,7 @@ struct FragmentShading {
   PbrSurface pbr;
   bool writesDepth = false;  // gl_FragDepth: one depth for all samples of a pixel
   bool edges = false;        // paint the triangle edges selected by Instance::triangleEdges
+  bool edgesAlone = false;   // alpha is multiplied by the weight of the edges; their colour is the surface's
   bool edgesGrow = true;     // edges enlarge their triangles (render/edges/edged_triangle.h)
   float edgeWidth = 1;       // pixels
   float edgeOpacity = 1;     // largest weight of the edge colour

@@ -34,6 +34,9 @@ struct Impostors {
   // antialiased edges: where s = distance / radius - 1 is positive, opacities are 1 - smoothstep(0, w, s) for
   // the sum w of |s| of the differences between two pixels of a 2x2 block in its row, and in its column.
   bool antialiased = false;
+  // Of these, if it is not 0: only their outline, so many w wide. Opacities are 1 - smoothstep((outline/2 -
+  // 1) w, (outline/2 + 1) w, |s|), and colours stay as they are.
+  float outline = 0;
   /// Whether they cover their billboards, and opacities fall off.
   bool fillsBillboard() const { return gaussian || antialiased; }
   float radiusDivisor = 1;  // radius of the billboard / radius of the disc

@@ -130,7 +130,11 @@ struct Layers {
   /// opaque surface in place of the farthest.
   uint32_t peels = 0;
   // For `drawn` only.
-  std::vector<uint32_t> colors;  // the framebuffer's initial colours: RGBA8, in the order of opaqueDepth
+  // The framebuffer's initial colours, in the order of opaqueDepth: RGBA8 or, of snapshots with wideColors,
+  // floats, which blending does not clamp.
+  std::vector<uint32_t> colors;
+  std::vector<glm::vec4> floatColors;
+  bool halfFloats = false;  // of floatColors: the framebuffer keeps 16 bits of each
   Blending blending;
   double depthSteps = 0;  // steps of the framebuffer's depth between 0 and 1; 0: float depth
   bool operator==(const Layers&) const = default;

@@ -72,14 +72,15 @@ bool PixelImpostor::showSplat(const glm::dvec2& at, Shown& shown) const {
   shown.fade = f.fades ? static_cast<float>(1 - share) : 1.0f;
   shown.alpha = f.gaussian ? static_cast<float>(std::exp(-0.5 * share)) : 1.0f;
   if (f.antialiased) {
-    const double outside = std::sqrt(share) - 1;
-    shown.fade = static_cast<float>(std::max(0.0, -outside));
-    if (outside > 0) {
+    const double outside = std::sqrt(share) - 1, half = 0.5 * double{f.outline};
+    if (f.outline == 0) shown.fade = static_cast<float>(std::max(0.0, -outside));
+    if (outside > 0 || f.outline != 0) {
       const double x = 2 * std::floor(0.5 * at.x) + 0.5,
                    y = 2 * std::floor(0.5 * at.y) + 0.5;  // of the block
       const double width = std::abs(std::sqrt(squared(x + 1, at.y)) - std::sqrt(squared(x, at.y))) +
                            std::abs(std::sqrt(squared(at.x, y + 1)) - std::sqrt(squared(at.x, y)));
-      const double t = std::min(1.0, outside / width);
+      const double along = f.outline == 0 ? outside / width : 0.5 * (std::abs(outside) / width - half + 1);
+      const double t = std::clamp(along, 0.0, 1.0);
       shown.alpha = static_cast<float>(1 - t * t * (3 - 2 * t));
       if (!(shown.alpha > 0)) return false;
     }

@@ -99,6 +99,31 @@ TEST(AntialiasedSplat, HasAnEdgeOfAPixel) {
   EXPECT_FALSE(f.show({56.5, 50.5}, shown)) << "transparent";
 }
 
+/// Of a ring two widths wide each side has one, within the ellipse and outside.
+TEST(AntialiasedSplat, MayBeAnOutline) {
+  SplatScene s({0, 0, -5});
+  s.instance.impostors.gaussian = false, s.instance.impostors.antialiased = true;
+  s.instance.impostors.outline = 2;
+  s.placed.look = s.instance.impostors;
+  const PixelImpostor f = s.splat();
+  PixelImpostor::Shown shown;
+  const auto expectAlpha = [&](double x, double width) {
+    ASSERT_TRUE(f.show({50 + x, 50.5}, shown)) << x;
+    const double t = std::abs(std::hypot(x, 0.5) / 5 - 1) / (2 * width);
+    EXPECT_NEAR(shown.alpha, 1 - t * t * (3 - 2 * t), 1e-6) << x;
+    EXPECT_EQ(shown.fade, 1);
+  };
+  const auto widthOf = [](double x) {  // of the block whose pixels are at x and x + 1
+    return [x](double at) {
+      return (std::hypot(x + 1, 0.5) - std::hypot(x, 0.5) + std::hypot(at, 1.5) - std::hypot(at, 0.5)) / 5;
+    };
+  };
+  expectAlpha(5.5, widthOf(4.5)(5.5));
+  expectAlpha(3.5, widthOf(2.5)(3.5));
+  EXPECT_FALSE(f.show({52.5, 50.5}, shown)) << "transparent";
+  EXPECT_FALSE(f.show({57.5, 50.5}, shown)) << "transparent";
+}
+
 /// Rays through the corners of the billboard meet the bounding box.
 TEST(GaussianSplat, IsWithinItsBounds) {
   for (const bool parallel : {true, false})

@@ -44,8 +44,8 @@ void fields(auto& archive, Like<scene::Blending> auto& value) {
   archive(rgb, alpha, constant, hasAlpha, writesDepth);
 }
 void fields(auto& archive, Like<scene::Layers> auto& value) {
-  auto& [of, opaqueDepth, tolerance, peels, colors, blending, depthSteps] = value;
-  archive(of, opaqueDepth, tolerance, peels, colors, blending, depthSteps);
+  auto& [of, opaqueDepth, tolerance, peels, colors, floatColors, halfFloats, blending, depthSteps] = value;
+  archive(of, opaqueDepth, tolerance, peels, colors, floatColors, halfFloats, blending, depthSteps);
 }
 void fields(auto& archive, Like<scene::LightSampling> auto& value) {
   auto& [mode, pass, tiles, anew] = value;
@@ -111,14 +111,14 @@ void fields(auto& archive, Like<scene::FragmentShading> auto& value) {
          unitNormals, facesViewer, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
          highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, flipsTriangles,
          parallelView, backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha,
-         lights, map, matcap, backFactor, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity,
-         edgeColor] = value;
+         lights, map, matcap, backFactor, pbr, writesDepth, edges, edgesAlone, edgesGrow, edgeWidth,
+         edgeOpacity, edgeColor] = value;
   archive(model, specular, highlightColor, normals, color, colorIsDiffuseOnly, height, colorExponent,
           encoding, unitNormals, facesViewer, normalColors, rim, clampsColors, ignoresAlpha, twoSidedLights,
           highlightsInDark, infiniteViewer, clampsLight, darkBackFaces, flipBackFaces, flipsTriangles,
           parallelView, backMaterial, paintsBack, backColor, texturesOnBack, texturesFirst, texturesKeepAlpha,
-          lights, map, matcap, backFactor, pbr, writesDepth, edges, edgesGrow, edgeWidth, edgeOpacity,
-          edgeColor);
+          lights, map, matcap, backFactor, pbr, writesDepth, edges, edgesAlone, edgesGrow, edgeWidth,
+          edgeOpacity, edgeColor);
 }
 void fields(auto& archive, Like<scene::Combine::Argument> auto& value) {
   auto& [source, operand] = value;
@@ -156,10 +156,10 @@ void fields(auto& archive, Like<scene::Shading> auto& value) {
 }
 
 void fields(auto& archive, Like<scene::Impostors> auto& value) {
-  auto& [billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, radiusDivisor,
+  auto& [billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, outline, radiusDivisor,
          axisMatrix, centerPlanes, billboardScale, lowpass, size, coordinateShift, grows, inPixels, longer,
          bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend] = value;
-  archive(billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, radiusDivisor,
+  archive(billboards, parallelView, inside, hemispheres, fades, gaussian, antialiased, outline, radiusDivisor,
           axisMatrix, centerPlanes, billboardScale, lowpass, size, coordinateShift, grows, inPixels, longer,
           bulge, bulgeDepth, depthBias, radius, unlit, roundEnds, halvesBlend);
 }

@@ -34,7 +34,8 @@ void checkPixels(const scene::Snapshot& s) {
           "samples have no positions");
   if (s.layers) {
     require(isOfRegion(s.layers->opaqueDepth.size(), r), "depths do not fit the region");
-    require(s.layers->of != scene::Layers::Of::drawn || isOfRegion(s.layers->colors.size(), r),
+    const size_t colors = s.wideColors ? s.layers->floatColors.size() : s.layers->colors.size();
+    require(s.layers->of != scene::Layers::Of::drawn || isOfRegion(colors, r),
             "colours do not fit the region");
   }
   if (s.backdrop)

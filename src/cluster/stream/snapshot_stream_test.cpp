@@ -75,8 +75,7 @@ scene::Shading shading() {
   s.fragment.colorExponent = 2.2f, s.fragment.encoding = 1.8f;
   s.fragment.paintsBack = true, s.fragment.backColor = {0.5f, 0.25f, 1};
   s.fragment.edgeColor = {1, 0, 0.5f};
-  s.textures[0].maxAnisotropy = 4;
-  s.textures[0].byteFilter = true;
+  s.textures[0].maxAnisotropy = 4, s.textures[0].byteFilter = true;
   scene::PbrSurface& pbr = s.fragment.pbr;
   pbr.textures = {s.textures[0]}, pbr.material = 0, pbr.occlusionStrength = 0.5f, pbr.normalScale = 2;
   pbr.masking = scene::PbrSurface::Masking::separate, pbr.ambient = {0.5f, 2, 1};
@@ -119,6 +118,7 @@ scene::Snapshot snapshot() {
   auto layers = std::make_shared<scene::Layers>();
   layers->of = scene::Layers::Of::drawn;
   layers->opaqueDepth.assign(6, 0.5f), layers->colors.assign(6, 0xff102030);
+  layers->floatColors.assign(6, {2, -1, 0.5f, 1}), layers->halfFloats = true;
   layers->blending.rgb = {scene::BlendEquation::subtract, scene::BlendFactor::constantAlpha,
                           scene::BlendFactor::one};
   s.layers = layers;

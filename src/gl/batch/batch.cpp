@@ -96,6 +96,7 @@ void Batch::start(const BatchKey& key, const TargetState& target, const glm::dma
     layers->of = scene::Layers::Of::drawn;
     layers->blending = key.blending;
     layers->depthSteps = key.depthSteps;
+    layers->halfFloats = target.halfFloats;
     snapshot_->layers = std::move(layers);
   }
   drawn_ = 0;

@@ -28,6 +28,11 @@ class FramebufferReader {
                           std::vector<uint32_t>& /*out*/) noexcept {
     return false;
   }
+  /// As readColors(), for colours that are floats: as stored, not clamped.
+  virtual bool readFloatColors(const RealGl&, const scene::Region& /*region*/,
+                               std::vector<glm::vec4>& /*out*/) noexcept {
+    return false;
+  }
   /// As readColors(), for a multisampled framebuffer: the mean of each pixel's samples.
   virtual bool readResolved(const RealGl&, const scene::Region& /*region*/,
                             std::vector<uint32_t>& /*out*/) noexcept {

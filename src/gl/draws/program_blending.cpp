@@ -21,6 +21,7 @@ bool mayDiscard(const ProgramState& program, const scene::Mesh& mesh) {
   using Color = scene::FragmentShading::Color;
   constexpr float kFarthest = 12;  // radii; beyond, opacities of gaussians fall to 0 in floats
   const scene::FragmentShading& f = program.shading.fragment;
+  if (program.shading.alphaTest != scene::AlphaTest{}) return false;  // it discards them
   const bool oneAlpha = f.color == Color::material && program.shading.textures.empty();
   if (!program.known->discardsInvisible || program.impostors.antialiased) return false;
   if (!program.impostors.gaussian) return !oneAlpha;

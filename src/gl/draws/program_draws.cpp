@@ -7,6 +7,7 @@
 #include "gl/impostors/sent_billboards.h"
 #include "gl/layers/layer_draws.h"
 #include "gl/real/state_queries.h"
+#include "scene/secondary_scene.h"
 
 #include <algorithm>
 
@@ -72,6 +73,13 @@ bool offsetsProgramDepth(ShadowState& shadow, scene::Shape shape) {
          (program.shading.fragment.writesDepth || layersOf(program) != BatchKey::Layers::none);
 }
 
+/// Whether the draw has values that its program clamps, or that its family does not describe.
+bool hasOtherValues(const ProgramState& program, const scene::Mesh& mesh, const Settings& settings) {
+  const bool edgesAlone = program.shading.fragment.edges && program.shading.fragment.edgesAlone;
+  if (edgesAlone && scene::needsSecondaryScene(settings)) return true;  // rays from elsewhere meet triangles
+  return program.known->family->colorsFromZero && hasNegativeColors(mesh, program.color);
+}
+
 /// Whether one of the arrays is in a buffer whose contents cannot be read.
 bool haveUnreadableBuffers(const ArrayState& arrays) {
   return arrays.reason == Reason::deletedBuffer || arrays.reason == Reason::foreignBuffer ||
@@ -112,7 +120,9 @@ Reason ProgramDraws::classifyAlways(const KnownMesh& known) const {
   if (!known.mesh->moderate) return Reason::notFinite;
   if (offsetsProgramDepth(p_.shadow, known.mesh->shape)) return Reason::program;
   const ProgramState& program = p_.shadow.program();
-  if (showsOpacityBeneath(program, *known.mesh, program.color)) return Reason::programValue;
+  if (showsOpacityBeneath(program, *known.mesh, program.color) ||
+      hasOtherValues(program, *known.mesh, p_.shadow.settings))
+    return Reason::programValue;
   if (p_.shadow.attributes().instanceTransform.empty()) {  // otherwise classifyInstances() checks each
     const glm::ivec4& viewport = p_.shadow.viewport().box;
     const glm::ivec2 size(viewport.z, viewport.w);

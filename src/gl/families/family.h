@@ -29,7 +29,7 @@ struct FamilyImpostors {
   FamilyValue radius;                            // `uniform` may name an attribute instead
   std::string axis;                              // attribute; its length is the length of the cylinder
   FamilyValue inside;                            // negative: the far side of spheres is visible
-  FamilyValue radiusDivisor;
+  FamilyValue radiusDivisor, outline;            // scene::Impostors
   scene::Impostors::Billboards billboards = scene::Impostors::Billboards::silhouette;
   bool fades = false;
   bool antialiased = false;  // scene::Impostors
@@ -127,20 +127,20 @@ struct Family {
   std::string uniformColors;        // uniform; not 0: the material's colours replace all others
   bool colorIsDiffuseOnly = false;  // false: the colour replaces the ambient colour, too
   FamilyHeight height;
-  FamilyValue rimColor, rimExponent, rimOpacity;  // scene::Rim; none without a colour or opacity
-  FamilyValue colorExponent;                      // of colours that are not the material's
-  FamilyValue encoding;                           // unlit: the result is raised to 1 divided by this
-  std::vector<std::string> matcap;                // samplers: scene::FragmentShading
-  FamilyValue backFactor;                         // unlit: factor of the colour of back faces
-  bool normalColors = false;                      // red, green and blue are half the normal plus a half
-  bool clampedColors = false;                     // vertex colours are clamped to [0, 1]
-  bool colorAlpha = true;                         // the alpha of vertex colours counts
-  bool opaqueColors = false;          // describes draws whose vertex colours are opaque, no others
-  std::string texturesOnBack;         // uniform; 0: back faces have no textures
-  FamilyValue backColor;              // of back faces, without lights, textures and fog
-  std::string backColorIf;            // uniform; 0: they have none
-  std::vector<std::string> textures;  // samplers; multiply the lit colour, or
-  bool texturesFirst = false;         // the base colour, before it is lit
+  FamilyValue rimColor, rimExponent, rimOpacity;      // scene::Rim; none without a colour or opacity
+  FamilyValue colorExponent;                          // of colours that are not the material's
+  FamilyValue encoding;                               // unlit: the result is raised to 1 divided by this
+  std::vector<std::string> matcap;                    // samplers: scene::FragmentShading
+  FamilyValue backFactor;                             // unlit: factor of the colour of back faces
+  bool normalColors = false;                          // red, green and blue are half the normal plus a half
+  bool clampedColors = false;                         // vertex colours are clamped to [0, 1]
+  bool colorAlpha = true;                             // the alpha of vertex colours counts
+  bool opaqueColors = false, colorsFromZero = false;  // no draws with other vertex colours
+  std::string texturesOnBack;                         // uniform; 0: back faces have no textures
+  FamilyValue backColor;                              // of back faces, without lights, textures and fog
+  std::string backColorIf;                            // uniform; 0: they have none
+  std::vector<std::string> textures;                  // samplers; multiply the lit colour, or
+  bool texturesFirst = false;                         // the base colour, before it is lit
   bool texturesDiffuseOnly = false;   // with texturesFirst: only its diffuse use, and not its alpha
   bool texturesReplaceAlpha = false;  // where there is one, the colour's alpha does not count
   std::string texturesIf;             // uniform; 0: no textures
@@ -176,7 +176,7 @@ struct Family {
   std::string edgeFlagsIf;      // uniform; 0: all edges are painted
   std::string edgeFlagsOffset;  // uniform, added to the triangle's number
   FamilyValue edgeWidth, edgeColor, edgeOpacity;
-  bool edgesGrow = true;        // the shader moves corners outwards
+  bool edgesAlone = false, edgesGrow = true;  // scene::FragmentShading
   std::string edgeViewport;     // uniform: x, y, width, height of the viewport that the shader assumes
   bool geometryShader = false;  // programs of the family have one
   FamilyImpostors impostors;

@@ -37,7 +37,7 @@ bool depthFits(const ProgramState& program) {
   const glm::dvec3 z(rows[2]), w(rows[3]);
   const bool parallel = w == glm::dvec3(0);
   if (parallel != f.parallelView || !(f.bulge >= 0 && f.bulge < 0.4f) || !(f.depthBias <= 0)) return false;
-  if (parallel) return std::isfinite(f.bulgeDepth);
+  if (parallel || f.bulge == 0) return std::isfinite(f.bulgeDepth);
   // The window depth at infinity: the bulge must not change it.
   constexpr double kRounding = 1e-4;
   const double end = 0.5 * (glm::dot(z, w) / glm::dot(w, w)) + 0.5;

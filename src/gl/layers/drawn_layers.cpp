@@ -76,8 +76,10 @@ bool DrawnLayers::readUnder() {
     region = united(region, reachedBy(waiting, instance));
   if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // none of them is visible
   auto layers = std::make_shared<scene::Layers>(*waiting.layers);
-  if (!p_.pending.presenter.reader().readDepth(p_.shadow.real, region, layers->opaqueDepth) ||
-      !p_.pending.presenter.reader().readColors(p_.shadow.real, region, layers->colors))
+  FramebufferReader& reader = p_.pending.presenter.reader();
+  if (!reader.readDepth(p_.shadow.real, region, layers->opaqueDepth) ||
+      !(waiting.wideColors ? reader.readFloatColors(p_.shadow.real, region, layers->floatColors)
+                           : reader.readColors(p_.shadow.real, region, layers->colors)))
     return false;
   p_.pending.batch.seeThrough(std::move(layers), region);
   return true;

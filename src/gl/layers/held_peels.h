@@ -36,7 +36,7 @@ class HeldPeels {
   void pause();
   /// Whether the draw may show a label: at most one quad. Points may be impostors.
   static bool isLabel(GLenum mode, const Elements& elements) {
-    return mode != GL_POINTS && trianglesIn(mode, elements) <= 2;
+    return mode != GL_POINTS && mode != GL_LINES && trianglesIn(mode, elements) <= 2;
   }
 
  private:

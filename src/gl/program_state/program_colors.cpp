@@ -201,10 +201,20 @@ bool showsOpacityBeneath(const ProgramState& program, const scene::Mesh& mesh, c
   return program.overridden && !(mesh.colors ? mesh.opaqueColors : color.a >= 1);
 }
 
+bool hasNegativeColors(const scene::Mesh& mesh, const glm::vec4& color) {
+  const auto negative = [](const glm::vec4& c) { return !(std::min({c.r, c.g, c.b}) >= 0); };
+  if (!mesh.colors) return negative(color);
+  if (mesh.colors.format == scene::Format::unorm8x4) return false;
+  for (uint32_t i = 0; i < mesh.vertexCount; ++i)
+    if (negative(scene::fetch(mesh.colors, i))) return true;
+  return false;
+}
+
 bool drawsOpaque(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color) {
   using Color = scene::FragmentShading::Color;
   const scene::FragmentShading& f = program.shading.fragment;
   if (program.material.front.diffuse.a < 1 || program.impostors.fillsBillboard()) return false;
+  if (f.edges && f.edgesAlone) return false;
   if (f.backMaterial && program.material.back.diffuse.a < 1) return false;
   if (showsOpacityBeneath(program, mesh, color)) return false;
   if (f.color == Color::vertices && !f.ignoresAlpha && !program.instanceColors &&

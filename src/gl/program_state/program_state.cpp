@@ -8,6 +8,7 @@
 #include "gl/real/clip_depths.h"
 #include "gl/real/state_queries.h"
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -104,6 +105,7 @@ Reason ProgramReader::readImpostors() {
   out_.impostors.billboards = f.billboards;
   out_.impostors.fades = f.fades;
   out_.impostors.gaussian = f.gaussian, out_.impostors.antialiased = f.antialiased;
+  out_.impostors.outline = uniforms_.number(f.outline, 0);
   out_.impostors.parallelView = out_.shading.fragment.parallelView;
   out_.impostors.inside = uniforms_.number(f.inside, 1) < 0;
   out_.impostors.radiusDivisor = uniforms_.number(f.radiusDivisor, 1);
@@ -115,6 +117,9 @@ Reason ProgramReader::readImpostors() {
   out_.impostors.longer = uniforms_.number(f.longer, 0);
   if (!f.viewport.empty()) out_.usedViewport = uniforms_.vector(f.viewport);
   out_.impostors.bulge = uniforms_.number(f.bulge, 0);
+  // Flat ones have no uniform that tells; their depth follows from the matrices.
+  if (scene::isSizedInPixels(f.shape) && f.bulge.uniform.empty() && out_.impostors.bulge == 0)
+    out_.impostors.parallelView = glm::dvec3(glm::row(out_.clipFromObject, 3)) == glm::dvec3(0);
   out_.impostors.bulgeDepth = uniforms_.number(f.bulgeDepth, 0);
   constexpr float kUnit = 1.0f / 65000.0f;  // VTK's unit of depth bias
   out_.impostors.depthBias = uniforms_.number(f.depthBias, 0) * kUnit;
@@ -196,6 +201,9 @@ Reason ProgramReader::readEdges() {
   f.edges =
       !family_.edgeFlags.empty() && (family_.edgesIf.empty() || uniforms_.integer(family_.edgesIf) != 0);
   out_.triangleEdges = {};
+  f.edgesAlone = f.edges && family_.edgesAlone;
+  out_.shading.alphaTest = {};
+  if (f.edgesAlone) out_.shading.alphaTest.function = scene::AlphaTest::greater;  // than 0
   if (!f.edges) return Reason::traced;
   if (!family_.edgesUnless.empty() && uniforms_.integer(family_.edgesUnless) != 0)
     return refuse("uniform \"" + family_.edgesUnless + "\" is not 0, but the triangles have edges");

@@ -62,6 +62,9 @@ inline Reason reasonWithoutFamily(const KnownProgram& known) {
   return known.unknownCode ? Reason::programCode : Reason::program;
 }
 
+/// Whether a colour of the mesh has a channel below 0. `color`: that of a mesh without colours.
+bool hasNegativeColors(const scene::Mesh& mesh, const glm::vec4& color);
+
 /// Whether the material's colours replace those of the vertices, but not their opacity, which is below 1. No
 /// shading has both. `color`: colour of a mesh without colours.
 bool showsOpacityBeneath(const ProgramState& program, const scene::Mesh& mesh, const glm::vec4& color);

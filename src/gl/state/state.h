@@ -88,9 +88,11 @@ struct TargetState {
   bool wideColors = false;  // colours are floats
   bool eightBits = false;   // 8 of red, green, blue and, if `alpha`, alpha
   bool alpha = true;
-  bool blendable = false;  // eightBits, one draw buffer, one sample per pixel, not `encodes`
-  double depthSteps = 0;   // from depth 0 to 1; 0: depth is floats
-  bool encodes = false;    // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
+  // Colours are of 8 bits or floats of 16 or 32, one draw buffer, one sample per pixel, not `encodes`.
+  bool blendable = false;
+  bool halfFloats = false;  // of wideColors that are blendable: 16 bits a channel
+  double depthSteps = 0;    // from depth 0 to 1; 0: depth is floats
+  bool encodes = false;     // GL_FRAMEBUFFER_SRGB: colours may be encoded when written
   float depthResolution = 1.0f / 16777216.0f;
   // Unit of glPolygonOffset. If depthFloats, the unit is the last bit of the depth instead.
   float offsetUnit = 1.0f / 8388608.0f;

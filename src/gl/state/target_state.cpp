@@ -49,16 +49,21 @@ glm::ivec4 bitsOf(const RealGl& real, const TargetState& target, bool fixedFunct
           integer(real, GL_ALPHA_BITS)};
 }
 
+/// Whether all of the buffer's channels have so many bits. Alpha may be missing.
+bool haveBits(const glm::ivec4& bits, int each) {
+  return glm::ivec3(bits) == glm::ivec3(each) && (bits.a == 0 || bits.a == each);
+}
+
 /// Reads the colour buffer's bits, and whether traced surfaces can be blended with its contents.
 void readColorBits(const RealGl& real, bool fixedFunction, TargetState& target) {
   const GLenum buffer = target.drawBuffer;
   const bool single = target.framebuffer != 0 || (buffer != GL_FRONT_AND_BACK && buffer != GL_LEFT);
-  target.eightBits = target.blendable = false;
-  if (target.wideColors) return;
   const glm::ivec4 bits = bitsOf(real, target, fixedFunction);
   target.alpha = bits.a != 0;
-  target.eightBits = glm::ivec3(bits) == glm::ivec3(8) && (bits.a == 0 || bits.a == 8);
-  target.blendable = target.eightBits && single && target.samples == 1 && !target.encodes;
+  target.eightBits = !target.wideColors && haveBits(bits, 8);
+  target.halfFloats = target.wideColors && haveBits(bits, 16);
+  const bool known = target.eightBits || target.halfFloats || (target.wideColors && haveBits(bits, 32));
+  target.blendable = known && single && target.samples == 1 && !target.encodes;
 }
 
 /// Size in pixels of the renderbuffer attached to the framebuffer object; {0, 0} for other images and for
@@ -87,7 +92,7 @@ bool keepsFloats(const RealGl& real, GLuint framebuffer) {
 void readTarget(const RealGl& real, const RareState& has, AttachedImages& images, TargetState& target) {
   target.size = {0, 0};
   target.reason = Reason::traced;
-  target.eightBits = target.blendable = false;
+  target.eightBits = target.halfFloats = target.blendable = false;
   const bool objects = has.framebufferObjects;
   target.framebuffer = objects ? static_cast<GLuint>(integer(real, GL_DRAW_FRAMEBUFFER_BINDING)) : 0;
   target.drawBuffer = static_cast<GLenum>(integer(real, GL_DRAW_BUFFER));

@@ -102,4 +102,11 @@ bool BufferReader::readColors(const gl::RealGl& real, const scene::Region& regio
   return makeRoom(region, out) && read(real, region, GL_RGBA, GL_UNSIGNED_BYTE, out.data());
 }
 
+bool BufferReader::readFloatColors(const gl::RealGl& real, const scene::Region& region,
+                                   std::vector<glm::vec4>& out) noexcept {
+  // Programs may let OpenGL clamp what is read.
+  return gl::integer(real, GL_CLAMP_READ_COLOR) != GL_TRUE && makeRoom(region, out) &&
+         read(real, region, GL_RGBA, GL_FLOAT, out.data());
+}
+
 }  // namespace gluray::present

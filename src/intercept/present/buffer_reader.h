@@ -19,6 +19,8 @@ class BufferReader final : public gl::FramebufferReader {
                  std::vector<float>& out) noexcept override;
   bool readColors(const gl::RealGl& real, const scene::Region& region,
                   std::vector<uint32_t>& out) noexcept override;
+  bool readFloatColors(const gl::RealGl& real, const scene::Region& region,
+                       std::vector<glm::vec4>& out) noexcept override;
   bool readResolved(const gl::RealGl& real, const scene::Region& region,
                     std::vector<uint32_t>& out) noexcept override;
   bool readFarthest(const gl::RealGl& real, const scene::Region& region, bool least,

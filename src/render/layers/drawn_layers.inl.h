@@ -47,19 +47,66 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
   const bool grows = s.polygonOffset == scene::PolygonOffset{} && s.camera.depthNear <= s.camera.depthFar;
   const float reach = grows ? static_cast<float>(1 / std::max(layers.depthSteps, 1.0)) + 0x1p-24f : 2.0f;
   EdgeHits edges(frame);
-  alignas(64) uint32_t colors[kLanes];
+  alignas(64) uint32_t colors[kLanes] = {};
   const auto end = [&](uint32_t lanes, const float* depth)
                        HWY_ATTR { return lanesBehind(layers, frame, work, lanes, depth, reach); };
   walkLayers(frame, work, end, [&](uint32_t lanes, const LitRows& rows, const float* depth) HWY_ATTR {
     lanes &= ~edges.again(lanes, work.packet);
-    packColors(rows, colors);
+    if (frame.bytes) packColors(rows, colors);
     for (; lanes; lanes &= lanes - 1) {
       const int i = std::countr_zero(lanes);
       const uint64_t order = frame.surfaces[work.packet.instance[i]].instance->order;
-      work.fragments.add(i, {order << 32 | work.packet.primitive[i], depth[i], colors[i]});
+      const DrawnFragment fragment{order << 32 | work.packet.primitive[i], depth[i], colors[i]};
+      if (frame.bytes)
+        work.fragments.add(i, fragment);
+      else
+        work.fragments.add(i, fragment,
+                           {rows.value[0][i], rows.value[1][i], rows.value[2][i], rows.value[3][i]});
     }
     return 0u;
   });
+}
+
+/// Copies the framebuffer's colours of the packet's pixels.
+HWY_ATTR inline void fetchThere(const FrameData& frame, const scene::Layers& layers, const Work& work,
+                                Row (&there)[4]) {
+  for (uint32_t rest = work.hits; rest; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    const size_t pixel = pixelOf(frame, work, i);
+    for (int c = 0; c < 4; ++c)
+      there[c][i] = frame.bytes ? static_cast<float>(layers.colors[pixel] >> (8 * c) & 255)
+                                : layers.floatColors[pixel][c];
+  }
+}
+
+/// Blends one fragment of each of `lanes` into `there`. `color`: their colours, or the numbers of these.
+HWY_ATTR inline void blendOne(const FrameData& frame, const scene::Layers& layers, const Work& work,
+                              uint32_t lanes, const uint32_t* color, Row (&there)[4]) {
+  const scene::ColorWrites& writes = frame.snapshot->colorWrites;
+  if (frame.bytes) return blendRows(layers.blending, writes, lanes, color, there);
+  alignas(64) Row source[4] = {};
+  for (uint32_t rest = lanes; rest; rest &= rest - 1) {
+    const int i = std::countr_zero(rest);
+    for (size_t c = 0; c < 4; ++c) source[c][i] = work.fragments.floats(color[i])[c];
+  }
+  if (layers.halfFloats)
+    blendFloats<HalfChannels>(layers.blending, writes, lanes, source, there);
+  else
+    blendFloats<FloatChannels>(layers.blending, writes, lanes, source, there);
+}
+
+/// The pixels' colours become those of `drawn` lanes.
+HWY_ATTR inline void takeBlended(const FrameData& frame, uint32_t drawn, const Row (&there)[4], Work& work) {
+  for (; drawn; drawn &= drawn - 1) {
+    const int i = std::countr_zero(drawn);
+    work.color[i] = 0;
+    for (int c = 0; c < 4; ++c) {
+      if (frame.bytes)
+        work.color[i] |= static_cast<uint32_t>(there[c][i]) << (8 * c);
+      else
+        work.wide[c][i] = there[c][i];
+    }
+  }
 }
 
 /// Blends all fragments into colour and depth; pixels where none passes are misses. Ordered fragments do not
@@ -67,20 +114,19 @@ HWY_ATTR inline void gatherDrawn(const FrameData& frame, const scene::Layers& la
 HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {
   const uint32_t lanes = work.hits;
   const bool ordered = areOrdered(frame);
+  alignas(64) Row there[4] = {};
+  fetchThere(frame, layers, work, there);
   gatherDrawn(frame, layers, work);
   const DrawnDepthTest test(layers.depthSteps, frame.snapshot->laterWins);
   if (ordered)
     work.fragments.sortBackToFront([&](float z) { return test.stored(z); });
   else
     work.fragments.sort();
-  alignas(64) Row there[4] = {};
   alignas(64) float stored[kLanes] = {}, depth[kLanes] = {};
   alignas(64) uint32_t color[kLanes] = {};
   for (uint32_t rest = lanes; rest; rest &= rest - 1) {
     const int i = std::countr_zero(rest);
-    const size_t pixel = pixelOf(frame, work, i);
-    stored[i] = layers.opaqueDepth[pixel];
-    for (int c = 0; c < 4; ++c) there[c][i] = static_cast<float>(layers.colors[pixel] >> (8 * c) & 255);
+    stored[i] = layers.opaqueDepth[pixelOf(frame, work, i)];
   }
   alignas(64) float final[kLanes];
   std::copy_n(stored, kLanes, final);
@@ -97,15 +143,11 @@ HWY_ATTR inline void blendLayers(const FrameData& frame, const scene::Layers& la
       final[i] = test.stored(depth[i]);
       if (!ordered) stored[i] = final[i];
     }
-    if (passing) blendRows(layers.blending, frame.snapshot->colorWrites, passing, color, there);
+    if (passing) blendOne(frame, layers, work, passing, color, there);
     drawn |= passing;
   }
-  for (int i = 0; i < kLanes; ++i) {
-    work.depth[i] = Image::kMiss;
-    if (!(drawn >> i & 1)) continue;
-    work.color[i] = 0, work.depth[i] = final[i];
-    for (int c = 0; c < 4; ++c) work.color[i] |= static_cast<uint32_t>(there[c][i]) << (8 * c);
-  }
+  for (int i = 0; i < kLanes; ++i) work.depth[i] = drawn >> i & 1 ? final[i] : Image::kMiss;
+  takeBlended(frame, drawn, there, work);
 }
 
 HWY_ATTR inline void shadeLayers(const FrameData& frame, const scene::Layers& layers, Work& work) {

@@ -3,6 +3,7 @@
 #include "accel/rays/ray_packet.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace gluray::render {
 struct DrawnFragment {
   uint64_t order;  // drawing order: of its instance, then of its triangle
   float depth;
-  uint32_t color;  // RGBA8
+  uint32_t color;  // RGBA8, or the number of a colour of floats
   bool operator<(const DrawnFragment& o) const { return order < o.order; }
 };
 
@@ -20,8 +21,17 @@ class DrawnFragments {
  public:
   void clear() {
     for (std::vector<DrawnFragment>& all : of_) all.clear();
+    floats_.clear();
   }
   void add(int lane, const DrawnFragment& fragment) { of_[lane].push_back(fragment); }
+  /// Adds a fragment whose colour is floats; fragment.color does not count.
+  void add(int lane, DrawnFragment fragment, const std::array<float, 4>& color) {
+    fragment.color = static_cast<uint32_t>(floats_.size());
+    floats_.push_back(color);
+    of_[lane].push_back(fragment);
+  }
+  /// The colour with that number, which nth() gave.
+  const std::array<float, 4>& floats(uint32_t color) const { return floats_[color]; }
   void sort() {
     for (std::vector<DrawnFragment>& all : of_) std::sort(all.begin(), all.end());
   }
@@ -48,6 +58,7 @@ class DrawnFragments {
 
  private:
   std::vector<DrawnFragment> of_[accel::kLanes];
+  std::vector<std::array<float, 4>> floats_;
 };
 
 }  // namespace gluray::render

@@ -33,6 +33,8 @@ HWY_INLINE Float highlight(const scene::FragmentShading& f, const scene::Fragmen
   return power(base, splat(shininess));
 }
 
+inline bool paintsEdges(const scene::FragmentShading& f) { return f.edges && !f.edgesAlone; }
+
 /// Edges are emissive: they replace the surface's light by their own.
 HWY_INLINE void paintEdge(const scene::FragmentShading& f, const Fragment& at, Float3& ambient,
                           Float3& diffuse) {
@@ -88,14 +90,14 @@ HWY_INLINE Float3 phong(const Surface& s, const scene::Material& m, const Fragme
   if (f.clampsLight) reflected = atMostOne(add(ambient, reflected)), ambient = {zero, zero, zero};
   if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
   reflected = times(reflected, at.color);
-  if (f.edges) paintEdge(f, at, ambient, reflected);
+  if (paintsEdges(f)) paintEdge(f, at, ambient, reflected);
   return add(add(ambient, reflected), specular);
 }
 
 HWY_INLINE Float3 unlit(const scene::FragmentShading& f, const scene::Material& m, const Fragment& at) {
   Float3 ambient = splat(glm::vec3(m.ambient)), diffuse = times(splat(glm::vec3(m.diffuse)), at.color);
   if (!f.colorIsDiffuseOnly) ambient = times(ambient, at.color);
-  if (f.edges) paintEdge(f, at, ambient, diffuse);
+  if (paintsEdges(f)) paintEdge(f, at, ambient, diffuse);
   return add(ambient, diffuse);
 }
 
@@ -204,6 +206,7 @@ HWY_ATTR inline void runProgram(const FrameData& frame, const Surface& s, const 
       color = lit ? phong(s, m, at, seen.at(i)) : shownColor(f, m, at, back, i);
     Float alpha = hn::Mul(splat(m.diffuse.a), load(base[3] + i));
     if (impostors && s.instance->impostors.fillsBillboard()) alpha = hn::Mul(alpha, load(group.alpha + i));
+    if (f.edges && f.edgesAlone) alpha = hn::Mul(alpha, at.edge);
     rows.set(i, {color, alpha, {splat(0), splat(0), splat(0)}});
   }
 }

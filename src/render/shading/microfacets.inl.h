@@ -152,7 +152,8 @@ HWY_INLINE Float3 microfacets(const Surface& s, const scene::Material& m, const 
   const auto mix = [&](const Float3& a, const Float3& b, Float w)
                        HWY_ATTR { return add(scaled(a, hn::Sub(one, w)), scaled(b, w)); };
   Float3 albedo = times(splat(glm::vec3(m.diffuse)), at.color);
-  if (f.edges) albedo = scaled(albedo, hn::Sub(one, at.edge));  // the program ignores the edge colour
+  if (f.edges && !f.edgesAlone)
+    albedo = scaled(albedo, hn::Sub(one, at.edge));  // the program ignores the edge colour
   const Float3 f0 = mix(splat(glm::vec3(pbr.baseF0)), albedo, values.metallic);
   const Float grey = hn::Min(hn::Max(hn::Mul(splat(16.5f), hn::Add(hn::Add(f0.x, f0.y), f0.z)), zero), one);
   const Float3 f90 = mix({grey, grey, grey}, splat(pbr.edgeTint), values.metallic);

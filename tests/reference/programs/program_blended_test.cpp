@@ -1,4 +1,5 @@
 // Surfaces and impostors of programs that are blended in the order of drawing, with and without depth writes.
+#include "tests/reference/framebuffer.h"
 #include "tests/reference/programs/built_in/built_in_stage.h"
 #include "tests/reference/programs/sent/sent_impostors.h"
 
@@ -83,17 +84,19 @@ void drawClear(Gl gl, GLuint program, const ProgramMesh& mesh, const glm::dvec3&
   gl.DrawElements(GL_TRIANGLES, mesh.count(), GL_UNSIGNED_INT, nullptr);
 }
 
-void drawArrays(Gl gl, const BlendedCase& c) {
+/// Balls whose colours are multiplied by `light`, and a dark one over them.
+void drawArrays(Gl gl, const BlendedCase& c, float light = 1) {
   const ProgramMesh mesh = ball(20);
   const GLuint program = makeProgram(gl, kClearVertex, kClearFragment);
   upload(gl, mesh, program);
   beginFrame(gl);
   gl.UseProgram(program);
-  drawClear(gl, program, mesh, {-0.5, 0, -0.5}, {0.3f, 0.9f, 0.5f}, 1);
+  drawClear(gl, program, mesh, {-0.5, 0, -0.5}, light * glm::vec3(0.3f, 0.9f, 0.5f), 1);
   setBlendingOf(gl, c);
-  drawClear(gl, program, mesh, {0.4, 0.2, 0}, {0.9f, 0.3f, 0.2f}, 0.5f);
-  drawClear(gl, program, mesh, {0, -0.3, 0.3}, {0.2f, 0.4f, 1}, 0.3f);
-  drawClear(gl, program, mesh, {0.2, 0, -1}, {1, 1, 0.2f}, 0.7f);
+  drawClear(gl, program, mesh, {0.4, 0.2, 0}, light * glm::vec3(0.9f, 0.3f, 0.2f), 0.5f);
+  drawClear(gl, program, mesh, {0, -0.3, 0.3}, light * glm::vec3(0.2f, 0.4f, 1), 0.3f);
+  drawClear(gl, program, mesh, {0.2, 0, -1}, light * glm::vec3(1, 1, 0.2f), 0.7f);
+  if (light != 1) drawClear(gl, program, mesh, {0.1, 0, 0.6}, {0, 0, 0.1f}, 0.6f);
 }
 
 TEST_P(BlendedPrograms, OfArraysAreTraced) {
@@ -101,6 +104,26 @@ TEST_P(BlendedPrograms, OfArraysAreTraced) {
     expectBoth(
         std::string("blended-arrays-") + profile + GetParam().name, [](Gl gl) { drawArrays(gl, GetParam()); },
         4, wish, kProgramTolerance, kClearFamily);
+}
+
+struct FloatFormat {
+  const char* name;
+  GLenum color, depth;
+};
+constexpr FloatFormat kFloatFormats[] = {{"rgba16f", GL_RGBA16F, GL_DEPTH_COMPONENT24},
+                                         {"rgba32f", GL_RGBA32F, GL_DEPTH_COMPONENT32},
+                                         {"rgba32f-d32f", GL_RGBA32F, GL_DEPTH_COMPONENT32F}};
+
+/// Floats are not clamped: colours above 1 show where something dark is blended over them.
+TEST_P(BlendedPrograms, OfArraysAreTracedInFramebuffersOfFloats) {
+  for (const FloatFormat& format : kFloatFormats)
+    expectBoth(
+        std::string("blended-") + format.name + "-" + GetParam().name,
+        [&](Gl gl) {
+          bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, format.color, format.depth);
+          drawArrays(gl, GetParam(), 2.5f);
+        },
+        5, coreWish(), kProgramTolerance, kClearFamily);
 }
 
 TEST_P(BlendedPrograms, OfSentSpheresAreTraced) {
@@ -159,6 +182,44 @@ void expectClearBall(const std::string& name, int draws, const ContextWish& wish
 
 /// Where there is no fixed function the framebuffer's attachments have its bits.
 TEST(BlendedProgram, InACoreProfileIsTraced) { expectClearBall("blended-core", 1, {}); }
+
+/// What rounding takes from each of many thin layers in a framebuffer of half floats adds up.
+TEST(BlendedProgram, InFramebuffersOfHalfFloatsAddsUpAsTheRealOpenGlRounds) {
+  expectBoth(
+      "blended-thin-layers",
+      [](Gl gl) {
+        bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, GL_RGBA16F, GL_DEPTH_COMPONENT24);
+        const ProgramMesh mesh = ball(12);
+        const GLuint program = makeProgram(gl, kClearVertex, kClearFragment);
+        upload(gl, mesh, program);
+        beginFrame(gl);
+        gl.UseProgram(program);
+        setBlendingOf(gl, kBlendedCases[0]);
+        for (int i = 0; i < 120; ++i)
+          drawClear(gl, program, mesh, {0, 0, 0.002 * i}, {0.9f, 0.8f, 0.7f}, 0.01f);
+      },
+      120, coreWish(), kProgramTolerance, kClearFamily);
+}
+
+/// Floats of other sizes, several samples, and reads that are clamped.
+TEST(BlendedProgram, InOtherFramebuffersOfFloatsIsLeft) {
+  const struct {
+    const char* name;
+    GLenum color;
+    GLsizei samples;
+  } kinds[] = {{"r11f", GL_R11F_G11F_B10F, 0}, {"samples", GL_RGBA16F, 4}};
+  for (const auto& kind : kinds)
+    expectBoth(
+        std::string("blended-floats-") + kind.name,
+        [&](Gl gl) {
+          bindNewFramebuffer(gl, {kProgramWidth, kProgramHeight}, kind.color, GL_DEPTH_COMPONENT24,
+                             kind.samples);
+          drawArrays(gl, kBlendedCases[0]);
+          gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+          gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        },
+        1, coreWish(), kProgramTolerance, kClearFamily);
+}
 
 /// Instances, and a draw that is repeated, are left to the real OpenGL.
 TEST(BlendedProgram, RepeatedByInstancesIsLeft) {

@@ -102,7 +102,7 @@ def molecule(stage):
     stage.orbit(3)
 
 
-def glyphs(stage, edges=True, lit=True):
+def glyphs(stage, edges=True, lit=True, change=lambda actor: None):
     vtk = stage.vtk
     data = shapes.grid(vtk, 3)
     data.GetPointData().SetActiveScalars("bump")
@@ -113,12 +113,46 @@ def glyphs(stage, edges=True, lit=True):
     mapper.SetScaleFactor(0.6)
     mapper.SetScaleModeToNoDataScaling()
     mapper.SetScalarRange(-1, 1)
-    look = stage.show(mapper).GetProperty()
+    actor = stage.show(mapper)
+    change(actor)
+    look = actor.GetProperty()
     look.SetEdgeVisibility(edges)
     look.SetEdgeColor(0, 0, 0.4)
     look.SetLighting(lit)
     stage.look()
     stage.orbit(3)
+
+
+def cut(stage, unlit=False, opacity=1, interpolation="Gouraud"):
+    """Planes cut glyphs where they stand."""
+    def change(actor):
+        for normal in ((1, 0.3, 0.5), (-0.4, 1, 0)):
+            plane = stage.vtk.vtkPlane()
+            plane.SetNormal(normal)
+            actor.GetMapper().AddClippingPlane(plane)
+        actor.GetProperty().SetOpacity(opacity)
+        getattr(actor.GetProperty(), f"SetInterpolationTo{interpolation}")()
+    glyphs(stage, edges=False, lit=not unlit, change=change)
+
+
+@state("vtk")
+def glyph_mapper_cut(stage):
+    cut(stage)
+
+
+@state("vtk")
+def glyph_mapper_cut_unlit(stage):
+    cut(stage, unlit=True)
+
+
+@state("vtk", outside=False)
+def glyph_mapper_cut_translucent(stage):
+    cut(stage, opacity=0.5)
+
+
+@state("vtk")
+def glyph_mapper_cut_physical(stage):
+    cut(stage, interpolation="PBR")
 
 
 @state("vtk")

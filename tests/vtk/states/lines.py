@@ -119,6 +119,22 @@ def points_as_spheres(stage):
     stage.orbit()
 
 
+@state("pvbatch", outside=False)
+def lines_as_tubes_peeled(stage):
+    stage.set(DepthPeeling=1, MaximumNumberOfPeels=4, ResolveCoincidentTopology=0)
+    stage.show(streamlines(stage), RenderLinesAsTubes=1, LineWidth=6, Opacity=0.5)
+    stage.look()
+    stage.orbit()
+
+
+@state("pvbatch", outside=False)
+def points_as_spheres_peeled(stage):
+    stage.set(DepthPeeling=1, MaximumNumberOfPeels=4, ResolveCoincidentTopology=0)
+    ball(stage, Representation="Points", RenderPointsAsSpheres=1, PointSize=9, Opacity=0.5)
+    stage.look()
+    stage.orbit()
+
+
 @state("pvbatch")
 def wide_lines(stage):
     stage.show(streamlines(stage), LineWidth=5)

@@ -43,8 +43,13 @@ def picture(file, *actors, change=None, samples=0):
     writer.Write()
 
 
-def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda actor: None, samples=0):
-    """A scene of one actor. `mapper`: the name of its class."""
+def peeling(renderer):
+    renderer.UseDepthPeelingOn()
+    renderer.GetRenderWindow().SetAlphaBitPlanes(1)
+
+
+def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda actor: None, samples=0, view=None):
+    """A scene of one actor. `mapper`: the name of its class; `view`: a change of the renderer."""
     def draw(file):
         made = getattr(vtk, mapper)()
         mesh = data()
@@ -60,12 +65,31 @@ def shown(mapper, *, data=sphere, scalars=False, cells=False, change=lambda acto
         actor.SetMapper(made)
         actor.GetProperty().SetColor(0.9, 0.6, 0.3)
         change(actor)
-        picture(file, actor, samples=samples)
+        picture(file, actor, change=view, samples=samples)
     return draw
 
 
 def prop(method, *values):
     return lambda actor: getattr(actor.GetProperty(), method)(*values)
+
+
+def props(**values):
+    def change(actor):
+        for name, value in values.items():
+            getattr(actor.GetProperty(), f"Set{name}")(value)
+    return change
+
+
+def both(*changes):
+    return lambda actor: [change(actor) for change in changes]
+
+
+def quads():
+    """A cylinder of quads, whose triangles have inner edges."""
+    source = vtk.vtkCylinderSource()
+    source.SetResolution(14), source.CappingOff()
+    source.Update()
+    return source.GetOutput()
 
 
 def flat():
@@ -132,6 +156,12 @@ if (dist > 1.0) {
 """
 
 
+def cut(actor):
+    plane = vtk.vtkPlane()
+    plane.SetNormal(0.5, 0.2, 1)
+    actor.GetMapper().AddClippingPlane(plane)
+
+
 def glyphs(change=lambda actor: None):
     def draw(file):
         mapper = vtk.vtkGlyph3DMapper()
@@ -156,10 +186,17 @@ SCENES = {
     "pulled: scalars of cells": shown(PULLING, cells=True),
     "pulled: edges": shown(PULLING, data=flat, change=prop("EdgeVisibilityOn")),
     "pulled: wireframe": shown(PULLING, data=flat, change=prop("SetRepresentationToWireframe")),
+    "pulled: wireframe, scalars": shown(PULLING, scalars=True, change=prop("SetRepresentationToWireframe")),
+    "pulled: wireframe, scalars of cells": shown(PULLING, cells=True, change=both(prop("SetRepresentationToWireframe"), props(LineWidth=2))),
+    "pulled: wireframe of quads": shown(PULLING, data=quads, change=both(prop("SetRepresentationToWireframe"), props(LineWidth=3))),
+    "pulled: wireframe, opacity": shown(PULLING, change=both(prop("SetRepresentationToWireframe"), props(Opacity=0.5))),
+    "pulled: wireframe, opacity, peeled": shown(PULLING, change=both(prop("SetRepresentationToWireframe"), props(Opacity=0.5)), view=peeling),
     "pulled: points": shown(PULLING, data=flat, change=prop("SetRepresentationToPoints")),
     "pulled: points as spheres": shown(PULLING, data=flat, change=spheres),
     "pulled: points as spheres, scalars": shown(PULLING, scalars=True, change=spheres),
     "pulled: points as spheres, scalars of cells": shown(PULLING, cells=True, change=spheres),
+    "pulled: points as spheres, opacity": shown(PULLING, data=flat, change=both(spheres, props(Opacity=0.5))),
+    "pulled: points as spheres, opacity, peeled": shown(PULLING, data=flat, change=both(spheres, props(Opacity=0.5)), view=peeling),
     "pulled: points as spheres, 4 samples": shown(PULLING, data=flat, change=spheres, samples=4),
     "pulled: points as spheres, scalars, 8 samples": shown(PULLING, scalars=True, change=spheres, samples=8),
     "points as spheres, 4 samples": shown("vtkPolyDataMapper", data=flat, change=spheres, samples=4),
@@ -167,15 +204,25 @@ SCENES = {
     "pulled: lines as tubes": shown(PULLING, data=helix, change=tubes),
     "pulled: lines as tubes, scalars": shown(PULLING, data=helix, scalars=True, change=tubes),
     "pulled: lines as tubes, scalars of cells": shown(PULLING, data=helix, cells=True, change=tubes),
+    "pulled: lines as tubes, opacity": shown(PULLING, data=helix, change=both(tubes, props(Opacity=0.5))),
+    "pulled: lines as tubes, opacity, peeled": shown(PULLING, data=helix, change=both(tubes, props(Opacity=0.5)), view=peeling),
     "pulled: opacity": shown(PULLING, change=prop("SetOpacity", 0.5)),
     "pulled: physically based": shown(PULLING, change=prop("SetInterpolationToPBR")),
+    "pulled: opacity, peeled": shown(PULLING, change=prop("SetOpacity", 0.5), view=peeling),
+    "pulled: clear coat": shown(PULLING, change=both(prop("SetInterpolationToPBR"), props(CoatStrength=0.8, CoatRoughness=0.2, Roughness=0.6))),
+    "pulled: anisotropic, without tangents": shown(PULLING, change=both(prop("SetInterpolationToPBR"), props(Anisotropy=0.8, Roughness=0.4, Metallic=0.7))),
     "glyphs": glyphs(),
+    "glyphs, cut": glyphs(cut),
     "glyphs, physically based": glyphs(prop("SetInterpolationToPBR")),
     "glyphs with edges": glyphs(prop("EdgeVisibilityOn")),
     "glyphs with edges, unlit": glyphs(lambda a: (a.GetProperty().EdgeVisibilityOn(), a.GetProperty().LightingOff())),
     "glyphs with edges, physically based": glyphs(lambda a: (a.GetProperty().EdgeVisibilityOn(), a.GetProperty().SetInterpolationToPBR())),
     "physically based": shown("vtkPolyDataMapper", change=prop("SetInterpolationToPBR")),
     "physically based, scalars": shown("vtkPolyDataMapper", scalars=True, change=prop("SetInterpolationToPBR")),
+    "clear coat": shown("vtkPolyDataMapper", change=both(prop("SetInterpolationToPBR"), props(CoatStrength=0.8, CoatRoughness=0.2, Roughness=0.6))),
+    "anisotropic, without tangents": shown("vtkPolyDataMapper", change=both(prop("SetInterpolationToPBR"), props(Anisotropy=0.8, Roughness=0.4, Metallic=0.7))),
+    "points as spheres, opacity, peeled": shown("vtkPolyDataMapper", data=flat, change=both(spheres, props(Opacity=0.5)), view=peeling),
+    "lines as tubes, opacity, peeled": shown("vtkPolyDataMapper", data=helix, change=both(tubes, props(Opacity=0.5)), view=peeling),
     "spheres of points": shown("vtkSphereMapper" if hasattr(vtk, "vtkSphereMapper") else "vtkOpenGLSphereMapper", change=lambda a: a.GetMapper().SetRadius(0.05)),
     "gaussians": gaussians(),
     "gaussians about a surface": gaussians(solid=True),

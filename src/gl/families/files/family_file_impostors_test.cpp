@@ -80,7 +80,10 @@ TEST(FamilyFile, Splats) {
   const std::string more = least + "impostors.projection = \"pm\"\nimpostors.instances = true\n";
   EXPECT_TRUE(parsed(more).impostors.instances && !f.impostors.instances);
   EXPECT_NE(mistakeIn(more + "match.geometry_shader = true").find("impostors.instances"), std::string::npos);
-  EXPECT_TRUE(parsed(more + "impostors.antialiased = true").impostors.antialiased);
+  const Family outline = parsed(more + "impostors.antialiased = true\nimpostors.outline = 2");
+  EXPECT_TRUE(outline.impostors.antialiased && outline.impostors.outline.given() &&
+              !f.impostors.outline.given());
+  EXPECT_NE(mistakeIn(more + "impostors.outline = 2").find("impostors.outline"), std::string::npos);
   EXPECT_NE(mistakeIn(gaussian + "impostors.antialiased = true").find("impostors.antialiased"),
             std::string::npos);
   const std::string disc = "impostors.shape = \"discs\"\nimpostors.radius = 1\nimpostors.gaussian = true\n";

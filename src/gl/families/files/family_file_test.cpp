@@ -106,11 +106,11 @@ TEST(FamilyFile, NormalAndColourKeys) {
   EXPECT_EQ(f.anyTexture, "t2");
   const Family more = parsed(
       "vertex.normal = \"n\"\nnormals.unit = \"both\"\ncolor.from_normals = true\ncolor.clamped = "
-      "true\ncolor.opaque_only = true\n");
+      "true\ncolor.opaque_only = true\ncolor.not_negative = true\n");
   EXPECT_EQ(more.unitNormals, scene::FragmentShading::UnitNormals::both);
-  EXPECT_TRUE(more.normalColors && more.clampedColors && more.opaqueColors);
+  EXPECT_TRUE(more.normalColors && more.clampedColors && more.opaqueColors && more.colorsFromZero);
   EXPECT_EQ(f.unitNormals, scene::FragmentShading::UnitNormals::pixels);
-  EXPECT_FALSE(f.normalColors || f.clampedColors || f.opaqueColors);
+  EXPECT_FALSE(f.normalColors || f.clampedColors || f.opaqueColors || f.colorsFromZero);
   EXPECT_EQ(
       mistakeIn("normals.unit = \"vertices\""),
       "x.toml:1: family \"f\": normals.unit, normals.face_viewer, color.from_normals and color.rim are for "
@@ -189,10 +189,11 @@ TEST(FamilyFile, InstanceAndEdgeKeys) {
   const Family f = parsed(
       "match.geometry_shader = true\ninstance.transform = \"it\"\ninstance.normal_matrix = \"in\"\n"
       "instance.color = \"ic\"\nedges.flags = \"ef\"\nedges.width = 2\nedges.color = \"ec\"\n"
-      "edges.opacity = \"eo\"\nedges.corners = \"stay\"\n");
+      "edges.opacity = \"eo\"\nedges.corners = \"stay\"\nedges.alone = true\n");
   EXPECT_EQ(f.edgeOpacity.uniform, "eo");
   EXPECT_FALSE(f.edgesGrow);
   EXPECT_TRUE(parsed().edgesGrow);
+  EXPECT_TRUE(f.edgesAlone && !parsed().edgesAlone);
   EXPECT_TRUE(f.geometryShader);
   EXPECT_EQ(f.instanceTransform, "it");
   EXPECT_EQ(f.instanceNormal, "in");

@@ -156,6 +156,7 @@ std::string mistakeInImpostors(const Family& family) {
   const bool splats = f.shape == scene::Shape::splats;
   if (f.antialiased && (!splats || f.fades || f.gaussian))
     return "impostors.antialiased is for splats, without impostors.fades and impostors.gaussian";
+  if (f.outline.given() && !f.antialiased) return "impostors.outline is for impostors.antialiased";
   if (f.instances && (!splats || family.geometryShader))
     return "impostors.instances is for splats without a geometry shader";
   if ((f.shape == scene::Shape::splats || f.sent) == f.projection.empty())

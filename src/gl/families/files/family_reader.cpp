@@ -159,6 +159,7 @@ void FamilyReader::readColor() {
   flag("clamped", family_.clampedColors);
   flag("alpha", family_.colorAlpha);
   flag("opaque_only", family_.opaqueColors);
+  flag("not_negative", family_.colorsFromZero);
   readTextures();
 }
 
@@ -203,6 +204,7 @@ void FamilyReader::readEdges() {
   value("width", family_.edgeWidth);
   value("color", family_.edgeColor);
   value("opacity", family_.edgeOpacity);
+  flag("alone", family_.edgesAlone);
   choice("corners", {{"move", true}, {"stay", false}}, family_.edgesGrow);
   name("viewport", family_.edgeViewport);
 }

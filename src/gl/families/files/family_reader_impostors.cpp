@@ -41,6 +41,7 @@ void FamilyReader::readImpostors() {
   flag("fades", f.fades);
   flag("gaussian", f.gaussian);
   flag("antialiased", f.antialiased);
+  value("outline", f.outline);
   flag("instances", f.instances);
   flag("grows", f.grows);
   flag("in_pixels", f.inPixels);

@@ -88,6 +88,10 @@ const char* const kGaussianLook =
 const char* const kSpriteLook =
     "\nfloat dist = sdCircle(offsetVCVSOutput, 1.0);\nopacity = fill(dist);\n"
     "diffuseColor *= clamp(-dist, 0.0, 1.0);\n";
+const char* const kOutlineLook = "\nopacity = stroke(sdCircle(offsetVCVSOutput, 1.0), 2.0);\n";
+const char* const kOutlineFunctions =
+    "float stroke(float sd, float thickness)\n{\n    float w = fwidth(sd);\n    float halfStroke = 0.5 * "
+    "thickness * w;\n    return 1.0 - smoothstep(halfStroke - w, halfStroke + w, abs(sd));\n}\n";
 const char* const kSpriteFunctions =
     "float sdCircle(vec2 p, float radius)\n{\n  return length(p) - radius;\n}\n"
     "float fill(float sd)\n{\n    float w = fwidth(sd);\n    return 1.0 - smoothstep(0.0, w, sd);\n}\n";
@@ -128,7 +132,13 @@ std::string vertexText(const PointGaussian& points) {
   const std::string text = points.instances ? instancesVertex()
                            : points.splats  ? kSplatsVertex
                                             : kDiscsVertex;
-  return points.oneColor ? withoutColors(text) : text;
+  if (points.oneColor) return withoutColors(text);
+  std::string more = text;
+  if (points.fromZero)
+    replaceAll(more, "  vertexColorVSOutput = scalarColor;\n",
+               "  vertexColorVSOutput = scalarColor;\n"
+               "  vertexColorVSOutput.rgb = max(vertexColorVSOutput.rgb, vec3(0.));\n");
+  return more;
 }
 
 std::string geometryText(const PointGaussian& points) {
@@ -146,7 +156,9 @@ std::string fragmentText(const PointGaussian& points) {
       "uniform vec3 ambientColorUniform, diffuseColorUniform; uniform float cOffset, cFactor;\n"
       "in vec2 offsetVCGSOutput; in vec4 vertexColorGSOutput; out vec4 fragOutput0;\n";
   if (points.sums) text += "out vec4 fragOutput1;\n";
-  if (points.look == PointGaussian::Look::sprite) text += kSpriteFunctions;
+  const bool outline = points.look == PointGaussian::Look::outline;
+  if (outline || points.look == PointGaussian::Look::sprite) text += kSpriteFunctions;
+  if (outline) text += kOutlineFunctions;
   text += "void main()\n{\n";
   if (points.splats)
     text +=
@@ -156,7 +168,10 @@ std::string fragmentText(const PointGaussian& points) {
           ";\n  vec3 diffuseColor = diffuseIntensity * " + rgb("diffuse") +
           ";\n  float opacity = opacityUniform" + (points.oneColor ? "" : " * vertexColorGSOutput.a") + ";\n";
   using Look = PointGaussian::Look;
-  text += points.look == Look::round ? kRoundLook : points.look == Look::sprite ? kSpriteLook : kGaussianLook;
+  text += points.look == Look::round    ? kRoundLook
+          : points.look == Look::sprite ? kSpriteLook
+          : outline                     ? kOutlineLook
+                                        : kGaussianLook;
   text +=
       "  fragOutput0 = vec4(ambientColor + diffuseColor, opacity);\n"
       "  if (fragOutput0.a <= 0.0)\n    {\n    discard;\n    }\n";
@@ -178,7 +193,7 @@ void preparePointGaussian(Gl gl, GLuint program, const PointGaussian& points, co
     const auto t = static_cast<float>(i);
     for (const float p : {std::sin(1.7f * t), std::sin(2.3f * t + 1), v.flat ? 0 : std::cos(0.9f * t)})
       places.push_back(p);
-    for (const float c : {1.0f, 0.5f + 0.5f * std::sin(t), 0.3f, v.alpha}) colors.push_back(c);
+    for (const float c : {1.0f, 0.5f + 0.5f * std::sin(t), v.blue, v.alpha}) colors.push_back(c);
     radii.push_back((1 + 0.5f * std::sin(5 * t)) * (points.splats ? 1 : v.radius));
   }
   addImpostorValues(gl, program, "vertexMC", 3, places);

@@ -8,11 +8,17 @@
 namespace gluray::test {
 
 struct PointGaussian {
-  enum class Look { round, gaussian, sprite };  // sprite: f3d's spheres, of instances
+  enum class Look {
+    round,
+    gaussian,
+    sprite,
+    outline
+  };  // the last two: f3d's spheres and circles, of instances
   Look look = Look::gaussian;
   bool splats = true;      // otherwise discs
   bool instances = false;  // of strips of four vertices, in place of points
   bool oneColor = false;   // uniforms in place of an attribute
+  bool fromZero = false;   // colours below 0 become 0
   bool sums = false;       // for order-independent blending
 };
 std::string vertexText(const PointGaussian& points);
@@ -26,6 +32,7 @@ struct PointGaussianView {
   float radius = 0.25f, field = 40, offset = 0, lowpass = 0, bounds = 2, opacity = 1;
   float ambient = 0.1f;  // intensity of ambient light
   float alpha = 1;       // of the attribute's colours
+  float blue = 0.3f;     // of these
   bool flat = false;     // all centres in one plane that faces the viewer
 };
 /// Makes the program and a vertex array current, and sets everything but the framebuffer.

@@ -22,6 +22,7 @@ void PrintTo(const GaussianCase& c, std::ostream* out) { *out << c.name; }
 
 constexpr PointGaussian kDiscs{.splats = false};
 constexpr PointGaussian kInstances{.instances = true};
+constexpr PointGaussian kOutlines{.look = PointGaussian::Look::outline, .instances = true, .fromZero = true};
 constexpr PointGaussian kSprites{.look = PointGaussian::Look::sprite, .instances = true};
 
 const GaussianCase kGaussianCases[] = {
@@ -70,6 +71,24 @@ const GaussianCase kGaussianCases[] = {
      GL_ONE_MINUS_SRC_ALPHA,
      true,
      0},
+    {"sprites_from_zero",
+     {.look = PointGaussian::Look::sprite, .instances = true, .fromZero = true},
+     {.radius = 0.15f, .bounds = 1.2f, .ambient = 0}},
+    {"instances_from_zero", {.instances = true, .fromZero = true}, {.radius = 0.1f, .bounds = 3}},
+    {"instances_below_zero",
+     {.instances = true, .fromZero = true},
+     {.radius = 0.1f, .bounds = 3, .blue = -0.5f},
+     GL_ONE_MINUS_SRC_ALPHA,
+     true,
+     0},
+    {"outlines", kOutlines, {.radius = 0.15f, .bounds = 1.2f, .ambient = 0}},
+    {"outlines_parallel", kOutlines, {.parallel = true, .radius = 0.2f, .bounds = 1.3f, .ambient = 0}},
+    {"outlines_small", kOutlines, {.radius = 0.03f, .bounds = 2, .ambient = 0}},
+    {"outlines_without_depth",
+     {.look = PointGaussian::Look::outline, .instances = true, .oneColor = true},
+     {.stretch = {1.5f, 0.4f, 0.8f}, .radius = 0.15f, .bounds = 1.2f, .ambient = 0},
+     GL_ONE_MINUS_SRC_ALPHA,
+     false},
     {"discs", kDiscs, {.radius = 0.3f, .bounds = 3}},
     {"discs_parallel", kDiscs, {.parallel = true, .radius = 0.3f, .bounds = 3}},
     {"discs_wide_angle", kDiscs, {.radius = 0.2f, .field = 110, .bounds = 3}},
@@ -170,8 +189,9 @@ TEST(ProgramGaussian, OfInstancesBeginAtTheBaseInstance) {
 }
 
 TEST(ProgramGaussian, MutantsAreNotTakenForThem) {
-  for (const auto& [name, points] : {std::pair("splats", PointGaussian{}), std::pair("discs", kDiscs),
-                                     std::pair("instances", kInstances), std::pair("sprites", kSprites)}) {
+  for (const auto& [name, points] :
+       {std::pair("splats", PointGaussian{}), std::pair("discs", kDiscs), std::pair("instances", kInstances),
+        std::pair("sprites", kSprites), std::pair("outlines", kOutlines)}) {
     ShaderTexts texts{{GL_VERTEX_SHADER, vertexText(points)}, {GL_FRAGMENT_SHADER, fragmentText(points)}};
     if (!points.instances) texts.emplace_back(GL_GEOMETRY_SHADER, geometryText(points));
     expectMutantsSeen(

@@ -1,4 +1,5 @@
 // Spheres and tubes of programs that pull vertices from buffer textures, against the real OpenGL.
+#include "tests/reference/layers/summer.h"
 #include "tests/reference/programs/program_mutants.h"
 #include "tests/reference/programs/pulled/pulled_stage.h"
 
@@ -116,6 +117,32 @@ TEST(PulledSolid, AreDrawnByTheProgramOfTheirSurface) {
   expectBoth("pulled_mixed", draw, 6);
 }
 
+/// Translucent ones, added up in any order.
+TEST(PulledSolid, AreSummed) {
+  for (const PulledSolidCase& c :
+       {PulledSolidCase{"spheres", PulledKind::corners, kCellColors, kQuads, 8},
+        PulledSolidCase{"spheres_of_texels", PulledKind::ends, kTexelPoints, kBesideOthers, 7},
+        PulledSolidCase{"tubes", PulledKind::lines, kPointColors, kBesideOthers, 6},
+        PulledSolidCase{"tubes_of_texels", PulledKind::lines, kTexelCells, kQuads, 5}})
+    expectBoth(
+        std::string("pulled_summed_") + c.name,
+        [&](Gl gl) {
+          Summer summer(gl);
+          PulledSurface surface = c.surface;
+          surface.summed = true;
+          PulledWay way = c.way;
+          way.opacity = 0.4f;
+          const GLuint program = makeProgram(gl, surface);
+          const PulledMesh mesh(gl, solidBowl(), way, surface.scalars);
+          summer.last = [&] {
+            mesh.set(gl, program, viewOf(c), surface);
+            mesh.drawSolids(gl, program, c.kind, viewOf(c), c.pixels);
+          };
+          summer.frame({Layer{.mesh = ball(16), .opacity = 1}});
+        },
+        2);
+}
+
 TEST(PulledSolid, WithOtherUniformsIsRasterised) {
   for (const PulledSolidCase& c : {kSomeSpheres, kSomeTubes})
     for (const auto& [name, value] : {std::pair{"vertex_pass", 1}, {"vertexIdOffset", 3}})
@@ -194,19 +221,6 @@ TEST(PulledSolid, FlatLinesAndPointsBecomeSolidsBySettings) {
       traced.gl().Finish();
       EXPECT_EQ(traced.context().counts.statistics.drawsTraced, 2u) << static_cast<int>(kind);
     }
-}
-
-TEST(PulledSolid, OfWireframeIsRasterised) {
-  const auto draw = [](Gl gl) {
-    beginFrame(gl);
-    const GLuint program = makeProgram(gl, kPointColors);
-    const PulledMesh mesh(gl, solidBowl(), {}, true);
-    mesh.set(gl, program, perspectiveView(35), kPointColors);
-    setInteger(gl, program, "wireframe", 1);
-    mesh.draw(gl);
-  };
-  const Outcome outcome = expectSame("pulled_wireframe", draw, 0);
-  EXPECT_EQ(outcome.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::programPass)], 1u);
 }
 
 TEST(PulledSolid, DoesNotChangeSurfacesBesideIt) {

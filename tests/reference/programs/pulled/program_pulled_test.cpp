@@ -2,6 +2,7 @@
 #include "tests/reference/programs/program_mutants.h"
 #include "tests/reference/programs/pulled/pulled_stage.h"
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -53,6 +54,18 @@ const PulledCase kPulledCases[] = {
     {"edges_of_quads",
      {.color = PulledColor::cells, .normals = PulledNormals::none, .depthOffset = true},
      inSharedBuffers({.quads = true, .edges = true, .flagged = true})},
+    {"wireframe", {.lightCount = 2}, {.wireframe = true}},
+    {"wireframe_of_points",
+     {.color = PulledColor::points, .lights = PulledLights::headlight, .clipPlanes = true},
+     inSharedBuffers({.wireframe = true})},
+    {"wireframe_of_texels",
+     {.color = PulledColor::mapped, .scalars = false},
+     inSharedBuffers({.wireframe = true, .opacity = 0.6f})},
+    {"wireframe_of_quads",
+     {.color = PulledColor::cells, .normals = PulledNormals::none, .depthOffset = true},
+     inSharedBuffers({.quads = true, .flagged = true, .wireframe = true})},
+    {"wireframe_and_edges", {.backMaterial = true}, {.edges = true, .flagged = true, .wireframe = true}},
+    {"wireframe_indexed", {}, {.indexed = true, .wireframe = true}, 0},
     {"back_clipped",
      {.lights = PulledLights::headlight, .backMaterial = true, .clipPlanes = true},
      kSharedBuffers},
@@ -110,17 +123,52 @@ DrawProgram bowlWith(const std::function<void(Gl, GLuint)>& change, PulledSurfac
 }
 
 TEST(PulledProgram, WithUniformsForOtherPrimitivesIsRasterised) {
-  for (const auto& [name, value] :
-       {std::pair{"vertex_pass", 1}, {"wireframe", 1}, {"cellType", 1}, {"primitiveSize", 2}})
+  for (const auto& [name, value] : {std::pair{"vertex_pass", 1}, {"cellType", 1}, {"primitiveSize", 2}})
     expectSame(std::string("pulled_other_") + name,
                bowlWith([&, n = name, v = value](Gl gl, GLuint program) { setInteger(gl, program, n, v); }),
                0);
 }
 
-TEST(PulledProgram, ThatFitsNoFamilyIsNotTakenForWireframe) {
+TEST(PulledProgram, ThatFitsNoFamilyIsRasterised) {
   const Outcome outcome =
       expectSame("pulled_unknown", bowlWith([](Gl, GLuint) {}, {.backMaterial = true, .blocks = true}), 0);
   EXPECT_EQ(outcome.statistics.rasterisedBecause[static_cast<size_t>(gl::Reason::program)], 1u);
+}
+
+/// Of a pixel that shows no edge neither colour nor depth changes; of others their opacity is written.
+TEST(PulledProgram, OfWireframeIsTracedWithoutBlending) {
+  const auto plain = [](Gl gl, GLuint) { gl.Disable(GL_BLEND); };
+  expectSame("pulled_wireframe_plain", bowlWith(plain, {}, {.wireframe = true}), 1);
+}
+
+/// What lies between the edges is seen, in the order of drawing and by depth.
+TEST(PulledProgram, OfWireframeShowsWhatLiesBehind) {
+  const auto draw = [](Gl gl) {
+    beginFrame(gl);
+    const PulledSurface surface{.color = PulledColor::points};
+    const GLuint program = makeProgram(gl, surface);
+    const PulledMesh mesh(gl, pulledBowl(), {}, true);
+    View view = perspectiveView(35);
+    mesh.set(gl, program, view, surface);
+    for (const int wireframe : {1, 0, 1}) {
+      setInteger(gl, program, "wireframe", wireframe);
+      setFloat(gl, program, "edgeWidth", wireframe ? 2.5f : 1);
+      setMat4(gl, program, "MCDCMatrix", glm::mat4(view.clipFromEye * view.eyeFromObject));
+      mesh.draw(gl);
+      view.eyeFromObject = glm::scale(view.eyeFromObject, glm::dvec3(wireframe ? 0.8 : 1.5));
+    }
+  };
+  expectBoth("pulled_wireframe_among_surfaces", draw, 3);
+}
+
+/// Rays from elsewhere would meet whole triangles.
+TEST(PulledProgram, OfWireframeIsRasterisedUnderEffectsOfLight) {
+  Settings settings = TracedContext::tracing();
+  settings.shadows.enabled = true;
+  const TracedContext traced(coreWish(), settings);
+  bowlWith([](Gl, GLuint) {}, {}, {.wireframe = true})(traced.gl());
+  traced.gl().Finish();
+  EXPECT_EQ(traced.context().counts.statistics.drawsTraced, 0u);
 }
 
 TEST(PulledProgram, ThatBeginsElsewhereIsRasterised) {
@@ -211,6 +259,9 @@ INSTANTIATE_TEST_SUITE_P(
                    {.color = PulledColor::mapped, .scalars = false, .clipPlanes = true, .textured = true},
                    kSharedBuffers},
         PulledCase{"back", {.lightCount = 2, .backMaterial = true}, {}},
+        PulledCase{"wireframe",
+                   {.color = PulledColor::cells},
+                   inSharedBuffers({.quads = true, .flagged = true, .wireframe = true})},
         PulledCase{"blocks", {.color = PulledColor::points, .blocks = true}, kSharedBuffers},
         PulledCase{"blocks_of_one_color",
                    {.color = PulledColor::cells, .blocks = true},

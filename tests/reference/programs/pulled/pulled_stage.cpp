@@ -136,6 +136,7 @@ void PulledMesh::set(Gl gl, GLuint program, const View& view, const PulledSurfac
   integer("cellIdOffset", way_.cellsBefore), integer("primitiveIdOffset", way_.trianglesBefore);
   integer("edgeValueBufferOffset", way_.flagsBefore), integer("useIndexedPointId", way_.indexed);
   integer("usesCellMap", way_.quads), integer("cellType", 5), integer("primitiveSize", 3);
+  integer("wireframe", way_.wireframe);
   integer("edgeVisibility", way_.edges), integer("usesEdgeValues", way_.flagged);
   integer("enable_lights", way_.lit), integer("overridesColor", way_.overrides);
   number("intensity_opacity_override", way_.opacity);

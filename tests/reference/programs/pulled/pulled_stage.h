@@ -12,6 +12,7 @@ struct PulledWay {
   bool quads = false;    // two triangles are a cell
   bool indexed = false;  // by glDrawElementsInstanced
   bool edges = false, flagged = false;
+  bool wireframe = false;  // edges alone
   float edgeOpacity = 1;
   float opacity = 1;
   bool lit = true;
