@@ -17,6 +17,8 @@ import clean_root
 from clean_root import ROOT, SKIPPED, CleanRoot, check_report, fail, run
 
 RELEASES = ("bullseye", "trixie")
+# Those of packaging/recipes, and glxgears.
+PACKAGES = ("libgl1", "libegl1", "libopengl0", "libglx-mesa0", "libegl-mesa0", "libgl1-mesa-dri", "xvfb", "xauth", "mesa-utils")
 NOBODY = 65534
 
 
@@ -60,7 +62,7 @@ def in_roots(folder: pathlib.Path) -> int:
         try:
             root.make(release)
             root.run("apt-get", "-qq", "update")
-            root.run("apt-get", "-qq", "install", "--no-install-recommends", "-y", "xvfb", "mesa-utils", "libgl1-mesa-dri", "libegl1")
+            root.run("apt-get", "-qq", "install", "--no-install-recommends", "-y", *PACKAGES)
             tree = unpack(archive, root.folder / "opt/a folder")
             inside = f"/opt/a folder/{tree.name}"
             (root.folder / "home/user").mkdir(parents=True)
