@@ -9,8 +9,6 @@
 #include "control/runtime_directory.h"
 #include "mpi_choice.h"
 
-#include <CLI/CLI.hpp>
-
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -32,7 +30,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 constexpr auto kLastWords = std::chrono::milliseconds(300);
 
 struct Options {
-  std::string job = "job", mpi = "auto";
+  std::string job, mpi;
   int threads = 0;
   uint64_t memory = 0;  // bytes
   bool quiet = false;
@@ -108,31 +106,13 @@ int work(const Options& options, int argc, char** argv) {
 
 }  // namespace
 
-__attribute__((visibility("default"))) int glurayWorker(int argc, char** argv) {
+__attribute__((visibility("default"))) int glurayWorker(const GlurayWorkerOptions* options, int argc,
+                                                        char** argv) {
   files::ownStreams();
-  CLI::App app(
-      "Traces images for programs started with gluray --workers JOB.\n"
-      "As a job of many ranks: mpirun -n 16 gluray-worker --job JOB");
-  Options options;
-  app.add_option("--job", options.job, "name of the job; programs use it as --workers NAME")
-      ->capture_default_str();
-  app.add_option("--threads", options.threads,
-                 "threads of each rank; 0: the cores of the machine, shared by its ranks")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  app.add_option(
-         "--memory", options.memory,
-         "memory limit of each rank, such as 4GB; larger geometry is paged; 0: most of the free memory")
-      ->transform(CLI::AsSizeValue(false))
-      ->capture_default_str();
-  app.add_option("--mpi", options.mpi, "openmpi, mpich, none, or a library; auto: the launcher's MPI")
-      ->capture_default_str();
-  app.add_flag("--quiet", options.quiet, "print errors only");
-  app.set_version_flag("--version", "gluray-worker " GLURAY_VERSION);
-  CLI11_PARSE(app, argc, argv);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { stop = true; });
   std::signal(SIGPIPE, SIG_IGN);
   try {
-    return work(options, argc, argv);
+    return work({options->job, options->mpi, options->threads, options->memory, options->quiet != 0}, argc,
+                argv);
   } catch (const std::exception& error) { return fail(error.what()); }
 }

@@ -18,6 +18,9 @@ scene::Snapshot blended(const std::vector<Sheet>& all, const vec4& there, Factor
                         bool halfFloats = false) {
   auto s = test::sheets(all, 1);
   s.wideColors = true;
+  scene::FragmentShading& program = s.shadings[0].fragment;  // fixed function clamps colours
+  program.model = scene::FragmentShading::Model::unlit,
+  program.color = scene::FragmentShading::Color::vertices;
   auto layers = std::make_shared<scene::Layers>(*s.layers);
   layers->of = scene::Layers::Of::drawn;
   layers->floatColors.assign(16 * 16, there);
