@@ -276,7 +276,7 @@ class Elf:
             self.move_section(name, changed[tag], len(tables[tag]), self.requirement_count if tag == DT_VERNEED else None)
         fresh = path.with_name(path.name + ".new")
         fresh.write_bytes(self.data)
-        fresh.chmod(0o755)
+        fresh.chmod(self.path.stat().st_mode & 0o777)
         fresh.replace(path)
 
     def write_dynamic(self, changed: dict[int, int]) -> None:

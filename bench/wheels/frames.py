@@ -1,14 +1,18 @@
-"""Frames of a mesh of 500,000 triangles that turns, by one library of PyPI: frames.py LIBRARY WARM FRAMES.
+"""Frames of a mesh of 500,000 triangles that turns, by one library of PyPI.
 
 Prints a line of JSON: the median time of a frame after WARM others, and the triangles.
 """
 import json
 import os
+import pathlib
 import statistics
 import sys
 import time
 
 import numpy as np
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from command_line import Parser  # noqa: E402
 
 SIZE = (800, 600)
 COLOR = (0.9, 0.6, 0.3)
@@ -163,14 +167,18 @@ LIBRARIES = {f.__name__: f for f in (open3d, vispy, polyscope, pyrender, pyqtgra
 
 
 def main():
-    name, warm, frames = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    frame = LIBRARIES[name]()
+    parser = Parser(__doc__)
+    parser.add_argument("library", choices=LIBRARIES)
+    parser.add_argument("warm", type=int)
+    parser.add_argument("frames", type=int)
+    chosen = parser.parse_args()
+    frame = LIBRARIES[chosen.library]()
     seconds = []
-    for number in range(warm + frames):
+    for number in range(chosen.warm + chosen.frames):
         begin = time.perf_counter()
         frame(number)
         seconds.append(time.perf_counter() - begin)
-    print(json.dumps({"triangles": len(torus()[2]), "first_image_s": seconds[0], "frame_s": statistics.median(seconds[warm:])}), flush=True)
+    print(json.dumps({"triangles": len(torus()[2]), "first_image_s": seconds[0], "frame_s": statistics.median(seconds[chosen.warm:])}), flush=True)
     os._exit(0)  # some libraries fail when they end
 
 

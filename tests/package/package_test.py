@@ -31,6 +31,12 @@ def check_control(package: pathlib.Path) -> None:
             fail(f"does not depend on {name}: {depends}")
 
 
+def check_lintian(folder: pathlib.Path) -> None:
+    """Debian's checks of packages, if they are installed: no errors."""
+    if shutil.which("lintian"):
+        run("lintian", "--fail-on", "error", "--no-cfg", "--allow-root", *sorted(folder.glob("*.deb")))
+
+
 def check_licences(prefix: pathlib.Path) -> None:
     """Of the libraries whose copies are installed."""
     copies = {path.name.removesuffix("-gluray") for path in (prefix / "lib/gluray/private").iterdir()}
@@ -124,6 +130,7 @@ def check_completion(file: pathlib.Path, gluray: pathlib.Path) -> None:
 def unpacked(build: pathlib.Path, client: pathlib.Path, folder: pathlib.Path) -> None:
     package = make_package(build, folder / "cpack")
     check_control(package)
+    check_lintian(package.parent)
     tree = folder / "moved away"
     run("dpkg-deb", "-x", package, tree)
     gluray = tree / "usr/bin/gluray"

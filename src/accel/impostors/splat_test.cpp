@@ -120,7 +120,8 @@ TEST(AntialiasedSplat, MayBeAnOutline) {
   };
   expectAlpha(5.5, widthOf(4.5)(5.5));
   expectAlpha(3.5, widthOf(2.5)(3.5));
-  EXPECT_FALSE(f.show({52.5, 50.5}, shown)) << "transparent";
+  expectAlpha(2.5, widthOf(2.5)(2.5));
+  EXPECT_FALSE(f.show({51.5, 50.5}, shown)) << "transparent";
   EXPECT_FALSE(f.show({57.5, 50.5}, shown)) << "transparent";
 }
 
