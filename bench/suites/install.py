@@ -59,9 +59,9 @@ def timed(*command):
     return time.perf_counter() - start
 
 
-def median_start(environment, rounds, *program):
-    """Milliseconds: of the program alone, and with gluray before it."""
-    ways = {"alone": program, "gluray": (environment / "bin/gluray", "--", *program)}
+def start_of(environment, rounds, *program):
+    """Milliseconds: of the program alone, and with gluray before it. Medians of rounds in alternating order."""
+    ways = {"alone_ms": program, "gluray_ms": (environment / "bin/gluray", "--", *program)}
     found = {way: [] for way in ways}
     for number in range(rounds):
         for way in list(ways) if number % 2 else list(reversed(ways)):
@@ -69,29 +69,35 @@ def median_start(environment, rounds, *program):
     return {way: round(statistics.median(times), 2) for way, times in found.items()}
 
 
+def installed(environment, wheel):
+    """Seconds until everything is installed, and until the first picture after that is drawn."""
+    picture = str(environment / "picture.png")
+    start = time.perf_counter()
+    output(environment / "bin/pip", "install", "--quiet", wheel, "pyvista")
+    install = time.perf_counter() - start
+    triangles = json.loads(output(environment / "bin/python", "-c", PICTURE.format(picture=picture)).splitlines()[-1])
+    if not triangles["traced"]:
+        raise programs.Failed("the picture was not traced")
+    return {"wheel_bytes": wheel.stat().st_size, "install_s": round(install, 2), "picture_s": round(time.perf_counter() - start, 2)}
+
+
 def run(options, argv):
     if not options.wheel.is_file():
         raise programs.Failed(f"{options.wheel} is no wheel; scripts/package wheel makes one")
-    result = {"suite": "install", "command": f"scripts/bench install {shlex.join([options.wheel.name, *argv[1:]])}", **machine.describe(ROOT),
-              "wheel": options.wheel.name, "wheel_bytes": options.wheel.stat().st_size}
+    result = {"suite": "install", "command": f"scripts/bench install {shlex.join([options.wheel.name, *argv[1:]])}", **machine.describe(ROOT), "rows": []}
     with tempfile.TemporaryDirectory(prefix="gluray-bench-") as name:
-        environment, picture = pathlib.Path(name) / "environment", str(pathlib.Path(name) / "picture.png")
+        environment = pathlib.Path(name) / "environment"
+        python = environment / "bin/python"
         output(sys.executable, "-m", "venv", environment)
-        start = time.perf_counter()
-        output(environment / "bin/pip", "install", "--quiet", options.wheel, "pyvista")
-        result["install_s"] = round(time.perf_counter() - start, 2)
-        triangles = json.loads(output(environment / "bin/python", "-c", PICTURE.format(picture=picture)).splitlines()[-1])
-        result["picture_s"] = round(time.perf_counter() - start, 2)
-        if not triangles["traced"]:
-            raise programs.Failed("the picture was not traced")
-        result["installed_bytes"] = sum(path.stat().st_size for folder in ("bin", "lib/gluray", "share") for path in (environment / folder).rglob("*gluray*")
-                                        if path.is_file() and not path.is_symlink())
-        enabling = [float(output(environment / "bin/python", "-c", ENABLING)) for _ in range(options.rounds)]
-        result["import_and_enable_s"] = round(statistics.median(enabling), 4)
-        result["start_ms"] = {"true": median_start(environment, options.rounds, "true"),
-                              "python": median_start(environment, options.rounds, environment / "bin/python", "-c", "pass")}
-    for key in ("wheel_bytes", "install_s", "picture_s", "import_and_enable_s", "start_ms"):
-        print(f"{key:20} {result[key]}", flush=True)
+        result["rows"].append({"program": "install", **installed(environment, options.wheel)})
+        enabling = [float(output(python, "-c", ENABLING)) for _ in range(options.rounds)]
+        result["rows"].append({"program": "enable", "import_and_enable_s": round(statistics.median(enabling), 4)})
+        for what, program in (("true", ["true"]), ("python", [python, "-c", "pass"])):
+            result["rows"].append({"program": f"start of {what}", **start_of(environment, options.rounds, *program)})
+    for row in result["rows"]:
+        for key, value in row.items():
+            if key != "program":
+                print(f"{row["program"]:16} {key:20} {value}", flush=True)
     machine.write(ROOT, options.name, result)
 
 
