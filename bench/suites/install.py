@@ -97,7 +97,7 @@ def run(options, argv):
     for row in result["rows"]:
         for key, value in row.items():
             if key != "program":
-                print(f"{row["program"]:16} {key:20} {value}", flush=True)
+                print(f"{row['program']:16} {key:20} {value}", flush=True)
     machine.write(ROOT, options.name, result)
 
 

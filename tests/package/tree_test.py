@@ -68,7 +68,7 @@ def in_roots(folder: pathlib.Path) -> int:
             (root.folder / "home/user").mkdir(parents=True)
             os.chown(root.folder / "home/user", NOBODY, NOBODY)
             script = ("cd; export HOME=/home/user; Xvfb :78 -noreset -screen 0 640x480x24 >/dev/null 2>&1 & screen=$!; sleep 2; export DISPLAY=:78;"
-                      f"'{inside}/bin/gluray' --engine always --report /home/user/report.json timeout 5 glxgears; kill $screen;"
+                      f"'{inside}/bin/gluray' --engine always --report /home/user/report.json timeout 5 glxgears; kill $screen; unset DISPLAY;"
                       f"'{inside}/bin/gluray-worker' --version; '{inside}/bin/gluray' doctor")
             said = subprocess.run(["chroot", "--userspec", f"{NOBODY}:{NOBODY}", root.folder, "env", "HOME=/home/user",
                                    "PATH=/usr/bin:/bin", "sh", "-c", script], capture_output=True, text=True)
