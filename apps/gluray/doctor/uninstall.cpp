@@ -40,7 +40,11 @@ std::vector<Kept> keptOutside() {
     kept.push_back({path, what});
   };
   add(settingsDirectory(), "settings");
-  for (const std::string& path : {control::runtimeDirectory(), "/tmp/gluray-" + std::to_string(getuid())})
+  std::vector<std::string> runtimes{control::runtimeDirectory()};
+  // Links lie there where the session's directory cannot hold them. Who has chosen a directory keeps to it.
+  if (environmentVariable("GLURAY_RUNTIME").empty())
+    runtimes.push_back("/tmp/gluray-" + std::to_string(getuid()));
+  for (const std::string& path : runtimes)
     if (control::whyUnsafe(path).empty()) add(path, "sockets and links of programs that run");
   return kept;
 }
