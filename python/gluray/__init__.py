@@ -52,7 +52,7 @@ def _by_number(message):
 
 def _some():
     """This process if enable() was called, else all programs."""
-    if _inside.is_enabled():
+    if _inside.was_enabled():
         own = this_process()
         if own is None:
             raise GlurayError("this process has drawn nothing yet; until then, settings are those of enable() and set()")

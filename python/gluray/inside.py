@@ -60,7 +60,7 @@ def report():
     return program.report()
 
 
-def is_enabled():
+def was_enabled():
     """Whether enable() was called, and not ended by disable()."""
     return _before is not None
 
@@ -120,7 +120,7 @@ def change_before_window(values):
     """Settings for the first window. Returns whether this process is enabled and has none yet."""
     if _before is None or this_process() is not None:
         return False
-    _apply({**_options, **values})
+    _apply({name: value for name, value in {**_options, **values}.items() if value is not None})
     return True
 
 

@@ -62,6 +62,13 @@ std::string installing(const System& system, const std::string& packages, const 
   return "ask an administrator to install " + packages;
 }
 
+/// What apt does with the package gluray, or `request`, for those who cannot run it.
+std::string aptCommand(const std::string& action, const char* request, const Host& host) {
+  const std::string command = "apt " + action + " gluray";
+  if (host.isRoot) return command;
+  return host.hasSudo ? "sudo " + command : request;
+}
+
 /// Debian policy 8.1: the name without ".so", a dash if it ends in a digit, then the version.
 std::optional<std::string> debianPackage(const std::string& name) {
   const size_t so = name.find(".so.");
@@ -165,14 +172,25 @@ std::string described(Installed how, const std::string& libraryDirectory) {
   return "in " + libraryDirectory;
 }
 
+std::string adviceToRemove(Installed how, const std::string& libraryDirectory, const Host& host) {
+  switch (how) {
+    case Installed::archive: return "rm -r '" + prefixOf(libraryDirectory).string() + "'";
+    case Installed::wheel: return "pip uninstall gluray";
+    case Installed::package:
+      return aptCommand("purge", "ask an administrator to remove the package gluray", host);
+    case Installed::build: return "remove the checkout";
+    case Installed::other: break;
+  }
+  return "remove bin/gluray*, lib/gluray and share/doc/gluray below its prefix";
+}
+
 std::string adviceToReinstall(Installed how, const Host& host) {
   switch (how) {
     case Installed::archive: return "unpack the archive again";
     case Installed::wheel: return "pip install --force-reinstall --no-deps gluray";
     case Installed::package:
-      return host.isRoot    ? "apt install --reinstall gluray"
-             : host.hasSudo ? "sudo apt install --reinstall gluray"
-                            : "ask an administrator to install the package gluray again";
+      return aptCommand("install --reinstall", "ask an administrator to install the package gluray again",
+                        host);
     case Installed::build: return "scripts/build";
     case Installed::other: break;
   }

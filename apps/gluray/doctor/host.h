@@ -31,6 +31,9 @@ Installed howInstalled(const std::string& libraryDirectory);
 /// "the archive", "the wheel in PREFIX" ...
 std::string described(Installed how, const std::string& libraryDirectory);
 
+/// How to remove it.
+std::string adviceToRemove(Installed how, const std::string& libraryDirectory, const Host& host);
+
 /// How to install it again.
 std::string adviceToReinstall(Installed how, const Host& host);
 

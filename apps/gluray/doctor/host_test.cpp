@@ -79,6 +79,16 @@ TEST(DoctorHost, KnowsHowGlurayWasInstalled) {
             "ask an administrator to install the package gluray again");
 }
 
+TEST(DoctorHost, RemovalIsAdvisedAsTheUserCanDoIt) {
+  EXPECT_EQ(adviceToRemove(Installed::package, "/usr/lib/gluray", {"debian", true, false, true}),
+            "apt purge gluray");
+  EXPECT_EQ(adviceToRemove(Installed::package, "/usr/lib/gluray", {"debian", false, true, true}),
+            "sudo apt purge gluray");
+  EXPECT_EQ(adviceToRemove(Installed::package, "/usr/lib/gluray", {"debian", false, false, true}),
+            "ask an administrator to remove the package gluray");
+  EXPECT_EQ(adviceToRemove(Installed::archive, "/opt/a b/lib/gluray", {}), "rm -r '/opt/a b'");
+}
+
 TEST(DoctorHost, ThisMachineHasAName) { EXPECT_NE(thisHost().ids, ""); }
 
 }  // namespace

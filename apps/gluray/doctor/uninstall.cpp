@@ -49,19 +49,6 @@ std::vector<Kept> keptOutside() {
   return kept;
 }
 
-/// How to remove what was installed.
-std::string adviceToRemove(Installed how, const std::string& libraryDirectory) {
-  switch (how) {
-    case Installed::archive:
-      return "rm -r '" + fs::path(libraryDirectory).parent_path().parent_path().string() + "'";
-    case Installed::wheel: return "pip uninstall gluray";
-    case Installed::package: return "sudo apt purge gluray";
-    case Installed::build: return "remove the checkout";
-    case Installed::other: break;
-  }
-  return "remove bin/gluray*, lib/gluray and share/doc/gluray below its prefix";
-}
-
 }  // namespace
 
 int uninstall(const CommandLine& line) {
@@ -78,7 +65,7 @@ int uninstall(const CommandLine& line) {
     if (!line.json)
       std::cout << (line.remove && !error ? "removed: " : "kept: ") << one.path << " (" << one.what << ")\n";
   }
-  const std::string itself = adviceToRemove(how, libraries);
+  const std::string itself = adviceToRemove(how, libraries, thisHost());
   if (line.json) {
     std::cout << jsonText({{"outside", list}, {"remove", itself}}) << "\n";
   } else {

@@ -42,11 +42,12 @@ class Inside(unittest.TestCase):
     def test_settings_before_and_after_the_first_window(self):
         said = self.lines("""
             gluray.enable({"engine": "always"}, quiet=True)
-            print(gluray.set(spp=4))
+            print(gluray.set(spp=4, ao=True))
+            gluray.set(ao=None)
             window = Window()
             window.draw()
             own = gluray.this_process()
-            print(own.get("spp"), own.get("engine"), own.why("spp")["layer"])
+            print(own.get("spp"), own.get("engine"), own.why("spp")["layer"], own.get("ao"))
             gluray.set({"ao.samples": 9}, shadows=True)
             window.draw()
             print(own["ao.samples"], own["shadows"])
@@ -56,7 +57,7 @@ class Inside(unittest.TestCase):
                 print(own["spp"])
             print(own["spp"])
         """)
-        self.assertEqual(said, ["{}", "4 always command line", "9 True", "False", "1", "4"])
+        self.assertEqual(said, ["{}", "4 always command line False", "9 True", "False", "1", "4"])
 
     def test_after_the_first_window_it_is_too_late(self):
         said = self.lines("""
