@@ -152,11 +152,12 @@ struct SecondaryScene;
 
 /// One batch, which is traced together and written to one framebuffer.
 struct Snapshot {
-  uint64_t frame = 0;  // counts the program's frames, from 1
+  uint64_t frame = 0;  // counts the context's frames, from 1
   uint64_t view = 0;   // equal in all snapshots that show the same part of the same framebuffer
   // Counts the view's frames, also without swaps: a frame begins with the first tracing after its colours
   // were cleared. 0: no light effects.
   uint64_t viewFrame = 0;
+  uint64_t swaps = 0;   // buffer swaps of the context so far; 0 in programs that never swap
   uint64_t number = 0;  // number of the snapshot in the process; equal for all its passes
   LightSampling lightSampling;
   Camera camera;

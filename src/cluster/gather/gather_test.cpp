@@ -46,7 +46,7 @@ TEST_F(GatherTest, SeveralScenesOfAFrame) {
   scene::Snapshot all = gatheredPlates();
   for (int frame = 1; frame < 4; ++frame)
     for (int scene = 0; scene < 3; ++scene) {
-      all.frame = static_cast<uint64_t>(frame), ++all.number;
+      all.swaps = all.frame = static_cast<uint64_t>(frame), ++all.number;
       all.instances.resize(static_cast<size_t>(8 - scene));
       expectGathered(job, programs, all, 2);
       if (scene == 2) all.instances = gatheredPlates().instances;
@@ -148,7 +148,7 @@ TEST_F(GatherTest, RankThatDrawsNothingIsLeftOut) {
   test::ProgramRanks programs(directory_, 3, 2);  // the third one never joins
   scene::Snapshot all = gatheredPlates();
   for (int frame = 1; frame < 4; ++frame) {
-    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.swaps = all.frame = all.number = static_cast<uint64_t>(frame);
     const std::vector<Image> images = programs.images({partOf(all, 0, 3), partOf(all, 1, 3)});
     for (const Image& image : images)
       EXPECT_EQ(differing(image, expectedImage(partsOf(all, {0, 1}, 3))), 0) << job.said();
@@ -174,7 +174,7 @@ TEST_F(GatherTest, RankThatEndsIsGone) {
   scene::Snapshot all = gatheredPlates();
   expectGathered(job, programs, all, 3);
   programs.end(2);
-  all.frame = all.number = 2;
+  all.swaps = all.frame = all.number = 2;
   const std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
   const std::vector<Image> images = programs.images(parts);
   EXPECT_EQ(differing(images[0], expectedImage(partsOf(all, {0, 1}, 3))), 0) << job.said();
@@ -187,14 +187,14 @@ TEST_F(GatherTest, StoppedRankDrawsItsOwnPartWhenItGoesOn) {
   scene::Snapshot all = gatheredPlates();
   expectGathered(job, programs, all, 2);
   job.rank(1).isDeaf = true;
-  all.frame = all.number = 2;
+  all.swaps = all.frame = all.number = 2;
   const scene::Snapshot part = partOf(all, 0, 2);
   EXPECT_EQ(differing(programs.program(0).image(part), expectedImage(part)), 0) << job.said();
   job.rank(1).isDeaf = false;
   const Image late = programs.program(1).image(partOf(all, 1, 2));
   EXPECT_EQ(differing(late, expectedImage(partOf(all, 1, 2))), 0) << job.said();
   for (uint64_t frame = 3; frame < 6; ++frame) {
-    all.frame = all.number = frame;
+    all.swaps = all.frame = all.number = frame;
     const Image image = composed(programs.images(all));
     if (frame > 3) { EXPECT_EQ(differing(image, expectedImage(partsOf(all, {0, 1}, 2))), 0) << job.said(); }
   }
@@ -207,10 +207,10 @@ TEST_F(GatherTest, SwitchedOnWhileTheProgramRuns) {
   all.settings.gather = false;
   programs.images(all);
   all.settings.gather = true;
-  all.frame = all.number = 2;
+  all.swaps = all.frame = all.number = 2;
   expectGathered(job, programs, all, 2);
   all.settings.gather = false;
-  all.frame = all.number = 3;
+  all.swaps = all.frame = all.number = 3;
   const Image own = programs.images(all)[1];
   EXPECT_EQ(own.depth, expectedImage(partOf(all, 1, 2)).depth) << "its own part";
 }

@@ -36,7 +36,7 @@ TEST_P(GatheredLightTest, IsThatOfOneProcess) {
   for (int rank = 0; rank < kRanks; ++rank) alone.push_back(expectedImage(partOf(all, rank, kRanks)));
   EXPECT_GT(differing(composed(std::move(alone)), expectedImage(all)), 50) << "light crosses no ranks";
   for (int frame = 1; frame < 4; ++frame) {
-    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.swaps = all.frame = all.number = static_cast<uint64_t>(frame);
     all.eyeFromWorld = glm::rotate(all.eyeFromWorld, 0.1, {0.2, 1, 0.1});
     for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
     expectGathered(job, programs, all, kRanks);
@@ -68,7 +68,7 @@ TEST_P(ComposedInBoxesTest, IsThatOfOneProcess) {
   const size_t count = all.instances.size();
   int outside = 0, lost = 0;
   for (int frame = 1; frame < 6; ++frame) {
-    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.swaps = all.frame = all.number = static_cast<uint64_t>(frame);
     all.eyeFromWorld = glm::rotate(all.eyeFromWorld, 0.3, {0.2, 1, 0.1});
     for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
     std::vector<scene::Snapshot> parts(static_cast<size_t>(ranks), all);
@@ -102,7 +102,7 @@ TEST_P(ComposedInBoxesTest, CompleteImageHasGroundAndBackground) {
   const size_t count = all.instances.size();
   int beneath = 0, outside = 0;
   for (int frame = 1; frame < 6; ++frame) {
-    all.frame = all.number = static_cast<uint64_t>(frame);
+    all.swaps = all.frame = all.number = static_cast<uint64_t>(frame);
     all.ground = scene::GroundUse::none, all.backdrop = nullptr;
     all.eyeFromWorld = glm::rotate(all.eyeFromWorld, 0.3, {0.2, 1, 0.1});
     for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
@@ -183,7 +183,7 @@ TEST_F(GatheredImagesTest, SceneryIsLeftOut) {
   setBounds(plain);
   for (int which = 0; which < 3; ++which) {
     scene::Snapshot all = plain;
-    all.frame = all.number = static_cast<uint64_t>(which + 1);
+    all.swaps = all.frame = all.number = static_cast<uint64_t>(which + 1);
     if (which != 1) {
       all.settings.ground.kind = GroundKind::plane;
       all.ground = which == 0 ? scene::GroundUse::drawn : scene::GroundUse::around;
@@ -201,7 +201,7 @@ TEST_F(GatheredImagesTest, SceneryIsLeftOut) {
   scene::Snapshot all = plain;
   all.settings.gather = false, all.settings.ao.enabled = false;
   all.settings.ground.kind = GroundKind::plane, all.ground = scene::GroundUse::drawn;
-  all.frame = all.number = 4;
+  all.swaps = all.frame = all.number = 4;
   EXPECT_EQ(programs.images(all)[1].depth, expectedImage(partOf(all, 1, 2)).depth) << "without the setting";
 }
 

@@ -7,9 +7,9 @@
 
 namespace gluray::cluster {
 
-/// The frame that a snapshot shows, as the ranks of a program count: equally, up to a constant. Contexts that
-/// never swap have one Snapshot::frame.
-inline uint64_t frameOf(const scene::Snapshot& snapshot) { return snapshot.frame + snapshot.viewFrame; }
+/// The frame of the view that a snapshot shows, as the ranks of a program count: equally, up to a constant.
+/// Snapshot::frame also counts pictures that only some ranks read.
+inline uint64_t frameOf(const scene::Snapshot& snapshot) { return snapshot.swaps + snapshot.viewFrame; }
 
 /// From one rank of a program to another.
 struct PeerAddress {
@@ -33,7 +33,7 @@ struct SceneHeld {
   PeerAddress address;
   uint64_t round = 0;  // rises
   uint64_t frame = 0;  // frameOf(), as the sender's program counts
-  uint64_t swaps = 0;  // Snapshot::frame, the same
+  uint64_t swaps = 0;  // Snapshot::swaps, the same
   glm::ivec4 viewport{0};
   glm::dmat4 clipFromEye{1}, eyeFromWorld{1}, viewFromWorld{1};
   glm::vec3 lower{1}, upper{0};  // of what light meets, in the space of viewFromWorld; lower > upper: nothing

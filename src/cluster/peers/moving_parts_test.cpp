@@ -22,7 +22,7 @@ constexpr int kFrames = 4;  // after so many fast frames the next one takes more
 scene::Snapshot movingPlates(int frame) {
   scene::Snapshot s = test::plates(96);
   s.lightSampling.mode = scene::LightSampling::Mode::moving;
-  s.frame = static_cast<uint64_t>(frame + 1);
+  s.swaps = s.frame = static_cast<uint64_t>(frame + 1);
   s.settings.fps = 0.1f;  // time enough: the number of rays stays
   s.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), 0.02 * frame, {0.2, 1, 0.1});
   glm::vec4& light = s.shadings[0].lights[0].position;

@@ -32,7 +32,7 @@ void PeerExchange::meet(const scene::Snapshot& snapshot, const accel::Bounds& bo
                         const render::FrameData* frame) {
   SceneHeld scene;
   scene.address = {program_, self_, self_};
-  scene.frame = frameOf(snapshot), scene.swaps = snapshot.frame;
+  scene.frame = frameOf(snapshot), scene.swaps = snapshot.swaps;
   scene.viewport = snapshot.camera.viewport;
   scene.clipFromEye = snapshot.camera.clipFromEye, scene.eyeFromWorld = snapshot.eyeFromWorld;
   if (snapshot.secondaryScene) scene.viewFromWorld = snapshot.secondaryScene->viewFromWorld;

@@ -64,7 +64,7 @@ TEST_P(PeersTest, FramesAfterEachOther) {
   test::ProgramRanks ranks(directory_, GetParam().ranks);
   scene::Snapshot all = plates(64);
   for (int frame = 1; frame <= 6; ++frame) {
-    all.frame = static_cast<uint64_t>(frame);
+    all.swaps = all.frame = static_cast<uint64_t>(frame);
     const double angle = 0.1 * frame;
     all.eyeFromWorld = glm::rotate(glm::translate(glm::dmat4(1), {0, 0, -5}), angle, {0.2, 1, 0.1});
     for (scene::Instance& instance : all.instances) instance.eyeFromObject = all.eyeFromWorld;
@@ -88,7 +88,7 @@ TEST_F(PeersFaultsTest, RankThatDrawsNothingIsLeftOut) {
   const scene::Snapshot two = partsOf(all, {0, 1}, 3);
   for (int frame = 1; frame < 6; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
-    parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
+    parts[0].swaps = parts[1].swaps = static_cast<uint64_t>(frame);
     EXPECT_EQ(differing(composed(ranks.images(parts)), expectedImage(two)), 0) << frame << job.said();
   }
   EXPECT_NE(job.said().find("rank 2 of the program draws nothing here"), std::string::npos) << job.said();
@@ -100,7 +100,7 @@ TEST_F(PeersFaultsTest, CountsOfFramesMayDiffer) {
   const scene::Snapshot all = plates(64);
   for (int frame = 1; frame < 4; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
-    parts[0].frame = static_cast<uint64_t>(frame), parts[1].frame = static_cast<uint64_t>(frame + 7);
+    parts[0].swaps = static_cast<uint64_t>(frame), parts[1].swaps = static_cast<uint64_t>(frame + 7);
     EXPECT_EQ(differing(composed(ranks.images(parts)), expectedImage(all)), 0);
   }
 }
@@ -133,7 +133,7 @@ TEST_F(PeersFaultsTest, RankThatEndsLeavesTheOthers) {
   const scene::Snapshot two = partsOf(all, {0, 1}, 3);
   for (int frame = 2; frame < 4; ++frame) {
     std::vector<scene::Snapshot> parts = {partOf(all, 0, 3), partOf(all, 1, 3)};
-    parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
+    parts[0].swaps = parts[1].swaps = static_cast<uint64_t>(frame);
     EXPECT_EQ(differing(composed(ranks.images(parts)), expectedImage(two)), 0) << frame << job.said();
   }
 }
@@ -145,12 +145,12 @@ TEST_F(PeersFaultsTest, StoppedRankIsLeftOut) {
   EXPECT_EQ(differing(composed(ranks.images(all)), expectedImage(all)), 0);
   job.rank(1).isDeaf = true;
   scene::Snapshot part = partOf(all, 0, 2);
-  part.frame = 2;
+  part.swaps = 2;
   EXPECT_EQ(differing(ranks.program(0).image(part), expectedImage(part)), 0);
   job.rank(1).isDeaf = false;
   std::vector<scene::Snapshot> parts = {partOf(all, 0, 2), partOf(all, 1, 2)};
   for (int frame = 3; frame < 6; ++frame) {
-    parts[0].frame = parts[1].frame = static_cast<uint64_t>(frame);
+    parts[0].swaps = parts[1].swaps = static_cast<uint64_t>(frame);
     const Image image = composed(ranks.images(parts));
     if (frame > 3) { EXPECT_EQ(differing(image, expectedImage(all)), 0) << frame; }
   }

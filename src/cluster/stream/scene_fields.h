@@ -176,10 +176,10 @@ void fields(auto& archive, Like<scene::SecondaryScene> auto& value) {
   archive(shadings, instances, blended, viewFromWorld, captured, captures, framebuffer);
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
-  auto& [frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
+  auto& [frame, view, viewFrame, swaps, number, lightSampling, camera, eyeFromWorld, region, samples,
          samplePositions, polygonOffset, layers, wideColors, byteSamples, encodes, colorWrites, laterWins,
          shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings] = value;
-  archive(frame, view, viewFrame, number, lightSampling, camera, eyeFromWorld, region, samples,
+  archive(frame, view, viewFrame, swaps, number, lightSampling, camera, eyeFromWorld, region, samples,
           samplePositions, polygonOffset, layers, wideColors, byteSamples, encodes, colorWrites, laterWins,
           shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings);
 }

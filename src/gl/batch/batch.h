@@ -89,8 +89,11 @@ class Batch {
   /// Leaves surfaces the program's own light.
   void dropLight() { scene::dropLight(snapshot_->settings); }
   void setUpwardAxis(LightsUp axis) { snapshot_->settings.lights.up = axis; }
-  /// Sets the number of the view's frame to which the batch belongs.
-  void setViewFrame(uint64_t frame) { snapshot_->viewFrame = frame; }
+  /// Sets the number of the view's frame to which the batch belongs, and the context's buffer swaps before
+  /// it.
+  void setViewFrame(uint64_t frame, uint64_t swaps) {
+    snapshot_->viewFrame = frame, snapshot_->swaps = swaps;
+  }
   void setLightMode(scene::LightSampling::Mode mode) { snapshot_->lightSampling.mode = mode; }
   /// Sets the ground and background that settings add. Call before the batch is handed over.
   void stand(scene::GroundUse ground, std::shared_ptr<const scene::Backdrop> backdrop) {

@@ -103,7 +103,7 @@ void PendingBatch::attachSecondaryScene() {
   if (batch.key().layers != BatchKey::Layers::visibility)
     p_.surfaces.objects.number(batch.key(), batch.unnumbered());
   const uint64_t frame = p_.surfaces.views.frameOf(batch.key(), batch.waiting());
-  batch.setViewFrame(frame);
+  batch.setViewFrame(frame, p_.counts.statistics.frames);
   if (p_.clock.watchesOffscreen(batch.waiting().settings)) [[unlikely]] {
     const scene::Region& region = batch.waiting().region;
     batch.setLightMode(p_.clock.offscreenMode({region.width, region.height}, frame));

@@ -1,4 +1,5 @@
 // A frame keeps the settings from its beginning; the next frame takes those stored since.
+#include "gl/basics/thread_state.h"
 #include "scenes/stage.h"
 #include "settings/live/settings_source.h"
 #include "tests/reference/framebuffer.h"
@@ -9,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace gluray::test {
@@ -112,6 +114,30 @@ TEST(SettingsOfFrames, PicturesInMemoryAreFrames) {
   draw(true);
   EXPECT_EQ(seen.back(), first) << "nobody has seen what the clear has removed";
   EXPECT_EQ(frames(), 2u);
+}
+
+/// The ranks of a job read different numbers of pictures, but swap equally often.
+TEST(SettingsOfFrames, PicturesInMemoryAreNoSwaps) {
+  std::vector<std::pair<uint64_t, uint64_t>> seen;  // frames and swaps
+  TracedContext context({kSettingsSize, kSettingsSize}, TracedContext::vertexShading(),
+                        std::make_unique<SnapshotTaker>([&seen](const scene::Snapshot& s) {
+                          seen.push_back({s.frame, s.swaps});
+                        }));
+  Gl gl = context.gl();
+  const auto draw = [&] {
+    std::vector<uint32_t> pixels(size_t{kSettingsSize} * kSettingsSize);
+    scenes::begin(gl, kSettingsSize, kSettingsSize);
+    scenes::camera(gl, kSettingsSize, kSettingsSize);
+    drawBatch(gl, GL_LESS);
+    gl.ReadPixels(0, 0, kSettingsSize, kSettingsSize, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  };
+  bindNewFramebuffer(gl, {kSettingsSize, kSettingsSize}, GL_RGBA8, GL_DEPTH_COMPONENT24);
+  gl.Enable(GL_DEPTH_TEST);
+  draw(), draw();
+  gl::FrameEnds& frames = gl::t_thread.context->frames;
+  frames.beforeSwap(), frames.afterSwap();
+  draw();
+  EXPECT_EQ(seen, (std::vector<std::pair<uint64_t, uint64_t>>{{1, 0}, {2, 0}, {3, 1}}));
 }
 
 TEST(SettingsOfFrames, SettingsOfContextsStay) {
