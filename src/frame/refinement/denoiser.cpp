@@ -37,15 +37,16 @@ render::NoisyImage planeOf(const Refinement& r, const Image& image, size_t first
   return noisy;
 }
 
-void writeChannel(float v, size_t at, size_t channel, Image& out) {
+void writeChannel(const Refinement& r, float v, size_t at, size_t channel, Image& out) {
   if (out.has(Plane::wideColor)) return void(out.wideColor[4 * at + channel] = v);
   const size_t shift = 8 * channel;
-  out.color[at] = (out.color[at] & ~(255u << shift)) | render::displayedByte(v, out.isAverages()) << shift;
+  out.color[at] = (out.color[at] & ~(255u << shift)) | r.byteOf(v) << shift;
 }
 
 enum class Writes { all, alpha };
 
-void writeTile(const WaveletTile& tile, const float* smooth, size_t first, Writes writes, Image& out) {
+void writeTile(const Refinement& r, const WaveletTile& tile, const float* smooth, size_t first, Writes writes,
+               Image& out) {
   const int width = std::min(WaveletTile::kSize, out.width - tile.x),
             height = std::min(WaveletTile::kSize, out.height - tile.y);
   for (int y = 0; y < height; ++y) {
@@ -54,7 +55,7 @@ void writeTile(const WaveletTile& tile, const float* smooth, size_t first, Write
                        static_cast<size_t>(tile.x + x);
       if (out.depth[i] == Image::kMiss) continue;
       const float* const pixel = smooth + 4 * (y * WaveletTile::kSize + x);
-      for (size_t c = writes == Writes::all ? 0 : 3; c < 4; ++c) writeChannel(pixel[c], i, c, out);
+      for (size_t c = writes == Writes::all ? 0 : 3; c < 4; ++c) writeChannel(r, pixel[c], i, c, out);
     }
   }
 }
@@ -64,7 +65,7 @@ struct Memory {
   std::vector<float> out = std::vector<float>(size_t{4} * WaveletTile::kSize * WaveletTile::kSize);
 };
 
-void smooth(const render::NoisyImage& noisy, size_t first, Writes writes, Image& out) {
+void smooth(const Refinement& r, const render::NoisyImage& noisy, size_t first, Writes writes, Image& out) {
   const int columns = (out.width + WaveletTile::kSize - 1) / WaveletTile::kSize,
             rows = (out.height + WaveletTile::kSize - 1) / WaveletTile::kSize;
   tbb::enumerable_thread_specific<Memory> memories;
@@ -73,7 +74,7 @@ void smooth(const render::NoisyImage& noisy, size_t first, Writes writes, Image&
     Memory& memory = memories.local();
     const WaveletTile tile{index % columns * WaveletTile::kSize, index / columns * WaveletTile::kSize};
     if (render::smoothTile(noisy, tile, memory.planes.data(), memory.out.data()))
-      writeTile(tile, memory.out.data(), first, writes, out);
+      writeTile(r, tile, memory.out.data(), first, writes, out);
   });
 }
 
@@ -98,7 +99,7 @@ bool smoothByLibrary(const Refinement& refinement, const Settings& settings, siz
     const float share = noise > target ? 1 - target * target / (noise * noise) : 0;
     if (out.depth[first + i] == Image::kMiss || !(share > 0)) continue;
     for (size_t c = 0; c < 3; ++c)
-      writeChannel(mean[c] + share * (colors[3 * i + c] - mean[c]), first + i, c, out);
+      writeChannel(refinement, mean[c] + share * (colors[3 * i + c] - mean[c]), first + i, c, out);
   }
   return true;
 }
@@ -150,8 +151,8 @@ bool denoise(const Refinement& refinement, const Settings& settings, Image& out)
       for (size_t first = 0; first < out.depth.size(); first += pixels) {
         const bool done = library && smoothByLibrary(refinement, settings, first, out);
         if (done && !refinement.features.catcher) continue;
-        smooth(planeOf(refinement, out, first, settings.noise), first, done ? Writes::alpha : Writes::all,
-               out);
+        smooth(refinement, planeOf(refinement, out, first, settings.noise), first,
+               done ? Writes::alpha : Writes::all, out);
       }
     });
     return true;

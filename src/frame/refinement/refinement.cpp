@@ -1,7 +1,6 @@
 #include "frame/refinement/refinement.h"
 
 #include "parallel/arena.h"
-#include "render/resolve/averaged_byte.h"
 #include "render/tiles/float_guard.h"
 #include "scene/light_sampling.h"
 
@@ -19,12 +18,6 @@ constexpr size_t kBlock = 4096;  // pixels that one thread takes at a time
 
 /// As the kernels clamp: what is no number is 0.
 float displayed(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
-
-uint32_t rounded(const float* color, bool averages) {
-  uint32_t bits = 0;
-  for (unsigned c = 0; c < 4; ++c) bits |= render::displayedByte(color[c], averages) << (8 * c);
-  return bits;
-}
 
 /// Calls body(first, end, number) for all blocks of `pixels` pixels.
 template <class Body>
@@ -153,6 +146,12 @@ void Refinement::leaveOut(double least) {
   tiles_ = std::move(next);
 }
 
+uint32_t Refinement::rounded(const float* color) const {
+  uint32_t bits = 0;
+  for (unsigned c = 0; c < 4; ++c) bits |= byteOf(color[c]) << (8 * c);
+  return bits;
+}
+
 void Refinement::show(const Image& pass, bool wide, Image& out) const {
   const Planes colors = wide ? Plane::wideColor : Plane::color;
   Planes planes = colors | Plane::depth;
@@ -167,10 +166,10 @@ void Refinement::show(const Image& pass, bool wide, Image& out) const {
     return;
   }
   // Misses are in the pass's colours already.
-  const bool averages = pass.isAverages(), bytes = pass.has(Plane::color) || averages;
+  const bool bytes = pass.has(Plane::color) || pass.isAverages();
   eachBlock(out.depth.size(), [&](size_t first, size_t end, size_t) {
     for (size_t i = first; i < end; ++i)
-      out.color[i] = bytes || out.depth[i] != Image::kMiss ? rounded(&mean_[4 * i], averages) : out.missColor;
+      out.color[i] = bytes || out.depth[i] != Image::kMiss ? rounded(&mean_[4 * i]) : out.missColor;
   });
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include "base/image.h"
 #include "frame/refinement/auxiliary_features.h"
+#include "render/resolve/averaged_byte.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,9 @@ class Refinement {
   /// Standard error of the mean that add() computed last: root mean square over the red, green and blue of
   /// all pixels that a ray hit, displayed values from 0 to 1. Infinite before the second pass.
   double noise() const { return noise_; }
-  /// Writes the means into `out`: colours rounded as the kernels round them, with misses in out.missColor;
+  /// A displayed value, 0 .. 1, as the kernels round it in these passes.
+  uint32_t byteOf(float v) const { return render::displayedByte(v, byteSamples_); }
+  /// Writes the means into `out`: colours rounded by byteOf(), with misses in out.missColor;
   /// floats if `wide`. All else is copied from `pass`.
   void show(const Image& pass, bool wide, Image& out) const;
 
@@ -54,6 +57,9 @@ class Refinement {
   };
   /// Call before add().
   void judge(Judged values) { judged_ = values; }
+  /// Call before add(): whether pixels of passes are averages of bytes (scene::Snapshot::byteSamples), which
+  /// show() then rounds as the kernels round those.
+  void setByteSamples(bool areBytes) { byteSamples_ = areBytes; }
   /// Estimated standard error of each pixel, render::kNoiseOne being 1; empty before the second pass, and
   /// where it is not kept.
   const std::vector<uint16_t>& pixelNoise() const { return pixelNoise_; }
@@ -77,6 +83,7 @@ class Refinement {
   };
   void addTile(const Image& pass, size_t tile);
   void addPixel(const Image& pass, size_t pixel, Tile& tile);
+  uint32_t rounded(const float* color) const;
   bool isQuiet(int x, int y, double least) const;
 
   std::vector<float> mean_;  // four a pixel
@@ -89,7 +96,7 @@ class Refinement {
   uint64_t tracedTiles_ = 0;
   uint32_t passes_ = 0, halfPasses_ = 0;
   double seconds_ = 0;
-  bool keepsNoise_ = false;
+  bool keepsNoise_ = false, byteSamples_ = false;
   Judged judged_ = Judged::colors;
   double noise_ = std::numeric_limits<double>::infinity();
 };

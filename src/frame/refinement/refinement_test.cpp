@@ -3,6 +3,7 @@
 
 #include "base/sanitized.h"
 #include "frame/testing/lit_scene.h"
+#include "scene/backdrop.h"
 
 #include <gtest/gtest.h>
 
@@ -73,9 +74,9 @@ TEST(Refinement, NoiseNeedsTwoPasses) {
 }
 
 /// A scene in which light changes nothing, of many colours.
-scene::Snapshot colourfulScene() {
+scene::Snapshot colourfulScene(float alpha = 0.7f) {
   gluray::test::MeshData data = gluray::test::squareData();
-  data.colors = {{0.1f, 0.2f, 0.7f, 1}, {1, 0.33f, 0, 0.9f}, {0.5f, 0.77f, 0.3f, 0.8f}, {0, 1, 0.123f, 0.7f}};
+  data.colors = {{0.1f, 0.2f, 0.7f, 1}, {1, 0.33f, 0, 1}, {0.5f, 0.77f, 0.3f, 1}, {0, 1, 0.123f, alpha}};
   scene::Snapshot s = gluray::test::makeSnapshot({gluray::test::makeMesh(data)}, 48);
   s.settings.ao.enabled = true;
   s.settings.ao.samples = 2;
@@ -112,6 +113,19 @@ TEST(Refinement, KeepsTheLookOfAveragesAndLayers) {
     EXPECT_EQ(refined.depth, look.depth);
     EXPECT_EQ(refined.centerDepth, look.centerDepth);
   }
+}
+
+TEST(Refinement, KeepsTheLookOverABackdrop) {
+  scene::Snapshot s = colourfulScene(1);
+  s.backdrop = std::make_shared<scene::Backdrop>();
+  s.settings.background.kind = BackgroundKind::color;
+  s.settings.background.color = {0, 0, 1};
+  const Image refined = Refined(s, 5).image;
+  s.settings.ao.enabled = false;
+  const Image look = test::CountingTrace().image(s);
+  EXPECT_TRUE(look.isAverages());
+  EXPECT_EQ(refined.color, look.color);
+  EXPECT_EQ(refined.depth, look.depth);
 }
 
 TEST(Refinement, SumsOfLayersStayFloats) {

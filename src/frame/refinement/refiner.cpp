@@ -112,7 +112,7 @@ Refiner::Refiner(const scene::Snapshot& snapshot, Refinement& refinement)
     snapshot_.wideColors = true;
     snapshot_.byteSamples = averagesSamples(snapshot.settings, snapshot.samples);
   }
-  refinement.judge(judgedOf(snapshot));
+  refinement.judge(judgedOf(snapshot)), refinement.setByteSamples(snapshot_.byteSamples);
   if (filters_ || snapshot.settings.look == Look::noise) refinement.keepNoise();
 }
 

@@ -31,7 +31,8 @@ def waves(frequency, at):
 
 
 def ball(stage, textures, levels=False):
-    """A ball with texture coordinates and tangents; `textures`: some of base, orm, emission and normal."""
+    """A ball with texture coordinates and tangents, and a smaller one beside it, which hides a part of its sky; `textures`: some of base, orm,
+    emission and normal."""
     vtk = stage.vtk
     sphere = vtk.vtkTexturedSphereSource()
     sphere.SetThetaResolution(40)
@@ -54,6 +55,11 @@ def ball(stage, textures, levels=False):
         bumps = lambda s, t: (0.5 + 0.15 * math.sin(25 * s), 0.5 + 0.15 * math.cos(25 * t), 0.95)  # noqa: E731
         look.SetNormalTexture(texture(vtk, bumps, False, levels))
         look.SetNormalScale(0.8)
+    smaller = vtk.vtkActor()
+    smaller.ShallowCopy(actor)
+    smaller.SetScale(0.5)
+    smaller.SetPosition(0.45, 0.3, 0.45)
+    stage.renderer.AddActor(smaller)
     return actor
 
 
