@@ -5,6 +5,7 @@
 #include "scene/impostors.h"
 #include "scene/light_sampling.h"
 #include "scene/mesh.h"
+#include "scene/region.h"
 #include "scene/shading.h"
 #include "settings/settings.h"
 
@@ -46,13 +47,6 @@ struct Camera {
   /// NDC depth of the plane before all others in the order of the depth test: rays start there.
   double firstNdcDepth() const { return (depthNear <= depthFar) != largestWins ? -1.0 : 1.0; }
   bool operator==(const Camera&) const = default;
-};
-
-/// The rectangle of pixels to trace: viewport, scissor and framebuffer intersected. Never empty in a
-/// snapshot.
-struct Region {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const Region&) const = default;
 };
 
 /// Colour channels of the framebuffer that are written; the others keep their values.

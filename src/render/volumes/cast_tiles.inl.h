@@ -1,0 +1,109 @@
+// Casts the rays of a tile through a volume. Part of volume_kernels.cpp (compiled once for
+// each instruction set).
+#if defined(GLURAY_RENDER_CAST_TILES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_CAST_TILES_INL_H_
+#undef GLURAY_RENDER_CAST_TILES_INL_H_
+#else
+#define GLURAY_RENDER_CAST_TILES_INL_H_
+#endif
+
+#include "render/volumes/cast_rays.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+/// A block of pixels whose rays are cast together.
+constexpr int kBlockWidth = kRays >= 8   ? 4
+                            : kRays >= 4 ? 2
+                                         : 1,
+              kBlockHeight = static_cast<int>(kRays) / kBlockWidth;
+constexpr int columnOf(size_t ray) { return static_cast<int>(ray) % kBlockWidth; }
+constexpr int rowOf(size_t ray) { return static_cast<int>(ray) / kBlockWidth; }
+
+struct RayBlock {
+  alignas(64) float values[10][kRays];
+  float depths[kRays], coverages[kRays];
+  bool any = false;
+
+  RayBlock(const VolumeRays& rays, int x, int y, const Tile& tile) {
+    for (size_t i = 0; i < kRays; ++i) {
+      const int column = x + columnOf(i), row = y + rowOf(i);
+      const VolumeRay ray = column < tile.x1 && row < tile.y1 ? rays.at(column, row) : VolumeRay{};
+      for (int axis = 0; axis < 3; ++axis) {
+        values[axis][i] = ray.first[axis], values[3 + axis][i] = ray.step[axis];
+        values[6 + axis][i] = ray.towardsViewer[axis];
+      }
+      values[9][i] = static_cast<float>(ray.samples), depths[i] = ray.depth, coverages[i] = ray.coverage;
+      any |= ray.samples > 0;
+    }
+  }
+  HWY_ATTR Rays rays() const {
+    const VolumeD d;
+    const auto get = [&](int i) HWY_ATTR { return hn::Load(d, values[i]); };
+    return {{get(0), get(1), get(2)}, {get(3), get(4), get(5)}, {get(6), get(7), get(8)}, get(9)};
+  }
+};
+
+/// Makes all pixels of the tile misses.
+inline void clearTile(const Tile& tile, Image& image) {
+  const auto width = static_cast<size_t>(tile.x1 - tile.x0);
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const size_t first =
+        static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(tile.x0);
+    std::fill_n(image.wideColor.begin() + static_cast<std::ptrdiff_t>(4 * first), 4 * width, 0.0f);
+    std::fill_n(image.depth.begin() + static_cast<std::ptrdiff_t>(first), width, Image::kMiss);
+  }
+}
+
+template <class Samples>
+HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile, const Samples& samples) {
+  const VolumeD d;
+  const Caster<Samples> caster(frame, samples);
+  Image& image = *frame.image;
+  clearTile(tile, image);
+  for (int y = tile.y0; y < tile.y1; y += kBlockHeight)
+    for (int x = tile.x0; x < tile.x1; x += kBlockWidth) {
+      const RayBlock block(*frame.rays, x, y, tile);
+      if (!block.any) continue;
+      Alive shown;
+      const Colors c = caster.cast(block.rays(), shown);
+      alignas(64) float colors[4 * kRays];
+      alignas(64) float shows[kRays];
+      hn::StoreInterleaved4(c.r, c.g, c.b, c.a, d, colors);
+      hn::Store(hn::IfThenElseZero(shown, hn::Set(d, 1.0f)), d, shows);
+      for (size_t i = 0; i < kRays; ++i) {
+        if (shows[i] == 0) continue;
+        const size_t pixel = static_cast<size_t>(y + rowOf(i)) * static_cast<size_t>(image.width) +
+                             static_cast<size_t>(x + columnOf(i));
+        for (size_t c = 0; c < 4; ++c)
+          image.wideColor[4 * pixel + c] = colors[4 * i + c] * block.coverages[i];
+        image.depth[pixel] = std::min(block.depths[i], 1.0f);
+      }
+    }
+}
+
+template <class Stored>
+HWY_ATTR void castStored(const VolumeFrame& frame, const Tile& tile) {
+  const scene::Volume& v = *frame.volume;
+  if (!v.linear) return castBlocks(frame, tile, VoxelSamples<Stored, NearestFilter>(*v.grid));
+  if constexpr (sizeof(Stored) == 1)
+    if (v.byteFilter) return castBlocks(frame, tile, VoxelSamples<Stored, ByteFilter>(*v.grid));
+  castBlocks(frame, tile, VoxelSamples<Stored, LinearFilter>(*v.grid));
+}
+
+HWY_ATTR void castTile(const VolumeFrame& frame, const Tile& tile) {
+  switch (frame.volume->grid->type) {
+    case scene::VoxelGrid::Type::byte: return castStored<uint8_t>(frame, tile);
+    case scene::VoxelGrid::Type::signedByte: return castStored<int8_t>(frame, tile);
+    case scene::VoxelGrid::Type::word: return castStored<uint16_t>(frame, tile);
+    case scene::VoxelGrid::Type::signedWord: return castStored<int16_t>(frame, tile);
+    case scene::VoxelGrid::Type::single: return castStored<float>(frame, tile);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,32 @@
+// All that the kernels need to cast the rays of a volume. Any thread.
+#pragma once
+#include "base/image.h"
+#include "render/volumes/volume_rays.h"
+#include "scene/volume.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <vector>
+
+namespace gluray::render {
+
+/// A transfer function for the kernels: entries of four numbers, the last one twice.
+struct VolumeLookup {
+  std::vector<glm::vec4> entries;
+  float count = 0;  // entries without the repeated one
+  bool linear = true;
+};
+
+struct VolumeFrame {
+  const scene::Volume* volume = nullptr;
+  const VolumeRays* rays = nullptr;
+  VolumeLookup color;     // red, green, blue and, if opacity has as many entries, opacity
+  VolumeLookup opacity;   // in its fourth number; no entries: color has it
+  VolumeLookup gradient;  // likewise; no entries: none
+  const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
+  glm::ivec3 cells{0};
+  Image* image = nullptr;
+};
+
+}  // namespace gluray::render

@@ -1,0 +1,134 @@
+#include "render/volumes/volume_rays.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gluray::render {
+namespace {
+
+constexpr double kPixelCentre = 0.5;
+constexpr double kEdge = 1e-9;  // of a face: no pixel between two faces may miss both by rounding
+/// The corners (x, y, w) on the grid of window coordinates to which rasterisers round them. Those of a
+/// triangle that is partly behind the viewer stay: clipping makes other corners of it.
+glm::dmat3 onGrid(const glm::dmat3& corners) {
+  constexpr double kGrid = 256;
+  glm::dmat3 rounded;
+  for (int c = 0; c < 3; ++c) {
+    const glm::dvec3& p = corners[c];
+    if (!(p.z > 0)) return corners;
+    rounded[c] = glm::dvec3(glm::round(glm::dvec2(p) / p.z * kGrid) / kGrid, 1) * p.z;
+  }
+  return std::abs(glm::determinant(rounded)) > 0 ? rounded : corners;
+}
+
+constexpr int kMostSamples = 1 << 24;  // beyond it floats cannot count
+
+}  // namespace
+
+VolumeRays::VolumeRays(const scene::VolumeView& view)
+    : view_(view),
+      textureFromWindow_(view.textureFromData * glm::inverse(view.windowFromData)),
+      textureDirection_(view.textureFromData) {
+  for (size_t i = 0; i + 2 < view.faces.size(); i += 3) {
+    Face face;
+    glm::dmat3 corners;  // x, y, w
+    for (int c = 0; c < 3; ++c) {
+      face.corners[c] = view.faces[i + static_cast<size_t>(c)];
+      const glm::dvec4 p = view.windowFromData * glm::dvec4(face.corners[c], 1);
+      corners[c] = {p.x, p.y, p.w};
+      face.depths[c] = p.z;
+    }
+    if (!(std::abs(glm::determinant(corners)) > 0)) continue;
+    const glm::dmat3 barycentric = glm::transpose(glm::inverse(corners)),
+                     rounded = glm::transpose(glm::inverse(onGrid(corners)));
+    for (int c = 0; c < 3; ++c) face.edges[c] = barycentric[c], face.borders[c] = rounded[c];
+    faces_.push_back(face);
+  }
+}
+
+bool VolumeRays::Face::covers(const glm::dvec2& at) const {
+  const glm::dvec3 p(at, 1);
+  const glm::dvec3 b(glm::dot(borders[0], p), glm::dot(borders[1], p), glm::dot(borders[2], p));
+  const double sum = b.x + b.y + b.z, outside = -kEdge * sum;
+  return b.x >= outside && b.y >= outside && b.z >= outside && sum > 0;
+}
+
+bool VolumeRays::Face::coversPixel(const glm::dvec2& centre) const {
+  const glm::dvec3 p(centre, 1);
+  for (const glm::dvec3& border : borders)
+    if (!(glm::dot(border, p) >= kPixelCentre * (std::abs(border.x) + std::abs(border.y)))) return false;
+  return true;
+}
+
+VolumeRays::Entry VolumeRays::entryOf(int x, int y) const {
+  const glm::dvec2 corner(view_.region.x + x, view_.region.y + y), centre = corner + kPixelCentre;
+  Entry entry;
+  for (const Face& face : faces_)
+    if (!entry.face && face.covers(centre)) entry.face = &face;
+  if (view_.samplePositions.empty() || (entry.face && entry.face->coversPixel(centre))) return entry;
+  size_t covered = 0;
+  for (const glm::vec2& sample : view_.samplePositions)
+    for (const Face& face : faces_) {
+      if (!face.covers(corner + glm::dvec2(sample))) continue;
+      ++covered;
+      if (!entry.face) entry.face = &face;
+      break;
+    }
+  entry.covered = static_cast<double>(covered) / static_cast<double>(view_.samplePositions.size());
+  return entry;
+}
+
+/// The first sample is always taken; another one if it lies inside the box and the one before it is not
+/// beyond what ends the ray.
+int VolumeRays::samplesOf(const VolumeRay& ray, const glm::dvec2& pixel, float endDepth) const {
+  double most = kMostSamples;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double step = ray.step[axis];
+    if (step == 0) continue;
+    const double end = step > 0 ? view_.upper[axis] : view_.lower[axis];
+    most = std::min(most, std::floor((end - ray.first[axis]) / step));
+  }
+  const glm::dvec4 end = textureFromWindow_ * glm::dvec4(pixel, endDepth, 1);
+  const double steps =
+      glm::length(glm::dvec3(end) / end.w - glm::dvec3(ray.first)) / glm::length(glm::dvec3(ray.step));
+  if (steps >= 0) most = std::min(most, std::ceil(steps));  // false for what is no number
+  return static_cast<int>(std::max(most, 0.0)) + 1;
+}
+
+/// Steps from the entry to the first sample.
+double VolumeRays::startOf(int x, int y) const {
+  if (view_.jitter.empty()) return 1;
+  const auto wrapped = [](int at, int size) { return static_cast<size_t>((at % size + size) % size); };
+  const size_t column = wrapped(view_.region.x + x, view_.jitterSize.x),
+               row = wrapped(view_.region.y + y, view_.jitterSize.y);
+  return view_.jitter[row * static_cast<size_t>(view_.jitterSize.x) + column];
+}
+
+VolumeRay VolumeRays::at(int x, int y) const {
+  VolumeRay ray;
+  const Entry found = entryOf(x, y);
+  if (!found.face || found.covered == 0) return ray;
+  const glm::dvec2 pixel(view_.region.x + x + kPixelCentre, view_.region.y + y + kPixelCentre);
+  const glm::dvec3 at(pixel, 1);
+  const Face& face = *found.face;
+  const glm::dvec3 b(glm::dot(face.edges[0], at), glm::dot(face.edges[1], at), glm::dot(face.edges[2], at));
+  const double depth = glm::dot(b, face.depths);
+  if (!(depth >= 0 && depth <= 1)) return ray;
+  const glm::dvec3 entry =
+      (b.x * face.corners[0] + b.y * face.corners[1] + b.z * face.corners[2]) / (b.x + b.y + b.z);
+  ray.coverage = static_cast<float>(found.covered);
+  const size_t index =
+      static_cast<size_t>(y) * static_cast<size_t>(view_.region.width) + static_cast<size_t>(x);
+  const float end = view_.depth.empty() ? 1.0f : view_.depth[index];
+  ray.depth = static_cast<float>(depth);
+  if (!(ray.depth < end) && !view_.depth.empty()) return ray;
+  const glm::dvec3 away = view_.direction != glm::dvec3(0) ? view_.direction : entry - view_.viewer;
+  const glm::dvec3 step = textureDirection_ * (glm::normalize(away) * double{view_.step});
+  ray.towardsViewer = glm::normalize(view_.viewer - entry);
+  ray.first = glm::dvec3(view_.textureFromData * glm::dvec4(entry, 1)) + step * startOf(x, y);
+  ray.step = step;
+  ray.samples = samplesOf(ray, pixel, end);
+  return ray;
+}
+
+}  // namespace gluray::render

@@ -1,0 +1,53 @@
+// Where the rays of a volume's pixels begin, and how they go on. Any thread.
+#pragma once
+#include "render/tiles/tile.h"
+#include "scene/volume.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace gluray::render {
+
+/// The part of a ray inside the volume, in texture space. Sample i lies at first + i * step.
+struct VolumeRay {
+  glm::vec3 first{0}, step{0};
+  glm::vec3 towardsViewer{0};  // data space, length 1, at the ray's entry
+  int samples = 0;             // 0: none
+  float depth = 0;             // window depth of the entry
+  float coverage = 1;          // share of the pixel's samples that show the volume
+};
+
+/// Finds the rays of a view: those through pixels whose centres the faces cover.
+class VolumeRays {
+ public:
+  explicit VolumeRays(const scene::VolumeView& view);
+  /// The ray of pixel (x, y) of the region.
+  VolumeRay at(int x, int y) const;
+
+ private:
+  /// A triangle in the window: barycentric coordinates over w are linear in x and y.
+  struct Face {
+    glm::dvec3 edges[3];    // coefficients of x, y, 1
+    glm::dvec3 borders[3];  // likewise, above 0 inside: of the corners as the real OpenGL rounds them
+    glm::dvec3 corners[3];  // data space
+    glm::dvec3 depths;      // window depth times w
+    bool covers(const glm::dvec2& at) const;
+    /// Whether it covers all of the pixel around a point.
+    bool coversPixel(const glm::dvec2& centre) const;
+  };
+  struct Entry {
+    const Face* face = nullptr;  // null: there is none
+    double covered = 1;          // share of the pixel's samples
+  };
+  Entry entryOf(int x, int y) const;
+  double startOf(int x, int y) const;
+  int samplesOf(const VolumeRay& ray, const glm::dvec2& pixel, float endDepth) const;
+
+  const scene::VolumeView& view_;
+  glm::dmat4 textureFromWindow_;
+  glm::dmat3 textureDirection_;
+  std::vector<Face> faces_;
+};
+
+}  // namespace gluray::render

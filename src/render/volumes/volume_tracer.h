@@ -1,0 +1,36 @@
+// Traces volumes, and keeps what it knows of their voxels from frame to frame. One thread at a time.
+#pragma once
+#include "accel/volumes/macro_cells.h"
+#include "base/image.h"
+#include "parallel/arena.h"
+#include "scene/volume.h"
+
+#include <memory>
+#include <vector>
+
+namespace gluray::render {
+
+class VolumeTracer {
+ public:
+  /// Sets `image` to the pixels of the view's region: premultiplied colours as floats, and the depth of the
+  /// entry, or Image::kMiss where nothing is shown. False, with the reason in `why`, if the volume cannot be
+  /// traced. Throws std::bad_alloc.
+  bool trace(const scene::VolumeCast& cast, Arena& arena, Image& image, const char*& why);
+  /// Memory of what is kept.
+  size_t bytes() const;
+
+ private:
+  /// What is known of a grid, and of it with the last transfer function.
+  struct Known {
+    std::weak_ptr<const scene::VoxelGrid> grid;
+    std::shared_ptr<const accel::MacroCells> cells;
+    std::vector<uint8_t> empty;
+    scene::VolumeTable opacity;
+    float scale = 0, bias = 0;
+  };
+  Known& knownOf(const scene::Volume& volume);
+
+  std::vector<Known> known_;  // of grids that live
+};
+
+}  // namespace gluray::render
