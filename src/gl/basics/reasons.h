@@ -35,6 +35,7 @@ namespace gluray::gl {
   X(programValue, "program with a value that its family does not cover")                     \
   X(programPass, "program that is never traced")                                             \
   X(colorMaterial, "material of a list, between glBegin and glEnd, that follows the colour") \
+  X(volume, "volume with state or values that are not traced")                               \
   X(textureUnits, "texture unit beyond the eighth")                                          \
   X(textureEnv, "texture environment not traced")                                            \
   X(textureFormat, "texture format not traced")                                              \

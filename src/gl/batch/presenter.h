@@ -14,6 +14,7 @@
 #include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"
+#include "scene/volume.h"
 
 #include <GL/gl.h>
 #include <glm/glm.hpp>
@@ -92,6 +93,11 @@ class Presenter {
   virtual bool antialias(const RealGl&, const scene::Fxaa&, GLint /*unit*/, GLuint /*target*/,
                          const scene::Region&, const Settings&) noexcept {
     return false;
+  }
+  /// Traces a volume and blends it over the bound framebuffer, whose depth stays. False, with the reason for
+  /// the user in `why`, if nothing was drawn. Never throws.
+  virtual bool castVolume(const RealGl&, const scene::VolumeCast&, std::string& why) noexcept {
+    return why.assign("volumes are not traced here"), false;
   }
   virtual LayerPresenter& layers() noexcept;
   virtual WindowPresenter& window() noexcept;

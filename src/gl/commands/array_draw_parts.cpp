@@ -3,6 +3,7 @@
 #include "gl/capture/mesh_builder.h"
 #include "gl/commands/array_draws.h"
 #include "gl/context/handlers.h"
+#include "gl/volumes/volume_draws.h"
 
 namespace gluray::gl {
 uint64_t trianglesOf(GLenum mode, const Elements& e) {
@@ -32,7 +33,10 @@ KnownMesh meshOf(Context& c, const ArrayState& arrays, GLenum mode, const Elemen
 DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& e) {
   const uint64_t impostors = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
   if (c.shadow.currentProgram.drawsImpostors(mode)) return {pathOf(e), PrimitiveClass::surfaces, impostors};
-  return {pathOf(e), kindOf(mode), trianglesOf(mode, e)};
+  DrawRequest::Load load{pathOf(e), kindOf(mode), trianglesOf(mode, e)};
+  if (mode == GL_TRIANGLES && load.triangles <= kMostVolumeFaces && c.shadow.currentProgram.drawsVolumes())
+    load.more = kLoadOfVolume;
+  return load;
 }
 
 }  // namespace gluray::gl

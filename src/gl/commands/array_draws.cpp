@@ -110,7 +110,7 @@ Fate draw(Context& c, GLenum mode, const Elements& e) {
   const DrawTimer timer(c.counts.kinds());
   if (c.clock.passesThrough()) {
     const DrawRequest::Load load = loadOf(c, mode, e);
-    if (c.passthrough.takes(load.path, load.primitive, load.triangles))
+    if (c.passthrough.takes(load.path, load.primitive, load.triangles, load.more))
       return drawReal(c.real, mode, e), Fate::passedThrough;
   }
   c.passthrough.works();

@@ -103,7 +103,15 @@ Reason ProgramArraysDraw::trace(const KnownMesh& known) {
   return reason;
 }
 
+bool ProgramArraysDraw::traceVolume() {
+  if (!c_.protect([&] { return c_.volumes.draw(mode_, elements_); })) return false;
+  c_.counts.traced(pathOf(elements_), trianglesOf(mode_, elements_));
+  c_.counts.load(kLoadOfVolume);
+  return true;
+}
+
 bool ProgramArraysDraw::replace(Reason reason) {
+  if (reason == Reason::volume) return traceVolume();
   return reason == Reason::programPass && c_.protect([&] { return c_.fullscreen.replace(mode_, elements_); });
 }
 

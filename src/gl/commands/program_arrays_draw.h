@@ -20,6 +20,8 @@ class ProgramArraysDraw final : public DrawRequest {
   Fate make() override;
 
  private:
+  /// Traces the volume that the draw shows. False: the real OpenGL must draw it.
+  bool traceVolume();
   /// The draw with its instances as it is traced: as one where each instance is an impostor.
   const Elements& repeated() const { return ofInstances_ && vertices_ ? *vertices_ : elements_; }
   /// Number of triangles that the draw shows if it is traced.

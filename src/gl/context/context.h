@@ -24,6 +24,7 @@
 #include "gl/layers/layer_draws.h"
 #include "gl/real/errors.h"
 #include "gl/shadow/shadow_state.h"
+#include "gl/volumes/volume_draws.h"
 #include "gl/window/window_frames.h"
 
 #include <memory>
@@ -75,6 +76,7 @@ class Context {
   PassthroughFrames passthrough;
   FrameEnds frames;
   FullscreenPasses fullscreen;
+  VolumeDraws volumes;
   UntracedPrograms untraced;
   ProgramDraws programs;
   CulledDraws culled;

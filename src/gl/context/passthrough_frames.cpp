@@ -48,14 +48,14 @@ void PassthroughFrames::set(bool passthrough) {
   p_.attention.update();
 }
 
-bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t triangles) {
+bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t triangles, uint64_t more) {
   if (p_.window.lags()) p_.failsafe.protect([&] { p_.window.showLagged(); });
   p_.cleared.forget();
   p_.shadow.refresh(p_.counts.kinds() ? kViewport | kTarget : kViewport);
   EngineChoice& choice = p_.clock.choice;
   // Nothing (a glBegin whose vertices will follow) is never too large.
   if (triangles > 0 && kind == PrimitiveClass::surfaces &&
-      !choice.takes(triangles, p_.shadow.viewportPixels())) {
+      !choice.takes(triangles + more, p_.shadow.viewportPixels())) {
     choice.overflow();
     set(false);
     return false;
@@ -67,6 +67,7 @@ bool PassthroughFrames::takes(DrawPath path, PrimitiveClass kind, uint64_t trian
                        : kind == PrimitiveClass::points ? Reason::points
                                                         : why,
                        path, kind, triangles);
+  if (more > 0) p_.counts.load(more);
   p_.shadow.latch.drawn();
   return true;
 }

@@ -27,8 +27,8 @@ class PassthroughFrames {
 
   /// In passthrough frames only: returns whether the real OpenGL shall make the next draw. A draw for which
   /// it returns true has been counted. Returns false for a draw that is too large; the rest of the frame is
-  /// then captured.
-  bool takes(DrawPath path, PrimitiveClass kind, uint64_t triangles);
+  /// then captured. `more`: as DrawRequest::Load's.
+  bool takes(DrawPath path, PrimitiveClass kind, uint64_t triangles, uint64_t more = 0);
   /// Call at each clear or draw: the frame's first one starts its measurement.
   void works() {
     if (p_.clock.startsMeasuring()) [[unlikely]]

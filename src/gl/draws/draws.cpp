@@ -23,6 +23,7 @@ Fate Draws::rasterise(DrawRequest& draw, Reason reason) {
   const DrawRequest::Load load = draw.load();
   draw.meetPasses(load.primitive, reason);
   p_.counts.rasterised(reason, load.path, load.primitive, load.triangles);
+  if (load.more > 0) p_.counts.load(load.more);
   p_.raster.before(load.primitive);
   p_.shadow.sendBuffers();
   const Fate fate = draw.make();

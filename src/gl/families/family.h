@@ -5,6 +5,7 @@
 #pragma once
 #include "gl/families/family_light.h"
 #include "gl/families/family_pulling.h"
+#include "gl/families/family_volume.h"
 #include "gl/families/known_code.h"
 #include "gl/glsl/glsl_branches.h"
 #include "scene/fragment_shading.h"
@@ -105,6 +106,7 @@ struct Family {
   std::string instanceShift;                                     // per-instance: a position and a scale
   bool instanceTurnsNormals = false;  // instanceTransform's inverse transpose applies to normals
   FamilyPulling pulling;
+  FamilyVolume volume;
   std::vector<std::string> clipFromObject, eyeFromObject;  // uniforms, multiplied from left to right
   std::string viewer;        // uniform: viewer position in the space after eyeFromObject; empty: its origin
   std::string normalMatrix;  // uniform; empty: inverse transpose of eyeFromObject

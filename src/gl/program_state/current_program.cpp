@@ -29,4 +29,11 @@ bool CurrentProgram::drawsImpostors(GLenum mode) const {
   return program && gl::drawsImpostors(*program, mode);
 }
 
+bool CurrentProgram::drawsVolumes() const {
+  const GLuint inUse = name();
+  if (inUse == 0) return false;
+  const auto program = known(inUse);
+  return program && program->family && program->family->volume.given();
+}
+
 }  // namespace gluray::gl

@@ -25,6 +25,8 @@ class CurrentProgram {
   GLuint name() const;
   /// Likewise of the shader program in use and the first of its families, which needs no values of uniforms.
   bool drawsImpostors(GLenum mode) const;
+  /// Likewise: whether it casts rays through a volume.
+  bool drawsVolumes() const;
 
  private:
   const RealGl& real_;

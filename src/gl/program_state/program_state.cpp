@@ -288,6 +288,10 @@ void readProgram(const RealGl& real, ShareGroup& group, const RareState& has, Te
     return;
   }
   if (!several) state.uniforms = readUniforms(real, state.known->program);
+  if (state.known->family->volume.given()) {
+    state.reason = Reason::volume;
+    return;
+  }
   state.reason = ProgramReader(real, group, has, textures, state).read();
   if (state.reason == Reason::traced && !isSane(state)) state.reason = Reason::singularMatrix;
 }

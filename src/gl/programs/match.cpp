@@ -127,7 +127,8 @@ void needSources(const Program& p, const Family& f, std::vector<std::string>& ou
     out.push_back(about("lacks uniform ", f.impostors.projection));
   for (const std::string* name : {&f.impostors.axis, &f.impostors.corners, &f.impostors.end})
     if (!name->empty() && !p.attribute(*name)) out.push_back(about("lacks attribute ", *name));
-  const bool normals = f.impostors.given() || hasVertexInput(p, f, f.normal) || p.uniform(f.triangleNormals);
+  const bool normals = f.volume.given() || f.impostors.given() || hasVertexInput(p, f, f.normal) ||
+                       p.uniform(f.triangleNormals);
   if (!normals && f.model != Family::Model::unlit && f.withoutNormals == Family::NoNormals::refuse)
     out.push_back(about("lacks attribute ", f.normal));
 }

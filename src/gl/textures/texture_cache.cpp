@@ -3,6 +3,7 @@
 #include "gl/arrays/arrays.h"
 #include "gl/real/state_queries.h"
 #include "gl/sharing/share_group.h"
+#include "gl/textures/active_unit.h"
 #include "gl/textures/drawn_textures.h"
 #include "gl/textures/texture_env.h"
 #include "gl/textures/texture_sampling.h"
@@ -44,22 +45,6 @@ struct EnabledTargets {
   }
 };
 
-/// Selects texture units, and makes the previous one active again at the end of its life.
-class ActiveUnit {
- public:
-  explicit ActiveUnit(const RealGl& real) : real_(real), saved_(integer(real, GL_ACTIVE_TEXTURE)) {}
-  ~ActiveUnit() { select(static_cast<GLenum>(saved_)); }
-  ActiveUnit(const ActiveUnit&) = delete;
-  ActiveUnit& operator=(const ActiveUnit&) = delete;
-  void select(GLenum unit) {
-    if (isPresent(real_.ActiveTexture)) real_.ActiveTexture(unit);
-  }
-
- private:
-  const RealGl& real_;
-  GLint saved_;
-};
-
 /// Whether combiners read only units that have a texture; the result of reading others is undefined.
 bool readOnlyEnabledUnits(const std::vector<scene::Texture>& textures) {
   uint32_t enabled = 0, read = 0;
@@ -76,7 +61,7 @@ void TextureCache::tellOthers() {
 }
 
 void TextureCache::allImagesChanged() {
-  images_.clear();
+  images_.clear(), voxels_.clear();
   tellOthers();
 }
 
@@ -92,6 +77,7 @@ void TextureCache::forgetAttached() {
   if (attachedIncomplete_) return allImagesChanged();
   if (attached_.empty()) return;
   std::erase_if(images_, [&](const auto& known) { return attached_.contains(known.first.name); });
+  std::erase_if(voxels_, [&](const auto& known) { return attached_.contains(known.first); });
   tellOthers();
 }
 
@@ -108,6 +94,7 @@ void TextureCache::framebufferBound(const RealGl& real) {
   std::erase_if(images_, [&](const auto& known) {
     return isIn(now, known.first.name) || isIn(drawnTo_, known.first.name);
   });
+  std::erase_if(voxels_, [&](const auto& known) { return attached_.contains(known.first); });
   drawnTo_ = std::move(now);
   tellOthers();
 }
@@ -123,6 +110,7 @@ void TextureCache::imageChanged(const RealGl& real, GLenum target) {
   for (const Target& t : kTargets) {
     if (t.name != target) continue;  // also proxies, and targets that fixed function lacks
     const auto name = static_cast<GLuint>(integer(real, t.binding));
+    if (target == GL_TEXTURE_3D) voxels_.erase(name);
     std::erase_if(
         images_, [&](const auto& known) { return known.first.target == target && known.first.name == name; });
   }
@@ -131,6 +119,7 @@ void TextureCache::imageChanged(const RealGl& real, GLenum target) {
 void TextureCache::deleted(GLuint name) {
   tellOthers();
   attached_.erase(name);
+  voxels_.erase(name);
   std::erase_if(images_, [&](const auto& known) { return known.first.name == name; });
 }
 
@@ -274,7 +263,7 @@ bool TextureCache::isOpaque(const scene::Attribute& elements, uint32_t count) {
 
 void TextureCache::forgetChanged() {
   const uint64_t changes = group_.textureChanges;
-  if (std::exchange(changesKnown_, changes) != changes) images_.clear();
+  if (std::exchange(changesKnown_, changes) != changes) images_.clear(), voxels_.clear();
 }
 
 Reason TextureCache::read(const RealGl& real, const RareState& has, std::vector<scene::Texture>& textures) {

@@ -6,10 +6,12 @@
 #include "gl/real/real.h"
 #include "gl/textures/texture_image.h"
 #include "scene/snapshot.h"
+#include "scene/voxel_grid.h"
 
 #include <map>
 #include <memory>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace gluray::gl {
@@ -50,6 +52,13 @@ class TextureCache {
   /// Reads the texture that a sampler of type `sampler` (GL_SAMPLER_2D ...) samples on `unit`. Returns
   /// Reason::traced, or why the texture cannot be traced.
   Reason bound(const RealGl& real, const RareState& has, GLint unit, GLenum sampler, scene::Texture& texture);
+  /// The texture that a sampler3D samples on `unit`, as it is stored, and its sampling parameters in
+  /// `sampling`, whose image is null. Null, with the reason in `why`, if it cannot be traced.
+  std::shared_ptr<const scene::VoxelGrid> voxels(const RealGl& real, const RareState& has, GLint unit,
+                                                 scene::Texture& sampling, std::string& why);
+  /// The window depths in the texture that a sampler2D samples on `unit`. False if it is no depth texture of
+  /// this size that is read texel by texel.
+  bool depths(const RealGl& real, const RareState& has, GLint unit, glm::ivec2 size, std::vector<float>& out);
   /// The buffer texture on `unit`, with its contents as they are when they are read.
   Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, BufferTexture& texture);
   /// Reads the texels of the buffer texture on `unit`: bytes or floats, one to four per texel. Bytes that are
@@ -83,6 +92,7 @@ class TextureCache {
   ShareGroup& group_;
   uint64_t changesKnown_ = 0;  // value of ShareGroup::textureChanges that images_ reflects
   std::map<Key, std::shared_ptr<const scene::TextureImage>> images_;
+  std::map<GLuint, std::shared_ptr<const scene::VoxelGrid>> voxels_;  // by name of a 3D texture
   std::set<GLuint> attached_;        // names of textures that were ever attached
   bool attachedIncomplete_ = false;  // memory ran out: any texture may have been attached
   // Textures attached to the draw framebuffer. Known while an image of a texture that was ever attached is

@@ -7,6 +7,7 @@
 #include "intercept/present/presented_images.h"
 #include "intercept/present/reused_captures.h"
 #include "intercept/present/traced_layers.h"
+#include "intercept/present/traced_volumes.h"
 #include "intercept/present/traced_window.h"
 #include "intercept/present/write_back/texture_upload.h"
 #include "scene/replaced_pixels.h"
@@ -24,6 +25,7 @@ class TracingPresenter final : public gl::Presenter {
         shared_(complete_.tracer(), std::move(onWritten)),
         layers_(shared_),
         window_(shared_),
+        volumes_(shared_),
         reader_(shared_) {}
 
   bool supports(const gl::RealGl& real, bool, std::string& why) noexcept override {
@@ -37,6 +39,9 @@ class TracingPresenter final : public gl::Presenter {
                             const scene::SnapshotPtr& now, const gl::RelightTarget& target) noexcept override;
   bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
                  const scene::Region& region, const Settings& settings) noexcept override;
+  bool castVolume(const gl::RealGl& real, const scene::VolumeCast& cast, std::string& why) noexcept override {
+    return volumes_.cast(real, cast, why);
+  }
   gl::LayerPresenter& layers() noexcept override { return layers_; }
   gl::WindowPresenter& window() noexcept override { return window_; }
   gl::FramebufferReader& reader() noexcept override { return reader_; }
@@ -64,6 +69,7 @@ class TracingPresenter final : public gl::Presenter {
   PresentedImages shared_;
   TracedLayers layers_;
   TracedWindow window_;
+  TracedVolumes volumes_;
   BufferReader reader_;
   TextureUpload put_;
   ClearedColor clearedObject_;

@@ -131,6 +131,10 @@ std::string mistakeInPulling(const Family& family) {
   return "";
 }
 
+std::string mistakeInVolume(const Family& family) {
+  return family.volume.given() && family.code.empty() ? "volumes need match.code" : "";
+}
+
 std::string mistakeInVertexNormals(const Family& family) {
   const bool asked = family.unitNormals != scene::FragmentShading::UnitNormals::pixels ||
                      family.normalColors || family.hasRim() || family.facesViewer;
@@ -180,8 +184,8 @@ std::string missingKey(const Family& family) {
 
 std::string mistakeIn(const Family& family) {
   if (const std::string key = missingKey(family); !key.empty()) return " needs " + key;
-  for (const auto& look :
-       {mistakeInBuiltIns, mistakeInPulling, mistakeInVertexNormals, mistakeInLook, mistakeInImpostors})
+  for (const auto& look : {mistakeInBuiltIns, mistakeInPulling, mistakeInVolume, mistakeInVertexNormals,
+                           mistakeInLook, mistakeInImpostors})
     if (const std::string mistake = look(family); !mistake.empty()) return ": " + mistake;
   return "";
 }

@@ -45,6 +45,7 @@ class FamilyReader : FamilyTable {
   void readSentBillboards();
   void readEdges();
   void readPass();
+  void readVolume();
 
   Family& family_;
 };

@@ -1,0 +1,160 @@
+#include "gl/volumes/volume_draws.h"
+
+#include "gl/batch/presenter.h"
+#include "gl/pending/pending_batch.h"
+#include "gl/real/state_queries.h"
+#include "gl/shadow/shadow_state.h"
+#include "gl/state/output_state.h"
+#include "gl/volumes/volume_reader.h"
+
+#include <GL/glext.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace gluray::gl {
+namespace {
+
+/// Whether colours are blended over the framebuffer's, premultiplied by their alpha.
+bool blendsOver(const RealGl& real) {
+  const auto is = [&](GLenum name, GLint value) { return integer(real, name) == value; };
+  return isOn(real, GL_BLEND) && is(GL_BLEND_EQUATION_RGB, GL_FUNC_ADD) &&
+         is(GL_BLEND_EQUATION_ALPHA, GL_FUNC_ADD) && is(GL_BLEND_SRC_RGB, GL_ONE) &&
+         is(GL_BLEND_DST_RGB, GL_ONE_MINUS_SRC_ALPHA) && is(GL_BLEND_SRC_ALPHA, GL_ONE) &&
+         is(GL_BLEND_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+scene::Region intersection(const glm::ivec4& a, const glm::ivec4& b) {
+  const glm::ivec2 lower = glm::max(glm::ivec2(a), glm::ivec2(b));
+  const glm::ivec2 upper =
+      glm::min(glm::ivec2(a) + glm::ivec2(a.z, a.w), glm::ivec2(b) + glm::ivec2(b.z, b.w));
+  return {lower.x, lower.y, upper.x - lower.x, upper.y - lower.y};
+}
+
+/// The pixels that points of data space in front of the viewer may cover; all of them if one is behind.
+scene::Region regionOf(const scene::VolumeView& view, const glm::ivec4& pixels) {
+  glm::dvec2 lower(1e9), upper(-1e9);
+  for (const glm::dvec3& corner : view.faces) {
+    const glm::dvec4 p = view.windowFromData * glm::dvec4(corner, 1);
+    if (!(p.w > 0)) return {pixels.x, pixels.y, pixels.z, pixels.w};
+    lower = glm::min(lower, glm::dvec2(p) / p.w), upper = glm::max(upper, glm::dvec2(p) / p.w);
+  }
+  const glm::dvec4 all(pixels.x, pixels.y, pixels.x + pixels.z, pixels.y + pixels.w);
+  const glm::ivec2 first(glm::floor(glm::clamp(lower, glm::dvec2(all), glm::dvec2(all.z, all.w)))),
+      end(glm::ceil(glm::clamp(upper, glm::dvec2(all), glm::dvec2(all.z, all.w))));
+  return intersection({first, end - first}, pixels);
+}
+
+bool isFront(const glm::dmat4& windowFromData, const glm::dvec3* corners, bool counterClockwise) {
+  glm::dmat3 m;
+  for (int c = 0; c < 3; ++c) {
+    const glm::dvec4 p = windowFromData * glm::dvec4(corners[c], 1);
+    m[c] = {p.x, p.y, p.w};
+  }
+  return (glm::determinant(m) > 0) == counterClockwise;
+}
+
+}  // namespace
+
+const char* VolumeDraws::obstacle() const {
+  const RealGl& real = p_.shadow.real;
+  const TargetState& target = p_.shadow.target();
+  const RasterState& raster = p_.shadow.raster();
+  if (p_.failsafe.aside()) return "GLuRay has stepped aside";
+  if (p_.shadow.activeQueries > 0) return "a query counts it";
+  if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer)
+    return "its framebuffer is not traced";
+  if (hasMoreDrawBuffers(real)) return "it has several draw buffers";
+  if (!blendsOver(real)) return "it is not blended over the framebuffer";
+  if (isOn(real, GL_DEPTH_TEST) && integer(real, GL_DEPTH_WRITEMASK)) return "it writes depth";
+  const GLint depths = integer(real, GL_DEPTH_FUNC);
+  if (isOn(real, GL_DEPTH_TEST) && depths != GL_LESS && depths != GL_LEQUAL)
+    return "it has another depth test";
+  if (isOn(real, GL_STENCIL_TEST) || isOn(real, GL_COLOR_LOGIC_OP))
+    return "it has a stencil test or a logic operation";
+  if (raster.cull == scene::CullFace::none || raster.cull == scene::CullFace::both)
+    return "its faces are not culled";
+  if (raster.offsetFill && (raster.offsetFactor != 0 || raster.offsetUnits != 0))
+    return "its faces have a polygon offset";
+  GLboolean channels[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+  real.GetBooleanv(GL_COLOR_WRITEMASK, channels);
+  if (!(channels[0] && channels[1] && channels[2] && channels[3])) return "it does not write all channels";
+  GLint polygons[2] = {GL_FILL, GL_FILL};
+  real.GetIntegerv(GL_POLYGON_MODE, polygons);
+  if (polygons[0] != GL_FILL) return "its faces are not filled";
+  const ViewportState& viewport = p_.shadow.viewport();
+  if (viewport.depthNear != 0 || viewport.depthFar != 1) return "its depth range is not 0 to 1";
+  return rareReason(real, p_.shadow.rare()) == Reason::traced ? nullptr : "rarely used state prevents it";
+}
+
+bool VolumeDraws::readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const {
+  const ArrayState& arrays = p_.shadow.attributes();
+  if (mode != GL_TRIANGLES || elements.instances > 1 || !arrays.vertex.enabled) return false;
+  const std::vector<uint32_t> numbers = vertexNumbers(p_.shadow.real, arrays, elements);
+  if (numbers.size() > 3 * kMostVolumeFaces || numbers.size() != static_cast<size_t>(elements.count))
+    return false;
+  const ArrayReader reader(p_.shadow.real, arrays.vertex);
+  std::vector<glm::dvec3> corners;
+  for (const uint32_t number : numbers) {
+    if (number >= reader.available()) return false;
+    float p[4];
+    reader.read(number, p);
+    if (p[3] != 1) return false;
+    corners.emplace_back(p[0], p[1], p[2]);
+  }
+  const RasterState& raster = p_.shadow.raster();
+  const bool keepsFronts = raster.cull == scene::CullFace::back;
+  for (size_t i = 0; i + 2 < corners.size(); i += 3)
+    if (isFront(view.windowFromData, &corners[i], raster.frontFaceCcw) == keepsFronts)
+      view.faces.insert(view.faces.end(), {corners[i], corners[i + 1], corners[i + 2]});
+  return true;
+}
+
+bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, std::string& why) {
+  if (const char* found = obstacle()) return why = found, false;
+  VolumeReader reader(p_.shadow);
+  if (!reader.read(cast)) return why = reader.why(), false;
+  const glm::ivec4& box = p_.shadow.viewport().box;
+  const glm::dmat4 windowFromClip =
+      glm::translate(glm::dmat4(1), {box.x + 0.5 * box.z, box.y + 0.5 * box.w, 0.5}) *
+      glm::scale(glm::dmat4(1), {0.5 * box.z, 0.5 * box.w, 0.5});
+  cast.view.windowFromData = windowFromClip * reader.clipFromData();
+  if (!readFaces(mode, elements, cast.view))
+    return why = "its faces are no triangles that can be read", false;
+  glm::ivec4 pixels = box;
+  const auto limit = [&](const glm::ivec4& by) {
+    const scene::Region r = intersection(pixels, by);
+    pixels = {r.x, r.y, r.width, r.height};
+  };
+  if (p_.shadow.raster().scissorTest) limit(p_.shadow.viewport().scissor);
+  if (const glm::ivec2 size = p_.shadow.target().size; size != glm::ivec2(0)) limit({0, 0, size.x, size.y});
+  cast.view.region = regionOf(cast.view, pixels);
+  using Test = scene::VolumeView::DepthTest;
+  if (isOn(p_.shadow.real, GL_DEPTH_TEST) && p_.shadow.target().reason == Reason::traced)
+    cast.view.depthTest = integer(p_.shadow.real, GL_DEPTH_FUNC) == GL_LESS ? Test::less : Test::lessOrEqual;
+  if (const TargetState& target = p_.shadow.target(); target.samples > 1 && p_.shadow.raster().multisample)
+    cast.view.samplePositions = target.samplePositions;
+  if (cast.view.region.width <= 0 || cast.view.region.height <= 0 || cast.view.faces.empty()) {
+    cast.view.region = {};
+    return true;
+  }
+  if (!reader.readDepths(cast.view)) return why = reader.why(), false;
+  return true;
+}
+
+bool VolumeDraws::draw(GLenum mode, const Elements& elements) {
+  scene::VolumeCast cast;
+  std::string why;
+  p_.shadow.errors.keepPending();
+  bool drawn = read(mode, elements, cast, why);
+  if (drawn && cast.view.region.width > 0) {
+    p_.raster.before(PrimitiveClass::surfaces);
+    drawn = p_.pending.presenter.castVolume(p_.shadow.real, cast, why);
+  }
+  p_.shadow.errors.takeReal();  // of our queries
+  if (!drawn) p_.shadow.setProgramWhy(std::move(why));
+  return drawn;
+}
+
+}  // namespace gluray::gl

@@ -1,0 +1,44 @@
+// Draws of volumes: traces them in place of the fragment shader that would cast their rays (docs/adr/0110).
+// A part of each Context, GL thread.
+#pragma once
+#include "gl/counts/draw_counts.h"
+#include "gl/draws/raster_draws.h"
+#include "gl/real/elements.h"
+#include "scene/volume.h"
+
+#include <GL/gl.h>
+
+#include <string>
+
+namespace gluray::gl {
+
+/// Number of a volume's faces: a clipped box has far fewer.
+inline constexpr uint64_t kMostVolumeFaces = 1000;
+/// Triangles that take a software OpenGL as long as a volume: more than it gets without a trial
+/// (EngineChoice).
+inline constexpr uint64_t kLoadOfVolume = 1000000;
+
+class VolumeDraws {
+ public:
+  struct Parts {
+    ShadowState& shadow;
+    const Failsafe& failsafe;
+    DrawCounts& counts;
+    PendingBatch& pending;
+    RasterDraws& raster;
+  };
+  explicit VolumeDraws(const Parts& parts) : p_(parts) {}
+
+  /// Draws the volume of the shader program in use. False: the real OpenGL must draw it; then the program's
+  /// `why` says the reason.
+  bool draw(GLenum mode, const Elements& elements);
+
+ private:
+  bool read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, std::string& why);
+  bool readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const;
+  const char* obstacle() const;
+
+  Parts p_;
+};
+
+}  // namespace gluray::gl

@@ -1,0 +1,46 @@
+// Reads what a shader program that casts rays through a volume draws, as its family describes it. GL thread,
+// context current.
+#pragma once
+#include "gl/program_state/program_state.h"
+#include "gl/shadow/shadow_state.h"
+#include "scene/volume.h"
+
+#include <string>
+
+namespace gluray::gl {
+
+/// Use an object once.
+class VolumeReader {
+ public:
+  explicit VolumeReader(ShadowState& shadow);
+  /// Reads all but faces, region and depths into `cast`. False, with the reason for the user in `why`.
+  bool read(scene::VolumeCast& cast);
+  /// Reads the depths of `region`, which must be set.
+  bool readDepths(scene::VolumeView& view);
+  const std::string& why() const { return why_; }
+  /// From data space to clip coordinates with depths from -1 to 1.
+  const glm::dmat4& clipFromData() const { return clipFromData_; }
+
+ private:
+  bool refuse(std::string why) { return why_ = std::move(why), false; }
+  bool readGrid(scene::Volume& volume);
+  bool readTable(const std::string& sampler, int channels, scene::VolumeTable& table);
+  bool readTables(scene::Volume& volume);
+  void readLook(scene::Volume& volume);
+  bool readViewer(scene::VolumeView& view);
+  bool readView(scene::VolumeView& view);
+  bool readJitter(scene::VolumeView& view);
+  GLint unitOf(const std::string& sampler) const;
+  glm::vec4 value(const FamilyValue& v, const glm::vec4& otherwise) const {
+    return uniforms_.value(v, otherwise);
+  }
+
+  ShadowState& shadow_;
+  const ProgramState& program_;
+  const FamilyVolume& family_;
+  const UniformReader uniforms_;
+  glm::dmat4 clipFromData_{1};
+  std::string why_;
+};
+
+}  // namespace gluray::gl
