@@ -40,6 +40,10 @@ def command(program, launcher, report):
     more = {"VTK_STATES_REPORT": str(report)} if report else {}
     if program == "vtk":
         return [*launcher, PYTHON], more | {"PYTHONPATH": vtk_modules()}
+    if program == "newer_vtk":
+        if subprocess.run([PYTHON, "-c", "import vtkmodules"], capture_output=True, cwd="/").returncode:
+            raise Skipped("python3-paraview is not installed")
+        return [*launcher, PYTHON], more
     if program == "remote":
         need("pvpython")
         return ["pvpython"], {}  # the server is what is looked at

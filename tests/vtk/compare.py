@@ -4,8 +4,9 @@
 
 Needs an X server of its own (tests/doors/with_display.py). GROUP is a module of states/; one process draws the states of one
 program, of whatever groups they are. Compared are the share of pixels that differ by more than 8 of 255, window depth, and, away
-from all surfaces, every pixel. For a state that fails both images, their difference (eight times as bright) and NAME.json are in
-FOLDER/failed. Prints a table; FOLDER/LABEL.json holds it too. Exit code 77: ParaView or VTK is not installed.
+from all surfaces, every pixel; of some states also the share of pixels that differ by more than 2. For a state that fails both
+images, their difference (eight times as bright) and NAME.json are in FOLDER/failed. Prints a table; FOLDER/LABEL.json holds it too.
+Exit code 77: ParaView or VTK is not installed.
 """
 import json
 import pathlib
@@ -29,6 +30,7 @@ DEPTH = 1e-4   # window depths that differ by more count as different
 # Counts that must stay 0 while only the camera moves.
 STEADY = {"mesh.built": "meshes were built", "bvh.builds": "acceleration structures were built"}
 MARGIN = 4     # pixels around surfaces that anti-aliasing may touch
+CLOSE, CLOSE_SHARE = 2, 0.0001  # registry.State.close
 ROUNDING = 1   # of 255: what may differ elsewhere, where anti-aliasing of the whole image was computed by us
 
 
@@ -64,6 +66,8 @@ def compare_shot(state, off_file, on_file):
     beyond = images.share_beyond(off, on)
     if beyond > state.beyond:
         wrong.append(f"{beyond:.4%} of its pixels differ by more than {images.VISIBLE}/255, at most {state.beyond:.4%} may")
+    if state.close and (share := images.share_beyond(off, on, CLOSE)) > CLOSE_SHARE:
+        wrong.append(f"{share:.4%} of its pixels differ by more than {CLOSE}/255, at most {CLOSE_SHARE:.4%} may")
     depth_files = [file.with_suffix(".npy") for file in (off_file, on_file)]
     if not state.same_depth or not all(file.exists() for file in depth_files):
         return beyond, 0.0, wrong
@@ -200,7 +204,7 @@ def main():
         except batch.Skipped as why:
             skipped.append(f"skipped: {program}: {why}")
             continue
-        if program not in ("pvbatch", "vtk"):
+        if program not in ("pvbatch", "vtk", "newer_vtk"):
             wrong += print_processes(program, on.folder)
         for state in chosen:
             row, lines = compare_state(state, off, on, failed)

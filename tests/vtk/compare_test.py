@@ -55,6 +55,8 @@ FEW = (slice(30, 32), slice(50, 51), (240, 150, 100))       # 2 pixels of 8000: 
 MANY = (slice(30, 34), slice(45, 50), (240, 150, 100))      # 20 pixels
 OUTSIDE = (slice(2, 3), slice(2, 3), (22, 30, 40))          # one pixel, by little
 ROUNDED = (slice(2, 9), slice(2, 9), (21, 31, 39))          # by the least there is
+NEAR = (slice(30, 34), slice(40, 50), (202, 152, 102))      # 40 pixels by 2
+LESS_NEAR = (slice(30, 31), slice(45, 46), (203, 150, 100)) # one pixel by 3
 DEEPER = (slice(30, 34), slice(45, 50), 0.51)
 
 # Errors of the second run: its images, further arguments of drawn() and registry.State, and the words that must be reported.
@@ -66,6 +68,9 @@ CASES = {
     "a pixel outside": ([changed(OUTSIDE)], {}, {}, "1 pixels away from every surface"),
     "roundings outside": ([changed(ROUNDED)], {}, {}, None),
     "a pixel outside where that is allowed": ([changed(OUTSIDE)], {}, {"outside": False}, None),
+    "a close picture": ([changed(NEAR)], {}, {"close": True}, None),
+    "a pixel that is not close": ([changed(LESS_NEAR)], {}, {"close": True}, "0.0125% of its pixels differ by more than 2/255"),
+    "a pixel that need not be close": ([changed(LESS_NEAR)], {}, {}, None),
     "depth": ([changed(None, DEEPER)], {}, {}, "the depth of 0.2500%"),
     "depth that is not compared": ([changed(None, DEEPER)], {}, {"same_depth": False}, None),
     "size": ([(ball()[0][:, 1:], None)], {}, {}, "99x80 instead of 100x80"),

@@ -22,7 +22,8 @@ SHARES = pathlib.Path(__file__).parent / "shares.json"
 class State:
     name: str
     group: str             # the module of states/ that it stands in
-    program: str           # "pvbatch", "vtk", "mpi2", "mpi4" (pvbatch in as many processes) or "remote" (pvserver)
+    program: str           # "pvbatch", "vtk", "newer_vtk" (the one that ParaView brings), "mpi2", "mpi4" (pvbatch in as many processes) or
+                           # "remote" (pvserver)
     draw: callable
     beyond: float          # share of an image's pixels that may differ by more than 8 of 255
     reason: str            # reason for a larger tolerance than usual
@@ -30,9 +31,10 @@ class State:
     outside: bool          # pixels away from every surface must be equal
     same_depth: bool       # depth is compared
     sends: int             # most bytes of buffers sent to the real OpenGL while only the camera moves
+    close: bool = False    # only 0.01 % of an image's pixels may differ by more than 2 of 255
 
 
-def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True, sends=0):
+def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_depth=True, sends=0, close=False):
     """Registers the function below it, for one program or, under names of their own, for a tuple of them. `beyond` is at
     most 0.005; above 0.0005 it needs a reason."""
     if beyond > 0.005 or (beyond > 0.0005 and not reason):
@@ -43,7 +45,7 @@ def state(program, beyond=0.0005, reason="", min_share=None, outside=True, same_
             name = draw.__name__ if one == program else f"{draw.__name__}_{one}"
             if name in STATES:
                 raise ValueError(f"two states are named {name}")
-            STATES[name] = State(name, draw.__module__, one, draw, beyond, reason, min_share, outside, same_depth, sends)
+            STATES[name] = State(name, draw.__module__, one, draw, beyond, reason, min_share, outside, same_depth, sends, close)
         return draw
 
     return register

@@ -233,4 +233,4 @@ class VtkStage(Stage):
 
 
 def open_stage(program, folder, name):
-    return (VtkStage if program == "vtk" else ParaViewStage)(folder, name)
+    return (VtkStage if program in ("vtk", "newer_vtk") else ParaViewStage)(folder, name)
