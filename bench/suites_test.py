@@ -10,7 +10,7 @@ import unittest.mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from suites import compare, first, micro, objects, versions, wheels  # noqa: E402
+from suites import compare, first, micro, objects, versions, volumes, wheels  # noqa: E402
 from support import programs  # noqa: E402
 
 OLD = {"machine": {"cpu": "A", "load_before": 1}, "versions": {"source": "1"},
@@ -170,6 +170,17 @@ class Wheels(unittest.TestCase):
     def test_a_program_without_a_report_has_traced_nothing(self):
         row = wheels.row_of("vispy", [{"frame_s": 1, "triangles": 1}], [{"frame_s": 2, "report": None}])
         self.assertEqual((row["traced"], row["ratio"]), (0, 0.5))
+
+
+class Volumes(unittest.TestCase):
+    def test_the_ratio_is_the_median_of_those_of_the_rounds(self):
+        traced = [{"frame_s": 0.1, "report": None}, {"frame_s": 0.1, "report": {"draws": {"traced": 7, "rasterised": {}}}}]
+        row = volumes.row_of("dense", [{"frame_s": 0.4}, {"frame_s": 0.6}], traced)
+        self.assertEqual((row["ratio"], row["gl_ms"], row["traced"]), (5, 500, 7))
+
+    def test_unknown_types_are_refused(self):
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
+            volumes.arguments(["--types", "halves"])
 
 
 if __name__ == "__main__":

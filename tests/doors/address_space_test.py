@@ -57,10 +57,17 @@ def lives(megabytes: int, api: str, scene: str, option: str, threads: int) -> bo
     return all(map(shows, alone))
 
 
+def lives_about(megabytes: int, *how) -> bool:
+    """The same at somewhat lower limits, too. Near 60 MB of data Mesa's compiler finds room at one limit and not at the next, and the doors take some
+    of what there is."""
+    lower = range(4) if megabytes < 100 else (0,)
+    return all(lives(megabytes - less, *how) for less in lower)
+
+
 class Limits(unittest.TestCase):
     def try_limit(self, megabytes: int, api: str, scene: str, door: str, settings=(), option="-v", threads=2) -> str:
         """What is seen: "dies" alone, "plain" or "traced"; the last where both images are the same."""
-        if not lives(megabytes, api, scene, option, threads):
+        if not lives_about(megabytes, api, scene, option, threads):
             return "dies"
         with self.subTest(option=option, megabytes=megabytes, api=api, scene=scene, door=door, settings=settings):
             plain, traced = ample(api, scene), ample(api, scene, door=door, settings=settings)
