@@ -34,7 +34,9 @@ DrawRequest::Load loadOf(Context& c, GLenum mode, const Elements& e) {
   const uint64_t impostors = static_cast<uint64_t>(e.count) / (mode == GL_LINES ? 2 : 1) * e.repeats();
   if (c.shadow.currentProgram.drawsImpostors(mode)) return {pathOf(e), PrimitiveClass::surfaces, impostors};
   DrawRequest::Load load{pathOf(e), kindOf(mode), trianglesOf(mode, e)};
-  if (mode == GL_TRIANGLES && load.triangles <= kMostVolumeFaces && c.shadow.currentProgram.drawsVolumes())
+  const bool chooses = c.clock.choice.active();  // otherwise nobody asks
+  if (chooses && mode == GL_TRIANGLES && load.triangles <= kMostVolumeFaces &&
+      c.shadow.currentProgram.drawsVolumes())
     load.more = kLoadOfVolume;
   return load;
 }
