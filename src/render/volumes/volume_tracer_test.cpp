@@ -234,7 +234,8 @@ TEST(VolumeTracer, RefusesWhatItCannotTrace) {
 }
 
 TEST(VolumeTracer, SurvivesExtremeValues) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity(), kNoNumber = std::nanf("");
+  constexpr float kInfinity = std::numeric_limits<float>::infinity(),
+                  kNoNumber = std::numeric_limits<float>::quiet_NaN();
   for (const float extreme : {kInfinity, -kInfinity, kNoNumber, 3e38f, -3e38f, 1e-40f, 0.0f})
     for (const bool linear : {true, false})
       for (const VolumeBlend blend : {VolumeBlend::composite, VolumeBlend::maximum, VolumeBlend::average}) {

@@ -82,9 +82,9 @@ TEST(FamilyFileVolume, KeysOfUniforms) {
       {"light_specular", &FamilyVolume::lightSpecular}};
   for (const auto& [key, value] : values) {
     const std::string line = "volume." + std::string(key) + " = ";
+    const std::string replaced = std::string(key) == "step" ? "step" : "";
     const auto familyWith = [&](const std::string& given) {
-      const FamilyList list =
-          parseFamilies(volumeText(line + given, std::string(key) == "step" ? "step" : ""), "x.toml");
+      const FamilyList list = parseFamilies(volumeText(line + given, replaced), "x.toml");
       return *list.at(0);
     };
     const Family named = familyWith("\"u\"\n");
