@@ -17,7 +17,7 @@ enum class Fate : uint8_t {
   heldPeel,       // a later peel, held back
   leftOutPass,    // a pass that draws nothing, because its layers are traced
   traced,         // with the batch
-  replaced,       // a full-screen pass that GLuRay makes instead
+  replaced,       // a full-screen pass or a volume that GLuRay draws instead
   culled,         // rasterised without hidden parts
   rasterised,     // by the real OpenGL
 };
