@@ -46,7 +46,7 @@ struct Volume {
   glm::vec3 cellSpacing{1};             // data space
   glm::vec2 range{0, 1};                // values of data for scalars 0 and 1
   glm::vec2 averaged{0, 1};             // values of data that VolumeBlend::average counts
-  float least = 1 - 1.0f / 255;         // opacity at which rays end: above
+  float least = 1 - 1.0f / 255;         // rays end above this opacity
   float colorScale = 1, colorBias = 0;  // of the finished colour
 };
 

@@ -18,7 +18,7 @@ class DrawRequest {
     DrawPath path = DrawPath::arrays;
     PrimitiveClass primitive = PrimitiveClass::surfaces;
     uint64_t triangles = 0;
-    uint64_t more = 0;  // triangles that take as long as what the draw's fragments do beside
+    uint64_t more = 0;  // the work of its fragments, as the number of triangles that take as long
   };
 
   /// The reason why no such draw is traced in the current state, whatever its vertices are, or

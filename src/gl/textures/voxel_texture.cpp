@@ -43,23 +43,23 @@ std::shared_ptr<const VoxelGrid> readVoxels(const RealGl& real, const RareState&
   const auto level = [&](GLenum name) { return ask(real, GL_TEXTURE_3D, name); };
   constexpr GLenum kSizes[] = {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
                                GL_TEXTURE_ALPHA_SIZE};
-  constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
   int channels = 0;
   while (channels < 4 && level(kSizes[channels]) > 0) ++channels;
   why = "the format of its texture is not traced";
   const bool more = channels < 4 && level(GL_TEXTURE_ALPHA_SIZE) > 0;
   if (channels == 0 || more || !has.textureTypes || level(GL_TEXTURE_COMPRESSED)) return nullptr;
+  if (channels > 1) return why = "its voxels have several components", nullptr;
   const auto form = formOf(level(GL_TEXTURE_RED_TYPE), level(GL_TEXTURE_RED_SIZE));
   if (!form) return nullptr;
   auto grid = std::make_shared<VoxelGrid>();
-  grid->type = form->type, grid->channels = channels;
+  grid->type = form->type;
   grid->size = {level(GL_TEXTURE_WIDTH), level(GL_TEXTURE_HEIGHT), level(GL_TEXTURE_DEPTH)};
   if (grid->voxels() == 0) return nullptr;
   grid->values = std::make_unique_for_overwrite<std::byte[]>(grid->bytes() + VoxelGrid::kPadding);
   std::fill_n(grid->values.get() + grid->bytes(), VoxelGrid::kPadding, std::byte{0});
   const PixelGuard guard(real, has.fixedFunction);
   real.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  real.GetTexImage(GL_TEXTURE_3D, 0, kFormats[channels - 1], form->read, grid->values.get());
+  real.GetTexImage(GL_TEXTURE_3D, 0, GL_RED, form->read, grid->values.get());
   why.clear();
   return grid;
 }

@@ -25,25 +25,18 @@ bool blendsOver(const RealGl& real) {
          is(GL_BLEND_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-scene::Region intersection(const glm::ivec4& a, const glm::ivec4& b) {
-  const glm::ivec2 lower = glm::max(glm::ivec2(a), glm::ivec2(b));
-  const glm::ivec2 upper =
-      glm::min(glm::ivec2(a) + glm::ivec2(a.z, a.w), glm::ivec2(b) + glm::ivec2(b.z, b.w));
-  return {lower.x, lower.y, upper.x - lower.x, upper.y - lower.y};
-}
-
 /// The pixels that points of data space in front of the viewer may cover; all of them if one is behind.
-scene::Region regionOf(const scene::VolumeView& view, const glm::ivec4& pixels) {
-  glm::dvec2 lower(1e9), upper(-1e9);
+scene::Region regionOf(const scene::VolumeView& view, const scene::Region& pixels) {
+  const glm::dvec2 least(pixels.x, pixels.y), most(pixels.x + pixels.width, pixels.y + pixels.height);
+  glm::dvec2 lower = most, upper = least;
   for (const glm::dvec3& corner : view.faces) {
     const glm::dvec4 p = view.windowFromData * glm::dvec4(corner, 1);
-    if (!(p.w > 0)) return {pixels.x, pixels.y, pixels.z, pixels.w};
+    if (!(p.w > 0)) return pixels;
     lower = glm::min(lower, glm::dvec2(p) / p.w), upper = glm::max(upper, glm::dvec2(p) / p.w);
   }
-  const glm::dvec4 all(pixels.x, pixels.y, pixels.x + pixels.z, pixels.y + pixels.w);
-  const glm::ivec2 first(glm::floor(glm::clamp(lower, glm::dvec2(all), glm::dvec2(all.z, all.w)))),
-      end(glm::ceil(glm::clamp(upper, glm::dvec2(all), glm::dvec2(all.z, all.w))));
-  return intersection({first, end - first}, pixels);
+  const glm::ivec2 first(glm::floor(glm::clamp(lower, least, most))),
+      end(glm::ceil(glm::clamp(upper, least, most)));
+  return {first.x, first.y, end.x - first.x, end.y - first.y};
 }
 
 bool isFront(const glm::dmat4& windowFromData, const glm::dvec3* corners, bool counterClockwise) {
@@ -68,8 +61,7 @@ const char* VolumeDraws::obstacle() const {
   if (hasMoreDrawBuffers(real)) return "it has several draw buffers";
   if (!blendsOver(real)) return "it is not blended over the framebuffer";
   if (isOn(real, GL_DEPTH_TEST) && integer(real, GL_DEPTH_WRITEMASK)) return "it writes depth";
-  const GLint depths = integer(real, GL_DEPTH_FUNC);
-  if (isOn(real, GL_DEPTH_TEST) && depths != GL_LESS && depths != GL_LEQUAL)
+  if (isOn(real, GL_DEPTH_TEST) && raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL)
     return "it has another depth test";
   if (isOn(real, GL_STENCIL_TEST) || isOn(real, GL_COLOR_LOGIC_OP))
     return "it has a stencil test or a logic operation";
@@ -122,25 +114,17 @@ bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast&
   cast.view.windowFromData = windowFromClip * reader.clipFromData();
   if (!readFaces(mode, elements, cast.view))
     return why = "its faces are no triangles that can be read", false;
-  glm::ivec4 pixels = box;
-  const auto limit = [&](const glm::ivec4& by) {
-    const scene::Region r = intersection(pixels, by);
-    pixels = {r.x, r.y, r.width, r.height};
-  };
-  if (p_.shadow.raster().scissorTest) limit(p_.shadow.viewport().scissor);
-  if (const glm::ivec2 size = p_.shadow.target().size; size != glm::ivec2(0)) limit({0, 0, size.x, size.y});
+  scene::Region pixels = Batch::keyOf(p_.shadow.pixelState(), glm::dmat4(1)).region;
+  p_.filler.clampToTarget(pixels);
   cast.view.region = regionOf(cast.view, pixels);
   using Test = scene::VolumeView::DepthTest;
   if (isOn(p_.shadow.real, GL_DEPTH_TEST) && p_.shadow.target().reason == Reason::traced)
-    cast.view.depthTest = integer(p_.shadow.real, GL_DEPTH_FUNC) == GL_LESS ? Test::less : Test::lessOrEqual;
+    cast.view.depthTest = p_.shadow.raster().depthFunc == GL_LESS ? Test::less : Test::lessOrEqual;
   if (const TargetState& target = p_.shadow.target(); target.samples > 1 && p_.shadow.raster().multisample)
     cast.view.samplePositions = target.samplePositions;
-  if (cast.view.region.width <= 0 || cast.view.region.height <= 0 || cast.view.faces.empty()) {
-    cast.view.region = {};
-    return true;
-  }
-  if (!reader.readDepths(cast.view)) return why = reader.why(), false;
-  return true;
+  const scene::Region& region = cast.view.region;
+  if (region.width <= 0 || region.height <= 0 || cast.view.faces.empty()) return cast.view.region = {}, true;
+  return reader.readDepths(cast.view) || (why = reader.why(), false);
 }
 
 bool VolumeDraws::draw(GLenum mode, const Elements& elements) {

@@ -1,7 +1,7 @@
 // Draws of volumes: traces them in place of the fragment shader that would cast their rays (docs/adr/0110).
 // A part of each Context, GL thread.
 #pragma once
-#include "gl/counts/draw_counts.h"
+#include "gl/draws/batch_filler.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/real/elements.h"
 #include "scene/volume.h"
@@ -23,9 +23,9 @@ class VolumeDraws {
   struct Parts {
     ShadowState& shadow;
     const Failsafe& failsafe;
-    DrawCounts& counts;
     PendingBatch& pending;
     RasterDraws& raster;
+    BatchFiller& filler;
   };
   explicit VolumeDraws(const Parts& parts) : p_(parts) {}
 

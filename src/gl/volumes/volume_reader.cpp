@@ -29,7 +29,6 @@ bool VolumeReader::readGrid(scene::Volume& volume) {
     if (wrap != Wrap::clampToEdge) return refuse("the texture of its voxels is not clamped to its edge");
   volume.linear = sampling.magFilter == scene::Filter::linear;
   volume.byteFilter = sampling.byteFilter && volume.grid->type == scene::VoxelGrid::Type::byte;
-  if (volume.grid->channels != 1) return refuse("its voxels have several components");
   volume.scale = value(family_.scale, glm::vec4(1)).x, volume.bias = value(family_.bias, glm::vec4(0)).x;
   return true;
 }

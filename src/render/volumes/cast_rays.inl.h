@@ -28,7 +28,7 @@ class Caster {
     const glm::vec3 beyond = volume_.cellStep * glm::vec3(volume_.grid->size) - 1.0f;
     stepsAreVoxels_ = hasGradients() &&
                       std::min({volume_.grid->size.x, volume_.grid->size.y, volume_.grid->size.z}) >= 4 &&
-                      Samples::kHasWindows && glm::all(glm::lessThan(glm::abs(beyond), glm::vec3(0.01f)));
+                      glm::all(glm::lessThan(glm::abs(beyond), glm::vec3(0.01f)));
   }
 
   /// The finished colours of rays; `shown`: those that show anything.
@@ -77,7 +77,8 @@ class Caster {
     const Floats none = hn::Zero(d);
     typename Samples::Around around{none, {none, none, none}};
     Alive known = hn::Lt(none, none);
-    if (stepsAreVoxels_) known = samples_.around(p, volume_.cellStep, around);
+    if constexpr (Samples::kHasWindows)
+      if (stepsAreVoxels_) known = samples_.around(p, volume_.cellStep, around);
     Floats scalar = hn::MulAdd(around.here, scale_, bias_);
     if (!hn::AllFalse(d, hn::AndNot(known, alive))) scalar = hn::IfThenElse(known, scalar, scalarAt(p));
     return {scalar, scaled(around.differences, scale_), known};

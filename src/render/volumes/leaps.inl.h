@@ -46,9 +46,8 @@ class Leaps {
     const VolumeD d;
     Alive waiting = hn::And(alive, hn::Ge(sample, next_));
     while (!hn::AllFalse(d, waiting)) {
-      Floats visible;
-      const Floats end = endOfCell(rays_.at(sample), sample, visible);
-      const Alive seen = hn::Gt(visible, hn::Zero(d));
+      Alive seen = waiting;
+      const Floats end = endOfCell(rays_.at(sample), sample, seen);
       next_ = hn::IfThenElse(waiting, end, next_);
       sample = hn::IfThenElse(hn::AndNot(seen, waiting), end, sample);
       waiting = hn::And(hn::AndNot(seen, waiting), hn::Lt(sample, rays_.samples));
@@ -57,9 +56,9 @@ class Leaps {
   }
 
  private:
-  /// Number of the first sample beyond the macro cell, or beyond the empty cells around it. `visible`: 1 if
-  /// the cell is not empty.
-  HWY_ATTR Floats endOfCell(const Positions& p, Floats sample, Floats& visible) const {
+  /// Number of the first sample beyond the macro cell, or beyond the empty cells around it. `seen`: the rays
+  /// whose cell is not empty.
+  HWY_ATTR Floats endOfCell(const Positions& p, Floats sample, Alive& seen) const {
     const VolumeD d;
     const VolumeI di;
     const glm::ivec3 size = frame_.volume->grid->size;
@@ -79,7 +78,7 @@ class Leaps {
               di, index);
     for (size_t i = 0; i < kRays; ++i) index[i] = (*frame_.empty)[static_cast<size_t>(index[i])];
     const Ints distance = hn::Load(di, index);
-    visible = hn::IfThenElseZero(hn::RebindMask(d, hn::Eq(distance, hn::Zero(di))), hn::Set(d, 1.0f));
+    seen = hn::RebindMask(d, hn::Eq(distance, hn::Zero(di)));
     const Ints around = hn::Max(hn::Sub(distance, hn::Set(di, 1)), hn::Zero(di));
     Floats steps = hn::Set(d, std::numeric_limits<float>::max());
     static_assert(accel::MacroCells::kSide == 8);

@@ -28,19 +28,33 @@ struct Positions {
   Floats x, y, z;
 };
 
+/// A voxel on one axis.
+struct VoxelPlace {
+  Ints voxel;
+  /// Whether there is a voxel more on both sides of it and the next one.
+  HWY_ATTR Alive isInside(int size) const {
+    const VolumeI di;
+    return hn::RebindMask(VolumeD(),
+                          hn::And(hn::Gt(voxel, hn::Zero(di)), hn::Lt(voxel, hn::Set(di, size - 2))));
+  }
+};
+
+/// Shares of the farther of two voxels: of a sample, and of those a step before and after it.
+template <class Share>
+struct StepShares {
+  Share here, before, after;
+};
+
 /// A filter finds the voxel before a texture coordinate along one axis, at most the last but one, and the
 /// share of the next one.
 struct LinearFilter {
   using D = VolumeD;
   using Number = float;
   using Share = Floats;
-  struct Shares {
-    Share here, before, after;
-  };
+  using Shares = StepShares<Share>;
   static constexpr bool kMixes = true;
 
-  struct Place {
-    Ints voxel;
+  struct Place : VoxelPlace {
     Share share;
 
     HWY_ATTR Place(Floats coordinate, int size) {
@@ -49,11 +63,6 @@ struct LinearFilter {
       const Floats u = hn::Min(hn::Max(positionOf(coordinate, size), hn::Zero(D())), last);
       voxel = hn::Min(hn::ConvertTo(di, u), hn::Set(di, std::max(size - 2, 0)));
       share = hn::Sub(u, hn::ConvertTo(D(), voxel));
-    }
-    /// Whether there is a voxel more on both sides.
-    HWY_ATTR Alive isInside(int size) const {
-      const VolumeI di;
-      return hn::RebindMask(D(), hn::And(hn::Gt(voxel, hn::Zero(di)), hn::Lt(voxel, hn::Set(di, size - 2))));
     }
     HWY_ATTR Shares around(Floats /*coordinate*/, float step, int size) const {
       const Floats beyond = hn::Set(D(), step * static_cast<float>(size) - 1);
@@ -72,13 +81,10 @@ struct ByteFilter {
   using D = VolumeI;
   using Number = int32_t;
   using Share = Ints;  // in 256ths
-  struct Shares {
-    Share here, before, after;
-  };
+  using Shares = StepShares<Share>;
   static constexpr bool kMixes = true;
 
-  struct Place {
-    Ints voxel;
+  struct Place : VoxelPlace {
     Share share;
 
     HWY_ATTR Place(Floats coordinate, int size) {
@@ -86,10 +92,6 @@ struct ByteFilter {
       voxel = hn::Min(hn::Max(hn::ShiftRight<8>(at), hn::Zero(D())), last);
       const Ints most = hn::Set(D(), 256);
       share = hn::Min(hn::Max(hn::Sub(at, hn::ShiftLeft<8>(voxel)), hn::Zero(D())), most);
-    }
-    HWY_ATTR Alive isInside(int size) const {
-      return hn::RebindMask(VolumeD(),
-                            hn::And(hn::Gt(voxel, hn::Zero(D())), hn::Lt(voxel, hn::Set(D(), size - 2))));
     }
     HWY_ATTR Shares around(Floats coordinate, float step, int size) const {
       const Floats by = hn::Set(VolumeD(), step);
@@ -114,13 +116,9 @@ struct NearestFilter {
   using D = VolumeD;
   using Number = float;
   using Share = Floats;
-  struct Shares {
-    Share here, before, after;
-  };
   static constexpr bool kMixes = false;
 
-  struct Place {
-    Ints voxel;
+  struct Place : VoxelPlace {
     Share share;
 
     HWY_ATTR Place(Floats coordinate, int size) {
@@ -130,8 +128,6 @@ struct NearestFilter {
       voxel = hn::Min(nearest, hn::Set(di, std::max(size - 2, 0)));
       share = hn::ConvertTo(D(), hn::Sub(nearest, voxel));
     }
-    HWY_ATTR Alive isInside(int) const { return hn::Lt(share, share); }
-    HWY_ATTR Shares around(Floats, float, int) const { return {share, share, share}; }
   };
   static HWY_ATTR Share mixed(Share a, Share b, Share share) {
     return hn::IfThenElse(hn::Gt(share, hn::Zero(D())), b, a);

@@ -33,8 +33,8 @@ class VoxelSamples {
     return Filter::value(sheet(rows.mixed(x.share), y.share, z.share));
   }
 
-  static constexpr bool kHasWindows =
-      Filter::kMixes;  // around() may be called, with four voxels along each axis
+  /// Whether around() may be called, with four voxels or more along each axis.
+  static constexpr bool kHasWindows = Filter::kMixes;
 
   /// A sample, and the differences of those a step farther and a step before along each axis.
   struct Around {
@@ -43,7 +43,7 @@ class VoxelSamples {
   };
   /// The values of seven calls of at(), from fewer loads. `step`: of texture coordinates, longer than a voxel
   /// by at most 0.01 voxels: where it crosses one more voxel, the values before that are continued. Returns
-  /// the rays for which they are set: none at the grid's border, and for filters without shares.
+  /// the rays for which they are set: none at the grid's border.
   HWY_ATTR Alive around(const Positions& p, const glm::vec3& step, Around& out) const {
     const VolumeD d;
     const VolumeI di;
@@ -126,7 +126,7 @@ class VoxelSamples {
     }
   };
 
-  using Shares = typename Filter::Shares;  // of a sample, and of those a step before and after it
+  using Shares = StepShares<Share>;
   static HWY_ATTR void mix(const Window& w, const Shares& x, const Shares& y, const Shares& z, Around& out) {
     const typename Filter::D d;
     RowValues rows, before, after;
