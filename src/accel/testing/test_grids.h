@@ -1,6 +1,6 @@
 // Voxel grids for the tests of accel/ and render/, and what OpenGL's filters make of them, in doubles.
 #pragma once
-#include "scene/voxel_grid.h"
+#include "scene/volumes/voxel_grid.h"
 
 #include <glm/glm.hpp>
 
@@ -32,8 +32,8 @@ inline std::shared_ptr<VoxelGrid> makeGrid(VoxelGrid::Type type, const glm::ivec
 
 inline size_t indexOf(const VoxelGrid& grid, const glm::ivec3& voxel, int channel = 0) {
   const auto of = [](int n) { return static_cast<size_t>(n); };
-  return ((of(voxel.z) * of(grid.size.y) + of(voxel.y)) * of(grid.size.x) + of(voxel.x)) * of(grid.channels) +
-         of(channel);
+  return ((of(channel) * of(grid.size.z) + of(voxel.z)) * of(grid.size.y) + of(voxel.y)) * of(grid.size.x) +
+         of(voxel.x);
 }
 
 /// Calls body with a pointer to the values as they are stored.

@@ -14,25 +14,14 @@ namespace {
 
 using scene::VoxelGrid;
 
-/// The texture values of one channel.
-template <class Stored>
-class Values {
- public:
-  Values(const VoxelGrid& grid, int channel)
-      : values_(reinterpret_cast<const Stored*>(grid.values.get()) + channel),
-        stride_(static_cast<size_t>(grid.channels)) {}
-  const Stored& at(size_t voxel) const { return values_[voxel * stride_]; }
-
- private:
-  const Stored* values_;
-  size_t stride_;
-};
-
 template <class Stored>
 class Scan {
  public:
   Scan(const VoxelGrid& grid, int channel, const glm::ivec3& cells)
-      : grid_(grid), values_(grid, channel), cells_(cells), divisor_(scene::divisorOf(grid.type)) {}
+      : grid_(grid),
+        values_(reinterpret_cast<const Stored*>(grid.channel(channel))),
+        cells_(cells),
+        divisor_(scene::divisorOf(grid.type)) {}
 
   /// False: a value is not finite; then the range is everything.
   bool rangeOf(const glm::ivec3& cell, MacroCells::Range& range) const {
@@ -47,7 +36,7 @@ class Scan {
             (static_cast<size_t>(z) * static_cast<size_t>(grid_.size.y) + static_cast<size_t>(y)) *
             static_cast<size_t>(grid_.size.x);
         for (int x = first.x; x <= last.x; ++x) {
-          const float v = static_cast<float>(values_.at(row + static_cast<size_t>(x)));
+          const float v = static_cast<float>(values_[row + static_cast<size_t>(x)]);
           least = std::min(least, v), most = std::max(most, v);
           numbers &= v - v == 0;
         }
@@ -76,7 +65,7 @@ class Scan {
 
  private:
   const VoxelGrid& grid_;
-  Values<Stored> values_;
+  const Stored* values_;
   const glm::ivec3& cells_;
   float divisor_;
 };

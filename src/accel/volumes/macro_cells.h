@@ -1,7 +1,7 @@
 // Blocks of a volume's voxels with the range of their values: what lets rays leap over empty space. Any
 // thread.
 #pragma once
-#include "scene/voxel_grid.h"
+#include "scene/volumes/voxel_grid.h"
 
 #include <glm/glm.hpp>
 

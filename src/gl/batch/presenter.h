@@ -14,7 +14,7 @@
 #include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <GL/gl.h>
 #include <glm/glm.hpp>

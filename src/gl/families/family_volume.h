@@ -1,35 +1,57 @@
 // How a family's shader programs cast rays through a volume. Part of Family.
 #pragma once
 #include "gl/families/family_light.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <string>
 #include <vector>
 
 namespace gluray::gl {
 
+/// Names are those of uniforms. Arrays have one element for each channel or light.
+struct FamilyVolumeLight {
+  scene::VolumeShading::Model model = scene::VolumeShading::Model::viewerReflected;  // if `diffuse` is active
+  std::string twoSided;                                                       // not 0: gradients have no sign
+  FamilyValue materialAmbient, materialDiffuse, materialSpecular, shininess;  // arrays
+  FamilyValue ambient, diffuse, specular;                                     // arrays
+  // Of Model::lights:
+  FamilyValue count;         // of lights
+  FamilyValue positional;    // how many of them, the first ones, are positional
+  std::string isPositional;  // array in its place: not 0
+  std::string direction, position, attenuation, coneAngle, exponent;  // arrays: scene::VolumeLight
+  std::vector<std::string> eyeFromTexture, eyeFromGradient;  // matrices, multiplied from left to right
+};
+
 /// Names are those of uniforms. "Data space" is that of the attribute `vertex.position`.
 struct FamilyVolume {
   std::string grid;         // sampler3D; empty: the family draws no volumes
-  FamilyValue scale, bias;  // scene::Volume
+  FamilyValue scale, bias;  // scene::VolumeChannel: a component for each channel
   scene::VolumeBlend blend = scene::VolumeBlend::composite;
-  std::string opacity, color, gradientOpacity;  // samplers of tables
+  scene::VolumeChannels channels = scene::VolumeChannels::one;
+  FamilyValue gradientChannel, weights;         // scene::Volume; a component for each channel
+  std::string opacity, color, gradientOpacity;  // samplers of tables, or arrays: one for each channel
   std::string depth;                            // sampler: window depths of what ends rays
   FamilyValue depthTexel;                       // width and height of a pixel in its coordinates
   FamilyValue depthOrigin;                      // window coordinates of its lower left corner
   std::vector<std::string> textureFromData;     // matrices, multiplied from left to right
-  // scene::VolumeView, in data space or, with the matrices dataFromWorld from left to right, in another one.
+  // scene::VolumeView, in data space or, with the matrices dataFromWorld from left to right, in world space.
   // Those that are active count. Without a direction, rays come from the viewer.
   std::string viewer, viewerInWorld, directionInWorld;
   std::vector<std::string> dataFromWorld;
   std::string jitter;                 // sampler: scene::VolumeView
   FamilyValue step, lower, upper;     // scene::VolumeView
   FamilyValue cellStep, cellSpacing;  // scene::Volume; components of the spacing are above 0
-  FamilyValue range, averaged;        // scene::Volume
+  FamilyValue range, averaged;        // scene::VolumeChannel, scene::Volume
   FamilyValue colorScale, colorBias;
-  std::string twoSided;                               // uniform; not 0: gradients have no sign
-  FamilyValue ambient, diffuse, specular, shininess;  // of the material
-  FamilyValue lightDiffuse, lightSpecular;            // of a light at the viewer, if they are active
+  FamilyVolumeLight light;
+  std::string cropPlanes;                    // array of six numbers: two for each axis
+  std::vector<std::string> textureFromCrop;  // matrices from their space to texture space
+  std::string cropFlags;                     // array: flags of the 27 boxes, from element 1 on
+  std::string clipPlanes;  // array: six times their number; for each, a point and a normal in world space
+  std::string mask;        // sampler3D: samples where it is 0 are skipped
+  std::string contours;    // array of values of data
+  FamilyValue contourCount;
+  std::string slicePoint, sliceNormal;  // world space: of VolumeView::slice, if they are active
   bool given() const { return !grid.empty(); }
 };
 

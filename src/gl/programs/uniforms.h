@@ -57,6 +57,8 @@ class UniformReader {
   glm::vec4 vector(const std::string& name, int element = 0) const;
   float number(const std::string& name, int element = 0) const { return vector(name, element).x; }
   int integer(const std::string& name) const;
+  /// The texture unit of a sampler; -1 if it is not active.
+  int unit(const std::string& sampler) const { return has(sampler) ? integer(sampler) : -1; }
   /// A matrix, extended by the identity; the identity if the uniform is not active.
   glm::mat4 matrix4(const std::string& name) const;
   glm::mat3 matrix3(const std::string& name) const;

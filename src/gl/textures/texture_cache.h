@@ -6,7 +6,7 @@
 #include "gl/real/real.h"
 #include "gl/textures/texture_image.h"
 #include "scene/snapshot.h"
-#include "scene/voxel_grid.h"
+#include "scene/volumes/voxel_grid.h"
 
 #include <map>
 #include <memory>

@@ -37,6 +37,20 @@ std::optional<Form> formOf(GLint componentType, GLint bits) {
   }
 }
 
+/// Values whose channels stand side by side, channel by channel in `to`.
+std::unique_ptr<std::byte[]> separated(const VoxelGrid& grid, std::unique_ptr<std::byte[]> to) {
+  const size_t size = sizeOf(grid.type), channels = static_cast<size_t>(grid.channels),
+               voxels = grid.voxels();
+  const auto copy = [&]<class Stored>(Stored) {
+    const auto* from = reinterpret_cast<const Stored*>(grid.values.get());
+    auto* out = reinterpret_cast<Stored*>(to.get());
+    for (size_t c = 0; c < channels; ++c)
+      for (size_t i = 0; i < voxels; ++i) out[c * voxels + i] = from[i * channels + c];
+  };
+  size == 1 ? copy(uint8_t{}) : size == 2 ? copy(uint16_t{}) : copy(uint32_t{});
+  return to;
+}
+
 }  // namespace
 
 std::shared_ptr<const VoxelGrid> readVoxels(const RealGl& real, const RareState& has, std::string& why) {
@@ -48,18 +62,26 @@ std::shared_ptr<const VoxelGrid> readVoxels(const RealGl& real, const RareState&
   why = "the format of its texture is not traced";
   const bool more = channels < 4 && level(GL_TEXTURE_ALPHA_SIZE) > 0;
   if (channels == 0 || more || !has.textureTypes || level(GL_TEXTURE_COMPRESSED)) return nullptr;
-  if (channels > 1) return why = "its voxels have several components", nullptr;
   const auto form = formOf(level(GL_TEXTURE_RED_TYPE), level(GL_TEXTURE_RED_SIZE));
+  for (int c = 1; c < channels; ++c)
+    if (level(kSizes[c]) != level(GL_TEXTURE_RED_SIZE)) return nullptr;
   if (!form) return nullptr;
   auto grid = std::make_shared<VoxelGrid>();
   grid->type = form->type;
+  grid->channels = channels;
   grid->size = {level(GL_TEXTURE_WIDTH), level(GL_TEXTURE_HEIGHT), level(GL_TEXTURE_DEPTH)};
   if (grid->voxels() == 0) return nullptr;
-  grid->values = std::make_unique_for_overwrite<std::byte[]>(grid->bytes() + VoxelGrid::kPadding);
-  std::fill_n(grid->values.get() + grid->bytes(), VoxelGrid::kPadding, std::byte{0});
+  const auto memory = [&] {
+    auto bytes = std::make_unique_for_overwrite<std::byte[]>(grid->bytes() + VoxelGrid::kPadding);
+    std::fill_n(bytes.get() + grid->bytes(), VoxelGrid::kPadding, std::byte{0});
+    return bytes;
+  };
+  grid->values = memory();
   const PixelGuard guard(real, has.fixedFunction);
   real.PixelStorei(GL_PACK_ALIGNMENT, 1);
-  real.GetTexImage(GL_TEXTURE_3D, 0, GL_RED, form->read, grid->values.get());
+  constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  real.GetTexImage(GL_TEXTURE_3D, 0, kFormats[channels - 1], form->read, grid->values.get());
+  if (channels > 1) grid->values = separated(*grid, memory());
   why.clear();
   return grid;
 }

@@ -2,7 +2,7 @@
 #pragma once
 #include "gl/real/extensions.h"
 #include "gl/real/real.h"
-#include "scene/voxel_grid.h"
+#include "scene/volumes/voxel_grid.h"
 
 #include <glm/glm.hpp>
 

@@ -4,7 +4,7 @@
 #include "gl/draws/batch_filler.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/real/elements.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <GL/gl.h>
 

@@ -2,6 +2,7 @@
 
 #include "gl/basics/affine.h"
 #include "gl/real/clip_depths.h"
+#include "gl/volumes/volume_look_reader.h"
 
 #include <cmath>
 #include <utility>
@@ -13,70 +14,6 @@ VolumeReader::VolumeReader(ShadowState& shadow)
       program_(shadow.program()),
       family_(program_.known->family->volume),
       uniforms_(program_.known->program, *program_.uniforms, program_.known->placeholders) {}
-
-GLint VolumeReader::unitOf(const std::string& sampler) const {
-  return uniforms_.has(sampler) ? uniforms_.integer(sampler) : -1;
-}
-
-bool VolumeReader::readGrid(scene::Volume& volume) {
-  const GLint unit = unitOf(family_.grid);
-  if (unit < 0) return refuse("sampler \"" + family_.grid + "\" is not active");
-  scene::Texture sampling;
-  volume.grid = shadow_.textures.voxels(shadow_.real, shadow_.rare(), unit, sampling, why_);
-  if (!volume.grid) return false;
-  using scene::Wrap;
-  for (const Wrap wrap : {sampling.wrapS, sampling.wrapT, sampling.wrapR})
-    if (wrap != Wrap::clampToEdge) return refuse("the texture of its voxels is not clamped to its edge");
-  volume.linear = sampling.magFilter == scene::Filter::linear;
-  volume.byteFilter = sampling.byteFilter && volume.grid->type == scene::VoxelGrid::Type::byte;
-  volume.scale = value(family_.scale, glm::vec4(1)).x, volume.bias = value(family_.bias, glm::vec4(0)).x;
-  return true;
-}
-
-bool VolumeReader::readTable(const std::string& sampler, int channels, scene::VolumeTable& table) {
-  const GLint unit = unitOf(sampler);
-  if (unit < 0) return refuse("sampler \"" + sampler + "\" is not active");
-  scene::Texture texture;
-  if (shadow_.textures.bound(shadow_.real, shadow_.rare(), unit, GL_SAMPLER_2D, texture) != Reason::traced ||
-      !texture.image)
-    return refuse("the texture of \"" + sampler + "\" is not traced");
-  const scene::TextureImage& image = *texture.image;
-  const bool plain = image.height == 1 && texture.wrapS == scene::Wrap::clampToEdge &&
-                     texture.magFilter == texture.minFilter && texture.mipFilter == scene::MipFilter::none;
-  if (!plain || image.floats.empty())
-    return refuse("the table of \"" + sampler + "\" is no row of floats, clamped to its edge");
-  table.channels = channels, table.linear = texture.magFilter == scene::Filter::linear;
-  table.values.clear();
-  for (const glm::vec4& texel : image.floats)
-    for (int c = 0; c < channels; ++c) table.values.push_back(texel[c]);
-  return true;
-}
-
-bool VolumeReader::readTables(scene::Volume& volume) {
-  if (!readTable(family_.opacity, 1, volume.opacity)) return false;
-  if (uniforms_.has(family_.color) && !readTable(family_.color, 3, volume.color)) return false;
-  if (!uniforms_.has(family_.gradientOpacity)) return true;
-  auto table = std::make_shared<scene::VolumeTable>();
-  if (!readTable(family_.gradientOpacity, 1, *table)) return false;
-  volume.gradientOpacity = std::move(table);
-  return true;
-}
-
-void VolumeReader::readLook(scene::Volume& volume) {
-  volume.blend = family_.blend;
-  volume.cellStep = value(family_.cellStep, glm::vec4(0)),
-  volume.cellSpacing = value(family_.cellSpacing, glm::vec4(1));
-  volume.range = value(family_.range, {0, 1, 0, 0}), volume.averaged = value(family_.averaged, {0, 1, 0, 0});
-  volume.colorScale = value(family_.colorScale, glm::vec4(1)).x,
-  volume.colorBias = value(family_.colorBias, glm::vec4(0)).x;
-  volume.light.enabled = uniforms_.has(family_.lightDiffuse.uniform);
-  if (!volume.light.enabled) return;
-  volume.light.twoSided = !family_.twoSided.empty() && uniforms_.integer(family_.twoSided) != 0;
-  volume.light.ambient = value(family_.ambient, glm::vec4(0));
-  volume.light.diffuse = value(family_.diffuse, glm::vec4(1)) * value(family_.lightDiffuse, glm::vec4(1));
-  volume.light.specular = value(family_.specular, glm::vec4(0)) * value(family_.lightSpecular, glm::vec4(1));
-  volume.light.shininess = value(family_.shininess, glm::vec4(1)).x;
-}
 
 bool VolumeReader::readViewer(scene::VolumeView& view) {
   const auto point = [&](const std::string& name) { return glm::dvec3(uniforms_.vector(name)); };
@@ -92,11 +29,44 @@ bool VolumeReader::readViewer(scene::VolumeView& view) {
   return true;
 }
 
+/// A plane of world space in data space.
+glm::dvec4 VolumeReader::planeOf(const glm::dvec3& point, const glm::dvec3& normal) const {
+  const glm::dmat4 worldFromData = glm::inverse(*uniforms_.product(family_.dataFromWorld));
+  return glm::dvec4(normal, -glm::dot(normal, point)) * worldFromData;
+}
+
+bool VolumeReader::readClipPlanes(scene::VolumeView& view) {
+  if (!uniforms_.has(family_.clipPlanes)) return true;
+  if (!uniforms_.product(family_.dataFromWorld)) return refuse("a matrix is not active");
+  const auto number = [&](int i) { return double{uniforms_.number(family_.clipPlanes, i)}; };
+  constexpr int kNumbers = 6, kMostPlanes = 100;
+  const int numbers = static_cast<int>(number(0));
+  if (numbers < 0 || numbers > kMostPlanes * kNumbers) return refuse("it has too many clip planes");
+  for (int i = 1; i <= numbers; i += kNumbers) {
+    const glm::dvec3 normal(number(i + 3), number(i + 4), number(i + 5));
+    if (!(glm::length(normal) > 0)) return refuse("a clip plane has no normal");
+    view.clipPlanes.push_back(planeOf({number(i), number(i + 1), number(i + 2)}, glm::normalize(normal)));
+  }
+  return true;
+}
+
+bool VolumeReader::readSlice(scene::VolumeView& view) {
+  if (!uniforms_.has(family_.slicePoint)) return true;
+  const auto dataFromWorld = uniforms_.product(family_.dataFromWorld);
+  if (!dataFromWorld) return refuse("a matrix is not active");
+  const auto vector = [&](const std::string& name, double w) {
+    return glm::dvec3(*dataFromWorld * glm::dvec4(glm::dvec3(uniforms_.vector(name)), w));
+  };
+  const glm::dvec3 point = vector(family_.slicePoint, 1), normal = vector(family_.sliceNormal, 0);
+  view.slice = glm::dvec4(normal, -glm::dot(normal, point));
+  return true;
+}
+
 bool VolumeReader::readJitter(scene::VolumeView& view) {
   if (!uniforms_.has(family_.jitter)) return true;
   scene::Texture texture;
-  const Reason read =
-      shadow_.textures.bound(shadow_.real, shadow_.rare(), unitOf(family_.jitter), GL_SAMPLER_2D, texture);
+  const Reason read = shadow_.textures.bound(shadow_.real, shadow_.rare(), uniforms_.unit(family_.jitter),
+                                             GL_SAMPLER_2D, texture);
   if (read != Reason::traced || !texture.image || texture.mipFilter != scene::MipFilter::none ||
       texture.wrapS != scene::Wrap::repeat || texture.wrapT != scene::Wrap::repeat)
     return refuse("the texture of \"" + family_.jitter + "\" is not traced");
@@ -131,14 +101,15 @@ bool VolumeReader::read(scene::VolumeCast& cast) {
   if (!glm::all(glm::greaterThan(spacing, glm::vec3(0))))
     return refuse("the spacing of its voxels is not above 0");
   cast.threads = shadow_.settings.threads;
-  readLook(cast.volume);
-  return readView(cast.view) && readJitter(cast.view) && readGrid(cast.volume) && readTables(cast.volume);
+  if (!readView(cast.view) || !readClipPlanes(cast.view) || !readSlice(cast.view) || !readJitter(cast.view))
+    return false;
+  return VolumeLookReader(shadow_, uniforms_, why_).read(cast.volume);
 }
 
 bool VolumeReader::readDepths(scene::VolumeView& view) {
   view.depth.clear();
   if (family_.depth.empty()) return true;
-  const GLint unit = unitOf(family_.depth);
+  const GLint unit = uniforms_.unit(family_.depth);
   if (unit < 0) return true;
   const glm::vec2 texel = value(family_.depthTexel, glm::vec4(0)),
                   origin = value(family_.depthOrigin, glm::vec4(0));

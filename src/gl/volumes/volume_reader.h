@@ -3,7 +3,7 @@
 #pragma once
 #include "gl/program_state/program_state.h"
 #include "gl/shadow/shadow_state.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <string>
 
@@ -23,14 +23,12 @@ class VolumeReader {
 
  private:
   bool refuse(std::string why) { return why_ = std::move(why), false; }
-  bool readGrid(scene::Volume& volume);
-  bool readTable(const std::string& sampler, int channels, scene::VolumeTable& table);
-  bool readTables(scene::Volume& volume);
-  void readLook(scene::Volume& volume);
   bool readViewer(scene::VolumeView& view);
   bool readView(scene::VolumeView& view);
   bool readJitter(scene::VolumeView& view);
-  GLint unitOf(const std::string& sampler) const;
+  bool readClipPlanes(scene::VolumeView& view);
+  bool readSlice(scene::VolumeView& view);
+  glm::dvec4 planeOf(const glm::dvec3& point, const glm::dvec3& normal) const;
   glm::vec4 value(const FamilyValue& v, const glm::vec4& otherwise) const {
     return uniforms_.value(v, otherwise);
   }

@@ -2,7 +2,7 @@
 #pragma once
 #include "intercept/present/presented_images.h"
 #include "render/volumes/volume_tracer.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // The rays of a volume's pixels by the geometry of the box, in doubles: without faces, sample by sample.
 #pragma once
 #include "render/testing/test_volume_view.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <glm/glm.hpp>
 
@@ -58,11 +58,10 @@ inline bool isAtEdge(const scene::VolumeView& view, const VolumeBox& box, const 
 }
 
 /// Counts the samples: each is taken before the ray's ends are looked at.
-inline void walk(const scene::VolumeView& view, const glm::dvec2& pixel, double endDepth, ReferenceRay& ray) {
+inline void walk(const scene::VolumeView& view, const glm::dvec3& end, ReferenceRay& ray) {
   constexpr double kNear = 5e-7;  // texture space: rounding of floats
-  const glm::dvec4 end =
-      view.textureFromData * glm::inverse(view.windowFromData) * glm::dvec4(pixel, endDepth, 1);
-  const double steps = glm::length(glm::dvec3(end) / end.w - ray.first) / glm::length(ray.step);
+  const glm::dvec3 last(view.textureFromData * glm::dvec4(end, 1));
+  const double steps = glm::length(last - ray.first) / glm::length(ray.step);
   glm::dvec3 at = ray.first;
   for (int taken = 0;; ++taken) {
     ray.samples = taken + 1;
@@ -80,6 +79,31 @@ inline void walk(const scene::VolumeView& view, const glm::dvec2& pixel, double 
   }
 }
 
+/// Moves the ends of a ray that lie behind planes, one plane after the other.
+inline void clip(const scene::VolumeView& view, glm::dvec3& begin, glm::dvec3& end, ReferenceRay& ray) {
+  constexpr double kNear = 1e-6;
+  for (const glm::dvec4& plane : view.clipPlanes) {
+    const glm::dvec3 normal(plane);
+    const double a = glm::dot(normal, begin) + plane.w, b = glm::dot(normal, end) + plane.w;
+    ray.unsure |= std::abs(a) < kNear || std::abs(b) < kNear;
+    if (a < 0 && b < 0) ray.hits = false;
+    const glm::dvec3 cut = begin + (end - begin) * (a / (a - b));
+    if (a < 0 && b > 0) begin = cut;
+    if (b < 0 && a > 0) end = cut;
+  }
+}
+
+/// Where the ray enters the grid after its first step.
+inline void beginInside(const scene::VolumeView& view, ReferenceRay& ray) {
+  constexpr double kNear = 5e-7;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double below = double{view.lower[axis]} - ray.first[axis],
+                 above = ray.first[axis] - double{view.upper[axis]};
+    ray.unsure |= std::abs(below) < kNear || std::abs(above) < kNear;
+    if (below > 0 || above > 0) ray.hits = false;
+  }
+}
+
 inline ReferenceRay referenceRay(const scene::VolumeView& view, const VolumeBox& box, int x, int y) {
   ReferenceRay ray;
   const glm::dvec2 pixel(view.region.x + x + 0.5, view.region.y + y + 0.5);
@@ -94,8 +118,12 @@ inline ReferenceRay referenceRay(const scene::VolumeView& view, const VolumeBox&
   }
   const glm::dvec3 away = view.direction != glm::dvec3(0) ? view.direction : ray.entry - view.viewer;
   ray.step = glm::dmat3(view.textureFromData) * (glm::normalize(away) * double{view.step});
-  ray.first = glm::dvec3(view.textureFromData * glm::dvec4(ray.entry, 1)) + ray.step;
-  walk(view, pixel, end, ray);
+  const glm::dvec4 behind = glm::inverse(view.windowFromData) * glm::dvec4(pixel, end, 1);
+  glm::dvec3 begin = ray.entry, last = glm::dvec3(behind) / behind.w;
+  clip(view, begin, last, ray);
+  ray.first = glm::dvec3(view.textureFromData * glm::dvec4(begin, 1)) + ray.step;
+  if (!view.clipPlanes.empty()) beginInside(view, ray);
+  if (ray.hits) walk(view, last, ray);
   return ray;
 }
 

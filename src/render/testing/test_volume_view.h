@@ -1,6 +1,6 @@
 // Views of a volume in a box, for the tests of render/volumes.
 #pragma once
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -104,6 +104,14 @@ inline scene::VolumeView viewOf(const VolumeCamera& camera, const VolumeBox& box
   else
     addFrontFaces(box, view);
   return view;
+}
+
+/// Lights a volume by a light at the viewer. Returns the material of its first channel.
+inline scene::VolumeMaterial& addViewerLight(scene::Volume& volume, bool twoSided = false) {
+  volume.shading.model = scene::VolumeShading::Model::viewerReflected;
+  volume.shading.twoSided = twoSided;
+  volume.shading.lights.resize(1);
+  return volume.channels[0].material;
 }
 
 }  // namespace gluray::test

@@ -7,11 +7,8 @@
 #define GLURAY_RENDER_CAST_RAYS_INL_H_
 #endif
 
-#include "render/volumes/leaps.inl.h"
-#include "render/volumes/transfer_lookups.inl.h"
-#include "render/volumes/voxel_samples.inl.h"
-
-#include <hwy/contrib/math/math-inl.h>
+#include "render/volumes/sample_colors.inl.h"
+#include "render/volumes/skipped_samples.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -20,16 +17,9 @@ namespace HWY_NAMESPACE {
 template <class Samples>
 class Caster {
  public:
-  HWY_ATTR Caster(const VolumeFrame& frame, const Samples& samples)
-      : frame_(frame), volume_(*frame.volume), samples_(samples) {
-    const VolumeD d;
-    const float divisor = scene::divisorOf(volume_.grid->type);
-    scale_ = hn::Set(d, volume_.scale / divisor), bias_ = hn::Set(d, volume_.bias);
-    const glm::vec3 beyond = volume_.cellStep * glm::vec3(volume_.grid->size) - 1.0f;
-    stepsAreVoxels_ = hasGradients() &&
-                      std::min({volume_.grid->size.x, volume_.grid->size.y, volume_.grid->size.z}) >= 4 &&
-                      glm::all(glm::lessThan(glm::abs(beyond), glm::vec3(0.01f)));
-  }
+  /// `samples`: of each channel.
+  HWY_ATTR Caster(const VolumeFrame& frame, const Samples* samples)
+      : frame_(frame), volume_(*frame.volume), colors_(frame, samples), skipped_(volume_) {}
 
   /// The finished colours of rays; `shown`: those that show anything.
   HWY_ATTR Colors cast(const Rays& rays, Alive& shown) const {
@@ -41,129 +31,29 @@ class Caster {
       case scene::VolumeBlend::minimum: return extreme<false>(rays, shown);
       case scene::VolumeBlend::average: return average(rays, shown);
       case scene::VolumeBlend::additive: return sum(rays, shown);
+      case scene::VolumeBlend::isosurface: return isosurfaces(rays, shown);
     }
     return noColors();
   }
 
  private:
-  HWY_ATTR Floats scalarAt(const Positions& p) const { return hn::MulAdd(samples_.at(p), scale_, bias_); }
-
-  /// Unlit colour and opacity.
-  HWY_ATTR Colors lookOf(Floats scalar) const {
-    Colors colors = lookUp(frame_.color, scalar);
-    if (!frame_.opacity.entries.empty()) colors.a = lookUp(frame_.opacity, scalar).a;
-    return colors;
-  }
-  HWY_ATTR Floats opacityOf(Floats scalar) const {
-    return (frame_.opacity.entries.empty() ? lookUp(frame_.color, scalar) : lookUp(frame_.opacity, scalar)).a;
-  }
-
-  static HWY_ATTR Floats clamped(Floats v) {
-    const VolumeD d;
-    return hn::Min(hn::Max(v, hn::Zero(d)), hn::Set(d, 1.0f));
-  }
-  static HWY_ATTR Floats dot(const Positions& a, const Positions& b) {
-    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-  }
-
-  /// A scalar and, for rays that are `known`, the differences of scalars around it.
-  struct Sample {
-    Floats scalar;
-    Positions differences;
-    Alive known;
-  };
-  HWY_ATTR Sample sampleAt(const Positions& p, Alive alive) const {
-    const VolumeD d;
-    const Floats none = hn::Zero(d);
-    typename Samples::Around around{none, {none, none, none}};
-    Alive known = hn::Lt(none, none);
-    if constexpr (Samples::kHasWindows)
-      if (stepsAreVoxels_) known = samples_.around(p, volume_.cellStep, around);
-    Floats scalar = hn::MulAdd(around.here, scale_, bias_);
-    if (!hn::AllFalse(d, hn::AndNot(known, alive))) scalar = hn::IfThenElse(known, scalar, scalarAt(p));
-    return {scalar, scaled(around.differences, scale_), known};
-  }
-  HWY_ATTR Positions differencesAt(const Positions& p, Alive seen, const Sample& sample) const {
-    const VolumeD d;
-    if (hn::AllFalse(d, hn::AndNot(sample.known, seen))) return sample.differences;
-    const Positions other = differencesAt(p);
-    return {hn::IfThenElse(sample.known, sample.differences.x, other.x),
-            hn::IfThenElse(sample.known, sample.differences.y, other.y),
-            hn::IfThenElse(sample.known, sample.differences.z, other.z)};
-  }
-
-  /// Differences of scalars around a sample.
-  HWY_ATTR Positions differencesAt(const Positions& p) const {
-    const VolumeD d;
-    const Floats x = hn::Set(d, volume_.cellStep.x), y = hn::Set(d, volume_.cellStep.y),
-                 z = hn::Set(d, volume_.cellStep.z);
-    return {hn::Sub(scalarAt({hn::Add(p.x, x), p.y, p.z}), scalarAt({hn::Sub(p.x, x), p.y, p.z})),
-            hn::Sub(scalarAt({p.x, hn::Add(p.y, y), p.z}), scalarAt({p.x, hn::Sub(p.y, y), p.z})),
-            hn::Sub(scalarAt({p.x, p.y, hn::Add(p.z, z)}), scalarAt({p.x, p.y, hn::Sub(p.z, z)}))};
-  }
-
-  static HWY_ATTR Positions scaled(const Positions& v, Floats by) {
-    return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)};
-  }
-  static HWY_ATTR Positions scaled(const Positions& v, const glm::vec3& by) {
-    const VolumeD d;
-    return {hn::Mul(v.x, hn::Set(d, by.x)), hn::Mul(v.y, hn::Set(d, by.y)), hn::Mul(v.z, hn::Set(d, by.z))};
-  }
-
-  /// Whether samples need differences of scalars.
-  bool hasGradients() const { return volume_.light.enabled || !frame_.gradient.entries.empty(); }
-
-  /// Lights the colours and applies the gradient's opacity. `differences`: of scalars, across two cell steps.
-  HWY_ATTR void light(const Rays& rays, const Positions& differences, Colors& c) const {
-    const VolumeD d;
-    const bool weighs = !frame_.gradient.entries.empty();
-    Positions normal = differences;
-    if (weighs) {
-      const float range = volume_.range.y - volume_.range.x;
-      const float average = (volume_.cellSpacing.x + volume_.cellSpacing.y + volume_.cellSpacing.z) / 3;
-      normal = scaled(normal, glm::vec3(range) / (volume_.cellSpacing * 2.0f / average));
-      const Floats length = hn::Sqrt(dot(normal, normal));
-      const Floats strength = clamped(hn::Div(length, hn::Set(d, 0.25f * (range != 0 ? range : 1))));
-      c.a = hn::Mul(c.a, lookUp(frame_.gradient, strength).a);
-    } else {
-      normal = scaled(normal, 1.0f / volume_.cellSpacing);
-    }
-    if (volume_.light.enabled) shade(rays.towardsViewer, normal, c);
-  }
-
-  HWY_ATTR void shade(const Positions& towards, const Positions& gradient, Colors& c) const {
-    const VolumeD d;
-    const scene::VolumeLight& light = volume_.light;
-    const Floats one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    const Floats length = hn::Sqrt(dot(gradient, gradient));
-    const Floats inverse = hn::IfThenElseZero(hn::Gt(length, zero), hn::Div(one, length));
-    // The light stands at the viewer.
-    Floats cosine = hn::Mul(hn::Neg(dot(gradient, towards)), inverse);
-    const Floats reflected = hn::MulSub(hn::Add(cosine, cosine), cosine, one);
-    if (light.twoSided) cosine = hn::Abs(cosine);
-    const Alive lit = hn::Gt(cosine, zero);
-    const Floats shine = hn::IfThenElseZero(
-        lit, hn::IfThenElse(hn::Gt(reflected, zero),
-                            hn::Exp(d, hn::Mul(hn::Set(d, light.shininess),
-                                               hn::Log(d, hn::Max(reflected, hn::Set(d, 1e-30f))))),
-                            hn::Set(d, light.shininess == 0 ? 1.0f : 0.0f)));
-    const Floats diffuse = hn::IfThenElseZero(lit, cosine);
-    const auto channel = [&](Floats color, int i) HWY_ATTR {
-      const Floats share = hn::MulAdd(diffuse, hn::Set(d, light.diffuse[i]), hn::Set(d, light.ambient[i]));
-      return hn::MulAdd(color, share, hn::Mul(shine, hn::Set(d, light.specular[i])));
-    };
-    c.r = channel(c.r, 0), c.g = channel(c.g, 1), c.b = channel(c.b, 2);
-  }
-
   HWY_ATTR Colors finished(const Colors& c) const {
     const VolumeD d;
     const Floats scale = hn::Set(d, volume_.colorScale), bias = hn::Mul(hn::Set(d, volume_.colorBias), c.a);
     return {hn::MulAdd(c.r, scale, bias), hn::MulAdd(c.g, scale, bias), hn::MulAdd(c.b, scale, bias), c.a};
   }
 
+  /// Puts colours of rays that have `seen` them behind what these have met. Returns the rays that go on.
+  HWY_ATTR Alive addBehind(Colors& sum, const Colors& c, Alive seen, Alive alive) const {
+    const VolumeD d;
+    const Floats share = hn::IfThenElseZero(seen, hn::Sub(hn::Set(d, 1.0f), sum.a));
+    sum.r = hn::MulAdd(share, c.r, sum.r), sum.g = hn::MulAdd(share, c.g, sum.g);
+    sum.b = hn::MulAdd(share, c.b, sum.b), sum.a = hn::MulAdd(share, c.a, sum.a);
+    return hn::And(alive, hn::Le(sum.a, hn::Set(d, volume_.least)));
+  }
+
   HWY_ATTR Colors composite(const Rays& rays, Alive& shown) const {
     const VolumeD d;
-    const Floats one = hn::Set(d, 1.0f), most = hn::Set(d, volume_.least);
     Colors sum = noColors();
     Floats sample = hn::Zero(d);
     Leaps leaps(frame_, rays);
@@ -172,31 +62,28 @@ class Caster {
       alive = frame_.empty ? leaps.move(alive, sample) : hn::And(alive, hn::Lt(sample, rays.samples));
       if (hn::AllFalse(d, alive)) break;
       const Positions p = rays.at(sample);
-      const Sample at = sampleAt(p, alive);
-      Colors c = lookOf(at.scalar);
-      const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
+      const Alive counted = skipped_.any() ? skipped_.kept(p, alive) : alive;
+      Colors c;
+      const Alive seen = colors_.at(rays, p, counted, c);
       if (!hn::AllFalse(d, seen)) {
-        if (hasGradients()) light(rays, differencesAt(p, seen, at), c);
-        const Floats a = clamped(c.a), share = hn::IfThenElseZero(seen, hn::Mul(hn::Sub(one, sum.a), a));
-        sum.r = hn::MulAdd(share, clamped(c.r), sum.r), sum.g = hn::MulAdd(share, clamped(c.g), sum.g);
-        sum.b = hn::MulAdd(share, clamped(c.b), sum.b), sum.a = hn::Add(sum.a, share);
-        alive = hn::And(alive, hn::Le(sum.a, most));
+        alive = addBehind(sum, c, seen, alive);
         leaps.stay(seen, sample);
       }
-      sample = hn::Add(sample, one);
+      sample = hn::Add(sample, hn::Set(d, 1.0f));
     }
     shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
     return finished(sum);
   }
 
-  /// Calls body(position, alive) for every sample of the rays.
+  /// Calls body(sample, position, counted) for every sample of rays that are still `alive`.
   template <class Body>
-  HWY_ATTR void eachSample(const Rays& rays, Alive alive, const Body& body) const {
+  HWY_ATTR void eachSample(const Rays& rays, Alive& alive, const Body& body) const {
     const VolumeD d;
     for (Floats sample = hn::Zero(d);; sample = hn::Add(sample, hn::Set(d, 1.0f))) {
       alive = hn::And(alive, hn::Lt(sample, rays.samples));
       if (hn::AllFalse(d, alive)) return;
-      body(rays.at(sample), alive);
+      const Positions p = rays.at(sample);
+      body(sample, p, skipped_.any() ? skipped_.kept(p, alive) : alive);
     }
   }
 
@@ -205,28 +92,30 @@ class Caster {
     const VolumeD d;
     const float limit = std::numeric_limits<float>::infinity();
     Floats found = hn::Set(d, most ? -limit : limit);
-    eachSample(rays, shown, [&](const Positions& p, Alive alive) HWY_ATTR {
-      const Floats scalar = scalarAt(p);
-      const Alive better = hn::And(alive, most ? hn::Lt(found, scalar) : hn::Gt(found, scalar));
+    Alive alive = shown;
+    eachSample(rays, alive, [&](Floats, const Positions& p, Alive counted) HWY_ATTR {
+      const Floats scalar = colors_.scalarAt(p, 0);
+      const Alive better = hn::And(counted, most ? hn::Lt(found, scalar) : hn::Gt(found, scalar));
       found = hn::IfThenElse(better, scalar, found);
     });
-    Colors c = lookOf(hn::IfThenElseZero(shown, found));
-    if (hasGradients())  // where the shader's loop leaves the position
-      light(rays, differencesAt(rays.at(rays.samples)), c);
-    const Floats a = clamped(c.a);
-    return finished({hn::Mul(clamped(c.r), a), hn::Mul(clamped(c.g), a), hn::Mul(clamped(c.b), a), a});
+    // Rays of which no sample counts show the scalar that is the other extreme.
+    const Alive none = hn::Eq(found, hn::Set(d, most ? -limit : limit));
+    found = hn::IfThenElse(none, hn::Set(d, most ? 0.0f : 1.0f), found);
+    // Lit where the shader's loop leaves the position.
+    return finished(colors_.colorOf(rays, rays.at(rays.samples), found));
   }
 
   HWY_ATTR Colors average(const Rays& rays, Alive& shown) const {
     const VolumeD d;
-    const glm::vec2 range = volume_.range;
+    const glm::vec2 range = volume_.channels[0].range;
     Floats total = hn::Zero(d), count = hn::Zero(d);
-    eachSample(rays, shown, [&](const Positions& p, Alive alive) HWY_ATTR {
-      const Floats scalar = scalarAt(p);
+    Alive alive = shown;
+    eachSample(rays, alive, [&](Floats, const Positions& p, Alive kept) HWY_ATTR {
+      const Floats scalar = colors_.scalarAt(p, 0);
       const Floats value = hn::MulAdd(scalar, hn::Set(d, range.y - range.x), hn::Set(d, range.x));
-      const Alive counted = hn::And(alive, hn::And(hn::Ge(value, hn::Set(d, volume_.averaged.x)),
-                                                   hn::Le(value, hn::Set(d, volume_.averaged.y))));
-      total = hn::Add(total, hn::IfThenElseZero(counted, hn::Mul(opacityOf(scalar), scalar)));
+      const Alive counted = hn::And(kept, hn::And(hn::Ge(value, hn::Set(d, volume_.averaged.x)),
+                                                  hn::Le(value, hn::Set(d, volume_.averaged.y))));
+      total = hn::Add(total, hn::IfThenElseZero(counted, hn::Mul(colors_.opacityOf(scalar, 0), scalar)));
       count = hn::Add(count, hn::IfThenElseZero(counted, hn::Set(d, 1.0f)));
     });
     shown = hn::And(shown, hn::Gt(count, hn::Zero(d)));
@@ -236,9 +125,9 @@ class Caster {
   HWY_ATTR Colors sum(const Rays& rays, Alive shown) const {
     const VolumeD d;
     Floats total = hn::Zero(d);
-    eachSample(rays, shown, [&](const Positions& p, Alive alive) HWY_ATTR {
-      const Floats scalar = scalarAt(p);
-      total = hn::Add(total, hn::IfThenElseZero(alive, hn::Mul(opacityOf(scalar), scalar)));
+    eachSample(rays, shown, [&](Floats, const Positions& p, Alive counted) HWY_ATTR {
+      const Floats scalar = colors_.scalarAt(p, 0);
+      total = hn::Add(total, hn::IfThenElseZero(counted, hn::Mul(colors_.opacityOf(scalar, 0), scalar)));
     });
     return grey(total);
   }
@@ -248,11 +137,57 @@ class Caster {
     return finished({v, v, v, hn::Set(VolumeD(), 1.0f)});
   }
 
+  /// Colours of the contours that rays cross, at most one a sample. Contour i lies between intervals i and
+  /// i + 1; those of the first sample begin in interval 0 if it does not count.
+  HWY_ATTR Colors isosurfaces(const Rays& rays, Alive& shown) const {
+    const VolumeD d;
+    alignas(64) float lower[kRays], upper[kRays], scalars[kRays], crossed[kRays];
+    size_t interval[kRays] = {};
+    const auto setInterval = [&](size_t ray, size_t to) {
+      const std::vector<float>& contours = volume_.contours;
+      interval[ray] = to;
+      lower[ray] = to > 0 ? contours[to - 1] : -kFarScalar;
+      upper[ray] = to < contours.size() ? contours[to] : kFarScalar;
+    };
+    for (size_t i = 0; i < kRays; ++i) setInterval(i, 0);
+    Colors sum = noColors();
+    Alive alive = shown;
+    eachSample(rays, alive, [&](Floats sample, const Positions& p, Alive counted) HWY_ATTR {
+      const Floats scalar = colors_.scalarAt(p, 0);
+      const Alive first = hn::And(counted, hn::Eq(sample, hn::Zero(d)));
+      const Alive below = hn::And(counted, hn::Lt(scalar, hn::Load(d, lower))),
+                  above = hn::And(counted, hn::Gt(scalar, hn::Load(d, upper)));
+      const Alive moved = hn::Or(below, above);
+      if (hn::AllFalse(d, moved)) return;
+      hn::Store(scalar, d, scalars);
+      hn::Store(hn::IfThenElse(above, hn::Load(d, upper), hn::Load(d, lower)), d, crossed);
+      alignas(64) float moves[kRays];
+      hn::Store(hn::IfThenElseZero(moved, hn::IfThenElse(above, hn::Set(d, 1.0f), hn::Set(d, -1.0f))), d,
+                moves);
+      const bool begins = !hn::AllFalse(d, first);
+      for (size_t i = 0; i < kRays; ++i)
+        if (begins && moves[i] != 0)
+          setInterval(i, intervalOf(scalars[i]));
+        else if (moves[i] != 0)
+          setInterval(i, moves[i] > 0 ? interval[i] + 1 : interval[i] - 1);
+      const Alive seen = hn::AndNot(first, moved);
+      if (!hn::AllFalse(d, seen))
+        alive = addBehind(sum, colors_.colorOf(rays, p, hn::Load(d, crossed)), seen, alive);
+    });
+    shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
+    return finished(sum);
+  }
+  size_t intervalOf(float scalar) const {
+    const auto& contours = volume_.contours;
+    return static_cast<size_t>(std::upper_bound(contours.begin(), contours.end(), scalar) - contours.begin());
+  }
+
+  static constexpr float kFarScalar = 1e20f;
+
   const VolumeFrame& frame_;
   const scene::Volume& volume_;
-  const Samples& samples_;
-  Floats scale_, bias_;
-  bool stepsAreVoxels_ = false;  // gradients need samples about a voxel apart
+  const SampleColors<Samples> colors_;
+  const SkippedSamples skipped_;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -57,9 +57,12 @@ inline void clearTile(const Tile& tile, Image& image) {
 }
 
 template <class Samples>
-HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile, const Samples& samples) {
+HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile) {
   const VolumeD d;
-  const Caster<Samples> caster(frame, samples);
+  std::vector<Samples> samples;
+  for (size_t c = 0; c < frame.channels.size(); ++c)
+    samples.emplace_back(*frame.volume->grid, static_cast<int>(c));
+  const Caster<Samples> caster(frame, samples.data());
   Image& image = *frame.image;
   clearTile(tile, image);
   for (int y = tile.y0; y < tile.y1; y += kBlockHeight)
@@ -86,10 +89,10 @@ HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile, const Sampl
 template <class Stored>
 HWY_ATTR void castStored(const VolumeFrame& frame, const Tile& tile) {
   const scene::Volume& v = *frame.volume;
-  if (!v.linear) return castBlocks(frame, tile, VoxelSamples<Stored, NearestFilter>(*v.grid));
+  if (!v.linear) return castBlocks<VoxelSamples<Stored, NearestFilter>>(frame, tile);
   if constexpr (sizeof(Stored) == 1)
-    if (v.byteFilter) return castBlocks(frame, tile, VoxelSamples<Stored, ByteFilter>(*v.grid));
-  castBlocks(frame, tile, VoxelSamples<Stored, LinearFilter>(*v.grid));
+    if (v.byteFilter) return castBlocks<VoxelSamples<Stored, ByteFilter>>(frame, tile);
+  castBlocks<VoxelSamples<Stored, LinearFilter>>(frame, tile);
 }
 
 HWY_ATTR void castTile(const VolumeFrame& frame, const Tile& tile) {

@@ -66,15 +66,28 @@ bool NonzeroRanges::any(float least, float most) const {
   return before_[last + 1] > before_[first];
 }
 
-std::vector<uint8_t> emptySpace(const accel::MacroCells& cells, const scene::Volume& volume) {
-  const NonzeroRanges opaque(volume.opacity);
-  std::vector<uint8_t> distances(cells.ranges().size());
+namespace {
+
+/// Marks cells in which samples of a channel can be seen by 0.
+void markVisible(const accel::MacroCells& cells, const scene::VolumeChannel& channel,
+                 std::vector<uint8_t>& distances) {
+  const NonzeroRanges opaque(channel.opacity);
   for (size_t i = 0; i < distances.size(); ++i) {
     const accel::MacroCells::Range& range = cells.ranges()[i];
-    const float a = range.least * volume.scale + volume.bias, b = range.most * volume.scale + volume.bias;
-    distances[i] = opaque.any(std::min(a, b), std::max(a, b)) ? 0 : kFar;
+    const float a = range.least * channel.scale + channel.bias, b = range.most * channel.scale + channel.bias;
+    if (opaque.any(std::min(a, b), std::max(a, b))) distances[i] = 0;
   }
-  DistanceSweeps(distances, cells.size());
+}
+
+}  // namespace
+
+std::vector<uint8_t> emptySpace(const std::vector<accel::MacroCells>& cells, const scene::Volume& volume) {
+  std::vector<uint8_t> distances(cells.front().ranges().size(), kFar);
+  const bool each = volume.use == scene::VolumeChannels::independent;
+  for (size_t c = 0; c < volume.channels.size(); ++c)
+    if (each || c == scene::opacityChannelOf(volume.use))
+      markVisible(cells[c], volume.channels[c], distances);
+  DistanceSweeps(distances, cells.front().size());
   return distances;
 }
 

@@ -1,7 +1,7 @@
 // Which macro cells of a volume show something with its transfer functions. Any thread.
 #pragma once
 #include "accel/volumes/macro_cells.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <cstdint>
 #include <vector>
@@ -19,7 +19,7 @@ class NonzeroRanges {
 };
 
 /// One byte a macro cell: 0 where samples can be seen, otherwise the distance to the nearest such cell in
-/// cells (largest of the three axes), at most 255.
-std::vector<uint8_t> emptySpace(const accel::MacroCells& cells, const scene::Volume& volume);
+/// cells (largest of the three axes), at most 255. `cells`: of each channel of the volume's grid.
+std::vector<uint8_t> emptySpace(const std::vector<accel::MacroCells>& cells, const scene::Volume& volume);
 
 }  // namespace gluray::render

@@ -79,8 +79,9 @@ TEST(NonzeroRanges, OfEmptyTablesAndOfNoNumbers) {
 scene::Volume volumeOf(const std::shared_ptr<const scene::VoxelGrid>& grid) {
   scene::Volume volume;
   volume.grid = grid;
-  volume.opacity.values.assign(64, 1.0f);
-  std::fill_n(volume.opacity.values.begin(), 8, 0.0f);
+  scene::VolumeTable& opacity = volume.channels[0].opacity;
+  opacity.values.assign(64, 1.0f);
+  std::fill_n(opacity.values.begin(), 8, 0.0f);
   return volume;
 }
 
@@ -105,13 +106,15 @@ std::vector<int> bruteDistances(const accel::MacroCells& cells, float scale, flo
 }
 
 void expectDistances(const std::shared_ptr<const scene::VoxelGrid>& grid, float scale, float bias) {
-  const accel::MacroCells cells(*grid, 0);
+  std::vector<accel::MacroCells> cells;
+  cells.emplace_back(*grid, 0);
   scene::Volume volume = volumeOf(grid);
-  volume.scale = scale, volume.bias = bias;
+  volume.channels[0].scale = scale, volume.channels[0].bias = bias;
   const std::vector<uint8_t> found = emptySpace(cells, volume);
-  const std::vector<int> expected = bruteDistances(cells, scale, bias);
+  const std::vector<int> expected = bruteDistances(cells.front(), scale, bias);
   EXPECT_EQ(std::vector<int>(found.begin(), found.end()), expected)
-      << "cells " << cells.size().x << " " << cells.size().y << " " << cells.size().z << ", scale " << scale;
+      << "cells " << cells.front().size().x << " " << cells.front().size().y << " " << cells.front().size().z
+      << ", scale " << scale;
 }
 
 TEST(EmptySpace, HasTheDistancesToVisibleCells) {

@@ -2,7 +2,7 @@
 #pragma once
 #include "base/image.h"
 #include "render/volumes/volume_rays.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <glm/glm.hpp>
 
@@ -18,12 +18,17 @@ struct VolumeLookup {
   bool linear = true;
 };
 
+struct ChannelLookups {
+  VolumeLookup color;         // red, green, blue and, if opacity has as many entries, opacity
+  VolumeLookup opacity;       // in its fourth number; no entries: color has it
+  VolumeLookup gradient;      // likewise; no entries: none
+  float scale = 1, bias = 0;  // from a stored number to the scalar
+};
+
 struct VolumeFrame {
   const scene::Volume* volume = nullptr;
   const VolumeRays* rays = nullptr;
-  VolumeLookup color;     // red, green, blue and, if opacity has as many entries, opacity
-  VolumeLookup opacity;   // in its fourth number; no entries: color has it
-  VolumeLookup gradient;  // likewise; no entries: none
+  std::vector<ChannelLookups> channels;         // as Volume::channels
   const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
   glm::ivec3 cells{0};
   Image* image = nullptr;

@@ -27,7 +27,7 @@ constexpr int kMostSamples = 1 << 24;  // beyond it floats cannot count
 
 VolumeRays::VolumeRays(const scene::VolumeView& view)
     : view_(view),
-      textureFromWindow_(view.textureFromData * glm::inverse(view.windowFromData)),
+      dataFromWindow_(glm::inverse(view.windowFromData)),
       textureDirection_(view.textureFromData) {
   for (size_t i = 0; i + 2 < view.faces.size(); i += 3) {
     Face face;
@@ -80,17 +80,15 @@ VolumeRays::Entry VolumeRays::entryOf(int x, int y) const {
 
 /// The first sample is always taken; another one if it lies inside the box and the one before it is not
 /// beyond what ends the ray.
-int VolumeRays::samplesOf(const VolumeRay& ray, const glm::dvec2& pixel, float endDepth) const {
+int VolumeRays::samplesOf(const VolumeRay& ray, const glm::dvec3& end) const {
   double most = kMostSamples;
   for (int axis = 0; axis < 3; ++axis) {
     const double step = ray.step[axis];
     if (step == 0) continue;
-    const double end = step > 0 ? view_.upper[axis] : view_.lower[axis];
-    most = std::min(most, std::floor((end - ray.first[axis]) / step));
+    const double border = step > 0 ? view_.upper[axis] : view_.lower[axis];
+    most = std::min(most, std::floor((border - ray.first[axis]) / step));
   }
-  const glm::dvec4 end = textureFromWindow_ * glm::dvec4(pixel, endDepth, 1);
-  const double steps =
-      glm::length(glm::dvec3(end) / end.w - glm::dvec3(ray.first)) / glm::length(glm::dvec3(ray.step));
+  const double steps = glm::length(end - glm::dvec3(ray.first)) / glm::length(glm::dvec3(ray.step));
   if (steps >= 0) most = std::min(most, std::ceil(steps));  // false for what is no number
   return static_cast<int>(std::max(most, 0.0)) + 1;
 }
@@ -102,6 +100,35 @@ double VolumeRays::startOf(int x, int y) const {
   const size_t column = wrapped(view_.region.x + x, view_.jitterSize.x),
                row = wrapped(view_.region.y + y, view_.jitterSize.y);
   return view_.jitter[row * static_cast<size_t>(view_.jitterSize.x) + column];
+}
+
+bool VolumeRays::isInside(const glm::vec3& p) const {
+  return glm::all(glm::greaterThanEqual(p, view_.lower)) && glm::all(glm::lessThanEqual(p, view_.upper));
+}
+
+/// Takes the parts behind the clip planes away. False: nothing is left.
+bool VolumeRays::clip(Line& line) const {
+  for (const glm::dvec4& plane : view_.clipPlanes) {
+    const double start = glm::dot(plane, line.at(line.start)), end = glm::dot(plane, line.at(line.end));
+    if (start < 0 && end < 0) return false;
+    const double slope = glm::dot(glm::dvec3(plane), line.direction);
+    if (slope > 0 && start < 0) line.start -= start / slope;
+    if (slope < 0 && end < 0) line.end -= end / slope;
+  }
+  return true;
+}
+
+void VolumeRays::castToSlice(const Line& line, float endDepth, VolumeRay& ray) const {
+  constexpr double kParallel = 1e-6;
+  const double slope = glm::dot(glm::dvec3(*view_.slice), line.direction);
+  const bool meets = std::abs(slope) > kParallel;
+  const double distance = meets ? -glm::dot(*view_.slice, line.at(0)) / slope : -1;
+  const glm::dvec4 data = line.at(distance), window = view_.windowFromData * data;
+  ray.first = glm::dvec3(view_.textureFromData * data);
+  if (!view_.depth.empty() && !(window.z / window.w < double{endDepth})) return;
+  const bool inside = glm::all(glm::greaterThanEqual(ray.first, glm::vec3(0))) &&
+                      glm::all(glm::lessThanEqual(ray.first, glm::vec3(1)));
+  ray.samples = inside ? 1 : 0;
 }
 
 VolumeRay VolumeRays::at(int x, int y) const {
@@ -123,11 +150,17 @@ VolumeRay VolumeRays::at(int x, int y) const {
   ray.depth = static_cast<float>(depth);
   if (!(ray.depth < end) && !view_.depth.empty()) return ray;
   const glm::dvec3 away = view_.direction != glm::dvec3(0) ? view_.direction : entry - view_.viewer;
-  const glm::dvec3 step = textureDirection_ * (glm::normalize(away) * double{view_.step});
   ray.towardsViewer = glm::normalize(view_.viewer - entry);
-  ray.first = glm::dvec3(view_.textureFromData * glm::dvec4(entry, 1)) + step * startOf(x, y);
+  Line line{entry, glm::normalize(away)};
+  if (view_.slice) return castToSlice(line, end, ray), ray;
+  const glm::dvec4 last = dataFromWindow_ * glm::dvec4(pixel, end, 1);
+  line.end = glm::dot(glm::dvec3(last) / last.w - entry, line.direction);
+  if (!clip(line)) return ray;
+  const glm::dvec3 step = textureDirection_ * (line.direction * double{view_.step});
+  ray.first = glm::dvec3(view_.textureFromData * line.at(line.start)) + step * startOf(x, y);
   ray.step = step;
-  ray.samples = samplesOf(ray, pixel, end);
+  if (!view_.clipPlanes.empty() && !isInside(ray.first)) return ray;
+  ray.samples = samplesOf(ray, glm::dvec3(view_.textureFromData * line.at(line.end)));
   return ray;
 }
 

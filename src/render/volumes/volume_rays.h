@@ -1,7 +1,7 @@
 // Where the rays of a volume's pixels begin, and how they go on. Any thread.
 #pragma once
 #include "render/tiles/tile.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <glm/glm.hpp>
 
@@ -42,10 +42,19 @@ class VolumeRays {
   };
   Entry entryOf(int x, int y) const;
   double startOf(int x, int y) const;
-  int samplesOf(const VolumeRay& ray, const glm::dvec2& pixel, float endDepth) const;
+  /// A ray of data space: distances along it.
+  struct Line {
+    glm::dvec3 origin, direction;  // length 1
+    double start = 0, end = 0;
+    glm::dvec4 at(double distance) const { return {origin + direction * distance, 1}; }
+  };
+  bool clip(Line& line) const;
+  int samplesOf(const VolumeRay& ray, const glm::dvec3& end) const;
+  bool isInside(const glm::vec3& p) const;
+  void castToSlice(const Line& line, float endDepth, VolumeRay& ray) const;
 
   const scene::VolumeView& view_;
-  glm::dmat4 textureFromWindow_;
+  glm::dmat4 dataFromWindow_;
   glm::dmat3 textureDirection_;
   std::vector<Face> faces_;
 };

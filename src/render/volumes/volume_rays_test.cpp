@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gluray::render {
 namespace {
@@ -178,6 +179,54 @@ TEST(VolumeRays, FacesWithoutAnAreaShowNothing) {
   const VolumeRays rays(view);
   for (int y = 0; y < view.region.height; ++y)
     for (int x = 0; x < view.region.width; ++x) EXPECT_EQ(rays.at(x, y).samples, 0);
+}
+
+/// A box from -1 to 1 that is seen along -z, in steps of 0.25.
+scene::VolumeView viewAlongZ(const test::VolumeBox& box) {
+  return viewOf({.eye = {0, 0, 4}, .up = {0, 1, 0}, .parallel = true, .height = 1, .pixels = {5, 5}}, box,
+                0.25);
+}
+
+TEST(VolumeRays, EndAndBeginAtClipPlanes) {
+  const test::VolumeBox box{.voxels = glm::ivec3(9)};
+  const auto ray = [&](const std::vector<glm::dvec4>& planes) {
+    scene::VolumeView view = viewAlongZ(box);
+    view.clipPlanes = planes;
+    return VolumeRays(view).at(2, 2);
+  };
+  const auto zOf = [](const VolumeRay& r) { return (double{r.first.z} - 0.5 / 9) / (8.0 / 9) * 2 - 1; };
+  const VolumeRay whole = ray({});
+  EXPECT_NEAR(zOf(whole), 0.75, 1e-6);
+  const VolumeRay begun = ray({{0, 0, -1, 0.4}});  // keeps z < 0.4
+  EXPECT_NEAR(zOf(begun), 0.15, 1e-6) << "one step behind the plane";
+  const VolumeRay ended = ray({{0, 0, 1, -0.1}});  // keeps z > 0.1
+  EXPECT_NEAR(zOf(ended), 0.75, 1e-6);
+  EXPECT_EQ(ended.samples, 4) << "a sample behind the plane is taken, as nothing ends the ray before it";
+  EXPECT_EQ(ray({{0, 0, 1, -5}}).samples, 0) << "nothing is kept";
+  EXPECT_EQ(ray({{0, 0, -1, -0.95}}).samples, 0) << "the first sample would lie behind the box";
+  const VolumeRay both = ray({{0, 0, -1, 0.4}, {0, 0, 1, 0.3}});
+  EXPECT_NEAR(zOf(both), 0.15, 1e-6);
+  EXPECT_LT(both.samples, whole.samples);
+}
+
+TEST(VolumeRays, HaveOneSampleOnASlice) {
+  const test::VolumeBox box{.voxels = glm::ivec3(9)};
+  scene::VolumeView view = viewAlongZ(box);
+  view.slice = {0, 0, 2, -0.6};
+  const VolumeRay ray = VolumeRays(view).at(2, 2);
+  EXPECT_EQ(ray.samples, 1);
+  EXPECT_NEAR(double{ray.first.z}, 0.5 / 9 + (8.0 / 9) * 1.3 / 2, 1e-6);
+  const glm::dvec4 window = view.windowFromData * glm::dvec4(0, 0, 0.3, 1);
+  const auto depth = static_cast<float>(window.z / window.w);
+  view.depth.assign(25, depth + 1e-4f);
+  EXPECT_EQ(VolumeRays(view).at(2, 2).samples, 1);
+  view.depth.assign(25, depth - 1e-4f);
+  EXPECT_EQ(VolumeRays(view).at(2, 2).samples, 0) << "what ends the ray is in front of the slice";
+  view.depth.clear();
+  for (const glm::dvec4& plane : {glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, 1, -1.5)}) {
+    view.slice = plane;
+    EXPECT_EQ(VolumeRays(view).at(2, 2).samples, 0) << "it is not met inside the volume";
+  }
 }
 
 }  // namespace

@@ -23,21 +23,47 @@ VolumeLookup lookupOf(const scene::VolumeTable& table, int channel) {
   return lookup;
 }
 
-void addTables(const scene::Volume& volume, VolumeFrame& frame) {
-  frame.color = lookupOf(volume.color, 0);
-  VolumeLookup opacity = lookupOf(volume.opacity, 3);
+ChannelLookups lookupsOf(const scene::VolumeChannel& channel, scene::VoxelGrid::Type type) {
+  ChannelLookups lookups;
+  lookups.scale = channel.scale / scene::divisorOf(type), lookups.bias = channel.bias;
+  lookups.color = lookupOf(channel.color, 0);
+  VolumeLookup opacity = lookupOf(channel.opacity, 3);
   const bool alike =
-      opacity.entries.size() == frame.color.entries.size() && opacity.linear == frame.color.linear;
+      opacity.entries.size() == lookups.color.entries.size() && opacity.linear == lookups.color.linear;
   for (size_t i = 0; alike && i < opacity.entries.size(); ++i)
-    frame.color.entries[i].a = opacity.entries[i].a;
-  if (!alike) frame.opacity = std::move(opacity);
-  if (volume.gradientOpacity) frame.gradient = lookupOf(*volume.gradientOpacity, 3);
+    lookups.color.entries[i].a = opacity.entries[i].a;
+  if (!alike) lookups.opacity = std::move(opacity);
+  if (channel.gradientOpacity) lookups.gradient = lookupOf(*channel.gradientOpacity, 3);
+  return lookups;
+}
+
+/// Whether a table that samples are looked up in is missing.
+bool lacksTables(const scene::Volume& volume) {
+  const bool grey =
+      volume.blend == scene::VolumeBlend::average || volume.blend == scene::VolumeBlend::additive;
+  using Use = scene::VolumeChannels;
+  for (size_t c = 0; c < volume.channels.size(); ++c) {
+    const bool each = volume.use == Use::independent;
+    const bool colored = each || (c == 0 && volume.use != Use::colors && !grey);
+    if (colored && volume.channels[c].color.values.empty()) return true;
+    if ((each || c == scene::opacityChannelOf(volume.use)) && volume.channels[c].opacity.values.empty())
+      return true;
+  }
+  return false;
 }
 
 /// Whether samples that the opacity table makes invisible change nothing.
 bool mayLeap(const scene::Volume& volume) { return volume.blend == scene::VolumeBlend::composite; }
 
 }  // namespace
+
+bool VolumeTracer::Known::isEmptyOf(const scene::Volume& volume) const {
+  const auto same = [](const scene::VolumeChannel& a, const scene::VolumeChannel& b) {
+    return a.scale == b.scale && a.bias == b.bias && a.opacity == b.opacity;
+  };
+  return !empty.empty() && use == volume.use &&
+         std::equal(channels.begin(), channels.end(), volume.channels.begin(), volume.channels.end(), same);
+}
 
 VolumeTracer::Known& VolumeTracer::knownOf(const scene::Volume& volume) {
   std::erase_if(known_, [](const Known& k) { return k.grid.expired(); });
@@ -46,7 +72,7 @@ VolumeTracer::Known& VolumeTracer::knownOf(const scene::Volume& volume) {
   if (found != known_.end()) return *found;
   Known known;
   known.grid = volume.grid;
-  known.cells = std::make_shared<accel::MacroCells>(*volume.grid, 0);
+  for (int c = 0; c < volume.grid->channels; ++c) known.cells.emplace_back(*volume.grid, c);
   return known_.emplace_back(std::move(known));
 }
 
@@ -54,24 +80,25 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
   const scene::Volume& volume = cast.volume;
   const scene::Region& region = cast.view.region;
   if (volume.grid->voxels() > size_t{1} << 31) return why = "it has more than 2^31 voxels", false;
+  if (static_cast<size_t>(volume.grid->channels) < volume.channels.size())
+    return why = "its voxels have fewer channels than it uses", false;
+  if (lacksTables(volume)) return why = "it has no transfer function", false;
   return arena.execute([&] {
     Known& known = knownOf(volume);
-    if (!known.cells->finite()) return why = "it has values that are no numbers", false;
+    const auto finite = [](const accel::MacroCells& cells) { return cells.finite(); };
+    if (!std::all_of(known.cells.begin(), known.cells.end(), finite))
+      return why = "it has values that are no numbers", false;
     const bool leaps = mayLeap(volume);
-    if (leaps && (known.empty.empty() || !(known.opacity == volume.opacity) || known.scale != volume.scale ||
-                  known.bias != volume.bias)) {
-      known.empty = emptySpace(*known.cells, volume);
-      known.opacity = volume.opacity, known.scale = volume.scale, known.bias = volume.bias;
+    if (leaps && !known.isEmptyOf(volume)) {
+      known.empty = emptySpace(known.cells, volume);
+      known.use = volume.use, known.channels = volume.channels;
     }
     const VolumeRays rays(cast.view);
     VolumeFrame frame;
     frame.volume = &volume, frame.rays = &rays, frame.image = &image;
-    frame.cells = known.cells->size(), frame.empty = leaps ? &known.empty : nullptr;
-    addTables(volume, frame);
-    const bool grey =
-        volume.blend == scene::VolumeBlend::average || volume.blend == scene::VolumeBlend::additive;
-    if ((frame.color.entries.empty() && !grey) || volume.opacity.values.empty())
-      return why = "it has no transfer function", false;
+    frame.cells = known.cells.front().size(), frame.empty = leaps ? &known.empty : nullptr;
+    for (const scene::VolumeChannel& channel : volume.channels)
+      frame.channels.push_back(lookupsOf(channel, volume.grid->type));
     image.resize(region.width, region.height, 1, Image::kWide);
     image.x = region.x, image.y = region.y, image.missColor = 0;
     eachTile(Tiles(image, kTileSize), "volume", {}, [&](const Tile& tile) { castTile(frame, tile); });
@@ -81,7 +108,10 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
 
 size_t VolumeTracer::bytes() const {
   size_t sum = 0;
-  for (const Known& known : known_) sum += known.cells->bytes() + known.empty.capacity();
+  for (const Known& known : known_) {
+    for (const accel::MacroCells& cells : known.cells) sum += cells.bytes();
+    sum += known.empty.capacity();
+  }
   return sum;
 }
 

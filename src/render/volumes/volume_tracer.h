@@ -3,7 +3,7 @@
 #include "accel/volumes/macro_cells.h"
 #include "base/image.h"
 #include "parallel/arena.h"
-#include "scene/volume.h"
+#include "scene/volumes/volume.h"
 
 #include <memory>
 #include <vector>
@@ -20,13 +20,14 @@ class VolumeTracer {
   size_t bytes() const;
 
  private:
-  /// What is known of a grid, and of it with the last transfer function.
+  /// What is known of a grid, and of it with the last transfer functions.
   struct Known {
     std::weak_ptr<const scene::VoxelGrid> grid;
-    std::shared_ptr<const accel::MacroCells> cells;
-    std::vector<uint8_t> empty;
-    scene::VolumeTable opacity;
-    float scale = 0, bias = 0;
+    std::vector<accel::MacroCells> cells;  // of each channel
+    std::vector<uint8_t> empty;            // emptySpace() of:
+    scene::VolumeChannels use{};
+    std::vector<scene::VolumeChannel> channels;
+    bool isEmptyOf(const scene::Volume& volume) const;
   };
   Known& knownOf(const scene::Volume& volume);
 

@@ -29,8 +29,8 @@ struct SeenCube {
   explicit SeenCube(const Value& value) {
     const test::VolumeBox box{.voxels = glm::ivec3(kVoxels)};
     cast.volume.grid = gridOf(value);
-    cast.volume.opacity.values = {1};
-    cast.volume.color.channels = 3, cast.volume.color.values = {1, 1, 1};
+    cast.volume.channels[0].opacity.values = {1};
+    cast.volume.channels[0].color.channels = 3, cast.volume.channels[0].color.values = {1, 1, 1};
     cast.volume.cellStep = glm::vec3(1.0f / kVoxels),
     cast.volume.cellSpacing = glm::vec3(2.0f / (kVoxels - 1));
     const test::VolumeCamera camera{.eye = {-4, 0, 0}, .parallel = true, .height = 1.5, .pixels = {9, 7}};
@@ -83,8 +83,8 @@ std::vector<float> identity() { return {0.125f, 0.375f, 0.625f, 0.875f}; }
 TEST(VolumeTracer, ConstantOpacityIsThatOfAllSteps) {
   for (const float opacity : {0.01f, 0.1f, 0.2f}) {
     SeenCube cube([](int) { return 0.5; });
-    cube.cast.volume.opacity.values = {opacity};
-    cube.cast.volume.color.values = {0.25f, 0.5f, 1};
+    cube.cast.volume.channels[0].opacity.values = {opacity};
+    cube.cast.volume.channels[0].color.values = {0.25f, 0.5f, 1};
     const double all = 1 - std::pow(1 - double{opacity}, SeenCube::kSamples);
     expectColor(cube.color(), {0.25 * all, 0.5 * all, all, all});
   }
@@ -92,7 +92,7 @@ TEST(VolumeTracer, ConstantOpacityIsThatOfAllSteps) {
 
 TEST(VolumeTracer, RaysEndAboveTheirOpacity) {
   SeenCube cube([](int) { return 0.5; });
-  cube.cast.volume.opacity.values = {0.5f}, cube.cast.volume.least = 0.8f;
+  cube.cast.volume.channels[0].opacity.values = {0.5f}, cube.cast.volume.least = 0.8f;
   expectColor(cube.color(), glm::dvec4(0.875));
   cube.cast.volume.least = 0.875f;
   expectColor(cube.color(), glm::dvec4(0.9375));
@@ -102,7 +102,8 @@ TEST(VolumeTracer, MaximumAndMinimumOfARamp) {
   for (const bool most : {true, false}) {
     SeenCube cube(ramp);
     cube.cast.volume.blend = most ? VolumeBlend::maximum : VolumeBlend::minimum;
-    cube.cast.volume.color.values = {0, 0, 0, 1, 1, 1}, cube.cast.volume.opacity.values = {0.5f};
+    cube.cast.volume.channels[0].color.values = {0, 0, 0, 1, 1, 1},
+    cube.cast.volume.channels[0].opacity.values = {0.5f};
     const double found = rampAt(most ? SeenCube::kSamples - 1 : 0);
     const double color = std::clamp(2 * found - 0.5, 0.0, 1.0) * 0.5;
     expectColor(cube.color(), {color, color, color, 0.5});
@@ -118,13 +119,13 @@ TEST(VolumeTracer, SumsAndAveragesOfARamp) {
     if (10 + 10 * value >= 12 && 10 + 10 * value <= 17) inRange += product, ++counted;
   }
   SeenCube cube(ramp);
-  cube.cast.volume.opacity.values = {0.05f}, cube.cast.volume.blend = VolumeBlend::additive;
+  cube.cast.volume.channels[0].opacity.values = {0.05f}, cube.cast.volume.blend = VolumeBlend::additive;
   expectColor(cube.color(), {sum, sum, sum, 1});
   cube.cast.volume.blend = VolumeBlend::average, cube.cast.volume.averaged = {-100, 100};
   expectColor(cube.color(), {sum / 20, sum / 20, sum / 20, 1});
-  cube.cast.volume.averaged = {12, 17}, cube.cast.volume.range = {10, 20};
+  cube.cast.volume.averaged = {12, 17}, cube.cast.volume.channels[0].range = {10, 20};
   expectColor(cube.color(), {inRange / counted, inRange / counted, inRange / counted, 1});
-  cube.cast.volume.color.values.clear();  // no colours are looked up
+  cube.cast.volume.channels[0].color.values.clear();  // no colours are looked up
   expectColor(cube.color(), {inRange / counted, inRange / counted, inRange / counted, 1});
   cube.cast.volume.averaged = {30, 40};
   const Image nothing = cube.image();
@@ -135,11 +136,11 @@ TEST(VolumeTracer, SumsAndAveragesOfARamp) {
 TEST(VolumeTracer, ScaleBiasAndFinishedColors) {
   SeenCube cube(ramp);
   cube.cast.volume.blend = VolumeBlend::maximum;
-  cube.cast.volume.scale = -2, cube.cast.volume.bias = 0.8f;
-  cube.cast.volume.color.values.clear();
+  cube.cast.volume.channels[0].scale = -2, cube.cast.volume.channels[0].bias = 0.8f;
+  cube.cast.volume.channels[0].color.values.clear();
   for (const float v : identity())
-    cube.cast.volume.color.values.insert(cube.cast.volume.color.values.end(), 3, v);
-  cube.cast.volume.opacity.values = {0.5f};
+    cube.cast.volume.channels[0].color.values.insert(cube.cast.volume.channels[0].color.values.end(), 3, v);
+  cube.cast.volume.channels[0].opacity.values = {0.5f};
   cube.cast.volume.colorScale = 3, cube.cast.volume.colorBias = 0.1f;
   const double scalar = 0.8 - 2 * rampAt(0), shown = 3 * scalar * 0.5 + 0.1 * 0.5;
   expectColor(cube.color(), {shown, shown, shown, 0.5});
@@ -152,9 +153,9 @@ TEST(VolumeTracer, GradientsFaceTheViewerOrNot) {
       scene::Volume& volume = cube.cast.volume;
       // A viewer that is far away: the light comes along x.
       cube.cast.view.viewer = {-1e7, 0, 0};
-      volume.light.enabled = true, volume.light.twoSided = twoSided;
-      volume.light.ambient = {0.1f, 0.2f, 0.3f}, volume.light.diffuse = {0.5f, 0.4f, 0.3f};
-      volume.light.specular = {0.2f, 0.1f, 0}, volume.light.shininess = 7;
+      scene::VolumeMaterial& material = test::addViewerLight(volume, twoSided);
+      material.ambient = {0.1f, 0.2f, 0.3f}, material.diffuse = {0.5f, 0.4f, 0.3f};
+      material.specular = {0.2f, 0.1f, 0}, material.shininess = 7;
       const bool lit = towards || twoSided;
       expectColor(cube.color(), {0.1 + (lit ? 0.7 : 0), 0.2 + (lit ? 0.5 : 0), 0.3 + (lit ? 0.3 : 0), 1});
     }
@@ -163,39 +164,39 @@ TEST(VolumeTracer, GradientsFaceTheViewerOrNot) {
 TEST(VolumeTracer, NoGradientNoLight) {
   SeenCube cube([](int) { return 0.3; });
   scene::Volume& volume = cube.cast.volume;
-  volume.light.enabled = volume.light.twoSided = true;
-  volume.light.ambient = glm::vec3(0.25f), volume.light.diffuse = volume.light.specular = glm::vec3(1);
+  scene::VolumeMaterial& material = test::addViewerLight(volume, true);
+  material.ambient = glm::vec3(0.25f), material.diffuse = material.specular = glm::vec3(1);
   expectColor(cube.color(), {0.25, 0.25, 0.25, 1});
 }
 
 TEST(VolumeTracer, GradientOpacityOfARampAndOfNothing) {
   SeenCube cube(ramp);
-  cube.cast.volume.opacity.values = {0.2f};
+  cube.cast.volume.channels[0].opacity.values = {0.2f};
   scene::VolumeTable table;
   table.values = identity();
-  cube.cast.volume.gradientOpacity = std::make_shared<scene::VolumeTable>(table);
-  cube.cast.volume.range = {0, 2};
+  cube.cast.volume.channels[0].gradientOpacity = std::make_shared<scene::VolumeTable>(table);
+  cube.cast.volume.channels[0].range = {0, 2};
   // Of the difference over two voxels.
   const double strength = 2.0 / (SeenCube::kVoxels - 1) * 2 / 2 / (0.25 * 2);
   const double all = 1 - std::pow(1 - 0.2 * strength, SeenCube::kSamples);
   EXPECT_NEAR(double{cube.color().a}, all, 5e-3) << "the last sample's difference is less";
   SeenCube even([](int) { return 0.3; });
-  even.cast.volume.gradientOpacity = cube.cast.volume.gradientOpacity;
+  even.cast.volume.channels[0].gradientOpacity = cube.cast.volume.channels[0].gradientOpacity;
   EXPECT_NEAR(double{even.color().a}, 1 - std::pow(1 - 0.125, SeenCube::kSamples), 1e-5) << "the first entry";
 }
 
 TEST(VolumeTracer, ChangesAreSeen) {
   SeenCube cube([](int) { return 0.9; });
-  cube.cast.volume.opacity.values = {0.1f, 0};
+  cube.cast.volume.channels[0].opacity.values = {0.1f, 0};
   EXPECT_EQ(cube.color().a, 0);
-  cube.cast.volume.opacity.values = {0, 0.1f};
+  cube.cast.volume.channels[0].opacity.values = {0, 0.1f};
   const float visible = cube.color().a;
   EXPECT_GT(visible, 0.5f);
-  cube.cast.volume.bias = -0.9f;
+  cube.cast.volume.channels[0].bias = -0.9f;
   EXPECT_EQ(cube.color().a, 0);
-  cube.cast.volume.bias = 0, cube.cast.volume.scale = 0.1f;
+  cube.cast.volume.channels[0].bias = 0, cube.cast.volume.channels[0].scale = 0.1f;
   EXPECT_EQ(cube.color().a, 0);
-  cube.cast.volume.scale = 1;
+  cube.cast.volume.channels[0].scale = 1;
   EXPECT_EQ(cube.color().a, visible);
   cube.cast.volume.grid = SeenCube::gridOf([](int) { return 0.1; });
   EXPECT_EQ(cube.color().a, 0);
@@ -220,9 +221,9 @@ TEST(VolumeTracer, KeepsWhatItKnowsOfLivingGrids) {
 
 TEST(VolumeTracer, RefusesWhatItCannotTrace) {
   SeenCube tables(ramp);
-  tables.cast.volume.opacity.values.clear();
+  tables.cast.volume.channels[0].opacity.values.clear();
   EXPECT_EQ(tables.refusal(), "it has no transfer function");
-  tables.cast.volume.opacity.values = {1}, tables.cast.volume.color.values.clear();
+  tables.cast.volume.channels[0].opacity.values = {1}, tables.cast.volume.channels[0].color.values.clear();
   EXPECT_EQ(tables.refusal(), "it has no transfer function");
   SeenCube numbers([](int x) { return x == 3 ? std::numeric_limits<double>::quiet_NaN() : 0; });
   EXPECT_EQ(numbers.refusal(), "it has values that are no numbers");
@@ -242,18 +243,20 @@ TEST(VolumeTracer, SurvivesExtremeValues) {
         const auto change = [&](const auto& set) {
           SeenCube cube(ramp);
           cube.cast.volume.linear = linear, cube.cast.volume.blend = blend;
-          cube.cast.volume.opacity.values = {0, 0.1f, 0.3f};
-          cube.cast.volume.light.enabled = true, cube.cast.volume.light.specular = glm::vec3(1);
+          cube.cast.volume.channels[0].opacity.values = {0, 0.1f, 0.3f};
+          test::addViewerLight(cube.cast.volume).specular = glm::vec3(1);
           set(cube.cast.volume, cube.cast.view);
           cube.image();
         };
-        change([&](scene::Volume& volume, auto&) { volume.scale = extreme; });
-        change([&](scene::Volume& volume, auto&) { volume.bias = extreme; });
-        change([&](scene::Volume& volume, auto&) { volume.opacity.values[1] = extreme; });
-        change([&](scene::Volume& volume, auto&) { volume.color.values[1] = extreme; });
+        change([&](scene::Volume& volume, auto&) { volume.channels[0].scale = extreme; });
+        change([&](scene::Volume& volume, auto&) { volume.channels[0].bias = extreme; });
+        change([&](scene::Volume& volume, auto&) { volume.channels[0].opacity.values[1] = extreme; });
+        change([&](scene::Volume& volume, auto&) { volume.channels[0].color.values[1] = extreme; });
         change([&](scene::Volume& volume, auto&) { volume.cellStep = glm::vec3(extreme); });
-        change([&](scene::Volume& volume, auto&) { volume.light.shininess = extreme; });
-        change([&](scene::Volume& volume, auto&) { volume.range = volume.averaged = glm::vec2(extreme); });
+        change([&](scene::Volume& volume, auto&) { volume.channels[0].material.shininess = extreme; });
+        change([&](scene::Volume& volume, auto&) {
+          volume.channels[0].range = volume.averaged = glm::vec2(extreme);
+        });
         change([&](auto&, scene::VolumeView& view) { view.textureFromData[3][1] = double{extreme}; });
         change([&](auto&, scene::VolumeView& view) { view.viewer.y = double{extreme}; });
         change([&](auto&, scene::VolumeView& view) { view.depth.assign(9 * 7, extreme); });
@@ -265,8 +268,10 @@ TEST(VolumeTracer, PixelsDoNotDependOnTheirNeighbours) {
                                   VolumeBlend::average, VolumeBlend::additive}) {
     SeenCube cube([](int x) { return 0.5 + 0.4 * std::sin(x); });
     scene::Volume& volume = cube.cast.volume;
-    volume.blend = blend, volume.opacity.values = {0, 0, 0.1f, 0.2f}, volume.averaged = {0.2f, 0.8f};
-    volume.light.enabled = true, volume.light.diffuse = volume.light.specular = glm::vec3(0.5f);
+    volume.blend = blend, volume.channels[0].opacity.values = {0, 0, 0.1f, 0.2f},
+    volume.averaged = {0.2f, 0.8f};
+    scene::VolumeMaterial& material = test::addViewerLight(volume);
+    material.diffuse = material.specular = glm::vec3(0.5f);
     const test::VolumeBox box{.voxels = glm::ivec3(SeenCube::kVoxels)};
     cube.cast.view = viewOf({.eye = {-2, 3, 4}, .height = 0.8, .pixels = {37, 21}}, box, 0.07);
     const Image all = cube.image();

@@ -18,8 +18,8 @@ namespace HWY_NAMESPACE {
 template <class Stored, class Filter>
 class VoxelSamples {
  public:
-  explicit HWY_ATTR VoxelSamples(const scene::VoxelGrid& grid)
-      : values_(reinterpret_cast<const Stored*>(grid.values.get())),
+  HWY_ATTR VoxelSamples(const scene::VoxelGrid& grid, int channel)
+      : values_(reinterpret_cast<const Stored*>(grid.channel(channel))),
         size_(grid.size),
         up_(grid.size.y > 1 ? grid.size.x : 0),
         back_(grid.size.z > 1 ? static_cast<ptrdiff_t>(grid.size.x) * grid.size.y : 0) {}

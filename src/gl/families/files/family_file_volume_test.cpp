@@ -41,11 +41,12 @@ TEST(FamilyFileVolume, SmallestOneHasDefaults) {
   const FamilyVolume& v = f.volume;
   for (const FamilyValue* const value :
        {&v.scale, &v.bias, &v.depthTexel, &v.depthOrigin, &v.lower, &v.upper, &v.cellStep, &v.cellSpacing,
-        &v.range, &v.averaged, &v.colorScale, &v.colorBias, &v.ambient, &v.diffuse, &v.specular, &v.shininess,
-        &v.lightDiffuse, &v.lightSpecular})
+        &v.range, &v.averaged, &v.colorScale, &v.colorBias, &v.light.materialAmbient,
+        &v.light.materialDiffuse, &v.light.materialSpecular, &v.light.shininess, &v.light.diffuse,
+        &v.light.specular})
     EXPECT_FALSE(value->given());
   for (const std::string* const name :
-       {&v.gradientOpacity, &v.depth, &v.viewer, &v.viewerInWorld, &v.directionInWorld, &v.twoSided})
+       {&v.gradientOpacity, &v.depth, &v.viewer, &v.viewerInWorld, &v.directionInWorld, &v.light.twoSided})
     EXPECT_EQ(*name, "");
   for (const char* const name : {"g", "o", "k", "t1", "t2", "s"}) EXPECT_TRUE(f.mentions(name)) << name;
   EXPECT_FALSE(parsed().volume.given()) << "families have none";
@@ -55,7 +56,7 @@ TEST(FamilyFileVolume, Blends) {
   for (const auto& [name, blend] :
        {std::pair("composite", VolumeBlend::composite), std::pair("maximum", VolumeBlend::maximum),
         std::pair("minimum", VolumeBlend::minimum), std::pair("average", VolumeBlend::average),
-        std::pair("additive", VolumeBlend::additive)})
+        std::pair("additive", VolumeBlend::additive), std::pair("isosurface", VolumeBlend::isosurface)})
     EXPECT_EQ(volumeFamily("volume.blend = \"" + std::string(name) + "\"\n").volume.blend, blend);
 }
 
@@ -74,12 +75,9 @@ TEST(FamilyFileVolume, KeysOfUniforms) {
       {"averaged", &FamilyVolume::averaged},
       {"color_scale", &FamilyVolume::colorScale},
       {"color_bias", &FamilyVolume::colorBias},
-      {"ambient", &FamilyVolume::ambient},
-      {"diffuse", &FamilyVolume::diffuse},
-      {"specular", &FamilyVolume::specular},
-      {"shininess", &FamilyVolume::shininess},
-      {"light_diffuse", &FamilyVolume::lightDiffuse},
-      {"light_specular", &FamilyVolume::lightSpecular}};
+      {"weights", &FamilyVolume::weights},
+      {"gradient_channel", &FamilyVolume::gradientChannel},
+      {"contour_count", &FamilyVolume::contourCount}};
   for (const auto& [key, value] : values) {
     const std::string line = "volume." + std::string(key) + " = ";
     const std::string replaced = std::string(key) == "step" ? "step" : "";
@@ -94,6 +92,63 @@ TEST(FamilyFileVolume, KeysOfUniforms) {
   }
 }
 
+TEST(FamilyFileVolume, KeysOfLight) {
+  const std::vector<std::pair<const char*, FamilyValue FamilyVolumeLight::*>> values = {
+      {"ambient", &FamilyVolumeLight::materialAmbient},
+      {"diffuse", &FamilyVolumeLight::materialDiffuse},
+      {"specular", &FamilyVolumeLight::materialSpecular},
+      {"shininess", &FamilyVolumeLight::shininess},
+      {"light_ambient", &FamilyVolumeLight::ambient},
+      {"light_diffuse", &FamilyVolumeLight::diffuse},
+      {"light_specular", &FamilyVolumeLight::specular},
+      {"light_count", &FamilyVolumeLight::count},
+      {"light_positional_count", &FamilyVolumeLight::positional}};
+  for (const auto& [key, value] : values) {
+    const Family f = volumeFamily("volume." + std::string(key) + " = \"u\"\n");
+    EXPECT_EQ((f.volume.light.*value).uniform, "u") << key;
+    EXPECT_TRUE(f.mentions("u")) << key;
+  }
+  const std::vector<std::pair<const char*, std::string FamilyVolumeLight::*>> names = {
+      {"two_sided", &FamilyVolumeLight::twoSided},
+      {"light_positional", &FamilyVolumeLight::isPositional},
+      {"light_direction", &FamilyVolumeLight::direction},
+      {"light_position", &FamilyVolumeLight::position},
+      {"light_attenuation", &FamilyVolumeLight::attenuation},
+      {"light_cone_angle", &FamilyVolumeLight::coneAngle},
+      {"light_exponent", &FamilyVolumeLight::exponent}};
+  for (const auto& [key, name] : names)
+    EXPECT_EQ(volumeFamily("volume." + std::string(key) + " = \"u\"\n").volume.light.*name, "u") << key;
+  const Family f =
+      volumeFamily("volume.eye_from_texture = [\"a\", \"b\"]\nvolume.eye_from_gradient = \"c\"\n");
+  EXPECT_EQ(f.volume.light.eyeFromTexture, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(f.volume.light.eyeFromGradient, std::vector<std::string>{"c"});
+}
+
+TEST(FamilyFileVolume, ChannelsAndLighting) {
+  using scene::VolumeChannels;
+  for (const auto& [name, channels] :
+       {std::pair("one", VolumeChannels::one), std::pair("independent", VolumeChannels::independent),
+        std::pair("color_and_opacity", VolumeChannels::colorAndOpacity),
+        std::pair("colors", VolumeChannels::colors)})
+    EXPECT_EQ(volumeFamily("volume.channels = \"" + std::string(name) + "\"\n").volume.channels, channels);
+  using Model = scene::VolumeShading::Model;
+  for (const auto& [name, model] :
+       {std::pair("viewer", Model::viewerReflected), std::pair("viewer_halfway", Model::viewerHalfway),
+        std::pair("lights", Model::lights)})
+    EXPECT_EQ(volumeFamily("volume.lighting = \"" + std::string(name) + "\"\n").volume.light.model, model);
+}
+
+TEST(FamilyFileVolume, KeysThatNeedEachOther) {
+  const std::string crop = "volume.crop_planes = \"p\"\nvolume.crop_flags = \"f\"\n";
+  EXPECT_NE(mistake(volumeText(crop)), "none");
+  EXPECT_EQ(mistake(volumeText(crop + "volume.texture_from_crop = \"m\"\n")), "none");
+  const std::string slice = "volume.slice_point = \"p\"\nvolume.slice_normal = \"n\"\n";
+  EXPECT_NE(mistake(volumeText(slice)), "none");
+  EXPECT_EQ(mistake(volumeText(slice + "volume.data_from_world = \"m\"\n")), "none");
+  EXPECT_NE(mistake(volumeText("volume.slice_point = \"p\"\nvolume.data_from_world = \"m\"\n")), "none");
+  EXPECT_NE(mistake(volumeText("volume.clip_planes = \"p\"\n")), "none");
+}
+
 TEST(FamilyFileVolume, KeysOfNames) {
   const std::vector<std::pair<const char*, std::string FamilyVolume::*>> names = {
       {"gradient_opacity", &FamilyVolume::gradientOpacity},
@@ -101,7 +156,9 @@ TEST(FamilyFileVolume, KeysOfNames) {
       {"viewer", &FamilyVolume::viewer},
       {"viewer_in_world", &FamilyVolume::viewerInWorld},
       {"direction_in_world", &FamilyVolume::directionInWorld},
-      {"two_sided", &FamilyVolume::twoSided}};
+      {"clip_planes", &FamilyVolume::clipPlanes},
+      {"mask", &FamilyVolume::mask},
+      {"contours", &FamilyVolume::contours}};
   for (const auto& [key, name] : names) {
     const Family f =
         volumeFamily("volume.data_from_world = [\"w\"]\nvolume." + std::string(key) + " = \"u\"\n");

@@ -3,6 +3,26 @@
 
 namespace gluray::gl {
 
+void FamilyReader::readVolumeLight(FamilyVolumeLight& light) {
+  using Model = scene::VolumeShading::Model;
+  choice("lighting",
+         {{"viewer", Model::viewerReflected},
+          {"viewer_halfway", Model::viewerHalfway},
+          {"lights", Model::lights}},
+         light.model);
+  name("two_sided", light.twoSided);
+  value("ambient", light.materialAmbient), value("diffuse", light.materialDiffuse);
+  value("specular", light.materialSpecular), value("shininess", light.shininess);
+  value("light_ambient", light.ambient), value("light_diffuse", light.diffuse),
+      value("light_specular", light.specular);
+  value("light_count", light.count), value("light_positional_count", light.positional);
+  name("light_positional", light.isPositional);
+  name("light_direction", light.direction), name("light_position", light.position);
+  name("light_attenuation", light.attenuation);
+  name("light_cone_angle", light.coneAngle), name("light_exponent", light.exponent);
+  names("eye_from_texture", light.eyeFromTexture), names("eye_from_gradient", light.eyeFromGradient);
+}
+
 void FamilyReader::readVolume() {
   using scene::VolumeBlend;
   FamilyVolume& v = family_.volume;
@@ -13,8 +33,17 @@ void FamilyReader::readVolume() {
           {"maximum", VolumeBlend::maximum},
           {"minimum", VolumeBlend::minimum},
           {"average", VolumeBlend::average},
-          {"additive", VolumeBlend::additive}},
+          {"additive", VolumeBlend::additive},
+          {"isosurface", VolumeBlend::isosurface}},
          v.blend);
+  using scene::VolumeChannels;
+  choice("channels",
+         {{"one", VolumeChannels::one},
+          {"independent", VolumeChannels::independent},
+          {"color_and_opacity", VolumeChannels::colorAndOpacity},
+          {"colors", VolumeChannels::colors}},
+         v.channels);
+  value("gradient_channel", v.gradientChannel), value("weights", v.weights);
   value("scale", v.scale), value("bias", v.bias);
   name("opacity", v.opacity), name("color", v.color), name("gradient_opacity", v.gradientOpacity);
   name("depth", v.depth), value("depth_texel", v.depthTexel), value("depth_origin", v.depthOrigin);
@@ -26,14 +55,23 @@ void FamilyReader::readVolume() {
   value("cell_step", v.cellStep), value("cell_spacing", v.cellSpacing);
   value("range", v.range), value("averaged", v.averaged);
   value("color_scale", v.colorScale), value("color_bias", v.colorBias);
-  name("two_sided", v.twoSided);
-  value("ambient", v.ambient), value("diffuse", v.diffuse), value("specular", v.specular),
-      value("shininess", v.shininess);
-  value("light_diffuse", v.lightDiffuse), value("light_specular", v.lightSpecular);
+  name("crop_planes", v.cropPlanes), name("crop_flags", v.cropFlags),
+      names("texture_from_crop", v.textureFromCrop);
+  name("clip_planes", v.clipPlanes);
+  name("mask", v.mask);
+  name("contours", v.contours), value("contour_count", v.contourCount);
+  name("slice_point", v.slicePoint), name("slice_normal", v.sliceNormal);
+  readVolumeLight(v.light);
   if (v.opacity.empty() || v.color.empty() || v.textureFromData.empty() || !v.step.given())
     fail(here(), "volume needs opacity, color, texture_from_data and step");
   if (v.dataFromWorld.empty() && !(v.viewerInWorld.empty() && v.directionInWorld.empty()))
     fail(here(), "viewer_in_world and direction_in_world need data_from_world");
+  if (v.dataFromWorld.empty() && !(v.clipPlanes.empty() && v.slicePoint.empty()))
+    fail(here(), "clip_planes and slice_point need data_from_world");
+  if (v.cropPlanes.empty() != v.cropFlags.empty() || v.cropPlanes.empty() != v.textureFromCrop.empty())
+    fail(here(), "crop_planes, crop_flags and texture_from_crop need each other");
+  if (v.slicePoint.empty() != v.sliceNormal.empty())
+    fail(here(), "slice_point and slice_normal need each other");
 }
 
 }  // namespace gluray::gl

@@ -8,7 +8,7 @@
 
 namespace gluray::scene {
 
-/// A 3D texture image: x fastest, then y, then z; the channels of a voxel side by side.
+/// A 3D texture image: x fastest, then y, then z; all voxels of a channel, then those of the next one.
 struct VoxelGrid {
   enum class Type : uint8_t { byte, signedByte, word, signedWord, single };
 
@@ -22,6 +22,8 @@ struct VoxelGrid {
     return static_cast<size_t>(size.x) * static_cast<size_t>(size.y) * static_cast<size_t>(size.z);
   }
   size_t bytes() const;
+  /// Where channel `channel` begins.
+  const std::byte* channel(int channel) const;
 };
 
 /// Bytes of a channel.
@@ -35,6 +37,9 @@ constexpr size_t sizeOf(VoxelGrid::Type type) {
 }
 
 inline size_t VoxelGrid::bytes() const { return voxels() * static_cast<size_t>(channels) * sizeOf(type); }
+inline const std::byte* VoxelGrid::channel(int channel) const {
+  return values.get() + voxels() * static_cast<size_t>(channel) * sizeOf(type);
+}
 
 /// By what a stored number is divided to give the value that a texture returns (OpenGL 4.6, 2.3.5); signed
 /// ones are at least -1.

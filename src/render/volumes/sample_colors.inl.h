@@ -1,0 +1,210 @@
+// Colours of a volume's samples: transfer functions, gradients and light. Part of volume_kernels.cpp
+// (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_SAMPLE_COLORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_SAMPLE_COLORS_INL_H_
+#undef GLURAY_RENDER_SAMPLE_COLORS_INL_H_
+#else
+#define GLURAY_RENDER_SAMPLE_COLORS_INL_H_
+#endif
+
+#include "render/volumes/leaps.inl.h"
+#include "render/volumes/sample_lighting.inl.h"
+#include "render/volumes/voxel_samples.inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+template <class Samples>
+class SampleColors {
+ public:
+  /// `samples`: of each channel.
+  HWY_ATTR SampleColors(const VolumeFrame& frame, const Samples* samples)
+      : frame_(frame), volume_(*frame.volume), samples_(samples), lighting_(volume_.shading) {
+    const scene::VoxelGrid& grid = *volume_.grid;
+    const glm::vec3 beyond = volume_.cellStep * glm::vec3(grid.size) - 1.0f;
+    stepsAreVoxels_ = std::min({grid.size.x, grid.size.y, grid.size.z}) >= 4 &&
+                      glm::all(glm::lessThan(glm::abs(beyond), glm::vec3(0.01f)));
+    opacity_ = scene::opacityChannelOf(volume_.use);
+  }
+
+  HWY_ATTR Floats scalarAt(const Positions& p, size_t channel) const {
+    return scalarOf(samples_[channel].at(p), channel);
+  }
+  HWY_ATTR Floats opacityOf(Floats scalar, size_t channel) const {
+    const ChannelLookups& tables = frame_.channels[channel];
+    return (tables.opacity.entries.empty() ? lookUp(tables.color, scalar) : lookUp(tables.opacity, scalar)).a;
+  }
+
+  /// The colours of samples at `p`, premultiplied. Returns the rays among those `alive` whose sample counts.
+  HWY_ATTR Alive at(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+    switch (volume_.use) {
+      case scene::VolumeChannels::one: return ofChannel(rays, p, alive, 0, c, premultiplied);
+      case scene::VolumeChannels::independent: return mixed(rays, p, alive, c);
+      default: return ofSeveral(rays, p, alive, c);
+    }
+  }
+
+  /// The colour that a scalar of channel 0 has at `p`, premultiplied.
+  HWY_ATTR Colors colorOf(const Rays& rays, const Positions& p, Floats scalar) const {
+    Colors c = lookOf(scalar, 0);
+    if (hasGradients(0)) light(rays, p, {differencesAt(p, 0), 0}, 0, c);
+    return premultiplied(c);
+  }
+
+ private:
+  HWY_ATTR Floats scalarOf(Floats value, size_t channel) const {
+    const VolumeD d;
+    const ChannelLookups& tables = frame_.channels[channel];
+    return hn::MulAdd(value, hn::Set(d, tables.scale), hn::Set(d, tables.bias));
+  }
+  static HWY_ATTR Colors premultiplied(const Colors& c) {
+    const Floats a = clamped(c.a);
+    return {hn::Mul(clamped(c.r), a), hn::Mul(clamped(c.g), a), hn::Mul(clamped(c.b), a), a};
+  }
+  static HWY_ATTR Colors limited(const Colors& c) {
+    return {clamped(c.r), clamped(c.g), clamped(c.b), clamped(c.a)};
+  }
+
+  /// Unlit colour and opacity.
+  HWY_ATTR Colors lookOf(Floats scalar, size_t channel) const {
+    const ChannelLookups& tables = frame_.channels[channel];
+    Colors colors = lookUp(tables.color, scalar);
+    if (!tables.opacity.entries.empty()) colors.a = lookUp(tables.opacity, scalar).a;
+    return colors;
+  }
+
+  /// A scalar and, for rays that are `known`, the differences of scalars around it.
+  struct Sample {
+    Floats scalar;
+    Positions differences;
+    Alive known;
+  };
+  HWY_ATTR Sample sampleAt(const Positions& p, Alive alive, size_t channel) const {
+    const VolumeD d;
+    const Floats none = hn::Zero(d);
+    typename Samples::Around around{none, {none, none, none}};
+    Alive known = hn::Lt(none, none);
+    if constexpr (Samples::kHasWindows)
+      if (stepsAreVoxels_ && hasGradients(channel))
+        known = samples_[channel].around(p, volume_.cellStep, around);
+    Floats scalar = scalarOf(around.here, channel);
+    if (!hn::AllFalse(d, hn::AndNot(known, alive)))
+      scalar = hn::IfThenElse(known, scalar, scalarAt(p, channel));
+    return {scalar, scaled(around.differences, hn::Set(d, frame_.channels[channel].scale)), known};
+  }
+  HWY_ATTR Positions differencesAt(const Positions& p, Alive seen, const Sample& sample,
+                                   size_t channel) const {
+    const VolumeD d;
+    if (hn::AllFalse(d, hn::AndNot(sample.known, seen))) return sample.differences;
+    const Positions other = differencesAt(p, channel);
+    return {hn::IfThenElse(sample.known, sample.differences.x, other.x),
+            hn::IfThenElse(sample.known, sample.differences.y, other.y),
+            hn::IfThenElse(sample.known, sample.differences.z, other.z)};
+  }
+
+  /// Differences of scalars around a sample.
+  HWY_ATTR Positions differencesAt(const Positions& p, size_t channel) const {
+    const VolumeD d;
+    const Floats x = hn::Set(d, volume_.cellStep.x), y = hn::Set(d, volume_.cellStep.y),
+                 z = hn::Set(d, volume_.cellStep.z);
+    const auto at = [&](Floats px, Floats py, Floats pz) HWY_ATTR { return scalarAt({px, py, pz}, channel); };
+    return {hn::Sub(at(hn::Add(p.x, x), p.y, p.z), at(hn::Sub(p.x, x), p.y, p.z)),
+            hn::Sub(at(p.x, hn::Add(p.y, y), p.z), at(p.x, hn::Sub(p.y, y), p.z)),
+            hn::Sub(at(p.x, p.y, hn::Add(p.z, z)), at(p.x, p.y, hn::Sub(p.z, z)))};
+  }
+
+  bool weighs(size_t channel) const { return !frame_.channels[channel].gradient.entries.empty(); }
+  /// Whether samples need differences of the channel's scalars.
+  bool hasGradients(size_t channel) const { return volume_.shading.enabled() || weighs(channel); }
+
+  struct Differences {
+    Positions scalars;  // across two cell steps
+    size_t channel;     // whose scalars they are
+  };
+  /// Lights colours with the look of a channel, and applies its gradient opacity.
+  HWY_ATTR void light(const Rays& rays, const Positions& p, const Differences& differences, size_t channel,
+                      Colors& c) const {
+    const VolumeD d;
+    Positions gradient = differences.scalars;
+    if (weighs(channel)) {
+      const glm::vec2& ends = volume_.channels[differences.channel].range;
+      const float range = ends.y - ends.x;
+      const float average = (volume_.cellSpacing.x + volume_.cellSpacing.y + volume_.cellSpacing.z) / 3;
+      gradient = scaled(gradient, glm::vec3(range) / (volume_.cellSpacing * 2.0f / average));
+      const Floats length = hn::Sqrt(dot(gradient, gradient));
+      const Floats strength = clamped(hn::Div(length, hn::Set(d, 0.25f * (range != 0 ? range : 1))));
+      c.a = hn::Mul(c.a, lookUp(frame_.channels[channel].gradient, strength).a);
+    } else {
+      gradient = scaled(gradient, 1.0f / volume_.cellSpacing);
+    }
+    lighting_.shade(volume_.channels[channel].material, p, rays.towardsViewer, gradient, c);
+  }
+
+  /// finish(colour and opacity) of a channel with transfer functions of its own.
+  template <class Finish>
+  HWY_ATTR Alive ofChannel(const Rays& rays, const Positions& p, Alive alive, size_t channel, Colors& c,
+                           const Finish& finish) const {
+    const VolumeD d;
+    const Sample sample = sampleAt(p, alive, channel);
+    c = lookOf(sample.scalar, channel);
+    const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
+    if (hn::AllFalse(d, seen)) return seen;
+    if (hasGradients(channel)) light(rays, p, {differencesAt(p, seen, sample, channel), channel}, channel, c);
+    c = finish(c);
+    return seen;
+  }
+
+  /// Channels with transfer functions of their own, mixed by weights.
+  HWY_ATTR Alive mixed(const Rays& rays, const Positions& p, Alive alive, Colors& sum) const {
+    const VolumeD d;
+    const size_t channels = volume_.channels.size();
+    Colors colors[4];
+    Floats total = hn::Zero(d);
+    for (size_t i = 0; i < channels; ++i) {
+      const Alive seen = ofChannel(rays, p, alive, i, colors[i], limited);
+      colors[i].a = hn::IfThenElseZero(seen, colors[i].a);
+      total = hn::MulAdd(colors[i].a, hn::Set(d, volume_.channels[i].weight), total);
+    }
+    const Alive seen = hn::And(alive, hn::Gt(total, hn::Zero(d)));
+    sum = noColors();
+    for (size_t i = 0; i < channels; ++i) {
+      if (volume_.channels[i].weight <= 0) continue;
+      const Colors& c = colors[i];
+      const Floats share = hn::Mul(c.a, hn::Set(d, volume_.channels[i].weight));
+      sum.r = hn::MulAdd(c.r, share, sum.r), sum.g = hn::MulAdd(c.g, share, sum.g);
+      sum.b = hn::MulAdd(c.b, share, sum.b);
+      sum.a = hn::Add(sum.a, hn::IfThenElseZero(seen, hn::Div(hn::Mul(c.a, c.a), total)));
+    }
+    return seen;
+  }
+
+  /// Colours and opacities of different channels.
+  HWY_ATTR Alive ofSeveral(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+    const VolumeD d;
+    const Floats opacity = opacityOf(scalarAt(p, opacity_), opacity_);
+    const Alive seen = hn::And(alive, hn::Gt(opacity, hn::Zero(d)));
+    if (hn::AllFalse(d, seen)) return seen;
+    if (volume_.use == scene::VolumeChannels::colors)
+      c = {scalarAt(p, 0), scalarAt(p, 1), scalarAt(p, 2), opacity};
+    else
+      c = lookUp(frame_.channels[0].color, scalarAt(p, 0)), c.a = opacity;
+    const size_t gradient = volume_.gradientChannel;
+    if (hasGradients(0)) light(rays, p, {differencesAt(p, gradient), gradient}, 0, c);
+    c = premultiplied(c);
+    return seen;
+  }
+
+  const VolumeFrame& frame_;
+  const scene::Volume& volume_;
+  const Samples* samples_;
+  const Lighting lighting_;
+  bool stepsAreVoxels_ = false;  // gradients need samples about a voxel apart
+  size_t opacity_ = 0;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,174 @@
+// Lights the samples of a volume. Part of volume_kernels.cpp (compiled once for each instruction set).
+#if defined(GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_
+#undef GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_
+#else
+#define GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_
+#endif
+
+#include "render/volumes/transfer_lookups.inl.h"
+
+#include <hwy/contrib/math/math-inl.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gluray::render {
+namespace HWY_NAMESPACE {
+
+HWY_ATTR inline Floats clamped(Floats v) {
+  const VolumeD d;
+  return hn::Min(hn::Max(v, hn::Zero(d)), hn::Set(d, 1.0f));
+}
+HWY_ATTR inline Floats dot(const Positions& a, const Positions& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+HWY_ATTR inline Positions scaled(const Positions& v, Floats by) {
+  return {hn::Mul(v.x, by), hn::Mul(v.y, by), hn::Mul(v.z, by)};
+}
+HWY_ATTR inline Positions scaled(const Positions& v, const glm::vec3& by) {
+  const VolumeD d;
+  return {hn::Mul(v.x, hn::Set(d, by.x)), hn::Mul(v.y, hn::Set(d, by.y)), hn::Mul(v.z, hn::Set(d, by.z))};
+}
+HWY_ATTR inline Positions difference(const Positions& a, const Positions& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_ATTR inline Positions spread(const glm::vec3& v) {
+  const VolumeD d;
+  return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+}
+/// A vector of length 1; 0 stays 0.
+HWY_ATTR inline Positions normalized(const Positions& v) {
+  const VolumeD d;
+  const Floats length = hn::Sqrt(dot(v, v));
+  return scaled(v, hn::IfThenElseZero(hn::Gt(length, hn::Zero(d)), hn::Div(hn::Set(d, 1.0f), length)));
+}
+/// A power of a number that is not below 0.
+HWY_ATTR inline Floats power(Floats base, float exponent) {
+  const VolumeD d;
+  return hn::IfThenElse(
+      hn::Gt(base, hn::Zero(d)),
+      hn::Exp(d, hn::Mul(hn::Set(d, exponent), hn::Log(d, hn::Max(base, hn::Set(d, 1e-30f))))),
+      hn::Set(d, exponent == 0 ? 1.0f : 0.0f));
+}
+
+class Lighting {
+ public:
+  explicit Lighting(const scene::VolumeShading& shading) : shading_(shading) {}
+
+  /// Makes lit colours of unlit ones. `p`: samples in texture space; `gradient`: in data space, of any
+  /// length.
+  HWY_ATTR void shade(const scene::VolumeMaterial& material, const Positions& p,
+                      const Positions& towardsViewer, const Positions& gradient, Colors& c) const {
+    switch (shading_.model) {
+      case scene::VolumeShading::Model::none: return;
+      case scene::VolumeShading::Model::lights: return shadeByLights(material, p, gradient, c);
+      default: shadeFromViewer(material, dot(normalized(gradient), towardsViewer), c);
+    }
+  }
+
+ private:
+  /// `facing`: cosine between the gradient and the direction to the viewer, where the light stands.
+  HWY_ATTR void shadeFromViewer(const scene::VolumeMaterial& material, Floats facing, Colors& c) const {
+    const VolumeD d;
+    const Floats zero = hn::Zero(d);
+    const bool halfway = shading_.model == scene::VolumeShading::Model::viewerHalfway;
+    Floats cosine = halfway ? facing : hn::Neg(facing);
+    Floats highlight = cosine;
+    if (!halfway) highlight = hn::MulSub(hn::Add(cosine, cosine), cosine, hn::Set(d, 1.0f));
+    if (shading_.twoSided) cosine = hn::Abs(cosine);
+    if (halfway) highlight = cosine;
+    const Floats diffuse = hn::Max(cosine, zero);
+    Floats shine = power(highlight, material.shininess);
+    if (!halfway) shine = hn::IfThenElseZero(hn::Gt(cosine, zero), shine);
+    const scene::VolumeLight& light = shading_.lights.front();
+    const auto channel = [&](Floats color, int i) HWY_ATTR {
+      const Floats share = hn::MulAdd(diffuse, hn::Set(d, material.diffuse[i] * light.diffuse[i]),
+                                      hn::Set(d, material.ambient[i]));
+      return hn::MulAdd(color, share, hn::Mul(shine, hn::Set(d, material.specular[i] * light.specular[i])));
+    };
+    c.r = channel(c.r, 0), c.g = channel(c.g, 1), c.b = channel(c.b, 2);
+  }
+
+  static HWY_ATTR Positions transformed(const glm::mat3& m, const Positions& v) {
+    const VolumeD d;
+    const auto row = [&](int i) HWY_ATTR {
+      return hn::MulAdd(hn::Set(d, m[0][i]), v.x,
+                        hn::MulAdd(hn::Set(d, m[1][i]), v.y, hn::Mul(hn::Set(d, m[2][i]), v.z)));
+    };
+    return {row(0), row(1), row(2)};
+  }
+
+  /// Where a light's rays go at a point of eye space, and how much of them arrives.
+  HWY_ATTR Positions raysOf(const scene::VolumeLight& light, const Positions& point, Floats& arrives) const {
+    const VolumeD d;
+    arrives = hn::Set(d, 1.0f);
+    if (!light.positional) return spread(light.direction);
+    const Positions along = difference(point, spread(light.position));
+    const Floats distance = hn::Sqrt(dot(along, along));
+    const Positions direction = normalized(along);
+    arrives = hn::Div(arrives, hn::MulAdd(hn::MulAdd(hn::Set(d, light.attenuation.z), distance,
+                                                     hn::Set(d, light.attenuation.y)),
+                                          distance, hn::Set(d, light.attenuation.x)));
+    if (light.coneAngle > 90) return direction;
+    const Floats cosine = dot(direction, spread(light.direction));
+    const Floats least = hn::Set(d, std::cos(glm::radians(light.coneAngle)));
+    arrives = hn::IfThenElseZero(hn::Ge(cosine, least), hn::Mul(arrives, power(cosine, light.exponent)));
+    return direction;
+  }
+
+  struct Sums {
+    Positions diffuse, specular;
+  };
+  HWY_ATTR void add(const scene::VolumeLight& light, float shininess, const Positions& point,
+                    const Positions& normal, Sums& sums) const {
+    const VolumeD d;
+    const Floats zero = hn::Zero(d);
+    Floats arrives;
+    const Positions rays = raysOf(light, point, arrives);
+    Floats cosine = dot(normal, rays);
+    if (shading_.twoSided) cosine = hn::Abs(cosine);
+    const Alive lit = hn::Gt(cosine, zero);
+    const Positions reflected = normalized(difference(scaled(normal, hn::Add(cosine, cosine)), rays));
+    Floats highlight = dot(normalized(point), reflected);
+    if (shading_.twoSided && light.positional) highlight = hn::Abs(highlight);
+    const Alive shines = hn::And(lit, hn::Gt(highlight, zero));
+    const Floats diffuse = hn::IfThenElseZero(lit, hn::Max(hn::Mul(arrives, cosine), zero));
+    const Floats specular = hn::IfThenElseZero(shines, hn::Mul(arrives, power(highlight, shininess)));
+    const auto addTo = [](Positions& sum, Floats share, const glm::vec3& color) HWY_ATTR {
+      const Positions part = scaled({share, share, share}, color);
+      sum = {hn::Add(sum.x, part.x), hn::Add(sum.y, part.y), hn::Add(sum.z, part.z)};
+    };
+    addTo(sums.diffuse, diffuse, light.diffuse), addTo(sums.specular, specular, light.specular);
+  }
+
+  HWY_ATTR void shadeByLights(const scene::VolumeMaterial& material, const Positions& p,
+                              const Positions& gradient, Colors& c) const {
+    const VolumeD d;
+    const glm::mat4& m = shading_.eyeFromTexture;
+    const Positions moved = transformed(glm::mat3(m), p);
+    const Positions point{hn::Add(moved.x, hn::Set(d, m[3].x)), hn::Add(moved.y, hn::Set(d, m[3].y)),
+                          hn::Add(moved.z, hn::Set(d, m[3].z))};
+    const Positions normal = normalized(transformed(shading_.eyeFromGradient, gradient));
+    Sums sums{spread(glm::vec3(0)), spread(glm::vec3(0))};
+    glm::vec3 ambient(0);
+    for (const scene::VolumeLight& light : shading_.lights) {
+      add(light, material.shininess, point, normal, sums);
+      ambient += light.ambient;
+    }
+    const auto channel = [&](Floats color, Floats diffuse, Floats specular, int i) HWY_ATTR {
+      const Floats unlit = hn::Set(d, material.ambient[i] * ambient[i]);
+      return hn::MulAdd(hn::Mul(diffuse, hn::Set(d, material.diffuse[i])), color,
+                        hn::MulAdd(specular, hn::Set(d, material.specular[i]), unlit));
+    };
+    c.r = channel(c.r, sums.diffuse.x, sums.specular.x, 0);
+    c.g = channel(c.g, sums.diffuse.y, sums.specular.y, 1);
+    c.b = channel(c.b, sums.diffuse.z, sums.specular.z, 2);
+  }
+
+  const scene::VolumeShading& shading_;
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace gluray::render
+HWY_AFTER_NAMESPACE();
+
+#endif

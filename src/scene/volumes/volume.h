@@ -1,0 +1,94 @@
+// One draw of a volume by a ray caster in a fragment shader, as plain data. Immutable.
+#pragma once
+#include "scene/region.h"
+#include "scene/volumes/transfer_function.h"
+#include "scene/volumes/volume_shading.h"
+#include "scene/volumes/voxel_grid.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace gluray::scene {
+
+/// How the samples of a ray become one colour. `isosurface`: where the scalar crosses one of the contours
+/// between two samples, its colour is composited.
+enum class VolumeBlend : uint8_t { composite, maximum, minimum, average, additive, isosurface };
+
+/// Which channels of a voxel a sample's colour and opacity are read with.
+enum class VolumeChannels : uint8_t {
+  one,              // both by channel 0
+  independent,      // each channel has its own; they are mixed by weights
+  colorAndOpacity,  // the colour by channel 0, the opacity by channel 1
+  colors            // channels 0 to 2 are the colour, the opacity is read by channel 3
+};
+
+/// The channel whose scalars the opacity of a sample is read with; of independent ones, each.
+constexpr size_t opacityChannelOf(VolumeChannels use) {
+  return use == VolumeChannels::colorAndOpacity ? 1 : use == VolumeChannels::colors ? 3 : 0;
+}
+
+/// Samples in some of 27 boxes are skipped: the planes cut each axis into three parts.
+struct VolumeCropping {
+  std::array<float, 6> planes{};  // texture space: two for each axis
+  std::array<bool, 27> kept{};    // x fastest
+  bool operator==(const VolumeCropping&) const = default;
+};
+
+/// The volume and its look. "Texture space" has the voxels in 0 .. 1; "data space" is that of the box's
+/// vertices.
+struct Volume {
+  std::shared_ptr<const VoxelGrid> grid;
+  bool linear = true;       // between voxels; false: the nearest one
+  bool byteFilter = false;  // as Texture::byteFilter
+  VolumeBlend blend = VolumeBlend::composite;
+  VolumeChannels use = VolumeChannels::one;
+  std::vector<VolumeChannel> channels = std::vector<VolumeChannel>(1);  // as many as `use` has, at most 4
+  size_t gradientChannel = 0;  // whose gradients count, with the look of channel 0; of independent ones, each
+  VolumeShading shading;
+  glm::vec3 cellStep{0};                           // texture space: distances of the samples of gradients
+  glm::vec3 cellSpacing{1};                        // data space
+  glm::vec2 averaged{0, 1};                        // values of data that VolumeBlend::average counts
+  std::vector<float> contours;                     // scalars, in the order in which the shader looks for them
+  std::shared_ptr<const VolumeCropping> cropping;  // null: none
+  std::shared_ptr<const VoxelGrid> mask;           // samples where it is 0 or less are skipped; null: none
+  bool maskLinear = false;                         // between its voxels; false: the nearest one
+  float least = 1 - 1.0f / 255;                    // rays end above this opacity
+  float colorScale = 1, colorBias = 0;             // of the finished colour
+};
+
+/// Where the rays of a volume begin and end.
+struct VolumeView {
+  Region region;                 // window pixels
+  glm::dmat4 windowFromData{1};  // window coordinates x, y, z (0 .. 1) of data space, homogeneous
+  glm::dmat4 textureFromData{1};
+  glm::dvec3 viewer{0};                // data space
+  glm::dvec3 direction{0};             // data space, of all rays; 0: they come from the viewer
+  float step = 0;                      // length of a step in data space
+  glm::vec3 lower{0}, upper{1};        // texture space: rays end where they leave this box
+  std::vector<glm::dvec3> faces;       // data space: triangles, three corners each, on which rays begin
+  std::vector<glm::dvec4> clipPlanes;  // data space: rays stay where dot(plane, (p, 1)) is not below 0
+  std::optional<glm::dvec4> slice;     // data space: rays have one sample, where dot(slice, (p, 1)) is 0
+  std::vector<float>
+      depth;  // of what ends rays, one for each pixel of the region, window depths; empty: nothing
+  /// How far behind the entry the first sample lies, in steps, for each window pixel of a rectangle that
+  /// repeats; empty: one step.
+  std::vector<float> jitter;
+  glm::ivec2 jitterSize{0};
+  enum class DepthTest : uint8_t { none, less, lessOrEqual } depthTest = DepthTest::none;  // of the faces
+  /// Of a multisampled framebuffer, in [0,1)^2 from the pixel's lower left corner; empty: pixels have one
+  /// sample. A pixel's colour counts for the share of samples that the faces cover.
+  std::vector<glm::vec2> samplePositions;
+};
+
+struct VolumeCast {
+  Volume volume;
+  VolumeView view;
+  int threads = 0;
+};
+
+}  // namespace gluray::scene
