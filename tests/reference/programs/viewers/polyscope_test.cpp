@@ -72,14 +72,14 @@ std::string polyscopeVertex(const MatcapCase& c) {
 
 std::string polyscopeFragment(const MatcapCase& c) {
   const char* const declared[] = {"uniform vec3 u_baseColor;\n", "in vec3 a_colorToFrag;\n",
-                                  "in float a_valueToFrag;\nuniform float u_rangeHigh;\nuniform float "
-                                  "u_rangeLow;\nuniform sampler1D t_colormap;\n"};
+                                  ("in float a_valueToFrag;\nuniform float u_rangeHigh;\nuniform float "
+                                   "u_rangeLow;\nuniform sampler1D t_colormap;\n")};
   const char* const value[] = {"", "vec3 shadeColor = a_colorToFrag;\n",
                                "float shadeValue = a_valueToFrag;\n"};
   const char* const shade[] = {"vec3 albedoColor = u_baseColor;\n", "vec3 albedoColor = shadeColor;\n",
-                               "float rangeTVal = (shadeValue - u_rangeLow) / (u_rangeHigh - u_rangeLow);\n"
-                               "rangeTVal = clamp(rangeTVal, 0.f, 1.f);\n"
-                               "vec3 albedoColor = texture(t_colormap, rangeTVal).rgb;\n"};
+                               ("float rangeTVal = (shadeValue - u_rangeLow) / (u_rangeHigh - u_rangeLow);\n"
+                                "rangeTVal = clamp(rangeTVal, 0.f, 1.f);\n"
+                                "vec3 albedoColor = texture(t_colormap, rangeTVal).rgb;\n")};
   const auto k = static_cast<size_t>(c.color);
   std::string text =
       "#version 330 core\nin vec3 a_vertexNormalToFrag;\nin vec3 a_barycoordToFrag;\n"
