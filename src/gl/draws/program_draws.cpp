@@ -23,7 +23,10 @@ Reason reasonOf(PrimitiveClass kind) {
 }  // namespace
 
 Reason ProgramDraws::classify(PrimitiveClass kind) {
-  if (const Reason reason = p_.classifier.ofContext(); reason != Reason::traced) return reason;
+  const Reason context = p_.classifier.ofContext();
+  // Volumes need no depth buffer.
+  if (context == Reason::noDepthBuffer && p_.shadow.program().reason == Reason::volume) return Reason::volume;
+  if (context != Reason::traced) return context;
   const bool solid = drawsSolids(p_.shadow.settings, kind);
   // The program's reason is more useful to the user than the kind of primitive, unless it follows from it.
   const auto& known = p_.shadow.program().known;

@@ -14,7 +14,7 @@ struct FamilyVolumeLight {
   std::string twoSided;                                                       // not 0: gradients have no sign
   FamilyValue materialAmbient, materialDiffuse, materialSpecular, shininess;  // arrays
   FamilyValue ambient, diffuse, specular;                                     // arrays
-  // Of Model::lights:
+  // Of the models with several lights:
   FamilyValue count;         // of lights
   FamilyValue positional;    // how many of them, the first ones, are positional
   std::string isPositional;  // array in its place: not 0
@@ -48,8 +48,9 @@ struct FamilyVolume {
   std::vector<std::string> textureFromCrop;  // matrices from their space to texture space
   std::string cropFlags;                     // array: flags of the 27 boxes, from element 1 on
   std::string clipPlanes;  // array: six times their number; for each, a point and a normal in world space
-  std::string mask;        // sampler3D: samples where it is 0 are skipped
-  std::string contours;    // array of values of data
+  bool clipsCropSpace = false;  // they meet rays where textureFromCrop puts these
+  std::string mask;             // sampler3D: samples where it is 0 are skipped
+  std::string contours;         // array of values of data
   FamilyValue contourCount;
   std::string slicePoint, sliceNormal;  // world space: of VolumeView::slice, if they are active
   bool given() const { return !grid.empty(); }

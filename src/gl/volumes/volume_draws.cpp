@@ -16,13 +16,12 @@
 namespace gluray::gl {
 namespace {
 
-/// Whether colours are blended over the framebuffer's, premultiplied by their alpha.
+/// Whether blended colours go over the framebuffer's, premultiplied by their alpha.
 bool blendsOver(const RealGl& real) {
   const auto is = [&](GLenum name, GLint value) { return integer(real, name) == value; };
-  return isOn(real, GL_BLEND) && is(GL_BLEND_EQUATION_RGB, GL_FUNC_ADD) &&
-         is(GL_BLEND_EQUATION_ALPHA, GL_FUNC_ADD) && is(GL_BLEND_SRC_RGB, GL_ONE) &&
-         is(GL_BLEND_DST_RGB, GL_ONE_MINUS_SRC_ALPHA) && is(GL_BLEND_SRC_ALPHA, GL_ONE) &&
-         is(GL_BLEND_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  return is(GL_BLEND_EQUATION_RGB, GL_FUNC_ADD) && is(GL_BLEND_EQUATION_ALPHA, GL_FUNC_ADD) &&
+         is(GL_BLEND_SRC_RGB, GL_ONE) && is(GL_BLEND_DST_RGB, GL_ONE_MINUS_SRC_ALPHA) &&
+         is(GL_BLEND_SRC_ALPHA, GL_ONE) && is(GL_BLEND_DST_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
 }
 
 /// The pixels that points of data space in front of the viewer may cover; all of them if one is behind.
@@ -59,7 +58,9 @@ const char* VolumeDraws::obstacle() const {
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer)
     return "its framebuffer is not traced";
   if (hasMoreDrawBuffers(real)) return "it has several draw buffers";
-  if (!blendsOver(real)) return "it is not blended over the framebuffer";
+  if (isOn(real, GL_BLEND) && !blendsOver(real)) return "it is not blended over the framebuffer";
+  if (!isOn(real, GL_BLEND) && target.samples > 1 && raster.multisample)
+    return "it replaces the colours of samples";
   if (isOn(real, GL_DEPTH_TEST) && integer(real, GL_DEPTH_WRITEMASK)) return "it writes depth";
   if (isOn(real, GL_DEPTH_TEST) && raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL)
     return "it has another depth test";
@@ -117,6 +118,7 @@ bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast&
   scene::Region pixels = Batch::keyOf(p_.shadow.pixelState(), glm::dmat4(1)).region;
   p_.filler.clampToTarget(pixels);
   cast.view.region = regionOf(cast.view, pixels);
+  cast.view.replaces = !isOn(p_.shadow.real, GL_BLEND);
   using Test = scene::VolumeView::DepthTest;
   if (isOn(p_.shadow.real, GL_DEPTH_TEST) && p_.shadow.target().reason == Reason::traced)
     cast.view.depthTest = p_.shadow.raster().depthFunc == GL_LESS ? Test::less : Test::lessOrEqual;

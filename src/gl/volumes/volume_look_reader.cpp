@@ -177,7 +177,7 @@ bool VolumeLookReader::readLight(scene::Volume& volume) {
     material.specular = element(names.materialSpecular, i, glm::vec4(0));
     material.shininess = element(names.shininess, i, glm::vec4(1)).x;
   }
-  if (shading.model == Model::lights) return readLights(shading);
+  if (!shading.isFromViewer()) return readLights(shading);
   shading.lights.push_back(lightAt(0, false));
   // A power of a number below 0.
   if (shading.model == Model::viewerHalfway && !shading.twoSided)
@@ -218,7 +218,9 @@ bool VolumeLookReader::readContours(scene::Volume& volume) {
 
 bool VolumeLookReader::read(scene::Volume& volume) {
   volume.blend = family_.blend, volume.use = family_.channels;
-  if (volume.use != VolumeChannels::one && volume.blend != scene::VolumeBlend::composite)
+  using scene::VolumeBlend;
+  const bool mixed = volume.use == VolumeChannels::independent && volume.blend != VolumeBlend::isosurface;
+  if (volume.use != VolumeChannels::one && volume.blend != VolumeBlend::composite && !mixed)
     return refuse("several components of its voxels are blended in another way than composited");
   if (!readGrid(volume) || !readMask(volume)) return false;
   readNumbers(volume);

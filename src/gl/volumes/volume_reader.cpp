@@ -29,36 +29,40 @@ bool VolumeReader::readViewer(scene::VolumeView& view) {
   return true;
 }
 
-/// A plane of world space in data space.
-glm::dvec4 VolumeReader::planeOf(const glm::dvec3& point, const glm::dvec3& normal) const {
-  const glm::dmat4 worldFromData = glm::inverse(*uniforms_.product(family_.dataFromWorld));
-  return glm::dvec4(normal, -glm::dot(normal, point)) * worldFromData;
-}
-
 bool VolumeReader::readClipPlanes(scene::VolumeView& view) {
   if (!uniforms_.has(family_.clipPlanes)) return true;
-  if (!uniforms_.product(family_.dataFromWorld)) return refuse("a matrix is not active");
+  const auto dataFromWorld = uniforms_.product(family_.dataFromWorld);
+  const auto texture =
+      uniforms_.product(family_.clipsCropSpace ? family_.textureFromCrop : family_.textureFromData);
+  if (!dataFromWorld || !texture) return refuse("a matrix is not active");
+  const glm::dmat4 worldFromData = glm::inverse(*dataFromWorld);
+  scene::VolumeClipping& clipping = view.clipping.emplace();
+  clipping.spaceFromTexture = worldFromData * glm::inverse(*texture);
+  clipping.spaceFromData = glm::dmat3(worldFromData);
   const auto number = [&](int i) { return double{uniforms_.number(family_.clipPlanes, i)}; };
   constexpr int kNumbers = 6, kMostPlanes = 100;
   const int numbers = static_cast<int>(number(0));
   if (numbers < 0 || numbers > kMostPlanes * kNumbers) return refuse("it has too many clip planes");
   for (int i = 1; i <= numbers; i += kNumbers) {
-    const glm::dvec3 normal(number(i + 3), number(i + 4), number(i + 5));
+    const glm::dvec3 point(number(i), number(i + 1), number(i + 2)),
+        normal(number(i + 3), number(i + 4), number(i + 5));
     if (!(glm::length(normal) > 0)) return refuse("a clip plane has no normal");
-    view.clipPlanes.push_back(planeOf({number(i), number(i + 1), number(i + 2)}, glm::normalize(normal)));
+    const glm::dvec3 direction = glm::normalize(normal);
+    clipping.planes.emplace_back(direction, -glm::dot(direction, point));
   }
   return true;
 }
 
 bool VolumeReader::readSlice(scene::VolumeView& view) {
   if (!uniforms_.has(family_.slicePoint)) return true;
-  const auto dataFromWorld = uniforms_.product(family_.dataFromWorld);
-  if (!dataFromWorld) return refuse("a matrix is not active");
+  const auto dataFromWorld = uniforms_.product(family_.dataFromWorld),
+             texture = uniforms_.product(family_.textureFromCrop);
+  if (!dataFromWorld || !texture) return refuse("a matrix is not active");
   const auto vector = [&](const std::string& name, double w) {
     return glm::dvec3(*dataFromWorld * glm::dvec4(glm::dvec3(uniforms_.vector(name)), w));
   };
   const glm::dvec3 point = vector(family_.slicePoint, 1), normal = vector(family_.sliceNormal, 0);
-  view.slice = glm::dvec4(normal, -glm::dot(normal, point));
+  view.slice = scene::VolumeSlice{glm::dvec4(normal, -glm::dot(normal, point)), *texture};
   return true;
 }
 

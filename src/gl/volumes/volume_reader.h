@@ -28,7 +28,6 @@ class VolumeReader {
   bool readJitter(scene::VolumeView& view);
   bool readClipPlanes(scene::VolumeView& view);
   bool readSlice(scene::VolumeView& view);
-  glm::dvec4 planeOf(const glm::dvec3& point, const glm::dvec3& normal) const;
   glm::vec4 value(const FamilyValue& v, const glm::vec4& otherwise) const {
     return uniforms_.value(v, otherwise);
   }

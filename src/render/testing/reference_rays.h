@@ -79,10 +79,11 @@ inline void walk(const scene::VolumeView& view, const glm::dvec3& end, Reference
   }
 }
 
-/// Moves the ends of a ray that lie behind planes, one plane after the other.
+/// Moves the ends of a ray that lie behind planes of data space, one plane after the other.
 inline void clip(const scene::VolumeView& view, glm::dvec3& begin, glm::dvec3& end, ReferenceRay& ray) {
   constexpr double kNear = 1e-6;
-  for (const glm::dvec4& plane : view.clipPlanes) {
+  if (!view.clipping) return;
+  for (const glm::dvec4& plane : view.clipping->planes) {
     const glm::dvec3 normal(plane);
     const double a = glm::dot(normal, begin) + plane.w, b = glm::dot(normal, end) + plane.w;
     ray.unsure |= std::abs(a) < kNear || std::abs(b) < kNear;
@@ -122,7 +123,7 @@ inline ReferenceRay referenceRay(const scene::VolumeView& view, const VolumeBox&
   glm::dvec3 begin = ray.entry, last = glm::dvec3(behind) / behind.w;
   clip(view, begin, last, ray);
   ray.first = glm::dvec3(view.textureFromData * glm::dvec4(begin, 1)) + ray.step;
-  if (!view.clipPlanes.empty()) beginInside(view, ray);
+  if (view.clipping) beginInside(view, ray);
   if (ray.hits) walk(view, last, ray);
   return ray;
 }

@@ -69,39 +69,49 @@ class ReferenceVolume : ReferenceColors {
   }
 
   void extreme(ReferencePixel& pixel, double sign) {
-    double found = sign > 0 ? 0 : 1;
-    bool first = true;
-    for (int i = 0; i < ray_.samples; ++i) {
-      if (isSkipped(sampleAt(i))) continue;
-      const double scalar = scalarAt(sampleAt(i));
-      found = first ? scalar : sign * std::max(sign * found, sign * scalar);
-      first = false;
+    glm::dvec4 sum(0);
+    for (size_t c = 0; c < volume_.channels.size(); ++c) {
+      double found = sign > 0 ? 0 : 1;
+      bool first = true;
+      for (int i = 0; i < ray_.samples; ++i) {
+        if (isSkipped(sampleAt(i))) continue;
+        const double scalar = scalarAt(sampleAt(i), c);
+        found = first ? scalar : sign * std::max(sign * found, sign * scalar);
+        first = false;
+      }
+      // Lit where the shader's loop has left the position: one step after the last sample.
+      sum += premultiplied(litColor(found, sampleAt(ray_.samples), c)) * double{volume_.channels[c].weight};
     }
-    // Lit where the shader's loop has left the position: one step after the last sample.
-    finish(pixel, premultiplied(litColor(found, sampleAt(ray_.samples))));
+    finish(pixel, sum);
   }
 
   void average(ReferencePixel& pixel) {
-    double total = 0, count = 0;
-    const glm::dvec2 range(volume_.channels[0].range);
-    for (int i = 0; i < ray_.samples; ++i) {
-      if (isSkipped(sampleAt(i))) continue;
-      const double scalar = scalarAt(sampleAt(i)), value = range.x + (range.y - range.x) * scalar;
-      for (const double end : {double{volume_.averaged.x}, double{volume_.averaged.y}})
-        unsure_ |= std::abs(value - end) < kNear * std::max(1.0, std::abs(range.y - range.x));
-      if (value < double{volume_.averaged.x} || value > double{volume_.averaged.y}) continue;
-      total += opacityOf(scalar) * scalar, count += 1;
+    double sum = 0, all = 0;
+    for (size_t c = 0; c < volume_.channels.size(); ++c) {
+      double total = 0, count = 0;
+      const glm::dvec2 range(volume_.channels[c].range);
+      for (int i = 0; i < ray_.samples; ++i) {
+        if (isSkipped(sampleAt(i))) continue;
+        const double scalar = scalarAt(sampleAt(i), c), value = range.x + (range.y - range.x) * scalar;
+        for (const double end : {double{volume_.averaged.x}, double{volume_.averaged.y}})
+          unsure_ |= std::abs(value - end) < kNear * std::max(1.0, std::abs(range.y - range.x));
+        if (value < double{volume_.averaged.x} || value > double{volume_.averaged.y}) continue;
+        total += opacityOf(scalar, c) * scalar, count += 1;
+      }
+      all += count, sum += total / std::max(count, 1.0) * double{volume_.channels[c].weight};
     }
-    pixel.shown = count > 0;
-    finish(pixel, {glm::dvec3(std::clamp(total / std::max(count, 1.0), 0.0, 1.0)), 1});
+    pixel.shown = all > 0 || volume_.channels.size() > 1;
+    finish(pixel, {glm::dvec3(std::clamp(sum, 0.0, 1.0)), 1});
   }
 
   void sum(ReferencePixel& pixel) {
     double total = 0;
     for (int i = 0; i < ray_.samples; ++i) {
       if (isSkipped(sampleAt(i))) continue;
-      const double scalar = scalarAt(sampleAt(i));
-      total += opacityOf(scalar) * scalar;
+      for (size_t c = 0; c < volume_.channels.size(); ++c) {
+        const double scalar = scalarAt(sampleAt(i), c);
+        total += opacityOf(scalar, c) * scalar * double{volume_.channels[c].weight};
+      }
     }
     finish(pixel, {glm::dvec3(std::clamp(total, 0.0, 1.0)), 1});
   }

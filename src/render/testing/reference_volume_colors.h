@@ -135,7 +135,12 @@ class ReferenceColors {
       gradient *= range / aspect;
       const double strength = glm::length(gradient) / (0.25 * (range != 0 ? range : 1));
       const auto weightAt = [&](double s) {
-        return lookUp(*look.gradientOpacity, std::clamp(s, 0.0, 1.0)).x;
+        if (volume_.use != scene::VolumeChannels::independent)
+          return lookUp(*look.gradientOpacity, std::clamp(s, 0.0, 1.0)).x;
+        double all = 1;
+        for (const scene::VolumeChannel& c : volume_.channels)
+          all *= lookUp(*c.gradientOpacity, std::clamp(s, 0.0, 1.0)).x * double{c.weight};
+        return all;
       };
       // What the rounding of scalars to floats makes of the strength.
       const double rounding = 4e-7 / std::min({aspect.x, aspect.y, aspect.z}) / 0.25;
@@ -145,11 +150,10 @@ class ReferenceColors {
       gradient /= spacing;
     }
     const glm::dvec3 unlit(color);
-    using Model = scene::VolumeShading::Model;
-    if (volume_.shading.model == Model::lights)
-      color = {byLights(unlit, look.material, p, gradient), color.a};
-    else if (volume_.shading.enabled())
+    if (volume_.shading.isFromViewer())
       color = {fromViewer(unlit, look.material, gradient), color.a};
+    else if (volume_.shading.enabled())
+      color = {byLights(unlit, look.material, p, gradient), color.a};
     return glm::clamp(color, 0.0, 1.0);
   }
 
@@ -163,7 +167,7 @@ class ReferenceColors {
                         const glm::dvec3& gradient) {
     const scene::VolumeLight& light = volume_.shading.lights[0];
     const glm::dvec3 normal = directionOf(gradient);
-    const bool halfway = volume_.shading.model == scene::VolumeShading::Model::viewerHalfway;
+    const bool halfway = volume_.shading.isHalfway();
     const glm::dvec3 side = halfway ? towards_ : -towards_;
     double cosine = glm::dot(normal, side);
     const glm::dvec3 reflected = 2 * cosine * normal - side;
@@ -200,11 +204,13 @@ class ReferenceColors {
       double cosine = glm::dot(normal, along);
       if (volume_.shading.twoSided) cosine = std::abs(cosine);
       unsure_ |= std::abs(cosine) < 1e-3;
-      if (!(cosine > 0)) continue;
-      diffuse += arrives * cosine * glm::dvec3(light.diffuse);
-      double highlight = glm::dot(glm::normalize(point), glm::normalize(2 * cosine * normal - along));
-      if (light.positional && volume_.shading.twoSided) highlight = std::abs(highlight);
-      if (highlight > 0)
+      const bool halfway = volume_.shading.isHalfway();
+      const glm::dvec3 view = glm::normalize(point);
+      double highlight = halfway ? glm::dot(normal, glm::normalize(along - view))
+                                 : glm::dot(view, glm::normalize(2 * cosine * normal - along));
+      if (volume_.shading.twoSided && (halfway || light.positional)) highlight = std::abs(highlight);
+      if (cosine > 0) diffuse += arrives * cosine * glm::dvec3(light.diffuse);
+      if (highlight > 0 && (cosine > 0 || halfway))
         specular += arrives * std::pow(highlight, double{material.shininess}) * glm::dvec3(light.specular);
     }
     return glm::dvec3(material.ambient) * ambient + glm::dvec3(material.diffuse) * diffuse * color +

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 namespace gluray::test {
 
@@ -104,6 +105,11 @@ inline scene::VolumeView viewOf(const VolumeCamera& camera, const VolumeBox& box
   else
     addFrontFaces(box, view);
   return view;
+}
+
+/// Clips a view by planes of data space.
+inline void clip(scene::VolumeView& view, const std::vector<glm::dvec4>& planes) {
+  view.clipping = scene::VolumeClipping{planes, glm::inverse(view.textureFromData)};
 }
 
 /// Lights a volume by a light at the viewer. Returns the material of its first channel.

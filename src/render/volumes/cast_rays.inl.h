@@ -71,7 +71,7 @@ class Caster {
       }
       sample = hn::Add(sample, hn::Set(d, 1.0f));
     }
-    shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
+    if (!frame_.showsInvisible) shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
     return finished(sum);
   }
 
@@ -90,46 +90,80 @@ class Caster {
   template <bool most>
   HWY_ATTR Colors extreme(const Rays& rays, Alive shown) const {
     const VolumeD d;
-    const float limit = std::numeric_limits<float>::infinity();
-    Floats found = hn::Set(d, most ? -limit : limit);
+    const float limit =
+        most ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
+    Floats found[kMostChannels];
+    for (Floats& f : found) f = hn::Set(d, limit);
     Alive alive = shown;
     eachSample(rays, alive, [&](Floats, const Positions& p, Alive counted) HWY_ATTR {
-      const Floats scalar = colors_.scalarAt(p, 0);
-      const Alive better = hn::And(counted, most ? hn::Lt(found, scalar) : hn::Gt(found, scalar));
-      found = hn::IfThenElse(better, scalar, found);
+      for (size_t c = 0; c < channels(); ++c) {
+        const Floats scalar = colors_.scalarAt(p, c);
+        const Alive better = hn::And(counted, most ? hn::Lt(found[c], scalar) : hn::Gt(found[c], scalar));
+        found[c] = hn::IfThenElse(better, scalar, found[c]);
+      }
     });
-    // Rays of which no sample counts show the scalar that is the other extreme.
-    const Alive none = hn::Eq(found, hn::Set(d, most ? -limit : limit));
-    found = hn::IfThenElse(none, hn::Set(d, most ? 0.0f : 1.0f), found);
-    // Lit where the shader's loop leaves the position.
-    return finished(colors_.colorOf(rays, rays.at(rays.samples), found));
+    Colors sum = noColors();
+    for (size_t c = 0; c < channels(); ++c) {
+      // Rays of which no sample counts show the scalar that is the other extreme.
+      const Alive none = hn::Eq(found[c], hn::Set(d, limit));
+      const Floats scalar = hn::IfThenElse(none, hn::Set(d, most ? 0.0f : 1.0f), found[c]);
+      // Lit where the shader's loop leaves the position.
+      const Colors color = colors_.colorOf(rays, rays.at(rays.samples), scalar, c);
+      const Floats weight = hn::Set(d, volume_.channels[c].weight);
+      sum.r = hn::MulAdd(color.r, weight, sum.r), sum.g = hn::MulAdd(color.g, weight, sum.g);
+      sum.b = hn::MulAdd(color.b, weight, sum.b), sum.a = hn::MulAdd(color.a, weight, sum.a);
+    }
+    return finished(sum);
+  }
+
+  /// Opacities times scalars of all channels. `counts`: gets how many samples of each are `averaged`; null:
+  /// all samples count.
+  HWY_ATTR void addProducts(const Positions& p, Alive kept, Floats* totals, Floats* counts) const {
+    const VolumeD d;
+    for (size_t c = 0; c < channels(); ++c) {
+      const Floats scalar = colors_.scalarAt(p, c);
+      Alive counted = kept;
+      if (counts) {
+        const glm::vec2 range = volume_.channels[c].range;
+        const Floats value = hn::MulAdd(scalar, hn::Set(d, range.y - range.x), hn::Set(d, range.x));
+        counted = hn::And(kept, hn::And(hn::Ge(value, hn::Set(d, volume_.averaged.x)),
+                                        hn::Le(value, hn::Set(d, volume_.averaged.y))));
+        counts[c] = hn::Add(counts[c], hn::IfThenElseZero(counted, hn::Set(d, 1.0f)));
+      }
+      const Floats product = hn::Mul(colors_.opacityOf(scalar, c), scalar);
+      totals[c] = hn::Add(totals[c], hn::IfThenElseZero(counted, product));
+    }
   }
 
   HWY_ATTR Colors average(const Rays& rays, Alive& shown) const {
     const VolumeD d;
-    const glm::vec2 range = volume_.channels[0].range;
-    Floats total = hn::Zero(d), count = hn::Zero(d);
+    Floats totals[kMostChannels], counts[kMostChannels];
+    for (size_t c = 0; c < kMostChannels; ++c) totals[c] = counts[c] = hn::Zero(d);
     Alive alive = shown;
     eachSample(rays, alive, [&](Floats, const Positions& p, Alive kept) HWY_ATTR {
-      const Floats scalar = colors_.scalarAt(p, 0);
-      const Floats value = hn::MulAdd(scalar, hn::Set(d, range.y - range.x), hn::Set(d, range.x));
-      const Alive counted = hn::And(kept, hn::And(hn::Ge(value, hn::Set(d, volume_.averaged.x)),
-                                                  hn::Le(value, hn::Set(d, volume_.averaged.y))));
-      total = hn::Add(total, hn::IfThenElseZero(counted, hn::Mul(colors_.opacityOf(scalar, 0), scalar)));
-      count = hn::Add(count, hn::IfThenElseZero(counted, hn::Set(d, 1.0f)));
+      addProducts(p, kept, totals, counts);
     });
-    shown = hn::And(shown, hn::Gt(count, hn::Zero(d)));
-    return grey(hn::Div(total, hn::Max(count, hn::Set(d, 1.0f))));
+    // The shader of one channel shows no rays without a sample that counts.
+    if (volume_.use == scene::VolumeChannels::one) shown = hn::And(shown, hn::Gt(counts[0], hn::Zero(d)));
+    Floats sum = hn::Zero(d);
+    for (size_t c = 0; c < channels(); ++c)
+      sum = hn::MulAdd(hn::Div(totals[c], hn::Max(counts[c], hn::Set(d, 1.0f))),
+                       hn::Set(d, volume_.channels[c].weight), sum);
+    return grey(sum);
   }
 
   HWY_ATTR Colors sum(const Rays& rays, Alive shown) const {
     const VolumeD d;
-    Floats total = hn::Zero(d);
-    eachSample(rays, shown, [&](Floats, const Positions& p, Alive counted) HWY_ATTR {
-      const Floats scalar = colors_.scalarAt(p, 0);
-      total = hn::Add(total, hn::IfThenElseZero(counted, hn::Mul(colors_.opacityOf(scalar, 0), scalar)));
+    Floats totals[kMostChannels];
+    for (Floats& total : totals) total = hn::Zero(d);
+    Alive alive = shown;
+    eachSample(rays, alive, [&](Floats, const Positions& p, Alive kept) HWY_ATTR {
+      addProducts(p, kept, totals, nullptr);
     });
-    return grey(total);
+    Floats sum = hn::Zero(d);
+    for (size_t c = 0; c < channels(); ++c)
+      sum = hn::MulAdd(totals[c], hn::Set(d, volume_.channels[c].weight), sum);
+    return grey(sum);
   }
 
   HWY_ATTR Colors grey(Floats value) const {
@@ -172,9 +206,9 @@ class Caster {
           setInterval(i, moves[i] > 0 ? interval[i] + 1 : interval[i] - 1);
       const Alive seen = hn::AndNot(first, moved);
       if (!hn::AllFalse(d, seen))
-        alive = addBehind(sum, colors_.colorOf(rays, p, hn::Load(d, crossed)), seen, alive);
+        alive = addBehind(sum, colors_.colorOf(rays, p, hn::Load(d, crossed), 0), seen, alive);
     });
-    shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
+    if (!frame_.showsInvisible) shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
     return finished(sum);
   }
   size_t intervalOf(float scalar) const {
@@ -182,6 +216,9 @@ class Caster {
     return static_cast<size_t>(std::upper_bound(contours.begin(), contours.end(), scalar) - contours.begin());
   }
 
+  size_t channels() const { return volume_.channels.size(); }
+
+  static constexpr size_t kMostChannels = 4;
   static constexpr float kFarScalar = 1e20f;
 
   const VolumeFrame& frame_;

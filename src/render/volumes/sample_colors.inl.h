@@ -45,10 +45,10 @@ class SampleColors {
     }
   }
 
-  /// The colour that a scalar of channel 0 has at `p`, premultiplied.
-  HWY_ATTR Colors colorOf(const Rays& rays, const Positions& p, Floats scalar) const {
-    Colors c = lookOf(scalar, 0);
-    if (hasGradients(0)) light(rays, p, {differencesAt(p, 0), 0}, 0, c);
+  /// The colour that a scalar of a channel has at `p`, premultiplied.
+  HWY_ATTR Colors colorOf(const Rays& rays, const Positions& p, Floats scalar, size_t channel) const {
+    Colors c = lookOf(scalar, channel);
+    if (hasGradients(channel)) light(rays, p, {differencesAt(p, channel), channel}, channel, c);
     return premultiplied(c);
   }
 
@@ -118,6 +118,19 @@ class SampleColors {
   /// Whether samples need differences of the channel's scalars.
   bool hasGradients(size_t channel) const { return volume_.shading.enabled() || weighs(channel); }
 
+  /// What a gradient's opacity function makes of its length; of independent channels, all of them and their
+  /// weights.
+  HWY_ATTR Floats weightOf(Floats strength, size_t channel) const {
+    const VolumeD d;
+    if (volume_.use != scene::VolumeChannels::independent)
+      return lookUp(frame_.channels[channel].gradient, strength).a;
+    Floats all = hn::Set(d, 1.0f);
+    for (size_t c = 0; c < volume_.channels.size(); ++c)
+      all = hn::Mul(all, hn::Mul(lookUp(frame_.channels[c].gradient, strength).a,
+                                 hn::Set(d, volume_.channels[c].weight)));
+    return all;
+  }
+
   struct Differences {
     Positions scalars;  // across two cell steps
     size_t channel;     // whose scalars they are
@@ -134,7 +147,7 @@ class SampleColors {
       gradient = scaled(gradient, glm::vec3(range) / (volume_.cellSpacing * 2.0f / average));
       const Floats length = hn::Sqrt(dot(gradient, gradient));
       const Floats strength = clamped(hn::Div(length, hn::Set(d, 0.25f * (range != 0 ? range : 1))));
-      c.a = hn::Mul(c.a, lookUp(frame_.channels[channel].gradient, strength).a);
+      c.a = hn::Mul(c.a, weightOf(strength, channel));
     } else {
       gradient = scaled(gradient, 1.0f / volume_.cellSpacing);
     }

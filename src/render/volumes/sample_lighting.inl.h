@@ -58,11 +58,10 @@ class Lighting {
   /// length.
   HWY_ATTR void shade(const scene::VolumeMaterial& material, const Positions& p,
                       const Positions& towardsViewer, const Positions& gradient, Colors& c) const {
-    switch (shading_.model) {
-      case scene::VolumeShading::Model::none: return;
-      case scene::VolumeShading::Model::lights: return shadeByLights(material, p, gradient, c);
-      default: shadeFromViewer(material, dot(normalized(gradient), towardsViewer), c);
-    }
+    if (shading_.isFromViewer())
+      shadeFromViewer(material, dot(normalized(gradient), towardsViewer), c);
+    else if (shading_.enabled())
+      shadeByLights(material, p, gradient, c);
   }
 
  private:
@@ -70,7 +69,7 @@ class Lighting {
   HWY_ATTR void shadeFromViewer(const scene::VolumeMaterial& material, Floats facing, Colors& c) const {
     const VolumeD d;
     const Floats zero = hn::Zero(d);
-    const bool halfway = shading_.model == scene::VolumeShading::Model::viewerHalfway;
+    const bool halfway = shading_.isHalfway();
     Floats cosine = halfway ? facing : hn::Neg(facing);
     Floats highlight = cosine;
     if (!halfway) highlight = hn::MulSub(hn::Add(cosine, cosine), cosine, hn::Set(d, 1.0f));
@@ -127,10 +126,13 @@ class Lighting {
     Floats cosine = dot(normal, rays);
     if (shading_.twoSided) cosine = hn::Abs(cosine);
     const Alive lit = hn::Gt(cosine, zero);
+    const Positions view = normalized(point);
     const Positions reflected = normalized(difference(scaled(normal, hn::Add(cosine, cosine)), rays));
-    Floats highlight = dot(normalized(point), reflected);
-    if (shading_.twoSided && light.positional) highlight = hn::Abs(highlight);
-    const Alive shines = hn::And(lit, hn::Gt(highlight, zero));
+    const bool halfway = shading_.isHalfway();
+    Floats highlight = halfway ? dot(normal, normalized(difference(rays, view))) : dot(view, reflected);
+    if (shading_.twoSided && (halfway || light.positional)) highlight = hn::Abs(highlight);
+    Alive shines = hn::Gt(highlight, zero);
+    if (!halfway) shines = hn::And(lit, shines);
     const Floats diffuse = hn::IfThenElseZero(lit, hn::Max(hn::Mul(arrives, cosine), zero));
     const Floats specular = hn::IfThenElseZero(shines, hn::Mul(arrives, power(highlight, shininess)));
     const auto addTo = [](Positions& sum, Floats share, const glm::vec3& color) HWY_ATTR {

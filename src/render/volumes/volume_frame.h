@@ -32,6 +32,7 @@ struct VolumeFrame {
   const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
   glm::ivec3 cells{0};
   Image* image = nullptr;
+  bool showsInvisible = false;  // pixels of rays that meet nothing are hits, too
 };
 
 }  // namespace gluray::render

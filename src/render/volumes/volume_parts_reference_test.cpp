@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace gluray::render {
 namespace {
@@ -39,6 +40,7 @@ TEST(VolumeReference, MixesChannelsAsAPlainLoop) {
         8, 0.25,
         [&](Random& random, RandomCast& made) {
           setChannels(random, made, use);
+          if (use == Use::independent) setBlend(random, made.cast.volume);
           if (random.integer(0, 1) == 1) addLight(random, made.cast.volume);
           if (random.integer(0, 2) == 0)
             for (scene::VolumeChannel& channel : made.cast.volume.channels)
@@ -49,7 +51,8 @@ TEST(VolumeReference, MixesChannelsAsAPlainLoop) {
 
 void addLights(Random& random, scene::Volume& volume) {
   scene::VolumeShading& shading = volume.shading;
-  shading.model = scene::VolumeShading::Model::lights;
+  using Model = scene::VolumeShading::Model;
+  shading.model = random.integer(0, 2) == 0 ? Model::lightsHalfway : Model::lightsReflected;
   shading.twoSided = random.integer(0, 1) == 1;
   shading.eyeFromTexture = glm::translate(glm::mat4(1), glm::vec3(random.point(-1, 1)) - glm::vec3(0, 0, 4));
   shading.eyeFromTexture = glm::rotate(shading.eyeFromTexture, 0.7f, glm::vec3(1, 2, 3));
@@ -100,10 +103,12 @@ TEST(VolumeReference, ClipsRaysAsAPlainLoop) {
   expectReferences(11, 0.1, [](Random& random, RandomCast& made) {
     setBlend(random, made.cast.volume);
     if (random.integer(0, 1) == 1) addDepths(random, made.cast.view);
+    std::vector<glm::dvec4> planes;
     for (int i = random.integer(1, 4); i > 0; --i) {
       const glm::dvec3 normal = glm::normalize(random.point(-1, 1));
-      made.cast.view.clipPlanes.emplace_back(normal, -glm::dot(normal, random.point(-0.5, 0.5)) + 0.2);
+      planes.emplace_back(normal, -glm::dot(normal, random.point(-0.5, 0.5)) + 0.2);
     }
+    clip(made.cast.view, planes);
   });
 }
 

@@ -21,14 +21,17 @@ glm::dmat3 onGrid(const glm::dmat3& corners) {
   return std::abs(glm::determinant(rounded)) > 0 ? rounded : corners;
 }
 
+glm::dvec3 affine(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1)); }
+
 constexpr int kMostSamples = 1 << 24;  // beyond it floats cannot count
 
 }  // namespace
 
 VolumeRays::VolumeRays(const scene::VolumeView& view)
     : view_(view),
-      dataFromWindow_(glm::inverse(view.windowFromData)),
+      textureFromWindow_(view.textureFromData * glm::inverse(view.windowFromData)),
       textureDirection_(view.textureFromData) {
+  if (view.clipping) textureFromClip_ = glm::inverse(view.clipping->spaceFromTexture);
   for (size_t i = 0; i + 2 < view.faces.size(); i += 3) {
     Face face;
     glm::dmat3 corners;  // x, y, w
@@ -106,25 +109,31 @@ bool VolumeRays::isInside(const glm::vec3& p) const {
   return glm::all(glm::greaterThanEqual(p, view_.lower)) && glm::all(glm::lessThanEqual(p, view_.upper));
 }
 
-/// Takes the parts behind the clip planes away. False: nothing is left.
+/// Takes the parts beyond the clip planes away. False: nothing is left.
 bool VolumeRays::clip(Line& line) const {
-  for (const glm::dvec4& plane : view_.clipPlanes) {
-    const double start = glm::dot(plane, line.at(line.start)), end = glm::dot(plane, line.at(line.end));
-    if (start < 0 && end < 0) return false;
-    const double slope = glm::dot(glm::dvec3(plane), line.direction);
-    if (slope > 0 && start < 0) line.start -= start / slope;
-    if (slope < 0 && end < 0) line.end -= end / slope;
+  const scene::VolumeClipping& clipping = *view_.clipping;
+  const glm::dvec3 along = glm::normalize(clipping.spaceFromData * line.direction);
+  glm::dvec3 begin = affine(clipping.spaceFromTexture, line.begin),
+             end = affine(clipping.spaceFromTexture, line.end);
+  for (const glm::dvec4& plane : clipping.planes) {
+    const double atBegin = glm::dot(plane, glm::dvec4(begin, 1)), atEnd = glm::dot(plane, glm::dvec4(end, 1));
+    if (atBegin < 0 && atEnd < 0) return false;
+    const double slope = glm::dot(glm::dvec3(plane), along);
+    if (slope > 0 && atBegin < 0) begin -= along * (atBegin / slope);
+    if (slope < 0 && atEnd < 0) end -= along * (atEnd / slope);
   }
+  line.begin = affine(textureFromClip_, begin), line.end = affine(textureFromClip_, end);
   return true;
 }
 
 void VolumeRays::castToSlice(const Line& line, float endDepth, VolumeRay& ray) const {
   constexpr double kParallel = 1e-6;
-  const double slope = glm::dot(glm::dvec3(*view_.slice), line.direction);
+  const glm::dvec4& plane = view_.slice->plane;
+  const double slope = glm::dot(glm::dvec3(plane), line.direction);
   const bool meets = std::abs(slope) > kParallel;
-  const double distance = meets ? -glm::dot(*view_.slice, line.at(0)) / slope : -1;
-  const glm::dvec4 data = line.at(distance), window = view_.windowFromData * data;
-  ray.first = glm::dvec3(view_.textureFromData * data);
+  const double distance = meets ? -glm::dot(plane, glm::dvec4(line.origin, 1)) / slope : -1;
+  const glm::dvec4 data(line.origin + line.direction * distance, 1), window = view_.windowFromData * data;
+  ray.first = glm::dvec3(view_.slice->textureFromData * data);
   if (!view_.depth.empty() && !(window.z / window.w < double{endDepth})) return;
   const bool inside = glm::all(glm::greaterThanEqual(ray.first, glm::vec3(0))) &&
                       glm::all(glm::lessThanEqual(ray.first, glm::vec3(1)));
@@ -153,14 +162,14 @@ VolumeRay VolumeRays::at(int x, int y) const {
   ray.towardsViewer = glm::normalize(view_.viewer - entry);
   Line line{entry, glm::normalize(away)};
   if (view_.slice) return castToSlice(line, end, ray), ray;
-  const glm::dvec4 last = dataFromWindow_ * glm::dvec4(pixel, end, 1);
-  line.end = glm::dot(glm::dvec3(last) / last.w - entry, line.direction);
-  if (!clip(line)) return ray;
+  const glm::dvec4 last = textureFromWindow_ * glm::dvec4(pixel, end, 1);
+  line.begin = affine(view_.textureFromData, entry), line.end = glm::dvec3(last) / last.w;
+  if (view_.clipping && !clip(line)) return ray;
   const glm::dvec3 step = textureDirection_ * (line.direction * double{view_.step});
-  ray.first = glm::dvec3(view_.textureFromData * line.at(line.start)) + step * startOf(x, y);
+  ray.first = line.begin + step * startOf(x, y);
   ray.step = step;
-  if (!view_.clipPlanes.empty() && !isInside(ray.first)) return ray;
-  ray.samples = samplesOf(ray, glm::dvec3(view_.textureFromData * line.at(line.end)));
+  if (view_.clipping && !isInside(ray.first)) return ray;
+  ray.samples = samplesOf(ray, line.end);
   return ray;
 }
 

@@ -42,11 +42,10 @@ class VolumeRays {
   };
   Entry entryOf(int x, int y) const;
   double startOf(int x, int y) const;
-  /// A ray of data space: distances along it.
+  /// A ray of data space; its ends are points of texture space.
   struct Line {
     glm::dvec3 origin, direction;  // length 1
-    double start = 0, end = 0;
-    glm::dvec4 at(double distance) const { return {origin + direction * distance, 1}; }
+    glm::dvec3 begin{0}, end{0};
   };
   bool clip(Line& line) const;
   int samplesOf(const VolumeRay& ray, const glm::dvec3& end) const;
@@ -54,7 +53,8 @@ class VolumeRays {
   void castToSlice(const Line& line, float endDepth, VolumeRay& ray) const;
 
   const scene::VolumeView& view_;
-  glm::dmat4 dataFromWindow_;
+  glm::dmat4 textureFromWindow_;
+  glm::dmat4 textureFromClip_{1};
   glm::dmat3 textureDirection_;
   std::vector<Face> faces_;
 };

@@ -191,11 +191,11 @@ TEST(VolumeRays, EndAndBeginAtClipPlanes) {
   const test::VolumeBox box{.voxels = glm::ivec3(9)};
   const auto ray = [&](const std::vector<glm::dvec4>& planes) {
     scene::VolumeView view = viewAlongZ(box);
-    view.clipPlanes = planes;
+    test::clip(view, planes);
     return VolumeRays(view).at(2, 2);
   };
   const auto zOf = [](const VolumeRay& r) { return (double{r.first.z} - 0.5 / 9) / (8.0 / 9) * 2 - 1; };
-  const VolumeRay whole = ray({});
+  const VolumeRay whole = VolumeRays(viewAlongZ(box)).at(2, 2);
   EXPECT_NEAR(zOf(whole), 0.75, 1e-6);
   const VolumeRay begun = ray({{0, 0, -1, 0.4}});  // keeps z < 0.4
   EXPECT_NEAR(zOf(begun), 0.15, 1e-6) << "one step behind the plane";
@@ -212,7 +212,7 @@ TEST(VolumeRays, EndAndBeginAtClipPlanes) {
 TEST(VolumeRays, HaveOneSampleOnASlice) {
   const test::VolumeBox box{.voxels = glm::ivec3(9)};
   scene::VolumeView view = viewAlongZ(box);
-  view.slice = {0, 0, 2, -0.6};
+  view.slice = scene::VolumeSlice{{0, 0, 2, -0.6}, view.textureFromData};
   const VolumeRay ray = VolumeRays(view).at(2, 2);
   EXPECT_EQ(ray.samples, 1);
   EXPECT_NEAR(double{ray.first.z}, 0.5 / 9 + (8.0 / 9) * 1.3 / 2, 1e-6);
@@ -224,7 +224,7 @@ TEST(VolumeRays, HaveOneSampleOnASlice) {
   EXPECT_EQ(VolumeRays(view).at(2, 2).samples, 0) << "what ends the ray is in front of the slice";
   view.depth.clear();
   for (const glm::dvec4& plane : {glm::dvec4(1, 0, 0, 0), glm::dvec4(0, 0, 1, -1.5)}) {
-    view.slice = plane;
+    view.slice->plane = plane;
     EXPECT_EQ(VolumeRays(view).at(2, 2).samples, 0) << "it is not met inside the volume";
   }
 }

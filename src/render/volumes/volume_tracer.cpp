@@ -99,6 +99,7 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     frame.cells = known.cells.front().size(), frame.empty = leaps ? &known.empty : nullptr;
     for (const scene::VolumeChannel& channel : volume.channels)
       frame.channels.push_back(lookupsOf(channel, volume.grid->type));
+    frame.showsInvisible = cast.view.replaces;
     image.resize(region.width, region.height, 1, Image::kWide);
     image.x = region.x, image.y = region.y, image.missColor = 0;
     eachTile(Tiles(image, kTileSize), "volume", {}, [&](const Tile& tile) { castTile(frame, tile); });

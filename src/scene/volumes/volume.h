@@ -61,18 +61,31 @@ struct Volume {
   float colorScale = 1, colorBias = 0;             // of the finished colour
 };
 
+/// Planes beyond which rays do not go.
+struct VolumeClipping {
+  std::vector<glm::dvec4> planes;  // of a space: rays stay where dot(plane, (p, 1)) is not below 0
+  glm::dmat4 spaceFromTexture{1};  // for the ends of rays
+  glm::dmat3 spaceFromData{1};     // for their directions
+};
+
+/// A plane on which rays have their only sample.
+struct VolumeSlice {
+  glm::dvec4 plane{0};            // data space: where dot(plane, (p, 1)) is 0
+  glm::dmat4 textureFromData{1};  // for the sample
+};
+
 /// Where the rays of a volume begin and end.
 struct VolumeView {
   Region region;                 // window pixels
   glm::dmat4 windowFromData{1};  // window coordinates x, y, z (0 .. 1) of data space, homogeneous
   glm::dmat4 textureFromData{1};
-  glm::dvec3 viewer{0};                // data space
-  glm::dvec3 direction{0};             // data space, of all rays; 0: they come from the viewer
-  float step = 0;                      // length of a step in data space
-  glm::vec3 lower{0}, upper{1};        // texture space: rays end where they leave this box
-  std::vector<glm::dvec3> faces;       // data space: triangles, three corners each, on which rays begin
-  std::vector<glm::dvec4> clipPlanes;  // data space: rays stay where dot(plane, (p, 1)) is not below 0
-  std::optional<glm::dvec4> slice;     // data space: rays have one sample, where dot(slice, (p, 1)) is 0
+  glm::dvec3 viewer{0};           // data space
+  glm::dvec3 direction{0};        // data space, of all rays; 0: they come from the viewer
+  float step = 0;                 // length of a step in data space
+  glm::vec3 lower{0}, upper{1};   // texture space: rays end where they leave this box
+  std::vector<glm::dvec3> faces;  // data space: triangles, three corners each, on which rays begin
+  std::optional<VolumeClipping> clipping;
+  std::optional<VolumeSlice> slice;
   std::vector<float>
       depth;  // of what ends rays, one for each pixel of the region, window depths; empty: nothing
   /// How far behind the entry the first sample lies, in steps, for each window pixel of a rectangle that
@@ -80,6 +93,8 @@ struct VolumeView {
   std::vector<float> jitter;
   glm::ivec2 jitterSize{0};
   enum class DepthTest : uint8_t { none, less, lessOrEqual } depthTest = DepthTest::none;  // of the faces
+  bool replaces =
+      false;  // the framebuffer's colours, also by what is invisible; otherwise it is blended over them
   /// Of a multisampled framebuffer, in [0,1)^2 from the pixel's lower left corner; empty: pixels have one
   /// sample. A pixel's colour counts for the share of samples that the faces cover.
   std::vector<glm::vec2> samplePositions;

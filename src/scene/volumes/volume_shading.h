@@ -19,15 +19,18 @@ struct VolumeLight {
 };
 
 struct VolumeShading {
-  /// `viewer...`: by one light at the viewer, of which the colours of the first light are used, with
-  /// highlights about the reflected light or about the half vector. `lights`: by all of them.
-  enum class Model : uint8_t { none, viewerReflected, viewerHalfway, lights };
+  /// `viewer...`: by one light at the viewer, of which the colours of the first light are used. `lights...`:
+  /// by all of them. Highlights are about the reflected light or about the half vector; the latter shine also
+  /// where no diffuse light does.
+  enum class Model : uint8_t { none, viewerReflected, viewerHalfway, lightsReflected, lightsHalfway };
   Model model = Model::none;
   bool twoSided = false;  // gradients have no sign
   std::vector<VolumeLight> lights;
   glm::mat4 eyeFromTexture{1};
   glm::mat3 eyeFromGradient{1};
   bool enabled() const { return model != Model::none; }
+  bool isFromViewer() const { return model == Model::viewerReflected || model == Model::viewerHalfway; }
+  bool isHalfway() const { return model == Model::viewerHalfway || model == Model::lightsHalfway; }
 };
 
 }  // namespace gluray::scene

@@ -134,7 +134,7 @@ TEST(FamilyFileVolume, ChannelsAndLighting) {
   using Model = scene::VolumeShading::Model;
   for (const auto& [name, model] :
        {std::pair("viewer", Model::viewerReflected), std::pair("viewer_halfway", Model::viewerHalfway),
-        std::pair("lights", Model::lights)})
+        std::pair("lights", Model::lightsReflected), std::pair("lights_halfway", Model::lightsHalfway)})
     EXPECT_EQ(volumeFamily("volume.lighting = \"" + std::string(name) + "\"\n").volume.light.model, model);
 }
 
@@ -144,8 +144,10 @@ TEST(FamilyFileVolume, KeysThatNeedEachOther) {
   EXPECT_EQ(mistake(volumeText(crop + "volume.texture_from_crop = \"m\"\n")), "none");
   const std::string slice = "volume.slice_point = \"p\"\nvolume.slice_normal = \"n\"\n";
   EXPECT_NE(mistake(volumeText(slice)), "none");
-  EXPECT_EQ(mistake(volumeText(slice + "volume.data_from_world = \"m\"\n")), "none");
-  EXPECT_NE(mistake(volumeText("volume.slice_point = \"p\"\nvolume.data_from_world = \"m\"\n")), "none");
+  const std::string matrices = "volume.data_from_world = \"m\"\nvolume.texture_from_crop = \"m\"\n";
+  EXPECT_EQ(mistake(volumeText(slice + matrices)), "none");
+  EXPECT_NE(mistake(volumeText(slice + "volume.data_from_world = \"m\"\n")), "none");
+  EXPECT_NE(mistake(volumeText("volume.slice_point = \"p\"\n" + matrices)), "none");
   EXPECT_NE(mistake(volumeText("volume.clip_planes = \"p\"\n")), "none");
 }
 

@@ -8,7 +8,8 @@ void FamilyReader::readVolumeLight(FamilyVolumeLight& light) {
   choice("lighting",
          {{"viewer", Model::viewerReflected},
           {"viewer_halfway", Model::viewerHalfway},
-          {"lights", Model::lights}},
+          {"lights", Model::lightsReflected},
+          {"lights_halfway", Model::lightsHalfway}},
          light.model);
   name("two_sided", light.twoSided);
   value("ambient", light.materialAmbient), value("diffuse", light.materialDiffuse);
@@ -58,6 +59,7 @@ void FamilyReader::readVolume() {
   name("crop_planes", v.cropPlanes), name("crop_flags", v.cropFlags),
       names("texture_from_crop", v.textureFromCrop);
   name("clip_planes", v.clipPlanes);
+  choice("clip_space", {{"texture", false}, {"crop", true}}, v.clipsCropSpace);
   name("mask", v.mask);
   name("contours", v.contours), value("contour_count", v.contourCount);
   name("slice_point", v.slicePoint), name("slice_normal", v.sliceNormal);
@@ -68,10 +70,11 @@ void FamilyReader::readVolume() {
     fail(here(), "viewer_in_world and direction_in_world need data_from_world");
   if (v.dataFromWorld.empty() && !(v.clipPlanes.empty() && v.slicePoint.empty()))
     fail(here(), "clip_planes and slice_point need data_from_world");
-  if (v.cropPlanes.empty() != v.cropFlags.empty() || v.cropPlanes.empty() != v.textureFromCrop.empty())
+  if (v.cropPlanes.empty() != v.cropFlags.empty() || (v.textureFromCrop.empty() && !v.cropPlanes.empty()))
     fail(here(), "crop_planes, crop_flags and texture_from_crop need each other");
   if (v.slicePoint.empty() != v.sliceNormal.empty())
     fail(here(), "slice_point and slice_normal need each other");
+  if (v.textureFromCrop.empty() && !v.slicePoint.empty()) fail(here(), "slice_point needs texture_from_crop");
 }
 
 }  // namespace gluray::gl

@@ -155,15 +155,16 @@ void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const 
   guard.capability(GL_DEPTH_TEST, false);
 }
 
-void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet, bool depths) const {
+void WriteBack::writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet,
+                              const WriteBackTarget& target) const {
   upload(image, sheet, Part::colors);
   {
     StateGuard over(real_, features_);
     over.depthWrites(false);
-    over.blendOver();
+    if (!target.replaces) over.blendOver();
     draw(image, sheet);
   }
-  if (!depths) return;
+  if (target.keepsDepth) return;
   upload(image, sheet, Part::depths);
   guard.colorWrites(kNoColors);
   draw(image, sheet);
@@ -221,7 +222,7 @@ bool WriteBack::writeInto(StateGuard& guard, const Image& image, const WriteBack
   if (!features_.compatibility) guard.vertexArray(vertexArray_);
 
   if ((image.isAverages() || target.keepsDepth) && colors_ != Colors::sums) {
-    writeAverages(guard, image, sheets_.front(), !target.keepsDepth);
+    writeAverages(guard, image, sheets_.front(), target);
     return true;
   }
   // First all uploads of a full texture: an upload after a draw would wait for that draw.

@@ -22,6 +22,7 @@ struct WriteBackTarget {
   GLenum over = 0;  // write into this buffer of the window instead, without depth test; keeps its depth
   bool colors = true, depths = true;    // planes to write; without depths there is no depth test
   bool keepsDepth = false;              // blended over the framebuffer, whose depth is tested and stays
+  bool replaces = false;                // with keepsDepth: not blended
   scene::ColorWrites colorWrites = {};  // colour channels to write
   std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: the program's setting
 };
@@ -75,7 +76,8 @@ class WriteBack {
   enum class Part { all, colors, depths };
   void upload(const Image& image, const Sheet& sheet, Part part) const;
   void openFor(StateGuard& guard, const WriteBackTarget& target) const;
-  void writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet, bool depths) const;
+  void writeAverages(StateGuard& guard, const Image& image, const Sheet& sheet,
+                     const WriteBackTarget& target) const;
   void draw(const Image& image, const Sheet& sheet) const;
 
   const gl::RealGl& real_;
