@@ -4,15 +4,24 @@
 #include "scene/volume.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::gl {
+
+inline constexpr std::pair<const char*, scene::VolumeBlend> kVolumeBlends[] = {
+    {"composite", scene::VolumeBlend::composite},
+    {"maximum", scene::VolumeBlend::maximum},
+    {"minimum", scene::VolumeBlend::minimum},
+    {"average", scene::VolumeBlend::average},
+    {"additive", scene::VolumeBlend::additive}};
 
 /// Names are those of uniforms. "Data space" is that of the attribute `vertex.position`.
 struct FamilyVolume {
   std::string grid;         // sampler3D; empty: the family draws no volumes
   FamilyValue scale, bias;  // scene::Volume
   scene::VolumeBlend blend = scene::VolumeBlend::composite;
+  std::string blendSlot;                        // "@group": the program's word of the group replaces `blend`
   std::string opacity, color, gradientOpacity;  // samplers of tables
   std::string depth;                            // sampler: window depths of what ends rays
   FamilyValue depthTexel;                       // width and height of a pixel in its coordinates

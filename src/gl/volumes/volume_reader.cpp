@@ -63,7 +63,7 @@ bool VolumeReader::readTables(scene::Volume& volume) {
 }
 
 void VolumeReader::readLook(scene::Volume& volume) {
-  volume.blend = family_.blend;
+  volume.blend = valueOfWord(program_.known->words, family_.blendSlot, kVolumeBlends, family_.blend);
   volume.cellStep = value(family_.cellStep, glm::vec4(0)),
   volume.cellSpacing = value(family_.cellSpacing, glm::vec4(1));
   volume.range = value(family_.range, {0, 1, 0, 0}), volume.averaged = value(family_.averaged, {0, 1, 0, 0});

@@ -4,17 +4,10 @@
 namespace gluray::gl {
 
 void FamilyReader::readVolume() {
-  using scene::VolumeBlend;
   FamilyVolume& v = family_.volume;
   name("grid", v.grid);
   if (!v.given()) fail(here(), "volume needs grid");
-  choice("blend",
-         {{"composite", VolumeBlend::composite},
-          {"maximum", VolumeBlend::maximum},
-          {"minimum", VolumeBlend::minimum},
-          {"average", VolumeBlend::average},
-          {"additive", VolumeBlend::additive}},
-         v.blend);
+  choice("blend", kVolumeBlends, v.blend, v.blendSlot);
   value("scale", v.scale), value("bias", v.bias);
   name("opacity", v.opacity), name("color", v.color), name("gradient_opacity", v.gradientOpacity);
   name("depth", v.depth), value("depth_texel", v.depthTexel), value("depth_origin", v.depthOrigin);
