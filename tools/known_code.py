@@ -6,6 +6,7 @@
 
 Prints each statement once, with how many programs have it: what a [[code]] section lacks, ready to be pasted there after a
 look at what it computes. --with: only of programs whose source holds all these texts (`--with vertexMC lightColor0`).
+A program whose slots have fragments of different words counts for a line that says so.
 `gluray explain` names the unknown statements of programs that fit a family otherwise.
 """
 import collections
@@ -13,6 +14,7 @@ import pathlib
 import re
 import sys
 
+from code_slots import Fragments, Patterns
 from command_line import Parser
 
 TOKEN = re.compile(r"[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\w*|\n|[^\sA-Za-z_0-9]")
@@ -100,10 +102,26 @@ def matters(statement):
     return not re.match(r"(layout\([^()]*\))?uniform [^{]*;$", statement) and not PLAIN.fullmatch(statement)
 
 
-def pattern(statement):
-    """A pattern for a known statement whose placeholders, $name, stand for numbers."""
-    parts = re.split(r"\$\w+", statement)
-    return re.compile(r"[\d.](?:\w|\.|(?<=[eE])[+-])*".join(map(re.escape, parts)))
+def known_code(text):
+    """The statements of a family file, and those with placeholders and slots."""
+    sections = re.findall(r"^(?:statements|blocks) = '''\n(.*?)^'''$", text, re.S | re.M)
+    known = {statement for section in sections for statement in statements(section)}
+    fragments = Fragments()
+    fragments.read(text, lambda fragment: joined(list(tokens(fragment))))
+    return known, Patterns(known, fragments)
+
+
+def differences(program, known, patterns):
+    """The unknown statements of a program, and the groups of slots whose fragments are of different words."""
+    unknown, slots = set(), []
+    for text in STAGES.findall(program):
+        for statement in statements(text):
+            if not matters(statement) or statement in known:
+                continue
+            found = patterns.slots(statement)
+            slots += found or []
+            unknown.update([statement] if found is None else [])
+    return unknown | {f"different words in the slots \"@{group}\"" for group in patterns.mixed(slots)}
 
 
 def main():
@@ -112,16 +130,14 @@ def main():
     parser.add_argument("--with", dest="texts", nargs="+", default=[])
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
     given = parser.parse_args()
-    sections = re.findall(r"^(?:statements|blocks) = '''\n(.*?)^'''$", given.code.read_text(), re.S | re.M)
-    known = {statement for section in sections for statement in statements(section)}
-    patterns = [pattern(statement) for statement in known if "$" in statement]
+    known, patterns = known_code(given.code.read_text())
     programs = {file.read_text(errors="replace") for folder in given.folders for file in sorted(folder.glob("*.shader_test"))}
     if not programs:
         sys.exit(f"known_code.py: no programs in {', '.join(map(str, given.folders))}")
     missing = collections.Counter()
     for program in programs:
         if all(text in program for text in given.texts):
-            missing.update({s for text in STAGES.findall(program) for s in statements(text) if matters(s) and s not in known and not any(p.fullmatch(s) for p in patterns)})
+            missing.update(differences(program, known, patterns))
     for statement, count in missing.most_common():
         print(f"{count:5}  {statement}")
 

@@ -4,6 +4,31 @@
 
 namespace gluray::gl {
 
+namespace {
+
+template <class Enum, size_t n>
+std::vector<std::string> wordsOf(const std::pair<const char*, Enum> (&words)[n]) {
+  std::vector<std::string> all;
+  for (const auto& [word, value] : words) all.emplace_back(word);
+  return all;
+}
+
+}  // namespace
+
+bool SlotChoice::has(std::string_view word) const { return std::ranges::find(words, word) != words.end(); }
+
+std::vector<SlotChoice> Family::slotChoices() const {
+  std::vector<SlotChoice> all;
+  const auto add = [&](const char* key, const std::string& slot, const auto& words) {
+    if (!slot.empty()) all.push_back({key, slot, wordsOf(words)});
+  };
+  add("volume.blend", volume.blendSlot, kVolumeBlends);
+  add("volume.channels", volume.channelsSlot, kVolumeChannels);
+  add("volume.lighting", volume.light.modelSlot, kVolumeLightings);
+  add("volume.clip_space", volume.clipSlot, kVolumeClipSpaces);
+  return all;
+}
+
 bool Family::hasBuiltInVertices() const { return position == "gl_Vertex"; }
 
 bool Family::mentions(std::string_view name) const {

@@ -77,6 +77,13 @@ struct FamilyHeight {
   bool given() const { return scale[0].given(); }
 };
 
+/// A key of a family that takes one of several words from a group of slots in the program's statements.
+struct SlotChoice {
+  std::string key, slot;  // the slot with "@"
+  std::vector<std::string> words;
+  bool has(std::string_view word) const;
+};
+
 struct Family {
   enum class Model { unlit, phong, pbr };
   /// The cosine to which the highlight's exponent applies: between reflected ray and viewer, or between
@@ -192,6 +199,7 @@ struct Family {
   bool mentions(std::string_view name) const;
   /// Whether its shader programs take their vertices from fixed function's attributes (gl_Vertex ...).
   bool hasBuiltInVertices() const;
+  std::vector<SlotChoice> slotChoices() const;
   bool hasRim() const { return rimColor.given() || rimOpacity.given(); }
 };
 
@@ -219,8 +227,12 @@ struct FamilyError : std::runtime_error {
 /// Parses a family file's text; `file` names it in errors. Throws FamilyError.
 FamilyList parseFamilies(std::string_view text, const std::string& file);
 
-/// Throws FamilyError, with file and line, if a family of `list` names a section that is not in `known`.
+/// Throws FamilyError, with file and line, if a family of `list` names a section that is not in `known`, or
+/// if its sections have slots that do not fit together.
 void needSections(const FamilyList& list, const CodeSections& known);
+
+/// Throws FamilyError if sections that `more` adds to, and that families of `list` name, have such slots.
+void needSlots(const FamilyList& list, const CodeSections& more, const CodeSections& known);
 
 /// The built-in families.
 const FamilyList& builtInFamilies();

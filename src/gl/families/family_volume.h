@@ -4,13 +4,36 @@
 #include "scene/volumes/volume.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::gl {
 
+inline constexpr std::pair<const char*, scene::VolumeBlend> kVolumeBlends[] = {
+    {"composite", scene::VolumeBlend::composite}, {"maximum", scene::VolumeBlend::maximum},
+    {"minimum", scene::VolumeBlend::minimum},     {"average", scene::VolumeBlend::average},
+    {"additive", scene::VolumeBlend::additive},   {"isosurface", scene::VolumeBlend::isosurface}};
+
+inline constexpr std::pair<const char*, scene::VolumeChannels> kVolumeChannels[] = {
+    {"one", scene::VolumeChannels::one},
+    {"independent", scene::VolumeChannels::independent},
+    {"color_and_opacity", scene::VolumeChannels::colorAndOpacity},
+    {"colors", scene::VolumeChannels::colors}};
+
+inline constexpr std::pair<const char*, scene::VolumeShading::Model> kVolumeLightings[] = {
+    {"none", scene::VolumeShading::Model::none},
+    {"viewer", scene::VolumeShading::Model::viewerReflected},
+    {"viewer_halfway", scene::VolumeShading::Model::viewerHalfway},
+    {"lights", scene::VolumeShading::Model::lightsReflected},
+    {"lights_halfway", scene::VolumeShading::Model::lightsHalfway}};
+
+/// Whether clip planes meet rays where FamilyVolume::textureFromCrop puts these.
+inline constexpr std::pair<const char*, bool> kVolumeClipSpaces[] = {{"texture", false}, {"crop", true}};
+
 /// Names are those of uniforms. Arrays have one element for each channel or light.
 struct FamilyVolumeLight {
   scene::VolumeShading::Model model = scene::VolumeShading::Model::viewerReflected;  // if `diffuse` is active
+  std::string modelSlot;
   std::string twoSided;                                                       // not 0: gradients have no sign
   FamilyValue materialAmbient, materialDiffuse, materialSpecular, shininess;  // arrays
   FamilyValue ambient, diffuse, specular;                                     // arrays
@@ -27,7 +50,9 @@ struct FamilyVolume {
   std::string grid;         // sampler3D; empty: the family draws no volumes
   FamilyValue scale, bias;  // scene::VolumeChannel: a component for each channel
   scene::VolumeBlend blend = scene::VolumeBlend::composite;
+  std::string blendSlot;  // "@group": the program's word of the group replaces `blend`; likewise below
   scene::VolumeChannels channels = scene::VolumeChannels::one;
+  std::string channelsSlot;
   FamilyValue gradientChannel, weights;         // scene::Volume; a component for each channel
   std::string opacity, color, gradientOpacity;  // samplers of tables, or arrays: one for each channel
   std::string depth;                            // sampler: window depths of what ends rays
@@ -48,9 +73,10 @@ struct FamilyVolume {
   std::vector<std::string> textureFromCrop;  // matrices from their space to texture space
   std::string cropFlags;                     // array: flags of the 27 boxes, from element 1 on
   std::string clipPlanes;  // array: six times their number; for each, a point and a normal in world space
-  bool clipsCropSpace = false;  // they meet rays where textureFromCrop puts these
-  std::string mask;             // sampler3D: samples where it is 0 are skipped
-  std::string contours;         // array of values of data
+  bool clipsCropSpace = false;
+  std::string clipSlot;
+  std::string mask;      // sampler3D: samples where it is 0 are skipped
+  std::string contours;  // array of values of data
   FamilyValue contourCount;
   std::string slicePoint, sliceNormal;  // world space: of VolumeView::slice, if they are active
   bool given() const { return !grid.empty(); }

@@ -16,10 +16,22 @@ namespace gluray::gl {
 /// Statements in the normal form of glsl_statements.h.
 class KnownCode {
  public:
-  /// Adds all statements of `text`. In place of numbers they may have placeholders (statement_pattern.h).
-  void add(std::string_view text);
+  /// A slot that a statement or a fragment has.
+  struct SlotUse {
+    std::string group, part;
+    std::string within;  // group of the fragment; empty: it is a statement
+    std::string place;   // of the text, for mistakes
+  };
+  /// Adds all statements of `text`. They may have placeholders and slots (pattern_text.h). `place` names the
+  /// text in mistakes.
+  void add(std::string_view text, const std::string& place = "");
   /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
-  void addBlocks(std::string_view text);
+  void addBlocks(std::string_view text, const std::string& place = "");
+  /// Adds a word to a group of slots.
+  void addWord(const std::string& group, const std::string& word) { fragments_.addWord(group, word); }
+  /// Adds a fragment that may stand in the slot "@group.part" of programs with this word.
+  void addFragment(const std::string& group, const std::string& word, const std::string& part,
+                   std::string_view text, const std::string& place = "");
   /// Adds a name that must be written by some statement of a shader program if another one reads it.
   void addWritten(const std::string& name) { written_.insert(name); }
   /// Adds the digest of a whole shader (shader_digest.h).
@@ -27,6 +39,8 @@ class KnownCode {
   void add(const KnownCode& more);
   bool has(Hash128 statement) const;
   const std::vector<StatementPattern>& patterns() const { return patterns_; }
+  const SlotFragments& fragments() const { return fragments_; }
+  const std::vector<SlotUse>& slotUses() const { return slotUses_; }
   size_t size() const { return statements_.size(); }
   const std::vector<std::vector<Hash128>>& blocks() const { return blocks_; }
   const std::vector<Hash128>& shaders() const { return shaders_; }
@@ -38,10 +52,13 @@ class KnownCode {
 
  private:
   void sort();
-  /// Hash of a statement, which is kept as a pattern if it has placeholders.
-  Hash128 hashOfKnown(std::string_view statement);
+  /// Hash of a statement, which is kept as a pattern if it has placeholders or slots.
+  Hash128 hashOfKnown(std::string_view statement, const std::string& place);
+  void addUses(const PatternText& text, const std::string& group, const std::string& place);
   std::vector<Hash128> statements_;  // sorted
   std::vector<StatementPattern> patterns_;
+  SlotFragments fragments_;
+  std::vector<SlotUse> slotUses_;
   std::vector<std::vector<Hash128>> blocks_;
   std::vector<Hash128> shaders_;
   std::set<std::string> written_;
@@ -75,6 +92,11 @@ std::vector<std::string> unwrittenNames(const GlslStatements& statements, const 
 /// the name of a placeholder for which there are different numbers; empty if there is none.
 std::string readPlaceholders(const GlslStatements& statements, const CodeSections& sections,
                              const std::vector<std::string>& names, PlaceholderValues& values);
+
+/// Finds the word of each group of slots that the statements have: the first one whose fragments stand in all
+/// of its slots. Sets `words`, or returns the name of a group that has none, with "@"; empty if all have one.
+std::string readWords(const GlslStatements& statements, const CodeSections& sections,
+                      const std::vector<std::string>& names, SlotWords& words);
 
 /// The complete sections among `names` that have a block missing from `statements`.
 std::vector<std::string> incompleteSections(const GlslStatements& statements, const CodeSections& sections,

@@ -127,6 +127,16 @@ std::string_view definedBy(std::string_view s) {
   return plain && !startsWith(s, "layout") ? start.substr(before + 1) : std::string_view();
 }
 
+/// Appends a token of the statement that begins at `start`, after a space if `space`, or if it would
+/// otherwise merge with the one before.
+void addToken(std::string& code, size_t start, std::string_view token, bool space) {
+  const bool empty = code.size() == start;
+  const bool words = !empty && isWordPart(code.back()) && isWordPart(token[0]);
+  const bool number = !empty && code.back() == '.' && isDigit(token[0]);
+  if (words || number || space) code += ' ';
+  code += token;
+}
+
 /// Appends the statements to `code`, the end of each to `ends`, and to `repeated` whether it occurred before.
 class Cutter {
  public:
@@ -161,13 +171,7 @@ class Cutter {
   bool isEmpty() const { return code_.size() == start_; }
   std::string_view statement() const { return std::string_view(code_).substr(start_); }
 
-  /// Appends a token, after a space if `space`, or if it would otherwise merge with the one before.
-  void add(std::string_view token, bool space) {
-    const bool words = !isEmpty() && isWordPart(code_.back()) && isWordPart(token[0]);
-    const bool number = !isEmpty() && code_.back() == '.' && isDigit(token[0]);
-    if (words || number || space) code_ += ' ';
-    code_ += token;
-  }
+  void add(std::string_view token, bool space) { addToken(code_, start_, token, space); }
   /// "#define name text": the space after the name distinguishes macros without arguments from those with.
   void addDirective() {
     int words = 0;
@@ -261,6 +265,17 @@ void GlslStatements::cut(std::string_view text, const Renamed& renamed, bool use
   std::vector<bool> global;
   Cutter(text, renamed, code_, ends_, repeated_, global).cut();
   if (used) dropUnused(first, global);
+}
+
+std::string normalForm(std::string_view text) {
+  std::string code;
+  GlslTokens tokens(text);
+  for (std::string_view t = tokens.nextToken(); !t.empty(); t = tokens.nextToken()) {
+    if (tokens.isDirective()) code += '\n';
+    addToken(code, 0, t, false);
+  }
+  unnumberLight(code, 0);
+  return code;
 }
 
 }  // namespace gluray::gl

@@ -43,4 +43,7 @@ class GlslStatements {
   std::vector<bool> repeated_;
 };
 
+/// A part of a function in the normal form that it has within a statement.
+std::string normalForm(std::string_view text);
+
 }  // namespace gluray::gl

@@ -52,6 +52,18 @@ void needShaders(ProgramSource& source, const std::vector<Hash128>& known, std::
                     " shader, " + textOf(digest));
 }
 
+/// Requires one word for each group of slots, and values for the words that the family's keys take.
+void needWords(const GlslStatements& statements, const Family& f, const CodeSections& code,
+               std::vector<std::string>& out) {
+  SlotWords words;
+  if (const std::string group = readWords(statements, code, f.code, words); !group.empty())
+    return out.push_back(about("has fragments of different words in the slots ", group));
+  for (const SlotChoice& choice : f.slotChoices())
+    if (const auto word = words.find(choice.slot);
+        word != words.end() && !word->second.empty() && !choice.has(word->second))
+      out.push_back(about("has none of the fragments that the family needs in the slots ", choice.slot));
+}
+
 /// Requires all statements, or whole shaders, to be in the family's sections of code.
 void needCode(const Program& program, ProgramSource& source, const Family& f, const CodeSections& code,
               std::vector<std::string>& out) {
@@ -75,6 +87,7 @@ void needCode(const Program& program, ProgramSource& source, const Family& f, co
     return out.push_back(about("has different numbers for ", name));
   for (const auto& [name, value] : values)
     if (!f.mentions(name)) out.push_back(about("has a number for ", name, ", which the family does not use"));
+  needWords(statements, f, code, out);
 }
 
 void refuseActive(const RealGl& real, const Program& p, const Family& f, std::vector<std::string>& out) {
@@ -197,6 +210,7 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
   const GlslStatements& statements = statementsFor(*family, known.program, source);
   known.note = notesOn(statements, families.code, family->code);
   readPlaceholders(statements, families.code, family->code, known.placeholders);
+  readWords(statements, families.code, family->code, known.words);
 }
 
 /// What users should know of the program in use with this OpenGL; empty if nothing.

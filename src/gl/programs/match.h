@@ -20,6 +20,7 @@ struct KnownProgram {
   int highlightCount = -1;               // by FamilyLights::noHighlightInSource; -1: not counted
   float prefilteredMaxLevel = 0;         // by FamilyPbr::prefilteredMaxLevelInSource
   PlaceholderValues placeholders;        // numbers in its statements
+  SlotWords words;                       // of the slots in its statements
   bool ignoresOpacity = false;           // by FamilyMaterial::unusedOpacityInSource
   bool discardsInvisible = false;        // by Family::discardsInvisibleInSource
   bool unknownCode = false;              // the nearest family fits except for unknown statements

@@ -78,6 +78,41 @@ TEST_F(Match, NumbersInStatementsMustBeUsed) {
   EXPECT_EQ(found(used), Lines{"has different numbers for \"$e\""});
 }
 
+TEST_F(Match, SlotsMustHaveOneWord) {
+  const std::string code =
+      "match.code = \"one\"\n[[code]]\nname = \"one\"\n"
+      "statements = \"vec4 f() { @blend.a return @blend.b c; } color = f(); gl_Position = m * p;\"\n"
+      "[[code.fragments]]\nslot = \"blend\"\nword = \"maximum\"\na = \"c = 1.0;\"\nb = \"2. *\"\n"
+      "[[code.fragments]]\nslot = \"blend\"\nword = \"minimum\"\na = \"c = 2.0;\"\n";
+  const std::string keys =
+      "volume.grid = \"t1\"\nvolume.opacity = \"o\"\nvolume.color = \"k\"\nvolume.texture_from_data = \"m\"\n"
+      "volume.step = \"s\"\nvolume.blend = \"@blend\"\n";
+  const FamilyList any = parseFamilies(kFamily + code, "f.toml"),
+                   chosen = parseFamilies(kFamily + keys + code, "f.toml");
+  std::string& fragment = attachBoth();
+  const auto found = [&](const FamilyList& list) {
+    return obstacles(real_, fitting(), *list.front(), list.code);
+  };
+  const auto sets = [&](const std::string& a, const std::string& b) {
+    fragment = "vec4 f() { " + a + " return " + b + " c; } void main() { color = f(); }";
+  };
+  const Lines mixed{"has fragments of different words in the slots \"@blend\""},
+      none{"has none of the fragments that the family needs in the slots \"@blend\""};
+  sets("c = 1.;", "2. *");
+  EXPECT_EQ(found(any), Lines{});
+  EXPECT_EQ(found(chosen), Lines{});
+  sets("c = 2.;", "");
+  EXPECT_EQ(found(chosen), Lines{});
+  sets("c = 2.;", "2. *");
+  EXPECT_EQ(found(any), mixed);
+  EXPECT_EQ(found(chosen), mixed);
+  sets("", "");
+  EXPECT_EQ(found(any), Lines{});
+  EXPECT_EQ(found(chosen), none) << "the key has no value without a word";
+  fragment = "void main() { color = f(); }";
+  EXPECT_EQ(found(chosen), Lines{}) << "no statement has the slot";
+}
+
 TEST_F(Match, ShadersMustBeKnownByTheirDigests) {
   std::string& fragment = attachBoth();
   const std::string known = fragment;

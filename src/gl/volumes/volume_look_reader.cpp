@@ -23,7 +23,11 @@ size_t channelsOf(VolumeChannels use, int stored) {
 }  // namespace
 
 VolumeLookReader::VolumeLookReader(ShadowState& shadow, const UniformReader& uniforms, std::string& why)
-    : shadow_(shadow), family_(shadow.program().known->family->volume), uniforms_(uniforms), why_(why) {}
+    : shadow_(shadow),
+      family_(shadow.program().known->family->volume),
+      words_(shadow.program().known->words),
+      uniforms_(uniforms),
+      why_(why) {}
 
 glm::vec4 VolumeLookReader::element(const FamilyValue& v, int number, const glm::vec4& otherwise) const {
   if (v.uniform.empty() || isPlaceholder(v.uniform)) return value(v, otherwise);
@@ -167,7 +171,8 @@ bool VolumeLookReader::readLight(scene::Volume& volume) {
   if (!uniforms_.has(names.diffuse.uniform)) return true;
   using Model = scene::VolumeShading::Model;
   scene::VolumeShading& shading = volume.shading;
-  shading.model = names.model;
+  shading.model = valueOfWord(words_, names.modelSlot, kVolumeLightings, names.model);
+  if (!shading.enabled()) return true;
   shading.twoSided = !names.twoSided.empty() && uniforms_.integer(names.twoSided) != 0;
   for (size_t c = 0; c < volume.channels.size(); ++c) {
     scene::VolumeMaterial& material = volume.channels[c].material;
@@ -217,7 +222,8 @@ bool VolumeLookReader::readContours(scene::Volume& volume) {
 }
 
 bool VolumeLookReader::read(scene::Volume& volume) {
-  volume.blend = family_.blend, volume.use = family_.channels;
+  volume.blend = valueOfWord(words_, family_.blendSlot, kVolumeBlends, family_.blend);
+  volume.use = valueOfWord(words_, family_.channelsSlot, kVolumeChannels, family_.channels);
   using scene::VolumeBlend;
   const bool mixed = volume.use == VolumeChannels::independent && volume.blend != VolumeBlend::isosurface;
   if (volume.use != VolumeChannels::one && volume.blend != VolumeBlend::composite && !mixed)

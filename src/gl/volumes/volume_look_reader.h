@@ -2,6 +2,7 @@
 // describes them. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
+#include "gl/families/slot_fragments.h"
 #include "gl/programs/uniforms.h"
 #include "gl/shadow/shadow_state.h"
 #include "scene/volumes/volume.h"
@@ -40,6 +41,7 @@ class VolumeLookReader {
 
   ShadowState& shadow_;
   const FamilyVolume& family_;
+  const SlotWords& words_;
   const UniformReader& uniforms_;
   std::string& why_;
 };

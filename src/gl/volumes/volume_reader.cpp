@@ -32,8 +32,9 @@ bool VolumeReader::readViewer(scene::VolumeView& view) {
 bool VolumeReader::readClipPlanes(scene::VolumeView& view) {
   if (!uniforms_.has(family_.clipPlanes)) return true;
   const auto dataFromWorld = uniforms_.product(family_.dataFromWorld);
-  const auto texture =
-      uniforms_.product(family_.clipsCropSpace ? family_.textureFromCrop : family_.textureFromData);
+  const bool crop =
+      valueOfWord(program_.known->words, family_.clipSlot, kVolumeClipSpaces, family_.clipsCropSpace);
+  const auto texture = uniforms_.product(crop ? family_.textureFromCrop : family_.textureFromData);
   if (!dataFromWorld || !texture) return refuse("a matrix is not active");
   const glm::dmat4 worldFromData = glm::inverse(*dataFromWorld);
   scene::VolumeClipping& clipping = view.clipping.emplace();

@@ -17,14 +17,18 @@ std::string contentsOf(const std::string& file) {
   return std::move(content.text);
 }
 
-/// Removes a list whose families refer to code sections that no file contains. Returns whether there was one.
+/// Removes a list whose families refer to code sections that no file contains, or whose slots have mistakes.
+/// Returns whether there was one.
 bool dropOneThatLacksCode(std::vector<gl::FamilyList>& lists, void (*complain)(const std::string& line)) {
   if (lists.empty()) return false;
   gl::FamilyList all = gl::builtInFamilies();
+  gl::FamilyList before = all;
   for (const gl::FamilyList& list : lists) all.append(list);
   for (auto list = lists.begin(); list != lists.end(); ++list) {
+    before.append(*list);
     try {
       gl::needSections(*list, all.code);
+      gl::needSlots(gl::builtInFamilies(), list->code, before.code);
     } catch (const gl::FamilyError& error) {
       complain(error.what());
       lists.erase(list);

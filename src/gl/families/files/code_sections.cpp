@@ -1,7 +1,10 @@
 #include "gl/families/files/code_sections.h"
 
 #include "gl/families/files/family_table.h"
+#include "gl/families/files/slot_mistakes.h"
 #include "gl/glsl/shader_digest.h"
+
+#include <algorithm>
 
 namespace gluray::gl {
 namespace {
@@ -20,23 +23,44 @@ class CodeReader : FamilyTable {
     flag("complete", complete);
     if (name.empty()) fail(here(), "code needs a name");
     if (name == "any") fail(at("name"), "code cannot be named \"any\"");
-    allKnown();
     KnownCode& section = sections[name];
     const size_t before = section.size();
-    section.add(statements), section.addBlocks(blocks);
+    section.add(statements, placeOf("statements")), section.addBlocks(blocks, placeOf("blocks"));
+    eachSection("fragments", [&] { readFragments(section); });
+    allKnown();
     for (const std::string& variable : written) section.addWritten(variable);
     for (const std::string& text : shaders) {
       const auto digest = digestIn(text);
       if (!digest) fail(at("shaders"), "\"" + text + "\" is not a digest of 32 hexadecimal digits");
       section.addShader(*digest);
     }
-    if (before == 0 && section.size() == 0 && section.shaders().empty())
-      fail(here(), "code \"" + name + "\" needs statements, blocks or shaders");
+    if (before == 0 && section.size() == 0 && section.shaders().empty() &&
+        section.fragments().groups().empty())
+      fail(here(), "code \"" + name + "\" needs statements, blocks, fragments or shaders");
+    if (const std::string mistake = mistakeInUses(section); !mistake.empty()) throw FamilyError(mistake);
     if (section.note.empty()) section.note = note;
     section.complete = section.complete || complete;
   }
 
  private:
+  std::string placeOf(const char* key) const { return has(key) ? FamilyTable::placeOf(at(key)) : ""; }
+
+  /// A word of a group of slots with its fragments: "text" is that of "@group", other keys are parts.
+  void readFragments(KnownCode& section) {
+    std::string group, word;
+    text("slot", group), text("word", word);
+    if (!isSlotName(group)) fail(here(), "fragments need a slot, a name of letters, digits and _");
+    if (word.empty()) fail(here(), "fragments need a word");
+    section.addWord(group, word);
+    for (const std::string& key : keys()) {
+      if (key == "slot" || key == "word") continue;
+      if (!isSlotName(key)) fail(at(key.c_str()), "\"" + key + "\" is no name of a part of a slot");
+      std::string fragment;
+      text(key.c_str(), fragment);
+      section.addFragment(group, word, key == "text" ? "" : key, fragment, placeOf(key.c_str()));
+    }
+  }
+
   Names none_;
   Alternatives noAlternatives_;
 };
@@ -55,6 +79,19 @@ void needSections(const FamilyList& list, const CodeSections& known) {
       if (!known.contains(name))
         throw FamilyError(family->codeAt + ": there is no [[code]] section \"" + name + "\"" +
                           (all.empty() ? "" : "; there are " + all));
+  for (const auto& family : list)
+    if (const std::string mistake = mistakeInSlots(*family, known); !mistake.empty())
+      throw FamilyError(mistake);
+}
+
+void needSlots(const FamilyList& list, const CodeSections& more, const CodeSections& known) {
+  for (const auto& family : list) {
+    const bool changed =
+        std::ranges::any_of(family->code, [&](const std::string& name) { return more.contains(name); });
+    if (!changed) continue;
+    if (const std::string mistake = mistakeInSlots(*family, known); !mistake.empty())
+      throw FamilyError(mistake);
+  }
 }
 
 }  // namespace gluray::gl

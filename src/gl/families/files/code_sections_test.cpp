@@ -25,7 +25,8 @@ TEST(CodeSections, ReadsNamedSectionsOfStatements) {
   EXPECT_TRUE(parseFamilies(kMin + "match.code = \"any\"\n", "x.toml").at(0)->code.empty());
 
   EXPECT_EQ(mistake("[[code]]\nstatements = \"a;\"\n"), "x.toml:1: code needs a name");
-  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"), "x.toml:1: code \"a\" needs statements, blocks or shaders");
+  EXPECT_EQ(mistake("[[code]]\nname = \"a\"\n"),
+            "x.toml:1: code \"a\" needs statements, blocks, fragments or shaders");
   EXPECT_EQ(mistake("[[code]]\nname = \"any\"\nstatements = \"a;\"\n"),
             "x.toml:2: code cannot be named \"any\"");
   EXPECT_EQ(mistake("[[code]]\nname = \"a\"\nstatements = \"a;\"\nfor = 1\n"),

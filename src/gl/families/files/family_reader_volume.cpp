@@ -4,13 +4,7 @@
 namespace gluray::gl {
 
 void FamilyReader::readVolumeLight(FamilyVolumeLight& light) {
-  using Model = scene::VolumeShading::Model;
-  choice("lighting",
-         {{"viewer", Model::viewerReflected},
-          {"viewer_halfway", Model::viewerHalfway},
-          {"lights", Model::lightsReflected},
-          {"lights_halfway", Model::lightsHalfway}},
-         light.model);
+  choice("lighting", kVolumeLightings, light.model, light.modelSlot);
   name("two_sided", light.twoSided);
   value("ambient", light.materialAmbient), value("diffuse", light.materialDiffuse);
   value("specular", light.materialSpecular), value("shininess", light.shininess);
@@ -25,25 +19,11 @@ void FamilyReader::readVolumeLight(FamilyVolumeLight& light) {
 }
 
 void FamilyReader::readVolume() {
-  using scene::VolumeBlend;
   FamilyVolume& v = family_.volume;
   name("grid", v.grid);
   if (!v.given()) fail(here(), "volume needs grid");
-  choice("blend",
-         {{"composite", VolumeBlend::composite},
-          {"maximum", VolumeBlend::maximum},
-          {"minimum", VolumeBlend::minimum},
-          {"average", VolumeBlend::average},
-          {"additive", VolumeBlend::additive},
-          {"isosurface", VolumeBlend::isosurface}},
-         v.blend);
-  using scene::VolumeChannels;
-  choice("channels",
-         {{"one", VolumeChannels::one},
-          {"independent", VolumeChannels::independent},
-          {"color_and_opacity", VolumeChannels::colorAndOpacity},
-          {"colors", VolumeChannels::colors}},
-         v.channels);
+  choice("blend", kVolumeBlends, v.blend, v.blendSlot);
+  choice("channels", kVolumeChannels, v.channels, v.channelsSlot);
   value("gradient_channel", v.gradientChannel), value("weights", v.weights);
   value("scale", v.scale), value("bias", v.bias);
   name("opacity", v.opacity), name("color", v.color), name("gradient_opacity", v.gradientOpacity);
@@ -59,7 +39,7 @@ void FamilyReader::readVolume() {
   name("crop_planes", v.cropPlanes), name("crop_flags", v.cropFlags),
       names("texture_from_crop", v.textureFromCrop);
   name("clip_planes", v.clipPlanes);
-  choice("clip_space", {{"texture", false}, {"crop", true}}, v.clipsCropSpace);
+  choice("clip_space", kVolumeClipSpaces, v.clipsCropSpace, v.clipSlot);
   name("mask", v.mask);
   name("contours", v.contours), value("contour_count", v.contourCount);
   name("slice_point", v.slicePoint), name("slice_normal", v.sliceNormal);

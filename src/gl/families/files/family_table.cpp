@@ -194,6 +194,12 @@ void FamilyTable::decidedValues(const char* key, DecidedValues& out) {
   }
 }
 
+std::vector<std::string> FamilyTable::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, node] : *table_) all.emplace_back(key.str());
+  return all;
+}
+
 void FamilyTable::allKnown() const {
   for (const auto& [key, node] : *table_)
     if (!known_.contains(key.str())) fail(node, "unknown key \"" + std::string(key.str()) + "\"");

@@ -57,13 +57,17 @@ class FamilyTable {
   void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out) {
     std::string word;
     text(key, word);
+    if (!word.empty()) out = chosen(key, words, word);
+  }
+  /// Such a word, or "@group": the word that programs have for a group of slots, of which `slot` takes the
+  /// name.
+  template <class Enum, size_t n>
+  void choice(const char* key, const std::pair<const char*, Enum> (&words)[n], Enum& out, std::string& slot) {
+    std::string word;
+    text(key, word);
     if (word.empty()) return;
-    std::string all;
-    for (const auto& [name, value] : words) {
-      if (word == name) return void(out = value);
-      all += (all.empty() ? "" : ", ") + std::string(name);
-    }
-    fail(at(key), std::string(key) + " must be one of: " + all);
+    if (word.starts_with('@')) return void(slot = word);
+    slot.clear(), out = chosen(key, words, word);
   }
   /// Calls readIt() within the section, if there is one.
   template <class Read>
@@ -72,7 +76,27 @@ class FamilyTable {
     if (!node) return;
     const toml::table* inner = node->as_table();
     if (!inner) fail(*node, std::string(key) + " must be a section");
-    const toml::table* outer = std::exchange(table_, inner);
+    within(*inner, readIt);
+  }
+  /// Calls readIt() within each section of a list of sections, [[key]].
+  template <class Read>
+  void eachSection(const char* key, Read&& readIt) {
+    const toml::node* node = get(key);
+    if (!node) return;
+    const toml::array* list = node->as_array();
+    if (!list || list->empty() || !list->is_homogeneous(toml::node_type::table))
+      fail(*node, std::string(key) + " must be sections, [[...]]");
+    for (const toml::node& item : *list) within(*item.as_table(), readIt);
+  }
+  /// The keys of the section.
+  std::vector<std::string> keys() const;
+  /// Throws if the section has a key that was not read.
+  void allKnown() const;
+
+ private:
+  template <class Read>
+  void within(const toml::table& inner, Read&& readIt) {
+    const toml::table* outer = std::exchange(table_, &inner);
     std::set<std::string, std::less<>> known;
     known_.swap(known);
     readIt();
@@ -80,10 +104,15 @@ class FamilyTable {
     known_.swap(known);
     table_ = outer;
   }
-  /// Throws if the section has a key that was not read.
-  void allKnown() const;
-
- private:
+  template <class Enum, size_t n>
+  Enum chosen(const char* key, const std::pair<const char*, Enum> (&words)[n], const std::string& word) {
+    std::string all;
+    for (const auto& [name, value] : words) {
+      if (word == name) return value;
+      all += (all.empty() ? "" : ", ") + std::string(name);
+    }
+    fail(at(key), std::string(key) + " must be one of: " + all);
+  }
   FamilyValue valueIn(const char* key, const toml::node& node);
   std::string nameIn(const char* key, const toml::node& node);
   std::vector<float> numbersIn(const char* key, const toml::node& node, size_t most);
