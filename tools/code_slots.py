@@ -32,12 +32,15 @@ class Fragments:
 
     def __init__(self):
         self.words = {}  # group: {word: {part: [text]}}
+        self.required = set()  # groups
 
     def read(self, text, normal_form):
         """Adds the [[code.fragments]] of a family file."""
         for section in SECTION.findall(text):
             values = {key: multi or single or re.sub(r"\\(.)", r"\1", plain) for key, multi, single, plain in VALUE.findall(section)}
-            word = self.words.setdefault(values.pop("slot"), {}).setdefault(values.pop("word"), {})
+            group = values.pop("slot")
+            self.required.update([group] if re.search(r"^required = true$", section, re.M) else [])
+            word = self.words.setdefault(group, {}).setdefault(values.pop("word"), {})
             for part, fragment in values.items():
                 word.setdefault("" if part == "text" else part, []).append(normal_form(fragment))
 
@@ -45,9 +48,9 @@ class Fragments:
         return [text for parts in self.words.get(group, {}).values() for text in parts.get(part, [])]
 
     def words_with(self, group, part, text):
-        """The words that have this text at the part, and "" if it is empty."""
+        """The words that have this text at the part, and "" if it is empty and the group is not required."""
         found = [word for word, parts in self.words.get(group, {}).items() if text in parts.get(part, [""])]
-        return found + ([""] if text == "" else [])
+        return found + ([""] if text == "" and group not in self.required else [])
 
 
 class Matcher:
@@ -129,7 +132,7 @@ class Patterns:
     def begins(statement, pattern):
         return statement.startswith(re.split(r"[$@]", pattern, maxsplit=1)[0].rstrip(" "))
 
-    def mixed(self, slots):
+    def wordless(self, slots):
         """The groups among slots for which no word has all the fragments."""
         possible = {}
         for group, part, text in slots:

@@ -6,7 +6,7 @@
 
 Prints each statement once, with how many programs have it: what a [[code]] section lacks, ready to be pasted there after a
 look at what it computes. --with: only of programs whose source holds all these texts (`--with vertexMC lightColor0`).
-A program whose slots have fragments of different words counts for a line that says so.
+A program whose slots have fragments of different words, or lack a word, counts for a line that says so.
 `gluray explain` names the unknown statements of programs that fit a family otherwise.
 """
 import collections
@@ -112,7 +112,7 @@ def known_code(text):
 
 
 def differences(program, known, patterns):
-    """The unknown statements of a program, and the groups of slots whose fragments are of different words."""
+    """The unknown statements of a program, and the groups of slots that no word explains."""
     unknown, slots = set(), []
     for text in STAGES.findall(program):
         for statement in statements(text):
@@ -121,7 +121,7 @@ def differences(program, known, patterns):
             found = patterns.slots(statement)
             slots += found or []
             unknown.update([statement] if found is None else [])
-    return unknown | {f"different words in the slots \"@{group}\"" for group in patterns.mixed(slots)}
+    return unknown | {f"no word whose fragments stand in all slots \"@{group}\"" for group in patterns.wordless(slots)}
 
 
 def main():

@@ -40,6 +40,7 @@ text = "if (@side < low) skip();"
 [[code.fragments]]
 slot = "side"
 word = "left"
+required = true
 text = 'p.x'
 """
 
@@ -72,7 +73,8 @@ class KnownCode(unittest.TestCase):
                          [["2", "float k=max(x,y);"], ["1", "float z;"]])
 
     def test_mixed(self):
-        mixed = ["1", 'different words in the slots "@blend"']
+        mixed = ["1", 'no word whose fragments stand in all slots "@blend"']
+        self.assertEqual(self.differences(cast(crop="if ( < low) skip();")), [["1", 'no word whose fragments stand in all slots "@side"']])
         for text in [cast(start="m = vec4(0.);", sample="c += 2.0 * s;"), cast(sample="c += 2.0 * s;") + "vec4 m;",
                      cast(start="m = vec4(0.);", sample="m = max(m, s);")]:
             self.assertEqual(self.differences(text), [mixed], text)

@@ -28,7 +28,11 @@ class KnownCode {
   /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
   void addBlocks(std::string_view text, const std::string& place = "");
   /// Adds a word to a group of slots.
-  void addWord(const std::string& group, const std::string& word) { fragments_.addWord(group, word); }
+  void addWord(const std::string& group, const std::string& word, const std::string& place = "") {
+    fragments_.addWord(group, word, place);
+  }
+  /// Programs must have one of the words of the group.
+  void requireWord(const std::string& group) { fragments_.require(group); }
   /// Adds a fragment that may stand in the slot "@group.part" of programs with this word.
   void addFragment(const std::string& group, const std::string& word, const std::string& part,
                    std::string_view text, const std::string& place = "");

@@ -4,6 +4,7 @@
 #include "gl/families/pattern_text.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,21 +30,26 @@ Value valueOfWord(const SlotWords& words, std::string_view slot,
 /// A word with the alternative fragments of each part. Parts that it lacks are empty in its programs.
 struct SlotWord {
   std::string word;
+  std::string place;  // where it is named first, for mistakes
   std::map<std::string, std::vector<PatternText>, std::less<>> parts;
 };
 
 /// The groups of one section of known code.
 class SlotFragments {
  public:
-  void addWord(std::string_view group, std::string_view word) { entry(group, word); }
+  void addWord(std::string_view group, std::string_view word, const std::string& place = "");
   void addFragment(std::string_view group, std::string_view word, const std::string& part,
                    const PatternText& text);
+  /// Programs have one of the group's words: slots that are all empty are not enough.
+  void require(std::string_view group) { required_.emplace(group); }
   void add(const SlotFragments& more);
+  bool isRequired(std::string_view group) const { return required_.contains(group); }
   const std::map<std::string, std::vector<SlotWord>, std::less<>>& groups() const { return groups_; }
 
  private:
   SlotWord& entry(std::string_view group, std::string_view word);
   std::map<std::string, std::vector<SlotWord>, std::less<>> groups_;
+  std::set<std::string, std::less<>> required_;
 };
 
 /// The groups of several sections, used together. Refers to the sections' fragments.
@@ -67,7 +73,9 @@ class Slots {
   bool has(std::string_view group, std::string_view part) const;
   /// The group's words in the order of the files, without "".
   std::vector<std::string> words(std::string_view group) const;
-  /// Those that have `text` at `part`, and last "" if it is empty.
+  /// Where a word of the group is named first.
+  std::string placeOf(std::string_view group, std::string_view word) const;
+  /// Those that have `text` at `part`, and last "" if it is empty and the group is not required.
   std::vector<std::string> wordsWith(std::string_view group, std::string_view part,
                                      std::string_view text) const;
 

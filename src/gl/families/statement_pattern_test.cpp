@@ -173,6 +173,32 @@ TEST_F(SlotsTest, TheFirstOfSeveralWordsCounts) {
   EXPECT_EQ(words_.at("@blend"), "nothing") << "a word without fragments";
 }
 
+TEST_F(SlotsTest, ARequiredGroupHasAWord) {
+  const std::string empty = castWith("", "", "", "");
+  EXPECT_EQ(wordless(empty), "");
+  sections_["fragments"].requireWord("blend");
+  EXPECT_EQ(wordless(empty), "@blend");
+  EXPECT_EQ(wordless(castWith("", "", "c += .5 * s;", "")), "");
+  EXPECT_EQ(words_, (SlotWords{{"@blend", "sum"}, {"@crop", ""}}));
+  sections_["fragments"].addWord("blend", "nothing");
+  EXPECT_EQ(wordless(empty), "");
+  EXPECT_EQ(words_.at("@blend"), "nothing");
+  KnownCode merged;
+  merged.add(sections_["fragments"]);
+  EXPECT_TRUE(merged.fragments().isRequired("blend"));
+  EXPECT_FALSE(merged.fragments().isRequired("crop"));
+}
+
+TEST_F(SlotsTest, DirectivesHaveNumbers) {
+  sections_["code"].add("#define LIGHTS $lights\n");
+  PlaceholderValues values;
+  const GlslStatements statements = statementsOf("#define LIGHTS 3\n");
+  EXPECT_TRUE(unknownStatements(statements, sections_, both_).empty());
+  EXPECT_EQ(readPlaceholders(statements, sections_, both_, values), "");
+  EXPECT_EQ(values, (PlaceholderValues{{"$lights", 3}}));
+  EXPECT_FALSE(known("#define LIGHTS x\n"));
+}
+
 TEST_F(SlotsTest, WordsOfSeveralSectionsAreOne) {
   sections_["more"].addFragment("blend", "sum", "end", "c = c / n;");
   const Texts all{"code", "fragments", "more"};

@@ -57,7 +57,7 @@ void needWords(const GlslStatements& statements, const Family& f, const CodeSect
                std::vector<std::string>& out) {
   SlotWords words;
   if (const std::string group = readWords(statements, code, f.code, words); !group.empty())
-    return out.push_back(about("has fragments of different words in the slots ", group));
+    return out.push_back(about("has no word whose fragments stand in all slots ", group));
   for (const SlotChoice& choice : f.slotChoices())
     if (const auto word = words.find(choice.slot);
         word != words.end() && !word->second.empty() && !choice.has(word->second))

@@ -96,7 +96,7 @@ TEST_F(Match, SlotsMustHaveOneWord) {
   const auto sets = [&](const std::string& a, const std::string& b) {
     fragment = "vec4 f() { " + a + " return " + b + " c; } void main() { color = f(); }";
   };
-  const Lines mixed{"has fragments of different words in the slots \"@blend\""},
+  const Lines mixed{"has no word whose fragments stand in all slots \"@blend\""},
       none{"has none of the fragments that the family needs in the slots \"@blend\""};
   sets("c = 1.;", "2. *");
   EXPECT_EQ(found(any), Lines{});

@@ -73,6 +73,22 @@ TEST_F(Families, SectionsOfCodeMayBeInAnyFile) {
   EXPECT_EQ(all->front()->name, "1");
 }
 
+TEST_F(Families, MistakesInSlotsOfBuiltInSectionsAreTheFiles) {
+  const std::string code = "[[code]]\nname = \"VTK volume\"\n",
+                    good = code + "[[code.fragments]]\nslot = \"blend\"\nword = \"additive\"\nend = \"a;\"\n";
+  const std::string word =
+                        file("one.toml", code + "[[code.fragments]]\nslot = \"blend\"\nword = \"largest\"\n"),
+                    slot = file("two.toml", code + "statements = \"a = @largest;\"\n");
+  const auto all = read(word + ":" + slot + ":" + file("three.toml", good));
+  ASSERT_NE(all, nullptr);
+  const std::vector<std::string> expected{
+      word + ":5: the word \"largest\" of the slot \"@blend\" is no value of volume.blend",
+      slot + ":3: the slot \"@largest\" has no fragments"};
+  EXPECT_EQ(g_complaints, expected);
+  const gl::SlotFragments& fragments = all->code.at("VTK volume").fragments();
+  EXPECT_EQ(fragments.groups().at("blend").front().word, "additive") << "the file's own come first";
+}
+
 TEST_F(Families, FamiliesThatNeedSectionsOfAMissingFileAreDropped) {
   const std::string two =
       family("2") + "match.code = \"ghost\"\n[[code]]\nname = \"of two\"\nstatements = \"a;\"\n";

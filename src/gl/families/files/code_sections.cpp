@@ -51,9 +51,12 @@ class CodeReader : FamilyTable {
     text("slot", group), text("word", word);
     if (!isSlotName(group)) fail(here(), "fragments need a slot, a name of letters, digits and _");
     if (word.empty()) fail(here(), "fragments need a word");
-    section.addWord(group, word);
+    section.addWord(group, word, placeOf("word"));
+    bool required = false;
+    flag("required", required);
+    if (required) section.requireWord(group);
     for (const std::string& key : keys()) {
-      if (key == "slot" || key == "word") continue;
+      if (key == "slot" || key == "word" || key == "required") continue;
       if (!isSlotName(key)) fail(at(key.c_str()), "\"" + key + "\" is no name of a part of a slot");
       std::string fragment;
       text(key.c_str(), fragment);

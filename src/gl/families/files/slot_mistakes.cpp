@@ -28,15 +28,18 @@ bool reaches(const Uses& uses, const std::string& group, const std::string& want
                      [&](const auto& use) { return reaches(uses, use.second->group, wanted, seen); });
 }
 
-std::string mistakeInChoice(const SlotChoice& choice, const Slots& slots) {
-  if (!isSlotName(choice.slot.substr(1)))
-    return choice.key + ": " + quoted(choice.slot) + " is no name of a slot";
-  const std::vector<std::string> words = slots.words(choice.slot.substr(1));
-  if (words.empty()) return choice.key + ": the slot " + quoted(choice.slot) + " has no fragments";
+/// `place`: of the family.
+std::string mistakeInChoice(const SlotChoice& choice, const Slots& slots, const std::string& place) {
+  const std::string group = choice.slot.substr(1);
+  if (!isSlotName(group))
+    return place + ": " + choice.key + ": " + quoted(choice.slot) + " is no name of a slot";
+  const std::vector<std::string> words = slots.words(group);
+  if (words.empty())
+    return place + ": " + choice.key + ": the slot " + quoted(choice.slot) + " has no fragments";
   for (const std::string& word : words)
     if (!choice.has(word))
-      return choice.key + ": the slot " + quoted(choice.slot) + " has the word " + quoted(word) +
-             ", which is no value of this key";
+      return slots.placeOf(group, word) + ": the word " + quoted(word) + " of the slot " +
+             quoted(choice.slot) + " is no value of " + choice.key;
   return "";
 }
 
@@ -67,8 +70,8 @@ std::string mistakeInSlots(const Family& family, const CodeSections& known) {
         return use.place + ": " + ownSlot(use.within);
     }
   for (const SlotChoice& choice : family.slotChoices())
-    if (const std::string mistake = mistakeInChoice(choice, code.slots()); !mistake.empty())
-      return family.codeAt + ": " + mistake;
+    if (const std::string mistake = mistakeInChoice(choice, code.slots(), family.codeAt); !mistake.empty())
+      return mistake;
   return "";
 }
 

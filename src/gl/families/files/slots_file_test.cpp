@@ -35,9 +35,10 @@ std::string slotMistake(const std::string& text) {
 }
 
 TEST(SlotsFile, ReadsFragments) {
-  FamilyList list = parseFamilies(withFragments("slot = \"blend\"\nword = \"maximum\"\n"
-                                                "start = \"c = 1.0f;\"\nend = \"d; // comment\"\n"),
-                                  "x.toml");
+  FamilyList list =
+      parseFamilies(withFragments("slot = \"blend\"\nword = \"maximum\"\n"
+                                  "required = true\nstart = \"c = 1.0f;\"\nend = \"d; // comment\"\n"),
+                    "x.toml");
   list.append(
       parseFamilies("[[code]]\nname = \"d\"\n[[code.fragments]]\nslot = \"blend\"\n"
                     "word = \"additive\"\nstart = \"c = 2.;\"\n",
@@ -54,6 +55,9 @@ TEST(SlotsFile, ReadsFragments) {
     });
   EXPECT_EQ(texts, (std::vector<std::string>{"c=0.;", "c=1.;", "c=2.;", "d;"}));
   EXPECT_TRUE(slots.has("crop", ""));
+  EXPECT_FALSE(slots.has("blend", "required"));
+  EXPECT_TRUE(list.code.at("d").fragments().isRequired("blend"));
+  EXPECT_FALSE(list.code.at("d").fragments().isRequired("crop"));
   EXPECT_FALSE(slots.has("crop", "start"));
 }
 
@@ -67,6 +71,7 @@ TEST(SlotsFile, MistakesInFragmentsAreNamed) {
   EXPECT_EQ(with("slot = \"a\"\nword = \"a\"\n\"a-b\" = \"\"\n"),
             "x.toml:29: \"a-b\" is no name of a part of a slot");
   EXPECT_EQ(with("slot = \"a\"\nword = \"a\"\nb = 1\n"), "x.toml:29: b must be a text in quotes");
+  EXPECT_EQ(with("slot = \"a\"\nword = \"a\"\nrequired = 1\n"), "x.toml:29: required must be true or false");
   EXPECT_EQ(mistake("[[code]]\nname = \"c\"\nfragments = 1\n"),
             "x.toml:3: fragments must be sections, [[...]]");
   EXPECT_EQ(mistake("[[code]]\nname = \"c\"\nstatements = \"a = @;\"\n"),
@@ -86,8 +91,7 @@ TEST(SlotsFile, SlotsMustFitTogether) {
                  "[[code.fragments]]\nslot = \"blend\"\nword = \"minimum\"\nstart = \"b; @crop\"\n"),
             "x.toml:29: fragments of the slot \"@crop\" have this slot themselves");
   EXPECT_EQ(with("slot = \"blend\"\nword = \"largest\"\nstart = \"b;\"\n"),
-            "x.toml:6: volume.blend: the slot \"@blend\" has the word \"largest\", which is no value of this "
-            "key");
+            "x.toml:28: the word \"largest\" of the slot \"@blend\" is no value of volume.blend");
   const auto replaced = [](const std::string& from, const std::string& to) {
     std::string text = slotText();
     text.replace(text.find(from), from.size(), to);
