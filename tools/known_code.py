@@ -51,7 +51,7 @@ def tokens(text):
 def joined(parts):
     out = ""
     for part in parts:
-        out += (" " if re.match(r"\w", part) and re.search(r"\w$", out) else "") + part
+        out += (" " if re.match(r"\w", part) and re.search(r"\w\Z", out) else "") + part
     lights = set(re.findall(r"\blight[A-Za-z]*(\d+)\b", out))
     return re.sub(r"\b(light[A-Za-z]*)\d+\b", r"\g<1>0", out) if len(lights) == 1 else out
 

@@ -12,7 +12,8 @@ namespace gluray::gl {
 inline constexpr std::pair<const char*, scene::VolumeBlend> kVolumeBlends[] = {
     {"composite", scene::VolumeBlend::composite}, {"maximum", scene::VolumeBlend::maximum},
     {"minimum", scene::VolumeBlend::minimum},     {"average", scene::VolumeBlend::average},
-    {"additive", scene::VolumeBlend::additive},   {"isosurface", scene::VolumeBlend::isosurface}};
+    {"additive", scene::VolumeBlend::additive},   {"isosurface", scene::VolumeBlend::isosurface},
+    {"slice", scene::VolumeBlend::composite}};  // of one sample
 
 inline constexpr std::pair<const char*, scene::VolumeChannels> kVolumeChannels[] = {
     {"one", scene::VolumeChannels::one},

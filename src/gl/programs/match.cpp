@@ -59,8 +59,7 @@ void needWords(const GlslStatements& statements, const Family& f, const CodeSect
   if (const std::string group = readWords(statements, code, f.code, words); !group.empty())
     return out.push_back(about("has no word whose fragments stand in all slots ", group));
   for (const SlotChoice& choice : f.slotChoices())
-    if (const auto word = words.find(choice.slot);
-        word != words.end() && !word->second.empty() && !choice.has(word->second))
+    if (const auto word = words.find(choice.slot); word != words.end() && !choice.has(word->second))
       out.push_back(about("has none of the fragments that the family needs in the slots ", choice.slot));
 }
 

@@ -204,10 +204,8 @@ glm::vec4 UniformReader::value(const FamilyValue& value, const glm::vec4& otherw
     for (size_t i = 1; i < value.constant.size(); ++i) v[static_cast<int>(i)] = value.constant[i];
     return v;
   }
-  if (isPlaceholder(value.uniform)) {
-    const auto it = placeholders_.find(value.uniform);
-    return it == placeholders_.end() ? otherwise : glm::vec4(it->second);
-  }
+  if (const auto it = placeholders_.find(value.uniform); it != placeholders_.end())
+    return glm::vec4(it->second);
   const Found found = find(value.uniform, 0);
   if (!found.value) return otherwise;
   const glm::vec4 v = vector(value.uniform);

@@ -19,6 +19,8 @@ namespace gluray::gl {
 class Buffer;
 class ShareGroup;
 
+struct DepthTexture;
+
 /// The part of a buffer that a buffer texture shows.
 struct BufferTexture {
   std::shared_ptr<Buffer> buffer;
@@ -56,9 +58,9 @@ class TextureCache {
   /// `sampling`, whose image is null. Null, with the reason in `why`, if it cannot be traced.
   std::shared_ptr<const scene::VoxelGrid> voxels(const RealGl& real, const RareState& has, GLint unit,
                                                  scene::Texture& sampling, std::string& why);
-  /// The window depths in the texture that a sampler2D samples on `unit`. False if it is no depth texture of
-  /// this size that is read texel by texel.
-  bool depths(const RealGl& real, const RareState& has, GLint unit, glm::ivec2 size, std::vector<float>& out);
+  /// The window depths in the texture that a sampler2D samples on `unit`. False if it is no depth texture, or
+  /// its filter is not traced.
+  bool depths(const RealGl& real, const RareState& has, GLint unit, DepthTexture& out);
   /// The buffer texture on `unit`, with its contents as they are when they are read.
   Reason buffer(const RealGl& real, ShareGroup& group, GLint unit, BufferTexture& texture);
   /// Reads the texels of the buffer texture on `unit`: bytes or floats, one to four per texel. Bytes that are

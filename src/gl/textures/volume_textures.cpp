@@ -27,12 +27,11 @@ std::shared_ptr<const scene::VoxelGrid> TextureCache::voxels(const RealGl& real,
   return known;
 }
 
-bool TextureCache::depths(const RealGl& real, const RareState& has, GLint unit, glm::ivec2 size,
-                          std::vector<float>& out) {
+bool TextureCache::depths(const RealGl& real, const RareState& has, GLint unit, DepthTexture& out) {
   ActiveUnit active(real);
   active.select(static_cast<GLenum>(GL_TEXTURE0 + unit));
   if (isPresent(real.BindSampler) && integer(real, GL_SAMPLER_BINDING) != 0) return false;
-  return readDepthTexture(real, has, size, out);
+  return readDepthTexture(real, has, out);
 }
 
 }  // namespace gluray::gl

@@ -86,17 +86,38 @@ std::shared_ptr<const VoxelGrid> readVoxels(const RealGl& real, const RareState&
   return grid;
 }
 
-bool readDepthTexture(const RealGl& real, const RareState& has, glm::ivec2 size, std::vector<float>& out) {
+float DepthTexture::at(glm::vec2 coordinates) const {
+  const auto texel = [&](const glm::ivec2& p) {
+    const glm::ivec2 inside = glm::clamp(p, glm::ivec2(0), size - 1);
+    return values[static_cast<size_t>(inside.y) * static_cast<size_t>(size.x) +
+                  static_cast<size_t>(inside.x)];
+  };
+  const glm::vec2 place = coordinates * glm::vec2(size);
+  if (!linear) return texel(glm::ivec2(glm::floor(place)));
+  constexpr float kSteps = 256;  // positions between two texels: rounding must not mix them at their centres
+  const glm::vec2 at = glm::round((place - 0.5f) * kSteps) / kSteps, first = glm::floor(at),
+                  share = at - first;
+  const glm::ivec2 p(first);
+  return glm::mix(glm::mix(texel(p), texel(p + glm::ivec2(1, 0)), share.x),
+                  glm::mix(texel(p + glm::ivec2(0, 1)), texel(p + 1), share.x), share.y);
+}
+
+bool readDepthTexture(const RealGl& real, const RareState& has, DepthTexture& out) {
   const auto level = [&](GLenum name) { return ask(real, GL_TEXTURE_2D, name); };
-  if (level(GL_TEXTURE_DEPTH_SIZE) == 0 || level(GL_TEXTURE_WIDTH) != size.x ||
-      level(GL_TEXTURE_HEIGHT) != size.y)
+  const auto parameter = [&](GLenum name) {
+    GLint value = 0;
+    real.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
+    return value;
+  };
+  if (level(GL_TEXTURE_DEPTH_SIZE) == 0 || parameter(GL_TEXTURE_COMPARE_MODE) != GL_NONE) return false;
+  const GLint filter = parameter(GL_TEXTURE_MAG_FILTER);
+  if (filter != parameter(GL_TEXTURE_MIN_FILTER) || (filter != GL_NEAREST && filter != GL_LINEAR))
     return false;
-  GLint compare = GL_NONE;
-  real.GetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, &compare);
-  if (compare != GL_NONE) return false;
-  out.resize(static_cast<size_t>(size.x) * static_cast<size_t>(size.y));
+  out.linear = filter == GL_LINEAR;
+  out.size = {level(GL_TEXTURE_WIDTH), level(GL_TEXTURE_HEIGHT)};
+  out.values.resize(static_cast<size_t>(out.size.x) * static_cast<size_t>(out.size.y));
   const PixelGuard guard(real, has.fixedFunction);
-  real.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, out.data());
+  real.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, out.values.data());
   return true;
 }
 

@@ -17,8 +17,17 @@ namespace gluray::gl {
 std::shared_ptr<const scene::VoxelGrid> readVoxels(const RealGl& real, const RareState& has,
                                                    std::string& why);
 
-/// Level 0 of the texture bound to GL_TEXTURE_2D of the active unit. False if it holds no depths, or has
-/// another size.
-bool readDepthTexture(const RealGl& real, const RareState& has, glm::ivec2 size, std::vector<float>& out);
+/// Level 0 of a texture of depths.
+struct DepthTexture {
+  glm::ivec2 size{0};
+  std::vector<float> values;  // row by row
+  bool linear = false;        // filter; false: the nearest texel
+  /// At texture coordinates, clamped to the edge.
+  float at(glm::vec2 coordinates) const;
+};
+
+/// The texture bound to GL_TEXTURE_2D of the active unit. False if it holds no depths, or is compared or
+/// filtered in another way.
+bool readDepthTexture(const RealGl& real, const RareState& has, DepthTexture& out);
 
 }  // namespace gluray::gl

@@ -2,6 +2,7 @@
 
 #include "gl/basics/affine.h"
 #include "gl/real/clip_depths.h"
+#include "gl/textures/voxel_texture.h"
 #include "gl/volumes/volume_look_reader.h"
 
 #include <cmath>
@@ -108,6 +109,9 @@ bool VolumeReader::read(scene::VolumeCast& cast) {
   cast.threads = shadow_.settings.threads;
   if (!readView(cast.view) || !readClipPlanes(cast.view) || !readSlice(cast.view) || !readJitter(cast.view))
     return false;
+  // A ray that begins right at the box's face is discarded or not as the real OpenGL rounds.
+  if (cast.view.clipping && !cast.view.jitter.empty())
+    return refuse("rounding decides which of its jittered rays are clipped");
   return VolumeLookReader(shadow_, uniforms_, why_).read(cast.volume);
 }
 
@@ -118,22 +122,15 @@ bool VolumeReader::readDepths(scene::VolumeView& view) {
   if (unit < 0) return true;
   const glm::vec2 texel = value(family_.depthTexel, glm::vec4(0)),
                   origin = value(family_.depthOrigin, glm::vec4(0));
-  const glm::vec2 size = 1.0f / texel;
-  const glm::ivec2 pixels(glm::round(size)), first(glm::round(origin));
-  constexpr float kRounding = 1e-3f;  // pixels
-  if (glm::any(glm::greaterThan(glm::abs(size - glm::vec2(pixels)), glm::vec2(kRounding * 16))) ||
-      glm::any(glm::greaterThan(glm::abs(origin - glm::vec2(first)), glm::vec2(kRounding))))
-    return refuse("its depths are not those of pixels");
-  std::vector<float> depths;
-  if (!shadow_.textures.depths(shadow_.real, shadow_.rare(), unit, pixels, depths))
-    return refuse("its depths are no depth texture of the window's size");
+  DepthTexture depths;
+  if (!shadow_.textures.depths(shadow_.real, shadow_.rare(), unit, depths))
+    return refuse("its depths are no depth texture that can be read");
   const scene::Region& r = view.region;
   view.depth.reserve(static_cast<size_t>(r.width) * static_cast<size_t>(r.height));
   for (int y = 0; y < r.height; ++y)
     for (int x = 0; x < r.width; ++x) {
-      const glm::ivec2 at = glm::clamp(glm::ivec2(r.x + x, r.y + y) - first, glm::ivec2(0), pixels - 1);
-      view.depth.push_back(
-          depths[static_cast<size_t>(at.y) * static_cast<size_t>(pixels.x) + static_cast<size_t>(at.x)]);
+      const glm::vec2 pixel = glm::vec2(r.x + x, r.y + y) + 0.5f;
+      view.depth.push_back(depths.at((pixel - origin) * texel));
     }
   return true;
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gluray::gl {
@@ -27,6 +28,8 @@ class VolumeFamilies : public testing::Test {
     for (const PatternText::Piece& piece : pattern.pieces()) {
       if (piece.kind == PatternText::Piece::Kind::slot)
         text += " " + composed(PatternText(fragmentOf(piece.text, piece.part)), fragmentOf) + " ";
+      else if (piece.kind == PatternText::Piece::Kind::number)
+        text += "1";
       else
         text += piece.text;
     }
@@ -62,9 +65,23 @@ class VolumeFamilies : public testing::Test {
   }
 
   static Words words(const std::string& blend, const std::string& light, const std::string& gradient) {
-    return {{"blend", blend},      {"light", light},           {"gradient", gradient},
-            {"eye", "data"},       {"kept", "step"},           {"jitter", ""},
-            {"index", "variable"}, {"differences", "central"}, {"headlight", "directions"},
+    return {{"blend", blend},
+            {"light", light},
+            {"gradient", gradient},
+            {"eye", "data"},
+            {"kept", "step"},
+            {"jitter", ""},
+            {"index", "variable"},
+            {"channels", "one"},
+            {"slice", "no"},
+            {"crop", ""},
+            {"mask", ""},
+            {"clip", "crop"},
+            {"clipstart", "any"},
+            {"clipend", "any"},
+            {"lamps", "loop"},
+            {"differences", "central"},
+            {"headlight", "directions"},
             {"zero", "zero"}};
   }
 
@@ -84,8 +101,8 @@ class VolumeFamilies : public testing::Test {
 };
 
 TEST_F(VolumeFamilies, ComposedShadersAreKnown) {
-  std::vector<Words> all{{{"differences", "central"}, {"headlight", "directions"}, {"zero", "zero"}}};
-  for (const char* const group : {"blend", "light", "gradient", "eye", "kept", "jitter", "index"}) {
+  std::vector<Words> all{words("", "", "")};
+  for (const char* const group : {"blend", "light", "gradient", "channels", "eye", "kept", "jitter"}) {
     std::vector<std::string> choices = slots_.words(group);
     ASSERT_FALSE(choices.empty()) << group;
     if (std::string(group) == "kept" || std::string(group) == "jitter") choices.emplace_back();
@@ -94,19 +111,26 @@ TEST_F(VolumeFamilies, ComposedShadersAreKnown) {
       for (Words words : all) words[group] = word, more.push_back(words);
     all = more;
   }
-  EXPECT_GE(all.size(), 5u * 2 * 3 * 2 * 2 * 2 * 2);
-  for (const Words& words : all) {
+  EXPECT_GE(all.size(), 7u * 5 * 3 * 4 * 2 * 2 * 2);
+  // Other groups change from one combination to the next.
+  const std::pair<const char*, std::vector<std::string>> others[] = {
+      {"index", {"component", "variable"}}, {"slice", {"no", "plane", "no"}}, {"crop", {"", "regions", ""}},
+      {"mask", {"", "", "binary", ""}},     {"clip", {"texture", "crop"}},    {"lamps", {"", "loop"}}};
+  for (size_t i = 0; i < all.size(); ++i) {
+    Words& words = all[i];
+    for (const auto& [group, choices] : others) words[group] = choices[i % choices.size()];
     if (words.at("light") != "none" && words.at("gradient") == "none") continue;  // no gradient to light with
     const GlslStatements statements = shader(words);
     ASSERT_EQ(unknown(statements), std::vector<std::string>{});
     ASSERT_EQ(wordless(statements), "");
-    for (const char* const group : {"blend", "light", "gradient", "eye", "kept", "jitter"})
+    for (const char* const group :
+         {"blend", "light", "gradient", "channels", "slice", "crop", "mask", "clip", "eye", "kept", "jitter"})
       ASSERT_EQ(words_.at("@" + std::string(group)), words.at(group)) << group;
   }
 }
 
 TEST_F(VolumeFamilies, MixedShadersAreNot) {
-  const Words lit = words("maximum", "headlight", "magnitude");
+  const Words lit = words("maximum", "viewer", "magnitude");
   EXPECT_EQ(wordless(shader(lit)), "");
   for (const char* const part : {"start", "sample", "end"}) {
     for (const std::string& word : slots_.words("blend"))
@@ -123,7 +147,7 @@ TEST_F(VolumeFamilies, MixedShadersAreNot) {
     EXPECT_EQ(wordless(shader(lit, {"jitter", part, "noise"})), "@jitter") << part;
   for (const char* const part : {"length", "jitter"})
     EXPECT_EQ(wordless(shader(lit, {"kept", part, ""})), "@kept") << part;
-  EXPECT_EQ(wordless(shader(words("maximum", "none", "none"), {"light", "start", "headlight"})), "");
+  EXPECT_EQ(wordless(shader(words("maximum", "none", "none"), {"light", "start", "viewer"})), "");
   EXPECT_EQ(words_.at("@light"), "none") << "a light that is not used";
   Words black = words("composite", "", "none");
   EXPECT_EQ(wordless(shader(black)), "@light") << "neither lit nor the colour of the table";
