@@ -3,6 +3,7 @@
 #include "gl/textures/pixel_guard.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -86,20 +87,43 @@ std::shared_ptr<const VoxelGrid> readVoxels(const RealGl& real, const RareState&
   return grid;
 }
 
-float DepthTexture::at(glm::vec2 coordinates) const {
-  const auto texel = [&](const glm::ivec2& p) {
-    const glm::ivec2 inside = glm::clamp(p, glm::ivec2(0), size - 1);
-    return values[static_cast<size_t>(inside.y) * static_cast<size_t>(size.x) +
-                  static_cast<size_t>(inside.x)];
+namespace {
+
+/// Where a filter reads along one axis: two texels, and the share of the second one.
+struct Place {
+  size_t first = 0, second = 0;
+  float share = 0;
+};
+Place placeOf(float coordinate, int size, bool linear) {
+  const auto inside = [&](float texel) {
+    return static_cast<size_t>(std::clamp(texel, 0.0f, static_cast<float>(size - 1)));
   };
-  const glm::vec2 place = coordinates * glm::vec2(size);
-  if (!linear) return texel(glm::ivec2(glm::floor(place)));
+  const float at = coordinate * static_cast<float>(size);
+  if (!linear) return {inside(std::floor(at)), inside(std::floor(at)), 0};
   constexpr float kSteps = 256;  // positions between two texels: rounding must not mix them at their centres
-  const glm::vec2 at = glm::round((place - 0.5f) * kSteps) / kSteps, first = glm::floor(at),
-                  share = at - first;
-  const glm::ivec2 p(first);
-  return glm::mix(glm::mix(texel(p), texel(p + glm::ivec2(1, 0)), share.x),
-                  glm::mix(texel(p + glm::ivec2(0, 1)), texel(p + 1), share.x), share.y);
+  const float from = std::round((at - 0.5f) * kSteps) / kSteps, first = std::floor(from);
+  return {inside(first), inside(first + 1), from - first};
+}
+
+}  // namespace
+
+std::vector<float> DepthTexture::inRegion(const scene::Region& region, glm::vec2 origin,
+                                          glm::vec2 texel) const {
+  std::vector<Place> columns;
+  for (int x = 0; x < region.width; ++x)
+    columns.push_back(
+        placeOf((static_cast<float>(region.x + x) + 0.5f - origin.x) * texel.x, size.x, linear));
+  std::vector<float> depths;
+  depths.reserve(columns.size() * static_cast<size_t>(region.height));
+  for (int y = 0; y < region.height; ++y) {
+    const Place row = placeOf((static_cast<float>(region.y + y) + 0.5f - origin.y) * texel.y, size.y, linear);
+    const float* const lower = &values[row.first * static_cast<size_t>(size.x)];
+    const float* const upper = &values[row.second * static_cast<size_t>(size.x)];
+    for (const Place& c : columns)
+      depths.push_back(glm::mix(glm::mix(lower[c.first], lower[c.second], c.share),
+                                glm::mix(upper[c.first], upper[c.second], c.share), row.share));
+  }
+  return depths;
 }
 
 bool readDepthTexture(const RealGl& real, const RareState& has, DepthTexture& out) {

@@ -2,6 +2,7 @@
 #pragma once
 #include "gl/real/extensions.h"
 #include "gl/real/real.h"
+#include "scene/region.h"
 #include "scene/volumes/voxel_grid.h"
 
 #include <glm/glm.hpp>
@@ -22,8 +23,9 @@ struct DepthTexture {
   glm::ivec2 size{0};
   std::vector<float> values;  // row by row
   bool linear = false;        // filter; false: the nearest texel
-  /// At texture coordinates, clamped to the edge.
-  float at(glm::vec2 coordinates) const;
+  /// At the centres of the pixels of `region`, row by row. Texture coordinates are those of a pixel's centre
+  /// less `origin`, times `texel`, and clamped to the edge.
+  std::vector<float> inRegion(const scene::Region& region, glm::vec2 origin, glm::vec2 texel) const;
 };
 
 /// The texture bound to GL_TEXTURE_2D of the active unit. False if it holds no depths, or is compared or

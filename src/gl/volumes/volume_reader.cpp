@@ -125,13 +125,7 @@ bool VolumeReader::readDepths(scene::VolumeView& view) {
   DepthTexture depths;
   if (!shadow_.textures.depths(shadow_.real, shadow_.rare(), unit, depths))
     return refuse("its depths are no depth texture that can be read");
-  const scene::Region& r = view.region;
-  view.depth.reserve(static_cast<size_t>(r.width) * static_cast<size_t>(r.height));
-  for (int y = 0; y < r.height; ++y)
-    for (int x = 0; x < r.width; ++x) {
-      const glm::vec2 pixel = glm::vec2(r.x + x, r.y + y) + 0.5f;
-      view.depth.push_back(depths.at((pixel - origin) * texel));
-    }
+  view.depth = depths.inRegion(view.region, origin, texel);
   return true;
 }
 

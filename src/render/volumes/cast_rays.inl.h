@@ -26,7 +26,9 @@ class Caster {
     const VolumeD d;
     shown = hn::Gt(rays.samples, hn::Zero(d));
     switch (volume_.blend) {
-      case scene::VolumeBlend::composite: return composite(rays, shown);
+      case scene::VolumeBlend::composite:
+        return volume_.use == scene::VolumeChannels::one ? composite(rays, shown, OfOne{colors_})
+                                                         : composite(rays, shown, OfMore{colors_});
       case scene::VolumeBlend::maximum: return extreme<true>(rays, shown);
       case scene::VolumeBlend::minimum: return extreme<false>(rays, shown);
       case scene::VolumeBlend::average: return average(rays, shown);
@@ -52,8 +54,24 @@ class Caster {
     return hn::And(alive, hn::Le(sum.a, hn::Set(d, volume_.least)));
   }
 
-  HWY_ATTR Colors composite(const Rays& rays, Alive& shown) const {
+  // Functions of SampleColors: lambdas would be calls.
+  struct OfOne {
+    const SampleColors<Samples>& colors;
+    HWY_INLINE HWY_ATTR Alive operator()(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+      return colors.ofOne(rays, p, alive, c);
+    }
+  };
+  struct OfMore {
+    const SampleColors<Samples>& colors;
+    HWY_ATTR Alive operator()(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+      return colors.ofMore(rays, p, alive, c);
+    }
+  };
+  /// colorsAt(rays, position, alive, colours): as SampleColors::ofOne().
+  template <class ColorsAt>
+  HWY_ATTR Colors composite(const Rays& rays, Alive& shown, const ColorsAt& colorsAt) const {
     const VolumeD d;
+    const bool skips = skipped_.any();
     Colors sum = noColors();
     Floats sample = hn::Zero(d);
     Leaps leaps(frame_, rays);
@@ -62,9 +80,8 @@ class Caster {
       alive = frame_.empty ? leaps.move(alive, sample) : hn::And(alive, hn::Lt(sample, rays.samples));
       if (hn::AllFalse(d, alive)) break;
       const Positions p = rays.at(sample);
-      const Alive counted = skipped_.any() ? skipped_.kept(p, alive) : alive;
       Colors c;
-      const Alive seen = colors_.at(rays, p, counted, c);
+      const Alive seen = colorsAt(rays, p, skips ? skipped_.kept(p, alive) : alive, c);
       if (!hn::AllFalse(d, seen)) {
         alive = addBehind(sum, c, seen, alive);
         leaps.stay(seen, sample);

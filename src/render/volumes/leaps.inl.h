@@ -42,7 +42,7 @@ class Leaps {
   }
   /// Moves the samples of rays that are `alive` on to the next one that may be seen. Returns those that have
   /// one.
-  HWY_ATTR Alive move(Alive alive, Floats& sample) {
+  HWY_INLINE HWY_ATTR Alive move(Alive alive, Floats& sample) {
     const VolumeD d;
     Alive waiting = hn::And(alive, hn::Ge(sample, next_));
     while (!hn::AllFalse(d, waiting)) {

@@ -20,29 +20,41 @@ class SampleColors {
  public:
   /// `samples`: of each channel.
   HWY_ATTR SampleColors(const VolumeFrame& frame, const Samples* samples)
-      : frame_(frame), volume_(*frame.volume), samples_(samples), lighting_(volume_.shading) {
+      : volume_(*frame.volume), samples_(samples), lighting_(volume_.shading) {
     const scene::VoxelGrid& grid = *volume_.grid;
     const glm::vec3 beyond = volume_.cellStep * glm::vec3(grid.size) - 1.0f;
     stepsAreVoxels_ = std::min({grid.size.x, grid.size.y, grid.size.z}) >= 4 &&
                       glm::all(glm::lessThan(glm::abs(beyond), glm::vec3(0.01f)));
     opacity_ = scene::opacityChannelOf(volume_.use);
+    const auto orNull = [](const VolumeLookup& table) { return table.entries.empty() ? nullptr : &table; };
+    for (size_t c = 0; c < frame.channels.size(); ++c) {
+      const ChannelLookups& from = frame.channels[c];
+      channels_[c] = {&from.color,
+                      orNull(from.opacity),
+                      orNull(from.gradient),
+                      from.scale,
+                      from.bias,
+                      lighting_.materialOf(volume_.channels[c].material)};
+    }
   }
 
   HWY_ATTR Floats scalarAt(const Positions& p, size_t channel) const {
     return scalarOf(samples_[channel].at(p), channel);
   }
   HWY_ATTR Floats opacityOf(Floats scalar, size_t channel) const {
-    const ChannelLookups& tables = frame_.channels[channel];
-    return (tables.opacity.entries.empty() ? lookUp(tables.color, scalar) : lookUp(tables.opacity, scalar)).a;
+    const Channel& c = channels_[channel];
+    return lookUp(c.opacity ? *c.opacity : *c.color, scalar).a;
   }
 
-  /// The colours of samples at `p`, premultiplied. Returns the rays among those `alive` whose sample counts.
-  HWY_ATTR Alive at(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
-    switch (volume_.use) {
-      case scene::VolumeChannels::one: return ofChannel(rays, p, alive, 0, c, premultiplied);
-      case scene::VolumeChannels::independent: return mixed(rays, p, alive, c);
-      default: return ofSeveral(rays, p, alive, c);
-    }
+  /// The colours of samples at `p` of a volume of one channel, premultiplied. Returns the rays among those
+  /// `alive` whose sample counts.
+  HWY_INLINE HWY_ATTR Alive ofOne(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+    return ofChannel(rays, p, alive, 0, c, [](const Colors& found) HWY_ATTR { return premultiplied(found); });
+  }
+  /// Likewise, of other volumes.
+  HWY_ATTR Alive ofMore(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+    return volume_.use == scene::VolumeChannels::independent ? mixed(rays, p, alive, c)
+                                                             : ofSeveral(rays, p, alive, c);
   }
 
   /// The colour that a scalar of a channel has at `p`, premultiplied.
@@ -55,8 +67,7 @@ class SampleColors {
  private:
   HWY_ATTR Floats scalarOf(Floats value, size_t channel) const {
     const VolumeD d;
-    const ChannelLookups& tables = frame_.channels[channel];
-    return hn::MulAdd(value, hn::Set(d, tables.scale), hn::Set(d, tables.bias));
+    return hn::MulAdd(value, hn::Set(d, channels_[channel].scale), hn::Set(d, channels_[channel].bias));
   }
   static HWY_ATTR Colors premultiplied(const Colors& c) {
     const Floats a = clamped(c.a);
@@ -67,10 +78,10 @@ class SampleColors {
   }
 
   /// Unlit colour and opacity.
-  HWY_ATTR Colors lookOf(Floats scalar, size_t channel) const {
-    const ChannelLookups& tables = frame_.channels[channel];
-    Colors colors = lookUp(tables.color, scalar);
-    if (!tables.opacity.entries.empty()) colors.a = lookUp(tables.opacity, scalar).a;
+  HWY_INLINE HWY_ATTR Colors lookOf(Floats scalar, size_t channel) const {
+    const Channel& c = channels_[channel];
+    Colors colors = lookUp(*c.color, scalar);
+    if (c.opacity) colors.a = lookUp(*c.opacity, scalar).a;
     return colors;
   }
 
@@ -80,7 +91,7 @@ class SampleColors {
     Positions differences;
     Alive known;
   };
-  HWY_ATTR Sample sampleAt(const Positions& p, Alive alive, size_t channel) const {
+  HWY_INLINE HWY_ATTR Sample sampleAt(const Positions& p, Alive alive, size_t channel) const {
     const VolumeD d;
     const Floats none = hn::Zero(d);
     typename Samples::Around around{none, {none, none, none}};
@@ -91,7 +102,7 @@ class SampleColors {
     Floats scalar = scalarOf(around.here, channel);
     if (!hn::AllFalse(d, hn::AndNot(known, alive)))
       scalar = hn::IfThenElse(known, scalar, scalarAt(p, channel));
-    return {scalar, scaled(around.differences, hn::Set(d, frame_.channels[channel].scale)), known};
+    return {scalar, scaled(around.differences, hn::Set(d, channels_[channel].scale)), known};
   }
   HWY_ATTR Positions differencesAt(const Positions& p, Alive seen, const Sample& sample,
                                    size_t channel) const {
@@ -114,7 +125,7 @@ class SampleColors {
             hn::Sub(at(p.x, p.y, hn::Add(p.z, z)), at(p.x, p.y, hn::Sub(p.z, z)))};
   }
 
-  bool weighs(size_t channel) const { return !frame_.channels[channel].gradient.entries.empty(); }
+  bool weighs(size_t channel) const { return channels_[channel].gradient != nullptr; }
   /// Whether samples need differences of the channel's scalars.
   bool hasGradients(size_t channel) const { return volume_.shading.enabled() || weighs(channel); }
 
@@ -123,11 +134,11 @@ class SampleColors {
   HWY_ATTR Floats weightOf(Floats strength, size_t channel) const {
     const VolumeD d;
     if (volume_.use != scene::VolumeChannels::independent)
-      return lookUp(frame_.channels[channel].gradient, strength).a;
+      return lookUp(*channels_[channel].gradient, strength).a;
     Floats all = hn::Set(d, 1.0f);
     for (size_t c = 0; c < volume_.channels.size(); ++c)
-      all = hn::Mul(all, hn::Mul(lookUp(frame_.channels[c].gradient, strength).a,
-                                 hn::Set(d, volume_.channels[c].weight)));
+      all = hn::Mul(
+          all, hn::Mul(lookUp(*channels_[c].gradient, strength).a, hn::Set(d, volume_.channels[c].weight)));
     return all;
   }
 
@@ -151,13 +162,13 @@ class SampleColors {
     } else {
       gradient = scaled(gradient, 1.0f / volume_.cellSpacing);
     }
-    lighting_.shade(volume_.channels[channel].material, p, rays.towardsViewer, gradient, c);
+    lighting_.shade(channels_[channel].material, p, rays.towardsViewer, gradient, c);
   }
 
   /// finish(colour and opacity) of a channel with transfer functions of its own.
   template <class Finish>
-  HWY_ATTR Alive ofChannel(const Rays& rays, const Positions& p, Alive alive, size_t channel, Colors& c,
-                           const Finish& finish) const {
+  HWY_INLINE HWY_ATTR Alive ofChannel(const Rays& rays, const Positions& p, Alive alive, size_t channel,
+                                      Colors& c, const Finish& finish) const {
     const VolumeD d;
     const Sample sample = sampleAt(p, alive, channel);
     c = lookOf(sample.scalar, channel);
@@ -175,7 +186,8 @@ class SampleColors {
     Colors colors[4];
     Floats total = hn::Zero(d);
     for (size_t i = 0; i < channels; ++i) {
-      const Alive seen = ofChannel(rays, p, alive, i, colors[i], limited);
+      const Alive seen = ofChannel(rays, p, alive, i, colors[i],
+                                   [](const Colors& found) HWY_ATTR { return limited(found); });
       colors[i].a = hn::IfThenElseZero(seen, colors[i].a);
       total = hn::MulAdd(colors[i].a, hn::Set(d, volume_.channels[i].weight), total);
     }
@@ -201,16 +213,22 @@ class SampleColors {
     if (volume_.use == scene::VolumeChannels::colors)
       c = {scalarAt(p, 0), scalarAt(p, 1), scalarAt(p, 2), opacity};
     else
-      c = lookUp(frame_.channels[0].color, scalarAt(p, 0)), c.a = opacity;
+      c = lookUp(*channels_[0].color, scalarAt(p, 0)), c.a = opacity;
     const size_t gradient = volume_.gradientChannel;
     if (hasGradients(0)) light(rays, p, {differencesAt(p, gradient), gradient}, 0, c);
     c = premultiplied(c);
     return seen;
   }
 
-  const VolumeFrame& frame_;
+  struct Channel {
+    const VolumeLookup *color, *opacity, *gradient;  // null: color has it, and none
+    float scale, bias;                               // from a stored number to the scalar
+    scene::VolumeMaterial material;
+  };
+
   const scene::Volume& volume_;
   const Samples* samples_;
+  Channel channels_[4] = {};
   const Lighting lighting_;
   bool stepsAreVoxels_ = false;  // gradients need samples about a voxel apart
   size_t opacity_ = 0;

@@ -54,6 +54,14 @@ class Lighting {
  public:
   explicit Lighting(const scene::VolumeShading& shading) : shading_(shading) {}
 
+  /// A material as shade() takes it: lit by a light at the viewer, times its colours.
+  scene::VolumeMaterial materialOf(const scene::VolumeMaterial& material) const {
+    scene::VolumeMaterial lit = material;
+    if (!shading_.isFromViewer()) return lit;
+    lit.diffuse *= shading_.lights.front().diffuse, lit.specular *= shading_.lights.front().specular;
+    return lit;
+  }
+
   /// Makes lit colours of unlit ones. `p`: samples in texture space; `gradient`: in data space, of any
   /// length.
   HWY_ATTR void shade(const scene::VolumeMaterial& material, const Positions& p,
@@ -78,11 +86,10 @@ class Lighting {
     const Floats diffuse = hn::Max(cosine, zero);
     Floats shine = power(highlight, material.shininess);
     if (!halfway) shine = hn::IfThenElseZero(hn::Gt(cosine, zero), shine);
-    const scene::VolumeLight& light = shading_.lights.front();
     const auto channel = [&](Floats color, int i) HWY_ATTR {
-      const Floats share = hn::MulAdd(diffuse, hn::Set(d, material.diffuse[i] * light.diffuse[i]),
-                                      hn::Set(d, material.ambient[i]));
-      return hn::MulAdd(color, share, hn::Mul(shine, hn::Set(d, material.specular[i] * light.specular[i])));
+      const Floats share =
+          hn::MulAdd(diffuse, hn::Set(d, material.diffuse[i]), hn::Set(d, material.ambient[i]));
+      return hn::MulAdd(color, share, hn::Mul(shine, hn::Set(d, material.specular[i])));
     };
     c.r = channel(c.r, 0), c.g = channel(c.g, 1), c.b = channel(c.b, 2);
   }

@@ -27,7 +27,7 @@ HWY_ATTR inline Colors noColors() {
 using FourFloats = float __attribute__((vector_size(16)));
 
 /// Entries of a transfer function at coordinates 0 .. 1.
-HWY_ATTR inline Colors lookUp(const VolumeLookup& table, Floats at) {
+HWY_INLINE HWY_ATTR Colors lookUp(const VolumeLookup& table, Floats at) {
   const VolumeD d;
   const VolumeI di;
   const Floats count = hn::Set(d, table.count), last = hn::Sub(count, hn::Set(d, 1.0f));

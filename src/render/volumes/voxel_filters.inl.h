@@ -57,7 +57,7 @@ struct LinearFilter {
   struct Place : VoxelPlace {
     Share share;
 
-    HWY_ATTR Place(Floats coordinate, int size) {
+    HWY_INLINE HWY_ATTR Place(Floats coordinate, int size) {
       const VolumeI di;
       const Floats last = hn::Set(D(), static_cast<float>(size - 1));
       const Floats u = hn::Min(hn::Max(positionOf(coordinate, size), hn::Zero(D())), last);
@@ -87,7 +87,7 @@ struct ByteFilter {
   struct Place : VoxelPlace {
     Share share;
 
-    HWY_ATTR Place(Floats coordinate, int size) {
+    HWY_INLINE HWY_ATTR Place(Floats coordinate, int size) {
       const Ints at = positionOf(coordinate, size), last = hn::Set(D(), std::max(size - 2, 0));
       voxel = hn::Min(hn::Max(hn::ShiftRight<8>(at), hn::Zero(D())), last);
       const Ints most = hn::Set(D(), 256);
@@ -121,7 +121,7 @@ struct NearestFilter {
   struct Place : VoxelPlace {
     Share share;
 
-    HWY_ATTR Place(Floats coordinate, int size) {
+    HWY_INLINE HWY_ATTR Place(Floats coordinate, int size) {
       const VolumeI di;
       const Floats u = hn::Floor(hn::Mul(coordinate, hn::Set(D(), static_cast<float>(size))));
       const Ints nearest = hn::Min(hn::Max(hn::ConvertTo(di, u), hn::Zero(di)), hn::Set(di, size - 1));
