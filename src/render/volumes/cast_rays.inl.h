@@ -67,6 +67,10 @@ class Caster {
       return colors.ofMore(rays, p, alive, c);
     }
   };
+  HWY_ATTR Colors compositeOf(const Colors& sum, Alive& shown) const {
+    if (!frame_.showsInvisible) shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(VolumeD())));
+    return finished(sum);
+  }
   /// colorsAt(rays, position, alive, colours): as SampleColors::ofOne().
   template <class ColorsAt>
   HWY_ATTR Colors composite(const Rays& rays, Alive& shown, const ColorsAt& colorsAt) const {
@@ -88,8 +92,7 @@ class Caster {
       }
       sample = hn::Add(sample, hn::Set(d, 1.0f));
     }
-    if (!frame_.showsInvisible) shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
-    return finished(sum);
+    return compositeOf(sum, shown);
   }
 
   /// Calls body(sample, position, counted) for every sample of rays that are still `alive`.
@@ -225,8 +228,7 @@ class Caster {
       if (!hn::AllFalse(d, seen))
         alive = addBehind(sum, colors_.colorOf(rays, p, hn::Load(d, crossed), 0), seen, alive);
     });
-    if (!frame_.showsInvisible) shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(d)));
-    return finished(sum);
+    return compositeOf(sum, shown);
   }
   size_t intervalOf(float scalar) const {
     const auto& contours = volume_.contours;

@@ -79,7 +79,9 @@ VolumeTracer::Known& VolumeTracer::knownOf(const scene::Volume& volume) {
 bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& image, const char*& why) {
   const scene::Volume& volume = cast.volume;
   const scene::Region& region = cast.view.region;
-  if (volume.grid->voxels() > size_t{1} << 31) return why = "it has more than 2^31 voxels", false;
+  constexpr size_t kMostVoxels = size_t{1} << 31;
+  if (volume.grid->voxels() > kMostVoxels || (volume.mask && volume.mask->voxels() > kMostVoxels))
+    return why = "it has more than 2^31 voxels", false;
   if (static_cast<size_t>(volume.grid->channels) < volume.channels.size())
     return why = "its voxels have fewer channels than it uses", false;
   if (lacksTables(volume)) return why = "it has no transfer function", false;
