@@ -41,6 +41,9 @@ TEST(VolumeReference, MixesChannelsAsAPlainLoop) {
         [&](Random& random, RandomCast& made) {
           setChannels(random, made, use);
           if (use == Use::independent) setBlend(random, made.cast.volume);
+          const VolumeBlend blend = made.cast.volume.blend;
+          if (blend == VolumeBlend::average || blend == VolumeBlend::additive)  // which have no colours
+            for (scene::VolumeChannel& channel : made.cast.volume.channels) channel.color = {};
           if (random.integer(0, 1) == 1) addLight(random, made.cast.volume);
           if (random.integer(0, 2) == 0)
             for (scene::VolumeChannel& channel : made.cast.volume.channels)

@@ -44,7 +44,7 @@ bool lacksTables(const scene::Volume& volume) {
   using Use = scene::VolumeChannels;
   for (size_t c = 0; c < volume.channels.size(); ++c) {
     const bool each = volume.use == Use::independent;
-    const bool colored = each || (c == 0 && volume.use != Use::colors && !grey);
+    const bool colored = !grey && (each || (c == 0 && volume.use != Use::colors));
     if (colored && volume.channels[c].color.values.empty()) return true;
     if ((each || c == scene::opacityChannelOf(volume.use)) && volume.channels[c].opacity.values.empty())
       return true;

@@ -130,15 +130,15 @@ def volume_sliced(stage):
     stage.shoot()
 
 
-def of_components(stage, count, shade=False):
+def of_components(stage, count, **how):
     values = np.stack([np.clip((field() + k) * 80, 0, 255) for k in (1, 0.5, 0, 0.8)[:count]], 3)
     image = image_of(stage.vtk, values[..., 0])
     image.GetPointData().SetScalars(shapes.array(values.reshape(-1, count), "values", np.uint8))
-    return show(stage, image, shade=shade)
+    return show(stage, image, **how)
 
 
-def independent(stage, count, shade=False):
-    volume = of_components(stage, count, shade)
+def independent(stage, count, shade=False, blend="Composite"):
+    volume = of_components(stage, count, shade=shade, blend=blend)
     look = volume.GetProperty()
     for i in range(count):
         color, opacity = stage.vtk.vtkColorTransferFunction(), stage.vtk.vtkPiecewiseFunction()
@@ -189,6 +189,22 @@ def volume_of_two_independent_components(stage):
 @volumes
 def volume_of_four_independent_components(stage):
     turned(stage, independent(stage, 4, shade=True))
+
+
+@volumes
+def volume_of_components_maximum(stage):
+    turned(stage, independent(stage, 2, shade=True, blend="MaximumIntensity"))
+
+
+@volumes
+def volume_of_components_average(stage):
+    turned(stage, independent(stage, 3, blend="AverageIntensity")).GetMapper().SetAverageIPScalarRange(40, 200)
+    stage.shoot()
+
+
+@volumes
+def volume_of_components_additive(stage):
+    turned(stage, independent(stage, 4, blend="Additive"))
 
 
 @volumes
