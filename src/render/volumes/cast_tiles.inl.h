@@ -26,7 +26,7 @@ struct RayBlock {
   float depths[kRays], coverages[kRays];
   bool any = false;
 
-  RayBlock(const VolumeRays& rays, int x, int y, const Tile& tile) {
+  RayBlock(const TileRays& rays, int x, int y, const Tile& tile) {
     for (size_t i = 0; i < kRays; ++i) {
       const int column = x + columnOf(i), row = y + rowOf(i);
       const VolumeRay ray = column < tile.x1 && row < tile.y1 ? rays.at(column, row) : VolumeRay{};
@@ -65,9 +65,10 @@ HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile) {
   const Caster<Samples> caster(frame, samples.data());
   Image& image = *frame.image;
   clearTile(tile, image);
+  const TileRays rays(*frame.rays, tile);
   for (int y = tile.y0; y < tile.y1; y += kBlockHeight)
     for (int x = tile.x0; x < tile.x1; x += kBlockWidth) {
-      const RayBlock block(*frame.rays, x, y, tile);
+      const RayBlock block(rays, x, y, tile);
       if (!block.any) continue;
       Alive shown;
       const Colors c = caster.cast(block.rays(), shown);

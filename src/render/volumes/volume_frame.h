@@ -1,5 +1,6 @@
 // All that the kernels need to cast the rays of a volume. Any thread.
 #pragma once
+#include "accel/volumes/macro_cells.h"
 #include "base/image.h"
 #include "render/volumes/volume_rays.h"
 #include "scene/volumes/volume.h"
@@ -28,8 +29,9 @@ struct ChannelLookups {
 struct VolumeFrame {
   const scene::Volume* volume = nullptr;
   const VolumeRays* rays = nullptr;
-  std::vector<ChannelLookups> channels;         // as Volume::channels
-  const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
+  std::vector<ChannelLookups> channels;           // as Volume::channels
+  const std::vector<uint8_t>* empty = nullptr;    // emptySpace(); null: rays do not leap
+  const accel::MacroCells* macroCells = nullptr;  // of channel 0
   glm::ivec3 cells{0};
   Image* image = nullptr;
   bool showsInvisible = false;  // pixels of rays that meet nothing are hits, too

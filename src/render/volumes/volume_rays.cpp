@@ -45,8 +45,29 @@ VolumeRays::VolumeRays(const scene::VolumeView& view)
     const glm::dmat3 barycentric = glm::transpose(glm::inverse(corners)),
                      rounded = glm::transpose(glm::inverse(onGrid(corners)));
     for (int c = 0; c < 3; ++c) face.edges[c] = barycentric[c], face.borders[c] = rounded[c];
+    everyFace_.push_back(static_cast<uint32_t>(faces_.size()));
     faces_.push_back(face);
   }
+}
+
+TileRays::TileRays(const VolumeRays& rays, const Tile& tile) : rays_(rays) {
+  const scene::Region& region = rays.view_.region;
+  const glm::dvec2 corner(region.x, region.y);
+  const glm::dvec2 lower = corner + glm::dvec2(tile.x0, tile.y0),
+                   upper = corner + glm::dvec2(tile.x1, tile.y1);
+  for (const uint32_t number : rays.everyFace_)
+    if (!rays.faces_[number].misses(lower, upper)) faces_.push_back(number);
+}
+
+/// One of its borders, which are linear, has the whole rectangle on its outer side.
+bool VolumeRays::Face::misses(const glm::dvec2& lower, const glm::dvec2& upper) const {
+  constexpr double kMargin = 1;  // pixels
+  for (const glm::dvec3& border : borders) {
+    const glm::dvec2 farthest(border.x > 0 ? upper.x + kMargin : lower.x - kMargin,
+                              border.y > 0 ? upper.y + kMargin : lower.y - kMargin);
+    if (glm::dot(border, glm::dvec3(farthest, 1)) < 0) return true;
+  }
+  return false;
 }
 
 bool VolumeRays::Face::covers(const glm::dvec2& at) const {
@@ -63,18 +84,18 @@ bool VolumeRays::Face::coversPixel(const glm::dvec2& centre) const {
   return true;
 }
 
-VolumeRays::Entry VolumeRays::entryOf(int x, int y) const {
+VolumeRays::Entry VolumeRays::entryOf(int x, int y, const Faces& faces) const {
   const glm::dvec2 corner(view_.region.x + x, view_.region.y + y), centre = corner + kPixelCentre;
   Entry entry;
-  for (const Face& face : faces_)
-    if (!entry.face && face.covers(centre)) entry.face = &face;
+  for (const uint32_t number : faces)
+    if (!entry.face && faces_[number].covers(centre)) entry.face = &faces_[number];
   if (view_.samplePositions.empty() || (entry.face && entry.face->coversPixel(centre))) return entry;
   size_t covered = 0;
   for (const glm::vec2& sample : view_.samplePositions)
-    for (const Face& face : faces_) {
-      if (!face.covers(corner + glm::dvec2(sample))) continue;
+    for (const uint32_t number : faces) {
+      if (!faces_[number].covers(corner + glm::dvec2(sample))) continue;
       ++covered;
-      if (!entry.face) entry.face = &face;
+      if (!entry.face) entry.face = &faces_[number];
       break;
     }
   entry.covered = static_cast<double>(covered) / static_cast<double>(view_.samplePositions.size());
@@ -140,9 +161,9 @@ void VolumeRays::castToSlice(const Line& line, float endDepth, VolumeRay& ray) c
   ray.samples = inside ? 1 : 0;
 }
 
-VolumeRay VolumeRays::at(int x, int y) const {
+VolumeRay VolumeRays::at(int x, int y, const Faces& faces) const {
   VolumeRay ray;
-  const Entry found = entryOf(x, y);
+  const Entry found = entryOf(x, y, faces);
   if (!found.face || found.covered == 0) return ray;
   const glm::dvec2 pixel(view_.region.x + x + kPixelCentre, view_.region.y + y + kPixelCentre);
   const glm::dvec3 at(pixel, 1);

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <vector>
 
 namespace gluray::render {
@@ -23,9 +24,11 @@ class VolumeRays {
  public:
   explicit VolumeRays(const scene::VolumeView& view);
   /// The ray of pixel (x, y) of the region.
-  VolumeRay at(int x, int y) const;
+  VolumeRay at(int x, int y) const { return at(x, y, everyFace_); }
 
  private:
+  friend class TileRays;
+  using Faces = std::vector<uint32_t>;  // numbers of faces, in ascending order
   /// A triangle in the window: barycentric coordinates over w are linear in x and y.
   struct Face {
     glm::dvec3 edges[3];    // coefficients of x, y, 1
@@ -35,12 +38,15 @@ class VolumeRays {
     bool covers(const glm::dvec2& at) const;
     /// Whether it covers all of the pixel around a point.
     bool coversPixel(const glm::dvec2& centre) const;
+    /// Whether it covers no point of a rectangle.
+    bool misses(const glm::dvec2& lower, const glm::dvec2& upper) const;
   };
   struct Entry {
     const Face* face = nullptr;  // null: there is none
     double covered = 1;          // share of the pixel's samples
   };
-  Entry entryOf(int x, int y) const;
+  VolumeRay at(int x, int y, const Faces& faces) const;
+  Entry entryOf(int x, int y, const Faces& faces) const;
   double startOf(int x, int y) const;
   /// A ray of data space; its ends are points of texture space.
   struct Line {
@@ -57,6 +63,18 @@ class VolumeRays {
   glm::dmat4 textureFromClip_{1};
   glm::dmat3 textureDirection_;
   std::vector<Face> faces_;
+  Faces everyFace_;
+};
+
+/// The rays of a tile's pixels: those of VolumeRays, found faster.
+class TileRays {
+ public:
+  TileRays(const VolumeRays& rays, const Tile& tile);
+  VolumeRay at(int x, int y) const { return rays_.at(x, y, faces_); }
+
+ private:
+  const VolumeRays& rays_;
+  VolumeRays::Faces faces_;  // that the tile may show
 };
 
 }  // namespace gluray::render

@@ -229,5 +229,32 @@ TEST(VolumeRays, HaveOneSampleOnASlice) {
   }
 }
 
+TEST(VolumeRays, OfTilesAreTheSame) {
+  test::Random random(9);
+  for (int i = 0; i < 40; ++i) {
+    const test::VolumeBox box = randomBox(random);
+    test::VolumeCamera camera = randomCamera(random);
+    camera.pixels = {90, 70};
+    const bool inside = i % 4 == 0;
+    if (inside) camera.eye = random.point(-0.1, 0.1), camera.near = 0.02, camera.parallel = false;
+    scene::VolumeView view = viewOf(camera, box, 0.1, inside);
+    if (i % 3 == 0) view.samplePositions = {{0.125f, 0.375f}, {0.625f, 0.875f}};
+    const VolumeRays rays(view);
+    for (int y0 = 0; y0 < camera.pixels.y; y0 += kTileSize)
+      for (int x0 = 0; x0 < camera.pixels.x; x0 += kTileSize) {
+        const Tile tile{x0, y0, std::min(x0 + kTileSize, camera.pixels.x),
+                        std::min(y0 + kTileSize, camera.pixels.y)};
+        const TileRays ofTile(rays, tile);
+        for (int y = tile.y0; y < tile.y1; ++y)
+          for (int x = tile.x0; x < tile.x1; ++x) {
+            const VolumeRay a = rays.at(x, y), b = ofTile.at(x, y);
+            ASSERT_TRUE(a.first == b.first && a.step == b.step && a.samples == b.samples &&
+                        a.depth == b.depth && a.coverage == b.coverage)
+                << "view " << i << ", pixel " << x << " " << y;
+          }
+      }
+  }
+}
+
 }  // namespace
 }  // namespace gluray::render

@@ -53,7 +53,9 @@ bool lacksTables(const scene::Volume& volume) {
 }
 
 /// Whether samples that the opacity table makes invisible change nothing.
-bool mayLeap(const scene::Volume& volume) { return volume.blend == scene::VolumeBlend::composite; }
+bool mayLeap(const scene::Volume& volume) {
+  return volume.blend == scene::VolumeBlend::composite || volume.blend == scene::VolumeBlend::additive;
+}
 
 }  // namespace
 
@@ -98,6 +100,7 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     const VolumeRays rays(cast.view);
     VolumeFrame frame;
     frame.volume = &volume, frame.rays = &rays, frame.image = &image;
+    frame.macroCells = &known.cells.front();
     frame.cells = known.cells.front().size(), frame.empty = leaps ? &known.empty : nullptr;
     for (const scene::VolumeChannel& channel : volume.channels)
       frame.channels.push_back(lookupsOf(channel, volume.grid->type));

@@ -189,7 +189,7 @@ def volume_and_surface(stage):
     stage.orbit()
 
 
-@state("pvbatch")
+@state("pvbatch", outside=False, close=True)
 def volume_cropped(stage):
     display = stage.show(wavelet(stage), Representation="Volume", color_by=("POINTS", "RTData"))
     display.Shade = 1
