@@ -19,7 +19,8 @@ inline constexpr std::pair<const char*, scene::VolumeChannels> kVolumeChannels[]
     {"one", scene::VolumeChannels::one},
     {"independent", scene::VolumeChannels::independent},
     {"color_and_opacity", scene::VolumeChannels::colorAndOpacity},
-    {"colors", scene::VolumeChannels::colors}};
+    {"colors", scene::VolumeChannels::colors},
+    {"table", scene::VolumeChannels::table}};
 
 inline constexpr std::pair<const char*, scene::VolumeShading::Model> kVolumeLightings[] = {
     {"none", scene::VolumeShading::Model::none},
@@ -56,10 +57,11 @@ struct FamilyVolume {
   std::string channelsSlot;
   FamilyValue gradientChannel, weights;         // scene::Volume; a component for each channel
   std::string opacity, color, gradientOpacity;  // samplers of tables, or arrays: one for each channel
-  std::string depth;                            // sampler: window depths of what ends rays
-  FamilyValue depthTexel;                       // width and height of a pixel in its coordinates
-  FamilyValue depthOrigin;                      // window coordinates of its lower left corner
-  std::vector<std::string> textureFromData;     // matrices, multiplied from left to right
+  std::string table;        // sampler: of VolumeChannels::table, in place of `opacity` and `color`
+  std::string depth;        // sampler: window depths of what ends rays
+  FamilyValue depthTexel;   // width and height of a pixel in its coordinates
+  FamilyValue depthOrigin;  // window coordinates of its lower left corner
+  std::vector<std::string> textureFromData;  // matrices, multiplied from left to right
   // scene::VolumeView, in data space or, with the matrices dataFromWorld from left to right, in world space.
   // Those that are active count. Without a direction, rays come from the viewer.
   std::string viewer, viewerInWorld, directionInWorld;

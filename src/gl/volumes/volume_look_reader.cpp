@@ -13,7 +13,8 @@ using scene::VolumeChannels;
 
 size_t channelsOf(VolumeChannels use, int stored) {
   switch (use) {
-    case VolumeChannels::one: return 1;
+    case VolumeChannels::one:
+    case VolumeChannels::table: return 1;
     case VolumeChannels::colorAndOpacity: return 2;
     case VolumeChannels::colors: return 4;
     default: return static_cast<size_t>(stored);
@@ -70,22 +71,50 @@ bool VolumeLookReader::readMask(scene::Volume& volume) {
   return true;
 }
 
-bool VolumeLookReader::readTable(const std::string& sampler, int channels, scene::VolumeTable& table) {
+bool VolumeLookReader::readTableTexture(const std::string& sampler, scene::Texture& texture) {
   const GLint unit = uniforms_.unit(sampler);
   if (unit < 0) return refuse("sampler \"" + sampler + "\" is not active");
-  scene::Texture texture;
   if (shadow_.textures.bound(shadow_.real, shadow_.rare(), unit, GL_SAMPLER_2D, texture) != Reason::traced ||
       !texture.image)
     return refuse("the texture of \"" + sampler + "\" is not traced");
+  const bool plain = texture.wrapS == scene::Wrap::clampToEdge && texture.magFilter == texture.minFilter &&
+                     texture.mipFilter == scene::MipFilter::none;
+  return (plain && !texture.image->floats.empty()) ||
+         refuse("the table of \"" + sampler + "\" has no floats, clamped to its edge");
+}
+
+bool VolumeLookReader::readTable(const std::string& sampler, int channels, scene::VolumeTable& table) {
+  scene::Texture texture;
+  if (!readTableTexture(sampler, texture)) return false;
   const scene::TextureImage& image = *texture.image;
-  const bool plain = image.height == 1 && texture.wrapS == scene::Wrap::clampToEdge &&
-                     texture.magFilter == texture.minFilter && texture.mipFilter == scene::MipFilter::none;
-  if (!plain || image.floats.empty())
-    return refuse("the table of \"" + sampler + "\" is no row of floats, clamped to its edge");
+  if (image.height != 1) return refuse("the table of \"" + sampler + "\" has several rows");
   table.channels = channels, table.linear = texture.magFilter == scene::Filter::linear;
   table.values.clear();
   for (const glm::vec4& texel : image.floats)
     for (int c = 0; c < channels; ++c) table.values.push_back(texel[c]);
+  return true;
+}
+
+bool VolumeLookReader::readTable2D(scene::Volume& volume) {
+  if (volume.blend != scene::VolumeBlend::composite)
+    return refuse("its table of scalars and gradients is blended in another way than composited");
+  scene::Texture texture;
+  if (!readTableTexture(family_.table, texture)) return false;
+  if (texture.wrapT != scene::Wrap::clampToEdge)
+    return refuse("the table of \"" + family_.table + "\" is not clamped to its edge");
+  auto table = std::make_shared<scene::VolumeTable2D>();
+  table->size = {texture.image->width, texture.image->height};
+  table->linear = texture.magFilter == scene::Filter::linear;
+  table->values = texture.image->floats;
+  // Only samples with an opacity above 0 count, but for the one of a slice.
+  const bool positive = uniforms_.has(family_.slicePoint);
+  const auto isKnown = [&](const glm::vec4& v) {
+    return std::isfinite(v.r + v.g + v.b + v.a) && (v.a >= 0 || !positive);
+  };
+  if (!std::all_of(table->values.begin(), table->values.end(), isKnown))
+    return refuse("the table of \"" + family_.table +
+                  "\" has opacities below 0, or values that are no numbers");
+  volume.table = std::move(table);
   return true;
 }
 
@@ -102,6 +131,7 @@ bool VolumeLookReader::readChannelTables(scene::Volume& volume, size_t channel, 
 
 /// Of independent channels, each has tables; otherwise the only ones stand in element 0.
 bool VolumeLookReader::readTables(scene::Volume& volume) {
+  if (volume.use == VolumeChannels::table) return readTable2D(volume);
   const bool each = volume.use == VolumeChannels::independent;
   for (size_t c = 0; c < (each ? volume.channels.size() : 1); ++c) {
     const std::string index = each ? "[" + std::to_string(c) + "]" : "";
@@ -226,7 +256,8 @@ bool VolumeLookReader::read(scene::Volume& volume) {
   volume.use = valueOfWord(words_, family_.channelsSlot, kVolumeChannels, family_.channels);
   using scene::VolumeBlend;
   const bool mixed = volume.use == VolumeChannels::independent && volume.blend != VolumeBlend::isosurface;
-  if (volume.use != VolumeChannels::one && volume.blend != VolumeBlend::composite && !mixed)
+  const bool single = volume.use == VolumeChannels::one || volume.use == VolumeChannels::table;
+  if (!single && volume.blend != VolumeBlend::composite && !mixed)
     return refuse("several components of its voxels are blended in another way than composited");
   if (!readGrid(volume) || !readMask(volume)) return false;
   readNumbers(volume);

@@ -25,7 +25,10 @@ class VolumeLookReader {
   bool readGrid(scene::Volume& volume);
   bool readMask(scene::Volume& volume);
   std::shared_ptr<const scene::VoxelGrid> readVoxels(const std::string& sampler, scene::Texture& sampling);
+  /// The texture of a table: floats, without levels of detail, clamped to its edge along x.
+  bool readTableTexture(const std::string& sampler, scene::Texture& texture);
   bool readTable(const std::string& sampler, int channels, scene::VolumeTable& table);
+  bool readTable2D(scene::Volume& volume);
   bool readTables(scene::Volume& volume);
   bool readChannelTables(scene::Volume& volume, size_t channel, const std::string& index);
   bool readLight(scene::Volume& volume);

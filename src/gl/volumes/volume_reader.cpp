@@ -85,8 +85,11 @@ bool VolumeReader::readJitter(scene::VolumeView& view) {
 }
 
 bool VolumeReader::readView(scene::VolumeView& view) {
-  const auto clip = uniforms_.product(program_.known->family->clipFromObject),
-             texture = uniforms_.product(family_.textureFromData);
+  const auto clip = uniforms_.product(program_.known->family->clipFromObject);
+  auto texture = uniforms_.product(family_.textureFromData);
+  // Programs with one sample on a plane take no steps.
+  const bool sliced = uniforms_.has(family_.slicePoint);
+  if (sliced && !texture) texture = uniforms_.product(family_.textureFromCrop);
   if (!clip || !texture) return refuse("a matrix is not active");
   clipFromData_ = hasDepthsFromZero(shadow_.real, shadow_.rare()) ? toUsualDepths(*clip) : *clip;
   view.textureFromData = *texture;
@@ -96,7 +99,7 @@ bool VolumeReader::readView(scene::VolumeView& view) {
   if (texture3[3] != glm::dvec4(0, 0, 0, 1))
     return refuse("the matrix to texture coordinates is a projection");
   if (!readViewer(view)) return false;
-  view.step = value(family_.step, glm::vec4(0)).x;
+  view.step = value(family_.step, glm::vec4(sliced ? 1.0f : 0.0f)).x;
   view.lower = value(family_.lower, glm::vec4(0)), view.upper = value(family_.upper, glm::vec4(1));
   if (!(view.step > 0) || !std::isfinite(view.step)) return refuse("its step is not above 0");
   return true;

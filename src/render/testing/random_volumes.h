@@ -73,6 +73,26 @@ inline void addLight(Random& random, scene::Volume& volume) {
   addMaterials(random, volume);
 }
 
+inline void addLights(Random& random, scene::Volume& volume) {
+  scene::VolumeShading& shading = volume.shading;
+  using Model = scene::VolumeShading::Model;
+  shading.model = random.integer(0, 2) == 0 ? Model::lightsHalfway : Model::lightsReflected;
+  shading.twoSided = random.integer(0, 1) == 1;
+  shading.eyeFromTexture = glm::translate(glm::mat4(1), glm::vec3(random.point(-1, 1)) - glm::vec3(0, 0, 4));
+  shading.eyeFromTexture = glm::rotate(shading.eyeFromTexture, 0.7f, glm::vec3(1, 2, 3));
+  shading.eyeFromGradient = glm::mat3(shading.eyeFromTexture);
+  for (int i = random.integer(1, 4); i > 0; --i) {
+    scene::VolumeLight& light = shading.lights.emplace_back();
+    light.ambient = random.point(0, 0.3), light.diffuse = random.point(), light.specular = random.point();
+    light.direction = glm::normalize(random.point(-1, 1));
+    light.positional = random.integer(0, 1) == 1;
+    light.position = random.point(-3, 3), light.attenuation = random.point(0.1, 1);
+    light.coneAngle = random.integer(0, 1) == 1 ? 180.0f : static_cast<float>(random.real(20, 90));
+    light.exponent = static_cast<float>(random.real(0, 4));
+  }
+  addMaterials(random, volume);
+}
+
 struct RandomCast {
   VolumeBox box;
   scene::VolumeCast cast;

@@ -115,6 +115,7 @@ inline ReferenceRay referenceRay(const scene::VolumeView& view, const VolumeBox&
   if (!view.depth.empty()) {
     end = double{view.depth[static_cast<size_t>(y * view.region.width + x)]};
     ray.hits = ray.depth < end;
+    ray.unsure |= std::abs(ray.depth - end) < 1e-7;
     if (!ray.hits) return ray;
   }
   const glm::dvec3 away = view.direction != glm::dvec3(0) ? view.direction : ray.entry - view.viewer;

@@ -43,6 +43,22 @@ class ReferenceColors {
     const int low = static_cast<int>(v);
     return glm::mix(entryOf(table, low), entryOf(table, low + 1), v - low);
   }
+  glm::dvec4 lookUp(const scene::VolumeTable2D& table, const glm::dvec2& at) {
+    const glm::dvec2 u = at * glm::dvec2(table.size);
+    const auto entry = [&](const glm::ivec2& e) {
+      const glm::ivec2 inside = glm::clamp(e, glm::ivec2(0), table.size - 1);
+      return glm::dvec4(table.values[static_cast<size_t>(inside.y * table.size.x + inside.x)]);
+    };
+    if (!table.linear) {
+      const glm::dvec2 place = glm::clamp(u, -1.0, 1e6);
+      return entry({whole(place.x), whole(place.y)});
+    }
+    const glm::dvec2 v = glm::clamp(u - 0.5, glm::dvec2(0), glm::dvec2(table.size) - 1.0);
+    const glm::ivec2 low(v);
+    const glm::dvec2 share = v - glm::dvec2(low);
+    const auto row = [&](int y) { return glm::mix(entry({low.x, y}), entry({low.x + 1, y}), share.x); };
+    return glm::mix(row(low.y), row(low.y + 1), share.y);
+  }
   double opacityOf(double scalar, size_t channel = 0) {
     return lookUp(volume_.channels[channel].opacity, scalar).x;
   }
@@ -67,6 +83,7 @@ class ReferenceColors {
     switch (volume_.use) {
       case Use::one: return premultiplied(litColor(scalarAt(p), p));
       case Use::independent: return mixedColor(p);
+      case Use::table: return tableColor(p);
       case Use::colorAndOpacity: {
         const double opacity = opacityOf(scalarAt(p, 1), 1);
         if (!(opacity > 0)) return glm::dvec4(0);
@@ -129,11 +146,7 @@ class ReferenceColors {
     if (!look.gradientOpacity && !volume_.shading.enabled()) return glm::clamp(color, 0.0, 1.0);
     glm::dvec3 gradient = differencesAt(p, of);
     if (look.gradientOpacity) {
-      const glm::vec2& ends = volume_.channels[of].range;
-      const double range = double{ends.y - ends.x};
-      const glm::dvec3 aspect = spacing * 2.0 / ((spacing.x + spacing.y + spacing.z) / 3);
-      gradient *= range / aspect;
-      const double strength = glm::length(gradient) / (0.25 * (range != 0 ? range : 1));
+      const auto [strength, rounding] = strengthOf(gradient, of);
       const auto weightAt = [&](double s) {
         if (volume_.use != scene::VolumeChannels::independent)
           return lookUp(*look.gradientOpacity, std::clamp(s, 0.0, 1.0)).x;
@@ -142,19 +155,47 @@ class ReferenceColors {
           all *= lookUp(*c.gradientOpacity, std::clamp(s, 0.0, 1.0)).x * double{c.weight};
         return all;
       };
-      // What the rounding of scalars to floats makes of the strength.
-      const double rounding = 4e-7 / std::min({aspect.x, aspect.y, aspect.z}) / 0.25;
       unsure_ |= std::abs(weightAt(strength + rounding) - weightAt(strength - rounding)) > 2e-5;
       color.a *= weightAt(strength);
     } else {
       gradient /= spacing;
     }
-    const glm::dvec3 unlit(color);
-    if (volume_.shading.isFromViewer())
-      color = {fromViewer(unlit, look.material, gradient), color.a};
-    else if (volume_.shading.enabled())
-      color = {byLights(unlit, look.material, p, gradient), color.a};
-    return glm::clamp(color, 0.0, 1.0);
+    return glm::clamp(glm::dvec4(litBy(glm::dvec3(color), look.material, p, gradient), color.a), 0.0, 1.0);
+  }
+
+  glm::dvec3 litBy(const glm::dvec3& unlit, const scene::VolumeMaterial& material, const glm::dvec3& p,
+                   const glm::dvec3& gradient) {
+    if (volume_.shading.isFromViewer()) return fromViewer(unlit, material, gradient);
+    return volume_.shading.enabled() ? byLights(unlit, material, p, gradient) : unlit;
+  }
+
+  struct Strength {
+    double value;     // of a gradient
+    double rounding;  // what the rounding of scalars to floats makes of it
+  };
+  /// Makes a gradient of differences.
+  Strength strengthOf(glm::dvec3& gradient, size_t of) const {
+    const glm::vec2& ends = volume_.channels[of].range;
+    const double range = double{ends.y - ends.x};
+    const glm::dvec3 spacing(volume_.cellSpacing);
+    const glm::dvec3 aspect = spacing * 2.0 / ((spacing.x + spacing.y + spacing.z) / 3);
+    gradient *= range / aspect;
+    return {glm::length(gradient) / (0.25 * (range != 0 ? range : 1)),
+            4e-7 / std::min({aspect.x, aspect.y, aspect.z}) / 0.25};
+  }
+
+  /// Not limited to 0 .. 1.
+  glm::dvec4 tableColor(const glm::dvec3& p) {
+    glm::dvec3 gradient = differencesAt(p, 0);
+    const Strength strength = strengthOf(gradient, 0);
+    const double scalar = scalarAt(p);
+    const auto at = [&](double s) { return lookUp(*volume_.table, {scalar, std::clamp(s, 0.0, 1.0)}); };
+    const glm::dvec4 color = at(strength.value);
+    const glm::dvec4 change = at(strength.value + strength.rounding) - at(strength.value - strength.rounding);
+    for (int c = 0; c < 4; ++c) unsure_ |= std::abs(change[c]) > 2e-5;
+    if (!(color.a > 0)) return glm::dvec4(0);
+    const scene::VolumeMaterial& material = volume_.channels[0].material;
+    return premultiplied({litBy(glm::dvec3(color), material, p, gradient), color.a});
   }
 
   glm::dvec3 directionOf(const glm::dvec3& gradient) {

@@ -20,7 +20,7 @@ class SampleColors {
  public:
   /// `samples`: of each channel.
   HWY_ATTR SampleColors(const VolumeFrame& frame, const Samples* samples)
-      : volume_(*frame.volume), samples_(samples), lighting_(volume_.shading) {
+      : volume_(*frame.volume), table_(frame.table), samples_(samples), lighting_(volume_.shading) {
     const scene::VoxelGrid& grid = *volume_.grid;
     const glm::vec3 beyond = volume_.cellStep * glm::vec3(grid.size) - 1.0f;
     stepsAreVoxels_ = std::min({grid.size.x, grid.size.y, grid.size.z}) >= 4 &&
@@ -53,8 +53,11 @@ class SampleColors {
   }
   /// Likewise, of other volumes.
   HWY_ATTR Alive ofMore(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
-    return volume_.use == scene::VolumeChannels::independent ? mixed(rays, p, alive, c)
-                                                             : ofSeveral(rays, p, alive, c);
+    switch (volume_.use) {
+      case scene::VolumeChannels::independent: return mixed(rays, p, alive, c);
+      case scene::VolumeChannels::table: return ofTable(rays, p, alive, c);
+      default: return ofSeveral(rays, p, alive, c);
+    }
   }
 
   /// The colour that a scalar of a channel has at `p`, premultiplied.
@@ -91,14 +94,14 @@ class SampleColors {
     Positions differences;
     Alive known;
   };
-  HWY_INLINE HWY_ATTR Sample sampleAt(const Positions& p, Alive alive, size_t channel) const {
+  /// `gradients`: whether differences are asked for.
+  HWY_INLINE HWY_ATTR Sample sampleAt(const Positions& p, Alive alive, size_t channel, bool gradients) const {
     const VolumeD d;
     const Floats none = hn::Zero(d);
     typename Samples::Around around{none, {none, none, none}};
     Alive known = hn::Lt(none, none);
     if constexpr (Samples::kHasWindows)
-      if (stepsAreVoxels_ && hasGradients(channel))
-        known = samples_[channel].around(p, volume_.cellStep, around);
+      if (stepsAreVoxels_ && gradients) known = samples_[channel].around(p, volume_.cellStep, around);
     Floats scalar = scalarOf(around.here, channel);
     if (!hn::AllFalse(d, hn::AndNot(known, alive)))
       scalar = hn::IfThenElse(known, scalar, scalarAt(p, channel));
@@ -146,22 +149,25 @@ class SampleColors {
     Positions scalars;  // across two cell steps
     size_t channel;     // whose scalars they are
   };
+  /// The length of a gradient, 0 .. 1, and the gradient in data space.
+  HWY_ATTR Floats strengthOf(const Differences& differences, Positions& gradient) const {
+    const VolumeD d;
+    const glm::vec2& ends = volume_.channels[differences.channel].range;
+    const float range = ends.y - ends.x;
+    const float average = (volume_.cellSpacing.x + volume_.cellSpacing.y + volume_.cellSpacing.z) / 3;
+    gradient = scaled(differences.scalars, glm::vec3(range) / (volume_.cellSpacing * 2.0f / average));
+    const Floats length = hn::Sqrt(dot(gradient, gradient));
+    return clamped(hn::Div(length, hn::Set(d, 0.25f * (range != 0 ? range : 1))));
+  }
+
   /// Lights colours with the look of a channel, and applies its gradient opacity.
   HWY_ATTR void light(const Rays& rays, const Positions& p, const Differences& differences, size_t channel,
                       Colors& c) const {
-    const VolumeD d;
-    Positions gradient = differences.scalars;
-    if (weighs(channel)) {
-      const glm::vec2& ends = volume_.channels[differences.channel].range;
-      const float range = ends.y - ends.x;
-      const float average = (volume_.cellSpacing.x + volume_.cellSpacing.y + volume_.cellSpacing.z) / 3;
-      gradient = scaled(gradient, glm::vec3(range) / (volume_.cellSpacing * 2.0f / average));
-      const Floats length = hn::Sqrt(dot(gradient, gradient));
-      const Floats strength = clamped(hn::Div(length, hn::Set(d, 0.25f * (range != 0 ? range : 1))));
-      c.a = hn::Mul(c.a, weightOf(strength, channel));
-    } else {
-      gradient = scaled(gradient, 1.0f / volume_.cellSpacing);
-    }
+    Positions gradient;
+    if (weighs(channel))
+      c.a = hn::Mul(c.a, weightOf(strengthOf(differences, gradient), channel));
+    else
+      gradient = scaled(differences.scalars, 1.0f / volume_.cellSpacing);
     lighting_.shade(channels_[channel].material, p, rays.towardsViewer, gradient, c);
   }
 
@@ -170,12 +176,26 @@ class SampleColors {
   HWY_INLINE HWY_ATTR Alive ofChannel(const Rays& rays, const Positions& p, Alive alive, size_t channel,
                                       Colors& c, const Finish& finish) const {
     const VolumeD d;
-    const Sample sample = sampleAt(p, alive, channel);
+    const Sample sample = sampleAt(p, alive, channel, hasGradients(channel));
     c = lookOf(sample.scalar, channel);
     const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
     if (hn::AllFalse(d, seen)) return seen;
     if (hasGradients(channel)) light(rays, p, {differencesAt(p, seen, sample, channel), channel}, channel, c);
     c = finish(c);
+    return seen;
+  }
+
+  /// Colours and opacities by scalar and gradient. They are not limited to 0 .. 1.
+  HWY_ATTR Alive ofTable(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+    const VolumeD d;
+    const Sample sample = sampleAt(p, alive, 0, true);
+    Positions gradient;
+    const Floats strength = strengthOf({differencesAt(p, alive, sample, 0), 0}, gradient);
+    c = lookUp(table_, sample.scalar, strength);
+    const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
+    if (hn::AllFalse(d, seen)) return seen;
+    lighting_.shade(channels_[0].material, p, rays.towardsViewer, gradient, c);
+    c = {hn::Mul(c.r, c.a), hn::Mul(c.g, c.a), hn::Mul(c.b, c.a), c.a};
     return seen;
   }
 
@@ -227,6 +247,7 @@ class SampleColors {
   };
 
   const scene::Volume& volume_;
+  const VolumeLookup2D& table_;
   const Samples* samples_;
   Channel channels_[4] = {};
   const Lighting lighting_;

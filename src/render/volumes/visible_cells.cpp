@@ -68,10 +68,20 @@ bool NonzeroRanges::any(float least, float most) const {
 
 namespace {
 
+/// The largest opacity of each column: of a scalar with any gradient.
+scene::VolumeTable opacitiesOf(const scene::VolumeTable2D& table) {
+  scene::VolumeTable most;
+  most.values.assign(static_cast<size_t>(table.size.x), 0.0f);
+  for (size_t i = 0; i < table.values.size(); ++i) {
+    float& opacity = most.values[i % most.values.size()];
+    opacity = std::max(opacity, table.values[i].a);
+  }
+  return most;
+}
+
 /// Marks cells in which samples of a channel can be seen by 0.
 void markVisible(const accel::MacroCells& cells, const scene::VolumeChannel& channel,
-                 std::vector<uint8_t>& distances) {
-  const NonzeroRanges opaque(channel.opacity);
+                 const NonzeroRanges& opaque, std::vector<uint8_t>& distances) {
   for (size_t i = 0; i < distances.size(); ++i) {
     const accel::MacroCells::Range& range = cells.ranges()[i];
     const float a = range.least * channel.scale + channel.bias, b = range.most * channel.scale + channel.bias;
@@ -84,9 +94,13 @@ void markVisible(const accel::MacroCells& cells, const scene::VolumeChannel& cha
 std::vector<uint8_t> emptySpace(const std::vector<accel::MacroCells>& cells, const scene::Volume& volume) {
   std::vector<uint8_t> distances(cells.front().ranges().size(), kFar);
   const bool each = volume.use == scene::VolumeChannels::independent;
-  for (size_t c = 0; c < volume.channels.size(); ++c)
-    if (each || c == scene::opacityChannelOf(volume.use))
-      markVisible(cells[c], volume.channels[c], distances);
+  for (size_t c = 0; c < volume.channels.size(); ++c) {
+    const scene::VolumeChannel& channel = volume.channels[c];
+    if (volume.use == scene::VolumeChannels::table)
+      markVisible(cells[c], channel, NonzeroRanges(opacitiesOf(*volume.table)), distances);
+    else if (each || c == scene::opacityChannelOf(volume.use))
+      markVisible(cells[c], channel, NonzeroRanges(channel.opacity), distances);
+  }
   DistanceSweeps(distances, cells.front().size());
   return distances;
 }

@@ -132,6 +132,29 @@ TEST(EmptySpace, HasTheDistancesToVisibleCells) {
   }
 }
 
+TEST(EmptySpace, OfATableIsWhatNoGradientShows) {
+  const auto grid = test::makeGrid(scene::VoxelGrid::Type::single, {40, 3, 3});
+  test::eachVoxel(grid->size, [&](const glm::ivec3& voxel) { test::store(*grid, voxel, voxel.x / 40.0); });
+  std::vector<accel::MacroCells> cells;
+  cells.emplace_back(*grid, 0);
+  scene::Volume volume;
+  volume.grid = grid, volume.use = scene::VolumeChannels::table;
+  scene::VolumeTable2D table;
+  table.size = {40, 3}, table.values.assign(120, glm::vec4(1, 1, 1, 0));
+  const auto empty = [&] {
+    volume.table = std::make_shared<scene::VolumeTable2D>(table);
+    return emptySpace(cells, volume);
+  };
+  EXPECT_EQ(empty(), (std::vector<uint8_t>{255, 255, 255, 255, 255}));
+  for (const size_t row : {0u, 1u, 2u}) {
+    table.values[40 * row + 20].a = 0.1f;
+    EXPECT_EQ(empty(), (std::vector<uint8_t>{2, 1, 0, 1, 2})) << row;
+    table.values[40 * row + 20].a = 0;
+  }
+  table.values[0].a = table.values[119].a = 1;
+  EXPECT_EQ(empty(), (std::vector<uint8_t>{0, 1, 2, 1, 0}));
+}
+
 TEST(EmptySpace, DistancesEndAt255) {
   const auto grid = test::makeGrid(scene::VoxelGrid::Type::byte, {8 * 300, 2, 3});
   expectDistances(grid, 1, 0);

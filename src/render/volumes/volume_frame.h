@@ -26,10 +26,18 @@ struct ChannelLookups {
   float scale = 1, bias = 0;  // from a stored number to the scalar
 };
 
+/// A transfer function of two coordinates: rows of entries, the last entry of each and the last row twice.
+struct VolumeLookup2D {
+  std::vector<glm::vec4> entries;
+  glm::ivec2 size{0};  // without the repeated ones
+  bool linear = true;
+};
+
 struct VolumeFrame {
   const scene::Volume* volume = nullptr;
   const VolumeRays* rays = nullptr;
   std::vector<ChannelLookups> channels;           // as Volume::channels
+  VolumeLookup2D table;                           // of VolumeChannels::table
   const std::vector<uint8_t>* empty = nullptr;    // emptySpace(); null: rays do not leap
   const accel::MacroCells* macroCells = nullptr;  // of channel 0
   glm::ivec3 cells{0};

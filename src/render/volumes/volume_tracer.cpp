@@ -23,6 +23,17 @@ VolumeLookup lookupOf(const scene::VolumeTable& table, int channel) {
   return lookup;
 }
 
+VolumeLookup2D lookupOf(const scene::VolumeTable2D& table) {
+  VolumeLookup2D lookup;
+  lookup.size = table.size, lookup.linear = table.linear;
+  for (int y = 0; y <= table.size.y; ++y)
+    for (int x = 0; x <= table.size.x; ++x) {
+      const glm::ivec2 entry = glm::min(glm::ivec2(x, y), table.size - 1);
+      lookup.entries.push_back(table.values[static_cast<size_t>(entry.y * table.size.x + entry.x)]);
+    }
+  return lookup;
+}
+
 ChannelLookups lookupsOf(const scene::VolumeChannel& channel, scene::VoxelGrid::Type type) {
   ChannelLookups lookups;
   lookups.scale = channel.scale / scene::divisorOf(type), lookups.bias = channel.bias;
@@ -42,6 +53,7 @@ bool lacksTables(const scene::Volume& volume) {
   const bool grey =
       volume.blend == scene::VolumeBlend::average || volume.blend == scene::VolumeBlend::additive;
   using Use = scene::VolumeChannels;
+  if (volume.use == Use::table) return !volume.table || volume.table->values.empty();
   for (size_t c = 0; c < volume.channels.size(); ++c) {
     const bool each = volume.use == Use::independent;
     const bool colored = !grey && (each || (c == 0 && volume.use != Use::colors));
@@ -63,7 +75,10 @@ bool VolumeTracer::Known::isEmptyOf(const scene::Volume& volume) const {
   const auto same = [](const scene::VolumeChannel& a, const scene::VolumeChannel& b) {
     return a.scale == b.scale && a.bias == b.bias && a.opacity == b.opacity;
   };
-  return !empty.empty() && use == volume.use &&
+  const auto sameTable = [&] {
+    return table == volume.table || (table && volume.table && *table == *volume.table);
+  };
+  return !empty.empty() && use == volume.use && sameTable() &&
          std::equal(channels.begin(), channels.end(), volume.channels.begin(), volume.channels.end(), same);
 }
 
@@ -95,7 +110,7 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     const bool leaps = mayLeap(volume);
     if (leaps && !known.isEmptyOf(volume)) {
       known.empty = emptySpace(known.cells, volume);
-      known.use = volume.use, known.channels = volume.channels;
+      known.use = volume.use, known.channels = volume.channels, known.table = volume.table;
     }
     const VolumeRays rays(cast.view);
     VolumeFrame frame;
@@ -104,6 +119,7 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     frame.cells = known.cells.front().size(), frame.empty = leaps ? &known.empty : nullptr;
     for (const scene::VolumeChannel& channel : volume.channels)
       frame.channels.push_back(lookupsOf(channel, volume.grid->type));
+    if (volume.table) frame.table = lookupOf(*volume.table);
     frame.showsInvisible = cast.view.replaces;
     image.resize(region.width, region.height, 1, Image::kWide);
     image.x = region.x, image.y = region.y, image.missColor = 0;

@@ -27,6 +27,7 @@ class VolumeTracer {
     std::vector<uint8_t> empty;            // emptySpace() of:
     scene::VolumeChannels use{};
     std::vector<scene::VolumeChannel> channels;
+    std::shared_ptr<const scene::VolumeTable2D> table;
     bool isEmptyOf(const scene::Volume& volume) const;
   };
   Known& knownOf(const scene::Volume& volume);

@@ -16,6 +16,14 @@ struct VolumeTable {
   bool operator==(const VolumeTable&) const = default;
 };
 
+/// A transfer function of two coordinates, each 0 .. 1, at the centres of equal parts, clamped to its edges.
+struct VolumeTable2D {
+  glm::ivec2 size{0};
+  std::vector<glm::vec4> values;  // red, green, blue, opacity; x fastest
+  bool linear = true;             // between centres; false: the nearest one
+  bool operator==(const VolumeTable2D&) const = default;
+};
+
 /// How light is reflected.
 struct VolumeMaterial {
   glm::vec3 ambient{0}, diffuse{0}, specular{0};

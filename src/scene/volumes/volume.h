@@ -24,7 +24,8 @@ enum class VolumeChannels : uint8_t {
   one,              // both by channel 0
   independent,      // each channel has its own; they are mixed by weights
   colorAndOpacity,  // the colour by channel 0, the opacity by channel 1
-  colors            // channels 0 to 2 are the colour, the opacity is read by channel 3
+  colors,           // channels 0 to 2 are the colour, the opacity is read by channel 3
+  table             // both by channel 0 and the length of its gradient, from Volume::table
 };
 
 /// The channel whose scalars the opacity of a sample is read with; of independent ones, each.
@@ -48,6 +49,7 @@ struct Volume {
   VolumeBlend blend = VolumeBlend::composite;
   VolumeChannels use = VolumeChannels::one;
   std::vector<VolumeChannel> channels = std::vector<VolumeChannel>(1);  // as many as `use` has, at most 4
+  std::shared_ptr<const VolumeTable2D> table;  // of VolumeChannels::table: by scalar and gradient
   size_t gradientChannel = 0;  // whose gradients count, with the look of channel 0; of independent ones, each
   VolumeShading shading;
   glm::vec3 cellStep{0};                           // texture space: distances of the samples of gradients

@@ -129,8 +129,10 @@ TEST(FamilyFileVolume, ChannelsAndLighting) {
   for (const auto& [name, channels] :
        {std::pair("one", VolumeChannels::one), std::pair("independent", VolumeChannels::independent),
         std::pair("color_and_opacity", VolumeChannels::colorAndOpacity),
-        std::pair("colors", VolumeChannels::colors)})
-    EXPECT_EQ(volumeFamily("volume.channels = \"" + std::string(name) + "\"\n").volume.channels, channels);
+        std::pair("colors", VolumeChannels::colors), std::pair("table", VolumeChannels::table)})
+    EXPECT_EQ(volumeFamily("volume.table = \"t\"\nvolume.channels = \"" + std::string(name) + "\"\n")
+                  .volume.channels,
+              channels);
   using Model = scene::VolumeShading::Model;
   for (const auto& [name, model] :
        {std::pair("viewer", Model::viewerReflected), std::pair("viewer_halfway", Model::viewerHalfway),
@@ -148,6 +150,7 @@ TEST(FamilyFileVolume, KeysThatNeedEachOther) {
   EXPECT_EQ(mistake(volumeText(slice + matrices)), "none");
   EXPECT_NE(mistake(volumeText(slice + "volume.data_from_world = \"m\"\n")), "none");
   EXPECT_NE(mistake(volumeText("volume.slice_point = \"p\"\n" + matrices)), "none");
+  EXPECT_NE(mistake(volumeText("volume.channels = \"table\"\n")), "none");
   EXPECT_NE(mistake(volumeText("volume.clip_planes = \"p\"\n")), "none");
 }
 
@@ -160,6 +163,7 @@ TEST(FamilyFileVolume, KeysOfNames) {
       {"direction_in_world", &FamilyVolume::directionInWorld},
       {"clip_planes", &FamilyVolume::clipPlanes},
       {"mask", &FamilyVolume::mask},
+      {"table", &FamilyVolume::table},
       {"contours", &FamilyVolume::contours}};
   for (const auto& [key, name] : names) {
     const Family f =

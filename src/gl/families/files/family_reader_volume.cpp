@@ -27,6 +27,7 @@ void FamilyReader::readVolume() {
   value("gradient_channel", v.gradientChannel), value("weights", v.weights);
   value("scale", v.scale), value("bias", v.bias);
   name("opacity", v.opacity), name("color", v.color), name("gradient_opacity", v.gradientOpacity);
+  name("table", v.table);
   name("depth", v.depth), value("depth_texel", v.depthTexel), value("depth_origin", v.depthOrigin);
   names("texture_from_data", v.textureFromData), names("data_from_world", v.dataFromWorld);
   name("viewer", v.viewer), name("viewer_in_world", v.viewerInWorld),
@@ -46,6 +47,8 @@ void FamilyReader::readVolume() {
   readVolumeLight(v.light);
   if (v.opacity.empty() || v.color.empty() || v.textureFromData.empty() || !v.step.given())
     fail(here(), "volume needs opacity, color, texture_from_data and step");
+  if (v.table.empty() && v.channels == scene::VolumeChannels::table)
+    fail(here(), "channels = \"table\" needs table");
   if (v.dataFromWorld.empty() && !(v.viewerInWorld.empty() && v.directionInWorld.empty()))
     fail(here(), "viewer_in_world and direction_in_world need data_from_world");
   if (v.dataFromWorld.empty() && !(v.clipPlanes.empty() && v.slicePoint.empty()))
