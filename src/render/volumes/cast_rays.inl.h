@@ -78,8 +78,7 @@ class Caster {
     const bool skips = skipped_.any();
     Colors sum = noColors();
     Floats sample = hn::Zero(d);
-    const EmptyCells empty(frame_);
-    Leaps leaps(frame_, rays, empty);
+    Leaps leaps(frame_, rays);
     Alive alive = shown;
     while (true) {
       alive = leaps.move(alive, sample);
@@ -107,11 +106,11 @@ class Caster {
       body(sample, p, skipped_.any() ? skipped_.kept(p, alive) : alive);
     }
   }
-  /// Calls body(position, counted) for every sample but those in cells that do not count.
-  template <class Cells, class Body>
-  HWY_ATTR void eachSampleIn(const Cells& cells, const Rays& rays, Alive alive, const Body& body) const {
+  /// Calls body(position, counted) for every sample but those in empty space.
+  template <class Body>
+  HWY_ATTR void eachVisibleSample(const Rays& rays, Alive alive, const Body& body) const {
     const VolumeD d;
-    Leaps leaps(frame_, rays, cells);
+    Leaps leaps(frame_, rays);
     for (Floats sample = hn::Zero(d);; sample = hn::Add(sample, hn::Set(d, 1.0f))) {
       alive = leaps.move(alive, sample);
       if (hn::AllFalse(d, alive)) return;
@@ -127,20 +126,14 @@ class Caster {
         most ? -std::numeric_limits<float>::infinity() : std::numeric_limits<float>::infinity();
     Floats found[kMostChannels];
     for (Floats& f : found) f = hn::Set(d, limit);
-    const auto compare = [&](const Positions& p, Alive counted, size_t c) HWY_ATTR {
-      const Floats scalar = colors_.scalarAt(p, c);
-      const Alive better = hn::And(counted, most ? hn::Lt(found[c], scalar) : hn::Gt(found[c], scalar));
-      found[c] = hn::IfThenElse(better, scalar, found[c]);
-    };
-    if (channels() == 1) {
-      eachSampleIn(LesserCells<most>(frame_, found[0]), rays, shown,
-                   [&](const Positions& p, Alive counted) HWY_ATTR { compare(p, counted, 0); });
-    } else {
-      Alive alive = shown;
-      eachSample(rays, alive, [&](Floats, const Positions& p, Alive counted) HWY_ATTR {
-        for (size_t c = 0; c < channels(); ++c) compare(p, counted, c);
-      });
-    }
+    Alive alive = shown;
+    eachSample(rays, alive, [&](Floats, const Positions& p, Alive counted) HWY_ATTR {
+      for (size_t c = 0; c < channels(); ++c) {
+        const Floats scalar = colors_.scalarAt(p, c);
+        const Alive better = hn::And(counted, most ? hn::Lt(found[c], scalar) : hn::Gt(found[c], scalar));
+        found[c] = hn::IfThenElse(better, scalar, found[c]);
+      }
+    });
     Colors sum = noColors();
     for (size_t c = 0; c < channels(); ++c) {
       // Rays of which no sample counts show the scalar that is the other extreme.

@@ -24,47 +24,10 @@ struct Rays {
   }
 };
 
-/// What cells count as, for Leaps: makes distances, as of emptySpace(), of the cells' numbers.
-class EmptyCells {
- public:
-  explicit EmptyCells(const VolumeFrame& frame) : empty_(*frame.empty) {}
-  HWY_ATTR void look(int32_t* cells) const {
-    for (size_t i = 0; i < kRays; ++i) cells[i] = empty_[static_cast<size_t>(cells[i])];
-  }
-
- private:
-  const std::vector<uint8_t>& empty_;
-};
-
-/// Cells in which no scalar goes beyond what the rays have found count as empty.
-template <bool most>
-class LesserCells {
- public:
-  LesserCells(const VolumeFrame& frame, const Floats& found)
-      : ranges_(frame.macroCells->ranges()), channel_(frame.volume->channels[0]), found_(found) {}
-  HWY_ATTR void look(int32_t* cells) const {
-    alignas(64) float found[kRays];
-    hn::Store(found_, VolumeD(), found);
-    const bool upper = most == (channel_.scale >= 0);
-    for (size_t i = 0; i < kRays; ++i) {
-      const accel::MacroCells::Range& range = ranges_[static_cast<size_t>(cells[i])];
-      const float limit = (upper ? range.most : range.least) * channel_.scale + channel_.bias;
-      cells[i] = (most ? limit > found[i] : limit < found[i]) ? 0 : 1;
-    }
-  }
-
- private:
-  const std::vector<accel::MacroCells::Range>& ranges_;
-  const scene::VolumeChannel& channel_;
-  const Floats& found_;
-};
-
-/// Numbers of the next samples of rays, which leap over cells that do not count.
-template <class Cells>
+/// Numbers of the next samples of rays, which leap over what cannot be seen.
 class Leaps {
  public:
-  HWY_ATTR Leaps(const VolumeFrame& frame, const Rays& rays, const Cells& cells)
-      : frame_(frame), rays_(rays), cells_(cells) {
+  HWY_ATTR Leaps(const VolumeFrame& frame, const Rays& rays) : frame_(frame), rays_(rays) {
     const VolumeD d;
     next_ = hn::Zero(d);
     const glm::vec3 size(frame.volume->grid->size);
@@ -113,7 +76,7 @@ class Leaps {
                               hn::Set(di, frame_.cells.x)),
                       cell[0]),
               di, index);
-    cells_.look(index);
+    for (size_t i = 0; i < kRays; ++i) index[i] = (*frame_.empty)[static_cast<size_t>(index[i])];
     const Ints distance = hn::Load(di, index);
     seen = hn::RebindMask(d, hn::Eq(distance, hn::Zero(di)));
     const Ints around = hn::Max(hn::Sub(distance, hn::Set(di, 1)), hn::Zero(di));
@@ -134,7 +97,6 @@ class Leaps {
 
   const VolumeFrame& frame_;
   const Rays& rays_;
-  const Cells& cells_;
   Floats next_;      // sample at which the ray leaves the cell that it has looked up
   Positions speed_;  // voxels a step
 };

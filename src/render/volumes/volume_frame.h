@@ -1,6 +1,5 @@
 // All that the kernels need to cast the rays of a volume. Any thread.
 #pragma once
-#include "accel/volumes/macro_cells.h"
 #include "base/image.h"
 #include "render/volumes/volume_rays.h"
 #include "scene/volumes/volume.h"
@@ -36,10 +35,9 @@ struct VolumeLookup2D {
 struct VolumeFrame {
   const scene::Volume* volume = nullptr;
   const VolumeRays* rays = nullptr;
-  std::vector<ChannelLookups> channels;           // as Volume::channels
-  VolumeLookup2D table;                           // of VolumeChannels::table
-  const std::vector<uint8_t>* empty = nullptr;    // emptySpace(); null: rays do not leap
-  const accel::MacroCells* macroCells = nullptr;  // of channel 0
+  std::vector<ChannelLookups> channels;         // as Volume::channels
+  VolumeLookup2D table;                         // of VolumeChannels::table
+  const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
   glm::ivec3 cells{0};
   Image* image = nullptr;
   bool showsInvisible = false;  // pixels of rays that meet nothing are hits, too

@@ -115,7 +115,6 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     const VolumeRays rays(cast.view);
     VolumeFrame frame;
     frame.volume = &volume, frame.rays = &rays, frame.image = &image;
-    frame.macroCells = &known.cells.front();
     frame.cells = known.cells.front().size(), frame.empty = leaps ? &known.empty : nullptr;
     for (const scene::VolumeChannel& channel : volume.channels)
       frame.channels.push_back(lookupsOf(channel, volume.grid->type));
