@@ -177,6 +177,17 @@ TEST(ProgramVolumes, UnknownStatementsAreLeftToTheRealOne) {
   expectLeft("statement", {.text = {.more = "sum.x *= 0.99;\n"}}, "no family fits");
 }
 
+TEST(ProgramVolumes, WithoutBlendingColorsAreReplaced) {
+  VolumeCase c;
+  c.before = [](Gl gl) {
+    gl.Disable(GL_BLEND), gl.ClearColor(0.3f, 0.6f, 0.2f, 1), gl.Clear(GL_COLOR_BUFFER_BIT);
+  };
+  expectTraced("blend-off", c);
+  c.text.depths = true;
+  c.before = [](Gl gl) { drawSheet(gl), copyDepths(gl), gl.Disable(GL_BLEND); };
+  expectTraced("blend-off-depths", c);
+}
+
 TEST(ProgramVolumes, OtherBlendingIsLeftToTheRealOne) {
   const auto left = [](const std::string& name, const Before& before, const std::string& words) {
     VolumeCase c;
@@ -184,8 +195,6 @@ TEST(ProgramVolumes, OtherBlendingIsLeftToTheRealOne) {
     expectLeft(name, c, words);
   };
   const std::string blended = "it is not blended over the framebuffer";
-  left(
-      "blend-off", [](Gl gl) { gl.Disable(GL_BLEND); }, blended);
   left(
       "blend-alpha", [](Gl gl) { gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA); }, blended);
   left(
