@@ -20,7 +20,8 @@ inline constexpr std::pair<const char*, scene::VolumeChannels> kVolumeChannels[]
     {"independent", scene::VolumeChannels::independent},
     {"color_and_opacity", scene::VolumeChannels::colorAndOpacity},
     {"colors", scene::VolumeChannels::colors},
-    {"table", scene::VolumeChannels::table}};
+    {"table", scene::VolumeChannels::table},
+    {"labels", scene::VolumeChannels::labels}};
 
 inline constexpr std::pair<const char*, scene::VolumeShading::Model> kVolumeLightings[] = {
     {"none", scene::VolumeShading::Model::none},
@@ -78,7 +79,9 @@ struct FamilyVolume {
   std::string clipPlanes;  // array: six times their number; for each, a point and a normal in world space
   bool clipsCropSpace = false;
   std::string clipSlot;
-  std::string mask;      // sampler3D: samples where it is 0 are skipped
+  std::string mask;    // sampler3D: samples where it is 0 are skipped; of VolumeChannels::labels: the labels
+  std::string labels;  // sampler of their colours and opacities
+  FamilyValue labelShare, labelScale, labelBias, labelCount;
   std::string contours;  // array of values of data
   FamilyValue contourCount;
   std::string slicePoint, sliceNormal;  // world space: of VolumeView::slice, if they are active

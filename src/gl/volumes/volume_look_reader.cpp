@@ -1,6 +1,7 @@
 #include "gl/volumes/volume_look_reader.h"
 
 #include "gl/program_state/program_state.h"
+#include "gl/volumes/label_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,8 @@ using scene::VolumeChannels;
 size_t channelsOf(VolumeChannels use, int stored) {
   switch (use) {
     case VolumeChannels::one:
-    case VolumeChannels::table: return 1;
+    case VolumeChannels::table:
+    case VolumeChannels::labels: return 1;
     case VolumeChannels::colorAndOpacity: return 2;
     case VolumeChannels::colors: return 4;
     default: return static_cast<size_t>(stored);
@@ -95,26 +97,46 @@ bool VolumeLookReader::readTable(const std::string& sampler, int channels, scene
   return true;
 }
 
-bool VolumeLookReader::readTable2D(scene::Volume& volume) {
+bool VolumeLookReader::readTable2D(const std::string& sampler, scene::Volume& volume) {
   if (volume.blend != scene::VolumeBlend::composite)
-    return refuse("its table of scalars and gradients is blended in another way than composited");
+    return refuse("its table of two coordinates is blended in another way than composited");
   scene::Texture texture;
-  if (!readTableTexture(family_.table, texture)) return false;
+  if (!readTableTexture(sampler, texture)) return false;
   if (texture.wrapT != scene::Wrap::clampToEdge)
-    return refuse("the table of \"" + family_.table + "\" is not clamped to its edge");
+    return refuse("the table of \"" + sampler + "\" is not clamped to its edge");
   auto table = std::make_shared<scene::VolumeTable2D>();
   table->size = {texture.image->width, texture.image->height};
   table->linear = texture.magFilter == scene::Filter::linear;
   table->values = texture.image->floats;
-  // Only samples with an opacity above 0 count, but for the one of a slice.
-  const bool positive = uniforms_.has(family_.slicePoint);
+  // Only samples with an opacity above 0 count, but for the one of a slice and those of labels.
+  const bool positive = uniforms_.has(family_.slicePoint) || volume.use == VolumeChannels::labels;
   const auto isKnown = [&](const glm::vec4& v) {
     return std::isfinite(v.r + v.g + v.b + v.a) && (v.a >= 0 || !positive);
   };
   if (!std::all_of(table->values.begin(), table->values.end(), isKnown))
-    return refuse("the table of \"" + family_.table +
-                  "\" has opacities below 0, or values that are no numbers");
+    return refuse("the table of \"" + sampler + "\" has opacities below 0, or values that are no numbers");
   volume.table = std::move(table);
+  return true;
+}
+
+bool VolumeLookReader::readLabels(scene::Volume& volume) {
+  if (uniforms_.has(family_.slicePoint)) return refuse("it has labels on a slice");
+  if (!readTable2D(family_.labels, volume)) return false;
+  scene::VolumeLabels& labels = volume.labels;
+  scene::Texture sampling;
+  labels.voxels = readVoxels(family_.mask, sampling);
+  if (!labels.voxels) return false;
+  if (labels.voxels->type != scene::VoxelGrid::Type::byte || sampling.magFilter != scene::Filter::nearest)
+    return refuse("its labels are no bytes of which the nearest one counts");
+  labels.share = value(family_.labelShare, glm::vec4(1)).x;
+  LabelNumbers numbers;
+  numbers.scale = value(family_.labelScale, glm::vec4(1)).x;
+  numbers.bias = value(family_.labelBias, glm::vec4(0)).x;
+  numbers.count = value(family_.labelCount, glm::vec4(0)).x;
+  numbers.tableRows = volume.table->linear ? 0 : volume.table->size.y;
+  const auto rows = labelRows(numbers);
+  if (!rows) return refuse("rounding decides which labels its voxels have");
+  if (labels.share != 0) labels.rows = *rows;
   return true;
 }
 
@@ -131,7 +153,7 @@ bool VolumeLookReader::readChannelTables(scene::Volume& volume, size_t channel, 
 
 /// Of independent channels, each has tables; otherwise the only ones stand in element 0.
 bool VolumeLookReader::readTables(scene::Volume& volume) {
-  if (volume.use == VolumeChannels::table) return readTable2D(volume);
+  if (volume.use == VolumeChannels::table) return readTable2D(family_.table, volume);
   const bool each = volume.use == VolumeChannels::independent;
   for (size_t c = 0; c < (each ? volume.channels.size() : 1); ++c) {
     const std::string index = each ? "[" + std::to_string(c) + "]" : "";
@@ -256,10 +278,12 @@ bool VolumeLookReader::read(scene::Volume& volume) {
   volume.use = valueOfWord(words_, family_.channelsSlot, kVolumeChannels, family_.channels);
   using scene::VolumeBlend;
   const bool mixed = volume.use == VolumeChannels::independent && volume.blend != VolumeBlend::isosurface;
-  const bool single = volume.use == VolumeChannels::one || volume.use == VolumeChannels::table;
+  const bool single = volume.use == VolumeChannels::one || volume.use == VolumeChannels::table ||
+                      volume.use == VolumeChannels::labels;
   if (!single && volume.blend != VolumeBlend::composite && !mixed)
     return refuse("several components of its voxels are blended in another way than composited");
-  if (!readGrid(volume) || !readMask(volume)) return false;
+  if (!readGrid(volume)) return false;
+  if (volume.use == VolumeChannels::labels ? !readLabels(volume) : !readMask(volume)) return false;
   readNumbers(volume);
   return readTables(volume) && readLight(volume) && readCropping(volume) && readContours(volume);
 }

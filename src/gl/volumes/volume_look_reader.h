@@ -28,7 +28,8 @@ class VolumeLookReader {
   /// The texture of a table: floats, without levels of detail, clamped to its edge along x.
   bool readTableTexture(const std::string& sampler, scene::Texture& texture);
   bool readTable(const std::string& sampler, int channels, scene::VolumeTable& table);
-  bool readTable2D(scene::Volume& volume);
+  bool readTable2D(const std::string& sampler, scene::Volume& volume);
+  bool readLabels(scene::Volume& volume);
   bool readTables(scene::Volume& volume);
   bool readChannelTables(scene::Volume& volume, size_t channel, const std::string& index);
   bool readLight(scene::Volume& volume);

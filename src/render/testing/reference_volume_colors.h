@@ -84,6 +84,7 @@ class ReferenceColors {
       case Use::one: return premultiplied(litColor(scalarAt(p), p));
       case Use::independent: return mixedColor(p);
       case Use::table: return tableColor(p);
+      case Use::labels: return labelColor(p);
       case Use::colorAndOpacity: {
         const double opacity = opacityOf(scalarAt(p, 1), 1);
         if (!(opacity > 0)) return glm::dvec4(0);
@@ -182,6 +183,22 @@ class ReferenceColors {
     gradient *= range / aspect;
     return {glm::length(gradient) / (0.25 * (range != 0 ? range : 1)),
             4e-7 / std::min({aspect.x, aspect.y, aspect.z}) / 0.25};
+  }
+
+  glm::dvec4 labelColor(const glm::dvec3& p) {
+    const scene::VolumeLabels& labels = volume_.labels;
+    const double scalar = scalarAt(p);
+    const glm::dvec4 plain = opacityOf(scalar) > 0 ? litColor(scalar, p) : glm::dvec4(0);
+    const auto byte = static_cast<size_t>(std::lround(valueAt(*labels.voxels, false, p, 0) * 255));
+    if (labels.rows[byte] == 0) return premultiplied(plain);
+    glm::dvec4 label = lookUp(*volume_.table, {scalar, double{labels.rows[byte]}});
+    if (label.a > 0) {
+      const scene::VolumeChannel& look = volume_.channels[0];
+      const glm::dvec3 gradient = differencesAt(p, 0) / glm::dvec3(volume_.cellSpacing);
+      label = {litBy(glm::dvec3(label), look.material, p, gradient), label.a};
+    }
+    const double share = double{labels.share};
+    return premultiplied((1 - share) * plain + share * label);
   }
 
   /// Not limited to 0 .. 1.

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/volumes/leaps.inl.h"
+#include "render/volumes/sample_labels.inl.h"
 #include "render/volumes/sample_lighting.inl.h"
 #include "render/volumes/voxel_samples.inl.h"
 
@@ -20,7 +21,11 @@ class SampleColors {
  public:
   /// `samples`: of each channel.
   HWY_ATTR SampleColors(const VolumeFrame& frame, const Samples* samples)
-      : volume_(*frame.volume), table_(frame.table), samples_(samples), lighting_(volume_.shading) {
+      : volume_(*frame.volume),
+        table_(frame.table),
+        samples_(samples),
+        labels_(volume_.labels),
+        lighting_(volume_.shading) {
     const scene::VoxelGrid& grid = *volume_.grid;
     const glm::vec3 beyond = volume_.cellStep * glm::vec3(grid.size) - 1.0f;
     stepsAreVoxels_ = std::min({grid.size.x, grid.size.y, grid.size.z}) >= 4 &&
@@ -56,6 +61,7 @@ class SampleColors {
     switch (volume_.use) {
       case scene::VolumeChannels::independent: return mixed(rays, p, alive, c);
       case scene::VolumeChannels::table: return ofTable(rays, p, alive, c);
+      case scene::VolumeChannels::labels: return ofLabels(rays, p, alive, c);
       default: return ofSeveral(rays, p, alive, c);
     }
   }
@@ -195,7 +201,35 @@ class SampleColors {
     const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
     if (hn::AllFalse(d, seen)) return seen;
     lighting_.shade(channels_[0].material, p, rays.towardsViewer, gradient, c);
-    c = {hn::Mul(c.r, c.a), hn::Mul(c.g, c.a), hn::Mul(c.b, c.a), c.a};
+    c = byOpacity(c);
+    return seen;
+  }
+
+  /// Colours and opacities of samples with and without labels. Those of labels are not limited to 0 .. 1, and
+  /// have no gradient opacity.
+  HWY_ATTR Alive ofLabels(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
+    const VolumeD d;
+    const Sample sample = sampleAt(p, alive, 0, hasGradients(0));
+    const Floats row = labels_.rowsAt(p), share = hn::Set(d, volume_.labels.share);
+    const Alive labelled = hn::And(alive, hn::Ne(row, hn::Zero(d)));
+    c = lookOf(sample.scalar, 0);
+    Colors label = lookUp(table_, sample.scalar, row);
+    const Alive visible = hn::And(alive, hn::Gt(c.a, hn::Zero(d))),
+                labelVisible = hn::And(labelled, hn::Gt(label.a, hn::Zero(d)));
+    if (hn::AllFalse(d, hn::Or(visible, labelVisible))) return labelVisible;
+    if (hasGradients(0)) {
+      const Differences differences{differencesAt(p, alive, sample, 0), 0};
+      light(rays, p, differences, 0, c);
+      Positions gradient = scaled(differences.scalars, 1.0f / volume_.cellSpacing);
+      if (weighs(0)) strengthOf(differences, gradient);
+      Colors lit = label;
+      lighting_.shade(channels_[0].material, p, rays.towardsViewer, gradient, lit);
+      label = chosen(labelVisible, lit, label);
+    }
+    c = chosen(visible, limited(c), noColors());
+    c = chosen(labelled, mixedColors(c, label, share), c);
+    const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
+    c = byOpacity(c);
     return seen;
   }
 
@@ -250,6 +284,7 @@ class SampleColors {
   const VolumeLookup2D& table_;
   const Samples* samples_;
   Channel channels_[4] = {};
+  const SampleLabels labels_;
   const Lighting lighting_;
   bool stepsAreVoxels_ = false;  // gradients need samples about a voxel apart
   size_t opacity_ = 0;

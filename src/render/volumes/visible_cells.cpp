@@ -68,7 +68,7 @@ bool NonzeroRanges::any(float least, float most) const {
 
 namespace {
 
-/// The largest opacity of each column: of a scalar with any gradient.
+/// The largest opacity of each column: of a scalar with any gradient or label.
 scene::VolumeTable opacitiesOf(const scene::VolumeTable2D& table) {
   scene::VolumeTable most;
   most.values.assign(static_cast<size_t>(table.size.x), 0.0f);
@@ -96,9 +96,10 @@ std::vector<uint8_t> emptySpace(const std::vector<accel::MacroCells>& cells, con
   const bool each = volume.use == scene::VolumeChannels::independent;
   for (size_t c = 0; c < volume.channels.size(); ++c) {
     const scene::VolumeChannel& channel = volume.channels[c];
-    if (volume.use == scene::VolumeChannels::table)
+    using Use = scene::VolumeChannels;
+    if (volume.use == Use::table || volume.use == Use::labels)
       markVisible(cells[c], channel, NonzeroRanges(opacitiesOf(*volume.table)), distances);
-    else if (each || c == scene::opacityChannelOf(volume.use))
+    if (volume.use != Use::table && (each || c == scene::opacityChannelOf(volume.use)))
       markVisible(cells[c], channel, NonzeroRanges(channel.opacity), distances);
   }
   DistanceSweeps(distances, cells.front().size());

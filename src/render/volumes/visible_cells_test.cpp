@@ -151,6 +151,12 @@ TEST(EmptySpace, OfATableIsWhatNoGradientShows) {
     EXPECT_EQ(empty(), (std::vector<uint8_t>{2, 1, 0, 1, 2})) << row;
     table.values[40 * row + 20].a = 0;
   }
+  volume.use = scene::VolumeChannels::labels;
+  volume.channels[0].opacity.values.assign(40, 0.0f);
+  EXPECT_EQ(empty(), (std::vector<uint8_t>{255, 255, 255, 255, 255}));
+  volume.channels[0].opacity.values[36] = 1;
+  EXPECT_EQ(empty(), (std::vector<uint8_t>{4, 3, 2, 1, 0})) << "visible without a label";
+  volume.channels[0].opacity.values[36] = 0;
   table.values[0].a = table.values[119].a = 1;
   EXPECT_EQ(empty(), (std::vector<uint8_t>{0, 1, 2, 1, 0}));
 }

@@ -36,7 +36,7 @@ struct VolumeFrame {
   const scene::Volume* volume = nullptr;
   const VolumeRays* rays = nullptr;
   std::vector<ChannelLookups> channels;         // as Volume::channels
-  VolumeLookup2D table;                         // of VolumeChannels::table
+  VolumeLookup2D table;                         // Volume::table
   const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
   glm::ivec3 cells{0};
   Image* image = nullptr;

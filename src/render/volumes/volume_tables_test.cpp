@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 namespace gluray::render {
@@ -59,6 +60,36 @@ TEST(VolumeReference, LooksUpNearestVoxelsInTablesAsAPlainLoop) {
         if (random.integer(0, 1) == 1) addDepths(random, made.cast.view);
       },
       12);
+}
+
+void setLabels(Random& random, scene::Volume& volume) {
+  volume.use = scene::VolumeChannels::labels;
+  auto table = randomTable2D(random);
+  for (glm::vec4& entry : table->values) entry.a = std::max(entry.a, 0.0f);
+  volume.table = table;
+  const auto voxels = makeGrid(scene::VoxelGrid::Type::byte, random.size(1, 9));
+  eachVoxel(voxels->size,
+            [&](const glm::ivec3& voxel) { store(*voxels, voxel, random.integer(0, 4) / 255.0); });
+  volume.labels.voxels = voxels;
+  volume.labels.share = random.integer(0, 1) == 1 ? 1.0f : static_cast<float>(random.real(0.1, 0.9));
+  volume.labels.rows = {0, 0.3f, 0.55f, 1, -0.5f};
+}
+
+TEST(VolumeReference, LabelsSamplesAsAPlainLoop) {
+  expectReferences(16, 0.4, [](Random& random, RandomCast& made) { setLabels(random, made.cast.volume); });
+}
+
+TEST(VolumeReference, LightsLabelsAsAPlainLoop) {
+  expectReferences(17, 0.45, [](Random& random, RandomCast& made) {
+    scene::Volume& volume = made.cast.volume;
+    setLabels(random, volume);
+    if (random.integer(0, 2) > 0)
+      addLight(random, volume);
+    else if (random.integer(0, 1) == 1)
+      addLights(random, volume);
+    if (random.integer(0, 1) == 1)
+      volume.channels[0].gradientOpacity = std::make_shared<scene::VolumeTable>(randomTable(random, 1, true));
+  });
 }
 
 /// A cube of one scalar, whose rays have about 20 samples.

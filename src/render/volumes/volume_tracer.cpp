@@ -53,7 +53,10 @@ bool lacksTables(const scene::Volume& volume) {
   const bool grey =
       volume.blend == scene::VolumeBlend::average || volume.blend == scene::VolumeBlend::additive;
   using Use = scene::VolumeChannels;
-  if (volume.use == Use::table) return !volume.table || volume.table->values.empty();
+  if ((volume.use == Use::table || volume.use == Use::labels) &&
+      (!volume.table || volume.table->values.empty()))
+    return true;
+  if (volume.use == Use::table) return false;
   for (size_t c = 0; c < volume.channels.size(); ++c) {
     const bool each = volume.use == Use::independent;
     const bool colored = !grey && (each || (c == 0 && volume.use != Use::colors));
@@ -97,8 +100,9 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
   const scene::Volume& volume = cast.volume;
   const scene::Region& region = cast.view.region;
   constexpr size_t kMostVoxels = size_t{1} << 31;
-  if (volume.grid->voxels() > kMostVoxels || (volume.mask && volume.mask->voxels() > kMostVoxels))
-    return why = "it has more than 2^31 voxels", false;
+  for (const scene::VoxelGrid* const grid :
+       {volume.grid.get(), volume.mask.get(), volume.labels.voxels.get()})
+    if (grid && grid->voxels() > kMostVoxels) return why = "it has more than 2^31 voxels", false;
   if (static_cast<size_t>(volume.grid->channels) < volume.channels.size())
     return why = "its voxels have fewer channels than it uses", false;
   if (lacksTables(volume)) return why = "it has no transfer function", false;

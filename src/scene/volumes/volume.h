@@ -25,7 +25,8 @@ enum class VolumeChannels : uint8_t {
   independent,      // each channel has its own; they are mixed by weights
   colorAndOpacity,  // the colour by channel 0, the opacity by channel 1
   colors,           // channels 0 to 2 are the colour, the opacity is read by channel 3
-  table             // both by channel 0 and the length of its gradient, from Volume::table
+  table,            // both by channel 0 and the length of its gradient, from Volume::table
+  labels            // as `one`; samples with a label by channel 0 and the label, from Volume::table
 };
 
 /// The channel whose scalars the opacity of a sample is read with; of independent ones, each.
@@ -40,6 +41,13 @@ struct VolumeCropping {
   bool operator==(const VolumeCropping&) const = default;
 };
 
+/// Labels of samples: of VolumeChannels::labels.
+struct VolumeLabels {
+  std::shared_ptr<const VoxelGrid> voxels;  // bytes; the nearest one counts
+  std::array<float, 256> rows{};            // of each byte: 0: no label; others: coordinate in Volume::table
+  float share = 1;  // of a label's colour and opacity; the rest is that of a sample without a label
+};
+
 /// The volume and its look. "Texture space" has the voxels in 0 .. 1; "data space" is that of the box's
 /// vertices.
 struct Volume {
@@ -49,7 +57,8 @@ struct Volume {
   VolumeBlend blend = VolumeBlend::composite;
   VolumeChannels use = VolumeChannels::one;
   std::vector<VolumeChannel> channels = std::vector<VolumeChannel>(1);  // as many as `use` has, at most 4
-  std::shared_ptr<const VolumeTable2D> table;  // of VolumeChannels::table: by scalar and gradient
+  VolumeLabels labels;
+  std::shared_ptr<const VolumeTable2D> table;  // of VolumeChannels::table and ::labels
   size_t gradientChannel = 0;  // whose gradients count, with the look of channel 0; of independent ones, each
   VolumeShading shading;
   glm::vec3 cellStep{0};                           // texture space: distances of the samples of gradients

@@ -1,10 +1,11 @@
-"""Volumes with tables of two coordinates: transfer functions of scalars and gradients. volumes.py says how they are compared."""
+"""Volumes with tables of two coordinates: transfer functions of scalars and gradients, or of scalars and labels. volumes.py says how they
+are compared."""
 import numpy as np
 import shapes
 from registry import state
 from volume_lights import add_light
 from volume_parts import add_plane, turned
-from volume_shapes import field, image_of, show, sphere_inside, volumes
+from volume_shapes import field, gradient_opacity, image_of, show, sphere_inside, volumes
 
 newer = state(("newer_vtk",), outside=False, close=True)
 
@@ -77,3 +78,54 @@ def volume_by_scalar_and_gradient_lit_from_the_side(stage):
     """VTK 9.1 lights them in a way of its own."""
     add_light(stage, (3, 2, 1), (1, 0.8, 0.5))
     turned(stage, with_table(stage, shade=True))
+
+
+def labelled(stage, shade=False, share=1.0):
+    """Labels 0 to 3 in quarters of a volume; label 2 has no functions of its own."""
+    values = field()
+    volume = show(stage, image_of(stage.vtk, values), shade=shade)
+    z, y, x = np.meshgrid(*(np.linspace(-1, 1, n) for n in values.shape), indexing="ij")
+    labels = np.where(x > 0, 1, 0) + np.where(y > 0.2, 2, 0)
+    mapper, look = volume.GetMapper(), volume.GetProperty()
+    mapper.SetMaskInput(image_of(stage.vtk, labels, np.uint8))
+    mapper.SetMaskTypeToLabelMap()
+    mapper.SetMaskBlendFactor(share)
+    low, high = values.min(), values.max()
+    for label in (1, 3):
+        color, opacity = stage.vtk.vtkColorTransferFunction(), stage.vtk.vtkPiecewiseFunction()
+        color.AddRGBPoint(low, 0.3 * label, 1, 0)
+        color.AddRGBPoint(high, 1, 0.2 * label, 0.4)
+        for at, a in (low, 0), ((low + high) / 2, 0.08 * label), (high, 0.3):
+            opacity.AddPoint(at, a)
+        look.SetLabelColor(label, color)
+        look.SetLabelScalarOpacity(label, opacity)
+    return volume
+
+
+@volumes
+def volume_labelled(stage):
+    turned(stage, labelled(stage))
+
+
+@volumes
+def volume_labelled_lit(stage):
+    volume = turned(stage, labelled(stage, shade=True))
+    gradient_opacity(stage, volume)
+    stage.shoot()
+
+
+@volumes
+def volume_labelled_in_part(stage):
+    volume = turned(stage, labelled(stage, shade=True, share=0.6))
+    volume.GetMapper().SetMaskBlendFactor(0)
+    stage.shoot()
+
+
+@volumes
+def volume_labelled_and_cropped(stage):
+    sphere_inside(stage)
+    mapper = labelled(stage, share=0.3).GetMapper()
+    mapper.CroppingOn()
+    mapper.SetCroppingRegionPlanes(-0.4, 0.5, -0.5, 0.3, -0.3, 0.6)
+    mapper.SetCroppingRegionFlags(0x2ebfeba)
+    turned(stage, mapper)

@@ -77,7 +77,11 @@ TEST(FamilyFileVolume, KeysOfUniforms) {
       {"color_bias", &FamilyVolume::colorBias},
       {"weights", &FamilyVolume::weights},
       {"gradient_channel", &FamilyVolume::gradientChannel},
-      {"contour_count", &FamilyVolume::contourCount}};
+      {"contour_count", &FamilyVolume::contourCount},
+      {"label_share", &FamilyVolume::labelShare},
+      {"label_scale", &FamilyVolume::labelScale},
+      {"label_bias", &FamilyVolume::labelBias},
+      {"label_count", &FamilyVolume::labelCount}};
   for (const auto& [key, value] : values) {
     const std::string line = "volume." + std::string(key) + " = ";
     const std::string replaced = std::string(key) == "step" ? "step" : "";
@@ -129,8 +133,11 @@ TEST(FamilyFileVolume, ChannelsAndLighting) {
   for (const auto& [name, channels] :
        {std::pair("one", VolumeChannels::one), std::pair("independent", VolumeChannels::independent),
         std::pair("color_and_opacity", VolumeChannels::colorAndOpacity),
-        std::pair("colors", VolumeChannels::colors), std::pair("table", VolumeChannels::table)})
-    EXPECT_EQ(volumeFamily("volume.table = \"t\"\nvolume.channels = \"" + std::string(name) + "\"\n")
+        std::pair("colors", VolumeChannels::colors), std::pair("table", VolumeChannels::table),
+        std::pair("labels", VolumeChannels::labels)})
+    EXPECT_EQ(volumeFamily(
+                  "volume.table = \"t\"\nvolume.mask = \"m\"\nvolume.labels = \"l\"\nvolume.channels = \"" +
+                  std::string(name) + "\"\n")
                   .volume.channels,
               channels);
   using Model = scene::VolumeShading::Model;
@@ -150,7 +157,9 @@ TEST(FamilyFileVolume, KeysThatNeedEachOther) {
   EXPECT_EQ(mistake(volumeText(slice + matrices)), "none");
   EXPECT_NE(mistake(volumeText(slice + "volume.data_from_world = \"m\"\n")), "none");
   EXPECT_NE(mistake(volumeText("volume.slice_point = \"p\"\n" + matrices)), "none");
-  EXPECT_NE(mistake(volumeText("volume.channels = \"table\"\n")), "none");
+  for (const char* const lines : {"volume.channels = \"table\"\n", "volume.channels = \"labels\"\n",
+                                  "volume.channels = \"labels\"\nvolume.labels = \"l\"\n"})
+    EXPECT_NE(mistake(volumeText(lines)), "none") << lines;
   EXPECT_NE(mistake(volumeText("volume.clip_planes = \"p\"\n")), "none");
 }
 
@@ -164,6 +173,7 @@ TEST(FamilyFileVolume, KeysOfNames) {
       {"clip_planes", &FamilyVolume::clipPlanes},
       {"mask", &FamilyVolume::mask},
       {"table", &FamilyVolume::table},
+      {"labels", &FamilyVolume::labels},
       {"contours", &FamilyVolume::contours}};
   for (const auto& [key, name] : names) {
     const Family f =

@@ -41,7 +41,8 @@ void FamilyReader::readVolume() {
       names("texture_from_crop", v.textureFromCrop);
   name("clip_planes", v.clipPlanes);
   choice("clip_space", kVolumeClipSpaces, v.clipsCropSpace, v.clipSlot);
-  name("mask", v.mask);
+  name("mask", v.mask), name("labels", v.labels), value("label_share", v.labelShare);
+  value("label_scale", v.labelScale), value("label_bias", v.labelBias), value("label_count", v.labelCount);
   name("contours", v.contours), value("contour_count", v.contourCount);
   name("slice_point", v.slicePoint), name("slice_normal", v.sliceNormal);
   readVolumeLight(v.light);
@@ -49,6 +50,8 @@ void FamilyReader::readVolume() {
     fail(here(), "volume needs opacity, color, texture_from_data and step");
   if (v.table.empty() && v.channels == scene::VolumeChannels::table)
     fail(here(), "channels = \"table\" needs table");
+  if ((v.labels.empty() || v.mask.empty()) && v.channels == scene::VolumeChannels::labels)
+    fail(here(), "channels = \"labels\" needs mask and labels");
   if (v.dataFromWorld.empty() && !(v.viewerInWorld.empty() && v.directionInWorld.empty()))
     fail(here(), "viewer_in_world and direction_in_world need data_from_world");
   if (v.dataFromWorld.empty() && !(v.clipPlanes.empty() && v.slicePoint.empty()))
