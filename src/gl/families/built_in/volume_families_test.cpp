@@ -81,6 +81,7 @@ class VolumeFamilies : public testing::Test {
             {"clipend", "any"},
             {"lamps", "loop"},
             {"differences", "central"},
+            {"magnitude", "length"},
             {"headlight", "directions"},
             {"zero", "zero"}};
   }
@@ -139,8 +140,10 @@ TEST_F(VolumeFamilies, MixedShadersAreNot) {
   }
   for (const char* const part : {"start", "gradient", "color"})
     EXPECT_EQ(wordless(shader(lit, {"light", part, "none"})), "@light") << part;
-  for (const char* const part : {"body", "value", "opacity"})
+  for (const char* const part : {"body", "value"})
     EXPECT_EQ(wordless(shader(lit, {"gradient", part, "direction"})), "@gradient") << part;
+  EXPECT_EQ(wordless(shader(lit, {"gradient", "opacity", "direction"})), "");
+  EXPECT_EQ(words_.at("@gradient"), "table") << "nothing is weighed by lengths";
   for (const char* const part : {"start", "position", "viewer", "light"})
     EXPECT_EQ(wordless(shader(lit, {"eye", part, "world"})), "@eye") << part;
   for (const char* const part : {"value", "factor"})
