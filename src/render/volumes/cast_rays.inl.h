@@ -250,7 +250,7 @@ class Caster {
   size_t channels() const { return volume_.channels.size(); }
 
   static constexpr size_t kMostChannels = 4;
-  static constexpr float kFarScalar = 1e20f;
+  static constexpr float kFarScalar = std::numeric_limits<float>::infinity();  // no scalar lies beyond
 
   const VolumeFrame& frame_;
   const scene::Volume& volume_;

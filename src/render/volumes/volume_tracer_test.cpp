@@ -239,10 +239,12 @@ TEST(VolumeTracer, SurvivesExtremeValues) {
                   kNoNumber = std::numeric_limits<float>::quiet_NaN();
   for (const float extreme : {kInfinity, -kInfinity, kNoNumber, 3e38f, -3e38f, 1e-40f, 0.0f})
     for (const bool linear : {true, false})
-      for (const VolumeBlend blend : {VolumeBlend::composite, VolumeBlend::maximum, VolumeBlend::average}) {
+      for (const VolumeBlend blend :
+           {VolumeBlend::composite, VolumeBlend::maximum, VolumeBlend::average, VolumeBlend::isosurface}) {
         const auto change = [&](const auto& set) {
           SeenCube cube(ramp);
           cube.cast.volume.linear = linear, cube.cast.volume.blend = blend;
+          cube.cast.volume.contours = {0.25f, 0.5f};
           cube.cast.volume.channels[0].opacity.values = {0, 0.1f, 0.3f};
           test::addViewerLight(cube.cast.volume).specular = glm::vec3(1);
           set(cube.cast.volume, cube.cast.view);

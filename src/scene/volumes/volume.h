@@ -64,7 +64,7 @@ struct Volume {
   glm::vec3 cellStep{0};                           // texture space: distances of the samples of gradients
   glm::vec3 cellSpacing{1};                        // data space
   glm::vec2 averaged{0, 1};                        // values of data that VolumeBlend::average counts
-  std::vector<float> contours;                     // scalars, in the order in which the shader looks for them
+  std::vector<float> contours;                     // scalars, in ascending order, of VolumeBlend::isosurface
   std::shared_ptr<const VolumeCropping> cropping;  // null: none
   std::shared_ptr<const VoxelGrid> mask;           // samples where it is 0 or less are skipped; null: none
   bool maskLinear = false;                         // between its voxels; false: the nearest one
@@ -104,8 +104,9 @@ struct VolumeView {
   std::vector<float> jitter;
   glm::ivec2 jitterSize{0};
   enum class DepthTest : uint8_t { none, less, lessOrEqual } depthTest = DepthTest::none;  // of the faces
-  bool replaces =
-      false;  // the framebuffer's colours, also by what is invisible; otherwise it is blended over them
+  /// The framebuffer's colours are replaced, also where nothing is visible; otherwise it is blended over
+  /// them.
+  bool replaces = false;
   /// Of a multisampled framebuffer, in [0,1)^2 from the pixel's lower left corner; empty: pixels have one
   /// sample. A pixel's colour counts for the share of samples that the faces cover.
   std::vector<glm::vec2> samplePositions;
