@@ -11,14 +11,6 @@
 namespace gluray::gl {
 namespace {
 
-scene::Region intersect(glm::ivec4 a, glm::ivec4 b) {
-  const int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
-  const int64_t x1 = std::min(int64_t{a.x} + a.z, int64_t{b.x} + b.z),
-                y1 = std::min(int64_t{a.y} + a.w, int64_t{b.y} + b.w);
-  return {x0, y0, static_cast<int>(std::max<int64_t>(0, x1 - x0)),
-          static_cast<int>(std::max<int64_t>(0, y1 - y0))};
-}
-
 uint64_t viewOf(const BatchKey& key, const TargetState& target) {
   const auto number = [](int n) { return static_cast<uint64_t>(static_cast<unsigned>(n)); };
   const glm::ivec4& v = key.viewport;
@@ -57,12 +49,7 @@ BatchKey Batch::keyOf(const PixelState& state, const glm::dmat4& projection) {
   key.projection = projection;
   key.viewport = viewport.box;
   key.depthNear = viewport.depthNear, key.depthFar = viewport.depthFar;
-  constexpr int kLargest = 16384;  // no framebuffer is larger; limits the image for absurd viewports
-  key.region = intersect(viewport.box, {0, 0, kLargest, kLargest});
-  if (state.raster.scissorTest) {
-    const scene::Region& r = key.region;
-    key.region = intersect({r.x, r.y, r.width, r.height}, viewport.scissor);
-  }
+  key.region = viewport.region();
   key.offset = offsetOf(state);
   return key;
 }

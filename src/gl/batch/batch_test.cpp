@@ -90,12 +90,12 @@ TEST(Batch, SharesEqualShadings) {
 TEST(Batch, RegionIsViewportAndScissorWithinLimits) {
   StateOfDraw state = stateWith(GL_LESS);
   EXPECT_EQ(state.key().region, (scene::Region{0, 0, 100, 50}));
-  state.raster.scissorTest = true;
+  state.viewport.scissorTest = true;
   state.viewport.scissor = {90, -5, 100, 10};
   EXPECT_EQ(state.key().region, (scene::Region{90, 0, 10, 5}));
   state.viewport.scissor = {200, 0, 10, 10};
   EXPECT_EQ(state.key().region.width, 0);
-  state.raster.scissorTest = false;
+  state.viewport.scissorTest = false;
   state.viewport.box = {-2000000000, 0, 2147483647, 2147483647};
   EXPECT_LE(state.key().region.width, 16384);
 }

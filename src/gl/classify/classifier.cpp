@@ -179,7 +179,7 @@ Reason Classifier::classify(const KnownMesh& known, const std::vector<MaterialCh
   ShadowState& shadow = p_.shadow;
   const auto meetsSampled = [&] {
     return !scene::isSolid(known.mesh->shape) &&
-           p_.surfaces.passes.meetsSampled(*known.mesh, shadow.modelview(), shadow.target().framebuffer,
+           p_.surfaces.passes.meetsSampled(*known.mesh, shadow.modelview(), depthPlaceOf(shadow),
                                            isPushedBack());
   };
   if (reason == Reason::traced && meetsSampled()) reason = Reason::passes;
@@ -215,8 +215,7 @@ Reason Classifier::whereEverythingIsTraced(const KnownMesh& known,
   SurfaceHistory& surfaces = p_.surfaces;
   if (surfaces.precision.isTooLarge(*known.mesh, clipFromObject, size)) return Reason::tooLarge;
   if (surfaces.passes.several(known.mesh->geometryId) ||
-      surfaces.passes.meetsRasterised(*known.mesh, shadow.modelview(), shadow.target().framebuffer,
-                                      isPushedBack()))
+      surfaces.passes.meetsRasterised(*known.mesh, shadow.modelview(), depthPlaceOf(shadow), isPushedBack()))
     return Reason::passes;
   if (isFlat(*known.mesh, clipFromObject)) return Reason::flat;
   const RasterState& raster = shadow.raster();
@@ -243,7 +242,7 @@ Reason Classifier::ofSolids(const scene::Mesh& mesh, const std::vector<MaterialC
 SurfacePlace Classifier::placeOf(const glm::dmat4& clipFromObject, scene::PolygonOffset offset) const {
   const TargetState& target = p_.shadow.target();
   offset.resolution = target.depthResolution;
-  return {target.framebuffer, p_.shadow.viewport().box, clipFromObject, offset};
+  return {depthPlaceOf(p_.shadow), clipFromObject, offset};
 }
 
 bool Classifier::isLayer(const scene::Mesh& mesh, const std::vector<MaterialChange>& materials) const {

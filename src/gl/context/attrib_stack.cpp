@@ -17,10 +17,10 @@ uint32_t groupsOfAttrib(GLbitfield mask) {
   if (mask & GL_CURRENT_BIT) groups |= kCurrent | kMaterial;
   if (mask & GL_LIGHTING_BIT) groups |= kLighting | kMaterial;
   if (mask & GL_ENABLE_BIT)  // sRGB encoding, too
-    groups |= kRaster | kLighting | kMaterial | kTexture | kClip | kTarget;
+    groups |= kViewport | kRaster | kLighting | kMaterial | kTexture | kClip | kTarget;
   if (mask & GL_TRANSFORM_BIT) groups |= kLighting | kClip | kRaster;  // depth clamp
   if (mask & GL_VIEWPORT_BIT) groups |= kViewport;
-  if (mask & GL_SCISSOR_BIT) groups |= kViewport | kRaster;
+  if (mask & GL_SCISSOR_BIT) groups |= kViewport;
   if (mask & GL_TEXTURE_BIT) groups |= kTexture;
   if (mask & GL_FOG_BIT) groups |= kRaster | kLighting;  // colour sum
   if (mask & GL_COLOR_BUFFER_BIT) groups |= kRaster | kTarget;

@@ -88,7 +88,7 @@ GLuint FullscreenPasses::wholeTarget(GLenum mode, const Elements& elements,
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer) return 0;
   const bool whole = target.framebuffer != 0 && target.samples == 1 && region.x >= 0 && region.y >= 0 &&
                      region.width > 0 && region.height > 0;
-  const bool open = !p_.shadow.raster().scissorTest || viewport.scissor == viewport.box;
+  const bool open = !viewport.scissorTest || viewport.scissor == viewport.box;
   if (!whole || !open || !writesThrough(real, p_.shadow.rare()) ||
       !coversViewport(real, p_.shadow.attributes(), mode, elements))
     return 0;

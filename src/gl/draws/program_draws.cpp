@@ -203,9 +203,8 @@ std::vector<std::vector<Triangle>> ProgramDraws::sampleArrays(GLenum mode, const
 
 void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& elements) {
   if (mode < GL_TRIANGLES || mode > GL_POLYGON || !p_.classifier.meetsDepth(kind)) return;
-  const uint32_t framebuffer = p_.shadow.target().framebuffer;
   const uint64_t count = countTriangles(mode, static_cast<uint64_t>(elements.count));
-  const bool meets = p_.surfaces.passes.anyByProgram(framebuffer, count),
+  const bool meets = p_.surfaces.passes.anyByProgram(p_.shadow.target().framebuffer, count),
              leaves = integer(p_.shadow.real, GL_DEPTH_WRITEMASK) != 0;
   if (!(meets || leaves) || haveUnreadableBuffers(p_.shadow.attributes())) return;
   const ProgramState& program = p_.shadow.program();
@@ -216,7 +215,7 @@ void ProgramDraws::meetPasses(PrimitiveClass kind, GLenum mode, const Elements& 
   for (std::vector<Triangle>& samples : sampleArrays(mode, elements)) {
     if (meets)
       p_.raster.rasteriseMet(
-          p_.surfaces.passes.meetsProgram(framebuffer, samples, count, matrix, pushedBack));
+          p_.surfaces.passes.meetsProgram(depthPlaceOf(p_.shadow), samples, count, matrix, pushedBack));
     if (leaves)
       p_.surfaces.passes.rasterisedByProgram(depthPlaceOf(p_.shadow), count, std::move(samples), matrix,
                                              pushedBack);

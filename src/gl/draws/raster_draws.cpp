@@ -77,8 +77,7 @@ void RasterDraws::remember(const KnownMesh& known) {
 void RasterDraws::meet(std::span<const Triangle> triangles) {
   p_.failsafe.protect([&] {
     p_.flusher.settleBelow(p_.shadow.target().samples);
-    rasteriseMet(p_.surfaces.passes.meets(p_.shadow.modelview(), triangles,
-                                          depthPlaceOf(p_.shadow).framebuffer,
+    rasteriseMet(p_.surfaces.passes.meets(p_.shadow.modelview(), triangles, depthPlaceOf(p_.shadow),
                                           p_.classifier.increasesDepth()));
   });
 }

@@ -135,8 +135,16 @@ std::optional<CoplanarSurfaces::PlanarMesh> CoplanarSurfaces::placed(const scene
       add({p.x, p.y, p.w});
     }
   }
-  if (planar.before)
+  if (planar.before) {
+    const glm::dvec4 viewport(place.at.viewport);
+    const scene::Region& r = place.at.region;
+    const auto toNdc = [&](const glm::dvec2& pixel) {
+      return 2.0 * (pixel - glm::dvec2(viewport)) / glm::dvec2(viewport.z, viewport.w) - 1.0;
+    };
+    box.lower = glm::max(box.lower, toNdc({r.x, r.y}));
+    box.upper = glm::min(box.upper, toNdc({r.x + r.width, r.y + r.height}));
     planar.lower = glm::max(planar.lower, box.lower), planar.upper = glm::min(planar.upper, box.upper);
+  }
   if (!(planar.lower.x < planar.upper.x && planar.lower.y < planar.upper.y)) return std::nullopt;
   return planar;
 }
@@ -168,7 +176,8 @@ std::vector<CoplanarSurfaces::Piece> CoplanarSurfaces::piecesOf(const PlanarMesh
 bool CoplanarSurfaces::overlap(const PlanarMesh& a, const PlanarMesh& b) {
   const glm::dvec2 lower = glm::max(a.lower, b.lower), upper = glm::min(a.upper, b.upper);
   if (!(lower.x + kNarrow < upper.x && lower.y + kNarrow < upper.y)) return false;
-  if (a.place.framebuffer != b.place.framebuffer || a.place.viewport != b.place.viewport) return false;
+  if (a.place.at.framebuffer != b.place.at.framebuffer || a.place.at.viewport != b.place.at.viewport)
+    return false;
   if (!(a.place.offset == b.place.offset)) return false;
   // How far rasterisers round: up to eight steps of a 24-bit depth buffer, or four of a coarser one.
   const double most = std::max(0x1p-20, 8.0 * double{a.place.offset.resolution});
@@ -235,27 +244,28 @@ bool CoplanarSurfaces::meets(const scene::MeshPtr& mesh, const SurfacePlace& pla
   for (const PlanarMesh& other : planar_) {
     // If this epoch already found both to overlap other meshes, comparing them adds nothing.
     if (metNow && isRemembered(other.mesh->geometryId) && metIn_[other.mesh->geometryId] == epoch_) continue;
-    if (!overlap(other, *planar)) continue;
+    if (!depths_.reaches(other.at, place.at) || !overlap(other, *planar)) continue;
     found_ = found_ || !met || !isRemembered(other.mesh->geometryId);
     met = metNow = true;
     remember(other.mesh->geometryId), remember(mesh->geometryId);
   }
   planar->epoch = epoch_;
+  planar->at = depths_.stamp(place.at);
   planar_.push_back(std::move(*planar));
   used_ = true;
   return met;
 }
 
 void CoplanarSurfaces::clear(const DepthClear& depth) {
+  depths_.clear(depth);
   endEpoch();
-  std::erase_if(planar_, [&](const PlanarMesh& planar) {
-    return depth.removes({planar.place.framebuffer, planar.place.viewport});
-  });
+  std::erase_if(planar_, [&](const PlanarMesh& planar) { return depth.removes(planar.place.at); });
 }
 
 void CoplanarSurfaces::clear() {
   endEpoch();
   planar_.clear();
+  depths_.forget();
 }
 
 void CoplanarSurfaces::endEpoch() {

@@ -19,8 +19,7 @@ namespace gluray::gl {
 
 /// Where a draw places its mesh.
 struct SurfacePlace {
-  uint32_t framebuffer = 0;
-  glm::ivec4 viewport{0};
+  DepthPlace at;
   glm::dmat4 clipFromObject{1};
   scene::PolygonOffset offset;  // its `resolution` is the framebuffer's depth resolution
 };
@@ -41,7 +40,7 @@ class CoplanarSurfaces {
   /// Reports a swap of buffers: a new, empty depth epoch begins.
   void clear();
   /// Reports the end of a frame without a swap, which keeps depth.
-  void shown() { endEpoch(); }
+  void shown() { depths_.nextTurn(), endEpoch(); }
   bool empty() const { return planar_.empty(); }
   /// Work of this depth epoch: triangles read plus bounding boxes compared (a pair of triangles counts as 8).
   uint64_t work() const { return work_; }
@@ -60,9 +59,10 @@ class CoplanarSurfaces {
     glm::dvec3 plane;
     glm::ivec2 axes;           // the two object-space axes used as coordinates (s, t) in its plane
     glm::dmat3 clipFromPlane;  // clip x, y and w from (s, t, 1)
-    glm::dvec2 lower, upper;   // its bounds, clipped to the viewport
+    glm::dvec2 lower, upper;   // its bounds, clipped to the pixels that it may cover
     bool before = true;        // all of it is in front of the viewer
     uint64_t epoch = 0;        // depth epoch in which it was drawn
+    DepthStamp at;
   };
   struct Piece;
   struct Common;
@@ -86,7 +86,8 @@ class CoplanarSurfaces {
   bool isRemembered(const Hash128& geometry);
 
   std::vector<PlanarMesh> planar_;  // not removed by a clear yet
-  bool used_ = false;               // a planar mesh was drawn in this depth epoch
+  DepthHistory depths_;
+  bool used_ = false;  // a planar mesh was drawn in this depth epoch
   bool found_ = false;
   uint64_t epoch_ = 0, work_ = 0;
   std::unordered_map<Hash128, uint64_t> metIn_;                    // geometry -> last depth epoch

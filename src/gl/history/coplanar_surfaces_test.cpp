@@ -1,5 +1,6 @@
 #include "gl/history/coplanar_surfaces.h"
 
+#include "gl/state/state.h"
 #include "gl/testing/test_mesh.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,8 +12,15 @@ namespace {
 const glm::dmat4 kView = glm::perspective(0.8, 1.5, 1.0, 20.0) *
                          glm::lookAt(glm::dvec3(3, 2, 6), glm::dvec3(0), glm::dvec3(0, 1, 0));
 
+/// Without a scissor test.
+DepthPlace placeOf(uint32_t framebuffer, const glm::ivec4& viewport) {
+  ViewportState state;
+  state.box = viewport;
+  return {framebuffer, viewport, state.region()};
+}
+
 SurfacePlace here(const glm::dmat4& objectFromObject = glm::dmat4(1)) {
-  return {0, {0, 0, 300, 200}, kView * objectFromObject, {}};
+  return {placeOf(0, {0, 0, 300, 200}), kView * objectFromObject, {}};
 }
 
 scene::MeshPtr rectangle(glm::vec2 lower, glm::vec2 upper, float z = 0) {
@@ -53,8 +61,8 @@ TEST(PlanarMeshes, DoNotMeetAcrossOffsetsViewportsOrFramebuffers) {
   const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
   SurfacePlace pushed = here(), otherWindow = here(), otherViewport = here();
   pushed.offset.units = 2;
-  otherWindow.framebuffer = 7;
-  otherViewport.viewport.x = 300;
+  otherWindow.at = placeOf(7, {0, 0, 300, 200});
+  otherViewport.at = placeOf(0, {300, 0, 300, 200});
   for (const SurfacePlace& place : {pushed, otherWindow, otherViewport}) {
     CoplanarSurfaces planar;
     EXPECT_FALSE(planar.meets(first, here()));
@@ -93,6 +101,29 @@ TEST(PlanarMeshes, StayUntilTheirPixelsAreCleared) {
   EXPECT_FALSE(meetsAfter([](CoplanarSurfaces& planar) { planar.clear(); }));
 }
 
+TEST(PlanarMeshes, MeetOnlyInPixelsThatBothMayCover) {
+  const scene::MeshPtr first = rectangle({-1, -1}, {1, 1}), second = rectangle({-0.5f, -0.5f}, {0.2f, 3});
+  const auto scissored = [](const scene::Region& to) {
+    SurfacePlace place = here();
+    place.at.region = to;
+    return place;
+  };
+  const SurfacePlace left = scissored({0, 0, 150, 200}), right = scissored({150, 0, 150, 200});
+  const auto meet = [&](const SurfacePlace& a, const SurfacePlace& b) {
+    CoplanarSurfaces planar;
+    EXPECT_FALSE(planar.meets(first, a));
+    return planar.meets(second, b);
+  };
+  EXPECT_TRUE(meet(left, left));
+  EXPECT_TRUE(meet(left, here()));
+  EXPECT_FALSE(meet(left, right));
+  CoplanarSurfaces planar;
+  EXPECT_FALSE(planar.meets(first, here()));
+  planar.clear({0, left.at.region});
+  EXPECT_FALSE(planar.meets(second, left)) << "drawn again where all was cleared";
+  EXPECT_TRUE(planar.meets(second, here()));
+}
+
 TEST(PlanarMeshes, OfEarlierEpochsMakeRoom) {
   CoplanarSurfaces planar;
   for (size_t i = 0; i < CoplanarSurfaces::kMaxPlanarMeshes; ++i)
@@ -103,20 +134,50 @@ TEST(PlanarMeshes, OfEarlierEpochsMakeRoom) {
   EXPECT_TRUE(planar.meets(rectangle({-0.5f, -0.5f}, {0.2f, 3}), here()));
 }
 
+constexpr glm::ivec4 kTen(0, 0, 10, 10);
+
 TEST(DepthHistory, OtherFramebuffersCountUntilThisOneIsCleared) {
   DepthHistory history;
-  const DepthStamp drawn = history.stamp({1, {0, 0, 10, 10}});
-  EXPECT_TRUE(history.reaches(drawn, 1));
-  EXPECT_TRUE(history.reaches(drawn, 2)) << "they may share their depth";
+  const DepthStamp drawn = history.stamp(placeOf(1, kTen));
+  EXPECT_TRUE(history.reaches(drawn, placeOf(1, kTen)));
+  EXPECT_TRUE(history.reaches(drawn, placeOf(2, kTen))) << "they may share their depth";
   history.clear({2, {0, 0, 10, 10}});
-  EXPECT_FALSE(history.reaches(drawn, 2));
-  EXPECT_TRUE(history.reaches(drawn, 1));
-  EXPECT_TRUE(history.reaches(history.stamp({1, {0, 0, 10, 10}}), 2)) << "drawn later";
+  EXPECT_FALSE(history.reaches(drawn, placeOf(2, kTen)));
+  EXPECT_TRUE(history.reaches(drawn, placeOf(1, kTen)));
+  EXPECT_TRUE(history.reaches(history.stamp(placeOf(1, kTen)), placeOf(2, kTen))) << "drawn later";
+}
+
+TEST(DepthHistory, PartsThatWereClearedHoldNothing) {
+  DepthHistory history;
+  const auto at = [](const scene::Region& region) { return DepthPlace{1, kTen, region}; };
+  const scene::Region left{0, 0, 5, 10}, right{5, 0, 5, 10}, within{1, 1, 2, 2};
+  const DepthStamp drawn = history.stamp(placeOf(1, kTen)), drawnRight = history.stamp(at(right));
+  EXPECT_TRUE(history.reaches(drawn, at(left)));
+  EXPECT_FALSE(history.reaches(drawnRight, at(left))) << "other pixels";
+  history.clear({1, left});
+  const DepthStamp again = history.stamp(at(left));
+  EXPECT_FALSE(history.reaches(drawn, at(left)));
+  EXPECT_FALSE(history.reaches(drawn, at(within)));
+  EXPECT_TRUE(history.reaches(drawn, at(right)));
+  EXPECT_TRUE(history.reaches(drawn, placeOf(1, kTen)));
+  EXPECT_TRUE(history.reaches(again, at(within)));
+  history.clear({1, within});
+  EXPECT_FALSE(history.reaches(again, at(within)));
+  EXPECT_FALSE(history.reaches(drawn, at(left))) << "the larger clear still counts";
+}
+
+TEST(DepthHistory, KnowsOnlyTheLastClears) {
+  DepthHistory history;
+  const DepthStamp drawn = history.stamp(placeOf(1, {0, 0, 1000, 10}));
+  const auto pixel = [](int x) { return DepthPlace{1, kTen, {x, 0, 1, 1}}; };
+  for (int x = 0; x < 100; ++x) history.clear({1, pixel(x).region});
+  EXPECT_FALSE(history.reaches(drawn, pixel(99)));
+  EXPECT_TRUE(history.reaches(drawn, pixel(0)));
 }
 
 TEST(DepthHistory, ForgetsWhatIsNeverCleared) {
   DepthHistory history;
-  const DepthStamp drawn = history.stamp({1, {0, 0, 10, 10}});
+  const DepthStamp drawn = history.stamp(placeOf(1, kTen));
   for (uint64_t i = 0; i < DepthHistory::kMaxTurns; ++i) history.nextTurn();
   EXPECT_FALSE(history.isOld(drawn));
   history.nextTurn();
@@ -125,10 +186,10 @@ TEST(DepthHistory, ForgetsWhatIsNeverCleared) {
 
 TEST(DepthClear, RemovesWhatItCovers) {
   const DepthClear clear{0, {0, 0, 100, 50}};
-  EXPECT_TRUE(clear.removes({0, {0, 0, 100, 50}}));
-  EXPECT_TRUE(clear.removes({0, {-20, -10, 120, 60}})) << "no pixels have negative coordinates";
-  EXPECT_FALSE(clear.removes({1, {0, 0, 100, 50}}));
-  EXPECT_FALSE(clear.removes({0, {0, 0, 101, 50}}));
+  EXPECT_TRUE(clear.removes(placeOf(0, {0, 0, 100, 50})));
+  EXPECT_TRUE(clear.removes(placeOf(0, {-20, -10, 120, 60}))) << "no pixels have negative coordinates";
+  EXPECT_FALSE(clear.removes(placeOf(1, {0, 0, 100, 50})));
+  EXPECT_FALSE(clear.removes(placeOf(0, {0, 0, 101, 50})));
 }
 
 TEST(PlanarMeshes, BentSurfacesAreNotPlanar) {

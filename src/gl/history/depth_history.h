@@ -5,17 +5,20 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <vector>
 
 namespace gluray::gl {
 
 class ShadowState;
 
-/// The framebuffer and viewport that a surface is drawn into.
+/// Where a surface is drawn.
 struct DepthPlace {
   uint32_t framebuffer = 0;
   glm::ivec4 viewport{0};
+  scene::Region region;  // the pixels that it may cover (ViewportState::region())
   bool operator==(const DepthPlace&) const = default;
 };
 
@@ -36,8 +39,8 @@ struct DepthStamp {
   uint64_t turn = 0;
 };
 
-/// Counts turns, and records the last clear of each framebuffer. A turn ends with a clear of depth, or with a
-/// frame that ends without a swap.
+/// Counts turns, and records the last clears of each framebuffer. A turn ends with a clear of depth, or with
+/// a frame that ends without a swap.
 class DepthHistory {
  public:
   /// Number of turns for which surfaces are remembered if their depth is not cleared.
@@ -48,14 +51,20 @@ class DepthHistory {
   void clear(const DepthClear& clear);
   /// Forgets the clears.
   void forget() { cleared_.clear(); }
-  /// Whether a surface that was drawn there may have left depth in `framebuffer`. Framebuffers may share
-  /// their depth, so depth in another framebuffer counts unless `framebuffer` was cleared later.
-  bool reaches(const DepthStamp& drawn, uint32_t framebuffer) const;
+  /// Whether a surface that was drawn there may have left depth where one is drawn `now`: not where all of
+  /// that region was cleared since, as by programs that draw a part of the window again. Framebuffers may
+  /// share their depth, so depth in another framebuffer counts unless that of `now` was cleared later.
+  bool reaches(const DepthStamp& drawn, const DepthPlace& now) const;
   bool isOld(const DepthStamp& drawn) const { return drawn.turn + kMaxTurns < turn_; }
 
  private:
   uint64_t turn_ = 0;
-  std::unordered_map<uint32_t, uint64_t> cleared_;  // framebuffer -> first turn after its last clear
+  struct ClearedBox {
+    scene::Region box;
+    uint64_t turn;  // the first one after the clear
+  };
+  static constexpr size_t kMaxBoxes = 64;                          // of a framebuffer
+  std::unordered_map<uint32_t, std::vector<ClearedBox>> cleared_;  // by framebuffer; the last clear last
 };
 
 }  // namespace gluray::gl

@@ -52,14 +52,14 @@ bool MultipassSurfaces::holdsSome(const scene::Mesh& mesh, std::span<const Trian
 }
 
 MultipassSurfaces::Meeting MultipassSurfaces::meets(const glm::dmat4& eyeFromObject,
-                                                    std::span<const Triangle> triangles, uint32_t framebuffer,
-                                                    bool pushedBack) {
+                                                    std::span<const Triangle> triangles,
+                                                    const DepthPlace& place, bool pushedBack) {
   Meeting meeting = Meeting::none;
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     Surface& surface = it->second;
     if (surface.pushedBack && !pushedBack) continue;  // the offset lets the later pass win in any case
-    if (!depths_.reaches(surface.at, framebuffer) || !liesUpon(surface, eyeFromObject, triangles)) continue;
+    if (!depths_.reaches(surface.at, place) || !liesUpon(surface, eyeFromObject, triangles)) continue;
     remember(surface.mesh->geometryId);
     meeting = meet(surface, meeting);
   }
@@ -71,15 +71,16 @@ MultipassSurfaces::Meeting MultipassSurfaces::meet(Surface& surface, Meeting bef
   return surface.how == How::pending || before == Meeting::pending ? Meeting::pending : Meeting::drawn;
 }
 
-MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(uint32_t framebuffer,
+MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(const DepthPlace& place,
                                                            std::span<const Triangle> triangles,
                                                            uint64_t count, const glm::dmat4* clipFromObject,
                                                            bool pushedBack) {
   Meeting meeting = Meeting::none;
-  const auto [first, last] = surfaces_.equal_range(placeIn(framebuffer));
+  const auto [first, last] = surfaces_.equal_range(placeIn(place.framebuffer));
   for (auto it = first; it != last; ++it) {
     Surface& surface = it->second;
     if (surface.mesh->triangleCount != count || (surface.pushedBack && !pushedBack)) continue;
+    if (!depths_.reaches(surface.at, place)) continue;
     if (clipFromObject && !(*clipFromObject == *surface.clipFromObject)) continue;
     if (!holdsSome(*surface.mesh, triangles)) continue;
     remember(surface.mesh->geometryId);
@@ -89,24 +90,24 @@ MultipassSurfaces::Meeting MultipassSurfaces::meetsProgram(uint32_t framebuffer,
 }
 
 bool MultipassSurfaces::meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
-                                     uint32_t framebuffer, bool pushedBack) {
+                                     const DepthPlace& place, bool pushedBack) {
   idle_ = 0;
   for (const auto& [name, at] : unsampledFixed_)
-    if (depths_.reaches(at, framebuffer)) return true;
+    if (depths_.reaches(at, place)) return true;
   return sampled_.any(mesh, eyeFromObject, pushedBack,
                       [&](const DepthStamp& at, std::span<const Triangle> triangles) {
-                        return depths_.reaches(at, framebuffer) && holdsSome(mesh, triangles);
+                        return depths_.reaches(at, place) && holdsSome(mesh, triangles);
                       });
 }
 
 bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject,
-                                        uint32_t framebuffer, bool pushedBack) {
+                                        const DepthPlace& place, bool pushedBack) {
   if (!rasterised_ || !anyUnder(eyeFromObject)) return false;
   const std::vector<Triangle> triangles = sampleTriangles(mesh);
   const auto [first, last] = surfaces_.equal_range(hashOf(eyeFromObject));
   for (auto it = first; it != last; ++it) {
     if (it->second.how != How::rasterised || it->second.pushedBack != pushedBack ||
-        !depths_.reaches(it->second.at, framebuffer) || !liesUpon(it->second, eyeFromObject, triangles))
+        !depths_.reaches(it->second.at, place) || !liesUpon(it->second, eyeFromObject, triangles))
       continue;
     remember(it->second.mesh->geometryId);
     remember(mesh.geometryId);
@@ -127,8 +128,7 @@ bool MultipassSurfaces::meetsTracedUnder(const Hash128& key, const scene::MeshPt
     ++compared_;
     if (surface.how != How::traced || !coincident_.coincide(*surface.mesh, *mesh) ||
         !(surface.at.place.viewport == place.viewport) || !sameMatrix(surface) ||
-        !(surface.snapshot->polygonOffset == batch.polygonOffset) ||
-        !depths_.reaches(surface.at, place.framebuffer))
+        !(surface.snapshot->polygonOffset == batch.polygonOffset) || !depths_.reaches(surface.at, place))
       continue;
     surface.met = found = true;
     remember(surface.mesh->geometryId);
@@ -154,11 +154,13 @@ bool MultipassSurfaces::meetsTracedByProgram(const scene::MeshPtr& mesh, const g
 bool MultipassSurfaces::meetsRasterised(const DepthPlace& place, const scene::Mesh& mesh,
                                         const glm::dmat4& clipFromObject, bool pushedBack) {
   const auto unseen = unseen_.empty() ? unseen_.end() : unseen_.find(unseenKey(place));
-  if (unseen != unseen_.end() && unseen->second.counts.contains(mesh.triangleCount)) return true;
+  if (unseen != unseen_.end() && unseen->second.counts.contains(mesh.triangleCount) &&
+      depths_.reaches(unseen->second.at, place))
+    return true;
   const auto meets = [&](const Rasterised& r) {
     return r.at.place.framebuffer == place.framebuffer && r.count == mesh.triangleCount &&
            (pushedBack || !r.pushedBack) && (!r.clipFromObject || *r.clipFromObject == clipFromObject) &&
-           holdsSome(mesh, r.triangles);
+           depths_.reaches(r.at, place) && holdsSome(mesh, r.triangles);
   };
   if (!std::any_of(rasterisedByProgram_.begin(), rasterisedByProgram_.end(), meets)) return false;
   remember(mesh.geometryId);

@@ -3,7 +3,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstdint>
 #include <utility>
 
 namespace gluray::gl {
@@ -26,8 +28,9 @@ Hash128 MultipassSurfaces::placeIn(uint32_t framebuffer) {
 }
 
 Hash128 MultipassSurfaces::unseenKey(const DepthPlace& place) {
-  static_assert(sizeof place == sizeof place.framebuffer + sizeof place.viewport);
-  return hashBytes(&place, sizeof place);
+  const glm::ivec4& v = place.viewport;
+  const std::array<int64_t, 5> key = {place.framebuffer, v.x, v.y, v.z, v.w};
+  return hashBytes(key.data(), sizeof key);
 }
 
 void MultipassSurfaces::drawn(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, How how,
@@ -134,7 +137,9 @@ void MultipassSurfaces::addUnsampledFixedDraw(const DepthPlace& place) {
   const auto [known, added] = unsampledFixed_.try_emplace(place.framebuffer, now);
   if (added) return;
   known->second.turn = now.turn;
-  known->second.place.viewport = uniteViewports(known->second.place.viewport, place.viewport);
+  DepthPlace& all = known->second.place;
+  all.viewport = uniteViewports(all.viewport, place.viewport);
+  all.region = scene::united(all.region, place.region);
 }
 
 void MultipassSurfaces::rasterisedByProgram(const DepthPlace& place, uint64_t count,
@@ -150,7 +155,9 @@ void MultipassSurfaces::rasterisedUnseen(const DepthPlace& place, uint64_t count
   if (count == 0 || lastUnseen_ == Unseen{place, count}) return;
   limit();
   UnseenAt& unseen = unseen_[unseenKey(place)];
+  const scene::Region earlier = unseen.at.place.region;
   unseen.at = depths_.stamp(place);
+  unseen.at.place.region = scene::united(earlier, place.region);
   if (unseen.counts.insert(count).second) ++unseenCounts_;
   lastUnseen_ = {place, count};
 }

@@ -94,13 +94,13 @@ class MultipassSurfaces {
   /// Reports such a surface without a sample of its triangles: all traceable surfaces of fixed function that
   /// follow in the depth epoch count as coincident with it.
   void addUnsampledFixedDraw(const DepthPlace& place);
-  /// Whether `mesh`, which would be traced into `framebuffer`, coincides with a surface reported by
+  /// Whether `mesh`, which would be traced there, coincides with a surface reported by
   /// rasterisedFixed() or addUnsampledFixedDraw(). The result is not remembered for later frames.
-  bool meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, uint32_t framebuffer,
+  bool meetsSampled(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, const DepthPlace& place,
                     bool pushedBack);
   /// Whether `mesh`, which could be traced, coincides with a surface of drawn() that was rasterised. If so,
   /// both are remembered as multipass.
-  bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, uint32_t framebuffer,
+  bool meetsRasterised(const scene::Mesh& mesh, const glm::dmat4& eyeFromObject, const DepthPlace& place,
                        bool pushedBack);
 
   /// Whether surfaces of an earlier batch were traced in this depth epoch.
@@ -118,11 +118,11 @@ class MultipassSurfaces {
   /// Whether one of the triangles about to be drawn coincides with one of an earlier surface of the depth
   /// epoch. Surfaces that were pushed back do not count unless the new ones are, too. The earlier surface is
   /// then remembered as multipass. `pending`: it is still in the pending batch.
-  Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, uint32_t framebuffer,
+  Meeting meets(const glm::dmat4& eyeFromObject, std::span<const Triangle> triangles, const DepthPlace& place,
                 bool pushedBack);
   /// The same for a shader program's draw of `count` triangles. `triangles`: a sample of them;
   /// `clipFromObject`: null if unknown.
-  Meeting meetsProgram(uint32_t framebuffer, std::span<const Triangle> triangles, uint64_t count,
+  Meeting meetsProgram(const DepthPlace& place, std::span<const Triangle> triangles, uint64_t count,
                        const glm::dmat4* clipFromObject, bool pushedBack);
   /// Reports that a shader program's draw of `count` triangles is rasterised and writes depth. `triangles`: a
   /// sample of them.
@@ -164,7 +164,7 @@ class MultipassSurfaces {
   /// Key in surfaces_ of surfaces that shader programs draw into a framebuffer.
   static Hash128 placeIn(uint32_t framebuffer);
   /// Key in unseen_.
-  static Hash128 unseenKey(const DepthPlace& place);
+  static Hash128 unseenKey(const DepthPlace& place);  // by framebuffer and viewport
   /// Ends the depth epoch if it had surfaces.
   void endEpoch();
   /// Forgets all entries for which `gone(DepthStamp)` is true.

@@ -32,13 +32,6 @@ scene::Region reachedBy(const scene::Snapshot& s, const scene::Instance& instanc
           static_cast<int>(to.y - from.y)};
 }
 
-scene::Region united(const scene::Region& a, const scene::Region& b) {
-  if (a.width <= 0) return b;
-  if (b.width <= 0) return a;
-  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 }  // namespace
 
 bool DrawnLayers::mayBeDrawn() const {
@@ -73,7 +66,7 @@ bool DrawnLayers::readUnder() {
   const scene::Snapshot& waiting = p_.pending.batch.waiting();
   scene::Region region;
   for (const scene::Instance& instance : waiting.instances)
-    region = united(region, reachedBy(waiting, instance));
+    region = scene::united(region, reachedBy(waiting, instance));
   if (region.width <= 0) region = {waiting.region.x, waiting.region.y, 1, 1};  // none of them is visible
   auto layers = std::make_shared<scene::Layers>(*waiting.layers);
   FramebufferReader& reader = p_.pending.presenter.reader();

@@ -52,7 +52,7 @@ GLuint inputTexture(const RealGl& real, const ProgramState& program) {
 }
 
 bool peelsIntoAll(ShadowState& shadow) {
-  const bool open = !shadow.raster().scissorTest || shadow.viewport().scissor == shadow.viewport().box;
+  const bool open = !shadow.viewport().scissorTest || shadow.viewport().scissor == shadow.viewport().box;
   return open && shadow.target().framebuffer != 0 && shadow.target().samples == 1 &&
          shadow.viewport().box.x == 0 && shadow.viewport().box.y == 0 && shadow.viewport().box.z > 0 &&
          shadow.viewport().box.w > 0 && keepsLargest(shadow.real, shadow.rare());

@@ -144,7 +144,6 @@ void readRaster(const RealGl& real, const RareState& has, RasterState& raster, s
   raster.depthFunc = static_cast<GLenum>(integer(real, GL_DEPTH_FUNC));
   raster.writesDepth = integer(real, GL_DEPTH_WRITEMASK) != 0;
   raster.depthsFromZero = hasDepthsFromZero(real, has);
-  raster.scissorTest = isOn(real, GL_SCISSOR_TEST);
   raster.offsetFill = isOn(real, GL_POLYGON_OFFSET_FILL);
   real.GetFloatv(GL_POLYGON_OFFSET_FACTOR, &raster.offsetFactor);
   real.GetFloatv(GL_POLYGON_OFFSET_UNITS, &raster.offsetUnits);

@@ -6,9 +6,28 @@
 #include <GL/glext.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace gluray::gl {
+namespace {
+
+scene::Region intersect(glm::ivec4 a, glm::ivec4 b) {
+  const int x0 = std::max(a.x, b.x), y0 = std::max(a.y, b.y);
+  const int64_t x1 = std::min(int64_t{a.x} + a.z, int64_t{b.x} + b.z),
+                y1 = std::min(int64_t{a.y} + a.w, int64_t{b.y} + b.w);
+  return {x0, y0, static_cast<int>(std::max<int64_t>(0, x1 - x0)),
+          static_cast<int>(std::max<int64_t>(0, y1 - y0))};
+}
+
+}  // namespace
+
+scene::Region ViewportState::region() const {
+  constexpr int kLargest = 16384;  // no framebuffer is larger; limits images for absurd viewports
+  const scene::Region r = intersect(box, {0, 0, kLargest, kLargest});
+  return scissorTest ? intersect({r.x, r.y, r.width, r.height}, scissor) : r;
+}
 
 uint32_t groupsOfCapability(GLenum capability) {
   if (capability >= GL_LIGHT0 && capability <= GL_LIGHT0 + 31) return kLighting;
@@ -27,7 +46,7 @@ uint32_t groupsOfCapability(GLenum capability) {
     case GL_TEXTURE_GEN_T:
     case GL_TEXTURE_GEN_R:
     case GL_TEXTURE_GEN_Q: return kTexture;
-    case GL_SCISSOR_TEST:
+    case GL_SCISSOR_TEST: return kViewport;
     case GL_DEPTH_TEST:
     case GL_CULL_FACE:
     case GL_BLEND:
@@ -55,6 +74,7 @@ glm::dmat4 readMatrix(const RealGl& real, GLenum name) {
 void readViewport(const RealGl& real, ViewportState& viewport) {
   real.GetIntegerv(GL_VIEWPORT, &viewport.box.x);
   real.GetIntegerv(GL_SCISSOR_BOX, &viewport.scissor.x);
+  viewport.scissorTest = isOn(real, GL_SCISSOR_TEST);
   GLfloat range[2] = {0, 1};
   real.GetFloatv(GL_DEPTH_RANGE, range);
   viewport.depthNear = range[0], viewport.depthFar = range[1];

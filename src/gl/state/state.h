@@ -20,7 +20,7 @@ namespace gluray::gl {
 enum StateGroup : uint32_t {
   kModelview = 1 << 0,
   kProjection = 1 << 1,
-  kViewport = 1 << 2,  // viewport, depth range, scissor box
+  kViewport = 1 << 2,  // viewport, depth range, scissor box and test
   kRaster = 1 << 3,    // per-fragment operations and polygon state, with their enables
   kLighting = 1 << 4,  // lights, light model, shade model, colour material, normalisation
   kMaterial = 1 << 5,
@@ -54,7 +54,6 @@ struct RasterState {
   // `reason`, if all fog and the functions GREATER and GEQUAL were traced.
   Reason butDepthFunc = Reason::depthFunc;
   scene::ColorWrites colorWrites;  // channels that glColorMask and blending let draws write
-  bool scissorTest = false;
   GLenum depthFunc = GL_LESS;
   /// Whether larger depths are nearer.
   bool isReversed() const { return depthFunc == GL_GREATER || depthFunc == GL_GEQUAL; }
@@ -104,8 +103,12 @@ struct TargetState {
 
 struct ViewportState {
   glm::ivec4 box{0, 0, 1, 1};      // x, y, width, height
-  glm::ivec4 scissor{0, 0, 1, 1};  // x, y, width, height; used while RasterState::scissorTest is true
+  glm::ivec4 scissor{0, 0, 1, 1};  // x, y, width, height
+  bool scissorTest = false;
   float depthNear = 0, depthFar = 1;
+  /// The pixels that polygons may cover, in a framebuffer of at most 16,384 pixels a side. Its size is not
+  /// negative.
+  scene::Region region() const;
 };
 
 /// State that decides which pixels a draw may change, and how. Refers to the state that it was made from.

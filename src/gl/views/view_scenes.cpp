@@ -19,11 +19,6 @@ constexpr size_t kMaxBatches = 256;      // of an epoch that no clear ends
 constexpr size_t kMaxSimilarEpochs = 4;  // ended epochs of one viewport: layers of renderers
 constexpr uint64_t kLongAgo = 256;       // ends
 
-scene::Region united(const scene::Region& a, const scene::Region& b) {
-  const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
-  return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
-}
-
 /// Passes that draw layers write into textures of their own, which are as large as the view.
 bool drawsAside(const BatchKey& key) {
   return key.layers == BatchKey::Layers::peeled || key.layers == BatchKey::Layers::summed;
@@ -169,7 +164,7 @@ void ViewScenes::traced(const BatchKey& key, const scene::SnapshotPtr& snapshot,
     if (epoch->batches.size() >= kMaxBatches) epoch->batches.erase(epoch->batches.begin());
     epoch->batches.push_back(std::move(drawn));
     epoch->isChecked = false;
-    if (!drawsAside(key)) epoch->region = united(epoch->region, snapshot->region);
+    if (!drawsAside(key)) epoch->region = scene::united(epoch->region, snapshot->region);
   } catch (const std::exception&) { forget(); }
 }
 

@@ -73,10 +73,15 @@ TEST(Relighting, AnErasedSurfaceGivesNoShade) {
     floor(gl);
     gl.Disable(GL_SCISSOR_TEST);
   };
-  const Step half = [](Gl gl) { gl.Scalef(1, 0.9f, 1); };  // inside the window
+  const Step half = [](Gl gl) { gl.LoadIdentity(), gl.Scalef(1, 0.9f, 1); };  // inside the window
   const std::vector<int> alone = floorOf(frameOf({half, floor}));
   EXPECT_NE(floorOf(frameOf({half, floor, kSplit, wall})), alone);
   EXPECT_EQ(floorOf(frameOf({half, floor, kSplit, wall, erase})), alone);
+  LitProgram program(coarseAo());
+  for (int frame = 0; frame < 3; ++frame) {
+    EXPECT_EQ(floorOf(program.frame({half, floor, kSplit, wall, erase})), alone) << frame;
+    EXPECT_EQ(program.statistics().drawsTraced, 3u * (static_cast<unsigned>(frame) + 1));
+  }
 }
 
 /// A framebuffer object with a texture or, with several samples, a renderbuffer for its colours.
