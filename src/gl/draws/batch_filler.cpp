@@ -119,7 +119,7 @@ void BatchFiller::add(const scene::MeshPtr& mesh, SlotMask slots,
   if (scene::isSolid(mesh->shape)) return addSolids(key, mesh, slots, materials);
   if (!open(key, p_.shadow.modelview())) return;
   p_.pending.batch.add(instanceOf(mesh, slots, materials), shadingOf(slots));
-  if (!layer || key.blending.writesDepth) reportDrawn(mesh, p_.shadow.modelview());
+  reportDrawn(mesh, p_.shadow.modelview(), !layer || key.blending.writesDepth);
   settleFailure();
 }
 
@@ -133,26 +133,29 @@ void BatchFiller::addByProgram(const BatchKey& key, const scene::MeshPtr& mesh, 
   if (program.eyeFromObject) instance.lightingFromObject = glm::mat4(*program.eyeFromObject);
   p_.pending.batch.add(std::move(instance), program.shading);
   p_.pending.batch.keep(std::move(kept));
-  if (key.layers == BatchKey::Layers::none || key.blending.writesDepth)
-    reportDrawn(mesh, p_.shadow.modelview());
+  reportDrawn(mesh, p_.shadow.modelview(), key.layers == BatchKey::Layers::none || key.blending.writesDepth);
   settleFailure();
 }
 
-void BatchFiller::reportDrawn(const scene::MeshPtr& mesh, const glm::dmat4& modelview) {
+void BatchFiller::reportDrawn(const scene::MeshPtr& mesh, const glm::dmat4& modelview, bool leavesDepth) {
   MultipassSurfaces& passes = p_.surfaces.passes;
   const DepthPlace place = depthPlaceOf(p_.shadow);
-  passes.drawn(mesh, modelview, MultipassSurfaces::How::pending, place, p_.classifier.isPushedBack());
-  if (passes.anyTraced() && passes.meetsTraced(mesh, modelview, p_.pending.batch.waiting(), place))
+  if (leavesDepth)
+    passes.drawn(mesh, modelview, MultipassSurfaces::How::pending, place, p_.classifier.isPushedBack());
+  if (passes.anyTraced() &&
+      passes.meetsTraced(mesh, modelview, p_.pending.batch.waiting(), place, leavesDepth))
     p_.raster.rasteriseMet(MultipassSurfaces::Meeting::pending);
 }
 
 void BatchFiller::reportDrawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& modelview,
-                                       const glm::dmat4& clipFromObject) {
+                                       const glm::dmat4& clipFromObject, bool leavesDepth) {
   MultipassSurfaces& passes = p_.surfaces.passes;
   const DepthPlace place = depthPlaceOf(p_.shadow);
   const Batch& batch = p_.pending.batch;
-  passes.drawnByProgram(mesh, modelview, clipFromObject, place, batch.key().offset.pushesBack());
-  if (passes.anyTraced() && passes.meetsTracedByProgram(mesh, clipFromObject, batch.waiting(), place))
+  if (leavesDepth)
+    passes.drawnByProgram(mesh, modelview, clipFromObject, place, batch.key().offset.pushesBack());
+  if (passes.anyTraced() &&
+      passes.meetsTracedByProgram(mesh, clipFromObject, batch.waiting(), place, leavesDepth))
     p_.raster.rasteriseMet(MultipassSurfaces::Meeting::pending);
 }
 

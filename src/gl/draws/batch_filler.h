@@ -47,12 +47,13 @@ class BatchFiller {
   void clampToTarget(scene::Region& region);
   /// Reports that the context may have another drawable now.
   void forgetDrawable() { drawableSize_ = {0, 0}; }
-  /// Call after a surface that writes depth was added: reports it to MultipassSurfaces. If it coincides with
-  /// traced surfaces of earlier batches, the real OpenGL draws it, the pending batch, and their depth.
-  void reportDrawn(const scene::MeshPtr& mesh, const glm::dmat4& modelview);
+  /// Call after a surface was added that tests depth: reports it to MultipassSurfaces, if it `leavesDepth`.
+  /// If it coincides with traced surfaces of earlier batches, the real OpenGL draws it, the pending batch,
+  /// and their depth.
+  void reportDrawn(const scene::MeshPtr& mesh, const glm::dmat4& modelview, bool leavesDepth);
   /// The same for a surface that a shader program places by `clipFromObject`.
   void reportDrawnByProgram(const scene::MeshPtr& mesh, const glm::dmat4& modelview,
-                            const glm::dmat4& clipFromObject);
+                            const glm::dmat4& clipFromObject, bool leavesDepth);
   /// Call after a draw was added: if a flush failed meanwhile, flushes the draw before later, rasterised
   /// ones.
   void settleFailure() {

@@ -282,10 +282,10 @@ Reason ProgramDraws::add(const scene::MeshPtr& mesh, GLenum mode, const Elements
   }
   p_.pending.batch.keep(std::move(kept));
   const BatchKey& key = p_.pending.batch.key();
-  const bool seenAgain = key.layers == BatchKey::Layers::none ||
-                         (key.layers == BatchKey::Layers::drawn && key.blending.writesDepth);
-  if (!many && seenAgain && mesh->shape == scene::Shape::triangles)
-    p_.filler.reportDrawnByProgram(mesh, modelview, program.clipFromObject);
+  const bool tests = key.layers == BatchKey::Layers::none || key.layers == BatchKey::Layers::drawn,
+             leaves = key.layers == BatchKey::Layers::none || key.blending.writesDepth;
+  if (!many && tests && mesh->shape == scene::Shape::triangles)
+    p_.filler.reportDrawnByProgram(mesh, modelview, program.clipFromObject, leaves);
   p_.filler.settleFailure();
   return Reason::traced;
 }

@@ -83,7 +83,12 @@ void RasterDraws::meet(std::span<const Triangle> triangles) {
 }
 
 void RasterDraws::rasteriseMet(MultipassSurfaces::Meeting meeting) {
-  for (const DepthRedraw& redraw : p_.surfaces.passes.takeTraced()) {
+  const std::vector<DepthRedraw> redraws = p_.surfaces.passes.takeTraced();
+  // Layers that wait meet the depths that were there when they were drawn.
+  if (!redraws.empty() && meeting != MultipassSurfaces::Meeting::pending && !p_.pending.batch.empty() &&
+      p_.pending.batch.key().layers == BatchKey::Layers::drawn)
+    p_.flusher.flush();
+  for (const DepthRedraw& redraw : redraws) {
     const WithoutOtherOffsets guard(p_.shadow.real);
     p_.cleared.forget();
     PresentTarget target{.core = p_.shadow.info.core, .rasterise = true, .depthAgain = true};

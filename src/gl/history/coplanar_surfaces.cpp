@@ -1,5 +1,7 @@
 #include "gl/history/coplanar_surfaces.h"
 
+#include "gl/history/mesh_plane.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,28 +11,6 @@ namespace gluray::gl {
 namespace {
 
 constexpr double kNarrow = 1e-5;  // NDC; overlaps narrower than this cover no visible sample
-
-glm::dvec3 position(const scene::Mesh& mesh, uint32_t triangle, uint32_t k) {
-  return glm::dvec3(mesh.position(mesh.corner(triangle, k)));
-}
-
-/// The plane that contains all corners, within the rounding of their coordinates; nullopt if there is none.
-std::optional<glm::dvec4> findPlane(const scene::Mesh& mesh) {
-  glm::dvec3 normal(0);
-  for (uint32_t t = 0; t < mesh.triangleCount && normal == glm::dvec3(0); ++t) {
-    const glm::dvec3 p = position(mesh, t, 0);
-    normal = glm::cross(position(mesh, t, 1) - p, position(mesh, t, 2) - p);
-  }
-  if (!(glm::length(normal) > 0)) return std::nullopt;
-  normal = glm::normalize(normal);
-  const glm::dvec3 origin = position(mesh, 0, 0);
-  const glm::dvec3 reach = glm::max(glm::abs(glm::dvec3(mesh.lower)), glm::abs(glm::dvec3(mesh.upper)));
-  const double rounding = 1e-6 * (reach.x + reach.y + reach.z);
-  for (uint32_t t = 0; t < mesh.triangleCount; ++t)
-    for (uint32_t k = 0; k < 3; ++k)
-      if (!(std::abs(glm::dot(normal, position(mesh, t, k) - origin)) <= rounding)) return std::nullopt;
-  return glm::dvec4(normal, -glm::dot(normal, origin));
-}
 
 using Corners = std::array<glm::dvec3, 3>;
 
@@ -75,23 +55,6 @@ std::array<glm::dvec3, 4> cornersOf(const Box2& box) {
           glm::dvec3(box.upper.x, box.lower.y, 1)};
 }
 
-/// The two axes along which the plane extends most, that is without the axis closest to its normal.
-glm::ivec2 axesOf(const glm::dvec4& plane) {
-  const glm::dvec3 n = glm::abs(glm::dvec3(plane));
-  if (n.x >= n.y && n.x >= n.z) return {1, 2};
-  return n.y >= n.z ? glm::ivec2(0, 2) : glm::ivec2(0, 1);
-}
-
-/// The matrix from (s, t, 1) to clip x, y and w of the point of `plane` with coordinates s, t along `axes`.
-glm::dmat3 fromPlane(const glm::dmat4& clipFromObject, const glm::dvec4& plane, const glm::ivec2& axes) {
-  const int third = 3 - axes.x - axes.y;
-  const auto column = [&](int axis) {
-    const glm::dvec4 c = clipFromObject[axis] - clipFromObject[third] * (plane[axis] / plane[third]);
-    return glm::dvec3(c.x, c.y, c.w);
-  };
-  return {column(axes.x), column(axes.y), column(3)};
-}
-
 }  // namespace
 
 /// A triangle in normalised device coordinates.
@@ -111,12 +74,12 @@ std::optional<CoplanarSurfaces::PlanarMesh> CoplanarSurfaces::placed(const scene
                                                                      const SurfacePlace& place,
                                                                      const glm::dvec4& plane) {
   const glm::dvec4 clip = glm::transpose(glm::inverse(place.clipFromObject)) * plane;
-  const glm::ivec2 axes = axesOf(plane);
+  const glm::ivec2 axes = axesOfPlane(plane);
   PlanarMesh planar{mesh,
                     place,
                     {-clip.x / clip.z, -clip.y / clip.z, -clip.w / clip.z},
                     axes,
-                    fromPlane(place.clipFromObject, plane, axes),
+                    clipFromPlane(place.clipFromObject, plane, axes),
                     glm::dvec2(-1),
                     glm::dvec2(1)};
   // Seen edge-on, the mesh covers nothing.
@@ -131,7 +94,7 @@ std::optional<CoplanarSurfaces::PlanarMesh> CoplanarSurfaces::placed(const scene
   if (!planar.before) {  // the triangles may be in front of the viewer even if their bounds are not
     planar.before = true, box = {};
     for (uint32_t i = 0; i < 3 * mesh->triangleCount && planar.before; ++i) {
-      const glm::dvec4 p = place.clipFromObject * glm::dvec4(position(*mesh, i / 3, i % 3), 1);
+      const glm::dvec4 p = place.clipFromObject * glm::dvec4(cornerOf(*mesh, i / 3, i % 3), 1);
       add({p.x, p.y, p.w});
     }
   }
@@ -157,7 +120,7 @@ std::vector<CoplanarSurfaces::Piece> CoplanarSurfaces::piecesOf(const PlanarMesh
     Corners at;
     Box2 box;
     for (uint32_t k = 0; k < 3; ++k) {
-      at[k] = position(*planar.mesh, t, k);
+      at[k] = cornerOf(*planar.mesh, t, k);
       const glm::dvec3 p = commonFromPlane * glm::dvec3(at[k][planar.axes.x], at[k][planar.axes.y], 1);
       box.add(glm::dvec2(p) / p.z);
     }
@@ -300,7 +263,7 @@ const std::optional<glm::dvec4>& CoplanarSurfaces::planeOf(const scene::Mesh& me
   if (planes_.size() > kMax) planes_.clear();
   const auto known = planes_.find(mesh.geometryId);
   if (known != planes_.end()) return known->second;
-  return planes_.emplace(mesh.geometryId, findPlane(mesh)).first->second;
+  return planes_.emplace(mesh.geometryId, planeOfMesh(mesh)).first->second;
 }
 
 }  // namespace gluray::gl

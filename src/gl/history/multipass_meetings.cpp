@@ -119,13 +119,14 @@ bool MultipassSurfaces::meetsRasterised(const scene::Mesh& mesh, const glm::dmat
 template <class SameMatrix>
 bool MultipassSurfaces::meetsTracedUnder(const Hash128& key, const scene::MeshPtr& mesh,
                                          const scene::Snapshot& batch, const DepthPlace& place,
-                                         const SameMatrix& sameMatrix) {
+                                         bool leavesDepth, const SameMatrix& sameMatrix) {
   constexpr uint64_t kMaxCompared = 1 << 16;  // surfaces in a depth epoch: a millisecond
   bool found = false;
   const auto [first, last] = surfaces_.equal_range(key);
   for (auto it = first; it != last && compared_ < kMaxCompared; ++it) {
     Surface& surface = it->second;
     ++compared_;
+    if (!leavesDepth && surface.mesh->geometryId == mesh->geometryId) continue;
     if (surface.how != How::traced || !coincident_.coincide(*surface.mesh, *mesh) ||
         !(surface.at.place.viewport == place.viewport) || !sameMatrix(surface) ||
         !(surface.snapshot->polygonOffset == batch.polygonOffset) || !depths_.reaches(surface.at, place))
@@ -138,17 +139,20 @@ bool MultipassSurfaces::meetsTracedUnder(const Hash128& key, const scene::MeshPt
 }
 
 bool MultipassSurfaces::meetsTraced(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject,
-                                    const scene::Snapshot& batch, const DepthPlace& place) {
-  return meetsTracedUnder(hashOf(eyeFromObject), mesh, batch, place, [&](const Surface& surface) {
-    return surface.eyeFromObject == eyeFromObject && surface.snapshot->camera == batch.camera;
-  });
+                                    const scene::Snapshot& batch, const DepthPlace& place, bool leavesDepth) {
+  return meetsTracedUnder(
+      hashOf(eyeFromObject), mesh, batch, place, leavesDepth, [&](const Surface& surface) {
+        return surface.eyeFromObject == eyeFromObject && surface.snapshot->camera == batch.camera;
+      });
 }
 
 bool MultipassSurfaces::meetsTracedByProgram(const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject,
-                                             const scene::Snapshot& batch, const DepthPlace& place) {
-  return meetsTracedUnder(placeIn(place.framebuffer), mesh, batch, place, [&](const Surface& surface) {
-    return surface.clipFromObject && *surface.clipFromObject == clipFromObject;
-  });
+                                             const scene::Snapshot& batch, const DepthPlace& place,
+                                             bool leavesDepth) {
+  return meetsTracedUnder(placeIn(place.framebuffer), mesh, batch, place, leavesDepth,
+                          [&](const Surface& surface) {
+                            return surface.clipFromObject && *surface.clipFromObject == clipFromObject;
+                          });
 }
 
 bool MultipassSurfaces::meetsRasterised(const DepthPlace& place, const scene::Mesh& mesh,

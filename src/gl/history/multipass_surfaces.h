@@ -106,13 +106,14 @@ class MultipassSurfaces {
   /// Whether surfaces of an earlier batch were traced in this depth epoch.
   bool anyTraced() const { return traced_; }
   /// Whether `mesh`, in the pending batch, coincides with surfaces of earlier batches that were traced with
-  /// the same camera and offset. If so, all are remembered as multipass, and takeTraced() returns the earlier
+  /// the same camera and offset. A mesh that does not leave depth meets only other meshes: hits on the same
+  /// one have equal depths. If so, all are remembered as multipass, and takeTraced() returns the earlier
   /// ones. `batch`: the pending batch's draws so far. Compares at most 65,536 pairs in a depth epoch.
   bool meetsTraced(const scene::MeshPtr& mesh, const glm::dmat4& eyeFromObject, const scene::Snapshot& batch,
-                   const DepthPlace& place);
+                   const DepthPlace& place, bool leavesDepth);
   /// The same for a surface that a shader program draws.
   bool meetsTracedByProgram(const scene::MeshPtr& mesh, const glm::dmat4& clipFromObject,
-                            const scene::Snapshot& batch, const DepthPlace& place);
+                            const scene::Snapshot& batch, const DepthPlace& place, bool leavesDepth);
 
   enum class Meeting { none, drawn, pending };
   /// Whether one of the triangles about to be drawn coincides with one of an earlier surface of the depth
@@ -178,7 +179,7 @@ class MultipassSurfaces {
   /// meetsTraced() for the surfaces that surfaces_ has under `key` and for which sameMatrix(surface) is true.
   template <class SameMatrix>
   bool meetsTracedUnder(const Hash128& key, const scene::MeshPtr& mesh, const scene::Snapshot& batch,
-                        const DepthPlace& place, const SameMatrix& sameMatrix);
+                        const DepthPlace& place, bool leavesDepth, const SameMatrix& sameMatrix);
   void remember(const Hash128& geometry);
   const VertexSet& verticesOf(const scene::Mesh& mesh);
 
