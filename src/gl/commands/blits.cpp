@@ -44,7 +44,7 @@ void blitFramebuffer(Context& c, GLint fromX0, GLint fromY0, GLint fromX1, GLint
   c.immediate.closeRunOutsideBegin();
   c.protect([&] { resolved = c.resolves.byBlit(what); });
   if (!resolved) {
-    c.flusher.beforeBlit();
+    c.flusher.beforeBlit(mask);
     blit(c, what);
   }
   c.cleared.forget();

@@ -1,6 +1,7 @@
 #include "gl/commands/finished_read.h"
 
 #include "gl/context/handlers.h"
+#include "gl/context/stub.h"
 
 #include <cstdint>
 
@@ -36,5 +37,37 @@ void FinishedRead::bind(const scene::Region& region) noexcept {
 }
 
 void FinishedRead::unbind() noexcept { context_.pending.presenter.reader().unbindFinished(context_.real); }
+
+void pictureCopied(Context& c) {
+  c.protect([&] { c.relighting.finish(Relighting::Place::read); });
+}
+
+void pictureCopied(Context& c, GLenum internalFormat) {
+  switch (internalFormat) {
+    case GL_DEPTH_COMPONENT:
+    case GL_DEPTH_COMPONENT16:
+    case GL_DEPTH_COMPONENT24:
+    case GL_DEPTH_COMPONENT32:
+    case GL_DEPTH_COMPONENT32F:
+    case GL_DEPTH_STENCIL:
+    case GL_DEPTH24_STENCIL8:
+    case GL_DEPTH32F_STENCIL8: return;
+    default: pictureCopied(c);
+  }
+}
+
+void pictureCopied(Context& c, GLenum target, GLint level) {
+  c.protect([&] {
+    c.shadow.errors.keepPending();
+    GLint depthBits = 0;
+    c.real.GetTexLevelParameteriv(target, level, GL_TEXTURE_DEPTH_SIZE, &depthBits);
+    c.shadow.errors.takeReal();
+    if (depthBits == 0) c.relighting.finish(Relighting::Place::read);
+  });
+}
+
+void imagesRead(Context& c) {
+  c.protect([&] { c.relighting.finish(Relighting::Place::images); });
+}
 
 }  // namespace gluray::gl

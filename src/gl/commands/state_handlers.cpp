@@ -218,14 +218,6 @@ Context::Flush flushToRead(GLenum format) {
   return colors ? Context::Flush::read : Context::Flush::look;
 }
 
-void pictureCopied(Context& c) {
-  c.protect([&] { c.relighting.finish(Relighting::Place::read); });
-}
-
-void imagesRead(Context& c) {
-  c.protect([&] { c.relighting.finish(Relighting::Place::images); });
-}
-
 uint32_t framebufferBound(Context& c) {
   c.shadow.textures.framebufferBound(c.real);
   return kTarget | kTexture;

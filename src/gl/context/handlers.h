@@ -184,6 +184,9 @@ Context::Flush flushToRead(GLenum format);
 /// The bound read framebuffer is copied into a texture, or textures are read: the pictures in them are
 /// finished.
 void pictureCopied(Context& c);
+/// The same for a texture image of this internal format, or for the bound one: depths are no picture.
+void pictureCopied(Context& c, GLenum internalFormat);
+void pictureCopied(Context& c, GLenum target, GLint level);
 void imagesRead(Context& c);
 /// A texture is attached to a framebuffer; another framebuffer is bound.
 uint32_t textureAttached(Context& c, GLuint texture);

@@ -111,13 +111,13 @@ UnresolvedImage::Cleared Flusher::beforeClear(GLbitfield mask) {
   return clean;
 }
 
-void Flusher::beforeBlit() noexcept {
+void Flusher::beforeBlit(GLbitfield mask) noexcept {
   p_.failsafe.protect([&] {
     flushBatch();
     p_.resolves.meetBlit();
     p_.composed.settle();
     p_.window.settle();
-    p_.relighting.finish(Relighting::Place::read);
+    if (mask & GL_COLOR_BUFFER_BIT) p_.relighting.finish(Relighting::Place::read);
     p_.shadow.sendBuffers();
   });
 }

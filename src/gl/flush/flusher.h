@@ -59,7 +59,7 @@ class Flusher final : public BatchFlush {
   /// Returns what is clean then, for ResolveDraws::cleanIs() after the real clear.
   UnresolvedImage::Cleared beforeClear(GLbitfield mask);
   /// Call before a glBlitFramebuffer that ResolveDraws::byBlit() does not make.
-  void beforeBlit() noexcept;
+  void beforeBlit(GLbitfield mask) noexcept;
   /// Call before texture images, or a buffer's contents, change: flushes if pending draws read them.
   void imagesChange() noexcept;
   void contentsChange(GLuint buffer) noexcept;

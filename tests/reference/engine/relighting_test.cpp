@@ -84,6 +84,27 @@ TEST(Relighting, AnErasedSurfaceGivesNoShade) {
   }
 }
 
+TEST(Relighting, CopiesOfDepthsFinishNoPicture) {
+  for (const bool image : {true, false}) {
+    LitProgram program(coarseAo());
+    GLuint texture = 0;
+    program.gl().GenTextures(1, &texture);
+    const Step copy = [&](Gl gl) {
+      gl.BindTexture(GL_TEXTURE_2D, texture);
+      if (image)
+        return gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 0, 0, kLitViewSize, kLitViewSize, 0);
+      gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kLitViewSize, kLitViewSize, 0, GL_DEPTH_COMPONENT,
+                    GL_FLOAT, nullptr);
+      gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, kLitViewSize, kLitViewSize);
+    };
+    for (int frame = 0; frame < 3; ++frame) {
+      program.frame({floor, copy, wall});
+      EXPECT_EQ(program.statistics().imagesRelit, 1u) << "the wall comes again in frame " << frame;
+    }
+    EXPECT_EQ(program.gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  }
+}
+
 /// A framebuffer object with a texture or, with several samples, a renderbuffer for its colours.
 struct Object {
   GLuint framebuffer = 0, texture = 0, buffers[2] = {};
