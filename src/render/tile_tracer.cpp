@@ -131,6 +131,7 @@ Traced traceTiles(const scene::Snapshot& snapshot, const accel::World& world, Im
   if (options.litExposure != 1) frame.exposeLit(options.litExposure);
   if (wantsFeatures(snapshot)) frame.dropTones();
   frame.remote = options.remote;
+  frame.media = options.media;
   if (frame.remote) frame.remote->begin(frame);
   const double start = nowSeconds();
   const bool smooths = !options.source || options.movingSource;

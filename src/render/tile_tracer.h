@@ -4,6 +4,7 @@
 #include "accel/world.h"
 #include "base/image.h"
 #include "parallel/arena.h"
+#include "render/media/medium_lattice.h"
 #include "render/moving/light_history.h"
 #include "render/moving/moving_tile_source.h"
 #include "render/tiles/tile_source.h"
@@ -35,8 +36,9 @@ struct TraceOptions {
   // With remote surfaces: called when the image is complete, before other processes get their last answers;
   // `seconds`: time since all processes began.
   std::function<void(double seconds)> traced = {};
-  float litExposure = 1;  // factor of linear light of lit surfaces
-  bool averages = true;   // pixels may average several samples; false only with a source
+  std::vector<PlacedLattice> media = {};  // FrameData::media
+  float litExposure = 1;                  // factor of linear light of lit surfaces
+  bool averages = true;                   // pixels may average several samples; false only with a source
 };
 
 /// Computes colour and window depth of every pixel of the snapshot's region, for the instances in `world`.

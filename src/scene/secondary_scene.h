@@ -4,6 +4,7 @@
 #include "scene/effects.h"
 #include "scene/framebuffer_capture.h"
 #include "scene/snapshot.h"
+#include "scene/volumes/placed_volume.h"
 
 #include <glm/glm.hpp>
 
@@ -24,6 +25,7 @@ struct SecondaryScene {
   /// Surfaces whose colours come from an image: one per instance; missing entries are not captured.
   std::vector<CapturedSurface> captured;
   std::vector<std::shared_ptr<const FramebufferCapture>> captures;
+  std::vector<PlacedVolume> volumes;  // they block light; the snapshot's surfaces are behind or in them
   /// For Snapshot::catches: the framebuffer's depths, without colours. Null: unknown.
   std::shared_ptr<const FramebufferCapture> framebuffer;
   bool operator==(const SecondaryScene&) const = default;

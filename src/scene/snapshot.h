@@ -7,6 +7,7 @@
 #include "scene/mesh.h"
 #include "scene/region.h"
 #include "scene/shading.h"
+#include "scene/volumes/placed_volume.h"
 #include "settings/settings.h"
 
 #include <glm/glm.hpp>
@@ -171,6 +172,7 @@ struct Snapshot {
   bool laterWins = false;  // GL_LEQUAL: of coincident surfaces the last drawn is visible; otherwise the first
   std::vector<Shading> shadings;
   std::vector<Instance> instances;
+  std::vector<PlacedVolume> volumes;  // drawn in place of instances, of which there are none then
   std::shared_ptr<const SecondaryScene> secondaryScene;  // null: no other surfaces block or reflect light
   // Diagonal of the scene's bounds in eye space, where the program leaves out parts of the scene that are out
   // of view; 0: the surfaces above are the whole scene.

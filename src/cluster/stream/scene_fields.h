@@ -172,13 +172,14 @@ void fields(auto& archive, Like<scene::CapturedSurface> auto& value) {
   archive(capture, clipFromObject);
 }
 void fields(auto& archive, Like<scene::SecondaryScene> auto& value) {
-  auto& [shadings, instances, blended, viewFromWorld, captured, captures, framebuffer] = value;
+  // Snapshots with volumes are not sent.
+  auto& [shadings, instances, blended, viewFromWorld, captured, captures, volumes, framebuffer] = value;
   archive(shadings, instances, blended, viewFromWorld, captured, captures, framebuffer);
 }
 void fields(auto& archive, Like<scene::Snapshot> auto& value) {
   auto& [frame, view, viewFrame, swaps, number, lightSampling, camera, eyeFromWorld, region, samples,
          samplePositions, polygonOffset, layers, wideColors, byteSamples, encodes, colorWrites, laterWins,
-         shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings] = value;
+         shadings, instances, volumes, secondaryScene, extent, ground, catches, backdrop, settings] = value;
   archive(frame, view, viewFrame, swaps, number, lightSampling, camera, eyeFromWorld, region, samples,
           samplePositions, polygonOffset, layers, wideColors, byteSamples, encodes, colorWrites, laterWins,
           shadings, instances, secondaryScene, extent, ground, catches, backdrop, settings);

@@ -53,6 +53,7 @@ bool ImageCache::isSame(Entry& entry, const scene::Snapshot& s) noexcept {
   if (entry.around && !(entry.around->shadings == s.secondaryScene->shadings &&
                         entry.around->blended == s.secondaryScene->blended &&
                         entry.around->viewFromWorld == s.secondaryScene->viewFromWorld &&
+                        entry.around->volumes == s.secondaryScene->volumes &&
                         scene::haveSameCaptures(*entry.around, *s.secondaryScene) &&
                         areSame(entry.around->instances, entry.meshes.data() + s.instances.size(),
                                 s.secondaryScene->instances)))

@@ -14,6 +14,8 @@
 #include "render/resolve/resolve_samples.h"
 #include "render/tile_tracer.h"
 #include "render/tiles/float_guard.h"
+#include "render/volume_light/medium.h"
+#include "render/volume_light/volume_light.h"
 #include "scene/effects.h"
 
 #include <atomic>
@@ -76,9 +78,20 @@ class Renderer::Engine {
       if (paced) paces_[snapshot.view].took(seconds, 1 / static_cast<double>(snapshot.settings.fps));
     };
     if (options.remote) options.traced = took;
+    if (render::hasLight(snapshot)) options.media = media_.of(snapshot, *arena_);
     const bool whole = render::traceImage(snapshot, *world_, *arena_, image, options);
     if (!options.remote) took(nowSeconds() - built);
     return whole;
+  }
+
+  std::shared_ptr<const render::SampleIllumination> illuminate(const scene::Snapshot& given) {
+    const timeline::Span span("volume light");
+    const render::StagedScene staged(given);
+    const render::FloatGuard guard;
+    prepareArena(given.settings.threads);
+    if (!world_) world_.emplace();
+    world_->update(staged.snapshot(), *arena_, staged.hidden());
+    return volumeLights_.arriving({staged.snapshot(), given.volumes.front()}, *world_, media_, *arena_);
   }
 
   bool improves() const { return world_ && world_->refined(); }
@@ -132,6 +145,8 @@ class Renderer::Engine {
   render::FxaaMemory fxaaMemory_;
   std::shared_ptr<Arena> arena_;
   std::optional<accel::World> world_;
+  render::Media media_;
+  render::VolumeLights volumeLights_;
   uint64_t contextsGone_ = 0;  // g_contextsGone when orphans were released
   // Of moving frames, by view; none while light is off.
   render::LightHistories histories_;
@@ -244,6 +259,19 @@ bool Renderer::renderPart(const scene::Snapshot& snapshot, Image& image, scene::
     options.averages = averages, options.remote = &remote;
     engine_->render(snapshot, image, cost, options);
   });
+}
+
+std::shared_ptr<const render::SampleIllumination> Renderer::illuminate(
+    const scene::Snapshot& snapshot) noexcept {
+  std::shared_ptr<const render::SampleIllumination> found;
+  scene::TraceCost cost;
+  std::string error;
+  if (!caught(cost, error, [&] {
+        const InFront lock(*engine_);
+        found = engine_->illuminate(snapshot);
+      }))
+    log::once(log::Level::warning, "volume light", "a volume gets no light: " + error);
+  return found;
 }
 
 bool Renderer::improves() const noexcept {

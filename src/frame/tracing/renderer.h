@@ -15,6 +15,7 @@ namespace gluray::render {
 class MovingTileSource;
 class RemoteSurfaces;
 class TileSource;
+struct SampleIllumination;
 struct MovingRays;
 }  // namespace gluray::render
 
@@ -55,6 +56,11 @@ class Renderer {
   /// which block light. Frames of animations are filtered with earlier frames of this part.
   bool renderPart(const scene::Snapshot& snapshot, Image& image, scene::TraceCost& cost, std::string& error,
                   render::MovingTileSource& source, bool averages, render::RemoteSurfaces& remote) noexcept;
+
+  /// The light that arrives at the samples of the snapshot's volume, of which there is one, with the
+  /// snapshot's settings. Null: they change nothing for it, or it failed: then one line is logged. Any
+  /// thread.
+  std::shared_ptr<const render::SampleIllumination> illuminate(const scene::Snapshot& snapshot) noexcept;
 
   /// A context was destroyed: before the next image, all renderers free the acceleration structures whose
   /// meshes went with it. Any thread.

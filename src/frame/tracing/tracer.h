@@ -1,6 +1,7 @@
 // Functions for presenters to trace snapshots. Any thread.
 #pragma once
 #include "base/image.h"
+#include "render/media/sample_illumination.h"
 #include "scene/fxaa.h"
 #include "scene/resolve.h"
 #include "scene/snapshot.h"
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace gluray::frame {
@@ -38,6 +40,10 @@ using Improves = std::function<bool()>;
 /// throws.
 using StandsAlone = std::function<bool(const scene::Snapshot&)>;
 
+/// The light that arrives at the samples of the snapshot's volume; null: the settings change nothing for it,
+/// or it failed, with the reason in the log. Never throws. frame::Renderer::illuminate in the engine.
+using Illuminate = std::function<std::shared_ptr<const render::SampleIllumination>(const scene::Snapshot&)>;
+
 /// Called for each new image that is shown, after its passes. `finished`: no further passes follow. Never
 /// throws.
 using Shown = std::function<void(const scene::Snapshot&, const Image&, bool finished)>;
@@ -58,6 +64,7 @@ struct Tracer {
   Antialias antialias = {};
   Resolve resolve = {};
   Improves improves = {};
+  Illuminate illuminate = {};  // empty: volumes neither get nor block light
   TraceBehind behind = {};
   StandsAlone standsAlone = {};
   Shown shown = {};

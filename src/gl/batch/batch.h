@@ -104,6 +104,8 @@ class Batch {
   /// Adds an instance whose eyeFromObject is set. Equal shadings are stored once. If an equal surface was
   /// added before, only the one that passes the depth function is kept.
   void add(scene::Instance instance, scene::Shading shading);
+  /// Makes the batch that of a volume, in place of instances. Its world space is data space.
+  void add(scene::PlacedVolume volume) { snapshot_->volumes.push_back(std::move(volume)); }
   /// Whether an instance with this matrix can be expressed in the batch's world space.
   bool takes(const glm::dmat4& eyeFromObject) const;
   /// Hands over the snapshot and leaves the batch empty.

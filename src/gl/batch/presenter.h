@@ -94,6 +94,8 @@ class Presenter {
                          const scene::Region&, const Settings&) noexcept {
     return false;
   }
+  /// Whether castVolume() gives volumes the light of the settings, and they block that of surfaces.
+  virtual bool lightsVolumes() const noexcept { return false; }
   /// Traces a volume and blends it over the bound framebuffer, whose depth stays. False, with the reason for
   /// the user in `why`, if nothing was drawn. Never throws.
   virtual bool castVolume(const RealGl&, const scene::VolumeCast&, std::string& why) noexcept {

@@ -2,6 +2,8 @@
 
 #include "scene/world_space.h"
 
+#include <algorithm>
+
 namespace gluray::gl {
 namespace {
 
@@ -41,13 +43,24 @@ bool SecondarySceneBuilder::isNew(const scene::Instance& instance) {
   return true;
 }
 
+bool SecondarySceneBuilder::isNew(const scene::PlacedVolume& volume) {
+  const bool seen = std::any_of(volumes_.begin(), volumes_.end(), [&](const scene::PlacedVolume* other) {
+    return other->eyeFromData == volume.eyeFromData && scene::blockAlike(*other->medium, *volume.medium);
+  });
+  if (!seen) volumes_.push_back(&volume);
+  return !seen;
+}
+
 void SecondarySceneBuilder::skip(const scene::Snapshot& part) {
   for (const scene::Instance& instance : part.instances) isNew(instance);
+  for (const scene::PlacedVolume& volume : part.volumes) isNew(volume);
 }
 
 void SecondarySceneBuilder::add(const scene::Snapshot& part, const glm::dmat4& eyeFromPart,
                                 const std::shared_ptr<const scene::FramebufferCapture>& capture,
                                 const std::vector<uint8_t>& erased, const glm::dmat4& moved) {
+  for (const scene::PlacedVolume& volume : part.volumes)
+    if (isNew(volume)) made_->volumes.push_back({volume.medium, eyeFromPart * moved * volume.eyeFromData});
   const auto shadings = static_cast<uint32_t>(made_->shadings.size());
   const bool inPlace = eyeFromPart == glm::dmat4(1) && moved == glm::dmat4(1);
   const size_t before = made_->instances.size();
@@ -71,7 +84,7 @@ void SecondarySceneBuilder::add(const scene::Snapshot& part, const glm::dmat4& e
 
 std::shared_ptr<const scene::SecondaryScene> SecondarySceneBuilder::takeSecondaryScene(
     const glm::dmat4& viewFromWorld) {
-  if (made_->instances.empty()) return nullptr;
+  if (made_->instances.empty() && made_->volumes.empty()) return nullptr;
   made_->viewFromWorld = viewFromWorld;
   return std::move(made_);
 }

@@ -26,17 +26,19 @@ class SecondarySceneBuilder {
            const std::shared_ptr<const scene::FramebufferCapture>& capture,
            const std::vector<uint8_t>& erased, const glm::dmat4& moved = glm::dmat4(1));
   /// Parts from here on were drawn in another frame than those before: equal places mean nothing.
-  void nextFrame() { seen_.clear(); }
+  void nextFrame() { seen_.clear(), volumes_.clear(); }
   /// Null where nothing was added.
   std::shared_ptr<const scene::SecondaryScene> takeSecondaryScene(const glm::dmat4& viewFromWorld);
 
  private:
   bool isNew(const scene::Instance&);
+  bool isNew(const scene::PlacedVolume&);
 
   const scene::Snapshot& of_;
   glm::dmat4 worldFromEye_;
   std::shared_ptr<scene::SecondaryScene> made_;
   std::unordered_multimap<Hash128, const scene::Instance*> seen_;  // by geometry and place
+  std::vector<const scene::PlacedVolume*> volumes_;                // likewise seen
 };
 
 }  // namespace gluray::gl

@@ -30,6 +30,11 @@ bool areAlike(const scene::Instance& a, const scene::Instance& b) {
          a.frontFaceCcw == b.frontFaceCcw && a.impostors == b.impostors;
 }
 
+bool areAlike(const scene::PlacedVolume& a, const scene::PlacedVolume& b) {
+  return (a.medium == b.medium || scene::blockAlike(*a.medium, *b.medium)) &&
+         areNear(a.eyeFromData, b.eyeFromData);
+}
+
 /// Whether all that an instance shows lies in the box; false where that is not known.
 bool isInside(const scene::Region& box, const scene::Camera& camera, const scene::Instance& instance) {
   const scene::Mesh& mesh = *instance.mesh;
@@ -52,6 +57,9 @@ bool isInside(const scene::Region& box, const scene::Camera& camera, const scene
 
 bool lightAlike(const scene::SecondaryScene* a, const scene::SecondaryScene* b) {
   if (!a || !b) return !a && !b;
+  const auto sameVolume = [](const auto& x, const auto& y) { return areAlike(x, y); };
+  if (!std::equal(a->volumes.begin(), a->volumes.end(), b->volumes.begin(), b->volumes.end(), sameVolume))
+    return false;
   if (a->instances.size() != b->instances.size() || a->blended != b->blended || !haveSameCaptures(*a, *b))
     return false;
   for (size_t i = 0; i < a->instances.size(); ++i)
@@ -91,6 +99,12 @@ scene::SnapshotPtr relitOf(const ViewEpoch& epoch, size_t batch, const SceneExte
 void eraseSurfaces(ViewEpoch& epoch, const scene::Region& box) {
   for (ViewEpoch::Drawn& drawn : epoch.batches) {
     const scene::Snapshot& s = *drawn.snapshot;
+    if (!s.volumes.empty() && contains(box, s.region)) {
+      auto erased = std::make_shared<scene::Snapshot>(s);
+      erased->volumes.clear();
+      drawn.snapshot = std::move(erased), epoch.isChecked = false;
+      continue;
+    }
     for (size_t i = 0; i < s.instances.size(); ++i) {
       if (!isInside(box, s.camera, s.instances[i])) continue;
       drawn.erased.resize(s.instances.size());

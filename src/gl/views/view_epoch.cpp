@@ -13,7 +13,18 @@ bool areNear(const glm::dmat4& a, const glm::dmat4& b) {
   return true;
 }
 
+namespace {
+
+Likeness likenessOfVolumes(const scene::Snapshot& earlier, const scene::Snapshot& now) {
+  if (earlier.volumes.size() != now.volumes.size()) return Likeness::none;
+  const auto gridOf = [](const scene::Snapshot& s) { return s.volumes.front().medium->volume.grid; };
+  return gridOf(earlier) == gridOf(now) ? Likeness::same : Likeness::resembles;
+}
+
+}  // namespace
+
 Likeness likenessOf(const scene::Snapshot& earlier, const scene::Snapshot& now) {
+  if (!now.volumes.empty() || !earlier.volumes.empty()) return likenessOfVolumes(earlier, now);
   const bool layers = !earlier.layers == !now.layers && (!now.layers || earlier.layers->of == now.layers->of);
   if (!layers || earlier.instances.empty() || now.instances.empty()) return Likeness::none;
   if (earlier.instances[0].mesh->geometryId == now.instances[0].mesh->geometryId) return Likeness::same;
@@ -34,6 +45,8 @@ void Movement::compare(const scene::Snapshot& before, const scene::Snapshot& now
   const size_t count = std::min(before.instances.size(), now.instances.size());
   for (size_t i = 0; i < count && moved_.size() < kMax; ++i)
     compare(before.instances[i].eyeFromObject, now.instances[i].eyeFromObject);
+  const size_t volumes = std::min(before.volumes.size(), now.volumes.size());
+  for (size_t i = 0; i < volumes; ++i) compare(before.volumes[i].eyeFromData, now.volumes[i].eyeFromData);
 }
 
 std::optional<glm::dmat4> Movement::shared() const {
@@ -50,7 +63,9 @@ std::optional<glm::dmat4> Movement::shared() const {
 bool isStill(const scene::Snapshot& before, const scene::Snapshot& now) {
   return std::equal(before.instances.begin(), before.instances.end(), now.instances.begin(),
                     now.instances.end(),
-                    [](const auto& a, const auto& b) { return a.eyeFromObject == b.eyeFromObject; });
+                    [](const auto& a, const auto& b) { return a.eyeFromObject == b.eyeFromObject; }) &&
+         std::equal(before.volumes.begin(), before.volumes.end(), now.volumes.begin(), now.volumes.end(),
+                    [](const auto& a, const auto& b) { return a.eyeFromData == b.eyeFromData; });
 }
 
 }  // namespace gluray::gl

@@ -7,6 +7,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -40,6 +41,10 @@ struct ViewEpoch {
   size_t repeated = 0;                    // number of its batches that are drawn again by now
   bool isChecked = false;                 // no batch was added since ViewScenes::outdated()
 
+  bool holdsVolumes() const {
+    return std::any_of(batches.begin(), batches.end(),
+                       [](const Drawn& drawn) { return !drawn.snapshot->volumes.empty(); });
+  }
   const scene::Snapshot& first() const { return *batches.front().snapshot; }
 };
 

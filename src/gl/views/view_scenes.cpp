@@ -257,7 +257,9 @@ void ViewScenes::forgetOld() {
     const auto alike = std::count_if(kept.begin(), kept.end(), [&](const auto& k) {
       return isAt(*k, e.framebuffer, e.drawBuffer, e.viewport);
     });
-    if (clock_ - e.ended < kLongAgo && static_cast<size_t>(alike) < kMaxSimilarEpochs) kept.push_back(*it);
+    // Volumes are large: none but the last ones are held.
+    const size_t most = e.holdsVolumes() ? 1 : kMaxSimilarEpochs;
+    if (clock_ - e.ended < kLongAgo && static_cast<size_t>(alike) < most) kept.push_back(*it);
   }
   ended_.assign(kept.rbegin(), kept.rend());
 }

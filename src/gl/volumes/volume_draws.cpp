@@ -6,6 +6,8 @@
 #include "gl/shadow/shadow_state.h"
 #include "gl/state/output_state.h"
 #include "gl/volumes/volume_reader.h"
+#include "scene/effects.h"
+#include "scene/secondary_scene.h"
 
 #include <GL/glext.h>
 #include <glm/gtc/matrix_transform.hpp>
@@ -104,7 +106,8 @@ bool VolumeDraws::readFaces(GLenum mode, const Elements& elements, scene::Volume
   return true;
 }
 
-bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, std::string& why) {
+bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast& cast,
+                       glm::dmat4& clipFromData, std::string& why) {
   if (const char* found = obstacle()) return why = found, false;
   VolumeReader reader(p_.shadow);
   if (!reader.read(cast)) return why = reader.why(), false;
@@ -112,7 +115,8 @@ bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast&
   const glm::dmat4 windowFromClip =
       glm::translate(glm::dmat4(1), {box.x + 0.5 * box.z, box.y + 0.5 * box.w, 0.5}) *
       glm::scale(glm::dmat4(1), {0.5 * box.z, 0.5 * box.w, 0.5});
-  cast.view.windowFromData = windowFromClip * reader.clipFromData();
+  clipFromData = reader.clipFromData();
+  cast.view.windowFromData = windowFromClip * clipFromData;
   if (!readFaces(mode, elements, cast.view))
     return why = "its faces are no triangles that can be read", false;
   scene::Region pixels = Batch::keyOf(p_.shadow.pixelState(), glm::dmat4(1)).region;
@@ -129,14 +133,44 @@ bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast&
   return reader.readDepths(cast.view) || (why = reader.why(), false);
 }
 
+void VolumeDraws::placeInView(const glm::dmat4& clipFromData, scene::VolumeCast& cast) {
+  const Settings& settings = p_.shadow.settings;
+  if (!scene::changesLight(settings) || !p_.pending.presenter.lightsVolumes()) return;
+  if (cast.volume.blend != scene::VolumeBlend::composite || cast.view.slice) return;
+  const ProgramState& program = p_.shadow.program();
+  const glm::dmat4 eyeFromData = program.eyeFromObject.value_or(glm::dmat4(1));
+  viewKey_ = Batch::keyOf(p_.shadow.pixelState(), clipFromData * glm::inverse(eyeFromData));
+  viewKey_.region = cast.view.region;
+  view_.start(viewKey_, p_.shadow.target(), eyeFromData, settings, p_.clock.frame);
+  scene::Snapshot& s = view_.unnumbered();
+  s.samples = 1, s.samplePositions = {glm::vec2(0.5f)};
+  auto medium = std::make_shared<scene::Medium>();
+  medium->volume = cast.volume;
+  medium->textureFromData = cast.view.textureFromData;
+  medium->step = cast.view.step;
+  medium->lower = cast.view.lower, medium->upper = cast.view.upper;
+  medium->clipping = cast.view.clipping;
+  view_.add({std::move(medium), eyeFromData});
+  ViewScenes& views = p_.surfaces.views;
+  if (views.isLeftAlone(viewKey_, s)) return void(view_.takeSnapshot());
+  view_.setUpwardAxis(views.upwardAxisOf(viewKey_, s));
+  const bool isLast = p_.clock.shows && viewKey_.framebuffer == 0 && p_.shadow.info.doubleBuffered;
+  view_.setSecondaryScene(views.secondaryScene(viewKey_, s, isLast));
+  cast.lit = view_.takeSnapshot();
+}
+
 bool VolumeDraws::draw(GLenum mode, const Elements& elements) {
   scene::VolumeCast cast;
+  glm::dmat4 clipFromData(1);
   std::string why;
   p_.shadow.errors.keepPending();
-  bool drawn = read(mode, elements, cast, why);
+  bool drawn = read(mode, elements, cast, clipFromData, why);
   if (drawn && cast.view.region.width > 0) {
     p_.raster.before(PrimitiveClass::surfaces);
+    placeInView(clipFromData, cast);
     drawn = p_.pending.presenter.castVolume(p_.shadow.real, cast, why);
+    if (drawn && cast.lit && scene::needsSecondaryScene(cast.lit->settings))
+      p_.surfaces.views.traced(viewKey_, cast.lit);
   }
   p_.shadow.errors.takeReal();  // of our queries
   if (!drawn) p_.shadow.setProgramWhy(std::move(why));

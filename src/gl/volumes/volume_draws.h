@@ -23,6 +23,8 @@ class VolumeDraws {
   struct Parts {
     ShadowState& shadow;
     const Failsafe& failsafe;
+    const FrameClock& clock;
+    SurfaceHistory& surfaces;
     PendingBatch& pending;
     RasterDraws& raster;
     BatchFiller& filler;
@@ -34,11 +36,16 @@ class VolumeDraws {
   bool draw(GLenum mode, const Elements& elements);
 
  private:
-  bool read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, std::string& why);
+  bool read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, glm::dmat4& clipFromData,
+            std::string& why);
+  /// Gives a volume its place in its view, where settings change light.
+  void placeInView(const glm::dmat4& clipFromData, scene::VolumeCast& cast);
   bool readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const;
   const char* obstacle() const;
 
   Parts p_;
+  Batch view_;        // of placeInView(), empty between calls
+  BatchKey viewKey_;  // of VolumeCast::lit
 };
 
 }  // namespace gluray::gl

@@ -11,8 +11,9 @@ bool TracedVolumes::cast(const gl::RealGl& real, const scene::VolumeCast& cast, 
   try {
     if (!shared_.supported(real, why)) return false;
     const timeline::Span span("volume");
+    const auto light = cast.lit && shared_.tracer.illuminate ? shared_.tracer.illuminate(*cast.lit) : nullptr;
     const char* reason = "";
-    if (!tracer_.trace(cast, *arenaFor(ArenaUse::frames, cast.threads), image_, reason))
+    if (!tracer_.trace(cast, *arenaFor(ArenaUse::frames, cast.threads), image_, reason, light.get()))
       return why = reason, false;
     PendingErrors pending;
     using Test = scene::VolumeView::DepthTest;

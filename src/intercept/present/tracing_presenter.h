@@ -39,6 +39,7 @@ class TracingPresenter final : public gl::Presenter {
                             const scene::SnapshotPtr& now, const gl::RelightTarget& target) noexcept override;
   bool antialias(const gl::RealGl& real, const scene::Fxaa& fxaa, GLint unit, GLuint target,
                  const scene::Region& region, const Settings& settings) noexcept override;
+  bool lightsVolumes() const noexcept override { return shared_.tracer.illuminate != nullptr; }
   bool castVolume(const gl::RealGl& real, const scene::VolumeCast& cast, std::string& why) noexcept override {
     return volumes_.cast(real, cast, why);
   }

@@ -54,6 +54,8 @@ std::unique_ptr<gl::Presenter> makePresenter(const Settings& settings, present::
   if (settings.renderer == Renderer::null) return std::make_unique<NullPresenter>();
   frame::Tracer tracer{trace, antialias, resolve, improves};
   if (refinesWindows) tracer.behind = behind;
+  if (!workers())
+    tracer.illuminate = [](const scene::Snapshot& snapshot) { return sharedRenderer().illuminate(snapshot); };
   if (cluster::RemoteTracer* const job = workers()) {
     tracer.standsAlone = [job](const scene::Snapshot& snapshot) { return job->standsAlone(snapshot); };
     tracer.shown = [job](const scene::Snapshot& snapshot, const Image& image, bool finished) {

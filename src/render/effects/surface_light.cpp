@@ -71,6 +71,12 @@ std::vector<float> SurfaceLight::meaning() const {
       keep(glm::vec3(metric_.worldFromEye * glm::vec4(light.position, 1)) / metric_.diagonal);
     keep(glm::normalize(linear * light.direction));
   }
+  for (const PlacedLattice& medium : frame_.media) {
+    const glm::mat4 worldFromLattice = glm::inverse(medium.latticeFromWorld);
+    for (const glm::vec3& corner : {glm::vec3(0), glm::vec3(medium.extinction->size)})
+      keep(glm::vec3(worldFromLattice * glm::vec4(corner, 1)) / metric_.diagonal);
+    numbers.push_back(medium.extinction->mean);
+  }
   return numbers;
 }
 

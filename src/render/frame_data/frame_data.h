@@ -9,6 +9,7 @@
 #include "render/frame_data/known_depths.h"
 #include "render/local/honest_look.h"
 #include "render/local/surface.h"
+#include "render/media/medium_lattice.h"
 #include "render/resolve/tone.h"
 
 #include <array>
@@ -71,6 +72,7 @@ struct FrameData {
   std::unique_ptr<const accel::HitFilter> accepted;
   const Integrator* integrator = nullptr;  // null: local look only
   RemoteSurfaces* remote = nullptr;        // null: no other process has surfaces of this view
+  std::vector<PlacedLattice> media;        // volumes of the view, which block light
   std::optional<ToneMap> tone;             // of unlit surfaces and visible lights; none: colours stay
   std::optional<ToneMap> litTone;          // of surfaces with lighting
   std::unique_ptr<const Lamps> lamps;      // null: no visible lights

@@ -41,8 +41,8 @@ class VisibilityIntegrator : public Integrator {
   virtual bool replaces(uint32_t instance, uint32_t lanes, const Visibility&) const noexcept = 0;
   /// Applies visibility to colours of the local look.
   virtual void apply(const ColoredHits&, const Visibility&, ColorRows&) const noexcept = 0;
-  /// World-space positions and directions of lights. Earlier visibility is reusable while these numbers stay
-  /// equal, up to rounding.
+  /// World-space positions and directions of lights, and what tells volumes apart. Earlier visibility is
+  /// reusable while these numbers stay equal, up to rounding.
   virtual std::vector<float> meaning() const { return {}; }
   void light(const ColoredHits& hits, ColorRows& rows) const noexcept final {
     if (hits.visibility) return apply(hits, *hits.visibility, rows);

@@ -9,6 +9,7 @@
 
 #include "render/paths/clear_shadows.h"
 #include "render/paths/path_vertices.inl.h"
+#include "render/remote/remote_surfaces.h"
 #include "render/sampling/sobol.inl.h"
 
 #include <limits>
@@ -204,7 +205,8 @@ class Wave {
     alignas(64) int32_t valid[kLanes];
     for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
     const ClearShadows light(path_.occluders, path_.materials);
-    const uint32_t blocked = path_.frame.world->occluded(valid, rays, &light);
+    const uint32_t blocked =
+        occludedHere(path_.frame, valid, rays, accel::RayKind::shadow, &light, {.grey = light.through});
     for (int i = 0; i < kLanes; ++i) through[i] = blocked >> i & 1 ? 0 : light.through[i];
   }
 
@@ -215,7 +217,8 @@ class Wave {
     for (int i = 0; i < kLanes; ++i) valid[i] = lanes >> i & 1 ? -1 : 0;
     const Transmittance light(path_.occluders);
     const uint32_t blocked =
-        path_.frame.world->occluded(valid, rays, path_.occluders.areSolid() ? nullptr : &light);
+        occludedHere(path_.frame, valid, rays, accel::RayKind::shadow,
+                     path_.occluders.areSolid() ? nullptr : &light, {.grey = light.through});
     for (int i = 0; i < kLanes; ++i) through[i] = blocked >> i & 1 ? 0 : light.through[i];
   }
 

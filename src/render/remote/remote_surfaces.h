@@ -57,9 +57,12 @@ class RemoteSurfaces {
 };
 
 /// Returns bit i if a surface of this or another process blocks ray i. `filter` filters the surfaces of this
-/// process and owns `passing`. Otherwise like accel::World::occluded.
+/// process and owns `passing`, which volumes of the view dim, too. Otherwise like accel::World::occluded.
 uint32_t occludedAnywhere(const FrameData&, const int32_t* valid, accel::OcclusionRays&, accel::RayKind,
                           const accel::OccluderFilter* filter, Passing passing,
                           const glm::vec3* lamp = nullptr) noexcept;
+/// The same for surfaces of this process alone.
+uint32_t occludedHere(const FrameData&, const int32_t* valid, accel::OcclusionRays&, accel::RayKind,
+                      const accel::OccluderFilter* filter, Passing passing) noexcept;
 
 }  // namespace gluray::render

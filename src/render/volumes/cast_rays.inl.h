@@ -87,6 +87,7 @@ class Caster {
       Colors c;
       const Alive seen = colorsAt(rays, p, skips ? skipped_.kept(p, alive) : alive, c);
       if (!hn::AllFalse(d, seen)) {
+        if (frame_.arriving) occlude(*frame_.arriving, p, c);
         alive = addBehind(sum, c, seen, alive);
         leaps.stay(seen, sample);
       }

@@ -8,6 +8,7 @@
 #endif
 
 #include "render/volumes/cast_rays.inl.h"
+#include "render/volumes/with_samples.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
@@ -57,12 +58,9 @@ inline void clearTile(const Tile& tile, Image& image) {
 }
 
 template <class Samples>
-HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile) {
+HWY_ATTR void castBlocks(const VolumeFrame& frame, const Samples* samples, const Tile& tile) {
   const VolumeD d;
-  std::vector<Samples> samples;
-  for (size_t c = 0; c < frame.channels.size(); ++c)
-    samples.emplace_back(*frame.volume->grid, static_cast<int>(c));
-  const Caster<Samples> caster(frame, samples.data());
+  const Caster<Samples> caster(frame, samples);
   Image& image = *frame.image;
   clearTile(tile, image);
   const TileRays rays(*frame.rays, tile);
@@ -87,24 +85,15 @@ HWY_ATTR void castBlocks(const VolumeFrame& frame, const Tile& tile) {
     }
 }
 
-template <class Stored>
-HWY_ATTR void castStored(const VolumeFrame& frame, const Tile& tile) {
-  const scene::Volume& v = *frame.volume;
-  if (!v.linear) return castBlocks<VoxelSamples<Stored, NearestFilter>>(frame, tile);
-  if constexpr (sizeof(Stored) == 1)
-    if (v.byteFilter) return castBlocks<VoxelSamples<Stored, ByteFilter>>(frame, tile);
-  castBlocks<VoxelSamples<Stored, LinearFilter>>(frame, tile);
-}
-
-HWY_ATTR void castTile(const VolumeFrame& frame, const Tile& tile) {
-  switch (frame.volume->grid->type) {
-    case scene::VoxelGrid::Type::byte: return castStored<uint8_t>(frame, tile);
-    case scene::VoxelGrid::Type::signedByte: return castStored<int8_t>(frame, tile);
-    case scene::VoxelGrid::Type::word: return castStored<uint16_t>(frame, tile);
-    case scene::VoxelGrid::Type::signedWord: return castStored<int16_t>(frame, tile);
-    case scene::VoxelGrid::Type::single: return castStored<float>(frame, tile);
+struct CastTile {
+  const Tile& tile;
+  template <class Samples>
+  HWY_ATTR void visit(const VolumeFrame& frame, const Samples* samples) const {
+    castBlocks(frame, samples, tile);
   }
-}
+};
+
+HWY_ATTR void castTile(const VolumeFrame& frame, const Tile& tile) { withSamples(frame, CastTile{tile}); }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace gluray::render

@@ -1,5 +1,4 @@
-// Rays of neighbouring pixels, and how they leap over empty space. Part of volume_kernels.cpp (compiled once
-// for each instruction set).
+// Rays of neighbouring pixels, and how they leap over empty space. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_LEAPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_LEAPS_INL_H_
 #undef GLURAY_RENDER_LEAPS_INL_H_

@@ -1,5 +1,5 @@
-// Colours of a volume's samples: transfer functions, gradients and light. Part of volume_kernels.cpp
-// (compiled once for each instruction set).
+// Colours of a volume's samples: transfer functions, gradients and light. Compiled once for each instruction
+// set.
 #if defined(GLURAY_RENDER_SAMPLE_COLORS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SAMPLE_COLORS_INL_H_
 #undef GLURAY_RENDER_SAMPLE_COLORS_INL_H_
@@ -25,7 +25,7 @@ class SampleColors {
         table_(frame.table),
         samples_(samples),
         labels_(volume_.labels),
-        lighting_(volume_.shading) {
+        lighting_(volume_.shading, frame.arriving) {
     const scene::VoxelGrid& grid = *volume_.grid;
     const glm::vec3 beyond = volume_.cellStep * glm::vec3(grid.size) - 1.0f;
     stepsAreVoxels_ = std::min({grid.size.x, grid.size.y, grid.size.z}) >= 4 &&
@@ -39,7 +39,7 @@ class SampleColors {
                       orNull(from.gradient),
                       from.scale,
                       from.bias,
-                      lighting_.materialOf(volume_.channels[c].material)};
+                      {lighting_.materialOf(volume_.channels[c].material), volume_.channels[c].material}};
     }
   }
 
@@ -277,7 +277,7 @@ class SampleColors {
   struct Channel {
     const VolumeLookup *color, *opacity, *gradient;  // null: color has it, and none
     float scale, bias;                               // from a stored number to the scalar
-    scene::VolumeMaterial material;
+    Lighting::Materials material;
   };
 
   const scene::Volume& volume_;

@@ -1,4 +1,4 @@
-// Labels of a volume's samples. Part of volume_kernels.cpp (compiled once for each instruction set).
+// Labels of a volume's samples. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_SAMPLE_LABELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SAMPLE_LABELS_INL_H_
 #undef GLURAY_RENDER_SAMPLE_LABELS_INL_H_

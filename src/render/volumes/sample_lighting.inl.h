@@ -1,4 +1,4 @@
-// Lights the samples of a volume. Part of volume_kernels.cpp (compiled once for each instruction set).
+// Lights the samples of a volume. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_
 #undef GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_
@@ -6,7 +6,7 @@
 #define GLURAY_RENDER_SAMPLE_LIGHTING_INL_H_
 #endif
 
-#include "render/volumes/transfer_lookups.inl.h"
+#include "render/volumes/arriving_samples.inl.h"
 
 #include <hwy/contrib/math/math-inl.h>
 
@@ -52,24 +52,34 @@ HWY_ATTR inline Floats power(Floats base, float exponent) {
 
 class Lighting {
  public:
-  explicit Lighting(const scene::VolumeShading& shading) : shading_(shading) {}
+  /// `arriving`: null: all light arrives, and none is added.
+  Lighting(const scene::VolumeShading& shading, const SampleIllumination* arriving)
+      : shading_(shading), arriving_(arriving) {}
 
   /// A material as shade() takes it: lit by a light at the viewer, times its colours.
   scene::VolumeMaterial materialOf(const scene::VolumeMaterial& material) const {
     scene::VolumeMaterial lit = material;
+    if (arriving_) lit.diffuse *= arriving_->programShare, lit.specular *= arriving_->programShare;
     if (!shading_.isFromViewer()) return lit;
     lit.diffuse *= shading_.lights.front().diffuse, lit.specular *= shading_.lights.front().specular;
     return lit;
   }
 
+  struct Materials {
+    scene::VolumeMaterial lit;    // of materialOf()
+    scene::VolumeMaterial plain;  // the volume's own
+  };
   /// Makes lit colours of unlit ones. `p`: samples in texture space; `gradient`: in data space, of any
   /// length.
-  HWY_ATTR void shade(const scene::VolumeMaterial& material, const Positions& p,
-                      const Positions& towardsViewer, const Positions& gradient, Colors& c) const {
+  HWY_ATTR void shade(const Materials& materials, const Positions& p, const Positions& towardsViewer,
+                      const Positions& gradient, Colors& c) const {
+    if (!shading_.enabled()) return;
+    const Colors unlit = c;
     if (shading_.isFromViewer())
-      shadeFromViewer(material, dot(normalized(gradient), towardsViewer), c);
-    else if (shading_.enabled())
-      shadeByLights(material, p, gradient, c);
+      shadeFromViewer(materials.lit, dot(normalized(gradient), towardsViewer), c);
+    else
+      shadeByLights(materials.lit, p, gradient, c);
+    if (arriving_) shadeByAdded(materials.plain, p, gradient, unlit, c);
   }
 
  private:
@@ -124,12 +134,14 @@ class Lighting {
   struct Sums {
     Positions diffuse, specular;
   };
+  /// `passes`: what of the light reaches the samples; null: all.
   HWY_ATTR void add(const scene::VolumeLight& light, float shininess, const Positions& point,
-                    const Positions& normal, Sums& sums) const {
+                    const Positions& normal, const Floats* passes, Sums& sums) const {
     const VolumeD d;
     const Floats zero = hn::Zero(d);
     Floats arrives;
     const Positions rays = raysOf(light, point, arrives);
+    if (passes) arrives = hn::Mul(arrives, *passes);
     Floats cosine = dot(normal, rays);
     if (shading_.twoSided) cosine = hn::Abs(cosine);
     const Alive lit = hn::Gt(cosine, zero);
@@ -149,20 +161,56 @@ class Lighting {
     addTo(sums.diffuse, diffuse, light.diffuse), addTo(sums.specular, specular, light.specular);
   }
 
+  static HWY_ATTR Positions placed(const glm::mat4& m, const Positions& p) {
+    const VolumeD d;
+    const Positions moved = transformed(glm::mat3(m), p);
+    return {hn::Add(moved.x, hn::Set(d, m[3].x)), hn::Add(moved.y, hn::Set(d, m[3].y)),
+            hn::Add(moved.z, hn::Set(d, m[3].z))};
+  }
+
+  /// add(), of a light with this row of SampleIllumination::shadows; -1: none.
+  HWY_ATTR void addShadowed(const scene::VolumeLight& light, int row, float shininess, const Positions& point,
+                            const Positions& normal, const LatticePlaces& places, Sums& sums) const {
+    if (row < 0) return add(light, shininess, point, normal, nullptr, sums);
+    const Floats passes = places.valueOf(arriving_->shadows[static_cast<size_t>(row)]);
+    add(light, shininess, point, normal, &passes, sums);
+  }
+
+  /// Adds the light of the settings to lit colours.
+  HWY_ATTR void shadeByAdded(const scene::VolumeMaterial& material, const Positions& p,
+                             const Positions& gradient, const Colors& unlit, Colors& c) const {
+    const VolumeD d;
+    const Positions point = placed(arriving_->eyeFromTexture, p);
+    const Positions normal = normalized(transformed(arriving_->eyeFromGradient, gradient));
+    const LatticePlaces places(*arriving_, p);
+    Sums sums{spread(arriving_->ambient), spread(glm::vec3(0))};
+    for (const ShadowedLight& added : arriving_->added)
+      addShadowed(added.light, added.row, material.shininess, point, normal, places, sums);
+    const auto channel = [&](Floats lit, Floats color, Floats diffuse, Floats specular, int i) HWY_ATTR {
+      return hn::MulAdd(hn::Mul(diffuse, hn::Set(d, material.diffuse[i])), color,
+                        hn::MulAdd(specular, hn::Set(d, material.specular[i]), lit));
+    };
+    c.r = channel(c.r, unlit.r, sums.diffuse.x, sums.specular.x, 0);
+    c.g = channel(c.g, unlit.g, sums.diffuse.y, sums.specular.y, 1);
+    c.b = channel(c.b, unlit.b, sums.diffuse.z, sums.specular.z, 2);
+  }
+
   HWY_ATTR void shadeByLights(const scene::VolumeMaterial& material, const Positions& p,
                               const Positions& gradient, Colors& c) const {
     const VolumeD d;
-    const glm::mat4& m = shading_.eyeFromTexture;
-    const Positions moved = transformed(glm::mat3(m), p);
-    const Positions point{hn::Add(moved.x, hn::Set(d, m[3].x)), hn::Add(moved.y, hn::Set(d, m[3].y)),
-                          hn::Add(moved.z, hn::Set(d, m[3].z))};
+    const Positions point = placed(shading_.eyeFromTexture, p);
     const Positions normal = normalized(transformed(shading_.eyeFromGradient, gradient));
     Sums sums{spread(glm::vec3(0)), spread(glm::vec3(0))};
     glm::vec3 ambient(0);
-    for (const scene::VolumeLight& light : shading_.lights) {
-      add(light, material.shininess, point, normal, sums);
-      ambient += light.ambient;
+    if (arriving_ && !arriving_->shadows.empty()) {
+      const LatticePlaces places(*arriving_, p);
+      for (size_t i = 0; i < shading_.lights.size(); ++i)
+        addShadowed(shading_.lights[i], arriving_->rows[i], material.shininess, point, normal, places, sums);
+    } else {
+      for (const scene::VolumeLight& light : shading_.lights)
+        add(light, material.shininess, point, normal, nullptr, sums);
     }
+    for (const scene::VolumeLight& light : shading_.lights) ambient += light.ambient;
     const auto channel = [&](Floats color, Floats diffuse, Floats specular, int i) HWY_ATTR {
       const Floats unlit = hn::Set(d, material.ambient[i] * ambient[i]);
       return hn::MulAdd(hn::Mul(diffuse, hn::Set(d, material.diffuse[i])), color,
@@ -174,6 +222,7 @@ class Lighting {
   }
 
   const scene::VolumeShading& shading_;
+  const SampleIllumination* arriving_;
 };
 
 }  // namespace HWY_NAMESPACE

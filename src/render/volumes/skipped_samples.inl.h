@@ -1,5 +1,4 @@
-// Samples that a volume's cropping or mask leaves out. Part of volume_kernels.cpp (compiled once for each
-// instruction set).
+// Samples that a volume's cropping or mask leaves out. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_SKIPPED_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_SKIPPED_SAMPLES_INL_H_
 #undef GLURAY_RENDER_SKIPPED_SAMPLES_INL_H_

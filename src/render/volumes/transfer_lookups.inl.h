@@ -1,5 +1,4 @@
-// Looks up transfer functions. Part of volume_kernels.cpp (compiled once for
-// each instruction set).
+// Looks up transfer functions. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_TRANSFER_LOOKUPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_TRANSFER_LOOKUPS_INL_H_
 #undef GLURAY_RENDER_TRANSFER_LOOKUPS_INL_H_

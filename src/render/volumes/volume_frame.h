@@ -1,6 +1,7 @@
 // All that the kernels need to cast the rays of a volume. Any thread.
 #pragma once
 #include "base/image.h"
+#include "render/media/sample_illumination.h"
 #include "render/volumes/volume_rays.h"
 #include "scene/volumes/volume.h"
 
@@ -40,7 +41,11 @@ struct VolumeFrame {
   const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
   glm::ivec3 cells{0};
   Image* image = nullptr;
-  bool showsInvisible = false;  // pixels of rays that meet nothing are hits, too
+  const SampleIllumination* arriving = nullptr;  // null: samples have the light of the volume's shading
+  bool showsInvisible = false;                   // pixels of rays that meet nothing are hits, too
 };
+
+/// Sets the transfer functions of the frame's volume: `channels` and `table`.
+void addLookups(VolumeFrame& frame);
 
 }  // namespace gluray::render

@@ -3,6 +3,7 @@
 #include "accel/volumes/macro_cells.h"
 #include "base/image.h"
 #include "parallel/arena.h"
+#include "render/media/sample_illumination.h"
 #include "scene/volumes/volume.h"
 
 #include <memory>
@@ -15,7 +16,10 @@ class VolumeTracer {
   /// Sets `image` to the pixels of the view's region: premultiplied colours as floats, and the depth of the
   /// entry, or Image::kMiss where nothing is shown. False, with the reason in `why`, if the volume cannot be
   /// traced. Throws std::bad_alloc.
-  bool trace(const scene::VolumeCast& cast, Arena& arena, Image& image, const char*& why);
+  /// `arriving`: of volumes that are blended as VolumeBlend::composite; null: the light of the volume's own
+  /// shading, all of it.
+  bool trace(const scene::VolumeCast& cast, Arena& arena, Image& image, const char*& why,
+             const SampleIllumination* arriving = nullptr);
   /// Memory of what is kept.
   size_t bytes() const;
 

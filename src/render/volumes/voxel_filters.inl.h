@@ -1,5 +1,4 @@
-// How textures are filtered between voxels. Part of volume_kernels.cpp (compiled once for each instruction
-// set).
+// How textures are filtered between voxels. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_VOXEL_FILTERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_VOXEL_FILTERS_INL_H_
 #undef GLURAY_RENDER_VOXEL_FILTERS_INL_H_

@@ -1,5 +1,4 @@
-// Samples of a voxel grid at several positions at once. Part of volume_kernels.cpp (compiled once for each
-// instruction set).
+// Samples of a voxel grid at several positions at once. Compiled once for each instruction set.
 #if defined(GLURAY_RENDER_VOXEL_SAMPLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLURAY_RENDER_VOXEL_SAMPLES_INL_H_
 #undef GLURAY_RENDER_VOXEL_SAMPLES_INL_H_

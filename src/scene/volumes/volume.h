@@ -112,10 +112,15 @@ struct VolumeView {
   std::vector<glm::vec2> samplePositions;
 };
 
+struct Snapshot;
+
 struct VolumeCast {
   Volume volume;
   VolumeView view;
   int threads = 0;
+  /// The view with this volume (Snapshot::volumes) and, in its secondary scene, all else; null: the settings
+  /// change no light.
+  std::shared_ptr<const Snapshot> lit;
 };
 
 }  // namespace gluray::scene
