@@ -4,6 +4,7 @@
 #include "bench/data/orbit.h"
 #include "bench/data/report.h"
 #include "bench/refine/scenes.h"
+#include "bench/refine/until_goal.h"
 #include "bench/render/settings.h"
 #include "frame/refinement/oidn_library.h"
 #include "frame/refinement/refiner.h"
@@ -31,7 +32,8 @@ struct Options {
   double millionTriangles = 1;
   int threads = 2, samples = 4, reference = 1024, spp = 1, size = bench::kImageSize;
   std::string scene = "wavelet", light = "occlusion";
-  bool denoisers = false, layers = false;
+  bool denoisers = false, layers = false, untilGoal = false;
+  bench::Goal goal;
 };
 
 void figure(const std::string& name, double value, const char* unit) {
@@ -175,8 +177,11 @@ void run(const Options& options) {
   figure("triangles", static_cast<double>(scene.mesh->triangleCount()) * 1e-6, "million");
   Settings many = settings;
   many.refine.adaptive = false;
-  const Image truth =
-      bench.refined(many, static_cast<uint32_t>(std::max(options.reference / options.samples, 1))).image;
+  const auto refined = [&] {
+    return bench.refined(many, static_cast<uint32_t>(std::max(options.reference / options.samples, 1))).image;
+  };
+  const Image truth = bench::keptImage(options.goal.keep, scene.snapshot, refined);
+  if (options.untilGoal) return bench::printUntilGoal(scene.snapshot, truth, options.goal);
   if (options.denoisers) return compareDenoisers(bench, many, truth);
   compareSmoothing(bench, many, truth);
   if (options.spp <= 1 && !options.layers) compareAdaptive(bench, settings, truth);
@@ -208,7 +213,17 @@ int main(int argc, char** argv) {
   app.add_option("--scene", options.scene)->check(CLI::IsMember(bench::refineSceneNames()));
   app.add_option("--light", options.light)->check(CLI::IsMember(namesOf(kLights)));
   app.add_flag("--denoisers", options.denoisers, "compare denoisers");
+  const auto* const goal = app.add_option("--goal", options.goal.psnr,
+                                          "dB: how many frames of the local look it takes until then");
+  app.add_option("--rounds", options.goal.rounds, "with --goal: rounds in turn with the local look")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--passes", options.goal.passes, "with --goal: and no more")->check(CLI::Range(1, 100000));
+  app.add_option("--denoise", options.goal.denoise, "with --goal")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, Denoise>{
+          {"off", Denoise::off}, {"filter", Denoise::filter}, {"oidn", Denoise::oidn}}));
+  app.add_option("--keep", options.goal.keep, "the file that keeps the image to compare with");
   CLI11_PARSE(app, argc, argv);
+  options.untilGoal = goal->count() > 0;
   try {
     run(options);
   } catch (const std::exception& error) {

@@ -42,20 +42,22 @@ void packGeometry(const float* geometry, const float* depth, size_t count, uint3
 
 /// A square of the image that is filtered in one call.
 struct WaveletTile {
-  static constexpr int kSize = 64, kReach = 32;  // kReach: pixels read beyond its border
-  int x = 0, y = 0;                              // its corner
+  static constexpr int kLastStep = 4;  // pixels from a neighbour to the next one in the last round
+  static constexpr int kSize = 64, kReach = 4 * kLastStep;  // kReach: pixels read beyond its border
+  int x = 0, y = 0;                                         // its corner
 };
 
 /// An edge-stopping wavelet transform of light, that is colour divided by reflectance (H. Dammertz and
-/// others, "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering", 2010): four
-/// rounds of 5 x 5 pixels 1, 2, 4 and 8 apart. Neighbours count that lie on the plane of the pixel, with
+/// others, "Edge-Avoiding A-Trous Wavelet Transform for fast Global Illumination Filtering", 2010): three
+/// rounds of 5 x 5 pixels 1, 2 and 4 apart. Neighbours count that lie on the plane of the pixel, with
 /// about its normal and reflectance, and whose light differs by no more than the noise allows (C. Schied and
 /// others, "Spatiotemporal Variance-Guided Filtering", 2017). Differs: weights are Tukey's biweights, which
-/// end, so that nothing crosses an edge. A pixel gets the share 1 - (target / noise)^2 of its smoothed light:
-/// none where its noise is no more than the target. Where noise is not known it is the deviation among
-/// neighbours. Pixels that mix surfaces get the light of these from their neighbours (unmix.inl.h). Writes
-/// kSize x kSize RGBA to `out`, row by row, as far as they are inside. False: all pixels stay, and nothing
-/// was written. `memory`: waveletFloats() floats.
+/// end, so that nothing crosses an edge; and opposite neighbours of the same surface count together, by how
+/// much their mean differs, so that light that rises evenly is smoothed as far as even light. A pixel gets
+/// the share 1 - (target / noise)^2 of its smoothed light: none where its noise is no more than the target.
+/// Where noise is not known it is the deviation among neighbours. Pixels that mix surfaces get the light of
+/// these from their neighbours (unmix.inl.h). Writes kSize x kSize RGBA to `out`, row by row, as far as they
+/// are inside. False: all pixels stay, and nothing was written. `memory`: waveletFloats() floats.
 bool smoothTile(const NoisyImage&, const WaveletTile&, float* memory, float* out);
 size_t waveletFloats();
 

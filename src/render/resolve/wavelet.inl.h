@@ -24,30 +24,42 @@ HWY_INLINE Float luminance(Float r, Float g, Float b) {
   return hn::MulAdd(r, splat(0.2126f), hn::MulAdd(g, splat(0.7152f), hn::Mul(b, splat(0.0722f))));
 }
 
-/// What a pixel's neighbours are compared with.
-struct WaveletCenter {
-  Float a, b, c, distance, z, reflectance[3], spread;
-};
-
-HWY_ATTR inline WaveletCenter waveletCenter(const WaveletPlanes& p, int i) {
-  return {at(p.a, i),        at(p.b, i), at(p.c, i),
-          at(p.distance, i), at(p.z, i), {at(p.red[0], i), at(p.red[1], i), at(p.red[2], i)},
-          at(p.spread, i)};
+HWY_INLINE Float luminanceAt(float* const (&in)[4], int j) {
+  return luminance(at(in[0], j), at(in[1], j), at(in[2], j));
 }
 
-/// How much of a neighbour (dx, dy) pixels away shows the same surface, 0 .. 1, in proportion to its
-/// coverage.
-HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, int j, int dx, int dy) {
-  constexpr float kOffPlane = 0.5f, kOffFar = 0.06f;  // pixels, and more for each pixel away
-  constexpr float kReflectance = 0.1f, kSpreads = 2;
+/// What a pixel's neighbours are compared with.
+struct WaveletCenter {
+  Float a, b, c, distance, z, reflectance[3];
+  Float flatness[2];  // 1 / square of the farthest from the plane, of neighbours one step and two steps away
+};
+
+HWY_ATTR inline WaveletCenter waveletCenter(const WaveletPlanes& p, int i, int step) {
+  constexpr float kOffPlane = 0.75f, kOffFar = 0.09f;  // pixels, and more for each pixel away
+  constexpr float kSpreads = 2;
+  WaveletCenter m{at(p.a, i), at(p.b, i),
+                  at(p.c, i), at(p.distance, i),
+                  at(p.z, i), {at(p.red[0], i), at(p.red[1], i), at(p.red[2], i)},
+                  {}};
+  for (int steps = 1; steps <= 2; ++steps) {
+    const float reach = kOffPlane + kOffFar * static_cast<float>(steps * step);
+    const Float end = hn::MulAdd(at(p.spread, i), splat(kSpreads), splat(reach));
+    m.flatness[steps - 1] = hn::Div(splat(1), hn::Mul(end, end));
+  }
+  return m;
+}
+
+/// How much of a neighbour (dx, dy) pixels away, one step or two, shows the same surface, 0 .. 1, in
+/// proportion to its coverage.
+HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, int j, int dx, int dy,
+                               int steps) {
+  constexpr float kReflectance = 0.1f;
   const FloatTag d;
-  const Float distance = at(p.distance, j);
+  const Float nearness = at(p.nearness, j);
   const Float along =
       hn::MulAdd(m.a, splat(static_cast<float>(dx)), hn::Mul(m.b, splat(static_cast<float>(dy))));
-  const Float off = hn::MulAdd(m.c, hn::Sub(splat(1), hn::Div(m.distance, distance)), along);
-  const float reach = kOffPlane + kOffFar * static_cast<float>(std::max(std::abs(dx), std::abs(dy)));
-  const auto near = hn::And(hn::Gt(distance, hn::Zero(d)),
-                            hn::Le(hn::Abs(off), hn::MulAdd(m.spread, splat(kSpreads), splat(reach))));
+  const Float off = hn::MulAdd(m.c, hn::NegMulAdd(m.distance, nearness, splat(1)), along);
+  const Float level = biweight(hn::Mul(hn::Mul(off, off), m.flatness[steps - 1]));
   // cos^32: half at twelve degrees
   Float cosine = hn::MulAdd(m.a, at(p.a, j), hn::MulAdd(m.b, at(p.b, j), hn::Mul(m.z, at(p.z, j))));
   cosine = hn::Min(hn::Max(cosine, hn::Zero(d)), splat(1));
@@ -58,14 +70,18 @@ HWY_ATTR inline Float likeness(const WaveletPlanes& p, const WaveletCenter& m, i
     differs = hn::Max(differs, hn::Mul(difference, difference));
   }
   const Float same = biweight(hn::Mul(differs, splat(1 / (kReflectance * kReflectance))));
-  return hn::IfThenElseZero(near, hn::Mul(hn::Mul(cosine, same), hn::Abs(at(p.cover, j))));
+  const Float like = hn::Mul(hn::Mul(cosine, same), hn::Mul(level, hn::Abs(at(p.cover, j))));
+  return hn::IfThenElseZero(hn::Gt(nearness, hn::Zero(d)), like);
 }
 
-/// Sums over neighbours of one pixel, or as many as a vector has lanes.
+/// Larger of two distances in steps, at least one.
+inline int stepsOf(int u, int v) { return std::max({std::abs(u), std::abs(v), 1}); }
+
+/// Calls each(dx, dy) for 5 x 5 pixels.
 template <class Each>
-HWY_ATTR HWY_INLINE void eachNeighbour(int step, Each&& each) {
+HWY_ATTR HWY_INLINE void eachNeighbour(Each&& each) {
   for (int y = -2; y <= 2; ++y)
-    for (int x = -2; x <= 2; ++x) each(x * step, y * step, kKernel[x + 2] * kKernel[y + 2]);
+    for (int x = -2; x <= 2; ++x) each(x, y);
 }
 
 /// Variances of single pixels are known badly: means over neighbours, of any surface where the pixel mixes
@@ -75,14 +91,14 @@ HWY_ATTR inline void smoothVariance(WaveletPlanes& p, bool known) {
   for (int row = 2; row < kSide - 2; ++row) {
     for (int x = 2; x < kSide - 2; x += lanesOfVector()) {
       const int i = row * kStride + x;
-      const WaveletCenter m = waveletCenter(p, i);
+      const WaveletCenter m = waveletCenter(p, i, 1);
       const auto mixes = hn::Lt(at(p.cover, i), hn::Zero(d));
       Float weights = hn::Zero(d), sum = hn::Zero(d), squares = hn::Zero(d), variance = hn::Zero(d);
-      eachNeighbour(1, [&](int dx, int dy, float) HWY_ATTR {
+      eachNeighbour([&](int dx, int dy) HWY_ATTR {
         const int j = i + dy * kStride + dx;
         const Float shows = hn::Abs(at(p.cover, j));
-        const Float w = hn::IfThenElse(mixes, shows, likeness(p, m, j, dx, dy));
-        const Float l = luminance(at(p.light[0][0], j), at(p.light[0][1], j), at(p.light[0][2], j));
+        const Float w = hn::IfThenElse(mixes, shows, likeness(p, m, j, dx, dy, stepsOf(dx, dy)));
+        const Float l = luminanceAt(p.light[0], j);
         weights = hn::Add(weights, w);
         variance = hn::MulAdd(w, at(p.light[0][3], j), variance);
         sum = hn::MulAdd(w, l, sum), squares = hn::MulAdd(w, hn::Mul(l, l), squares);
@@ -96,6 +112,44 @@ HWY_ATTR inline void smoothVariance(WaveletPlanes& p, bool known) {
   std::copy_n(p.light[1][3], kArea, p.light[0][3]);
 }
 
+/// Weighted sums of light and of variances.
+struct LightSums {
+  Float weights, light[3], variance;
+  HWY_INLINE void add(Float w, float* const (&in)[4], int j) {
+    weights = hn::Add(weights, w);
+    for (int c = 0; c < 3; ++c) light[c] = hn::MulAdd(w, at(in[c], j), light[c]);
+    variance = hn::MulAdd(hn::Mul(w, w), at(in[3], j), variance);
+  }
+};
+
+/// A pixel, and how light is compared with its light.
+struct LightCenter {
+  WaveletCenter surface;
+  Float luminance;
+  Float scale;  // of squared differences, so that weights end at 1
+};
+
+/// Adds the neighbours (u, v) and (-u, -v) steps away. Light that rises as much on one side as it falls on
+/// the other is kept by their mean: what counts of both is how much the three bend, and of the rest of either
+/// how much it differs.
+HWY_INLINE void addPair(const WaveletPlanes& p, float* const (&in)[4], const LightCenter& m, int i, int u,
+                        int v, int step, LightSums& sums) {
+  constexpr float kBend = 0.25f;
+  const int dx = u * step, dy = v * step, j[] = {i + dy * kStride + dx, i - dy * kStride - dx};
+  const Float likes[] = {likeness(p, m.surface, j[0], dx, dy, stepsOf(u, v)),
+                         likeness(p, m.surface, j[1], -dx, -dy, stepsOf(u, v))};
+  const Float differences[] = {hn::Sub(luminanceAt(in, j[0]), m.luminance),
+                               hn::Sub(luminanceAt(in, j[1]), m.luminance)};
+  const Float bend = hn::Add(differences[0], differences[1]);
+  const Float straight = biweight(hn::Mul(hn::Mul(bend, bend), hn::Mul(m.scale, splat(kBend))));
+  const Float both = hn::Mul(hn::Min(likes[0], likes[1]), straight);
+  const Float kernel = splat(kKernel[u + 2] * kKernel[v + 2]);
+  for (int side = 0; side < 2; ++side) {
+    const Float alone = biweight(hn::Mul(hn::Mul(differences[side], differences[side]), m.scale));
+    sums.add(hn::Mul(kernel, hn::MulAdd(hn::Sub(likes[side], both), alone, both)), in, j[side]);
+  }
+}
+
 /// One round: the set `from` of light to the other one. `margin`: rows and columns about the tile that later
 /// rounds read.
 HWY_ATTR inline void waveletRound(WaveletPlanes& p, int from, int step, int margin) {
@@ -107,25 +161,18 @@ HWY_ATTR inline void waveletRound(WaveletPlanes& p, int from, int step, int marg
   for (int row = first; row < last; ++row) {
     for (int x = first; x < last; x += lanesOfVector()) {
       const int i = row * kStride + x;
-      const WaveletCenter m = waveletCenter(p, i);
-      const Float l = luminance(at(in[0], i), at(in[1], i), at(in[2], i)), variance = at(in[3], i);
+      const Float variance = at(in[3], i);
       const Float scale = hn::Div(splat(1), hn::MulAdd(variance, splat(kDeviations), splat(1e-12f)));
-      Float weights = hn::Zero(d), sum[3] = {weights, weights, weights}, sumVariance = weights;
-      eachNeighbour(step, [&](int dx, int dy, float kernel) HWY_ATTR {
-        const int j = i + dy * kStride + dx;
-        const Float r = at(in[0], j), g = at(in[1], j), b = at(in[2], j);
-        const Float difference = hn::Sub(luminance(r, g, b), l);
-        Float w = biweight(hn::Mul(hn::Mul(difference, difference), scale));
-        w = hn::Mul(hn::Mul(w, splat(kernel)), likeness(p, m, j, dx, dy));
-        weights = hn::Add(weights, w);
-        sum[0] = hn::MulAdd(w, r, sum[0]), sum[1] = hn::MulAdd(w, g, sum[1]);
-        sum[2] = hn::MulAdd(w, b, sum[2]);
-        sumVariance = hn::MulAdd(hn::Mul(w, w), at(in[3], j), sumVariance);
-      });
-      const auto any = hn::Gt(weights, hn::Zero(d));
-      const Float inverse = hn::Div(splat(1), hn::Max(weights, splat(1e-20f)));
-      for (int c = 0; c < 3; ++c) put(hn::IfThenElse(any, hn::Mul(sum[c], inverse), at(in[c], i)), out[c], i);
-      put(hn::IfThenElse(any, hn::Mul(sumVariance, hn::Mul(inverse, inverse)), variance), out[3], i);
+      const LightCenter m{waveletCenter(p, i, step), luminanceAt(in, i), scale};
+      LightSums sums{hn::Zero(d), {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, hn::Zero(d)};
+      sums.add(hn::Mul(splat(kKernel[2] * kKernel[2]), hn::Abs(at(p.cover, i))), in, i);
+      for (int v = 0; v <= 2; ++v)
+        for (int u = v ? -2 : 1; u <= 2; ++u) addPair(p, in, m, i, u, v, step, sums);
+      const auto any = hn::Gt(sums.weights, hn::Zero(d));
+      const Float inverse = hn::Div(splat(1), hn::Max(sums.weights, splat(1e-20f)));
+      for (int c = 0; c < 3; ++c)
+        put(hn::IfThenElse(any, hn::Mul(sums.light[c], inverse), at(in[c], i)), out[c], i);
+      put(hn::IfThenElse(any, hn::Mul(sums.variance, hn::Mul(inverse, inverse)), variance), out[3], i);
     }
   }
 }
@@ -189,7 +236,7 @@ HWY_ATTR bool smoothTile(const NoisyImage& in, const WaveletTile& tile, float* m
   float* const variances = memory + WaveletPlanes::kCount * kArea;
   if (!keepVariances(in, tile, p, variances)) return false;
   int set = 0, margin = WaveletTile::kReach - 2;  // variances take two
-  for (int step = 1; step <= 8; step *= 2) {
+  for (int step = 1; step <= WaveletTile::kLastStep; step *= 2) {
     margin -= 2 * step;
     waveletRound(p, set, step, margin);
     set = 1 - set;

@@ -21,9 +21,10 @@ constexpr int kArea = kStride * kSide;
 
 /// A tile with its surroundings: planes of kStride x kSide values.
 struct WaveletPlanes {
-  float *red[3], *a, *b, *c, *distance, *z;  // z: the normal's third component. red: kOnCatcher on a catcher
-  float *cover, *spread;                     // cover: at most 1, negative where the pixel mixes surfaces
-  float* light[2][4];                        // red, green, blue, variance; read and written in turn
+  float *red[3], *a, *b, *c, *distance;  // red: kOnCatcher on a catcher
+  float *nearness, *z;                   // 1 / distance, or 0; the normal's third component
+  float *cover, *spread;                 // cover: at most 1, negative where the pixel mixes surfaces
+  float* light[2][4];                    // red, green, blue, variance; read and written in turn
   explicit WaveletPlanes(float* memory) {
     const auto next = [&]() HWY_ATTR {
       float* const plane = memory;
@@ -31,11 +32,12 @@ struct WaveletPlanes {
       return plane;
     };
     for (float*& plane : red) plane = next();
-    a = next(), b = next(), c = next(), distance = next(), z = next(), cover = next(), spread = next();
+    a = next(), b = next(), c = next(), distance = next(), nearness = next(), z = next(), cover = next(),
+    spread = next();
     for (auto& set : light)
       for (float*& plane : set) plane = next();
   }
-  static constexpr int kCount = 18;
+  static constexpr int kCount = 19;
   static constexpr float kOnCatcher = -4;  // reflectance unlike that of any surface
 };
 
@@ -93,7 +95,7 @@ HWY_ATTR inline bool unpackPixel(const NoisyImage& in, int x, int y, WaveletPlan
   const float* const color = in.color + 4 * pixel;
   const glm::vec3 reflectance = unpackReflectance(g.reflectance[pixel]);
   const glm::vec2 normal = unpackNormal2(g.normal[pixel]);
-  p.distance[i] = g.distance[pixel], p.a[i] = normal.x, p.b[i] = normal.y;
+  p.distance[i] = g.distance[pixel], p.nearness[i] = 1 / p.distance[i], p.a[i] = normal.x, p.b[i] = normal.y;
   p.c[i] = unpackFacing(g.facing[pixel]);
   p.z[i] = std::sqrt(std::max(1 - glm::dot(normal, normal), 0.0f));
   p.cover[i] = std::min(d.cover, 1.0f);

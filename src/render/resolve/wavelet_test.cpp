@@ -85,6 +85,26 @@ TEST(Wavelet, LevelPlanesThatTiltAreOneSurface) {
   EXPECT_LT(deviation(wall.smooth(), 0.5), 0.02);
 }
 
+TEST(Wavelet, LightThatRisesEvenlyIsSmoothedAsEvenLight) {
+  // Over eight pixels light rises by more than five times the noise that two rounds leave.
+  const auto deviationOf = [](float slope) {
+    Wall wall(160, 96);
+    addNoise(wall);
+    const std::vector<float> even = wall.color;
+    const auto rise = [&](int x) { return slope * static_cast<float>(x); };
+    wall.each([&](int x, int, size_t i) { wall.light(i, even[4 * i] + rise(x)); });
+    const std::vector<float> out = wall.smooth();
+    std::vector<float> rest;
+    wall.each([&](int x, int y, size_t i) {
+      if (x >= 20 && x < 140 && y >= 20 && y < 76) rest.push_back(out[i] - rise(x));
+    });
+    return deviation(rest, 0.5);
+  };
+  const double even = deviationOf(0);
+  EXPECT_LT(even, 0.01);
+  EXPECT_NEAR(deviationOf(0.02f), even, 0.1 * even);
+}
+
 TEST(Wavelet, IsTheIdentityWithoutNoise) {
   Wall wall;
   addNoise(wall);

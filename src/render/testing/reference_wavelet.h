@@ -22,7 +22,7 @@ class ReferenceWavelet {
   std::vector<float> smooth() {
     smoothVariances();
     const std::vector<Pixel> before = pixels_;
-    for (int step = 1; step <= 8; step *= 2) round(step);
+    for (int step = 1; step <= 4; step *= 2) round(step);
     std::vector<float> out;
     for (size_t i = 0; i < pixels_.size(); ++i) {
       const glm::dvec3 r = before[i].reflectance;
@@ -58,44 +58,66 @@ class ReferenceWavelet {
   static double likeness(const Pixel& p, const Pixel& q, int dx, int dy) {
     if (!p.shows || !q.shows) return 0;
     const double off = p.normal.x * dx + p.normal.y * dy + p.facing * (1 - p.distance / q.distance);
-    if (std::abs(off) > 0.5 + 0.06 * std::max(std::abs(dx), std::abs(dy))) return 0;
+    const double end = 0.75 + 0.09 * std::max({std::abs(dx), std::abs(dy), 1});
     const glm::dvec3 d = glm::abs(p.reflectance - q.reflectance);
-    return std::pow(std::clamp(glm::dot(p.normal, q.normal), 0.0, 1.0), 32) *
+    return biweight(off * off / (end * end)) *
+           std::pow(std::clamp(glm::dot(p.normal, q.normal), 0.0, 1.0), 32) *
            biweight(std::pow(std::max({d.x, d.y, d.z}) / 0.1, 2));
   }
-  /// Calls each(neighbour, kernel, likeness) for the neighbours that are inside.
+  /// Calls each(neighbour, likeness) for the 5 x 5 pixels that are inside.
   template <class Each>
-  void around(size_t i, int step, const Each& each) const {
-    constexpr double kernel[] = {1.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 4, 1.0 / 16};
+  void around(size_t i, const Each& each) const {
     const int x = static_cast<int>(i) % in_.width, y = static_cast<int>(i) / in_.width;
     for (int dy = -2; dy <= 2; ++dy)
       for (int dx = -2; dx <= 2; ++dx) {
-        const int u = x + dx * step, v = y + dy * step;
+        const int u = x + dx, v = y + dy;
         if (u < 0 || v < 0 || u >= in_.width || v >= in_.height) continue;
         const Pixel& q = pixels_[static_cast<size_t>(v * in_.width + u)];
-        each(q, kernel[dx + 2] * kernel[dy + 2], likeness(pixels_[i], q, dx * step, dy * step));
+        each(q, likeness(pixels_[i], q, dx, dy));
       }
   }
   void smoothVariances() {
     std::vector<Pixel> next = pixels_;
     for (size_t i = 0; i < pixels_.size(); ++i) {
       double weights = 0, sum = 0;
-      around(i, 1, [&](const Pixel& q, double, double w) { weights += w, sum += w * q.variance; });
+      around(i, [&](const Pixel& q, double w) { weights += w, sum += w * q.variance; });
       next[i].variance = weights > 0 ? sum / weights : 0;
     }
     pixels_ = next;
   }
+  /// A neighbour with its likeness times the kernel, 0 where it is outside.
+  struct Neighbour {
+    double like = 0, difference = 0;
+    const Pixel* pixel = nullptr;
+  };
+  Neighbour neighbour(size_t i, int dx, int dy, double kernel) const {
+    const int x = static_cast<int>(i) % in_.width + dx, y = static_cast<int>(i) / in_.width + dy;
+    if (x < 0 || y < 0 || x >= in_.width || y >= in_.height) return {};
+    const Pixel& q = pixels_[static_cast<size_t>(y * in_.width + x)];
+    return {kernel * likeness(pixels_[i], q, dx, dy), luminance(q) - luminance(pixels_[i]), &q};
+  }
   void round(int step) {
+    constexpr double kernel[] = {3.0 / 8, 1.0 / 4, 1.0 / 16};
     std::vector<Pixel> next = pixels_;
     for (size_t i = 0; i < pixels_.size(); ++i) {
-      const Pixel& p = pixels_[i];
+      const double limit = 50 * pixels_[i].variance + 1e-12;
       double weights = 0, variance = 0;
       glm::dvec3 light(0);
-      around(i, step, [&](const Pixel& q, double kernel, double same) {
-        const double d = luminance(q) - luminance(p),
-                     w = kernel * same * biweight(d * d / (50 * p.variance + 1e-12));
+      const auto add = [&](const Pixel& q, double w) {
         weights += w, light += w * q.light, variance += w * w * q.variance;
-      });
+      };
+      if (pixels_[i].shows) add(pixels_[i], kernel[0] * kernel[0]);
+      for (int dy = -2; dy <= 2; ++dy)
+        for (int dx = -2; dx <= 2; ++dx) {
+          if (dx == 0 && dy == 0) continue;
+          const double k = kernel[std::abs(dx)] * kernel[std::abs(dy)];
+          const Neighbour q = neighbour(i, dx * step, dy * step, k),
+                          opposite = neighbour(i, -dx * step, -dy * step, k);
+          if (!q.pixel) continue;
+          const double bend = q.difference + opposite.difference,
+                       both = std::min(q.like, opposite.like) * biweight(bend * bend / (4 * limit));
+          add(*q.pixel, both + (q.like - both) * biweight(q.difference * q.difference / limit));
+        }
       if (weights > 0) next[i].light = light / weights, next[i].variance = variance / (weights * weights);
     }
     pixels_ = next;
