@@ -26,7 +26,8 @@ struct SampleIllumination {
   float programShare = 1;  // factor of these lights
   // In the eye space of the snapshot; they shine on volumes with a shading.
   std::vector<ShadowedLight> added;
-  glm::vec3 ambient{0};  // a factor of samples' diffuse colours, from all directions
+  glm::vec3 ambient{0};          // a factor of samples' diffuse colours, from all directions
+  bool keepsBrightness = false;  // the volume's image is as bright as under its own shading (auto-exposure)
   glm::mat4 eyeFromTexture{1};
   glm::mat3 eyeFromGradient{1};
 };

@@ -208,6 +208,7 @@ std::shared_ptr<const SampleIllumination> VolumeLights::arriving(const VolumeInV
   const float diagonal = diagonalOf(
       in, countAll(in.view) == 0 ? accel::Bounds{glm::vec3(1), glm::vec3(-1)} : world.lightBounds());
   auto light = std::make_shared<SampleIllumination>();
+  light->keepsBrightness = settings.autoExposure && settings.look != Look::honest;
   light->size = own.extinction->size, light->lower = medium.lower, light->upper = medium.upper;
   const glm::dmat4 eyeFromTexture = in.volume.eyeFromData * glm::inverse(medium.textureFromData);
   light->eyeFromTexture = glm::mat4(eyeFromTexture);

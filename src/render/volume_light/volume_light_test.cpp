@@ -220,6 +220,15 @@ TEST(VolumeLight, OccludedSamplesKeepTheirOpacity) {
   expectNear(shown(light, false), {0.25f, 0.2f, 0.1f, 1});
 }
 
+TEST(VolumeLight, AutomaticExposureKeepsTheBrightness) {
+  SampleIllumination light;
+  light.size = {2, 1, 1}, light.upper = glm::vec3(1);
+  light.occlusion = {0.5f, 0.5f}, light.keepsBrightness = true;
+  expectNear(shown(light, false), {0.5f, 0.4f, 0.2f, 1});
+  light.occlusion = {0.05f, 0.05f};
+  expectNear(shown(light, false), {0.2f, 0.16f, 0.08f, 1});  // at most three stops
+}
+
 TEST(VolumeLight, ShadowedLightsDimTheirShareAlone) {
   SampleIllumination light;
   light.size = glm::ivec3(1), light.upper = glm::vec3(1);

@@ -5,7 +5,10 @@
 #include "render/volumes/volume_kernels.h"
 #include "render/volumes/volume_tables.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <numeric>
 
 namespace gluray::render {
 namespace {
@@ -13,6 +16,58 @@ namespace {
 /// Whether samples that the opacity table makes invisible change nothing.
 bool mayLeap(const scene::Volume& volume) {
   return volume.blend == scene::VolumeBlend::composite || volume.blend == scene::VolumeBlend::additive;
+}
+
+/// Calls body(index of the pixel) for a tile's pixels.
+template <class Body>
+void eachPixel(const Tile& tile, const Image& image, const Body& body) {
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x)
+      body(static_cast<size_t>(y) * static_cast<size_t>(image.width) + static_cast<size_t>(x));
+}
+
+/// Sum of the luminances of a tile's pixels, which are premultiplied.
+double luminanceOf(const Tile& tile, const Image& image) {
+  double sum = 0;
+  eachPixel(tile, image, [&](size_t pixel) {
+    const float* const c = &image.wideColor[4 * pixel];
+    if (image.depth[pixel] != Image::kMiss) sum += 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+  });
+  return sum;
+}
+
+/// The factor that makes the frame's image as bright as without the illumination of the settings, by some of
+/// its tiles. Uses the frame's image.
+float exposureOf(VolumeFrame& frame) {
+  constexpr int kEach = 9;  // one tile of so many
+  const Tiles tiles(*frame.image, kTileSize);
+  const SampleIllumination* const arriving = frame.arriving;
+  const auto brightness = [&](const SampleIllumination* light) {
+    frame.arriving = light;
+    std::vector<double> sums(static_cast<size_t>(tiles.columns * tiles.rows / kEach + 1), 0.0);
+    tbb::parallel_for(size_t{0}, sums.size(), [&](size_t i) {
+      const FloatGuard guard;
+      const int index = std::min(static_cast<int>(i) * kEach + kEach / 2, tiles.columns * tiles.rows - 1);
+      const Tile tile = tiles.at(index);
+      castTile(frame, tile);
+      sums[i] = luminanceOf(tile, *frame.image);
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+  };
+  const double own = brightness(nullptr), lit = brightness(arriving);
+  constexpr double kMost = 8;
+  if (!(own > 0)) return 1;
+  return static_cast<float>(lit > 0 ? std::clamp(own / lit, 1 / kMost, kMost) : kMost);
+}
+
+/// Brightens a tile's pixels; no channel exceeds the opacity, and hues stay.
+void expose(const Tile& tile, float factor, Image& image) {
+  eachPixel(tile, image, [&](size_t pixel) {
+    float* const c = &image.wideColor[4 * pixel];
+    const float most = std::max({c[0], c[1], c[2]});
+    const float by = most * factor > c[3] && most > 0 ? std::max(1.0f, c[3] / most) : factor;
+    for (int i = 0; i < 3; ++i) c[i] *= by;
+  });
 }
 
 }  // namespace
@@ -63,7 +118,11 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     frame.showsInvisible = cast.view.replaces;
     image.resize(region.width, region.height, 1, Image::kWide);
     image.x = region.x, image.y = region.y, image.missColor = 0;
-    eachTile(Tiles(image, kTileSize), "volume", {}, [&](const Tile& tile) { castTile(frame, tile); });
+    const float exposure = arriving && arriving->keepsBrightness ? exposureOf(frame) : 1;
+    eachTile(Tiles(image, kTileSize), "volume", {}, [&](const Tile& tile) {
+      castTile(frame, tile);
+      if (exposure != 1) expose(tile, exposure, image);
+    });
     return true;
   });
 }
