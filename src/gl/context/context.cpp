@@ -71,7 +71,7 @@ Context::Context(const RealGl& realGl, std::shared_ptr<ShareGroup> group, const 
       frames({settings, shadow, failsafe, clock, counts, surfaces, cleared, pending, flusher, relighting,
               resolves, window, passthrough, immediate, lists}),
       fullscreen({shadow, failsafe, cleared, pending, flusher, relighting, resolves}),
-      volumes({shadow, failsafe, clock, surfaces, pending, raster, filler}),
+      volumes({shadow, failsafe, clock, surfaces, pending, relighting, raster, filler}),
       untraced(shadow, clock),
       programs({shadow, failsafe, clock, surfaces, pending, flusher, classifier, filler, raster, layers}),
       culled({shadow, failsafe, clock, counts, pending, raster, cleared}),

@@ -221,13 +221,23 @@ scene::SnapshotPtr ViewScenes::broughtUpToDate(const scene::SnapshotPtr& snapsho
   return snapshot;
 }
 
+template <class Is>
+void ViewScenes::withdrawIf(const Is& is) noexcept {
+  for (ViewEpoch& epoch : open_)
+    if (std::erase_if(epoch.batches, is) > 0) epoch.isChecked = false;
+  std::erase_if(open_, [](const ViewEpoch& epoch) { return epoch.batches.empty(); });
+}
+
+void ViewScenes::withdraw(const scene::SnapshotPtr& snapshot) noexcept {
+  withdrawIf([&](const ViewEpoch::Drawn& drawn) { return drawn.snapshot == snapshot; });
+}
+
 void ViewScenes::withdrawPeeled(uint64_t frame) noexcept {
   const auto isPeeled = [&](const ViewEpoch::Drawn& drawn) {
     const scene::Snapshot& s = *drawn.snapshot;
     return s.frame == frame && s.layers && s.layers->of == scene::Layers::Of::order;
   };
-  for (ViewEpoch& epoch : open_) std::erase_if(epoch.batches, isPeeled);
-  std::erase_if(open_, [](const ViewEpoch& epoch) { return epoch.batches.empty(); });
+  withdrawIf(isPeeled);
 }
 
 template <class Ends>

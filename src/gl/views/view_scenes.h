@@ -71,6 +71,8 @@ class ViewScenes {
   void relit(const Outdated&, std::shared_ptr<const Image> written) noexcept;
   /// The snapshot of a batch that is not traced yet, lit by what its view holds now.
   scene::SnapshotPtr broughtUpToDate(const scene::SnapshotPtr&) noexcept;
+  /// A batch that traced() has reported is not drawn after all.
+  void withdraw(const scene::SnapshotPtr&) noexcept;
   /// Peeled layers of this frame that were traced are drawn by the real OpenGL after all.
   void withdrawPeeled(uint64_t frame) noexcept;
   /// Depth of the framebuffer was cleared in `box`: views whose surfaces all lie there begin anew, and others
@@ -92,6 +94,8 @@ class ViewScenes {
   ViewEpoch* epochOf(const BatchKey&, const scene::Snapshot&);
   Ended::iterator lastOf(const BatchKey&, const scene::Snapshot&);
   void forgetUnwanted(const Settings&);
+  template <class Is>
+  void withdrawIf(const Is& is) noexcept;
   template <class Ends>
   void end(const Ends&) noexcept;
   void forgetOld();

@@ -106,8 +106,8 @@ bool VolumeDraws::readFaces(GLenum mode, const Elements& elements, scene::Volume
   return true;
 }
 
-bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast& cast,
-                       glm::dmat4& clipFromData, std::string& why) {
+bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, Place& place,
+                       std::string& why) {
   if (const char* found = obstacle()) return why = found, false;
   VolumeReader reader(p_.shadow);
   if (!reader.read(cast)) return why = reader.why(), false;
@@ -115,8 +115,8 @@ bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast&
   const glm::dmat4 windowFromClip =
       glm::translate(glm::dmat4(1), {box.x + 0.5 * box.z, box.y + 0.5 * box.w, 0.5}) *
       glm::scale(glm::dmat4(1), {0.5 * box.z, 0.5 * box.w, 0.5});
-  clipFromData = reader.clipFromData();
-  cast.view.windowFromData = windowFromClip * clipFromData;
+  place = {reader.clipFromData(), reader.eyeFromData()};
+  cast.view.windowFromData = windowFromClip * place.clipFromData;
   if (!readFaces(mode, elements, cast.view))
     return why = "its faces are no triangles that can be read", false;
   scene::Region pixels = Batch::keyOf(p_.shadow.pixelState(), glm::dmat4(1)).region;
@@ -133,15 +133,13 @@ bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast&
   return reader.readDepths(cast.view) || (why = reader.why(), false);
 }
 
-void VolumeDraws::placeInView(const glm::dmat4& clipFromData, scene::VolumeCast& cast) {
+void VolumeDraws::placeInView(const Place& place, scene::VolumeCast& cast) {
   const Settings& settings = p_.shadow.settings;
   if (!scene::changesLight(settings) || !p_.pending.presenter.lightsVolumes()) return;
   if (cast.volume.blend != scene::VolumeBlend::composite || cast.view.slice) return;
-  const ProgramState& program = p_.shadow.program();
-  const glm::dmat4 eyeFromData = program.eyeFromObject.value_or(glm::dmat4(1));
-  viewKey_ = Batch::keyOf(p_.shadow.pixelState(), clipFromData * glm::inverse(eyeFromData));
+  viewKey_ = Batch::keyOf(p_.shadow.pixelState(), place.clipFromData * glm::inverse(place.eyeFromData));
   viewKey_.region = cast.view.region;
-  view_.start(viewKey_, p_.shadow.target(), eyeFromData, settings, p_.clock.frame);
+  view_.start(viewKey_, p_.shadow.target(), place.eyeFromData, settings, p_.clock.frame);
   scene::Snapshot& s = view_.unnumbered();
   s.samples = 1, s.samplePositions = {glm::vec2(0.5f)};
   auto medium = std::make_shared<scene::Medium>();
@@ -150,7 +148,7 @@ void VolumeDraws::placeInView(const glm::dmat4& clipFromData, scene::VolumeCast&
   medium->step = cast.view.step;
   medium->lower = cast.view.lower, medium->upper = cast.view.upper;
   medium->clipping = cast.view.clipping;
-  view_.add({std::move(medium), eyeFromData});
+  view_.add({std::move(medium), place.eyeFromData});
   ViewScenes& views = p_.surfaces.views;
   if (views.isLeftAlone(viewKey_, s)) return void(view_.takeSnapshot());
   view_.setUpwardAxis(views.upwardAxisOf(viewKey_, s));
@@ -159,18 +157,27 @@ void VolumeDraws::placeInView(const glm::dmat4& clipFromData, scene::VolumeCast&
   cast.lit = view_.takeSnapshot();
 }
 
+bool VolumeDraws::castInView(const scene::VolumeCast& cast, std::string& why) {
+  const bool blocks = cast.lit && scene::needsSecondaryScene(cast.lit->settings);
+  if (blocks) {
+    p_.surfaces.views.traced(viewKey_, cast.lit);
+    p_.relighting.update(viewKey_.framebuffer);
+  }
+  const bool drawn = p_.pending.presenter.castVolume(p_.shadow.real, cast, why);
+  if (!drawn && blocks) p_.surfaces.views.withdraw(cast.lit);
+  return drawn;
+}
+
 bool VolumeDraws::draw(GLenum mode, const Elements& elements) {
   scene::VolumeCast cast;
-  glm::dmat4 clipFromData(1);
+  Place place;
   std::string why;
   p_.shadow.errors.keepPending();
-  bool drawn = read(mode, elements, cast, clipFromData, why);
+  bool drawn = read(mode, elements, cast, place, why);
   if (drawn && cast.view.region.width > 0) {
     p_.raster.before(PrimitiveClass::surfaces);
-    placeInView(clipFromData, cast);
-    drawn = p_.pending.presenter.castVolume(p_.shadow.real, cast, why);
-    if (drawn && cast.lit && scene::needsSecondaryScene(cast.lit->settings))
-      p_.surfaces.views.traced(viewKey_, cast.lit);
+    placeInView(place, cast);
+    drawn = castInView(cast, why);
   }
   p_.shadow.errors.takeReal();  // of our queries
   if (!drawn) p_.shadow.setProgramWhy(std::move(why));

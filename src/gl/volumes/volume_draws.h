@@ -26,6 +26,7 @@ class VolumeDraws {
     const FrameClock& clock;
     SurfaceHistory& surfaces;
     PendingBatch& pending;
+    Relighting& relighting;
     RasterDraws& raster;
     BatchFiller& filler;
   };
@@ -36,10 +37,15 @@ class VolumeDraws {
   bool draw(GLenum mode, const Elements& elements);
 
  private:
-  bool read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, glm::dmat4& clipFromData,
-            std::string& why);
+  struct Place {
+    glm::dmat4 clipFromData{1}, eyeFromData{1};
+  };
+  bool read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, Place& place, std::string& why);
   /// Gives a volume its place in its view, where settings change light.
-  void placeInView(const glm::dmat4& clipFromData, scene::VolumeCast& cast);
+  void placeInView(const Place& place, scene::VolumeCast& cast);
+  /// Lights the surfaces behind it again, if they were not lit with it: once it is blended over them, they
+  /// cannot be replaced.
+  bool castInView(const scene::VolumeCast& cast, std::string& why);
   bool readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const;
   const char* obstacle() const;
 

@@ -20,6 +20,11 @@ class VolumeReader {
   const std::string& why() const { return why_; }
   /// From data space to clip coordinates with depths from -1 to 1.
   const glm::dmat4& clipFromData() const { return clipFromData_; }
+  /// The identity where the program has no eye space of its own.
+  glm::dmat4 eyeFromData() const {
+    const auto known = uniforms_.product(program_.known->family->eyeFromObject);
+    return known.value_or(glm::dmat4(1));
+  }
 
  private:
   bool refuse(std::string why) { return why_ = std::move(why), false; }

@@ -50,6 +50,7 @@ glm::vec3 direction(int i, int count, const glm::vec2& shift) {
 }
 
 constexpr int kDirections = 32;
+constexpr float kUnitDepth = 2.7182818f;  // 1 / the share that passes an optical depth of 1
 
 /// LightPoints::openness() of the shares that pass along all directions. Sorts them.
 float opennessOf(std::array<float, kDirections>& shares) {
@@ -65,16 +66,17 @@ float opennessOf(std::array<float, kDirections>& shares) {
 }  // namespace
 
 LightPoints::LightPoints(const FrameData& frame, const Metric& metric, const Occluders& occluders,
-                         const PlacedLattice& medium)
+                         const std::vector<PlacedLattice>& media)
     : frame_(frame),
       metric_(metric),
       occluders_(occluders),
-      medium_(medium),
-      worldFromLattice_(glm::inverse(medium.latticeFromWorld)),
-      cells_(litCells(*medium.extinction)) {}
+      media_(media),
+      lattice_(*media.front().extinction),
+      worldFromLattice_(glm::inverse(media.front().latticeFromWorld)),
+      cells_(litCells(lattice_)) {}
 
 glm::ivec3 LightPoints::cellOf(uint32_t cell) const {
-  const glm::uvec3 size(medium_.extinction->size);
+  const glm::uvec3 size(lattice_.size);
   return {cell % size.x, cell / size.x % size.y, cell / (size.x * size.y)};
 }
 
@@ -90,13 +92,19 @@ void LightPoints::aim(int lane, const glm::vec3& point, const glm::vec3& directi
   rays.tNear[lane] = 0, rays.tFar[lane] = end;
 }
 
-void LightPoints::pass(int count, accel::RayKind kind, accel::OcclusionRays& rays, float* through) const {
+void LightPoints::pass(int count, accel::RayKind kind, accel::OcclusionRays& rays, Shares& shares) const {
   alignas(64) int32_t valid[kLanes];
   for (int i = 0; i < kLanes; ++i) valid[i] = i < count ? -1 : 0;
   const Transmittance light(occluders_);
   const uint32_t blocked = occludedHere(frame_, valid, rays, kind, occluders_.areSolid() ? nullptr : &light,
                                         {.grey = light.through});
-  for (int i = 0; i < count; ++i) through[i] = blocked >> i & 1 ? 0 : light.through[i];
+  for (int i = 0; i < count; ++i) {
+    shares.bySurfaces[i] = blocked >> i & 1 ? 0 : light.through[i];
+    shares.byMedia[i] = 0;
+    if (shares.bySurfaces[i] > 0)
+      shares.byMedia[i] = transmittanceOf(media_, {rays.orgX[i], rays.orgY[i], rays.orgZ[i]},
+                                          {rays.dirX[i], rays.dirY[i], rays.dirZ[i]}, rays.tFar[i]);
+  }
 }
 
 /// Calls work(cells, their number) for groups of cells, as many as a packet has lanes.
@@ -111,16 +119,17 @@ void LightPoints::eachGroup(const Work& work) const {
 }
 
 std::vector<float> LightPoints::openness(float radius) const {
-  std::vector<float> open(medium_.extinction->values.size(), 1.0f);
+  std::vector<float> open(lattice_.values.size(), 1.0f);
   eachGroup([&](const uint32_t* cells, int count) {
     accel::OcclusionRays rays;
     std::array<float, kDirections> shares[kLanes];
     for (int k = 0; k < kDirections; ++k) {
       for (int i = 0; i < count; ++i)
         aim(i, pointOf(cells[i]), direction(k, kDirections, shiftOf(cells[i])), radius, rays);
-      float through[kLanes];
-      pass(count, accel::RayKind::occlusion, rays, through);
-      for (int i = 0; i < count; ++i) shares[i][static_cast<size_t>(k)] = through[i];
+      Shares passing;
+      pass(count, accel::RayKind::occlusion, rays, passing);
+      for (int i = 0; i < count; ++i)
+        shares[i][static_cast<size_t>(k)] = passing.bySurfaces[i] * passing.byMedia[i];
     }
     for (int i = 0; i < count; ++i) open[cells[i]] = opennessOf(shares[i]);
   });
@@ -130,22 +139,21 @@ std::vector<float> LightPoints::openness(float radius) const {
 /// Of neighbouring cells, which share what is noise.
 std::vector<float> LightPoints::smoothed(const std::vector<float>& values) const {
   std::vector<float> means = values;
-  const Lattice& lattice = *medium_.extinction;
   tbb::parallel_for(size_t{0}, cells_.size(), [&](size_t i) {
     const glm::ivec3 cell = cellOf(cells_[i]), first = glm::max(cell - 1, 0),
-                     last = glm::min(cell + 1, lattice.size - 1);
+                     last = glm::min(cell + 1, lattice_.size - 1);
     float sum = 0;
     int count = 0;
     for (int z = first.z; z <= last.z; ++z)
       for (int y = first.y; y <= last.y; ++y)
-        for (int x = first.x; x <= last.x; ++x, ++count) sum += values[lattice.index({x, y, z})];
+        for (int x = first.x; x <= last.x; ++x, ++count) sum += values[lattice_.index({x, y, z})];
     means[cells_[i]] = sum / static_cast<float>(count);
   });
   return means;
 }
 
 std::vector<float> LightPoints::arriving(const Source& source) const {
-  std::vector<float> arrives(medium_.extinction->values.size(), 1.0f);
+  std::vector<float> arrives(lattice_.values.size(), 1.0f);
   eachGroup([&](const uint32_t* cells, int count) {
     accel::OcclusionRays rays;
     for (int i = 0; i < count; ++i) {
@@ -157,9 +165,10 @@ std::vector<float> LightPoints::arriving(const Source& source) const {
       else
         aim(i, point, source.towards, std::numeric_limits<float>::infinity(), rays);
     }
-    float through[kLanes];
-    pass(count, accel::RayKind::shadow, rays, through);
-    for (int i = 0; i < count; ++i) arrives[cells[i]] = through[i];
+    Shares passing;
+    pass(count, accel::RayKind::shadow, rays, passing);
+    for (int i = 0; i < count; ++i)
+      arrives[cells[i]] = passing.bySurfaces[i] * std::min(1.0f, kUnitDepth * passing.byMedia[i]);
   });
   return arrives;
 }

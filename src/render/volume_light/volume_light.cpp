@@ -202,7 +202,6 @@ std::shared_ptr<const SampleIllumination> VolumeLights::arriving(const VolumeInV
   Image image;
   image.resize(1, 1, 1);
   FrameData frame(in.view, world, image);
-  frame.media = all;
   const Metric metric(frame);
   const Occluders occluders(in.view, frame.surfaces);
   const float diagonal = diagonalOf(
@@ -214,7 +213,7 @@ std::shared_ptr<const SampleIllumination> VolumeLights::arriving(const VolumeInV
   light->eyeFromTexture = glm::mat4(eyeFromTexture);
   light->eyeFromGradient = glm::mat3(glm::transpose(glm::inverse(glm::dmat3(in.volume.eyeFromData))));
   arena.execute([&] {
-    const LightPoints points(frame, metric, occluders, own);
+    const LightPoints points(frame, metric, occluders, all);
     if (scene::wantsOcclusion(settings)) {
       const float radius = settings.ao.distance > 0 ? settings.ao.distance : settings.ao.radius * diagonal;
       light->occlusion = occlusionOf(surroundingsOf(in, all), points, radius, settings.ao.strength);
