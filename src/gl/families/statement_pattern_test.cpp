@@ -237,6 +237,11 @@ TEST_F(SlotsTest, UnknownSlotsAreEmpty) {
 }
 
 TEST(PatternText, IsCutAtNames) {
+  const PatternText call("a=$b(c)+$d;");
+  ASSERT_EQ(call.pieces().size(), 5u);
+  EXPECT_EQ(call.pieces()[1].kind, PatternText::Piece::Kind::function);
+  EXPECT_EQ(call.pieces()[1].text, "$b");
+  EXPECT_EQ(call.pieces()[3].kind, PatternText::Piece::Kind::number);
   const PatternText text("a @b.c d$e f@g.h.i@j.");
   Texts all;
   for (const PatternText::Piece& piece : text.pieces()) all.push_back(piece.text + "|" + piece.part);

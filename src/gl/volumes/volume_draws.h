@@ -4,6 +4,7 @@
 #include "gl/draws/batch_filler.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/real/elements.h"
+#include "gl/volumes/volume_maps.h"
 #include "scene/volumes/volume.h"
 
 #include <GL/gl.h>
@@ -35,10 +36,13 @@ class VolumeDraws {
 
  private:
   bool read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, std::string& why);
+  bool hasOffset() const;
+  const char* obstacleToBlending(bool spanned) const;
   bool readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const;
   const char* obstacle() const;
 
   Parts p_;
+  VolumeMaps maps_;
 };
 
 }  // namespace gluray::gl
