@@ -153,7 +153,7 @@ class Cutter {
   void addDirective() {
     int words = 0;
     for (std::string_view t = tokens_.nextToken(); !t.empty() && t != "\n"; t = tokens_.nextToken())
-      add(t, ++words == 2 || (words == 3 && t != "("));
+      add(t, (++words == 2 || (words == 3 && t != "(")) && !code_.ends_with('$'));  // "$name" is one word
     finish();
   }
   /// Counts braces and parentheses; marks the end of the statement.
