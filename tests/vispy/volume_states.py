@@ -54,7 +54,7 @@ PLANES = [[[16, 12, 9], [1, 0.3, 0]], [[16, 12, 9], [0, 1, 0.5]]]
 # Those of every version.
 STATES = {"mip": volume(method="mip"), "additive": volume(method="additive", cmap=FAINT), "translucent": volume(method="translucent", cmap=FAINT),
           "mip, fire": volume(method="mip", cmap="fire"), "mip, ice": volume(method="mip", cmap="ice"), "mip, hot": volume(method="mip", cmap="hot"),
-          "mip, viridis": volume(method="mip", cmap="viridis"), "parallel": volume(method="mip", parallel=True), "inside": volume(method="mip", inside=True),
+          "additive, viridis": volume(method="additive", cmap="viridis"), "mip, viridis": volume(method="mip", cmap="viridis"), "parallel": volume(method="mip", parallel=True), "inside": volume(method="mip", inside=True),
           "moved": volume(method="mip", moved=True), "long steps": volume(method="mip", relative_step_size=2.3), "short steps": volume(method="translucent", cmap=FAINT, relative_step_size=0.3),
           "behind a box": volume(method="translucent", cmap=FAINT, behind="box"), "additive blending": volume(method="mip", blending="additive"),
           "opaque": volume(method="mip", blending="opaque"), "turned": turned, "translucent, opaque map": volume(method="translucent", cmap="winter")}

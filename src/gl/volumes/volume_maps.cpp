@@ -22,7 +22,8 @@ scene::Texture textureOf(ShadowState& shadow, const UniformReader& uniforms, con
     return {};
   const bool plain = texture.wrapS == scene::Wrap::clampToEdge && texture.wrapT == scene::Wrap::clampToEdge &&
                      texture.magFilter == texture.minFilter && texture.mipFilter == scene::MipFilter::none;
-  return plain ? texture : scene::Texture{};
+  const bool colored = texture.image && texture.image->baseFormat == scene::BaseFormat::rgba;
+  return plain && colored ? texture : scene::Texture{};
 }
 
 glm::dvec4 texelOf(const scene::TextureImage& image, const glm::ivec2& at) {
@@ -34,10 +35,27 @@ glm::dvec4 texelOf(const scene::TextureImage& image, const glm::ivec2& at) {
   return glm::dvec4(texel & 255, texel >> 8 & 255, texel >> 16 & 255, texel >> 24) / 255.0;
 }
 
+/// Filtered in eight bits (scene::Texture::byteFilter): weights are multiples of 1/256, and each
+/// interpolation rounds to 1/255.
+glm::dvec4 sampledInBytes(const scene::TextureImage& image, const glm::dvec2& at) {
+  const glm::ivec2 place(glm::round(at * glm::dvec2(image.width, image.height) * 256.0));
+  const glm::ivec2 low = (place - 128) >> 8, weight = (place - 128) & 255;
+  const auto texel = [&](int x, int y) {
+    return glm::ivec4(texelOf(image, low + glm::ivec2(x, y)) * 255.0 + 0.5);
+  };
+  const auto mixed = [](const glm::ivec4& a, const glm::ivec4& b, int share) {
+    return a + (((b - a) * share + 128) >> 8);
+  };
+  const glm::ivec4 lower = mixed(texel(0, 0), texel(1, 0), weight.x),
+                   upper = mixed(texel(0, 1), texel(1, 1), weight.x);
+  return glm::dvec4(mixed(lower, upper, weight.y)) / 255.0;
+}
+
 glm::dvec4 sampled(const scene::Texture& texture, const glm::dvec2& at) {
   const scene::TextureImage& image = *texture.image;
   const glm::dvec2 place = at * glm::dvec2(image.width, image.height);
   if (texture.magFilter == scene::Filter::nearest) return texelOf(image, glm::ivec2(glm::floor(place)));
+  if (texture.byteFilter && image.floats.empty()) return sampledInBytes(image, at);
   const glm::dvec2 low = glm::floor(place - 0.5), share = place - 0.5 - low;
   const glm::ivec2 first(low);
   const auto row = [&](int y) {
