@@ -38,7 +38,7 @@ FOLDERS = {
     "accel": ["memory", "rays", "device", "impostors", "queries", "blocks", "meshes", "pages", "cache", "volumes", ""],
     "render": ["tiles", "camera", "local", "edges", "bsdf", "sampling", "resolve", "lights", "media", "frame_data", "shading", "hit_points", "remote",
                "integrators", "moving", "paths", "ground", "effects", "packets", "visibility", "layers", "kernels", "volumes", "volume_light", "", "exposure"],
-    "gl": ["basics", "real", "welding", "capture", "glsl", "glsl/parser", "families", "families/built_in", "families/files", "programs", "trials",
+    "gl": ["basics", "real", "welding", "capture", "glsl", "glsl/parser", "glsl/functions", "families", "families/built_in", "families/files", "programs", "trials",
            "clock", "buffers", "sharing", "arrays", "textures", "program_state", "state", "shadow", "impostors", "batch", "objects",
            "views", "history", "counts", "framebuffers", "pending", "layers", "window", "flush", "classify", "draws", "volumes",
            "culled/trials", "culled/shader_slice", "culled/clusters", "culled/small", "culled/feedback", "culled/instances", "culled", "context",

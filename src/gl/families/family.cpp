@@ -26,6 +26,8 @@ std::vector<SlotChoice> Family::slotChoices() const {
   add("volume.channels", volume.channelsSlot, kVolumeChannels);
   add("volume.lighting", volume.light.modelSlot, kVolumeLightings);
   add("volume.clip_space", volume.clipSlot, kVolumeClipSpaces);
+  add("volume.component", volume.levels.componentSlot, kVolumeComponents);
+  add("volume.depth_shown", volume.span.depthSlot, kVolumeDepths);
   return all;
 }
 

@@ -103,6 +103,7 @@ struct Family {
   /// from them are decided before statements are compared (gl/glsl/glsl_branches.h).
   DecidedValues decided;
   std::vector<std::string> code;    // sections that contain all statements of the program; empty: any code
+  bool wholeMain = false;           // main is compared as one statement
   bool resolvesConditions = false;  // statements are compared after #ifdef and the like
   std::string codeAt;               // file and line that name them
   bool onlySolids = false;          // describes only draws of lines and points that settings turn into solids

@@ -10,10 +10,20 @@
 namespace gluray::gl {
 
 inline constexpr std::pair<const char*, scene::VolumeBlend> kVolumeBlends[] = {
-    {"composite", scene::VolumeBlend::composite}, {"maximum", scene::VolumeBlend::maximum},
-    {"minimum", scene::VolumeBlend::minimum},     {"average", scene::VolumeBlend::average},
-    {"additive", scene::VolumeBlend::additive},   {"isosurface", scene::VolumeBlend::isosurface},
-    {"slice", scene::VolumeBlend::composite}};  // of one sample
+    {"composite", scene::VolumeBlend::composite},
+    {"maximum", scene::VolumeBlend::maximum},
+    {"minimum", scene::VolumeBlend::minimum},
+    {"average", scene::VolumeBlend::average},
+    {"additive", scene::VolumeBlend::additive},
+    {"isosurface", scene::VolumeBlend::isosurface},
+    {"slice", scene::VolumeBlend::composite},  // of one sample
+    {"refined_maximum", scene::VolumeBlend::refinedMaximum},
+    {"refined_minimum", scene::VolumeBlend::refinedMinimum},
+    {"attenuated_maximum", scene::VolumeBlend::attenuatedMaximum},
+    {"over", scene::VolumeBlend::over},
+    {"screened", scene::VolumeBlend::screened},
+    {"mean", scene::VolumeBlend::mean},
+    {"surface", scene::VolumeBlend::surface}};
 
 inline constexpr std::pair<const char*, scene::VolumeChannels> kVolumeChannels[] = {
     {"one", scene::VolumeChannels::one},
@@ -32,6 +42,32 @@ inline constexpr std::pair<const char*, scene::VolumeShading::Model> kVolumeLigh
 
 /// Whether clip planes meet rays where FamilyVolume::textureFromCrop puts these.
 inline constexpr std::pair<const char*, bool> kVolumeClipSpaces[] = {{"texture", false}, {"crop", true}};
+
+/// Which component of what the texture returns counts.
+inline constexpr std::pair<const char*, int> kVolumeComponents[] = {{"red", 0}, {"green", 1}};
+
+/// Whether pixels get the depth of what they show, or that of the face.
+inline constexpr std::pair<const char*, bool> kVolumeDepths[] = {{"face", false}, {"shown", true}};
+
+/// Rays that end on the faces (scene::VolumeSpan). Functions are placeholders.
+struct FamilyVolumeSpan {
+  std::string clip, view, viewInverse;  // functions: from data space to clip and view coordinates, and back
+  FamilyValue size, shift;
+  bool showsDepth = false;
+  std::string depthSlot;
+  std::string window;            // uniform: least and greatest x, least and greatest y of pixels
+  std::string windowFromPixels;  // function: only the identity is traced
+  bool given() const { return !view.empty(); }
+};
+
+/// scene::VolumeLevels.
+struct FamilyVolumeLevels {
+  FamilyValue limits, gamma, leastMaximum, mostMinimum, attenuation, threshold, opacity;
+  std::string planePoint, planeNormal;  // uniforms, followed by the number of a plane
+  std::string planeFromData;            // function
+  int component = 0;                    // kVolumeComponents
+  std::string componentSlot;
+};
 
 /// Names are those of uniforms. Arrays have one element for each channel or light.
 struct FamilyVolumeLight {
@@ -56,8 +92,9 @@ struct FamilyVolume {
   std::string blendSlot;  // "@group": the program's word of the group replaces `blend`; likewise below
   scene::VolumeChannels channels = scene::VolumeChannels::one;
   std::string channelsSlot;
-  FamilyValue gradientChannel, weights;         // scene::Volume; a component for each channel
-  std::string opacity, color, gradientOpacity;  // samplers of tables, or arrays: one for each channel
+  FamilyValue gradientChannel, weights;  // scene::Volume; a component for each channel
+  // Samplers of tables, or arrays: one for each channel. Of blends that take levels, `color` is a function.
+  std::string opacity, color, gradientOpacity;
   std::string table;        // sampler: of VolumeChannels::table, in place of `opacity` and `color`
   std::string depth;        // sampler: window depths of what ends rays
   FamilyValue depthTexel;   // width and height of a pixel in its coordinates
@@ -84,6 +121,8 @@ struct FamilyVolume {
   FamilyValue labelShare, labelScale, labelBias, labelCount;
   std::string contours;  // array of values of data
   FamilyValue contourCount;
+  FamilyVolumeSpan span;
+  FamilyVolumeLevels levels;
   std::string slicePoint, sliceNormal;  // world space: of VolumeView::slice, if they are active
   bool given() const { return !grid.empty(); }
 };

@@ -29,9 +29,9 @@ void KnownCode::addFragment(const std::string& group, const std::string& word, c
   addUses(fragment, group, place);
 }
 
-void KnownCode::add(std::string_view text, const std::string& place) {
+void KnownCode::add(std::string_view text, const std::string& place, bool wholeMain) {
   GlslStatements statements;
-  statements.cut(text);
+  statements.cut(text, {}, {.wholeMain = wholeMain});
   statements_.reserve(statements_.size() + statements.size());
   for (size_t i = 0; i < statements.size(); ++i) statements_.push_back(hashOfKnown(statements[i], place));
   sort();

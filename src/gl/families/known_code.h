@@ -24,7 +24,8 @@ class KnownCode {
   };
   /// Adds all statements of `text`. They may have placeholders and slots (pattern_text.h). `place` names the
   /// text in mistakes.
-  void add(std::string_view text, const std::string& place = "");
+  /// `wholeMain`: main is one statement.
+  void add(std::string_view text, const std::string& place = "", bool wholeMain = false);
   /// Adds blocks: statements that must occur together, in this order. Empty lines separate blocks.
   void addBlocks(std::string_view text, const std::string& place = "");
   /// Adds a word to a group of slots.
@@ -96,6 +97,15 @@ std::vector<std::string> unwrittenNames(const GlslStatements& statements, const 
 /// the name of a placeholder for which there are different numbers; empty if there is none.
 std::string readPlaceholders(const GlslStatements& statements, const CodeSections& sections,
                              const std::vector<std::string>& names, PlaceholderValues& values);
+
+/// Names of functions by the placeholders that stand for them.
+using FunctionNames = std::map<std::string, std::string, std::less<>>;
+
+/// Finds the functions that stand for placeholders of the sections `names`, and takes these and all functions
+/// that they call away from `statements`: they are evaluated in place of being compared. Returns the name of
+/// a placeholder or function that is not unique, or is called elsewhere, too; empty if there is none.
+std::string takeFunctions(GlslStatements& statements, const CodeSections& sections,
+                          const std::vector<std::string>& names, FunctionNames& functions);
 
 /// Finds the word of each group of slots that the statements have: the first one whose fragments stand in all
 /// of its slots. Sets `words`, or returns the name of a group that has none, with "@"; empty if all have one.

@@ -34,7 +34,8 @@ PatternText::PatternText(std::string_view text) : text_(text) {
       } else {
         std::string name = "$";
         name += takeWord(text);
-        pieces_.push_back({Piece::Kind::number, std::move(name), ""});
+        const bool function = text.starts_with('(');
+        pieces_.push_back({function ? Piece::Kind::function : Piece::Kind::number, std::move(name), ""});
       }
       // The space only keeps the name apart from the next word.
       if (text.size() > 1 && text[0] == ' ' && isWordPart(text[1])) text.remove_prefix(1);

@@ -1,5 +1,6 @@
 // Texts of known code in which names stand for what programs have there: placeholders, "$name", for numbers
-// and slots, "@name" or "@name.part", for fragments of text. Part of known code (known_code.h). Any thread.
+// or, before a parenthesis, for names of functions; slots, "@name" or "@name.part", for fragments of text.
+// Part of known code (known_code.h). Any thread.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,7 +12,7 @@ namespace gluray::gl {
 class PatternText {
  public:
   struct Piece {
-    enum class Kind { text, number, slot };
+    enum class Kind { text, number, function, slot };
     Kind kind = Kind::text;
     std::string text;  // the text; of a placeholder, its name with "$"; of a slot, its group
     std::string part;  // of a slot; may be empty

@@ -24,6 +24,13 @@ std::optional<std::pair<float, size_t>> numberIn(std::string_view text) {
   return std::pair(number, token.size());
 }
 
+/// The name at the front of `text`; empty if there is none.
+std::string_view nameIn(std::string_view text) {
+  if (text.empty() || !isWordPart(text[0]) || isDigit(text[0])) return {};
+  const auto end = std::find_if_not(text.begin(), text.end(), isWordPart);
+  return text.substr(0, static_cast<size_t>(end - text.begin()));
+}
+
 /// Compares a statement with patterns. Follows all ways to read it at once, as the set of positions that they
 /// have reached: the time grows with the lengths of both, not with the number of ways.
 class Matcher {
@@ -66,6 +73,10 @@ class Matcher {
     const std::string_view rest = statement_.substr(from);
     if (piece.kind == Piece::Kind::text)
       return rest.starts_with(piece.text) ? Positions{from + piece.text.size()} : Positions{};
+    if (piece.kind == Piece::Kind::function) {
+      const size_t name = nameIn(rest).size();
+      return name > 0 ? Positions{from + name} : Positions{};
+    }
     const auto number = numberIn(rest);
     return number ? Positions{from + number->second} : Positions{};
   }
@@ -123,6 +134,8 @@ class Matcher {
     for (size_t i = 0; i < pieces.size(); ++i) {
       if (pieces[i].kind == Piece::Kind::number)
         match.numbers.push_back({pieces[i].text, numberIn(statement_.substr(tokenFrom(ends[i])))->first});
+      if (pieces[i].kind == Piece::Kind::function)
+        match.functions.push_back({pieces[i].text, nameIn(statement_.substr(tokenFrom(ends[i])))});
       if (pieces[i].kind == Piece::Kind::slot) readSlot(pieces[i], ends[i], ends[i + 1], match);
     }
   }

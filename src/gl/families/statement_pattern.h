@@ -27,7 +27,12 @@ struct PatternMatch {
     std::string_view group, part;
     std::string_view text;  // of the fragment, with its own placeholders and slots; empty: nothing is there
   };
+  struct Function {
+    std::string_view name;    // of the placeholder
+    std::string_view called;  // the function's, in the statement
+  };
   std::vector<Number> numbers;
+  std::vector<Function> functions;
   std::vector<Slot> slots;
 };
 
@@ -36,8 +41,9 @@ class StatementPattern {
   /// `statement` in the normal form of glsl_statements.h, with placeholders and slots.
   explicit StatementPattern(std::string_view statement)
       : text_(statement), hash_(hashBytes(statement.data(), statement.size())) {}
-  /// Whether `statement`, in normal form, has a number for each placeholder, a fragment of `slots` or nothing
-  /// for each slot, and is the same otherwise. Then sets `match`, of several ways to read it to one.
+  /// Whether `statement`, in normal form, has a number or a name for each placeholder, a fragment of `slots`
+  /// or nothing for each slot, and is the same otherwise. Then sets `match`, of several ways to read it to
+  /// one.
   bool fits(std::string_view statement, const Slots& slots, PatternMatch& match) const;
   const PatternText& text() const { return text_; }
   const Hash128& hash() const { return hash_; }  // of the statement with its placeholders and slots

@@ -199,6 +199,20 @@ TEST_F(SlotsTest, DirectivesHaveNumbers) {
   EXPECT_FALSE(known("#define LIGHTS x\n"));
 }
 
+TEST_F(SlotsTest, ConditionsOfDirectivesHaveNumbers) {
+  sections_["code"].add(
+      "#if $count\nint steps[$count + 2];\n#endif\nint g() {\n#if $count\nreturn $count;\n#endif\n}");
+  for (const std::string count : {"1", "3", "12"}) {
+    const std::string text = "#if " + count + "\nint steps[" + count + " + 2];\n#endif\nint g() {\n#if " +
+                             count + "\nreturn " + count + ";\n#endif\n}";
+    EXPECT_EQ(unknown(text), Texts{}) << text;
+    PlaceholderValues values;
+    EXPECT_EQ(readPlaceholders(statementsOf(text), sections_, both_, values), "");
+    EXPECT_EQ(values, (PlaceholderValues{{"$count", std::stof(count)}}));
+  }
+  EXPECT_EQ(unknown("#if X\n"), Texts{"#if X"});
+}
+
 TEST_F(SlotsTest, WordsOfSeveralSectionsAreOne) {
   sections_["more"].addFragment("blend", "sum", "end", "c = c / n;");
   const Texts all{"code", "fragments", "more"};
@@ -237,6 +251,11 @@ TEST_F(SlotsTest, UnknownSlotsAreEmpty) {
 }
 
 TEST(PatternText, IsCutAtNames) {
+  const PatternText call("a=$b(c)+$d;");
+  ASSERT_EQ(call.pieces().size(), 5u);
+  EXPECT_EQ(call.pieces()[1].kind, PatternText::Piece::Kind::function);
+  EXPECT_EQ(call.pieces()[1].text, "$b");
+  EXPECT_EQ(call.pieces()[3].kind, PatternText::Piece::Kind::number);
   const PatternText text("a @b.c d$e f@g.h.i@j.");
   Texts all;
   for (const PatternText::Piece& piece : text.pieces()) all.push_back(piece.text + "|" + piece.part);

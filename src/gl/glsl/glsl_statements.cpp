@@ -94,17 +94,6 @@ void unnumberLight(std::string& code, size_t start) {
   code.resize(start + to);
 }
 
-/// Calls each(word) for every name and number.
-template <class Each>
-void eachWord(std::string_view s, Each&& each) {
-  for (size_t at = 0; at < s.size();) {
-    size_t end = at;
-    while (end < s.size() && isWordPart(s[end])) ++end;
-    if (end > at) each(s.substr(at, end - at));
-    at = std::max(end, at + 1);
-  }
-}
-
 /// Whether a comma stands outside parentheses.
 bool listsSeveral(std::string_view s) {
   int depth = 0;
@@ -112,19 +101,6 @@ bool listsSeveral(std::string_view s) {
     depth += (c == '(') - (c == ')');
     return c == ',' && depth == 0;
   });
-}
-
-/// The name that a statement outside functions defines or declares, if it is a function or a constant.
-std::string_view definedBy(std::string_view s) {
-  const bool constant = startsWith(s, "const ");
-  if (constant && listsSeveral(s)) return {};
-  const size_t name = s.find(constant ? '=' : '('), before = s.substr(0, name).rfind(' ');
-  if (name == std::string_view::npos || before == std::string_view::npos) return {};
-  // "vec3 f(vec3 a)": a type and a name, and nothing else before the parenthesis.
-  const std::string_view start = s.substr(0, name);
-  const bool plain =
-      std::all_of(start.begin(), start.end(), [](char c) { return isWordPart(c) || c == ' '; });
-  return plain && !startsWith(s, "layout") ? start.substr(before + 1) : std::string_view();
 }
 
 /// Appends a token of the statement that begins at `start`, after a space if `space`, or if it would
@@ -141,13 +117,14 @@ void addToken(std::string& code, size_t start, std::string_view token, bool spac
 class Cutter {
  public:
   Cutter(std::string_view text, const GlslStatements::Renamed& renamed, std::string& code,
-         std::vector<size_t>& ends, std::vector<bool>& repeated, std::vector<bool>& global)
+         std::vector<size_t>& ends, std::vector<bool>& repeated, std::vector<bool>& global, bool wholeMain)
       : tokens_(text),
         renamed_(renamed),
         code_(code),
         ends_(ends),
         repeated_(repeated),
         global_(global),
+        wholeMain_(wholeMain),
         start_(code.size()) {}
 
   void cut() {
@@ -176,7 +153,7 @@ class Cutter {
   void addDirective() {
     int words = 0;
     for (std::string_view t = tokens_.nextToken(); !t.empty() && t != "\n"; t = tokens_.nextToken())
-      add(t, ++words == 2 || (words == 3 && t != "("));
+      add(t, (++words == 2 || (words == 3 && t != "(")) && !code_.ends_with('$'));  // "$name" is one word
     finish();
   }
   /// Counts braces and parentheses; marks the end of the statement.
@@ -195,7 +172,7 @@ class Cutter {
   bool opens(bool afterParenthesis) {
     body_ = body_ || afterParenthesis;
     if (startsWith(statement(), "for(")) return ++loops_, finish(), true;
-    if (inMain_ || !startsWith(statement(), "void main(")) return false;
+    if (inMain_ || wholeMain_ || !startsWith(statement(), "void main(")) return false;
     inMain_ = true, braces_ = 0, code_.resize(start_);
     return true;
   }
@@ -216,7 +193,8 @@ class Cutter {
   std::string& code_;
   std::vector<size_t>& ends_;
   std::vector<bool>& repeated_;
-  std::vector<bool>& global_;          // whether each statement stands outside functions
+  std::vector<bool>& global_;  // whether each statement stands outside functions
+  const bool wholeMain_;
   std::unordered_set<uint64_t> seen_;  // statements of this text
   size_t start_;                       // of the statement being written
   int parentheses_ = 0, braces_ = 0, loops_ = 0;
@@ -224,6 +202,18 @@ class Cutter {
 };
 
 }  // namespace
+
+std::string_view definedBy(std::string_view s) {
+  const bool constant = startsWith(s, "const ");
+  if (constant && listsSeveral(s)) return {};
+  const size_t name = s.find(constant ? '=' : '('), before = s.substr(0, name).rfind(' ');
+  if (name == std::string_view::npos || before == std::string_view::npos) return {};
+  // "vec3 f(vec3 a)": a type and a name, and nothing else before the parenthesis.
+  const std::string_view start = s.substr(0, name);
+  const bool plain =
+      std::all_of(start.begin(), start.end(), [](char c) { return isWordPart(c) || c == ' '; });
+  return plain && !startsWith(s, "layout") ? start.substr(before + 1) : std::string_view();
+}
 
 void GlslStatements::drop(const std::vector<bool>& unused, size_t first) {
   std::string code;
@@ -239,7 +229,7 @@ void GlslStatements::drop(const std::vector<bool>& unused, size_t first) {
 void GlslStatements::dropUnused(size_t first, const std::vector<bool>& global) {
   std::vector<bool> unused(size() - first);
   for (bool again = true; std::exchange(again, false);) {
-    std::unordered_set<std::string_view> named;  // by statements that do not define the name
+    std::unordered_set<std::string_view> named{"main"};  // by statements that do not define the name
     for (size_t i = first; i < size(); ++i) {
       if (unused[i - first]) continue;
       const std::string_view own = global[i - first] ? definedBy((*this)[i]) : std::string_view();
@@ -256,15 +246,15 @@ void GlslStatements::dropUnused(size_t first, const std::vector<bool>& global) {
   drop(unused, first);
 }
 
-void GlslStatements::cut(std::string_view text, const Renamed& renamed, bool used) {
+void GlslStatements::cut(std::string_view text, const Renamed& renamed, const How& how) {
   // One allocation, unless renaming makes names longer: a token is no longer than its source text, and at
   // most one character, a space or a line feed, precedes it; a final line feed may have no source.
   code_.reserve(code_.size() + 2 * text.size() + 1);
   ends_.reserve(ends_.size() + 256);
   const size_t first = size();
   std::vector<bool> global;
-  Cutter(text, renamed, code_, ends_, repeated_, global).cut();
-  if (used) dropUnused(first, global);
+  Cutter(text, renamed, code_, ends_, repeated_, global, how.wholeMain).cut();
+  if (how.used) dropUnused(first, global);
 }
 
 std::string normalForm(std::string_view text) {

@@ -23,9 +23,15 @@ class GlslStatements {
     std::string from, to;
     bool operator==(const Renamed&) const = default;
   };
-  /// Appends the statements of one shader's text. `used`: without functions and constants outside functions
-  /// whose names occur nowhere else.
-  void cut(std::string_view text, const Renamed& renamed = {}, bool used = false);
+  /// How a text is cut.
+  struct How {
+    bool used = false;  // without functions and constants outside functions whose names occur nowhere else
+    bool wholeMain = false;  // main is one statement, as other functions
+  };
+  /// Appends the statements of one shader's text.
+  void cut(std::string_view text, const Renamed& renamed = {}, const How& how = {false, false});
+  /// Takes the statements away whose element is true.
+  void drop(const std::vector<bool>& unwanted) { drop(unwanted, 0); }
   /// Whether statement i occurred earlier in the same shader's text, with the same light numbers.
   bool isRepeated(size_t i) const { return repeated_[i]; }
   size_t size() const { return ends_.size(); }
@@ -42,6 +48,24 @@ class GlslStatements {
   std::vector<size_t> ends_;
   std::vector<bool> repeated_;
 };
+
+/// The name that a statement outside functions defines or declares, if it is a function or a constant;
+/// otherwise empty.
+std::string_view definedBy(std::string_view statement);
+
+/// Calls each(word) for every name and number of a statement.
+template <class Each>
+void eachWord(std::string_view s, Each&& each) {
+  const auto isPart = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  for (size_t at = 0; at < s.size();) {
+    size_t end = at;
+    while (end < s.size() && isPart(s[end])) ++end;
+    if (end > at) each(s.substr(at, end - at));
+    at = end > at ? end : at + 1;
+  }
+}
 
 /// A part of a function in the normal form that it has within a statement.
 std::string normalForm(std::string_view text);

@@ -37,7 +37,7 @@ TEST(GlslStatements, DropsUnusedFunctionsAndConstants) {
   const auto used = [](const std::string& text) {
     GlslStatements statements;
     statements.cut("void main() { before(); }");
-    statements.cut(text, {}, true);
+    statements.cut(text, {}, {.used = true});
     Texts texts;
     for (size_t i = 1; i < statements.size(); ++i) texts.emplace_back(statements[i]);
     return texts;
@@ -198,6 +198,17 @@ TEST(GlslStatements, ReadsNoTextBeyondItsEnd) {
     EXPECT_EQ(cut(text), cut(spaces + text)) << text;
     EXPECT_EQ(body(text), body(spaces + text)) << text;
   }
+}
+
+TEST(GlslStatements, MainMayBeOneStatement) {
+  GlslStatements statements;
+  statements.cut("float f() { return 1.0; }\nvoid main() { a = f(); for (;;) { b; } }", {},
+                 {.used = true, .wholeMain = true});
+  ASSERT_EQ(statements.size(), 2u);
+  EXPECT_EQ(statements[1], "void main(){a=f();for(;;){b;}}");
+  statements.drop({true, false});
+  ASSERT_EQ(statements.size(), 1u);
+  EXPECT_EQ(statements[0], "void main(){a=f();for(;;){b;}}");
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ const GlslStatements& ProgramSource::statements(const Cut& how) {
     if (rest) text = *rest;
     const std::string taken = how.decided.empty() ? "" : decideBranches(text, how.decided);
     if (!how.decided.empty()) text = taken;
-    statements_.cut(text, clear ? how.renamed : GlslStatements::Renamed{}, how.resolved);
+    statements_.cut(text, clear ? how.renamed : GlslStatements::Renamed{}, {how.resolved, how.wholeMain});
   }
   return statements_;
 }

@@ -28,6 +28,7 @@ class ProgramSource {
     GlslStatements::Renamed renamed;  // replaces one name, unless the text already has the new name
     bool resolved = false;            // without the lines that conditions exclude (glsl_conditions.h), and
                                       // without functions and constants that are not used
+    bool wholeMain = false;           // main is one statement
     DecidedValues decided;            // with the branches that follow from these values (glsl_branches.h)
     bool operator==(const Cut&) const = default;
   };

@@ -5,6 +5,7 @@
 #include "gl/glsl/program_source.h"
 #include "gl/glsl/shader_digest.h"
 #include "gl/programs/built_in_uniforms.h"
+#include "gl/programs/evaluated_functions.h"
 #include "gl/programs/nearest_family.h"
 #include "gl/programs/renames.h"
 #include "gl/programs/vertex_inputs.h"
@@ -36,7 +37,7 @@ void needSource(ProgramSource& program, const Family& f, std::vector<std::string
 /// The program's statements, with its texture renamed to the name that the family uses.
 const GlslStatements& statementsFor(const Family& f, const Program& p, ProgramSource& source) {
   const auto other = p.renamed.find(f.anyTexture);
-  ProgramSource::Cut how{{}, f.resolvesConditions, f.decided};
+  ProgramSource::Cut how{{}, f.resolvesConditions, f.wholeMain, f.decided};
   if (other != p.renamed.end()) how.renamed = {other->second, other->first};
   return source.statements(how);
 }
@@ -69,9 +70,10 @@ void needCode(const Program& program, ProgramSource& source, const Family& f, co
   if (f.code.empty()) return;
   if (const std::vector<Hash128> known = knownShaders(code, f.code); !known.empty())
     return needShaders(source, known, out);
-  const GlslStatements& statements = statementsFor(f, program, source);
+  GlslStatements statements = statementsFor(f, program, source);
   if (!source.isWhole(f.geometryShader) || statements.size() == 0)
     return out.push_back("has no source that could be read");
+  if (!needFunctions(statements, f, code, out)) return;
   for (const std::string_view statement : unknownStatements(statements, code, f.code))
     out.push_back(about("has the unknown statement ", std::string(statement)));
   for (const std::string_view statement : strayStatements(statements, code, f.code))
@@ -206,7 +208,9 @@ void setFamily(KnownProgram& known, const std::shared_ptr<const Family>& family,
   known.ignoresOpacity = has(family->material.unusedOpacityInSource);
   known.discardsInvisible = has(family->discardsInvisibleInSource);
   if (family->code.empty()) return;
-  const GlslStatements& statements = statementsFor(*family, known.program, source);
+  GlslStatements statements = statementsFor(*family, known.program, source);
+  takeFunctions(statements, families.code, family->code, known.functionNames);
+  if (!known.functionNames.empty()) known.functions = functionsOf(source);
   known.note = notesOn(statements, families.code, family->code);
   readPlaceholders(statements, families.code, family->code, known.placeholders);
   readWords(statements, families.code, family->code, known.words);

@@ -1,6 +1,7 @@
 // Finds the family that fits a shader program. GL thread, context current.
 #pragma once
 #include "gl/families/family.h"
+#include "gl/glsl/functions/shader_functions.h"
 #include "gl/glsl/program.h"
 
 #include <map>
@@ -21,9 +22,12 @@ struct KnownProgram {
   float prefilteredMaxLevel = 0;         // by FamilyPbr::prefilteredMaxLevelInSource
   PlaceholderValues placeholders;        // numbers in its statements
   SlotWords words;                       // of the slots in its statements
-  bool ignoresOpacity = false;           // by FamilyMaterial::unusedOpacityInSource
-  bool discardsInvisible = false;        // by Family::discardsInvisibleInSource
-  bool unknownCode = false;              // the nearest family fits except for unknown statements
+  FunctionNames functionNames;           // of functions that are evaluated, by placeholders
+  /// The shaders that have them.
+  std::vector<std::shared_ptr<const glsl::ShaderFunctions>> functions;
+  bool ignoresOpacity = false;     // by FamilyMaterial::unusedOpacityInSource
+  bool discardsInvisible = false;  // by Family::discardsInvisibleInSource
+  bool unknownCode = false;        // the nearest family fits except for unknown statements
   /// The same program with further families, for other values of uniforms (Family::decided).
   std::vector<std::shared_ptr<const KnownProgram>> others;
 };

@@ -56,20 +56,21 @@ std::unique_ptr<std::byte[]> separated(const VoxelGrid& grid, std::unique_ptr<st
 
 std::shared_ptr<const VoxelGrid> readVoxels(const RealGl& real, const RareState& has, std::string& why) {
   const auto level = [&](GLenum name) { return ask(real, GL_TEXTURE_3D, name); };
-  constexpr GLenum kSizes[] = {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
-                               GL_TEXTURE_ALPHA_SIZE};
+  GLenum sizes[] = {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE};
+  const bool grey = has.fixedFunction && level(GL_TEXTURE_LUMINANCE_SIZE) > 0;
+  if (grey) sizes[0] = GL_TEXTURE_LUMINANCE_SIZE;
   int channels = 0;
-  while (channels < 4 && level(kSizes[channels]) > 0) ++channels;
+  while (channels < 4 && level(sizes[channels]) > 0) ++channels;
   why = "the format of its texture is not traced";
   const bool more = channels < 4 && level(GL_TEXTURE_ALPHA_SIZE) > 0;
   if (channels == 0 || more || !has.textureTypes || level(GL_TEXTURE_COMPRESSED)) return nullptr;
-  const auto form = formOf(level(GL_TEXTURE_RED_TYPE), level(GL_TEXTURE_RED_SIZE));
+  const auto form = formOf(level(grey ? GL_TEXTURE_LUMINANCE_TYPE : GL_TEXTURE_RED_TYPE), level(sizes[0]));
   for (int c = 1; c < channels; ++c)
-    if (level(kSizes[c]) != level(GL_TEXTURE_RED_SIZE)) return nullptr;
+    if (level(sizes[c]) != level(sizes[0])) return nullptr;
   if (!form) return nullptr;
   auto grid = std::make_shared<VoxelGrid>();
   grid->type = form->type;
-  grid->channels = channels;
+  grid->channels = channels, grid->grey = grey;
   grid->size = {level(GL_TEXTURE_WIDTH), level(GL_TEXTURE_HEIGHT), level(GL_TEXTURE_DEPTH)};
   if (grid->voxels() == 0) return nullptr;
   const auto memory = [&] {

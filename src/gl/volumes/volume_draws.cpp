@@ -49,7 +49,46 @@ bool isFront(const glm::dmat4& windowFromData, const glm::dvec3* corners, bool c
   return (glm::determinant(m) > 0) == counterClockwise;
 }
 
+/// Whether each face lies in one of the box from -0.5 to size - 0.5: then rays have steps to one of them
+/// alone.
+bool areFacesOfBox(const scene::VolumeView& view) {
+  for (size_t i = 0; i + 2 < view.faces.size(); i += 3) {
+    bool inPlane = false;
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double end : {-0.5, view.span->size[axis] - 0.5}) {
+        const auto at = [&](size_t c) { return view.faces[i + c][axis] == end; };
+        inPlane = inPlane || (at(0) && at(1) && at(2));
+      }
+    if (!inPlane) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+/// `spanned`: its colours and depths are written as the program has set it, in place of being blended over
+/// the framebuffer.
+const char* VolumeDraws::obstacleToBlending(bool spanned) const {
+  const RealGl& real = p_.shadow.real;
+  const TargetState& target = p_.shadow.target();
+  const RasterState& raster = p_.shadow.raster();
+  const bool samples = target.samples > 1 && raster.multisample;
+  if (spanned) {
+    if (samples) return "its framebuffer has several samples";
+    return raster.cull == scene::CullFace::both ? "its faces are culled" : nullptr;
+  }
+  if (isOn(real, GL_BLEND) && !blendsOver(real)) return "it is not blended over the framebuffer";
+  if (!isOn(real, GL_BLEND) && samples) return "it replaces the colours of samples";
+  if (isOn(real, GL_DEPTH_TEST) && integer(real, GL_DEPTH_WRITEMASK)) return "it writes depth";
+  if (raster.cull == scene::CullFace::none || raster.cull == scene::CullFace::both)
+    return "its faces are not culled";
+  return nullptr;
+}
+
+bool VolumeDraws::hasOffset() const {
+  const RasterState& raster = p_.shadow.raster();
+  return raster.offsetFill && (raster.offsetFactor != 0 || raster.offsetUnits != 0);
+}
 
 const char* VolumeDraws::obstacle() const {
   const RealGl& real = p_.shadow.real;
@@ -60,18 +99,13 @@ const char* VolumeDraws::obstacle() const {
   if (target.reason != Reason::traced && target.reason != Reason::noDepthBuffer)
     return "its framebuffer is not traced";
   if (hasMoreDrawBuffers(real)) return "it has several draw buffers";
-  if (isOn(real, GL_BLEND) && !blendsOver(real)) return "it is not blended over the framebuffer";
-  if (!isOn(real, GL_BLEND) && target.samples > 1 && raster.multisample)
-    return "it replaces the colours of samples";
-  if (isOn(real, GL_DEPTH_TEST) && integer(real, GL_DEPTH_WRITEMASK)) return "it writes depth";
+  const bool spanned = p_.shadow.program().known->family->volume.span.given();
+  if (const char* found = obstacleToBlending(spanned)) return found;
   if (isOn(real, GL_DEPTH_TEST) && raster.depthFunc != GL_LESS && raster.depthFunc != GL_LEQUAL)
     return "it has another depth test";
   if (isOn(real, GL_STENCIL_TEST) || isOn(real, GL_COLOR_LOGIC_OP))
     return "it has a stencil test or a logic operation";
-  if (raster.cull == scene::CullFace::none || raster.cull == scene::CullFace::both)
-    return "its faces are not culled";
-  if (raster.offsetFill && (raster.offsetFactor != 0 || raster.offsetUnits != 0))
-    return "its faces have a polygon offset";
+  if (hasOffset() && !spanned) return "its faces have a polygon offset";
   GLboolean channels[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
   real.GetBooleanv(GL_COLOR_WRITEMASK, channels);
   if (!(channels[0] && channels[1] && channels[2] && channels[3])) return "it does not write all channels";
@@ -85,7 +119,8 @@ const char* VolumeDraws::obstacle() const {
 
 bool VolumeDraws::readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const {
   const ArrayState& arrays = p_.shadow.attributes();
-  if (mode != GL_TRIANGLES || elements.instances > 1 || !arrays.vertex.enabled) return false;
+  const bool strip = mode == GL_TRIANGLE_STRIP && view.span.has_value();
+  if ((mode != GL_TRIANGLES && !strip) || elements.instances > 1 || !arrays.vertex.enabled) return false;
   const std::vector<uint32_t> numbers = vertexNumbers(p_.shadow.real, arrays, elements);
   if (numbers.size() > 3 * kMostVolumeFaces || numbers.size() != static_cast<size_t>(elements.count))
     return false;
@@ -99,18 +134,24 @@ bool VolumeDraws::readFaces(GLenum mode, const Elements& elements, scene::Volume
     corners.emplace_back(p[0], p[1], p[2]);
   }
   const RasterState& raster = p_.shadow.raster();
-  const bool keepsFronts = raster.cull == scene::CullFace::back;
-  for (size_t i = 0; i + 2 < corners.size(); i += 3)
-    if (isFront(view.windowFromData, &corners[i], raster.frontFaceCcw) == keepsFronts)
+  for (size_t i = 0; i + 2 < corners.size(); i += strip ? 1 : 3) {
+    // In strips, every second triangle is turned.
+    const bool front =
+        isFront(view.windowFromData, &corners[i], raster.frontFaceCcw) != (strip && i % 2 == 1);
+    if (raster.cull == scene::CullFace::none || front == (raster.cull == scene::CullFace::back))
       view.faces.insert(view.faces.end(), {corners[i], corners[i + 1], corners[i + 2]});
-  return true;
+  }
+  return !view.span || areFacesOfBox(view);
 }
 
 bool VolumeDraws::read(GLenum mode, const Elements& elements, scene::VolumeCast& cast, Place& place,
                        std::string& why) {
   if (const char* found = obstacle()) return why = found, false;
-  VolumeReader reader(p_.shadow);
+  VolumeReader reader(p_.shadow, maps_);
   if (!reader.read(cast)) return why = reader.why(), false;
+  // Depths that shaders write have no offset.
+  if (hasOffset() && cast.view.span && !cast.view.span->showsDepth)
+    return why = "its faces have a polygon offset", false;
   const glm::ivec4& box = p_.shadow.viewport().box;
   const glm::dmat4 windowFromClip =
       glm::translate(glm::dmat4(1), {box.x + 0.5 * box.z, box.y + 0.5 * box.w, 0.5}) *

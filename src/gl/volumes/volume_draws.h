@@ -4,6 +4,7 @@
 #include "gl/draws/batch_filler.h"
 #include "gl/draws/raster_draws.h"
 #include "gl/real/elements.h"
+#include "gl/volumes/volume_maps.h"
 #include "scene/volumes/volume.h"
 
 #include <GL/gl.h>
@@ -46,10 +47,13 @@ class VolumeDraws {
   /// Lights the surfaces behind it again, if they were not lit with it: once it is blended over them, they
   /// cannot be replaced.
   bool castInView(const scene::VolumeCast& cast, std::string& why);
+  bool hasOffset() const;
+  const char* obstacleToBlending(bool spanned) const;
   bool readFaces(GLenum mode, const Elements& elements, scene::VolumeView& view) const;
   const char* obstacle() const;
 
   Parts p_;
+  VolumeMaps maps_;
   Batch view_;        // of placeInView(), empty between calls
   BatchKey viewKey_;  // of VolumeCast::lit
 };

@@ -273,6 +273,15 @@ bool VolumeLookReader::readContours(scene::Volume& volume) {
   return true;
 }
 
+bool VolumeLookReader::readScalars(scene::Volume& volume) {
+  volume.blend = valueOfWord(words_, family_.blendSlot, kVolumeBlends, family_.blend);
+  if (!takesLevels(volume.blend)) return refuse("its rays are blended in another way than by one map");
+  if (!readGrid(volume)) return false;
+  const FamilyVolumeLevels& levels = family_.levels;
+  const bool first = valueOfWord(words_, levels.componentSlot, kVolumeComponents, levels.component) == 0;
+  return first || volume.grid->grey || refuse("its voxels have no component of the one that it shows");
+}
+
 bool VolumeLookReader::read(scene::Volume& volume) {
   volume.blend = valueOfWord(words_, family_.blendSlot, kVolumeBlends, family_.blend);
   volume.use = valueOfWord(words_, family_.channelsSlot, kVolumeChannels, family_.channels);

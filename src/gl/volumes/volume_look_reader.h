@@ -18,6 +18,8 @@ class VolumeLookReader {
   /// `why`: gets the reason for the user where read() fails. Everything must outlive the object.
   VolumeLookReader(ShadowState& shadow, const UniformReader& uniforms, std::string& why);
   bool read(scene::Volume& volume);
+  /// Reads the voxels, of which one channel counts, and how they are blended.
+  bool readScalars(scene::Volume& volume);
 
  private:
   bool refuse(std::string why) { return why_ = std::move(why), false; }

@@ -10,11 +10,12 @@
 
 namespace gluray::gl {
 
-VolumeReader::VolumeReader(ShadowState& shadow)
+VolumeReader::VolumeReader(ShadowState& shadow, VolumeMaps& maps)
     : shadow_(shadow),
       program_(shadow.program()),
       family_(program_.known->family->volume),
-      uniforms_(program_.known->program, *program_.uniforms, program_.known->placeholders) {}
+      uniforms_(program_.known->program, *program_.uniforms, program_.known->placeholders),
+      maps_(maps) {}
 
 bool VolumeReader::readViewer(scene::VolumeView& view) {
   const auto point = [&](const std::string& name) { return glm::dvec3(uniforms_.vector(name)); };
@@ -106,10 +107,14 @@ bool VolumeReader::readView(scene::VolumeView& view) {
 }
 
 bool VolumeReader::read(scene::VolumeCast& cast) {
+  for (const auto& [name, neutral] : program_.known->family->neutral)
+    if (const std::string value = uniforms_.unlike(name, neutral); !value.empty())
+      return refuse("uniform \"" + name + "\" is " + value);
   const glm::vec3 spacing = value(family_.cellSpacing, glm::vec4(1));
   if (!glm::all(glm::greaterThan(spacing, glm::vec3(0))))
     return refuse("the spacing of its voxels is not above 0");
   cast.threads = shadow_.settings.threads;
+  if (family_.span.given()) return readSpanned(cast);
   if (!readView(cast.view) || !readClipPlanes(cast.view) || !readSlice(cast.view) || !readJitter(cast.view))
     return false;
   // A ray that begins right at the box's face is discarded or not as the real OpenGL rounds.

@@ -3,6 +3,7 @@
 #pragma once
 #include "gl/program_state/program_state.h"
 #include "gl/shadow/shadow_state.h"
+#include "gl/volumes/volume_maps.h"
 #include "scene/volumes/volume.h"
 
 #include <string>
@@ -12,7 +13,7 @@ namespace gluray::gl {
 /// Use an object once.
 class VolumeReader {
  public:
-  explicit VolumeReader(ShadowState& shadow);
+  VolumeReader(ShadowState& shadow, VolumeMaps& maps);
   /// Reads all but faces, region and depths into `cast`. False, with the reason for the user in `why`.
   bool read(scene::VolumeCast& cast);
   /// Reads the depths of `region`, which must be set.
@@ -29,6 +30,12 @@ class VolumeReader {
  private:
   bool refuse(std::string why) { return why_ = std::move(why), false; }
   bool readViewer(scene::VolumeView& view);
+  /// Of programs whose rays end on the faces: volume_span_reader.cpp.
+  bool readSpanned(scene::VolumeCast& cast);
+  bool readSpan(scene::VolumeSpan& span);
+  bool readLevels(scene::Volume& volume);
+  bool readLimits(scene::VolumeLevels& levels);
+  bool readPlanes(scene::VolumeLevels& levels);
   bool readView(scene::VolumeView& view);
   bool readJitter(scene::VolumeView& view);
   bool readClipPlanes(scene::VolumeView& view);
@@ -41,6 +48,7 @@ class VolumeReader {
   const ProgramState& program_;
   const FamilyVolume& family_;
   const UniformReader uniforms_;
+  VolumeMaps& maps_;
   glm::dmat4 clipFromData_{1};
   std::string why_;
 };

@@ -20,7 +20,8 @@ bool TracedVolumes::cast(const gl::RealGl& real, const scene::VolumeCast& cast, 
     const Test test = cast.view.depthTest;
     const WriteBackTarget over{.depthFunc = static_cast<GLenum>(test == Test::less ? GL_LESS : GL_LEQUAL),
                                .depths = test != Test::none,
-                               .keepsDepth = true,
+                               .keepsDepth = !cast.view.span,
+                               .asProgram = cast.view.span.has_value(),
                                .replaces = cast.view.replaces};
     if (!shared_.writeBack(real, WriteBack::Colors::floats).write(image_, over, pending))
       return why = "the real OpenGL refuses its image", false;

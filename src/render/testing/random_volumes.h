@@ -135,8 +135,9 @@ inline ReferencePixels referenceOf(const RandomCast& made) {
   return pixels;
 }
 
-/// Compares a traced image with the reference.
-inline void expectReference(const RandomCast& made, const ReferencePixels& reference, Arena& arena) {
+/// Compares a traced image with the reference. `depths`: how much depths may differ.
+inline void expectReference(const RandomCast& made, const ReferencePixels& reference, Arena& arena,
+                            double depths = 1e-6) {
   render::VolumeTracer tracer;
   Image image;
   const char* why = "";
@@ -147,7 +148,7 @@ inline void expectReference(const RandomCast& made, const ReferencePixels& refer
     if (expected.unsure) continue;
     const size_t x = i % static_cast<size_t>(image.width), y = i / static_cast<size_t>(image.width);
     EXPECT_EQ(image.depth[i] != Image::kMiss, expected.shown) << x << " " << y;
-    EXPECT_NEAR(double{image.depth[i]}, expected.depth, 1e-6) << x << " " << y;
+    EXPECT_NEAR(double{image.depth[i]}, expected.depth, depths) << x << " " << y;
     for (int c = 0; c < 4; ++c)
       EXPECT_NEAR(double{image.wideColor[4 * i + static_cast<size_t>(c)]}, expected.color[c], kTolerance)
           << "pixel " << x << " " << y << ", channel " << c;

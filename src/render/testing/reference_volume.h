@@ -40,6 +40,7 @@ class ReferenceVolume : ReferenceColors {
       case scene::VolumeBlend::average: average(pixel); break;
       case scene::VolumeBlend::additive: sum(pixel); break;
       case scene::VolumeBlend::isosurface: isosurfaces(pixel); break;
+      default: break;  // those of reference_levels.h
     }
     pixel.unsure = unsure_;
     if (!pixel.shown) pixel.color = glm::dvec4(0), pixel.depth = 2;

@@ -34,6 +34,7 @@ class Caster {
       case scene::VolumeBlend::average: return average(rays, shown);
       case scene::VolumeBlend::additive: return sum(rays, shown);
       case scene::VolumeBlend::isosurface: return isosurfaces(rays, shown);
+      default: break;  // LevelCaster's
     }
     return noColors();
   }

@@ -7,6 +7,7 @@
 #define GLURAY_RENDER_CAST_TILES_INL_H_
 #endif
 
+#include "render/volumes/cast_levels.inl.h"
 #include "render/volumes/cast_rays.inl.h"
 #include "render/volumes/with_samples.inl.h"
 
@@ -57,19 +58,20 @@ inline void clearTile(const Tile& tile, Image& image) {
   }
 }
 
-template <class Samples>
-HWY_ATTR void castBlocks(const VolumeFrame& frame, const Samples* samples, const Tile& tile) {
+/// Writes the colours that cast(block, shown) makes of the rays of all blocks, and the depths that it leaves
+/// in the block.
+template <class Cast>
+HWY_ATTR void eachBlock(const VolumeFrame& frame, const Tile& tile, const Cast& cast) {
   const VolumeD d;
-  const Caster<Samples> caster(frame, samples);
   Image& image = *frame.image;
   clearTile(tile, image);
   const TileRays rays(*frame.rays, tile);
   for (int y = tile.y0; y < tile.y1; y += kBlockHeight)
     for (int x = tile.x0; x < tile.x1; x += kBlockWidth) {
-      const RayBlock block(rays, x, y, tile);
+      RayBlock block(rays, x, y, tile);
       if (!block.any) continue;
       Alive shown;
-      const Colors c = caster.cast(block.rays(), shown);
+      const Colors c = cast(block, shown);
       alignas(64) float colors[4 * kRays];
       alignas(64) float shows[kRays];
       hn::StoreInterleaved4(c.r, c.g, c.b, c.a, d, colors);
@@ -83,6 +85,43 @@ HWY_ATTR void castBlocks(const VolumeFrame& frame, const Samples* samples, const
         image.depth[pixel] = std::min(block.depths[i], 1.0f);
       }
     }
+}
+
+/// The depths of places on rays: numbers of samples.
+HWY_ATTR inline void findDepths(const scene::VolumeView& view, bool atFront, Floats place, RayBlock& block) {
+  const scene::VolumeSpan& span = *view.span;
+  alignas(64) float places[kRays];
+  hn::Store(place, VolumeD(), places);
+  for (size_t i = 0; i < kRays; ++i) {
+    glm::dvec3 p;
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = double{block.values[axis][i]} + double{places[i]} * double{block.values[3 + axis][i]};
+    p *= span.size;
+    if (atFront) p -= span.shift;
+    const glm::dvec4 at = span.depthFromData * glm::dvec4(p, 1);
+    block.depths[i] = std::max(static_cast<float>((at.z / at.w + 1) / 2), 0.0f);
+  }
+}
+
+template <class Samples>
+HWY_ATTR void castBlocks(const VolumeFrame& frame, const Samples* samples, const Tile& tile) {
+  using Blend = scene::VolumeBlend;
+  const Blend blend = frame.volume->blend;
+  if (!takesLevels(blend)) {
+    const Caster<Samples> caster(frame, samples);
+    return eachBlock(frame, tile, [&](const RayBlock& block, Alive& shown) HWY_ATTR {
+      return caster.cast(block.rays(), shown);
+    });
+  }
+  const LevelCaster<Samples> caster(frame, samples);
+  const bool whole = blend == Blend::over || blend == Blend::screened || blend == Blend::mean;
+  eachBlock(frame, tile, [&](RayBlock& block, Alive& shown) HWY_ATTR {
+    Floats place;
+    const Colors colors = caster.cast(block.rays(), shown, place);
+    const scene::VolumeView& view = frame.rays->view();
+    if (view.span && view.span->showsDepth) findDepths(view, whole, place, block);
+    return colors;
+  });
 }
 
 struct CastTile {

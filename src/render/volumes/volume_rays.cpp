@@ -23,8 +23,6 @@ glm::dmat3 onGrid(const glm::dmat3& corners) {
 
 glm::dvec3 affine(const glm::dmat4& m, const glm::dvec3& p) { return glm::dvec3(m * glm::dvec4(p, 1)); }
 
-constexpr int kMostSamples = 1 << 24;  // beyond it floats cannot count
-
 }  // namespace
 
 VolumeRays::VolumeRays(const scene::VolumeView& view)
@@ -161,18 +159,23 @@ void VolumeRays::castToSlice(const Line& line, float endDepth, VolumeRay& ray) c
   ray.samples = inside ? 1 : 0;
 }
 
+VolumeRays::FacePoint VolumeRays::pointOf(const Face& face, const glm::dvec2& pixel) {
+  const glm::dvec3 at(pixel, 1);
+  const glm::dvec3 b(glm::dot(face.edges[0], at), glm::dot(face.edges[1], at), glm::dot(face.edges[2], at));
+  return {(b.x * face.corners[0] + b.y * face.corners[1] + b.z * face.corners[2]) / (b.x + b.y + b.z),
+          glm::dot(b, face.depths)};
+}
+
 VolumeRay VolumeRays::at(int x, int y, const Faces& faces) const {
+  if (view_.span) return spanAt(x, y, faces);
   VolumeRay ray;
   const Entry found = entryOf(x, y, faces);
   if (!found.face || found.covered == 0) return ray;
   const glm::dvec2 pixel(view_.region.x + x + kPixelCentre, view_.region.y + y + kPixelCentre);
-  const glm::dvec3 at(pixel, 1);
-  const Face& face = *found.face;
-  const glm::dvec3 b(glm::dot(face.edges[0], at), glm::dot(face.edges[1], at), glm::dot(face.edges[2], at));
-  const double depth = glm::dot(b, face.depths);
-  if (!(depth >= 0 && depth <= 1)) return ray;
-  const glm::dvec3 entry =
-      (b.x * face.corners[0] + b.y * face.corners[1] + b.z * face.corners[2]) / (b.x + b.y + b.z);
+  const FacePoint point = pointOf(*found.face, pixel);
+  if (!point.visible()) return ray;
+  const double depth = point.depth;
+  const glm::dvec3& entry = point.data;
   ray.coverage = static_cast<float>(found.covered);
   const size_t index =
       static_cast<size_t>(y) * static_cast<size_t>(view_.region.width) + static_cast<size_t>(x);

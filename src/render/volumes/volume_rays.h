@@ -25,6 +25,7 @@ class VolumeRays {
   explicit VolumeRays(const scene::VolumeView& view);
   /// The ray of pixel (x, y) of the region.
   VolumeRay at(int x, int y) const { return at(x, y, everyFace_); }
+  const scene::VolumeView& view() const { return view_; }
 
  private:
   friend class TileRays;
@@ -41,6 +42,7 @@ class VolumeRays {
     /// Whether it covers no point of a rectangle.
     bool misses(const glm::dvec2& lower, const glm::dvec2& upper) const;
   };
+  static constexpr int kMostSamples = 1 << 24;  // beyond it floats cannot count
   struct Entry {
     const Face* face = nullptr;  // null: there is none
     double covered = 1;          // share of the pixel's samples
@@ -57,6 +59,16 @@ class VolumeRays {
   int samplesOf(const VolumeRay& ray, const glm::dvec3& end) const;
   bool isInside(const glm::vec3& p) const;
   void castToSlice(const Line& line, float endDepth, VolumeRay& ray) const;
+  /// A point of a face, in data space, and its window depth.
+  struct FacePoint {
+    glm::dvec3 data;
+    double depth;
+    bool visible() const { return depth >= 0 && depth <= 1; }
+  };
+  static FacePoint pointOf(const Face& face, const glm::dvec2& pixel);
+  /// Of VolumeView::span: volume_spans.cpp.
+  VolumeRay spanAt(int x, int y, const Faces& faces) const;
+  VolumeRay spanTo(const FacePoint& end) const;
 
   const scene::VolumeView& view_;
   glm::dmat4 textureFromWindow_;

@@ -8,6 +8,7 @@ bool lacksTables(const scene::Volume& volume) {
   const bool grey =
       volume.blend == scene::VolumeBlend::average || volume.blend == scene::VolumeBlend::additive;
   using Use = scene::VolumeChannels;
+  if (scene::takesLevels(volume.blend)) return volume.channels.front().color.values.empty();
   if ((volume.use == Use::table || volume.use == Use::labels) &&
       (!volume.table || volume.table->values.empty()))
     return true;

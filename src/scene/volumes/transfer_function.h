@@ -10,7 +10,7 @@ namespace gluray::scene {
 /// A transfer function: values at the centres of equal parts of 0 .. 1, clamped to its ends.
 struct VolumeTable {
   std::vector<float> values;  // as many as entries times channels
-  int channels = 1;           // 1, or 3: red, green, blue
+  int channels = 1;           // 1, or 3: red, green, blue; 4: and opacity
   bool linear = true;         // between centres; false: the nearest one
   int entries() const { return static_cast<int>(values.size()) / channels; }
   bool operator==(const VolumeTable&) const = default;

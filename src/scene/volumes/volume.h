@@ -2,6 +2,7 @@
 #pragma once
 #include "scene/region.h"
 #include "scene/volumes/transfer_function.h"
+#include "scene/volumes/volume_levels.h"
 #include "scene/volumes/volume_shading.h"
 #include "scene/volumes/voxel_grid.h"
 
@@ -16,8 +17,33 @@
 namespace gluray::scene {
 
 /// How the samples of a ray become one colour. `isosurface`: where the scalar crosses one of the contours
-/// between two samples, its colour is composited.
-enum class VolumeBlend : uint8_t { composite, maximum, minimum, average, additive, isosurface };
+/// between two samples, its colour is composited. Those from `refinedMaximum` on take Volume::levels, and
+/// show colours that are not premultiplied:
+/// - refinedMaximum, refinedMinimum: of all samples up to the first one at the upper or lower limit, and of
+/// ten
+///   more around the one that is found;
+/// - attenuatedMaximum: of samples times exp(-attenuation (sum - 1)), with the sum of what they count times
+/// their
+///   place between the limits;
+/// - over: front to back, up to an opacity of 0.99; screened: 1 - product of (1 - colour) of all samples;
+/// - mean: of all scalars;
+/// - surface: lit by a light at the viewer where the scalar exceeds a threshold, at a tenth of a step.
+enum class VolumeBlend : uint8_t {
+  composite,
+  maximum,
+  minimum,
+  average,
+  additive,
+  isosurface,
+  refinedMaximum,
+  refinedMinimum,
+  attenuatedMaximum,
+  over,
+  screened,
+  mean,
+  surface
+};
+constexpr bool takesLevels(VolumeBlend blend) { return blend >= VolumeBlend::refinedMaximum; }
 
 /// Which channels of a voxel a sample's colour and opacity are read with.
 enum class VolumeChannels : uint8_t {
@@ -61,10 +87,11 @@ struct Volume {
   std::shared_ptr<const VolumeTable2D> table;  // of VolumeChannels::table and ::labels
   size_t gradientChannel = 0;  // whose gradients count, with the look of channel 0; of independent ones, each
   VolumeShading shading;
-  glm::vec3 cellStep{0};                           // texture space: distances of the samples of gradients
-  glm::vec3 cellSpacing{1};                        // data space
-  glm::vec2 averaged{0, 1};                        // values of data that VolumeBlend::average counts
-  std::vector<float> contours;                     // scalars, in ascending order, of VolumeBlend::isosurface
+  glm::vec3 cellStep{0};        // texture space: distances of the samples of gradients
+  glm::vec3 cellSpacing{1};     // data space
+  glm::vec2 averaged{0, 1};     // values of data that VolumeBlend::average counts
+  VolumeLevels levels;          // of blends that take them; channel 0 has the map as `color`
+  std::vector<float> contours;  // scalars, in ascending order, of VolumeBlend::isosurface
   std::shared_ptr<const VolumeCropping> cropping;  // null: none
   std::shared_ptr<const VoxelGrid> mask;           // samples where it is 0 or less are skipped; null: none
   bool maskLinear = false;                         // between its voxels; false: the nearest one
@@ -97,6 +124,7 @@ struct VolumeView {
   std::vector<glm::dvec3> faces;  // data space: triangles, three corners each, on which rays begin
   std::optional<VolumeClipping> clipping;
   std::optional<VolumeSlice> slice;
+  std::optional<VolumeSpan> span;  // rays end on `faces` in place of beginning there
   std::vector<float>
       depth;  // of what ends rays, one for each pixel of the region, window depths; empty: nothing
   /// How far behind the entry the first sample lies, in steps, for each window pixel of a rectangle that

@@ -15,6 +15,7 @@ struct VoxelGrid {
   Type type = Type::single;
   glm::ivec3 size{0};
   int channels = 1;                     // 1 to 4
+  bool grey = false;                    // one channel, which is red, green and blue of what a texture returns
   std::unique_ptr<std::byte[]> values;  // followed by kPadding bytes that may be read
   static constexpr size_t kPadding = 16;
 

@@ -45,14 +45,18 @@ def surface(parent):
     scene.visuals.SurfacePlot(x[:, 0], y[0], 0.3 * np.sin(4 * x) * np.cos(3 * y), color=(0.4, 0.7, 0.9, 1), shading="smooth", parent=parent)
 
 
-def volume(parent):
-    x, y, z = np.meshgrid(*[np.linspace(-1, 1, 48)] * 3, indexing="ij")
-    made = scene.visuals.Volume(np.exp(-4 * (x * x + y * y + z * z)).astype("f4"), parent=parent)
-    made.transform = scene.transforms.STTransform(scale=(0.04, 0.04, 0.04), translate=(-1, -1, -1))
+def volume(**how):
+    def fill(parent):
+        x, y, z = np.meshgrid(*[np.linspace(-1, 1, 48)] * 3, indexing="ij")
+        made = scene.visuals.Volume(np.exp(-4 * (x * x + y * y + z * z)).astype("f4"), parent=parent, **how)
+        made.transform = scene.transforms.STTransform(scale=(0.04, 0.04, 0.04), translate=(-1, -1, -1))
+    return fill
 
 
 SCENES = {"mesh, unlit": shown(mesh(None, True)), "mesh, smooth": shown(mesh("smooth")), "mesh, flat": shown(mesh("flat", True)),
-          "surface": shown(surface), "markers": shown(markers), "volume": shown(volume)}
+          "surface": shown(surface), "markers": shown(markers), "volume": shown(volume())}
+SCENES |= {f"volume, {method}": shown(volume(method=method, cmap="viridis", threshold=0.4))
+           for method in ("attenuated_mip", "minip", "translucent", "additive", "iso", "average")}
 
 if __name__ == "__main__":
     sys.exit(scene_list.main(SCENES, __doc__))

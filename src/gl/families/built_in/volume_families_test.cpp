@@ -29,7 +29,7 @@ class VolumeFamilies : public testing::Test {
       if (piece.kind == PatternText::Piece::Kind::slot)
         text += " " + composed(PatternText(fragmentOf(piece.text, piece.part)), fragmentOf) + " ";
       else if (piece.kind == PatternText::Piece::Kind::number)
-        text += "1";
+        text += " 1";
       else
         text += piece.text;
     }

@@ -21,11 +21,13 @@ class CodeReader : FamilyTable {
     texts("written", written), texts("shaders", shaders);
     bool complete = false;
     flag("complete", complete);
+    bool wholeMain = false;
+    flag("whole_main", wholeMain);
     if (name.empty()) fail(here(), "code needs a name");
     if (name == "any") fail(at("name"), "code cannot be named \"any\"");
     KnownCode& section = sections[name];
     const size_t before = section.size();
-    section.add(statements, placeOf("statements")), section.addBlocks(blocks, placeOf("blocks"));
+    section.add(statements, placeOf("statements"), wholeMain), section.addBlocks(blocks, placeOf("blocks"));
     eachSection("fragments", [&] { readFragments(section); });
     allKnown();
     for (const std::string& variable : written) section.addWritten(variable);

@@ -237,5 +237,46 @@ TEST(FamilyFileVolume, IsInherited) {
   EXPECT_TRUE(list[2]->mentions("u") && list[2]->mentions("g"));
 }
 
+/// A family whose rays end on faces, without the line that begins with `without`, and with more lines.
+std::string spanText(const std::string& more = "", const std::string& without = "-") {
+  std::string text = "[[family]]\nname = \"n\"\nmatch.active = [\"a\"]\nvertex.position = \"p\"\n";
+  for (const std::string line :
+       {"match.code = \"c\"\n", "volume.grid = \"g\"\n", "volume.color = \"$map\"\n", "volume.size = \"s\"\n",
+        "volume.step = \"t\"\n", "volume.clip_from_data = \"$clip\"\n", "volume.view_from_data = \"$view\"\n",
+        "volume.data_from_view = \"$back\"\n"})
+    if (!line.starts_with(without)) text += line;
+  return text + more;
+}
+
+TEST(FamilyFileVolume, RaysThatEndOnFaces) {
+  const FamilyList list = parseFamilies(
+      spanText("volume.blend = \"over\"\nvolume.depth_shown = \"shown\"\nvolume.shift = \"$half\"\n"
+               "volume.limits = \"l\"\nvolume.plane_point = \"q\"\nmatch.whole_main = true\n"),
+      "x.toml");
+  const Family& family = *list.front();
+  EXPECT_TRUE(family.wholeMain);
+  const FamilyVolume& v = family.volume;
+  EXPECT_TRUE(v.span.given());
+  EXPECT_EQ(v.color, "$map");
+  EXPECT_EQ(v.span.clip, "$clip");
+  EXPECT_EQ(v.span.view, "$view");
+  EXPECT_EQ(v.span.viewInverse, "$back");
+  EXPECT_EQ(v.span.size.uniform, "s");
+  EXPECT_EQ(v.span.shift.uniform, "$half");
+  EXPECT_TRUE(v.span.showsDepth);
+  EXPECT_EQ(v.blend, VolumeBlend::over);
+  EXPECT_EQ(v.levels.limits.uniform, "l");
+  EXPECT_EQ(v.levels.planePoint, "q");
+  EXPECT_TRUE(family.mentions("$view"));
+}
+
+TEST(FamilyFileVolume, RaysThatEndOnFacesNeedTheirKeys) {
+  EXPECT_NO_THROW(parseFamilies(spanText(), "x.toml"));
+  for (const char* key :
+       {"volume.color", "volume.size", "volume.step", "volume.clip_from_data", "volume.data_from_view"})
+    EXPECT_THROW(parseFamilies(spanText("", key), "x.toml"), FamilyError) << key;
+  EXPECT_THROW(parseFamilies(spanText("volume.color = \"name\"\n", "volume.color"), "x.toml"), FamilyError);
+}
+
 }  // namespace
 }  // namespace gluray::gl

@@ -172,7 +172,8 @@ std::string mistakeInImpostors(const Family& family) {
 std::string missingKey(const Family& family) {
   const FamilyImpostors& f = family.impostors;
   const bool traced = family.rasteriseBecause.empty();
-  if (traced && (family.position.empty() || family.clipFromObject.empty()))
+  const bool placed = !family.clipFromObject.empty() || family.volume.span.given();
+  if (traced && (family.position.empty() || !placed))
     return "vertex.position and transform.clip_from_object, or match.rasterise";
   if (f.given() && !scene::isSizedInPixels(f.shape) && !f.radius.given() && !f.radiusInPosition &&
       !f.radiusInCorners)

@@ -73,6 +73,7 @@ void FamilyReader::readCode() {
   texts("code", family_.code);
   if (has("code")) family_.codeAt = placeOf(at("code"));
   flag("resolve_conditions", family_.resolvesConditions);
+  flag("whole_main", family_.wholeMain);
   if (family_.code == std::vector<std::string>{"any"}) family_.code.clear();
 }
 

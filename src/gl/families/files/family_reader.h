@@ -46,6 +46,7 @@ class FamilyReader : FamilyTable {
   void readEdges();
   void readPass();
   void readVolume();
+  void readVolumeSpan(FamilyVolume& volume);
   void readVolumeLight(FamilyVolumeLight& light);
 
   Family& family_;

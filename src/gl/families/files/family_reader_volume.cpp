@@ -18,6 +18,28 @@ void FamilyReader::readVolumeLight(FamilyVolumeLight& light) {
   names("eye_from_texture", light.eyeFromTexture), names("eye_from_gradient", light.eyeFromGradient);
 }
 
+void FamilyReader::readVolumeSpan(FamilyVolume& volume) {
+  FamilyVolumeSpan& span = volume.span;
+  name("clip_from_data", span.clip), name("view_from_data", span.view);
+  name("data_from_view", span.viewInverse);
+  value("size", span.size), value("shift", span.shift);
+  choice("depth_shown", kVolumeDepths, span.showsDepth, span.depthSlot);
+  name("window", span.window), name("window_from_pixels", span.windowFromPixels);
+  FamilyVolumeLevels& levels = volume.levels;
+  choice("component", kVolumeComponents, levels.component, levels.componentSlot);
+  value("limits", levels.limits), value("gamma", levels.gamma), value("threshold", levels.threshold);
+  value("least_maximum", levels.leastMaximum), value("most_minimum", levels.mostMinimum);
+  value("attenuation", levels.attenuation), value("opacity_factor", levels.opacity);
+  name("plane_point", levels.planePoint), name("plane_normal", levels.planeNormal);
+  name("plane_from_data", levels.planeFromData);
+  if (!span.given()) return;
+  if (span.clip.empty() || span.viewInverse.empty() || !span.size.given() || !volume.step.given() ||
+      volume.color.empty())
+    fail(here(), "view_from_data needs clip_from_data, data_from_view, size, step and color");
+  for (const std::string* function : {&span.clip, &span.view, &span.viewInverse, &volume.color})
+    if (!isPlaceholder(*function)) fail(here(), "\"" + *function + "\" is no placeholder of a function");
+}
+
 void FamilyReader::readVolume() {
   FamilyVolume& v = family_.volume;
   name("grid", v.grid);
@@ -46,6 +68,8 @@ void FamilyReader::readVolume() {
   name("contours", v.contours), value("contour_count", v.contourCount);
   name("slice_point", v.slicePoint), name("slice_normal", v.sliceNormal);
   readVolumeLight(v.light);
+  readVolumeSpan(v);
+  if (v.span.given()) return;
   if (v.opacity.empty() || v.color.empty() || v.textureFromData.empty() || !v.step.given())
     fail(here(), "volume needs opacity, color, texture_from_data and step");
   if (v.table.empty() && v.channels == scene::VolumeChannels::table)

@@ -145,12 +145,23 @@ void WriteBack::draw(const Image& image, const Sheet& sheet) const {
 }
 
 void WriteBack::openFor(StateGuard& guard, const WriteBackTarget& target) const {
+  const auto isOn = [&](GLenum what) {
+    GLboolean on = GL_FALSE;
+    real_.GetBooleanv(what, &on);
+    return on == GL_TRUE;
+  };
+  const bool blends = target.asProgram && isOn(GL_BLEND),
+             writesDepth = !target.asProgram || isOn(GL_DEPTH_WRITEMASK);
   guard.openFragmentPath();
+  if (blends) guard.capability(GL_BLEND, true);
   guard.depthRange(0, 1);
   if (target.encodes) guard.encoding(*target.encodes);
   guard.colorWrites(target.colors ? target.colorWrites : kNoColors);
   const bool sums = colors_ == Colors::sums;
-  if (!sums && !target.over && target.depths) return guard.depthTest(target.depthFunc);
+  if (!sums && !target.over && target.depths) {
+    guard.depthTest(target.depthFunc);
+    return guard.depthWrites(writesDepth);
+  }
   if (sums) guard.addUp();
   guard.capability(GL_DEPTH_TEST, false);
 }

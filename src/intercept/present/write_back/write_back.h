@@ -22,6 +22,7 @@ struct WriteBackTarget {
   GLenum over = 0;  // write into this buffer of the window instead, without depth test; keeps its depth
   bool colors = true, depths = true;    // planes to write; without depths there is no depth test
   bool keepsDepth = false;              // blended over the framebuffer, whose depth is tested and stays
+  bool asProgram = false;               // as the program has set blending and the depth mask
   bool replaces = false;                // with keepsDepth: not blended
   scene::ColorWrites colorWrites = {};  // colour channels to write
   std::optional<bool> encodes = {};     // GL_FRAMEBUFFER_SRGB; null: the program's setting
