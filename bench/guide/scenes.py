@@ -202,4 +202,31 @@ def balls(renderer):
     return (0.2, -1.0, 0.9), (0, 0, 1), 1.35
 
 
-SCENES = {f.__name__: f for f in (head, head_from_afar, bars, bars_detail, cut, star, helix, helix_detail, streamlines, mountains, bearing, impact, impact_side_lit, balls)}
+def orbital(renderer):
+    """A wave function of hydrogen (4f) by volume rendering, its signs in two colours, over a table."""
+    side = 128
+    x, y, z = np.meshgrid(*[np.linspace(-36, 36, side)] * 3, indexing="ij")
+    r = np.sqrt(x * x + y * y + z * z)
+    wave = (5 * z * z - 3 * r * r) * z * np.exp(-r / 4)
+    image = vtk.vtkImageData()
+    image.SetDimensions(side, side, side), image.SetSpacing(*[72 / (side - 1)] * 3), image.SetOrigin(-36, -36, -36)
+    image.GetPointData().SetScalars(numpy_to_vtk((wave / abs(wave).max()).astype(np.float32).ravel(order="F"), deep=True))
+    mapper, volume, look = vtk.vtkGPUVolumeRayCastMapper(), vtk.vtkVolume(), vtk.vtkVolumeProperty()
+    mapper.SetInputData(image), mapper.SetSampleDistance(0.3), mapper.SetAutoAdjustSampleDistances(False)
+    colors, opacity = vtk.vtkColorTransferFunction(), vtk.vtkPiecewiseFunction()
+    for value, color in ((-1, (0.10, 0.25, 0.62)), (-0.1, (0.35, 0.60, 0.90)), (0.1, (0.97, 0.72, 0.40)), (1, (0.75, 0.22, 0.12))):
+        colors.AddRGBPoint(value, *color)
+    for value, alpha in ((-1, 0.95), (-0.1, 0.5), (-0.06, 0), (0.06, 0), (0.1, 0.5), (1, 0.95)):
+        opacity.AddPoint(value, alpha)
+    look.SetColor(colors), look.SetScalarOpacity(opacity), look.SetInterpolationTypeToLinear(), look.SetScalarOpacityUnitDistance(0.7)
+    look.ShadeOn(), look.SetAmbient(0.3), look.SetDiffuse(0.75), look.SetSpecular(0.1)
+    volume.SetMapper(mapper), volume.SetProperty(look)
+    renderer.AddVolume(volume)
+    table = vtk.vtkDiskSource()
+    table.SetInnerRadius(0), table.SetOuterRadius(40), table.SetCircumferentialResolution(200)
+    add(renderer, mapped(table), (0.86, 0.84, 0.80))
+    renderer.GetActors().GetLastActor().SetPosition(0, 0, -34)
+    return (0.5, -1.0, 0.6), (0, 0, 1), 1.3
+
+
+SCENES = {f.__name__: f for f in (orbital, head, head_from_afar, bars, bars_detail, cut, star, helix, helix_detail, streamlines, mountains, bearing, impact, impact_side_lit, balls)}

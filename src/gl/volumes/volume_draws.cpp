@@ -215,12 +215,14 @@ bool VolumeDraws::draw(GLenum mode, const Elements& elements) {
   std::string why;
   p_.shadow.errors.keepPending();
   bool drawn = read(mode, elements, cast, place, why);
+  // Of our queries: what presents images keeps errors as the program's.
+  p_.shadow.errors.takeReal();
   if (drawn && cast.view.region.width > 0) {
     p_.raster.before(PrimitiveClass::surfaces);
     placeInView(place, cast);
     drawn = castInView(cast, why);
+    p_.shadow.errors.takeReal();
   }
-  p_.shadow.errors.takeReal();  // of our queries
   if (!drawn) p_.shadow.setProgramWhy(std::move(why));
   return drawn;
 }

@@ -106,6 +106,32 @@ TEST(ProgramVolumeLight, WhatComesAgainIsTakenForGranted) {
   EXPECT_NEAR(floorIn(first), floorIn(third), 3);
 }
 
+// Some of our questions about state are errors there.
+TEST(ProgramVolumeLight, CoreProfilesGetNoErrors) {
+  Settings settings = occluded().settings;
+  auto families = std::make_shared<gl::FamilyList>(gl::builtInFamilies());
+  families->append(gl::parseFamilies(casterFamily(), "test.toml"));
+  TracedContext ours(coreWish(), settings, nullptr, nullptr, families);
+  Gl gl = ours.gl();
+  const Surface surface;
+  const GLuint program = makeProgram(gl, surface), caster = makeCaster(gl);
+  const ProgramMesh mesh = sheet(8);
+  const Upload up = upload(gl, mesh, program);
+  const CastBox box(gl, caster);
+  makeVoxels(gl, {});
+  for (int frame = 0; frame < 2; ++frame) {
+    gl.DepthMask(GL_TRUE);
+    beginFrame(gl);
+    gl.Disable(GL_BLEND), gl.Disable(GL_CULL_FACE);
+    drawSurface(gl, program, up, mesh, perspectiveView(70), surface);
+    gl.Enable(GL_BLEND);
+    box.begin(gl, perspectiveView(kDegrees), 0, 1);
+    box.draw(gl);
+    EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR)) << frame;
+  }
+  EXPECT_EQ(ours.context().counts.statistics.imagesRelit, 1u);
+}
+
 TEST(ProgramVolumeLight, OffChangesNoBit) {
   LitVolume scene;
   const DrawnImage off = scene.image();
