@@ -174,13 +174,17 @@ class Wheels(unittest.TestCase):
 
 class Volumes(unittest.TestCase):
     def test_the_ratio_is_the_median_of_those_of_the_rounds(self):
-        traced = [{"frame_s": 0.1, "report": None}, {"frame_s": 0.1, "report": {"draws": {"traced": 7, "rasterised": {}}}}]
-        row = volumes.row_of("dense", [{"frame_s": 0.4}, {"frame_s": 0.6}], traced)
+        traced = [{"frame_s": 0.1, "report": None, "rss_bytes": 3},
+                  {"frame_s": 0.1, "report": {"draws": {"traced": 7, "rasterised": {}}}, "rss_bytes": 4}]
+        row = volumes.row_of("dense", [{"frame_s": 0.4, "rss_bytes": 1}, {"frame_s": 0.6, "rss_bytes": 2}], traced)
         self.assertEqual((row["ratio"], row["gl_ms"], row["traced"]), (5, 500, 7))
+        self.assertEqual((row["gl_rss_bytes"], row["gluray_rss_bytes"]), (2, 4))
 
     def test_unknown_types_are_refused(self):
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
             volumes.arguments(["--types", "halves"])
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
+            volumes.arguments(["--fields", "thin"])
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@ def arguments(argv):
     parser.add_argument("--voxels", default="256", help="along each axis: some sizes, such as 256,512")
     parser.add_argument("--steps", default="1,0.5", help="of rays, in voxels")
     parser.add_argument("--types", default="floats", help="of voxels: floats, bytes or both, floats,bytes")
+    parser.add_argument("--fields", default="dense,sparse")
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--name", default="volumes", help="name of the result file")
@@ -32,6 +33,9 @@ def arguments(argv):
     options.voxels = [int(size) for size in options.voxels.split(",")]
     options.steps = [float(step) for step in options.steps.split(",")]
     options.types = options.types.split(",")
+    options.fields = options.fields.split(",")
+    if not set(options.fields) <= {"dense", "sparse"}:
+        parser.error("fields are dense and sparse")
     if not set(options.types) <= {"floats", "bytes"}:
         parser.error("types are floats and bytes")
     return options
@@ -43,7 +47,8 @@ def row_of(scene, plain, traced):
     ratios = [a["frame_s"] / b["frame_s"] for a, b in zip(plain, traced)]
     return {"scene": scene, "gl_ms": 1000 * statistics.median(m["frame_s"] for m in plain),
             "gluray_ms": 1000 * statistics.median(m["frame_s"] for m in traced), "ratio": statistics.median(ratios),
-            "ratios": [round(ratio, 2) for ratio in ratios], "traced": draws.get("traced", 0), "rasterised": draws.get("rasterised", {})}
+            "ratios": [round(ratio, 2) for ratio in ratios], "gl_rss_bytes": plain[-1]["rss_bytes"],
+            "gluray_rss_bytes": traced[-1]["rss_bytes"], "traced": draws.get("traced", 0), "rasterised": draws.get("rasterised", {})}
 
 
 def run(options, argv):
@@ -52,7 +57,7 @@ def run(options, argv):
     gluray = options.build / "apps" / "gluray" / "gluray"
     with display(own=options.xvfb) as name:
         environment = {"DISPLAY": name, "LP_NUM_THREADS": str(options.threads), "PYTHONDONTWRITEBYTECODE": "1"}
-        for voxels, kind, step, field, lit in itertools.product(options.voxels, options.types, options.steps, ("dense", "sparse"), (False, True)):
+        for voxels, kind, step, field, lit in itertools.product(options.voxels, options.types, options.steps, options.fields, (False, True)):
             command = [options.python, SCENE, "--field", field, "--voxels", voxels, "--step", step, *(["--lit"] if lit else []),
                        *(["--bytes"] if kind == "bytes" else [])]
             found = programs.in_turn(

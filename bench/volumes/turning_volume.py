@@ -1,6 +1,6 @@
 """Frames of a volume that turns, drawn by VTK's ray caster (python3-vtk9, or ParaView's Python).
 
-Prints a line of JSON: the median time of a frame after the first ones.
+Prints a line of JSON: the median time of a frame after the first ones, and the memory that is resident after the last one.
 """
 import json
 import pathlib
@@ -39,7 +39,7 @@ def dense(x, y, z):
 
 def sparse(*axes):
     """Fourteen winding tubes."""
-    field = np.zeros((axes[0].size,) * 3, "f4")
+    field = np.zeros(np.broadcast_shapes(*(axis.shape for axis in axes)), "f4")
     generator = np.random.default_rng(1)
     for tube in range(14):
         (a, b), phase, along = generator.uniform(-0.8, 0.8, 2), generator.uniform(0, 6), tube % 3
@@ -54,13 +54,16 @@ def image():
     count = OPTIONS.voxels
     line = np.linspace(-1, 1, count, dtype="f4")
     z, y, x = np.meshgrid(line, line, line, indexing="ij", sparse=True)
-    field = {"dense": dense, "sparse": sparse}[OPTIONS.field](x, y, z)
-    field = (255 * field).astype("u1") if OPTIONS.bytes else field.astype("f4")
+    field = np.empty((count,) * 3, "u1" if OPTIONS.bytes else "f4")
+    for first in range(0, count, 16):  # large volumes need no more memory than their voxels
+        part = slice(first, first + 16)
+        values = {"dense": dense, "sparse": sparse}[OPTIONS.field](x, y, z[part])
+        field[part] = 255 * values if OPTIONS.bytes else values
     data = vtk.vtkImageData()
     data.SetDimensions(count, count, count)
     data.SetSpacing(*[2 / (count - 1)] * 3)
     data.SetOrigin(-1, -1, -1)
-    data.GetPointData().SetScalars(numpy_to_vtk(field.ravel(), deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(field.ravel()))
     return data
 
 
@@ -78,6 +81,12 @@ def look():
     made.SetScalarOpacityUnitDistance(0.05)
     made.SetShade(OPTIONS.lit)
     return made
+
+
+def resident():
+    """Bytes."""
+    status = pathlib.Path("/proc/self/status").read_text()
+    return int(next(line for line in status.splitlines() if line.startswith("VmRSS")).split()[1]) * 1024
 
 
 def main():
@@ -106,7 +115,7 @@ def main():
         window.Render()
         window.GetRGBACharPixelData(0, 0, 0, 0, 0, pixel)
         seconds.append(time.perf_counter() - begin)
-    print(json.dumps({"first_image_s": seconds[0], "frame_s": statistics.median(seconds[OPTIONS.warm:])}), flush=True)
+    print(json.dumps({"first_image_s": seconds[0], "frame_s": statistics.median(seconds[OPTIONS.warm:]), "rss_bytes": resident()}), flush=True)
 
 
 if __name__ == "__main__":
