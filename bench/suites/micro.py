@@ -1,7 +1,7 @@
-"""single steps: a vertex call, small draws, capture, the unchanged check, builds, tracing, the write-back
+"""single steps: a vertex call, small draws, capture, the unchanged check, builds, tracing, the write-back, volumes
 
 Google Benchmark programs: gluray-bench-micro (the library's parts) and gluray-bench-door (a program, with and without gluray),
-0.87 million triangles and 1024x1024 pixels. Medians of five repetitions, with their lowest and highest. Results go to
+0.87 million triangles and 1024x1024 pixels; volumes: 256^3 floats, 800x600 pixels and one thread. Medians of five repetitions, with their lowest and highest. Results go to
 bench/results/NAME.json.
 """
 import json
@@ -26,6 +26,7 @@ UNITS = {
     "build": ("mtri_per_s", lambda rate: rate / 1e6),
     "trace": ("fps", lambda rate: rate),
     "write_back": ("ms", lambda rate: 1e3 / rate),
+    "volume": ("ms", lambda rate: 1e3 / rate),
 }
 
 

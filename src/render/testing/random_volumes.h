@@ -59,6 +59,7 @@ inline void addMaterials(Random& random, scene::Volume& volume) {
     scene::VolumeMaterial& material = channel.material;
     material.ambient = random.point(0, 0.3), material.diffuse = random.point(0.2, 0.9);
     material.specular = random.point(0, 0.5), material.shininess = static_cast<float>(random.real(1, 20));
+    if (random.integer(0, 1) == 1) material.shininess = std::round(material.shininess);
   }
 }
 

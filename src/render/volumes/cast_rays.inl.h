@@ -27,8 +27,7 @@ class Caster {
     shown = hn::Gt(rays.samples, hn::Zero(d));
     switch (volume_.blend) {
       case scene::VolumeBlend::composite:
-        return volume_.use == scene::VolumeChannels::one ? composite(rays, shown, OfOne{colors_})
-                                                         : composite(rays, shown, OfMore{colors_});
+        return volume_.use == scene::VolumeChannels::one ? compositeOne(rays, shown) : composite(rays, shown);
       case scene::VolumeBlend::maximum: return extreme<true>(rays, shown);
       case scene::VolumeBlend::minimum: return extreme<false>(rays, shown);
       case scene::VolumeBlend::average: return average(rays, shown);
@@ -55,26 +54,11 @@ class Caster {
     return hn::And(alive, hn::Le(sum.a, hn::Set(d, volume_.least)));
   }
 
-  // Functions of SampleColors: lambdas would be calls.
-  struct OfOne {
-    const SampleColors<Samples>& colors;
-    HWY_INLINE HWY_ATTR Alive operator()(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
-      return colors.ofOne(rays, p, alive, c);
-    }
-  };
-  struct OfMore {
-    const SampleColors<Samples>& colors;
-    HWY_ATTR Alive operator()(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
-      return colors.ofMore(rays, p, alive, c);
-    }
-  };
   HWY_ATTR Colors compositeOf(const Colors& sum, Alive& shown) const {
     if (!frame_.showsInvisible) shown = hn::And(shown, hn::Gt(sum.a, hn::Zero(VolumeD())));
     return finished(sum);
   }
-  /// colorsAt(rays, position, alive, colours): as SampleColors::ofOne().
-  template <class ColorsAt>
-  HWY_ATTR Colors composite(const Rays& rays, Alive& shown, const ColorsAt& colorsAt) const {
+  HWY_ATTR Colors composite(const Rays& rays, Alive& shown) const {
     const VolumeD d;
     const bool skips = skipped_.any();
     Colors sum = noColors();
@@ -86,13 +70,46 @@ class Caster {
       if (hn::AllFalse(d, alive)) break;
       const Positions p = rays.at(sample);
       Colors c;
-      const Alive seen = colorsAt(rays, p, skips ? skipped_.kept(p, alive) : alive, c);
+      const Alive seen = colors_.ofMore(rays, p, skips ? skipped_.kept(p, alive) : alive, c);
       if (!hn::AllFalse(d, seen)) {
         if (frame_.arriving) occlude(*frame_.arriving, p, c);
         alive = addBehind(sum, c, seen, alive);
         leaps.stay(seen, sample);
       }
       sample = hn::Add(sample, hn::Set(d, 1.0f));
+    }
+    return compositeOf(sum, shown);
+  }
+
+  /// composite() of a volume of one channel, some samples of each ray at a time: one after the other they
+  /// would wait for each other's loads.
+  HWY_ATTR Colors compositeOne(const Rays& rays, Alive& shown) const {
+    constexpr int kCount = 2;
+    const VolumeD d;
+    const bool skips = skipped_.any();
+    Colors sum = noColors();
+    Floats sample = hn::Zero(d);
+    Leaps leaps(frame_, rays);
+    Alive alive = shown;
+    while (true) {
+      alive = leaps.move(alive, sample);
+      if (hn::AllFalse(d, alive)) break;
+      Positions p[kCount];
+      Alive counted[kCount], seen[kCount];
+      Colors c[kCount];
+      for (int i = 0; i < kCount; ++i) {
+        const Floats number = hn::Add(sample, hn::Set(d, static_cast<float>(i)));
+        p[i] = rays.at(number);
+        counted[i] = hn::And(alive, hn::Lt(number, rays.samples));
+        if (skips) counted[i] = skipped_.kept(p[i], counted[i]);
+      }
+      colors_.template ofOne<kCount>(rays, p, counted, c, seen);
+      for (int i = 0; i < kCount; ++i) {
+        if (frame_.arriving) occlude(*frame_.arriving, p[i], c[i]);
+        alive = addBehind(sum, c[i], hn::And(seen[i], alive), alive);
+      }
+      leaps.stay(seen[kCount - 1], sample);
+      sample = hn::Add(sample, hn::Set(d, static_cast<float>(kCount)));
     }
     return compositeOf(sum, shown);
   }

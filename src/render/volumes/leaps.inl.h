@@ -23,6 +23,19 @@ struct Rays {
   }
 };
 
+/// Bytes of an array, which is followed by VolumeFrame::kEmptyPadding more.
+HWY_INLINE HWY_ATTR Ints bytesAt(const uint8_t* bytes, Ints index) {
+  const VolumeI d;
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  return hn::And(hn::GatherOffset(d, reinterpret_cast<const int32_t*>(bytes), index), hn::Set(d, 255));
+#else
+  alignas(64) int32_t at[kRays];
+  hn::Store(index, d, at);
+  for (int32_t& i : at) i = bytes[i];
+  return hn::Load(d, at);
+#endif
+}
+
 /// Numbers of the next samples of rays, which leap over what cannot be seen.
 class Leaps {
  public:
@@ -32,12 +45,15 @@ class Leaps {
     const glm::vec3 size(frame.volume->grid->size);
     speed_ = {hn::Mul(rays.step.x, hn::Set(d, size.x)), hn::Mul(rays.step.y, hn::Set(d, size.y)),
               hn::Mul(rays.step.z, hn::Set(d, size.z))};
+    const Floats one = hn::Set(d, 1.0f);
+    inverse_ = {hn::Div(one, speed_.x), hn::Div(one, speed_.y), hn::Div(one, speed_.z)};
   }
 
-  /// Rays that have just `seen` something at `sample` take their next sample without a look at its cell.
+  /// Rays that have just `seen` something at `sample` take their next samples without a look at their cells:
+  /// most will see something, too, and a look takes longer than a sample.
   HWY_ATTR void stay(Alive seen, Floats sample) {
     const VolumeD d;
-    next_ = hn::IfThenElse(seen, hn::Max(next_, hn::Add(sample, hn::Set(d, 2.0f))), next_);
+    next_ = hn::IfThenElse(seen, hn::Max(next_, hn::Add(sample, hn::Set(d, kUnlooked))), next_);
   }
   /// Moves the samples of rays that are `alive` on to the next one that may be seen. Returns those that have
   /// one.
@@ -61,7 +77,8 @@ class Leaps {
     const VolumeD d;
     const VolumeI di;
     const glm::ivec3 size = frame_.volume->grid->size;
-    const Floats coordinates[] = {p.x, p.y, p.z}, speeds[] = {speed_.x, speed_.y, speed_.z};
+    const Floats coordinates[] = {p.x, p.y, p.z}, speeds[] = {speed_.x, speed_.y, speed_.z},
+                 inverses[] = {inverse_.x, inverse_.y, inverse_.z};
     Floats u[3];
     Ints cell[3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -70,13 +87,9 @@ class Leaps {
           hn::Min(hn::Max(u[axis], hn::Zero(d)), hn::Set(d, static_cast<float>(size[axis] - 1)));
       cell[axis] = hn::Min(hn::ShiftRight<3>(hn::ConvertTo(di, inside)), hn::Set(di, frame_.cells[axis] - 1));
     }
-    alignas(64) int32_t index[kRays];
-    hn::Store(hn::Add(hn::Mul(hn::Add(hn::Mul(cell[2], hn::Set(di, frame_.cells.y)), cell[1]),
-                              hn::Set(di, frame_.cells.x)),
-                      cell[0]),
-              di, index);
-    for (size_t i = 0; i < kRays; ++i) index[i] = (*frame_.empty)[static_cast<size_t>(index[i])];
-    const Ints distance = hn::Load(di, index);
+    const Ints row = hn::Add(hn::Mul(cell[2], hn::Set(di, frame_.cells.y)), cell[1]);
+    const Ints index = hn::Add(hn::Mul(row, hn::Set(di, frame_.cells.x)), cell[0]);
+    const Ints distance = bytesAt(frame_.empty->data(), index);
     seen = hn::RebindMask(d, hn::Eq(distance, hn::Zero(di)));
     const Ints around = hn::Max(hn::Sub(distance, hn::Set(di, 1)), hn::Zero(di));
     Floats steps = hn::Set(d, std::numeric_limits<float>::max());
@@ -86,7 +99,7 @@ class Leaps {
       const Floats upper =
           hn::ConvertTo(d, hn::ShiftLeft<3>(hn::Add(hn::Add(cell[axis], around), hn::Set(di, 1))));
       const Floats end = hn::IfThenElse(hn::Gt(speeds[axis], hn::Zero(d)), upper, lower);
-      const Floats along = hn::Div(hn::Sub(end, u[axis]), speeds[axis]);
+      const Floats along = hn::Mul(hn::Sub(end, u[axis]), inverses[axis]);
       steps = hn::IfThenElse(hn::Ne(speeds[axis], hn::Zero(d)), hn::Min(steps, hn::Max(along, hn::Zero(d))),
                              steps);
     }
@@ -94,10 +107,12 @@ class Leaps {
     return hn::Max(hn::Min(end, hn::Set(d, 3e7f)), hn::Add(sample, hn::Set(d, 1.0f)));
   }
 
+  static constexpr float kUnlooked = 6;  // samples
+
   const VolumeFrame& frame_;
   const Rays& rays_;
-  Floats next_;      // sample at which the ray leaves the cell that it has looked up
-  Positions speed_;  // voxels a step
+  Floats next_;                // sample at which the ray leaves the cell that it has looked up
+  Positions speed_, inverse_;  // voxels a step
 };
 
 }  // namespace HWY_NAMESPACE

@@ -10,26 +10,27 @@
 #include "render/volumes/leaps.inl.h"
 #include "render/volumes/sample_labels.inl.h"
 #include "render/volumes/sample_lighting.inl.h"
-#include "render/volumes/voxel_samples.inl.h"
+#include "render/volumes/sample_scalars.inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
 
 template <class Samples>
-class SampleColors {
+class SampleColors : private SampleScalars<Samples> {
+  using Scalars = SampleScalars<Samples>;
+  using Sample = typename Scalars::Sample;
+  using Scalars::differencesAt, Scalars::sampleAt, Scalars::volume_;
+
  public:
+  using Scalars::scalarAt;
+
   /// `samples`: of each channel.
   HWY_ATTR SampleColors(const VolumeFrame& frame, const Samples* samples)
-      : volume_(*frame.volume),
+      : Scalars(frame, samples),
         table_(frame.table),
-        samples_(samples),
         labels_(volume_.labels),
         lighting_(volume_.shading, frame.arriving) {
-    const scene::VoxelGrid& grid = *volume_.grid;
-    const glm::vec3 beyond = volume_.cellStep * glm::vec3(grid.size) - 1.0f;
-    stepsAreVoxels_ = std::min({grid.size.x, grid.size.y, grid.size.z}) >= 4 &&
-                      glm::all(glm::lessThan(glm::abs(beyond), glm::vec3(0.01f)));
     opacity_ = scene::opacityChannelOf(volume_.use);
     const auto orNull = [](const VolumeLookup& table) { return table.entries.empty() ? nullptr : &table; };
     for (size_t c = 0; c < frame.channels.size(); ++c) {
@@ -37,15 +38,10 @@ class SampleColors {
       channels_[c] = {&from.color,
                       orNull(from.opacity),
                       orNull(from.gradient),
-                      from.scale,
-                      from.bias,
                       {lighting_.materialOf(volume_.channels[c].material), volume_.channels[c].material}};
     }
   }
 
-  HWY_ATTR Floats scalarAt(const Positions& p, size_t channel) const {
-    return scalarOf(samples_[channel].at(p), channel);
-  }
   HWY_ATTR Floats opacityOf(Floats scalar, size_t channel) const {
     const Channel& c = channels_[channel];
     return lookUp(c.opacity ? *c.opacity : *c.color, scalar).a;
@@ -55,6 +51,21 @@ class SampleColors {
   /// `alive` whose sample counts.
   HWY_INLINE HWY_ATTR Alive ofOne(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
     return ofChannel(rays, p, alive, 0, c, [](const Colors& found) HWY_ATTR { return premultiplied(found); });
+  }
+  /// Likewise, of samples at `count` positions of each ray.
+  template <int count>
+  HWY_INLINE HWY_ATTR void ofOne(const Rays& rays, const Positions* p, const Alive* alive, Colors* c,
+                                 Alive* seen) const {
+    Sample samples[count];
+    Floats scalars[count];
+    this->template samplesAt<count>(p, alive, 0, hasGradients(0), samples, scalars);
+    looksOf<count>(scalars, 0, c);
+    for (int i = 0; i < count; ++i) {
+      seen[i] = hn::And(alive[i], hn::Gt(c[i].a, hn::Zero(VolumeD())));
+      if (hasGradients(0) && !hn::AllFalse(VolumeD(), seen[i]))
+        light(rays, p[i], {differencesAt(p[i], seen[i], samples[i], 0), 0}, 0, c[i]);
+      c[i] = premultiplied(c[i]);
+    }
   }
   /// Likewise, of other volumes.
   HWY_ATTR Alive ofMore(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
@@ -74,10 +85,6 @@ class SampleColors {
   }
 
  private:
-  HWY_ATTR Floats scalarOf(Floats value, size_t channel) const {
-    const VolumeD d;
-    return hn::MulAdd(value, hn::Set(d, channels_[channel].scale), hn::Set(d, channels_[channel].bias));
-  }
   static HWY_ATTR Colors premultiplied(const Colors& c) {
     const Floats a = clamped(c.a);
     return {hn::Mul(clamped(c.r), a), hn::Mul(clamped(c.g), a), hn::Mul(clamped(c.b), a), a};
@@ -94,44 +101,14 @@ class SampleColors {
     return colors;
   }
 
-  /// A scalar and, for rays that are `known`, the differences of scalars around it.
-  struct Sample {
-    Floats scalar;
-    Positions differences;
-    Alive known;
-  };
-  /// `gradients`: whether differences are asked for.
-  HWY_INLINE HWY_ATTR Sample sampleAt(const Positions& p, Alive alive, size_t channel, bool gradients) const {
-    const VolumeD d;
-    const Floats none = hn::Zero(d);
-    typename Samples::Around around{none, {none, none, none}};
-    Alive known = hn::Lt(none, none);
-    if constexpr (Samples::kHasWindows)
-      if (stepsAreVoxels_ && gradients) known = samples_[channel].around(p, volume_.cellStep, around);
-    Floats scalar = scalarOf(around.here, channel);
-    if (!hn::AllFalse(d, hn::AndNot(known, alive)))
-      scalar = hn::IfThenElse(known, scalar, scalarAt(p, channel));
-    return {scalar, scaled(around.differences, hn::Set(d, channels_[channel].scale)), known};
-  }
-  HWY_ATTR Positions differencesAt(const Positions& p, Alive seen, const Sample& sample,
-                                   size_t channel) const {
-    const VolumeD d;
-    if (hn::AllFalse(d, hn::AndNot(sample.known, seen))) return sample.differences;
-    const Positions other = differencesAt(p, channel);
-    return {hn::IfThenElse(sample.known, sample.differences.x, other.x),
-            hn::IfThenElse(sample.known, sample.differences.y, other.y),
-            hn::IfThenElse(sample.known, sample.differences.z, other.z)};
-  }
-
-  /// Differences of scalars around a sample.
-  HWY_ATTR Positions differencesAt(const Positions& p, size_t channel) const {
-    const VolumeD d;
-    const Floats x = hn::Set(d, volume_.cellStep.x), y = hn::Set(d, volume_.cellStep.y),
-                 z = hn::Set(d, volume_.cellStep.z);
-    const auto at = [&](Floats px, Floats py, Floats pz) HWY_ATTR { return scalarAt({px, py, pz}, channel); };
-    return {hn::Sub(at(hn::Add(p.x, x), p.y, p.z), at(hn::Sub(p.x, x), p.y, p.z)),
-            hn::Sub(at(p.x, hn::Add(p.y, y), p.z), at(p.x, hn::Sub(p.y, y), p.z)),
-            hn::Sub(at(p.x, p.y, hn::Add(p.z, z)), at(p.x, p.y, hn::Sub(p.z, z)))};
+  template <int count>
+  HWY_INLINE HWY_ATTR void looksOf(const Floats* scalars, size_t channel, Colors* colors) const {
+    const Channel& c = channels_[channel];
+    lookUp<count>(*c.color, scalars, colors);
+    if (!c.opacity) return;
+    Colors opacities[count];
+    lookUp<count>(*c.opacity, scalars, opacities);
+    for (int i = 0; i < count; ++i) colors[i].a = opacities[i].a;
   }
 
   bool weighs(size_t channel) const { return channels_[channel].gradient != nullptr; }
@@ -182,7 +159,8 @@ class SampleColors {
   HWY_INLINE HWY_ATTR Alive ofChannel(const Rays& rays, const Positions& p, Alive alive, size_t channel,
                                       Colors& c, const Finish& finish) const {
     const VolumeD d;
-    const Sample sample = sampleAt(p, alive, channel, hasGradients(channel));
+    Sample sample;
+    sampleAt(p, alive, channel, hasGradients(channel), sample);
     c = lookOf(sample.scalar, channel);
     const Alive seen = hn::And(alive, hn::Gt(c.a, hn::Zero(d)));
     if (hn::AllFalse(d, seen)) return seen;
@@ -194,7 +172,8 @@ class SampleColors {
   /// Colours and opacities by scalar and gradient. They are not limited to 0 .. 1.
   HWY_ATTR Alive ofTable(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
     const VolumeD d;
-    const Sample sample = sampleAt(p, alive, 0, true);
+    Sample sample;
+    sampleAt(p, alive, 0, true, sample);
     Positions gradient;
     const Floats strength = strengthOf({differencesAt(p, alive, sample, 0), 0}, gradient);
     c = lookUp(table_, sample.scalar, strength);
@@ -209,7 +188,8 @@ class SampleColors {
   /// have no gradient opacity.
   HWY_ATTR Alive ofLabels(const Rays& rays, const Positions& p, Alive alive, Colors& c) const {
     const VolumeD d;
-    const Sample sample = sampleAt(p, alive, 0, hasGradients(0));
+    Sample sample;
+    sampleAt(p, alive, 0, hasGradients(0), sample);
     const Floats row = labels_.rowsAt(p), share = hn::Set(d, volume_.labels.share);
     const Alive labelled = hn::And(alive, hn::Ne(row, hn::Zero(d)));
     c = lookOf(sample.scalar, 0);
@@ -276,17 +256,13 @@ class SampleColors {
 
   struct Channel {
     const VolumeLookup *color, *opacity, *gradient;  // null: color has it, and none
-    float scale, bias;                               // from a stored number to the scalar
     Lighting::Materials material;
   };
 
-  const scene::Volume& volume_;
   const VolumeLookup2D& table_;
-  const Samples* samples_;
   Channel channels_[4] = {};
   const SampleLabels labels_;
   const Lighting lighting_;
-  bool stepsAreVoxels_ = false;  // gradients need samples about a voxel apart
   size_t opacity_ = 0;
 };
 

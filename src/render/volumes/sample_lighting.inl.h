@@ -35,19 +35,42 @@ HWY_ATTR inline Positions spread(const glm::vec3& v) {
   const VolumeD d;
   return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
 }
-/// A vector of length 1; 0 stays 0.
+/// One over the square root of numbers above 0.
+HWY_ATTR inline Floats inverseRoot(Floats v) {
+  const VolumeD d;
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
+  const Floats half = hn::Mul(v, hn::Set(d, 0.5f)), guess = hn::ApproximateReciprocalSqrt(v);
+  // A step of Newton's method doubles the digits.
+  return hn::Mul(guess, hn::NegMulAdd(hn::Mul(half, guess), guess, hn::Set(d, 1.5f)));
+#else
+  return hn::Div(hn::Set(d, 1.0f), hn::Sqrt(v));
+#endif
+}
+/// A vector of length 1; 0 stays 0, as do lengths whose square is no normal number.
 HWY_ATTR inline Positions normalized(const Positions& v) {
   const VolumeD d;
-  const Floats length = hn::Sqrt(dot(v, v));
-  return scaled(v, hn::IfThenElseZero(hn::Gt(length, hn::Zero(d)), hn::Div(hn::Set(d, 1.0f), length)));
+  const Floats square = dot(v, v);
+  const Alive any = hn::Ge(square, hn::Set(d, std::numeric_limits<float>::min()));
+  return scaled(v, hn::IfThenElseZero(any, inverseRoot(square)));
 }
 /// A power of a number that is not below 0.
-HWY_ATTR inline Floats power(Floats base, float exponent) {
+HWY_ATTR inline Floats anyPower(Floats base, float exponent) {
   const VolumeD d;
   return hn::IfThenElse(
       hn::Gt(base, hn::Zero(d)),
       hn::Exp(d, hn::Mul(hn::Set(d, exponent), hn::Log(d, hn::Max(base, hn::Set(d, 1e-30f))))),
       hn::Set(d, exponent == 0 ? 1.0f : 0.0f));
+}
+/// Likewise, of numbers up to about 1; others count as 0 if they are below 0.
+HWY_ATTR inline Floats power(Floats base, float exponent) {
+  constexpr float kMostProducts = 128;
+  if (!(exponent >= 1 && exponent <= kMostProducts && exponent == std::floor(exponent)))
+    return anyPower(base, exponent);
+  const VolumeD d;
+  Floats square = hn::Max(base, hn::Zero(d)), product = hn::Set(d, 1.0f);
+  for (auto bits = static_cast<uint32_t>(exponent); bits; bits >>= 1, square = hn::Mul(square, square))
+    if (bits & 1) product = hn::Mul(product, square);
+  return product;
 }
 
 class Lighting {

@@ -36,9 +36,11 @@ struct VolumeLookup2D {
 struct VolumeFrame {
   const scene::Volume* volume = nullptr;
   const VolumeRays* rays = nullptr;
-  std::vector<ChannelLookups> channels;         // as Volume::channels
-  VolumeLookup2D table;                         // Volume::table
-  const std::vector<uint8_t>* empty = nullptr;  // emptySpace(); null: rays do not leap
+  std::vector<ChannelLookups> channels;  // as Volume::channels
+  VolumeLookup2D table;                  // Volume::table
+  /// emptySpace(), and kEmptyPadding bytes that may be read; null: rays do not leap.
+  const std::vector<uint8_t>* empty = nullptr;
+  static constexpr size_t kEmptyPadding = 3;
   glm::ivec3 cells{0};
   Image* image = nullptr;
   const SampleIllumination* arriving = nullptr;  // null: samples have the light of the volume's shading

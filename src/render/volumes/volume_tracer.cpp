@@ -107,6 +107,7 @@ bool VolumeTracer::trace(const scene::VolumeCast& cast, Arena& arena, Image& ima
     const bool leaps = mayLeap(volume);
     if (leaps && !known.isEmptyOf(volume)) {
       known.empty = emptySpace(known.cells, volume);
+      known.empty.resize(known.empty.size() + VolumeFrame::kEmptyPadding);
       known.use = volume.use, known.channels = volume.channels, known.table = volume.table;
     }
     const VolumeRays rays(cast.view);

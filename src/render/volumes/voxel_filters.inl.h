@@ -6,21 +6,12 @@
 #define GLURAY_RENDER_VOXEL_FILTERS_INL_H_
 #endif
 
+#include "render/volumes/ray_blocks.inl.h"
 #include "render/volumes/volume_frame.h"
-
-#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace gluray::render {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using VolumeD = hn::CappedTag<float, 16>;
-using VolumeI = hn::RebindToSigned<VolumeD>;
-using Floats = hn::Vec<VolumeD>;
-using Ints = hn::Vec<VolumeI>;
-using Alive = hn::Mask<VolumeD>;
-constexpr size_t kRays = HWY_LANES(float) < 16 ? HWY_LANES(float) : 16;
 
 /// Three coordinates of several positions.
 struct Positions {

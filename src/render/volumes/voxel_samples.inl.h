@@ -24,145 +24,127 @@ class VoxelSamples {
         back_(grid.size.z > 1 ? static_cast<ptrdiff_t>(grid.size.x) * grid.size.y : 0) {}
 
   HWY_ATTR Floats at(const Positions& p) const {
-    const Place x(p.x, size_.x), y(p.y, size_.y), z(p.z, size_.z);
-    alignas(64) int32_t index[kRays];
-    indices(x.voxel, y.voxel, z.voxel, index);
-    Rows rows;
-    rows.load(values_, index, up_, back_, size_.x > 1);
-    return Filter::value(sheet(rows.mixed(x.share), y.share, z.share));
+    Floats value;
+    at<1>(&p, &value);
+    return value;
+  }
+  /// Of several positions of each ray. Their steps alternate, so that the processor works on all at a time.
+  template <int count>
+  HWY_INLINE HWY_ATTR void at(const Positions* p, Floats* values) const {
+    RayNumbers first[count];
+    Share x[count], y[count], z[count];
+    for (int i = 0; i < count; ++i) {
+      const Place px(p[i].x, size_.x), py(p[i].y, size_.y), pz(p[i].z, size_.z);
+      first[i].set(indices(px.voxel, py.voxel, pz.voxel));
+      x[i] = px.share, y[i] = py.share, z[i] = pz.share;
+    }
+    RowValues rows[count];
+    for (int k = 0; k < 4; ++k)
+      for (int i = 0; i < count; ++i) {
+        const Columns<D> row = rowAt<2>(first[i], rowOffset(k));
+        rows[i].value[k] = mixed(row.column[0], size_.x > 1 ? row.column[1] : row.column[0], x[i]);
+      }
+    for (int i = 0; i < count; ++i) values[i] = Filter::value(sheet(rows[i], y[i], z[i]));
   }
 
   /// Whether around() may be called, with four voxels or more along each axis.
   static constexpr bool kHasWindows = Filter::kMixes;
 
-  /// A sample, and the differences of those a step farther and a step before along each axis.
-  struct Around {
-    Floats here;
-    Positions differences;
-  };
-  /// The values of seven calls of at(), from fewer loads. `step`: of texture coordinates, longer than a voxel
-  /// by at most 0.01 voxels: where it crosses one more voxel, the values before that are continued. Returns
-  /// the rays for which they are set: none at the grid's border.
-  HWY_ATTR Alive around(const Positions& p, const glm::vec3& step, Around& out) const {
-    const VolumeD d;
-    const VolumeI di;
-    const Place x(p.x, size_.x), y(p.y, size_.y), z(p.z, size_.z);
-    const Alive inside = hn::And(x.isInside(size_.x), hn::And(y.isInside(size_.y), z.isInside(size_.z)));
-    if (hn::AllFalse(d, inside)) return inside;
-    const auto kept = [&](Ints voxel) HWY_ATTR {
-      return hn::IfThenElse(hn::RebindMask(di, inside), voxel, hn::Set(di, 1));
-    };
-    alignas(64) int32_t index[kRays];
-    indices(kept(x.voxel), kept(y.voxel), kept(z.voxel), index);
-    Window w;
-    w.load(values_, index, up_, back_);
-    mix(w, x.around(p.x, step.x, size_.x), y.around(p.y, step.y, size_.y), z.around(p.z, step.z, size_.z),
-        out);
-    return inside;
-  }
-
  private:
   using Place = typename Filter::Place;
+  using D = typename Filter::D;
   using Share = typename Filter::Share;    // of the farther of two voxels
   using Number = typename Filter::Number;  // of one ray
+  using Shares = StepShares<Share>;
 
-  static HWY_ATTR Share mixed(Share a, Share b, Share share) { return Filter::mixed(a, b, share); }
   /// Of the four rows around a sample: two along y, two along z.
   struct RowValues {
     Share value[4];
   };
-  static HWY_ATTR Share sheet(const RowValues& r, Share y, Share z) {
-    return mixed(mixed(r.value[0], r.value[1], y), mixed(r.value[2], r.value[3], y), z);
-  }
 
-  /// Pairs of neighbours along x in the rows around samples.
-  struct Rows {
-    alignas(64) Number pairs[4][2 * kRays];
+ public:
+  /// Samples, and what differences() needs.
+  struct Around {
+    Alive known;  // the rays whose samples are not at the grid's border; others have no `here`
+    Floats here;
 
-    HWY_ATTR void load(const Stored* values, const int32_t* index, ptrdiff_t up, ptrdiff_t back,
-                       bool pairwise) {
-      alignas(64) Stored stored[4][2 * kRays];
-      const ptrdiff_t rows[] = {0, up, back, back + up};
-      for (size_t i = 0; i < kRays; ++i) {
-        const Stored* const p = values + index[i];
-        for (int k = 0; k < 4; ++k) std::memcpy(&stored[k][2 * i], p + rows[k], 2 * sizeof(Stored));
-      }
-      for (int k = 0; k < 4; ++k) {
-        for (size_t i = 0; i < kRays && !pairwise; ++i) stored[k][2 * i + 1] = stored[k][2 * i];
-        for (size_t i = 0; i < 2 * kRays; ++i) pairs[k][i] = static_cast<Number>(valueOf(stored[k][i]));
-      }
-    }
-    HWY_ATTR RowValues mixed(Share share) const {
-      RowValues rows;
-      for (int k = 0; k < 4; ++k) {
-        Share left, right;
-        hn::LoadInterleaved2(typename Filter::D(), pairs[k], left, right);
-        rows.value[k] = Filter::mixed(left, right, share);
-      }
-      return rows;
-    }
+   private:
+    friend class VoxelSamples;
+    RayNumbers first;
+    Shares x, y, z;
+    RowValues before, rows, after;
   };
-
-  /// The voxels for around(): four along x in the rows of a sample; two in the rows beside them.
-  struct Window {
-    alignas(64) Number quads[4][4 * kRays];
-    alignas(64) Number pairs[8][2 * kRays];
-
-    HWY_ATTR void load(const Stored* values, const int32_t* index, ptrdiff_t up, ptrdiff_t back) {
-      alignas(64) Stored fours[4][4 * kRays], twos[8][2 * kRays];
-      const ptrdiff_t rows[] = {0, up, back, back + up};
-      const ptrdiff_t beside[] = {-up,   back - up, 2 * up,   back + 2 * up,
-                                  -back, up - back, 2 * back, up + 2 * back};
-      for (size_t i = 0; i < kRays; ++i) {
-        const Stored* const p = values + index[i];
-        for (int k = 0; k < 4; ++k) std::memcpy(&fours[k][4 * i], p + rows[k] - 1, 4 * sizeof(Stored));
-        for (int k = 0; k < 8; ++k) std::memcpy(&twos[k][2 * i], p + beside[k], 2 * sizeof(Stored));
-      }
-      for (int k = 0; k < 4; ++k)
-        for (size_t i = 0; i < 4 * kRays; ++i) quads[k][i] = static_cast<Number>(valueOf(fours[k][i]));
-      for (int k = 0; k < 8; ++k)
-        for (size_t i = 0; i < 2 * kRays; ++i) pairs[k][i] = static_cast<Number>(valueOf(twos[k][i]));
-    }
-  };
-
-  using Shares = StepShares<Share>;
-  static HWY_ATTR void mix(const Window& w, const Shares& x, const Shares& y, const Shares& z, Around& out) {
-    const typename Filter::D d;
-    RowValues rows, before, after;
-    Share sides[8];
+  /// As at(). `step`: of texture coordinates, longer than a voxel by at most 0.01 voxels.
+  HWY_INLINE HWY_ATTR void around(const Positions& p, const glm::vec3& step, Around& out) const {
+    const VolumeI di;
+    const Place x(p.x, size_.x), y(p.y, size_.y), z(p.z, size_.z);
+    out.known = hn::And(x.isInside(size_.x), hn::And(y.isInside(size_.y), z.isInside(size_.z)));
+    const auto kept = [&](Ints voxel) HWY_ATTR {
+      return hn::IfThenElse(hn::RebindMask(di, out.known), voxel, hn::Set(di, 1));
+    };
+    out.first.set(indices(kept(x.voxel), kept(y.voxel), kept(z.voxel)));
+    out.x = x.around(p.x, step.x, size_.x), out.y = y.around(p.y, step.y, size_.y);
+    out.z = z.around(p.z, step.z, size_.z);
+#pragma GCC unroll 4
     for (int k = 0; k < 4; ++k) {
-      Share v[4];
-      hn::LoadInterleaved4(d, w.quads[k], v[0], v[1], v[2], v[3]);
-      before.value[k] = mixed(v[0], v[1], x.before), rows.value[k] = mixed(v[1], v[2], x.here);
-      after.value[k] = mixed(v[2], v[3], x.after);
+      const auto [v] = rowAt<4>(out.first, rowOffset(k) - 1);
+      out.before.value[k] = mixed(v[0], v[1], out.x.before),
+      out.rows.value[k] = mixed(v[1], v[2], out.x.here);
+      out.after.value[k] = mixed(v[2], v[3], out.x.after);
     }
-    for (int k = 0; k < 8; ++k) {
-      Share left, right;
-      hn::LoadInterleaved2(d, w.pairs[k], left, right);
-      sides[k] = mixed(left, right, x.here);
-    }
+    out.here = Filter::value(sheet(out.rows, out.y.here, out.z.here));
+  }
+  /// The differences of the samples a step farther and a step before along each axis, from fewer loads than
+  /// at() needs for them. Where a step crosses one more voxel, the values before that are continued.
+  HWY_INLINE HWY_ATTR Positions differences(const Around& a) const {
     const auto difference = [](Share a, Share b)
                                 HWY_ATTR { return hn::Sub(Filter::value(a), Filter::value(b)); };
-    const Share* const r = rows.value;
-    out.here = Filter::value(sheet(rows, y.here, z.here));
-    out.differences.x = difference(sheet(after, y.here, z.here), sheet(before, y.here, z.here));
-    out.differences.y = difference(sheet({{r[1], sides[2], r[3], sides[3]}}, y.after, z.here),
-                                   sheet({{sides[0], r[0], sides[1], r[2]}}, y.before, z.here));
-    out.differences.z = difference(sheet({{r[2], r[3], sides[6], sides[7]}}, y.here, z.after),
-                                   sheet({{sides[4], sides[5], r[0], r[1]}}, y.here, z.before));
+    const auto side = [&](ptrdiff_t offset) HWY_ATTR {
+      const Columns<D> row = rowAt<2>(a.first, offset);
+      return mixed(row.column[0], row.column[1], a.x.here);
+    };
+    const Share* const r = a.rows.value;
+    Positions out;
+    out.x = difference(sheet(a.after, a.y.here, a.z.here), sheet(a.before, a.y.here, a.z.here));
+    out.y = difference(sheet({{r[1], side(2 * up_), r[3], side(back_ + 2 * up_)}}, a.y.after, a.z.here),
+                       sheet({{side(-up_), r[0], side(back_ - up_), r[2]}}, a.y.before, a.z.here));
+    out.z = difference(sheet({{r[2], r[3], side(2 * back_), side(up_ + 2 * back_)}}, a.y.here, a.z.after),
+                       sheet({{side(-back_), side(up_ - back_), r[0], r[1]}}, a.y.here, a.z.before));
+    return out;
   }
 
+ private:
+  static HWY_INLINE HWY_ATTR Share mixed(Share a, Share b, Share share) { return Filter::mixed(a, b, share); }
+  static HWY_INLINE HWY_ATTR Share sheet(const RowValues& r, Share y, Share z) {
+    return mixed(mixed(r.value[0], r.value[1], y), mixed(r.value[2], r.value[3], y), z);
+  }
+  HWY_INLINE ptrdiff_t rowOffset(int k) const { return (k & 1 ? up_ : 0) + (k & 2 ? back_ : 0); }
+
+  /// Neighbours along x from the voxels that lie `offset` after `first`. `count`: of columns.
+  template <int count>
+  HWY_INLINE HWY_ATTR Columns<D> rowAt(const RayNumbers& first, ptrdiff_t offset) const {
+    const D d;
+    const Stored* const values = values_ + offset;
+    const auto from = [&](size_t ray) { return values + first[ray]; };
+    return columnsOf<count>(d, numbersOf(blocksOf<0>(from)), numbersOf(blocksOf<1>(from)),
+                            numbersOf(blocksOf<2>(from)), numbersOf(blocksOf<3>(from)));
+  }
+
+  using Loaded = LoadedD<Stored>;
   /// Signed numbers have one more below 0 than above, which counts as the next one (OpenGL 4.6, 2.3.5.1).
-  static HWY_ATTR Stored valueOf(Stored stored) {
-    if constexpr (std::is_signed_v<Stored> && sizeof(Stored) < 4)
-      return std::max<Stored>(stored, -std::numeric_limits<Stored>::max());
-    return stored;
+  static HWY_INLINE HWY_ATTR hn::Vec<D> numbersOf(hn::Vec<Loaded> stored) {
+    if constexpr (std::is_integral_v<Stored> && std::is_signed_v<Stored>)
+      stored = hn::Max(stored, hn::Set(Loaded(), -std::numeric_limits<Stored>::max()));
+    if constexpr (std::is_same_v<D, Loaded>)
+      return stored;
+    else
+      return hn::ConvertTo(D(), stored);
   }
 
-  HWY_ATTR void indices(Ints x, Ints y, Ints z, int32_t* out) const {
+  HWY_ATTR Ints indices(Ints x, Ints y, Ints z) const {
     const VolumeI di;
     const Ints row = hn::Set(di, size_.x), rows = hn::Set(di, size_.y);
-    hn::Store(hn::Add(hn::Mul(hn::Add(hn::Mul(z, rows), y), row), x), di, out);
+    return hn::Add(hn::Mul(hn::Add(hn::Mul(z, rows), y), row), x);
   }
 
   const Stored* values_;
