@@ -8,16 +8,9 @@ import pathlib
 import subprocess
 import sys
 
-import numpy as np
-
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parents[1] / "tools"))
 from command_line import Parser  # noqa: E402
-
-BEYOND, FAR = 2, 4      # of 255
-MOST_BEYOND = 0.002     # share of pixels: silhouettes, where OpenGL rounds corners
-TRIANGLES = 12          # of a volume's box
-REFUSED = "volume with state or values that are not traced"
 
 
 def arguments():
@@ -27,6 +20,15 @@ def arguments():
     parser.add_argument("--python", default="/usr/bin/python3", help="the interpreter that has vispy")
     parser.add_argument("states", nargs="*", help="states (all)")
     return parser.parse_args()
+
+
+OPTIONS = arguments()  # before the import of what a Python may lack
+import numpy as np  # noqa: E402
+
+BEYOND, FAR = 2, 4      # of 255
+MOST_BEYOND = 0.002     # share of pixels: silhouettes, where OpenGL rounds corners
+TRIANGLES = 12          # of a volume's box
+REFUSED = "volume with state or values that are not traced"
 
 
 def run(command, out):
@@ -74,8 +76,7 @@ def compared(options, group):
     return failed
 
 
-def main():
-    options = arguments()
+def main(options):
     options.out.mkdir(parents=True, exist_ok=True)
     if subprocess.run([options.python, "-c", "import vispy"], capture_output=True, check=False).returncode:
         print("vispy is not installed")
@@ -86,4 +87,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(OPTIONS))
