@@ -11,13 +11,6 @@
 namespace gluray::gl {
 namespace {
 
-/// The smallest viewport that contains both.
-glm::ivec4 uniteViewports(const glm::ivec4& a, const glm::ivec4& b) {
-  const glm::ivec2 lower = glm::min(glm::ivec2(a), glm::ivec2(b));
-  const glm::ivec2 upper = glm::max(glm::ivec2(a.x + a.z, a.y + a.w), glm::ivec2(b.x + b.z, b.y + b.w));
-  return glm::ivec4(lower, upper - lower);
-}
-
 constexpr size_t kMaxKept = 65536;       // surfaces that are kept across frames
 constexpr size_t kMaxAtOnce = 1u << 20;  // surfaces kept without a clear or the end of a frame
 
@@ -137,9 +130,8 @@ void MultipassSurfaces::addUnsampledFixedDraw(const DepthPlace& place) {
   const auto [known, added] = unsampledFixed_.try_emplace(place.framebuffer, now);
   if (added) return;
   known->second.turn = now.turn;
-  DepthPlace& all = known->second.place;
-  all.viewport = uniteViewports(all.viewport, place.viewport);
-  all.region = scene::united(all.region, place.region);
+  scene::Region& all = known->second.place.region;
+  all = scene::united(all, place.region);
 }
 
 void MultipassSurfaces::rasterisedByProgram(const DepthPlace& place, uint64_t count,

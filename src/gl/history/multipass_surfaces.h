@@ -207,7 +207,7 @@ class MultipassSurfaces {
   std::unordered_map<Hash128, UnseenAt> unseen_;  // by place
   size_t unseenCounts_ = 0;                       // inserted since the last clear()
   SampledSurfaces sampled_;                       // of rasterisedFixed()
-  // Draws of addUnsampledFixedDraw(), by framebuffer; the viewport contains all of them.
+  // Draws of addUnsampledFixedDraw(), by framebuffer; the region contains all of them.
   std::unordered_map<uint32_t, DepthStamp> unsampledFixed_;
   uint64_t idle_ = 0;  // depth epochs since a surface of fixed function's vertices could be traced
   uint64_t epoch_ = 0;

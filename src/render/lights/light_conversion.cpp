@@ -110,4 +110,14 @@ scene::FragmentLight programLight(const LightSource& s, const glm::dmat4& lighti
   return light;
 }
 
+scene::LightSource headlightOf(float strength, const glm::dvec4& away) {
+  scene::LightSource light;
+  light.strength = strength;
+  light.direction = glm::vec3(glm::normalize(glm::dvec3(away)));
+  if (away.w == 0) return light;
+  light.kind = scene::LightSource::Kind::point;
+  light.position = glm::vec3(glm::dvec3(away) / away.w);
+  return light;
+}
+
 }  // namespace gluray::render

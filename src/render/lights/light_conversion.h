@@ -12,6 +12,9 @@ scene::LightSource sourceOf(const scene::Light&);
 /// angles. Not for headlights.
 scene::LightSource sourceOf(const scene::FragmentLight&, const glm::dmat4& eyeFromLighting);
 
+/// The light at the viewer: in parallel views as far away as the viewer is. `away`: Metric::away.
+scene::LightSource headlightOf(float strength, const glm::dvec4& away);
+
 /// Returns an equivalent light of fixed function. An area light becomes a point light at its centre with the
 /// falloff of the area along its axis.
 scene::Light fixedLight(const scene::LightSource&);

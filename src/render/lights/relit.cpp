@@ -15,17 +15,6 @@ namespace {
 using scene::FragmentLight;
 using scene::LightSource;
 
-/// The light at the viewer for fixed function: in parallel views as far away as the viewer is.
-LightSource headlight(float strength, const Viewer& away) {
-  LightSource light;
-  light.strength = strength;
-  light.direction = glm::vec3(glm::normalize(glm::dvec3(away)));
-  if (away.w == 0) return light;
-  light.kind = LightSource::Kind::point;
-  light.position = glm::vec3(glm::dvec3(away) / away.w);
-  return light;
-}
-
 /// Ambient light stays.
 void dim(scene::Shading& s, float factor) {
   const auto scale = [&](glm::vec4& color) { color = glm::vec4(glm::vec3(color) * factor, color.a); };
@@ -104,7 +93,7 @@ class Relighter {
     if (isProgram(s))
       s.fragment.lights.emplace_back().color = glm::vec3(rig_->headlight);
     else
-      s.lights.push_back(fixedLight(headlight(rig_->headlight, away_)));
+      s.lights.push_back(fixedLight(headlightOf(rig_->headlight, away_)));
   }
 
   void relightOne(scene::Shading& s, size_t& first, const glm::dmat4& lightingFromEye) const {

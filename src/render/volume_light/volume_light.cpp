@@ -114,21 +114,11 @@ class IlluminationFinder {
     if (const std::optional<Rig> rig = makeRig(settings, in_.view.eyeFromWorld, camera)) {
       out_.programShare = rig->program;
       for (const scene::LightSource& light : rig->lights) add(light);
-      if (rig->headlight > 0) add(headlight(rig->headlight));
+      if (rig->headlight > 0) add(headlightOf(rig->headlight, metric_.away));
       out_.ambient = 0.5f * (rig->dome.sky + rig->dome.ground);
     }
     if (const auto file = lightsOf(settings.lights.file))
       for (const FileLight& light : *file) add(placed(light, in_.view.eyeFromWorld));
-  }
-
-  scene::LightSource headlight(float strength) const {
-    scene::LightSource light;
-    light.strength = strength;
-    light.direction = glm::vec3(glm::normalize(glm::dvec3(metric_.away)));
-    if (metric_.away.w == 0) return light;
-    light.kind = scene::LightSource::Kind::point;
-    light.position = glm::vec3(glm::dvec3(metric_.away) / metric_.away.w);
-    return light;
   }
 
   void add(const scene::LightSource& source) {
