@@ -16,6 +16,8 @@ struct LightSampling {
     // or for picking:
     surfaces,  // instance and normal
     points,    // instance and point
+    // for denoising, of paths:
+    noiseless,  // light that is equal in all passes: of lights without size, and emitted
   };
   Mode mode = Mode::full;
   uint32_t pass = 0;  // of a refinement: uses the samples after those of earlier passes

@@ -20,7 +20,7 @@ inline constexpr auto kLast<scene::GroundUse> = scene::GroundUse::drawn;
 template <>
 inline constexpr auto kLast<scene::Layers::Of> = scene::Layers::Of::drawn;
 template <>
-inline constexpr auto kLast<scene::LightSampling::Mode> = scene::LightSampling::Mode::points;
+inline constexpr auto kLast<scene::LightSampling::Mode> = scene::LightSampling::Mode::noiseless;
 template <>
 inline constexpr auto kLast<scene::ColorMaterial::Mode> = scene::ColorMaterial::ambientAndDiffuse;
 template <>

@@ -48,6 +48,10 @@ void keepFeatures(scene::LightSampling::Mode mode, const Image& pass, bool mixed
     for (size_t i = 0; i < pixels; ++i) keepReflectance(&pass.wideColor[4 * i], i, f);
     return;
   }
+  if (mode == scene::LightSampling::Mode::noiseless) {
+    f.noiseless.resize(pixels);
+    return render::packReflectances(pass.wideColor.data(), pixels, f.noiseless.data());
+  }
   std::vector<float> planes;
   if (f.passes > 0) {
     planes = pass.wideColor;

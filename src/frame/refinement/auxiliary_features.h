@@ -11,9 +11,11 @@ namespace gluray::frame {
 
 /// Packed (render/resolve/wavelet.h). Empty: no auxiliary features.
 struct AuxiliaryFeatures {
-  static constexpr size_t kBytes = 14, kMixedBytes = 18;  // per pixel, without and with coverage and spread
+  // per pixel: without and with coverage and spread; more of light without noise
+  static constexpr size_t kBytes = 14, kMixedBytes = 18, kNoiselessBytes = 4;
 
   std::vector<uint32_t> reflectance, normal;
+  std::vector<uint32_t> noiseless;  // as shown (LightSampling::Mode::noiseless); empty: black
   std::vector<uint16_t> facing;
   std::vector<float> distance;
   std::vector<uint16_t> coverage, spread;  // of pixels that mix samples or layers; otherwise empty
@@ -23,7 +25,7 @@ struct AuxiliaryFeatures {
 
   bool known() const { return passes > 0; }
   size_t bytes() const {
-    return 4 * (reflectance.capacity() + normal.capacity() + distance.capacity()) +
+    return 4 * (reflectance.capacity() + normal.capacity() + noiseless.capacity() + distance.capacity()) +
            2 * (facing.capacity() + coverage.capacity() + spread.capacity());
   }
 };

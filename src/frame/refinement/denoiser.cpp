@@ -27,10 +27,11 @@ render::NoisyImage planeOf(const Refinement& r, const Image& image, size_t first
   render::NoisyImage noisy;
   noisy.width = image.width, noisy.height = image.height, noisy.target = target;
   noisy.color = r.mean().data() + 4 * first;
-  if (!image.has(Plane::wideColor)) noisy.most = 1;
+  if (!image.has(Plane::wideColor)) noisy.most = render::kBrightest;
   if (!r.pixelNoise().empty()) noisy.noise = r.pixelNoise().data() + first;
   noisy.features = {r.features.reflectance.data() + first, r.features.normal.data() + first,
                     r.features.facing.data() + first, r.features.distance.data() + first};
+  if (!r.features.noiseless.empty()) noisy.features.noiseless = r.features.noiseless.data() + first;
   if (!r.features.coverage.empty()) noisy.features.coverage = r.features.coverage.data() + first;
   if (!r.features.spread.empty()) noisy.features.spread = r.features.spread.data() + first;
   noisy.backdrop = r.features.backdrop;

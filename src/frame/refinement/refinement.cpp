@@ -1,6 +1,7 @@
 #include "frame/refinement/refinement.h"
 
 #include "parallel/arena.h"
+#include "render/resolve/wavelet.h"
 #include "render/tiles/float_guard.h"
 #include "scene/light_sampling.h"
 
@@ -16,8 +17,8 @@ namespace {
 
 constexpr size_t kBlock = 4096;  // pixels that one thread takes at a time
 
-/// As the kernels clamp: what is no number is 0.
-float displayed(float v) { return v > 0 ? std::min(v, 1.0f) : 0.0f; }
+/// As the kernels clamp, to 0 .. most: what is no number is 0.
+float clamped(float v, float most) { return v > 0 ? std::min(v, most) : 0.0f; }
 
 /// Calls body(first, end, number) for all blocks of `pixels` pixels.
 template <class Body>
@@ -42,11 +43,11 @@ void addTo(float& mean, float value, uint32_t n) {
   if (n > 1 && std::isfinite(value)) mean += (value - mean) / static_cast<float>(n);
 }
 
-/// Of displayed red, green and blue.
-double squaredDifference(const float* a, const float* b) {
+/// Of red, green and blue, clamped to 0 .. most.
+double squaredDifference(const float* a, const float* b, float most) {
   double sum = 0;
   for (int c = 0; c < 3; ++c) {
-    const double d = double{displayed(a[c])} - double{displayed(b[c])};
+    const double d = double{clamped(a[c], most)} - double{clamped(b[c], most)};
     sum += d * d;
   }
   return sum;
@@ -72,11 +73,15 @@ void Refinement::addPixel(const Image& pass, size_t i, Tile& tile) {
   for (size_t c = 0; c < 3; ++c)
     judged[c] =
         judged_ == Judged::alpha ? alpha : mean_[4 * i + c] + (judged_ == Judged::onWhite ? 1 - alpha : 0);
-  const double square =
-      n > 1 ? squaredDifference(judged, &half_[3 * i]) * h / (static_cast<double>(n) - h) : 0;
+  const auto variance = [&](float most) {
+    return squaredDifference(judged, &half_[3 * i], most) * h / (static_cast<double>(n) - h);
+  };
+  const double square = n > 1 ? variance(1) : 0;
+  if (!pixelNoise_.empty()) {
+    const double noise = std::sqrt(variance(render::kBrightest) / 3);
+    pixelNoise_[i] = static_cast<uint16_t>(std::lround(std::min(noise, 1.0) * double{render::kNoiseOne}));
+  }
   if (std::has_single_bit(n)) std::copy_n(judged, 3, &half_[3 * i]);
-  if (!pixelNoise_.empty())
-    pixelNoise_[i] = static_cast<uint16_t>(std::lround(std::min(std::sqrt(square / 3), 1.0) * 65535));
   if (pass.depth[i] == Image::kMiss && !(square > 0)) return;
   tile.squares += square;
   ++tile.pixels;

@@ -60,8 +60,8 @@ class Refinement {
   /// Call before add(): whether pixels of passes are averages of bytes (scene::Snapshot::byteSamples), which
   /// show() then rounds as the kernels round those.
   void setByteSamples(bool areBytes) { byteSamples_ = areBytes; }
-  /// Estimated standard error of each pixel, render::kNoiseOne being 1; empty before the second pass, and
-  /// where it is not kept.
+  /// Estimated standard error of each pixel, render::kNoiseOne being 1, of values up to render::kBrightest;
+  /// empty before the second pass, and where it is not kept.
   const std::vector<uint16_t>& pixelNoise() const { return pixelNoise_; }
   const std::vector<float>& mean() const { return mean_; }
   AuxiliaryFeatures features;  // for denoising

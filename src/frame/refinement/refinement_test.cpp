@@ -3,6 +3,7 @@
 
 #include "base/sanitized.h"
 #include "frame/testing/lit_scene.h"
+#include "render/resolve/wavelet.h"
 #include "scene/backdrop.h"
 
 #include <gtest/gtest.h>
@@ -177,6 +178,23 @@ TEST(Refinement, ValuesThatAreNotFiniteDoNotCount) {
   refinement.show(image, true, out);
   EXPECT_EQ(out.wideColor, kept);
   EXPECT_EQ(refinement.noise(), 0) << "what is brighter than white looks alike";
+}
+
+TEST(Refinement, KnowsTheNoiseOfPixelsThatAreALittleBrighterThanWhite) {
+  Image image;
+  image.resize(3, 1, 1, Image::kWide);
+  image.depth = {0.5f, 0.5f, 0.5f};
+  image.wideColor = {1.1f, 1.1f, 1.1f, 1, 7, 7, 7, 1, 0.5f, 0.5f, 0.5f, 1};
+  Refinement refinement;
+  refinement.keepNoise();
+  refinement.add(image);
+  for (float& v : image.wideColor) v = v == 1 ? v : v + 0.2f;
+  refinement.add(image);
+  const std::vector<uint16_t>& noise = refinement.pixelNoise();
+  ASSERT_EQ(noise.size(), 3u);
+  EXPECT_EQ(noise[0], noise[2]);
+  EXPECT_NEAR(noise[0] / double{render::kNoiseOne}, 0.1, 1e-3);
+  EXPECT_EQ(noise[1], 0);
 }
 
 constexpr float kUneven = 0.005f;

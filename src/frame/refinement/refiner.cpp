@@ -63,6 +63,12 @@ bool hasCatcher(const scene::Snapshot& s) {
   return s.ground == scene::GroundUse::drawn && scene::wantsCatcher(s.settings);
 }
 
+/// Whether light without noise is told from the rest. It must be equal in all passes.
+bool wantsNoiseless(const scene::Snapshot& s) {
+  return scene::wantsPaths(s.settings) && !s.layers && !s.catches && !hasCatcher(s) &&
+         !hasOpenLens(s.settings);
+}
+
 Refinement::Judged judgedOf(const scene::Snapshot& s) {
   if (s.catches) return Refinement::Judged::alpha;
   return hasCatcher(s) && !s.backdrop ? Refinement::Judged::onWhite : Refinement::Judged::colors;
@@ -77,7 +83,8 @@ bool isRefinable(const scene::Snapshot& snapshot) {
 }
 
 bool isFilterable(const scene::Snapshot& snapshot) {
-  const size_t bytes = mayMix(snapshot) ? AuxiliaryFeatures::kMixedBytes : AuxiliaryFeatures::kBytes;
+  const size_t bytes = (mayMix(snapshot) ? AuxiliaryFeatures::kMixedBytes : AuxiliaryFeatures::kBytes) +
+                       (wantsNoiseless(snapshot) ? AuxiliaryFeatures::kNoiselessBytes : 0);
   return Refinement::bytesFor(valuesOf(snapshot), bytes) <= kMaxBytes;
 }
 
@@ -125,11 +132,14 @@ bool Refiner::wantsFeatures() const {
 /// False with a line in `error`: there are none; without one: tracing was interrupted.
 bool Refiner::traceFeatures(const Trace& trace, scene::TraceCost& cost, std::string& error) {
   using Mode = scene::LightSampling::Mode;
-  scene::Snapshot features = featuresOf(snapshot_, image_);
+  const scene::Snapshot planes = featuresOf(snapshot_, image_);
   AuxiliaryFeatures found = refinement_.features;
   const bool mixed = image_.isAverages() || snapshot_.layers;
   Image image;
-  for (const Mode mode : {Mode::reflectance, Mode::geometry}) {
+  for (const Mode mode : {Mode::reflectance, Mode::geometry, Mode::noiseless}) {
+    if (mode == Mode::noiseless && !wantsNoiseless(snapshot_)) continue;
+    // Light without noise is a part of the image, with its tone.
+    scene::Snapshot features = mode == Mode::noiseless ? snapshot_ : planes;
     features.lightSampling = {.mode = mode, .pass = snapshot_.lightSampling.pass};
     try {
       if (snapshot_.catches && mode == Mode::reflectance) {

@@ -1,6 +1,7 @@
 #include "render/effects/feature_integrators.h"
 
 #include "render/lights/relit.h"
+#include "render/paths/path_integrator.h"
 #include "scene/effects.h"
 #include "scene/failure.h"
 
@@ -112,13 +113,14 @@ using Mode = scene::LightSampling::Mode;
 bool wantsFeatures(const scene::Snapshot& snapshot) {
   const Mode mode = snapshot.lightSampling.mode;
   return mode == Mode::reflectance || mode == Mode::geometry || mode == Mode::surfaces ||
-         mode == Mode::points;
+         mode == Mode::points || mode == Mode::noiseless;
 }
 
 std::unique_ptr<const Integrator> makeFeatureIntegrator(const FrameData& frame) {
   const Mode mode = frame.snapshot->lightSampling.mode;
   if (mode == Mode::geometry) return std::make_unique<GeometryFeatures>(frame);
   if (mode == Mode::surfaces || mode == Mode::points) return std::make_unique<SurfaceFeatures>(frame);
+  if (mode == Mode::noiseless) return std::make_unique<NoiselessLight>(frame);
   // The local look lacks light from all sides.
   const bool domed = frame.relit && frame.relit->dome.shines();
   if (!domed && !scene::wantsPaths(frame.snapshot->settings)) return nullptr;

@@ -93,6 +93,52 @@ TEST(ReflectanceFeature, IsTheSurfacesColourForPaths) {
   EXPECT_NEAR(color[2], 0.125f, 1e-5f);
 }
 
+/// Two walls in the light of several lights of the program, of which one throws a shadow to the other.
+scene::Snapshot lightedWalls() {
+  scene::Snapshot s = tilted(true, 1);
+  s.settings.ao.enabled = false;
+  s.settings.integrator = LightIntegrator::path;
+  s.settings.path.samples = 1, s.settings.path.lights = 1, s.settings.path.clamp = 0;
+  s.settings.environment.strength = 0;
+  s.shadings[0].lighting = true;
+  // Along the walls from the side of the nearer one, and from the viewer.
+  const glm::vec4 beside(s.eyeFromWorld * glm::dvec4(-1, 0, 0.5, 0));
+  for (const glm::vec4& position : {beside, glm::vec4(0, 0, 1, 0)}) {
+    scene::Light light;
+    light.position = position, light.diffuse = {0.4f, 0.5f, 0.3f, 1};
+    s.shadings[0].lights.push_back(light);
+  }
+  for (scene::Instance& i : s.instances) {
+    i.materials[0].front.diffuse = {0.5f, 0.25f, 0.125f, 1};
+    i.materials[0].front.emission = {0.0f, 0.125f, 0.0f, 1};
+    i.materials[0].back = i.materials[0].front;
+  }
+  return s;
+}
+
+TEST(NoiselessLight, IsThatOfLightsWithoutSizeAtTheFirstSurfaces) {
+  scene::Snapshot s = lightedWalls();
+  const Image noiseless = pass(s, Mode::noiseless);
+  // All that is left of paths without bounces and sky; a mean over the choices of one light.
+  s.settings.path.depth = 1, s.settings.path.samples = 4096;
+  const Image mean = pass(s, Mode::full);
+  double least = 1, most = 0;
+  for (size_t i = 0; i < mean.wideColor.size(); ++i) {
+    if (mean.depth[i / 4] == Image::kMiss || i % 4 == 3) continue;
+    ASSERT_NEAR(noiseless.wideColor[i], mean.wideColor[i], 0.004) << i;
+    if (i % 4 != 1) continue;
+    least = std::min<double>(least, mean.wideColor[i]), most = std::max<double>(most, mean.wideColor[i]);
+  }
+  EXPECT_GT(most, least + 0.05) << "some of it is in the shadow";
+}
+
+TEST(NoiselessLight, IsOfNoSampleAndNotOfTheSky) {
+  scene::Snapshot s = lightedWalls();
+  const Image alone = pass(s, Mode::noiseless);
+  s.settings.environment.strength = 1, s.settings.path.depth = 5, s.lightSampling.pass = 3;
+  EXPECT_EQ(pass(s, Mode::noiseless).wideColor, alone.wideColor);
+}
+
 TEST(AuxiliaryFeatures, PassesTraceTheTilesThatTheyAreAskedFor) {
   scene::Snapshot s = tilted(true, 0);
   Arena arena{2};

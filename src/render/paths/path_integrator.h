@@ -23,4 +23,16 @@ class PathIntegrator final : public Integrator {
   Path path_;
 };
 
+/// The part of that light which is equal in all samples: what surfaces emit, and what comes straight from
+/// lights without size. Black where the image is encoded, so that light does not add up.
+class NoiselessLight final : public Integrator {
+ public:
+  /// As PathIntegrator.
+  explicit NoiselessLight(const FrameData& frame) : path_(frame) {}
+  void light(const ColoredHits&, ColorRows&) const noexcept override;
+
+ private:
+  Path path_;
+};
+
 }  // namespace gluray::render

@@ -67,6 +67,17 @@ inline bool Wave::meetLights(int i, float from, float to) {
   return true;
 }
 
+inline glm::vec3 Wave::reflectedOf(int i, uint32_t l, const ArrivingLight& light, const bsdf::Any& material,
+                                   const bsdf::LocalFrame& local, const glm::vec3& wo) const {
+  const PathVertex& v = vertices_.lane[i];
+  const float irradiance = path_.irradianceOfOne(v) * path_.lightScale;
+  glm::vec3 value = bsdf::evaluate(material, wo, local.toLocal(light.direction)) * light.color * irradiance;
+  if (v.specular != glm::vec3(0))
+    value += path_.lightScale * v.specular *
+             path_.lights.highlight(v.instance, l, light, v.shading, viewerOf(i), v.shininess);
+  return value;
+}
+
 /// One light for each path, chosen by what all of them would give if nothing were in their way.
 HWY_ATTR inline void Wave::sampleLights() {
   alignas(64) Row u, unused, onLightX, onLightY;
@@ -82,16 +93,11 @@ HWY_ATTR inline void Wave::sampleLights() {
     const bsdf::LocalFrame local(v.shading);
     const glm::vec3 wo = local.toLocal(back_[i]);
     const bsdf::Any material = path_.bsdfOf(v, isInside(i));
-    const float irradiance = path_.irradianceOfOne(v) * path_.lightScale;
-    Choice choice{u[i]};
+    WeightedChoice choice{u[i]};
     ArrivingLight chosen;
     for (uint32_t l = 0; l < path_.lights.countOf(v.instance); ++l) {
       const ArrivingLight light = path_.lights.at(v.instance, l, v.point);
-      glm::vec3 value =
-          bsdf::evaluate(material, wo, local.toLocal(light.direction)) * light.color * irradiance;
-      if (v.specular != glm::vec3(0))
-        value += path_.lightScale * v.specular *
-                 path_.lights.highlight(v.instance, l, light, v.shading, viewerOf(i), v.shininess);
+      const glm::vec3 value = reflectedOf(i, l, light, material, local, wo);
       if (choice.takes(value.x + value.y + value.z)) chosen = light, brought[i] = value;
     }
     size_t added = path_.added.size();
@@ -111,24 +117,42 @@ HWY_ATTR inline void Wave::sampleLights() {
       brought[i] *= choice.total / choice.share;
     }
     if (depth_ == 0 && chosen.atViewer) return add(i, brought[i]);
-    constexpr float kBefore = 1 - 1e-5f;
     if (added < path_.added.size() && path_.added.isMet(added) && path_.added[added].isVisible()) {
-      aim(opaqueRays, i, chosen.direction, chosen.distance * kBefore);
+      aim(opaqueRays, i, chosen.direction, chosen.distance * kBeforeLight);
       opaque |= 1u << i;
     } else {
-      aim(rays, i, chosen.direction, chosen.distance * kBefore);
+      aim(rays, i, chosen.direction, chosen.distance * kBeforeLight);
       lanes |= 1u << i;
     }
   });
   float through[kLanes];
-  const auto bring = [&](uint32_t which) {
-    for (; which; which &= which - 1) {
-      const int i = std::countr_zero(which);
-      if (through[i] > 0) add(i, brought[i] * through[i]);
-    }
-  };
-  if (lanes) transmitFromLights(lanes, rays, through), bring(lanes);
-  if (opaque) transmit(opaque, opaqueRays, through), bring(opaque);
+  if (lanes) transmitFromLights(lanes, rays, through), bring(lanes, brought, through);
+  if (opaque) transmit(opaque, opaqueRays, through), bring(opaque, brought, through);
+}
+
+/// All of the program's lights. The vertices are of one instance, which viewers see.
+HWY_ATTR inline void Wave::sampleEachLight() {
+  uint32_t count = 0;
+  eachLane([&](int i) { count = std::max(count, path_.lights.countOf(vertices_.lane[i].instance)); });
+  for (uint32_t l = 0; l < count; ++l) {
+    accel::OcclusionRays rays;
+    uint32_t lanes = 0;
+    glm::vec3 brought[kLanes];
+    eachLane([&](int i) {
+      const PathVertex& v = vertices_.lane[i];
+      const bsdf::LocalFrame local(v.shading);
+      const ArrivingLight light = path_.lights.at(v.instance, l, v.point);
+      brought[i] = reflectedOf(i, l, light, path_.bsdfOf(v, isInside(i)), local, local.toLocal(back_[i]));
+      if (!(largestOf(brought[i]) > 0)) return;
+      if (light.atViewer) return add(i, brought[i]);
+      aim(rays, i, light.direction, light.distance * kBeforeLight);
+      lanes |= 1u << i;
+    });
+    if (!lanes) continue;
+    float through[kLanes];
+    transmitFromLights(lanes, rays, through);
+    bring(lanes, brought, through);
+  }
 }
 
 HWY_ATTR inline void Wave::sampleEnvironment() {
@@ -153,10 +177,7 @@ HWY_ATTR inline void Wave::sampleEnvironment() {
   if (!lanes) return;
   float through[kLanes];
   transmit(lanes, rays, through);
-  for (; lanes; lanes &= lanes - 1) {
-    const int i = std::countr_zero(lanes);
-    if (through[i] > 0) add(i, brought[i] * through[i]);
-  }
+  bring(lanes, brought, through);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,6 +9,7 @@
 
 #include "render/paths/clear_shadows.h"
 #include "render/paths/path_vertices.inl.h"
+#include "render/paths/weighted_choice.h"
 #include "render/remote/remote_surfaces.h"
 #include "render/sampling/sobol.inl.h"
 
@@ -67,6 +68,12 @@ class Wave {
     }
   }
 
+  /// Only what needs no samples: emission, and all lights of the program at the first surfaces.
+  HWY_ATTR void lightWithoutNoise() {
+    emit();
+    if (path_.depth > 0) sampleEachLight();
+  }
+
  private:
   HWY_ATTR void draw(PathUse use, Row& x, Row& y) const {
     drawFrom(static_cast<uint32_t>(Dimensions::path) +
@@ -114,28 +121,24 @@ class Wave {
     radiance_[i] += light;
   }
 
+  /// Adds what arrives at the vertices of `lanes`, by the shares that get through.
+  void bring(uint32_t lanes, const glm::vec3 (&brought)[kLanes], const float (&through)[kLanes]) {
+    for (; lanes; lanes &= lanes - 1) {
+      const int i = std::countr_zero(lanes);
+      if (through[i] > 0) add(i, brought[i] * through[i]);
+    }
+  }
+  static constexpr float kBeforeLight = 1 - 1e-5f;  // of the distance to a light
+
   void emit() {
     eachLane([&](int i) { add(i, vertices_.lane[i].emission); });
   }
 
   HWY_ATTR void sampleLights();
-  /// Chooses by weights, one after the other, with a single random number (weighted reservoir of one).
-  struct Choice {
-    float rest;                  // the random number, in [0, 1)
-    float total = 0, share = 0;  // sum of the weights; the chosen one's
-    /// Whether the one of this weight is chosen so far.
-    bool takes(float weight) {
-      if (!(weight > 0) || !std::isfinite(weight)) return false;
-      total += weight;
-      const float keep = weight / total;
-      if (rest < keep) {
-        share = weight, rest /= keep;
-        return true;
-      }
-      rest = (rest - keep) / (1 - keep);
-      return false;
-    }
-  };
+  HWY_ATTR void sampleEachLight();
+  /// Light of the program's light `l` that vertex i reflects if nothing is in its way.
+  glm::vec3 reflectedOf(int i, uint32_t l, const ArrivingLight& light, const bsdf::Any& material,
+                        const bsdf::LocalFrame& local, const glm::vec3& wo) const;
   /// What the choice among added lights goes by, kept until the path meets the next surface.
   struct LitPoint {
     glm::vec3 point{0}, normal{0, 0, 1};
@@ -275,22 +278,6 @@ HWY_ATTR inline void Wave::roulette() {
     else
       alive_ &= ~(1u << i);
   });
-}
-
-/// Replaces the colours of the local look by the paths' mean.
-HWY_ATTR inline void finishColors(const ColoredHits& hits, const glm::vec3 (&means)[kLanes],
-                                  ColorRows& rows) {
-  const scene::Shading& shading = *hits.surface.lighting->shading;
-  const bool encoded = shading.fragment.model == scene::FragmentShading::Model::pbr;
-  LitRows colors;
-  for (int i = 0; i < kLanes; ++i) {
-    glm::vec3 mean = means[i];
-    // VTK's physically based shading ends with this encoding, as the local look does.
-    if (encoded) mean = glm::pow(mean, glm::vec3(1 / 2.2f));
-    for (int c = 0; c < 3; ++c) colors.value[c][i] = mean[c];
-  }
-  if (shading.fog.mode != scene::Fog::off) applyFog(hits.surface, hits.group, colors);
-  for (int c = 0; c < 3; ++c) std::copy_n(colors.value[c], kLanes, rows.value[c]);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -12,6 +12,8 @@ struct FeatureView {
   const uint32_t* normal = nullptr;       // two coordinates (GeometryFeatures: a, b), 16 bits each
   const uint16_t* facing = nullptr;       // c: the leading bits of a float
   const float* distance = nullptr;        // d; 0: no auxiliary features, so that the pixel does not change
+  // Light that is left as it is, packed as the reflectance; null: none.
+  const uint32_t* noiseless = nullptr;
   // Of pixels that mix several samples or layers (render/resolve/mixed_features.h); null: of none. Packed by
   // packCoverage(); below 0: the pixel shows only a shadow catcher, and its light is its alpha.
   const uint16_t* coverage = nullptr;
@@ -26,13 +28,15 @@ struct NoisyImage {
   const uint16_t* noise = nullptr;  // estimated standard error, kNoiseOne being 1; null: not known
   FeatureView features;
   float target = 0;  // pixels with less noise do not change
-  // The largest displayed value. Brighter values are clamped to it, because noise is measured on displayed
-  // values.
+  // Brighter values are clamped to it.
   float most = std::numeric_limits<float>::max();
   bool backdrop = false;  // what lies behind the surfaces has colours of its own; otherwise it is black
 };
 
 constexpr float kNoiseOne = 65535;
+/// The brightest colour that filters of displayed images average. More than 1, so that noise does not darken
+/// what is nearly white; not much more, so that single bright samples do not show around their pixels.
+constexpr float kBrightest = 1.5f;
 
 /// Packs the auxiliary features of `count` pixels from the wide colours of passes of the modes reflectance
 /// and geometry. Pixels with depth `miss` show no surface.

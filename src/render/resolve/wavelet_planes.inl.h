@@ -44,7 +44,7 @@ struct WaveletPlanes {
 HWY_INLINE Float at(const float* plane, int i) { return hn::LoadU(FloatTag(), plane + i); }
 HWY_INLINE void put(Float v, float* plane, int i) { hn::StoreU(v, FloatTag(), plane + i); }
 
-/// A pixel's colour is light times `factor`, and what shows behind the surfaces.
+/// A pixel's colour is light times `factor`, and what shows behind the surfaces or has no noise.
 struct Demodulation {
   float factor[3] = {1, 1, 1}, behind[3] = {}, cover = 1;
   bool onCatcher = false;  // its light is alpha / cover
@@ -78,6 +78,11 @@ inline bool demodulate(const NoisyImage& in, int x, int y, Demodulation& d) {
     if (!(d.cover > 0)) return false;
   }
   for (int c = 0; c < 3; ++c) d.factor[c] = reflectance[c] * d.cover;
+  if (g.noiseless) {
+    const glm::vec3 light = unpackReflectance(g.noiseless[pixel]);
+    for (int c = 0; c < 3; ++c) d.behind[c] = light[c];
+    return true;
+  }
   if (!in.backdrop || d.onCatcher || d.cover == 1) return true;
   int count = 0;
   for (int reach = 1; reach <= 2 && !count; ++reach) count = addBehind(in, x, y, reach, d.behind);

@@ -154,11 +154,44 @@ TEST(Wavelet, BrightDotsAreNoise) {
   wall.each([&](int x, int y, size_t i) {
     if (x % 16 != 8 || y % 16 != 8) return;
     wall.light(i, 50);
-    wall.noise[i] = static_cast<uint16_t>(0.7f * kNoiseOne);
+    wall.noise[i] = static_cast<uint16_t>(kNoiseOne);
   });
-  wall.most = 1;
-  const std::vector<float> out = wall.smooth();
-  EXPECT_LT(*std::max_element(out.begin(), out.end()), 0.7f);
+  wall.most = kBrightest;
+  for (const bool known : {true, false}) {
+    const std::vector<float> out = wall.smooth(known);
+    EXPECT_LT(*std::max_element(out.begin(), out.end()), 0.8f) << known;
+  }
+}
+
+TEST(Wavelet, LightWithoutNoiseKeepsItsEdges) {
+  Wall wall;
+  addNoise(wall);
+  std::vector<float> edges(wall.color.size(), 0.0f);
+  wall.each([&](int x, int y, size_t i) {
+    for (size_t c = 0; c < 3; ++c) {
+      edges[4 * i + c] = (x / 3 + y / 3) % 2 ? 0.25f : 0.0f;
+      wall.color[4 * i + c] += edges[4 * i + c];
+    }
+  });
+  const auto error = [&] {
+    std::vector<float> rest = wall.smooth();
+    for (size_t i = 0; i < rest.size(); ++i) rest[i] -= edges[4 * i];
+    return deviation(rest, 0.5);
+  };
+  EXPECT_GT(error(), 0.06) << "edges that noise hides are smoothed";
+  wall.noiseless.resize(wall.depth.size());
+  packReflectances(edges.data(), wall.depth.size(), wall.noiseless.data());
+  EXPECT_LT(error(), 0.02);
+}
+
+TEST(Wavelet, NoiseDoesNotDarkenWhatIsNearlyWhite) {
+  Wall wall;
+  addNoise(wall);
+  wall.each([&](int, int, size_t i) { wall.light(i, wall.color[4 * i] + 0.48f); });
+  wall.most = kBrightest;
+  double sum = 0;
+  for (const float v : wall.smooth()) sum += v;
+  EXPECT_NEAR(sum / static_cast<double>(wall.depth.size()), 0.98, 0.005);
 }
 
 /// Two surfaces at different distances that meet in column 70, which shows `share` of the left one.

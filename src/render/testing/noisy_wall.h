@@ -19,6 +19,7 @@ struct NoisyWall {
   std::vector<uint32_t> packedReflectance, normal;
   std::vector<uint16_t> facing, packedCoverage;  // packedCoverage: empty: no pixel is mixed
   std::vector<float> distance;
+  std::vector<uint32_t> noiseless;  // empty: none
   float target = 0, most = std::numeric_limits<float>::max();
 
   explicit NoisyWall(int w = 80, int h = 70) : width(w), height(h) {
@@ -47,6 +48,7 @@ struct NoisyWall {
             color.data(),
             knowsNoise ? noise.data() : nullptr,
             {packedReflectance.data(), normal.data(), facing.data(), distance.data(),
+             noiseless.empty() ? nullptr : noiseless.data(),
              packedCoverage.empty() ? nullptr : packedCoverage.data()},
             target,
             most};
