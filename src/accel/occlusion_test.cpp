@@ -213,7 +213,41 @@ class BeyondPlane : public OccluderFilter {
   glm::vec4 plane_;
 };
 
+/// Lets one of two primitives pass.
+class EverySecond : public OccluderFilter {
+ public:
+  explicit EverySecond(bool usesPoints) : usesPoints_(usesPoints) {}
+  bool blocks(const Occluder& occluder) const noexcept override {
+    return occluder.primitive % 2 == 0 && (!usesPoints_ || std::isfinite(occluder.point.x));
+  }
+  bool usesPoints() const noexcept override { return usesPoints_; }
+
+ private:
+  bool usesPoints_;
+};
+
 class FilteredOcclusion : public testing::TestWithParam<Geometry> {};
+
+TEST_P(FilteredOcclusion, IsTheSameForFiltersThatUseNoPoints) {
+  Arena arena{2};
+  World world;
+  world.update(snapshotOf(meshOf(GetParam()), BvhQuality::full, kPlaces[0]), arena);
+  const EverySecond with(true), without(false);
+  int blocked = 0, all = 0;
+  for (uint32_t n = 0; n < 60; ++n) {
+    alignas(64) int32_t valid[kLanes];
+    const auto ask = [&](const OccluderFilter* filter) {
+      OcclusionRays rays;
+      aim(n, kPlaces[0], rays, valid);
+      return world.occluded(valid, rays, filter);
+    };
+    const uint32_t some = ask(&with);
+    ASSERT_EQ(ask(&without), some);
+    blocked += std::popcount(some), all += std::popcount(ask(nullptr));
+  }
+  EXPECT_GT(blocked, 0);
+  EXPECT_LT(blocked, all);
+}
 
 TEST_P(FilteredOcclusion, AsksForThePointInObjectSpace) {
   Arena arena{2};

@@ -80,24 +80,31 @@ PlacedImpostors::PlacedImpostors(const scene::Instance& instance, const scene::C
   viewer = glm::vec4(-lightingFromClip[2]);
 }
 
-bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor& f) {
+bool Ball::make(const PlacedImpostors& placed, uint32_t primitive, Ball& ball) {
   const scene::Mesh& mesh = *placed.mesh;
   const uint32_t vertex = mesh.corner(primitive, 0);
   const glm::vec4 position(mesh.position(vertex), 1);
   for (const glm::vec4& plane : placed.look.centerPlanes)
     if (glm::dot(plane, position) < 0) return false;
+  ball.center = scene::impostorCenter(placed.lightingFromObject, position);
+  ball.radius = radiusOf(mesh, vertex) / placed.look.radiusDivisor;
+  const glm::vec4 nearest(ball.center + glm::vec3(0, 0, ball.radius), 1);
+  return !placed.look.hemispheres || glm::dot(placed.lightingNear, nearest) > 0;
+}
+
+bool Impostor::make(const PlacedImpostors& placed, uint32_t primitive, Impostor& f) {
+  const scene::Mesh& mesh = *placed.mesh;
+  const uint32_t vertex = mesh.corner(primitive, 0);
+  Ball ball;
+  if (!Ball::make(placed, primitive, ball)) return false;
   f.shape = mesh.shape;
   f.billboards = placed.look.billboards;
   f.parallelView = placed.look.parallelView;
   f.inside = placed.look.inside;
   f.hemisphere = placed.look.hemispheres;
   f.gaussian = placed.look.gaussian;
-  f.center = scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex));
+  f.center = ball.center, f.radius = ball.radius;
   f.cardRadius = radiusOf(mesh, vertex);
-  f.radius = f.cardRadius / placed.look.radiusDivisor;
-  if (f.hemisphere &&
-      !(glm::dot(placed.lightingNear, glm::vec4(f.center + glm::vec3(0, 0, f.radius), 1)) > 0))
-    return false;
   f.toViewer = f.parallelView ? glm::vec3(0, 0, 1) : glm::normalize(-f.center);
   if (f.billboards == scene::Impostors::Billboards::square) {
     f.toViewer = {0, 0, 1}, f.right = {1, 0, 0}, f.up = {0, 1, 0};

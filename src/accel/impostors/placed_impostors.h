@@ -45,6 +45,14 @@ struct PlacedImpostors {
   PlacedImpostors(const scene::Instance&, const scene::Camera&);
 };
 
+/// The ball of a sphere, in lighting space.
+struct Ball {
+  glm::vec3 center;
+  float radius;
+  /// False if the sphere does not exist.
+  static bool make(const PlacedImpostors&, uint32_t primitive, Ball&);
+};
+
 /// One impostor, in lighting space.
 struct Impostor {
   scene::Shape shape;

@@ -219,11 +219,15 @@ std::optional<Hit> meetInLighting(const PlacedImpostors& placed, uint32_t primit
     return meetBall(ray, scene::impostorCenter(placed.lightingFromObject, mesh.position(vertex)),
                     halfWidth(placed, vertex));
   }
+  if (!isShown(placed, primitive)) return std::nullopt;
+  if (mesh.shape == scene::Shape::spheres) {
+    Ball ball;
+    return Ball::make(placed, primitive, ball) ? meetBall(ray, ball.center, ball.radius) : std::nullopt;
+  }
   Impostor impostor;
-  if (!isShown(placed, primitive) || !Impostor::make(placed, primitive, impostor)) return std::nullopt;
+  if (!Impostor::make(placed, primitive, impostor)) return std::nullopt;
   if (mesh.shape == scene::Shape::discs) return meetDisc(ray, impostor);
-  if (mesh.shape == scene::Shape::cylinders) return meetCylinder(ray, impostor);
-  return meetBall(ray, impostor.center, impostor.radius);
+  return meetCylinder(ray, impostor);
 }
 
 }  // namespace
@@ -253,9 +257,9 @@ std::optional<RoundHull> hullOf(const PlacedImpostors& placed, uint32_t primitiv
     hull.whole = placed.look.centerPlanes.empty();
     return hull;
   }
-  Impostor ball;
+  Ball ball;
   if (mesh.shape != scene::Shape::spheres || !isShown(placed, primitive)) return std::nullopt;
-  if (!Impostor::make(placed, primitive, ball)) return std::nullopt;
+  if (!Ball::make(placed, primitive, ball)) return std::nullopt;
   return RoundHull{{ball.center, ball.center}, {ball.radius, ball.radius}};
 }
 

@@ -33,6 +33,9 @@ class OccluderFilter {
   virtual ~OccluderFilter() = default;
   /// Returns false if the ray continues through the surface.
   virtual bool blocks(const Occluder&) const noexcept = 0;
+  /// Whether blocks() uses Occluder::point. If not, the points of impostors need not be computed, and are
+  /// undefined.
+  virtual bool usesPoints() const noexcept { return true; }
 };
 
 }  // namespace gluray::accel

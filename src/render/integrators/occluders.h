@@ -21,6 +21,8 @@ class Occluders {
   bool areSolid() const { return planes_.empty() && !tested_ && !translucent_; }
   /// Whether some surface may be translucent.
   bool areTranslucent() const { return translucent_; }
+  /// Whether the answers depend on Occluder::point.
+  bool usePoints() const { return !planes_.empty(); }
   /// Whether the clip planes and the alpha test of the instance keep the point.
   bool isThere(const accel::Occluder&) const;
   /// Whether the alpha test of an instance keeps a point of that alpha.
@@ -50,6 +52,7 @@ class Transmittance final : public accel::OccluderFilter {
     for (float& t : through) t = 1;
   }
   bool blocks(const accel::Occluder&) const noexcept override;
+  bool usesPoints() const noexcept override { return occluders_.usePoints(); }
 
   mutable float through[accel::kLanes];  // of rays that are not blocked
 
@@ -69,6 +72,7 @@ class ColoredTransmittance final : public accel::OccluderFilter {
     std::fill_n(ignoredByLane, accel::kLanes, kNone);
   }
   bool blocks(const accel::Occluder&) const noexcept override;
+  bool usesPoints() const noexcept override { return occluders_.usePoints(); }
 
   mutable glm::vec3 through[accel::kLanes];  // of rays that are not blocked
   uint32_t ignoredByLane[accel::kLanes];     // an instance that does not block the lane's ray, or kNone

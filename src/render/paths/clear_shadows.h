@@ -25,6 +25,7 @@ class ClearShadows final : public accel::OccluderFilter {
                                      : 1 - occluders_.opacityOf(occluder);
     return left < kNothing;
   }
+  bool usesPoints() const noexcept override { return occluders_.usePoints(); }
 
   mutable float through[accel::kLanes];  // of rays that are not blocked
 
