@@ -159,14 +159,36 @@ bool isCutAway(const PlacedImpostors& placed, const glm::dvec3& object) {
   return false;
 }
 
+/// A row of a matrix times (p, 1).
+template <class Matrix>
+double rowTimes(const Matrix& m, int row, const glm::vec3& p) {
+  return (double{m[0][row]} * double{p.x} + double{m[1][row]} * double{p.y}) +
+         (double{m[2][row]} * double{p.z} + double{m[3][row]});
+}
+
+/// The ray in lighting space.
+Ray inLighting(const PlacedImpostors& placed, const ObjectRay& r) {
+  const glm::mat4& m = placed.lightingFromObject;
+  const auto turned = [&](int row) {
+    return double{m[0][row]} * double{r.dir.x} + double{m[1][row]} * double{r.dir.y} +
+           double{m[2][row]} * double{r.dir.z};
+  };
+  return {{rowTimes(m, 0, r.org), rowTimes(m, 1, r.org), rowTimes(m, 2, r.org)},
+          {turned(0), turned(1), turned(2)},
+          r.tNear,
+          r.tFar,
+          !scene::isSizedInPixels(placed.mesh->shape)};
+}
+
 /// Whether the program shows the sphere. Its billboard has a constant z, so that near and far plane clip it
 /// as a whole, by the sphere's centre.
 bool isShown(const PlacedImpostors& placed, uint32_t primitive) {
   const scene::Mesh& mesh = *placed.mesh;
   if (mesh.shape != scene::Shape::spheres || placed.look.billboards != scene::Impostors::Billboards::square)
     return true;
-  const glm::dvec4 clip = placed.clipFromObject * glm::dvec4(mesh.position(mesh.corner(primitive, 0)), 1);
-  return std::abs(clip.z) <= clip.w;  // make() looks at the near plane of half spheres
+  const glm::vec3 center = mesh.position(mesh.corner(primitive, 0));
+  // make() looks at the near plane of half spheres.
+  return std::abs(rowTimes(placed.clipFromObject, 2, center)) <= rowTimes(placed.clipFromObject, 3, center);
 }
 
 std::optional<Hit> meetTube(const PlacedImpostors& placed, uint32_t primitive, const Ray& ray) {
@@ -272,13 +294,10 @@ std::optional<SolidHit> meetSolid(const PlacedImpostors& placed, uint32_t primit
     if (!hit) return std::nullopt;
     return SolidHit{static_cast<float>(hit->t), glm::vec3(hit->normal)};
   }
-  const glm::dmat4 lightingFromObject(placed.lightingFromObject);
-  const glm::dmat3 linear(lightingFromObject);
-  const Ray inLighting{glm::dvec3(lightingFromObject * glm::dvec4(ray.org, 1)), linear * ray.dir, ray.tNear,
-                       ray.tFar, !scene::isSizedInPixels(placed.mesh->shape)};
-  const std::optional<Hit> hit = meetInLighting(placed, primitive, inLighting);
+  const std::optional<Hit> hit = meetInLighting(placed, primitive, inLighting(placed, r));
   if (!hit) return std::nullopt;
-  return SolidHit{static_cast<float>(hit->t), glm::vec3(glm::transpose(linear) * hit->normal)};
+  return SolidHit{static_cast<float>(hit->t),
+                  glm::vec3(glm::transpose(glm::dmat3(glm::mat3(placed.lightingFromObject))) * hit->normal)};
 }
 
 }  // namespace gluray::accel

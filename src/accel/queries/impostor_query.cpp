@@ -54,8 +54,12 @@ ObjectRay rayOf(RTCRayN* ray, unsigned count, unsigned i) {
           RTCRayN_tfar(ray, count, i)};
 }
 
+/// Nothing for a single ray and a ball, whose test takes no longer than the guess.
 SolidGuess guess(const PlacedImpostors& placed, uint32_t primitive, const RTCRayN* rays, unsigned count,
                  uint32_t lanes) {
+  const scene::Shape shape = placed.mesh->shape;
+  if (std::has_single_bit(lanes) && (shape == scene::Shape::spheres || shape == scene::Shape::beads))
+    return {};
   const std::optional<RoundHull> hull = hullOf(placed, primitive);
   if (!hull) return {};
   return guessSolid(placed, *hull, reinterpret_cast<const float*>(rays), count, lanes);
