@@ -169,12 +169,9 @@ double rowTimes(const Matrix& m, int row, const glm::vec3& p) {
 /// The ray in lighting space.
 Ray inLighting(const PlacedImpostors& placed, const ObjectRay& r) {
   const glm::mat4& m = placed.lightingFromObject;
-  const auto turned = [&](int row) {
-    return double{m[0][row]} * double{r.dir.x} + double{m[1][row]} * double{r.dir.y} +
-           double{m[2][row]} * double{r.dir.z};
-  };
+  const glm::dmat3 linear(glm::mat3{m});
   return {{rowTimes(m, 0, r.org), rowTimes(m, 1, r.org), rowTimes(m, 2, r.org)},
-          {turned(0), turned(1), turned(2)},
+          linear * glm::dvec3(r.dir),
           r.tNear,
           r.tFar,
           !scene::isSizedInPixels(placed.mesh->shape)};
